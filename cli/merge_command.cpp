@@ -46,6 +46,12 @@ Result<Share> read_share(const std::string& folder) {
   if (!identity) return identity.error();
   Result<std::vector<JobResult>> results = store->all();
   if (!results) return results.error();
+  for (const JobResult& job : *results) {
+    if (job.is_altered)
+      return unfit(folder, "its result of job " + printable(job.name) +
+                               " is not what was stored: its store was changed, or damaged; run that shard again, "
+                               "which runs this job anew");
+  }
   return Share{folder, std::move(*identity), std::move(*results)};
 }
 

@@ -35,9 +35,10 @@ struct JobResult {
   Diagnostics warnings;  ///< of a job without a result its errors
   std::vector<InputFile> inputs;
   std::vector<JobOutput> outputs;
-  std::string report;    ///< its report.html below the folder of the batch; empty: none
-  std::string key;       ///< SHA-256 of all that the result depends on; empty: it may not be used again
-  std::string messages;  ///< what its command said on standard error
+  std::string report;       ///< its report.html below the folder of the batch; empty: none
+  std::string key;          ///< SHA-256 of all that the result depends on; empty: it may not be used again
+  std::string messages;     ///< what its command said on standard error
+  bool is_altered = false;  ///< a store gave back other rows than were put into it: it is no result
   // What may differ between two runs of the same job.
   double seconds = 0;
   double memory_mb = 0;  ///< at the peak of the process until its end

@@ -1,8 +1,12 @@
 #include "postproc/store/job_rows.h"
 
+#include <cmath>
 #include <functional>
 #include <string_view>
 #include <utility>
+
+#include "lib/base/number_text.h"
+#include "lib/base/sha256.h"
 
 namespace gouge {
 namespace {
@@ -20,38 +24,39 @@ constexpr std::pair<MoveState, std::size_t StateCounts::*> kCounts[] = {
     {MoveState::not_certified, &StateCounts::not_certified}};
 constexpr std::string_view kSkipped = "skipped";
 
-void insert_findings(Database& database, std::int64_t job, const std::vector<Finding>& findings) {
+/// Takes a statement and its values, the first of which is the number of the job.
+using PutRow = std::function<void(std::string_view sql, const std::vector<Cell>& values)>;
+
+void put_findings(const PutRow& put, std::int64_t job, const std::vector<Finding>& findings) {
   for (std::size_t k = 0; k < findings.size(); ++k) {
     const Finding& f = findings[k];
     const auto at = [&](int axis) { return f.point ? Cell((*f.point)[axis]) : Cell(nullptr); };
-    database.run("INSERT INTO findings VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)",
-                 {job, whole(k), state_name(f.state), whole(f.line), whole(f.move), whole(f.moves), f.tool, f.body,
-                  f.against, cell(f.depth), cell(f.depth_upper), cell(f.t), at(0), at(1), at(2), f.message,
-                  f.fingerprint, f.baseline_state, f.justification});
+    put("INSERT INTO findings VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)",
+        {job, whole(k), state_name(f.state), whole(f.line), whole(f.move), whole(f.moves), f.tool, f.body, f.against,
+         cell(f.depth), cell(f.depth_upper), cell(f.t), at(0), at(1), at(2), f.message, f.fingerprint, f.baseline_state,
+         f.justification});
   }
 }
 
-void insert_lists(Database& database, std::int64_t job, const JobResult& result) {
+void put_lists(const PutRow& put, std::int64_t job, const JobResult& result) {
   for (std::size_t k = 0; k < result.cases.size(); ++k) {
     const JunitCase& one = result.cases[k];
-    database.run("INSERT INTO cases VALUES(?,?,?,?,?,?,?,?,?)",
-                 {job, whole(k), one.name, whole(one.moves), one.failure_type, one.failure_message, one.failure_text,
-                  one.skipped_message, one.error_message});
+    put("INSERT INTO cases VALUES(?,?,?,?,?,?,?,?,?)",
+        {job, whole(k), one.name, whole(one.moves), one.failure_type, one.failure_message, one.failure_text,
+         one.skipped_message, one.error_message});
   }
   for (std::size_t k = 0; k < result.warnings.size(); ++k) {
     const Diagnostic& one = result.warnings[k];
-    database.run("INSERT INTO warnings VALUES(?,?,?,?,?,?,?)",
-                 {job, whole(k), std::int64_t{static_cast<int>(one.severity)}, one.code, one.file, whole(one.line),
-                  one.message});
+    put("INSERT INTO warnings VALUES(?,?,?,?,?,?,?)", {job, whole(k), std::int64_t{static_cast<int>(one.severity)},
+                                                       one.code, one.file, whole(one.line), one.message});
   }
   for (std::size_t k = 0; k < result.inputs.size(); ++k) {
     const InputFile& one = result.inputs[k];
-    database.run("INSERT INTO inputs VALUES(?,?,?,?,?,?)",
-                 {job, whole(k), one.role, one.name, whole(one.bytes), one.checksum});
+    put("INSERT INTO inputs VALUES(?,?,?,?,?,?)", {job, whole(k), one.role, one.name, whole(one.bytes), one.checksum});
   }
   for (std::size_t k = 0; k < result.outputs.size(); ++k) {
     const JobOutput& one = result.outputs[k];
-    database.run("INSERT INTO outputs VALUES(?,?,?,?,?)", {job, whole(k), one.file, whole(one.bytes), one.sha256});
+    put("INSERT INTO outputs VALUES(?,?,?,?,?)", {job, whole(k), one.file, whole(one.bytes), one.sha256});
   }
 }
 
@@ -108,34 +113,66 @@ void read_count(const Row& row, JobResult& job) {
   }
 }
 
+// Without what may differ between two runs of the job.
+std::vector<Cell> job_cells(std::int64_t job, const JobResult& r) {
+  return {job,
+          r.name,
+          r.command,
+          r.toolpath,
+          std::int64_t{r.status.value_or(0)},
+          r.verdict(),
+          r.unit,
+          whole(r.moves()),
+          whole(r.gouge_findings()),
+          cell(r.deepest),
+          r.deepest_mm,
+          whole(r.deepest_line),
+          r.report,
+          r.key,
+          r.beside,
+          r.messages};
+}
+
+void put_rows_beside(const PutRow& put, std::int64_t job, const JobResult& result) {
+  for (const auto& [state, count] : kCounts)
+    put("INSERT INTO counts VALUES(?,?,?)", {job, state_name(state), whole(result.counts.*count)});
+  put("INSERT INTO counts VALUES(?,?,?)", {job, kSkipped, whole(result.counts.skipped)});
+  put_findings(put, job, result.findings);
+  put_lists(put, job, result);
+}
+
+// As SQLite gives it back: it stores -0 as 0 and what is no number as NULL.
+std::string text_of(const Cell& cell) {
+  if (const auto* number = std::get_if<std::int64_t>(&cell)) return "i" + std::to_string(*number);
+  if (const auto* number = std::get_if<double>(&cell); number != nullptr && !std::isnan(*number))
+    return "d" + (std::isfinite(*number) ? exact_text(*number) : std::to_string(*number));
+  if (const auto* text = std::get_if<std::string_view>(&cell))
+    return "t" + std::to_string(text->size()) + ":" + std::string(*text);
+  return "n";
+}
+
+// Of all rows of a job, without its number in the list.
+std::string digest_of(const JobResult& result) {
+  Sha256 digest;
+  const PutRow add = [&](std::string_view sql, const std::vector<Cell>& values) {
+    digest.add(sql);
+    for (std::size_t k = 1; k < values.size(); ++k) digest.add(text_of(values[k]) + '\n');
+  };
+  add("jobs", job_cells(0, result));
+  put_rows_beside(add, 0, result);
+  return digest.finish();
+}
+
 }  // namespace
 
-void insert_job(Database& database, std::int64_t job, const JobResult& r) {
-  database.run("INSERT INTO jobs VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)", {job,
-                                                                                    r.name,
-                                                                                    r.command,
-                                                                                    r.toolpath,
-                                                                                    std::int64_t{r.status.value_or(0)},
-                                                                                    r.verdict(),
-                                                                                    r.unit,
-                                                                                    whole(r.moves()),
-                                                                                    whole(r.gouge_findings()),
-                                                                                    cell(r.deepest),
-                                                                                    r.deepest_mm,
-                                                                                    whole(r.deepest_line),
-                                                                                    r.report,
-                                                                                    r.key,
-                                                                                    r.beside,
-                                                                                    r.messages,
-                                                                                    r.seconds,
-                                                                                    r.memory_mb,
-                                                                                    r.host,
-                                                                                    std::int64_t{r.rank}});
-  for (const auto& [state, count] : kCounts)
-    database.run("INSERT INTO counts VALUES(?,?,?)", {job, state_name(state), whole(r.counts.*count)});
-  database.run("INSERT INTO counts VALUES(?,?,?)", {job, kSkipped, whole(r.counts.skipped)});
-  insert_findings(database, job, r.findings);
-  insert_lists(database, job, r);
+void insert_job(Database& database, std::int64_t job, const JobResult& result) {
+  std::vector<Cell> cells = job_cells(job, result);
+  const std::string digest = digest_of(result);
+  cells.insert(cells.end(),
+               {result.seconds, result.memory_mb, result.host, std::int64_t{result.rank}, std::string_view(digest)});
+  database.run("INSERT INTO jobs VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)", cells);
+  put_rows_beside([&](std::string_view sql, const std::vector<Cell>& values) { database.run(sql, values); }, job,
+                  result);
 }
 
 void read_jobs(Database& database, const std::map<std::int64_t, std::size_t>& places, std::vector<JobResult>& jobs) {
@@ -144,7 +181,11 @@ void read_jobs(Database& database, const std::map<std::int64_t, std::size_t>& pl
       if (const auto place = places.find(row.integer(0)); place != places.end()) use(row, jobs[place->second]);
     });
   };
-  each("SELECT * FROM jobs ORDER BY job", read_job);
+  std::map<const JobResult*, std::string> digests;
+  each("SELECT * FROM jobs ORDER BY job", [&](const Row& row, JobResult& job) {
+    read_job(row, job);
+    digests[&job] = row.text(20);
+  });
   each("SELECT * FROM counts", read_count);
   each("SELECT * FROM findings ORDER BY job, finding",
        [](const Row& row, JobResult& job) { job.findings.push_back(finding_of(row)); });
@@ -162,6 +203,10 @@ void read_jobs(Database& database, const std::map<std::int64_t, std::size_t>& pl
   each("SELECT * FROM outputs ORDER BY job, number", [](const Row& row, JobResult& job) {
     job.outputs.push_back({row.text(2), static_cast<std::uint64_t>(row.integer(3)), row.text(4)});
   });
+  for (JobResult& job : jobs) {
+    const auto known = digests.find(&job);
+    job.is_altered = known != digests.end() && known->second != digest_of(job);
+  }
 }
 
 }  // namespace gouge

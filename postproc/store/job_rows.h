@@ -15,7 +15,7 @@ namespace gouge {
 void insert_job(Database& database, std::int64_t job, const JobResult& result);
 
 /// Fills in those of `jobs` that have a result. `places`: which of them a job of that number is; rows of other jobs are
-/// passed over.
+/// passed over. A result whose rows are not those that were inserted is_altered.
 void read_jobs(Database& database, const std::map<std::int64_t, std::size_t>& places, std::vector<JobResult>& jobs);
 
 }  // namespace gouge

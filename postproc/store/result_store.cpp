@@ -63,16 +63,16 @@ void ResultStore::make_tables() {
 
 void ResultStore::read_done() {
   done_.clear();
-  std::map<std::int64_t, std::size_t> at;
-  database_.each("SELECT job, name, key, status FROM jobs ORDER BY job", {}, [&](const Row& row) {
-    at[row.integer(0)] = done_.size();
-    done_.push_back({row.text(1), row.text(2), static_cast<int>(row.integer(3)), {}});
+  std::map<std::int64_t, std::size_t> places;
+  std::vector<JobResult> jobs;
+  database_.each("SELECT job, name FROM jobs ORDER BY job", {}, [&](const Row& row) {
+    places[row.integer(0)] = jobs.size();
+    jobs.emplace_back();
+    jobs.back().name = row.text(1);
   });
-  database_.each("SELECT job, file, bytes, sha256 FROM outputs ORDER BY job, number", {}, [&](const Row& row) {
-    const auto job = at.find(row.integer(0));
-    if (job == at.end()) return;
-    done_[job->second].outputs.push_back({row.text(1), static_cast<std::uint64_t>(row.integer(2)), row.text(3)});
-  });
+  read_jobs(database_, places, jobs);
+  for (JobResult& job : jobs)
+    done_.push_back({job.name, job.is_altered ? "" : job.key, job.status.value_or(0), std::move(job.outputs)});
 }
 
 Outcome ResultStore::begin(const BatchIdentity& batch) {
@@ -148,6 +148,13 @@ Result<std::vector<JobResult>> ResultStore::all() {
   });
   read_jobs(database_, places, jobs);
   if (database_.error()) return *database_.error();
+  for (JobResult& job : jobs) {
+    if (!job.is_altered) continue;
+    JobResult unknown;
+    unknown.name = job.name;
+    unknown.is_altered = true;
+    job = unknown;
+  }
   return jobs;
 }
 

@@ -23,7 +23,7 @@ struct BatchIdentity {
 
 /// Of a job that has a result in the store.
 struct StoredJob {
-  std::string name, key;
+  std::string name, key;  ///< no key: the result may not be used again
   int status = 0;
   std::vector<JobOutput> outputs;
 };
@@ -51,7 +51,8 @@ class ResultStore {
   [[nodiscard]] Outcome put(const std::vector<Numbered>& results);
   /// Reads anew which jobs are done.
   [[nodiscard]] Outcome refresh();
-  /// One for each job that is run here, in order; those that have not run have a name alone.
+  /// One for each job that is run here, in order; those that have not run have a name alone, and those whose rows
+  /// were altered since they were put (is_altered).
   [[nodiscard]] Result<std::vector<JobResult>> all();
   /// Of the batch that was begun last; empty names where there is none.
   [[nodiscard]] Result<BatchIdentity> identity();
@@ -65,7 +66,6 @@ class ResultStore {
   void read_done();
   void remove(std::int64_t job);
   void renumber(const BatchIdentity& batch);
-  void insert(std::int64_t job, const JobResult& result);
 
   Database database_;
   bool has_tables_ = false;

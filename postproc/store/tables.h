@@ -5,7 +5,7 @@
 namespace gouge {
 
 /// PRAGMA user_version of a store: other tables have another number.
-inline constexpr int kStoreVersion = 2;
+inline constexpr int kStoreVersion = 3;
 /// PRAGMA application_id: "goug".
 inline constexpr int kStoreApplication = 0x676f7567;
 
@@ -21,7 +21,7 @@ inline constexpr std::string_view kCreateTables[] = {
     "status INTEGER NOT NULL, verdict TEXT NOT NULL, unit TEXT NOT NULL, moves INTEGER NOT NULL, findings INTEGER NOT "
     "NULL, deepest REAL, deepest_mm REAL NOT NULL, deepest_line INTEGER NOT NULL, report TEXT NOT NULL, key TEXT NOT "
     "NULL, beside TEXT NOT NULL, messages TEXT NOT NULL, seconds REAL NOT NULL, memory_mb REAL NOT NULL, host TEXT NOT "
-    "NULL, rank INTEGER NOT NULL)",
+    "NULL, rank INTEGER NOT NULL, digest TEXT NOT NULL)",
     "CREATE TABLE counts(job INTEGER NOT NULL, state TEXT NOT NULL, moves INTEGER NOT NULL, PRIMARY KEY(job, state)) "
     "WITHOUT ROWID",
     "CREATE TABLE findings(job INTEGER NOT NULL, finding INTEGER NOT NULL, state TEXT NOT NULL, line INTEGER NOT NULL, "

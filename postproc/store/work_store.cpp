@@ -2,20 +2,38 @@
 
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "lib/base/files.h"
+#include "lib/base/sha256.h"
 #include "postproc/store/tables.h"
 
 namespace gouge {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// A disk may give back other bytes than it was given, and they would be verdicts.
+std::string digest_of(std::string_view stage, std::size_t stretch, std::string_view bytes) {
+  Sha256 digest;
+  digest.add(stage);
+  digest.add(" " + std::to_string(stretch) + "\n");
+  digest.add(bytes);
+  return digest.finish();
+}
+
+}  // namespace
+
 std::optional<std::string> WorkStore::find(std::string_view stage, std::size_t stretch) {
   open();
   if (!database_) return std::nullopt;
   std::optional<std::string> bytes;
-  database_->each("SELECT bytes FROM stretches WHERE stage = ? AND stretch = ?",
-                  {stage, static_cast<std::int64_t>(stretch)}, [&](const Row& row) { bytes = row.text(0); });
+  database_->each("SELECT bytes, digest FROM stretches WHERE stage = ? AND stretch = ?",
+                  {stage, static_cast<std::int64_t>(stretch)}, [&](const Row& row) {
+                    std::string kept = row.text(0);
+                    if (row.text(1) == digest_of(stage, stretch, kept)) bytes = std::move(kept);
+                  });
   return database_->error() ? std::nullopt : bytes;
 }
 
@@ -23,8 +41,9 @@ void WorkStore::keep(std::string_view stage, std::size_t stretch, std::string_vi
   open();
   if (!database_) return;
   const Outcome kept = database_->change([&] {
-    database_->run("INSERT OR REPLACE INTO stretches VALUES(?, ?, ?)",
-                   {stage, static_cast<std::int64_t>(stretch), bytes});
+    const std::string digest = digest_of(stage, stretch, bytes);
+    database_->run("INSERT OR REPLACE INTO stretches VALUES(?, ?, ?, ?)",
+                   {stage, static_cast<std::int64_t>(stretch), bytes, std::string_view(digest)});
   });
   static_cast<void>(kept);  // else the job goes on without
 }
@@ -56,7 +75,7 @@ bool WorkStore::prepare() {
     database_->run("PRAGMA user_version = " + std::to_string(kStoreVersion));
     database_->run(
         "CREATE TABLE IF NOT EXISTS stretches(stage TEXT NOT NULL, stretch INTEGER NOT NULL, bytes BLOB NOT NULL, "
-        "PRIMARY KEY(stage, stretch))");
+        "digest TEXT NOT NULL, PRIMARY KEY(stage, stretch))");
   });
   return made.has_value();
 }

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
 
 namespace gouge::testing_samples {
 namespace {
@@ -90,6 +91,20 @@ void write_job_list(const std::string& folder, const std::vector<std::string>& s
   write_text(folder + "/jobs.json", list.dump(1));
 }
 
+std::string samples_with_list(const std::vector<std::string>& samples) {
+  const std::string folder = fresh_folder();
+  EXPECT_EQ(run_make_samples(folder).exit_status, 0);
+  write_job_list(folder, samples);
+  return folder;
+}
+
+Outcome run_batch(const std::string& folder, std::vector<std::string> words) {
+  words.insert(words.begin(), "batch");
+  return run_gougecheck(folder, words);
+}
+
+Json summary_of(const std::string& folder) { return Json::parse(text_of(folder + "/summary.json")); }
+
 std::map<std::string, std::string> batch_files(const std::string& folder) {
   static const std::regex kTime("time=\"[0-9.]+\"");
   std::map<std::string, std::string> files;
@@ -112,6 +127,19 @@ void change_store(const std::string& file, const std::string& sql) {
   EXPECT_EQ(sqlite3_open_v2(file.c_str(), &store, SQLITE_OPEN_READWRITE, nullptr), SQLITE_OK);
   EXPECT_EQ(sqlite3_exec(store, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
   sqlite3_close(store);
+}
+
+long number_in_store(const std::string& file, const std::string& sql) {
+  sqlite3* store = nullptr;
+  long number = -1;
+  EXPECT_EQ(sqlite3_open_v2(file.c_str(), &store, SQLITE_OPEN_READWRITE, nullptr), SQLITE_OK);
+  const auto take = [](void* to, int, char** values, char**) {
+    *static_cast<long*>(to) = values[0] == nullptr ? -1 : std::stol(values[0]);
+    return 0;
+  };
+  EXPECT_EQ(sqlite3_exec(store, sql.c_str(), take, &number, nullptr), SQLITE_OK);
+  sqlite3_close(store);
+  return number;
 }
 
 std::string difference(const std::map<std::string, std::string>& a, const std::map<std::string, std::string>& b) {

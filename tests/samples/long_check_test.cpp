@@ -46,7 +46,7 @@ void write_list(const std::string& folder) {
   write_text(folder + "/jobs.json", list.dump());
 }
 
-std::string samples_with_list() {
+std::string samples_with_real_pairs() {
   const std::string folder = fresh_folder();
   EXPECT_EQ(run_make_samples(folder).exit_status, 0);
   write_list(folder);
@@ -54,7 +54,7 @@ std::string samples_with_list() {
 }
 
 TEST(LongCheck, LeavesTheBytesOfOneInMemoryAndInOnePiece) {
-  const std::string folder = samples_with_list();
+  const std::string folder = samples_with_real_pairs();
   const Outcome plain = run_script(folder, "$GOUGECHECK batch jobs.json -o plain -q");
   const auto expected = batch_files(folder + "/plain");
   for (const char* how : {"--jobs 1 --threads 3", "--jobs 4"}) {
@@ -97,7 +97,9 @@ TEST(LongCheck, TakesWhatOneThatFailedHasKept) {
   };
   const auto fail = [&](const std::string& out) {
     EXPECT_EQ(run_script(folder,
-                         "ln -sf /dev/full moves.csv; $GOUGECHECK batch jobs.json -q --no-reports --chunk 1 -o " + out)
+                         "ln -sf /dev/full moves.csv; $GOUGECHECK batch jobs.json -q --no-reports --chunk 1 "
+                         "--resume -o " +
+                             out)
                   .exit_status,
               5);
     std::vector<std::string> kept;
@@ -106,16 +108,32 @@ TEST(LongCheck, TakesWhatOneThatFailedHasKept) {
     EXPECT_EQ(kept.size(), 1U);
     return kept.front();
   };
+  // How many stretches are done again after `sql` was done to those that are kept.
+  const auto done_again = [&](const std::string& out, const std::string& sql) {
+    change_store(fail(out),
+                 sql +
+                     "; CREATE TABLE again(stretch); CREATE TRIGGER note AFTER INSERT ON stretches BEGIN INSERT INTO "
+                     "again VALUES(new.stretch); END");
+    return number_in_store(fail(out), "SELECT count(*) FROM again");
+  };
   const std::string expected = csv_of("whole", "");
-  static_cast<void>(fail("failed"));
+  EXPECT_EQ(done_again("failed", "SELECT 1"), 0);
   EXPECT_TRUE(csv_of("failed", " --chunk 1 --resume") == expected);
   EXPECT_FALSE(fs::exists(folder + "/failed/unfinished"));
-  // That it is taken shows where it is wrong.
-  change_store(fail("wrong"),
-               "UPDATE stretches SET bytes = (SELECT bytes FROM stretches WHERE stretch = 1) WHERE stretch = 2");
-  EXPECT_FALSE(csv_of("wrong", " --chunk 1 --resume") == expected);
-  change_store(fail("older"), "UPDATE stretches SET bytes = substr(bytes, 2) WHERE stretch = 2");
-  EXPECT_TRUE(csv_of("older", " --chunk 1 --resume") == expected);
+  // A stretch that is not what was kept is no verdict.
+  const std::pair<const char*, const char*> wrongs[] = {
+      {"moved",
+       "UPDATE stretches SET bytes = (SELECT bytes FROM stretches WHERE stretch = 1), digest = (SELECT digest "
+       "FROM stretches WHERE stretch = 1) WHERE stretch = 2"},
+      {"shorter", "UPDATE stretches SET bytes = substr(bytes, 2) WHERE stretch = 2"},
+      {"flipped",
+       "UPDATE stretches SET bytes = CAST(substr(bytes, 1, 40) || x'5a' || substr(bytes, 42) AS BLOB) WHERE "
+       "stretch = 2"},
+      {"lost", "DELETE FROM stretches WHERE stretch = 2"}};
+  for (const auto& [out, sql] : wrongs) {
+    EXPECT_GE(done_again(out, sql), 1) << out;
+    EXPECT_TRUE(csv_of(out, " --chunk 1 --resume") == expected) << out;
+  }
   static_cast<void>(fail("anew"));
   EXPECT_TRUE(csv_of("anew", " --chunk 1 --fresh") == expected);
 }

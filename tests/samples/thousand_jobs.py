@@ -2,8 +2,8 @@
 """thousand_jobs.py SAMPLES DATA OUT.json: a job list of 1,000 jobs for a batch.
 
 SAMPLES is a folder of make_samples, DATA one with toolpaths/ and parts/matched/ (or "-": without them). Each sample is
-checked and corrected, each pair of DATA checked, with tolerances that make every job another one; one job in thirty
-has a report.
+checked and corrected, each pair of DATA checked, with tolerances that make every job another one, those that take
+longest with one of them; one job in thirty has a report.
 """
 import json
 import os
@@ -13,6 +13,9 @@ PAIRS = [(f"solidworks_cam/{n}.apt", f"{n}.STL")
          for n in ("basemach", "Sacrifice-Board", "SupPetriLED", "Teste-Metrologia", "Paralelipipedo2")] + [
              (f"five_axis_part/{n}", "five_axis_part_inch.stl")
              for n in ("subset_autodesk_iso4343.apt", "subset_camplete.apt")]
+LONG = ("basemach.apt", "Sacrifice-Board.apt", "subset_autodesk_iso4343.apt", "subset_camplete.apt",
+        "freeform corrected", "blade corrected")
+LONG_TURNS = 1
 
 
 def from_samples(samples):
@@ -44,10 +47,13 @@ def from_data(data):
 def main():
     samples, data, out = sys.argv[1:]
     kinds = from_samples(samples) + ([] if data == "-" else from_data(data))
-    jobs = []
-    for k in range(1000):
-        job, turn = kinds[k % len(kinds)], k // len(kinds)
-        jobs.append(dict(job, name=f"{job['name']} {turn}", tolerance=round(0.01 + 0.0005 * turn, 4), report=k % 30 == 0))
+    jobs, turn = [], 0
+    while len(jobs) < 1000:
+        turns = [job for job in kinds if turn < LONG_TURNS or job["name"] not in LONG]
+        for job in turns[:1000 - len(jobs)]:
+            jobs.append(dict(job, name=f"{job['name']} {turn}", tolerance=round(0.01 + 0.0005 * turn, 4),
+                             report=len(jobs) % 30 == 0))
+        turn += 1
     json.dump({"jobs": jobs}, open(out, "w"), indent=1)
 
 

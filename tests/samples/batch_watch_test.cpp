@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/samples/batch_folder.h"
+#include "tests/samples/program.h"
+
+// gougecheck batch --watch, as its users run it.
+
+namespace gouge::testing_samples {
+namespace {
+
+using Json = nlohmann::json;
+
+// A CAM system writes a file in pieces, and a program beside it has one with another ending for a while. When a file
+// counts is what settled_files_test holds: here the machine may be too busy for any second to be the same everywhere.
+TEST(Batch, WatchesAFolderAndChecksWhatIsWrittenThere) {
+  const std::string folder = samples_with_list({"needles", "thin_post"});
+  const Outcome ran = run_script(
+      folder,
+      "mkdir hot; cp needles/needles.apt hot/first.apt\n"
+      "$GOUGECHECK batch --watch hot --part needles/part.stl --tools needles/tools.json -o out > log & watch=$!\n"
+      "wait_for() { for i in $(seq 600); do [ \"$(grep -c \"$1\" $2 2>/dev/null)\" = $3 ] && return; sleep 0.1; done; "
+      "echo no $1; }\n"
+      "wait_for '^report: ' log 1\n"
+      "head -c 2000 needles/needles.apt > hot/second.apt; cp needles/needles.apt hot/third.apt.tmp; sleep 0.5\n"
+      "tail -c +2001 needles/needles.apt >> hot/second.apt\n"
+      "wait_for ',274,274,' out/summary.csv 2; wait_for '1 job taken from the store, 1 run' log 1\n"
+      "kill -TERM $watch; wait $watch; echo ended $?; cat log");
+  EXPECT_NE(ran.out.find("ended 143\n"), std::string::npos) << ran.out << ran.err;
+  EXPECT_EQ(ran.out.find("no "), std::string::npos) << ran.out;
+  const Json jobs = summary_of(folder + "/out").at("jobs");
+  ASSERT_EQ(jobs.size(), 2U);
+  EXPECT_EQ(jobs.at(1).at("job"), "second");
+}
+
+// Somebody who looks into the store for longer than we wait for must not end a night's watch.
+TEST(Batch, WatchesOnWhileAQueryHoldsTheStore) {
+  const std::string folder = samples_with_list({"needles"});
+  const std::string watch = "$GOUGECHECK batch --watch hot --part needles/part.stl --tools needles/tools.json -o out";
+  const Outcome ran = run_script(
+      folder,
+      "mkdir hot; mkfifo lock; cp needles/needles.apt hot/first.apt\n"
+      "$GOUGECHECK batch hot/first.apt --part needles/part.stl --tools needles/tools.json -o out -q || exit 1\n"
+      "python3 -c 'import sqlite3, sys; s = sqlite3.connect(\"out/results.sqlite\", isolation_level=None)\n"
+      "s.execute(\"BEGIN\"); s.execute(\"SELECT count(*) FROM jobs\").fetchone(); print(\"held\", flush=True)\n"
+      "sys.stdin.read()' < lock > held & query=$!\n" +
+          std::string("exec 9> lock; while ! [ -s held ]; do sleep 0.01; done\n") +
+          "$GOUGECHECK batch hot/first.apt --part needles/part.stl --tools needles/tools.json -o out -q 9>&-; echo batch $?\n" +
+          watch + " > log 2> errors 9>&- & watch=$!\n" +
+          "while ! [ -s errors ]; do sleep 0.01; done; exec 9>&-; wait $query\n"
+          "for i in $(seq 600); do grep -q '^report: ' log && break; sleep 0.1; done\n"
+          "kill -TERM $watch; wait $watch; echo ended $?; cat errors log");
+  EXPECT_NE(ran.out.find("batch 5\n"), std::string::npos) << ran.out << ran.err;
+  EXPECT_NE(ran.err.find("[store-busy]"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.out.find("[store-busy]"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("report: out/index.html\n"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("ended 143\n"), std::string::npos) << ran.out << ran.err;
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples
