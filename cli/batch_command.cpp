@@ -72,6 +72,8 @@ class Batch {
 
   /// Whether the jobs have run, whatever came of them, and the results stand.
   [[nodiscard]] bool is_done() const { return is_done_; }
+  /// Whether nothing was done, as another program has the folder or its store at the moment.
+  [[nodiscard]] bool is_busy() const { return is_busy_; }
 
  private:
   std::optional<int> prepare() {
@@ -126,10 +128,9 @@ class Batch {
   std::optional<int> open() {
     if (const Outcome made = make_folder(arguments_.folder); !made) return fail(err_, {made.error()}, kExitInternal);
     folder_.emplace(arguments_.folder, arguments_.is_forced, names_of_batch());
-    if (const Outcome opened = folder_->open(); !opened)
-      return fail(err_, {opened.error()}, opened.error().code == "report-foreign" ? kExitUsage : kExitInternal);
+    if (const Outcome opened = folder_->open(); !opened) return fail_to_open(opened.error());
     Result<ResultStore> store = ResultStore::open(arguments_.folder + "/" + kStoreName);
-    if (!store) return fail(err_, {store.error()}, kExitInternal);
+    if (!store) return fail_to_open(store.error());
     store_.emplace(std::move(*store));
     if (store_->is_interrupted() && !arguments_.is_resumed && !arguments_.is_fresh) {
       return fail(err_,
@@ -141,10 +142,15 @@ class Batch {
     }
     if (const auto wrong = find_other_shard()) return fail(err_, {*wrong});
     if (const auto wrong = find_foreign()) return fail(err_, {*wrong}, kExitUsage);
-    if (const Outcome begun = store_->begin(identity_); !begun) return fail(err_, {begun.error()}, kExitInternal);
+    if (const Outcome begun = store_->begin(identity_); !begun) return fail_to_open(begun.error());
     if (arguments_.is_fresh) remove_work(arguments_.folder);
     if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
     return std::nullopt;
+  }
+
+  int fail_to_open(const Diagnostic& error) {
+    is_busy_ = error.code == "store-busy" || error.code == "report-busy";
+    return fail(err_, {error}, error.code == "report-foreign" ? kExitUsage : kExitInternal);
   }
 
   // Its results would be dropped.
@@ -340,7 +346,7 @@ class Batch {
   std::optional<ResultStore> store_;
   std::size_t taken_ = 0;
   std::set<std::size_t> ran_;
-  bool is_done_ = false, is_stopped_ = false;
+  bool is_done_ = false, is_stopped_ = false, is_busy_ = false;
 };
 
 }  // namespace
@@ -359,7 +365,9 @@ int run_batch(const BatchArguments& arguments, std::ostream& out, std::ostream& 
     Batch batch(now, out, err);
     status = batch.run();
     out.flush();
-    return batch.is_done() && out.good();
+    // Somebody who looks into the store must not end a night's watch.
+    if (batch.is_busy()) return AfterRun::again;
+    return batch.is_done() && out.good() ? AfterRun::go_on : AfterRun::end;
   });
   return watched ? status : fail(err, {watched.error()});
 }

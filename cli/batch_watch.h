@@ -8,11 +8,16 @@
 
 namespace gouge {
 
-/// Calls `run` with the toolpaths of a folder, sorted, now and whenever they have changed, until it returns false. A file
-/// counts once it is settled: neither its size nor its time has changed for a second, as a CAM system may write it in
-/// pieces. `place`: a folder, of which hidden and temporary files are passed over, or a pattern such as "hot/*.apt".
-/// Errors: usage, where there is no such folder.
-[[nodiscard]] Outcome watch_toolpaths(const std::string& place,
-                                      const std::function<bool(const std::vector<std::string>&)>& run);
+enum class AfterRun {
+  go_on,  ///< and run again once something has changed
+  again,  ///< nothing was done: run the same again, after a pause
+  end
+};
+using RunToolpaths = std::function<AfterRun(const std::vector<std::string>&)>;
+
+/// Calls `run` with the toolpaths of a folder, sorted, now and whenever they have changed, until it says that this is
+/// the end. A file counts once it is settled (SettledFiles), as a CAM system may write it in pieces. `place`: a folder,
+/// or a pattern such as "hot/*.apt". Errors: usage, where there is no such folder.
+[[nodiscard]] Outcome watch_toolpaths(const std::string& place, const RunToolpaths& run);
 
 }  // namespace gouge

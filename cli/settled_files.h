@@ -1,0 +1,45 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace gouge {
+
+/// What of a file changes when it is written.
+struct FileStamp {
+  std::int64_t time_ns = 0;
+  off_t bytes = 0;
+
+  bool operator==(const FileStamp&) const = default;
+};
+using FileStamps = std::map<std::string, FileStamp>;
+
+/// The files of a folder, and which of them nobody writes any more: neither size nor time has changed for a second.
+/// Hidden and temporary ones (~, .tmp, .part, ...) are passed over.
+class SettledFiles {
+ public:
+  /// `place`: a folder, or a pattern for the names in one.
+  explicit SettledFiles(const std::string& place);
+
+  [[nodiscard]] const std::string& folder() const { return folder_; }
+  /// Looks at the folder. `now_s`: of a clock that never goes back, whatever the times of the files are: a copy keeps
+  /// the time of what it is a copy of.
+  [[nodiscard]] FileStamps look(double now_s);
+  /// Whether the last look found some file that is yet to settle.
+  [[nodiscard]] bool is_unsettled() const { return is_unsettled_; }
+
+ private:
+  struct Seen {
+    FileStamp stamp;
+    double since_s = 0;
+  };
+
+  std::string folder_, pattern_;
+  std::map<std::string, Seen> seen_;
+  bool is_unsettled_ = false;
+};
+
+}  // namespace gouge

@@ -1,0 +1,71 @@
+#include "cli/settled_files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fresh_folder() {
+  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+  const fs::path folder = fs::temp_directory_path() / ("gouge_" + std::string(info->name()));
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder.string();
+}
+
+void add(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::app) << text; }
+
+TEST(SettledFiles, CountOnceNobodyHasWrittenThemForASecond) {
+  const std::string folder = fresh_folder(), file = folder + "/a.apt";
+  SettledFiles files(folder);
+  add(file, "GOTO/1,2,3\n");
+  EXPECT_TRUE(files.look(10).empty());
+  EXPECT_TRUE(files.is_unsettled());
+  EXPECT_TRUE(files.look(10.9).empty());
+  add(file, "GOTO/1,2,4\n");
+  EXPECT_TRUE(files.look(11.1).empty());
+  EXPECT_TRUE(files.look(12).empty());
+  const FileStamps settled = files.look(12.2);
+  ASSERT_TRUE(settled.contains(file));
+  EXPECT_EQ(settled.at(file).bytes, 22);
+  EXPECT_FALSE(files.is_unsettled());
+  // What is written again is another file.
+  add(file, "FINI\n");
+  EXPECT_TRUE(files.look(20).empty());
+  EXPECT_NE(files.look(21), settled);
+  fs::remove(file);
+  EXPECT_TRUE(files.look(30).empty());
+  EXPECT_FALSE(files.is_unsettled());
+}
+
+TEST(SettledFiles, GoByOurClockNotByTheTimesOfFiles) {
+  const std::string folder = fresh_folder(), file = folder + "/old.apt";
+  SettledFiles files(folder);
+  add(file, "FINI\n");
+  fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(1000));
+  EXPECT_TRUE(files.look(5).empty());
+  EXPECT_EQ(files.look(6).size(), 1U);
+}
+
+TEST(SettledFiles, PassOverHiddenAndTemporaryOnesAndWhatThePatternLeavesOut) {
+  const std::string folder = fresh_folder();
+  for (const char* name : {"a.apt", "b.cls", ".c.apt", "d.apt~", "e.apt.tmp", "f.apt.part", "g.apt.lock"})
+    add(folder + "/" + name, "FINI\n");
+  fs::create_directories(folder + "/below.apt");
+  const auto settled = [](SettledFiles files) {
+    static_cast<void>(files.look(0));
+    std::string names;
+    for (const auto& [path, stamp] : files.look(1)) names += fs::path(path).filename().string() + " ";
+    return names;
+  };
+  EXPECT_EQ(settled(SettledFiles(folder)), "a.apt b.cls ");
+  EXPECT_EQ(settled(SettledFiles(folder + "/*.apt")), "a.apt ");
+}
+
+}  // namespace
+}  // namespace gouge
