@@ -91,10 +91,10 @@ Outcome BatchRun::run(const BatchPlan& plan) {
   progress_.show("jobs", 0, all_);
   {
     const Writer writer(*this);
-    while (const auto number = take(0, plan.alone)) run_one(*number);
+    while (const auto number = take(0, plan.alone, 1)) run_one(*number);
     const std::size_t workers = std::min(options_.jobs_at_once, plan.together.size());
     for_each_chunk(workers, 1, static_cast<unsigned>(workers), [&](std::size_t, std::size_t) {
-      while (const auto number = take(1, plan.together)) run_one(*number);
+      while (const auto number = take(1, plan.together, workers)) run_one(*number);
     });
   }
   progress_.end();
@@ -104,9 +104,9 @@ Outcome BatchRun::run(const BatchPlan& plan) {
 }
 
 // What another process was given before is no longer expected here.
-std::optional<std::size_t> BatchRun::take(int list, const std::vector<std::size_t>& numbers) {
+std::optional<std::size_t> BatchRun::take(int list, const std::vector<std::size_t>& numbers, std::size_t workers) {
   const std::scoped_lock lock(taking_);
-  const std::size_t place = std::min(ranks_.take(list), numbers.size());
+  const std::size_t place = std::min(ranks_.take(list, workers), numbers.size());
   std::size_t& seen = seen_.at(static_cast<std::size_t>(list));
   for (; seen < place; ++seen) scenes_.release(jobs_[numbers[seen]].job());
   if (place == numbers.size()) return std::nullopt;

@@ -60,7 +60,7 @@ class BatchRun {
 
   [[nodiscard]] static Size size_of(const BatchJob& job);
   [[nodiscard]] std::vector<std::size_t> in_order(std::vector<std::size_t> numbers) const;
-  [[nodiscard]] std::optional<std::size_t> take(int list, const std::vector<std::size_t>& numbers);
+  [[nodiscard]] std::optional<std::size_t> take(int list, const std::vector<std::size_t>& numbers, std::size_t workers);
   void run_one(std::size_t number);
   void note(std::size_t number, JobRun&& run);
   void write_queued();

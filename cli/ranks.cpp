@@ -14,7 +14,7 @@ class OneProcess : public Ranks {
  public:
   [[nodiscard]] int rank() const override { return 0; }
   [[nodiscard]] int count() const override { return 1; }
-  [[nodiscard]] std::size_t take(int list) override { return next_.at(static_cast<std::size_t>(list))++; }
+  [[nodiscard]] std::size_t take(int list, std::size_t) override { return next_.at(static_cast<std::size_t>(list))++; }
   void share(std::vector<std::size_t>&) override {}
   [[nodiscard]] int largest(int value) override { return value; }
 

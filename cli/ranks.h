@@ -19,8 +19,9 @@ class Ranks {
 
   [[nodiscard]] virtual int rank() const = 0;
   [[nodiscard]] virtual int count() const = 0;
-  /// The next of 0, 1, 2, ... that no process was given of list 0 or 1.
-  [[nodiscard]] virtual std::size_t take(int list) = 0;
+  /// The next of 0, 1, 2, ... that no process was given of list 0 or 1. A process may be given up to `most` at once,
+  /// which are its own from then on.
+  [[nodiscard]] virtual std::size_t take(int list, std::size_t most) = 0;
   /// Gives all processes what rank 0 has.
   virtual void share(std::vector<std::size_t>& numbers) = 0;
   /// The largest of what the processes have, once all of them have called.

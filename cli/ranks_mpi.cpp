@@ -1,5 +1,6 @@
 #include <mpi.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -16,6 +17,8 @@ namespace {
 
 constexpr int kAsk = 1, kAnswer = 2;  // tags of messages
 constexpr std::int64_t kNoMore = -1;  // instead of a list: this process asks no more
+// Who asks so soon again has short jobs and asks for more at once: one process answers many (docs/scaling.md).
+constexpr std::chrono::milliseconds kSoon{4};
 constexpr std::chrono::microseconds kPause{200};
 
 /// Numbers are handed out by a thread of rank 0, which answers while the others of that process work. Whoever waits
@@ -36,7 +39,8 @@ class MpiRanks : public Ranks {
   MpiRanks(const MpiRanks&) = delete;
   MpiRanks& operator=(const MpiRanks&) = delete;
   ~MpiRanks() override {
-    if (!is_dealt_ && rank_ != 0) MPI_Send(&kNoMore, 1, MPI_INT64_T, 0, kAsk, MPI_COMM_WORLD);
+    const Question no_more{kNoMore, 0};
+    if (!is_dealt_ && rank_ != 0) MPI_Send(no_more.data(), 2, MPI_INT64_T, 0, kAsk, MPI_COMM_WORLD);
     if (server_.joinable()) server_.join();
     MPI_Finalize();
   }
@@ -44,16 +48,12 @@ class MpiRanks : public Ranks {
   [[nodiscard]] int rank() const override { return rank_; }
   [[nodiscard]] int count() const override { return count_; }
 
-  [[nodiscard]] std::size_t take(int list) override {
+  [[nodiscard]] std::size_t take(int list, std::size_t most) override {
     const std::scoped_lock lock(guard_);
-    if (is_dealt_ || rank_ == 0) return next(list, is_dealt_ ? count_ : 1);
-    const std::int64_t asked = list;
-    std::int64_t answer = 0;
-    MPI_Send(&asked, 1, MPI_INT64_T, 0, kAsk, MPI_COMM_WORLD);
-    MPI_Request request = MPI_REQUEST_NULL;
-    MPI_Irecv(&answer, 1, MPI_INT64_T, 0, kAnswer, MPI_COMM_WORLD, &request);
-    wait(request);
-    return static_cast<std::size_t>(answer);
+    if (is_dealt_ || rank_ == 0) return static_cast<std::size_t>(next(list, is_dealt_ ? count_ : 1));
+    Given& given = given_.at(static_cast<std::size_t>(list));
+    if (given.next == given.end) ask(list, given, static_cast<std::int64_t>(most));
+    return static_cast<std::size_t>(given.next++);
   }
 
   void share(std::vector<std::size_t>& numbers) override {
@@ -77,6 +77,26 @@ class MpiRanks : public Ranks {
   }
 
  private:
+  /// Numbers of a list that this process was given and has not taken.
+  struct Given {
+    std::int64_t next = 0, end = 0, at_once = 1;
+    std::chrono::steady_clock::time_point asked;
+  };
+  using Question = std::array<std::int64_t, 2>;  // a list, and how many of it
+
+  void ask(int list, Given& given, std::int64_t most) {
+    const auto now = std::chrono::steady_clock::now();
+    given.at_once =
+        now - given.asked < kSoon ? std::min(2 * given.at_once, most) : std::max<std::int64_t>(given.at_once / 2, 1);
+    given.asked = now;
+    const Question question{list, given.at_once};
+    MPI_Send(question.data(), 2, MPI_INT64_T, 0, kAsk, MPI_COMM_WORLD);
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Irecv(&given.next, 1, MPI_INT64_T, 0, kAnswer, MPI_COMM_WORLD, &request);
+    wait(request);
+    given.end = given.next + given.at_once;
+  }
+
   static void wait(MPI_Request& request) {
     for (int is_done = 0;;) {
       MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
@@ -85,9 +105,7 @@ class MpiRanks : public Ranks {
     }
   }
 
-  std::size_t next(int list, int step) {
-    return static_cast<std::size_t>(next_.at(static_cast<std::size_t>(list)).fetch_add(step));
-  }
+  std::int64_t next(int list, std::int64_t step) { return next_.at(static_cast<std::size_t>(list)).fetch_add(step); }
 
   void answer() {
     for (int asking = count_ - 1; asking > 0;) {
@@ -98,13 +116,14 @@ class MpiRanks : public Ranks {
         std::this_thread::sleep_for(kPause);
         continue;
       }
-      std::int64_t list = kNoMore;
-      MPI_Recv(&list, 1, MPI_INT64_T, status.MPI_SOURCE, kAsk, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+      Question question{kNoMore, 0};
+      MPI_Recv(question.data(), 2, MPI_INT64_T, status.MPI_SOURCE, kAsk, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+      const auto& [list, count] = question;
       if (list == kNoMore) {
         --asking;
         continue;
       }
-      const auto number = static_cast<std::int64_t>(next(static_cast<int>(list), 1));
+      const std::int64_t number = next(static_cast<int>(list), count);
       MPI_Send(&number, 1, MPI_INT64_T, status.MPI_SOURCE, kAnswer, MPI_COMM_WORLD);
     }
   }
@@ -112,6 +131,7 @@ class MpiRanks : public Ranks {
   int rank_ = 0, count_ = 1;
   bool is_dealt_ = false;  // in turn, as MPI has no threads here: rank 0 has those of numbers 0, n, 2n, ...
   std::array<std::atomic<std::int64_t>, 2> next_{};
+  std::array<Given, 2> given_;
   std::mutex guard_;
   std::thread server_;
 };
