@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -11,8 +12,9 @@
 #include "tests/samples/sample_folder.h"
 #include "tests/support/scatter.h"
 
-// A batch that is ended by signals at random instants, again and again, and resumed until it is whole, leaves what an
-// undisturbed one leaves: no job lost, none twice, the same bytes. GOUGE_KILLS says how many signals, GOUGE_SEED which.
+// A batch that is ended by signals at random instants, or by a disk that is full, again and again, and resumed until it
+// is whole, leaves what an undisturbed one leaves: no job lost, none twice, the same bytes. GOUGE_KILLS says how many
+// signals, GOUGE_RANK_KILLS how many ranks, GOUGE_FULL_DISKS how many disks, GOUGE_SEED which.
 
 namespace gouge::testing_faults {
 namespace {
@@ -77,6 +79,8 @@ constexpr bool kHasMpi = true;
 constexpr bool kHasMpi = false;
 #endif
 
+const std::string kMpirun = "OMPI_MCA_plm_rsh_agent= mpirun --oversubscribe --allow-run-as-root -n ";
+
 // One of two to four ranks is killed, any of them, the first too; Open MPI then ends the others.
 TEST(BatchKills, OfARankAreResumedWithAnyNumberOfRanks) {
   if (!kHasMpi) GTEST_SKIP() << "built without MPI (Debian: libopenmpi-dev, openmpi-bin)";
@@ -85,12 +89,11 @@ TEST(BatchKills, OfARankAreResumedWithAnyNumberOfRanks) {
   testing_samples::write_job_list(folder, kSamples);
   ASSERT_EQ(run_program(folder, {"batch", "jobs.json", "-o", "whole", "-q"}, {}).exit_status, 1);
   const auto expected = testing_samples::batch_files(folder + "/whole");
-  const std::string mpirun = "OMPI_MCA_plm_rsh_agent= mpirun --oversubscribe --allow-run-as-root -n ";
   const std::string batch = " $GOUGECHECK batch jobs.json -o killed -q --resume --threads 1 --chunk 1";
   const Ending usual = [&] {
     Ending ending;
     const auto begin = std::chrono::steady_clock::now();
-    ending.exit_status = testing_samples::run_script(folder, mpirun + "2" + batch).exit_status;
+    ending.exit_status = testing_samples::run_script(folder, kMpirun + "2" + batch).exit_status;
     ending.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     fs::remove_all(folder + "/killed");
     return ending;
@@ -104,13 +107,13 @@ TEST(BatchKills, OfARankAreResumedWithAnyNumberOfRanks) {
     const std::string ranks = std::to_string(2 + i % 3), rank = std::to_string(1 + i % (2 + i % 3));
     const std::string wait = std::to_string(usual.seconds * random.in(0.1, 0.9));
     const testing_samples::Outcome ran =
-        testing_samples::run_script(folder, mpirun + ranks + batch + " & all=$!\nsleep " + wait +
+        testing_samples::run_script(folder, kMpirun + ranks + batch + " & all=$!\nsleep " + wait +
                                                 "\nkill -9 $(pgrep -P $all -f 'batch jobs.json' | sed -n " + rank +
                                                 "p) && echo killed\nwait $all; echo $?");
     killed += ran.out.find("killed") != std::string::npos ? 1 : 0;
     if (random.in(0, 1) < 0.3) continue;
     const testing_samples::Outcome resumed =
-        testing_samples::run_script(folder, mpirun + std::to_string(1 + i % 4) + batch);
+        testing_samples::run_script(folder, kMpirun + std::to_string(1 + i % 4) + batch);
     ASSERT_EQ(resumed.exit_status, 1) << resumed.out << resumed.err;
     ASSERT_EQ(testing_samples::difference(expected, testing_samples::batch_files(folder + "/killed")), "")
         << "kill " << i << " of " << ranks << " after " << wait << " s";
@@ -119,6 +122,47 @@ TEST(BatchKills, OfARankAreResumedWithAnyNumberOfRanks) {
     fs::remove_all(folder + "/killed");
   }
   std::printf("ranks: %ld of %ld killed, %ld batches resumed to their end\n", killed, kills, batches);
+}
+
+// A small disk of its own, which is full at some instant: in a result, a report, a chunk of moves, the summary. Then
+// there is room again.
+TEST(BatchKills, ByAFullDiskAreResumedOnceThereIsRoom) {
+  const std::string folder = testing_samples::fresh_folder();
+  const std::string apart = ::geteuid() == 0 ? "unshare -m" : "unshare -rm";
+  if (testing_samples::run_script(folder, apart + " mount -t tmpfs tmpfs /mnt").exit_status != 0)
+    GTEST_SKIP() << "no file system may be mounted here";
+  ASSERT_EQ(testing_samples::run_make_samples(folder).exit_status, 0);
+  testing_samples::write_job_list(folder, kSamples);
+  ASSERT_EQ(run_program(folder, {"batch", "jobs.json", "-o", "whole", "-q"}, {}).exit_status, 1);
+  const auto expected = testing_samples::batch_files(folder + "/whole");
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder + "/whole"))
+    bytes += entry.is_regular_file() ? entry.file_size() : 0;
+
+  test::Scatter random(static_cast<std::uint64_t>(number_asked("GOUGE_SEED", 17)));
+  const long disks = number_asked("GOUGE_FULL_DISKS", 3);
+  long full = 0;
+  for (long i = 0; i < disks; ++i) {
+    const double part = random.in(0, 1.1);
+    const std::string size = std::to_string(4096 + static_cast<std::uintmax_t>(part * static_cast<double>(bytes)));
+    const std::string ranks = kHasMpi && i % 3 == 2 ? kMpirun + "2" : "";
+    const std::string batch =
+        ranks + " $GOUGECHECK batch jobs.json -o disk/out -q --resume --chunk 1 --jobs " + std::to_string(1 + i % 2);
+    testing_samples::write_text(folder + "/script", "mount -t tmpfs -o size=" + size + " tmpfs disk\n" + batch +
+                                                        "; echo full $?\nmount -o remount,size=1g disk\n" + batch +
+                                                        "; echo resumed $?\ncp -r disk/out refilled\n");
+    const testing_samples::Outcome ran =
+        testing_samples::run_script(folder, "mkdir -p disk; export GOUGECHECK; " + apart + " sh ./script");
+    full += ran.out.find("full 5\n") != std::string::npos ? 1 : 0;
+    EXPECT_TRUE(ran.out.find("full 5\n") != std::string::npos || ran.out.find("full 1\n") != std::string::npos)
+        << ran.out << ran.err;
+    EXPECT_NE(ran.out.find("resumed 1\n"), std::string::npos) << size << " bytes: " << ran.out << ran.err;
+    ASSERT_EQ(testing_samples::difference(expected, testing_samples::batch_files(folder + "/refilled")), "")
+        << "disk " << i << " of " << size << " bytes: " << ran.out << ran.err;
+    EXPECT_EQ(hidden_files(folder + "/refilled"), 0U);
+    fs::remove_all(folder + "/refilled");
+  }
+  std::printf("disks: %ld of %ld were full, all batches resumed to their end\n", full, disks);
 }
 
 }  // namespace
