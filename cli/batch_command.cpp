@@ -35,6 +35,16 @@ std::uint64_t usable_memory() {
   return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 4 * 3;
 }
 
+std::string sha256_of_program() {
+  FileHashes hashes;
+  return hashes.of("/proc/self/exe");
+}
+
+StopOn stop_on(const BatchArguments& arguments) {
+  if (arguments.stop_on.empty()) return StopOn::nothing;
+  return arguments.stop_on == "gouge" ? StopOn::gouge : StopOn::error;
+}
+
 /// One run of the command, step by step. Every step that fails prints why and leaves the exit status.
 class Batch {
  public:
@@ -52,7 +62,8 @@ class Batch {
     if (arguments_.is_rehearsal) return ranks_->is_first() ? list() : kExitClean;
     if (!ranks_->is_first()) status = open_own_store().value_or(kExitClean);
     if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
-    const BatchOptions options{arguments_.folder, jobs_at_once(), memory_bytes(), stop_on(), arguments_.chunk};
+    const BatchOptions options{arguments_.folder, jobs_at_once(), memory_bytes(), stop_on(arguments_),
+                               arguments_.chunk};
     Progress progress(err_, ranks_->is_first() ? understand_progress(arguments_.progress) : ProgressMode::never);
     BatchRun batch(jobs_, texts_, options, *store_, progress, *ranks_);
     BatchPlan plan = ranks_->is_first() ? batch.plan(jobs_to_run()) : BatchPlan();
@@ -239,11 +250,6 @@ class Batch {
     identity_.list = list.finish();
   }
 
-  static std::string sha256_of_program() {
-    FileHashes hashes;
-    return hashes.of("/proc/self/exe");
-  }
-
   std::vector<std::size_t> jobs_to_run() {
     const std::map<std::string, const StoredJob*> stored = stored_jobs();
     FileHashes hashes;
@@ -256,7 +262,7 @@ class Batch {
                            are_as_written(known->second->outputs, arguments_.folder);
       if (is_done) {
         ++taken_;
-        is_stopped_ = is_stopped_ || is_reason_to_stop(stop_on(), known->second->status);
+        is_stopped_ = is_stopped_ || is_reason_to_stop(stop_on(arguments_), known->second->status);
         continue;
       }
       numbers.push_back(number);
@@ -283,11 +289,6 @@ class Batch {
 
   [[nodiscard]] std::uint64_t memory_bytes() const {
     return arguments_.memory_gb > 0 ? static_cast<std::uint64_t>(arguments_.memory_gb * 1e9) : usable_memory();
-  }
-
-  [[nodiscard]] StopOn stop_on() const {
-    if (arguments_.stop_on.empty()) return StopOn::nothing;
-    return arguments_.stop_on == "gouge" ? StopOn::gouge : StopOn::error;
   }
 
   int finish() {
