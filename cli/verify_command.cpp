@@ -53,7 +53,9 @@ class Verifier {
     progress_.begin("looking for counterexamples");
     done_.outside = check_outside(scene_, tools, claims_);
     for (const Counterexample& c : done_.outside.refuted) done_.refuted.push_back({c.move, c.t, c.point, c.what});
-    done_.attack = attack_claims(scene_, tools, claims_, seconds);
+    std::vector<bool> is_proved(proofs.size());
+    for (std::size_t i = 0; i < proofs.size(); ++i) is_proved[i] = proofs[i] == ProofState::proved;
+    done_.attack = attack_claims(scene_, tools, claims_, is_proved, seconds);
     if (const auto& c = done_.attack.found) done_.refuted.push_back({c->move, c->t, c->point, c->what});
     return std::move(done_);
   }
@@ -138,8 +140,9 @@ void add_verify_options(CLI::App& command, VerifyArguments& a) {
   command.add_option("--certificate", a.certificate_file, "Proofs of the same check (check --certificate)")
       ->type_name("FILE");
   command
-      .add_option("--seconds", a.seconds,
-                  "Attack by sampling for so long (default: the end of every move and 4000 instants more)")
+      .add_option(
+          "--seconds", a.seconds,
+          "Attack by sampling for so long (default: the end of every move without a proof and 4000 instants more)")
       ->type_name("SECONDS");
   add_input_limit(command, a.input);
   add_threads_option(command, a.threads);

@@ -35,7 +35,7 @@ gouge::Outcome write_long(const std::string& folder, std::size_t moves) {
 int main(int argc, char** argv) {
   const bool is_large = argc == 3 && std::string(argv[2]) == "large";
   const std::optional<std::size_t> moves = moves_asked(argc, argv);
-  if (argc != 2 && !is_large && !moves) {
+  if ((argc != 2 && !is_large && !moves) || argv[1][0] == '-') {
     std::fputs("usage: make_samples FOLDER [large | long MOVES]\n", stderr);
     return 2;
   }

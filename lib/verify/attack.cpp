@@ -48,24 +48,28 @@ class Attack {
     }
   }
 
-  AttackResult run(double seconds) {
+  AttackResult run(const std::vector<bool>& is_proved, double seconds) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point began = Clock::now();
-    std::vector<std::size_t> bounded;
+    std::vector<std::size_t> bounded, unproved;
     for (std::size_t i = 0; i < claims_.size(); ++i)
-      if (allowed_mm(i)) bounded.push_back(i);
+      if (allowed_mm(i)) {
+        bounded.push_back(i);
+        if (!is_proved[i]) unproved.push_back(i);
+      }
     AttackResult result;
     result.moves = bounded.size();
     if (bounded.empty()) return result;
     const auto is_over = [&] {
       const double spent = std::chrono::duration<double>(Clock::now() - began).count();
-      return result.samples >= bounded.size() && (seconds > 0 ? spent >= seconds : result.samples >= most(bounded));
+      const bool is_enough = seconds > 0 ? spent >= seconds : result.samples >= unproved.size() + kMoreSamples;
+      return result.samples >= unproved.size() && is_enough;
     };
     while (!is_over() && !result.found) {
-      const bool is_turn = result.samples < bounded.size();
-      const std::size_t move = bounded[is_turn ? result.samples : draws_.below(bounded.size())];
+      const bool is_turn = result.samples < unproved.size();
+      const std::size_t move = is_turn ? unproved[result.samples] : bounded[draws_.below(bounded.size())];
       ++result.samples;
-      // Every end once (a plunge is deepest there), then instants at random, ends among them.
+      // Every end without a proof once (a plunge is deepest there), then instants at random, ends among them.
       const double t = is_turn ? 1 : draws_.below(4) == 0 ? static_cast<double>(draws_.below(2)) : draws_.share();
       result.found = look_at(move, t);
     }
@@ -73,8 +77,6 @@ class Attack {
   }
 
  private:
-  static std::size_t most(const std::vector<std::size_t>& bounded) { return bounded.size() + kMoreSamples; }
-
   /// What the claim says no point is deeper than; nothing where it says nothing.
   [[nodiscard]] std::optional<double> allowed_mm(std::size_t move) const {
     const std::size_t tool = scene_.path.moves[move].tool;
@@ -235,8 +237,8 @@ class Attack {
 }  // namespace
 
 AttackResult attack_claims(const ClaimedScene& scene, const ClaimedTools& tools, const std::vector<MoveClaim>& claims,
-                           double seconds) {
-  return Attack(scene, tools, claims).run(seconds);
+                           const std::vector<bool>& is_proved, double seconds) {
+  return Attack(scene, tools, claims).run(is_proved, seconds);
 }
 
 }  // namespace gouge

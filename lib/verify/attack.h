@@ -20,17 +20,19 @@ struct Counterexample {
 
 struct AttackResult {
   std::size_t samples = 0;  ///< instants looked at
-  std::size_t moves = 0;    ///< of how many moves, each at least once
+  std::size_t moves = 0;    ///< of how many moves, each without a proof at least once
   std::optional<Counterexample> found;
 };
 
-/// Looks for points deeper than `claims` allow: at the end of every move and then at random instants it searches for
-/// the point of the surface that is deepest in the tool (or a head), best first, and climbs from there over its
-/// triangle and over time. What it does not find may be there all the same.
+/// Looks for points deeper than `claims` allow: at the end of every move without a proof and then at random instants of
+/// all it searches for the point of the surface that is deepest in the tool (or a head), best first, and climbs from
+/// there over its triangle and over time. What it does not find may be there all the same.
 ///
-/// `seconds`  how long it goes on at least; 0: the end of every move and some thousand instants more, the same on
+/// `is_proved`  one a move.
+/// `seconds`  how long it goes on at least; 0: these ends and some thousand instants more, the same on
 ///            every run.
 [[nodiscard]] AttackResult attack_claims(const ClaimedScene& scene, const ClaimedTools& tools,
-                                         const std::vector<MoveClaim>& claims, double seconds);
+                                         const std::vector<MoveClaim>& claims, const std::vector<bool>& is_proved,
+                                         double seconds);
 
 }  // namespace gouge
