@@ -1,29 +1,23 @@
 #include "cli/claimed_result.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "lib/base/units.h"
-#include "lib/json/json_file.h"
+#include "lib/json/json_field.h"
 
 namespace gouge {
 namespace {
 
 using nlohmann::json;
 
-const std::array<std::pair<const char*, ClaimedState>, 6> kStates{{{"clean", ClaimedState::clean},
-                                                                   {"near", ClaimedState::near},
-                                                                   {"gouge", ClaimedState::gouge},
-                                                                   {"buried", ClaimedState::buried},
-                                                                   {"not-checked", ClaimedState::not_checked},
-                                                                   {"not-certified", ClaimedState::not_certified}}};
-
-const char* total_of(ClaimedState state) {
-  static constexpr std::array<const char*, 6> kNames{"clean",  "near",        "gouge",
-                                                     "buried", "not_checked", "not_certified"};
-  return kNames.at(static_cast<std::size_t>(state));
-}
+// In the order of ClaimedState.
+const std::vector<std::string> kStates = {"clean", "near", "gouge", "buried", "not-checked", "not-certified"};
+constexpr std::array<const char*, 6> kTotals = {"clean", "near", "gouge", "buried", "not_checked", "not_certified"};
+const std::vector<std::string> kRapids = {"straight", "dogleg", "skip"};  // in the order of RapidMode
 
 /// A file where the result names it, or beside the result.
 std::string found_at(const std::string& name, const std::string& result_file) {
@@ -35,115 +29,137 @@ std::string found_at(const std::string& name, const std::string& result_file) {
 
 class ResultReader {
  public:
-  ResultReader(const std::string& file, const json& root) : file_(file), root_(root) {}
+  ResultReader(const std::string& file, const JsonField& root) : file_(file), root_(root) {}
 
-  // nlohmann's own errors (a key that lacks, a value of another kind) are caught by the caller.
+  // After the first error, which `root` keeps, of no meaning.
   ClaimedResult read() {
-    const std::string unit = root_.at("unit");
-    result_.mm_per_unit = mm_per(unit_called(unit == "in" ? "inch" : unit).value_or(LengthUnit::mm));
-    result_.program =
-        root_.at("program").at("name").get<std::string>() + " " + root_.at("program").at("version").get<std::string>();
-    read_inputs();
-    read_options();
-    const json& totals = root_.at("totals");
-    result_.moves = totals.at("moves");
-    for (const auto& [word, state] : kStates) result_.totals[total_of(state)] = totals.at(total_of(state));
-    result_.totals["left_out_as_asked"] = totals.at("left_out_as_asked");
-    result_.verdict = root_.at("verdict");
-    for (const json& move : root_.at("moves")) read_move(move);
-    for (const json& event : root_.at("events"))
-      result_.findings.push_back(
-          {state(event.at("state")), event.at("first_move"), event.at("last_move"), event.at("worst_move")});
+    result_.mm_per_unit = mm_per(root_.at("unit").word({"mm", "in"}) == 1 ? LengthUnit::inch : LengthUnit::mm);
+    result_.program = root_.at("program").at("name").text() + " " + root_.at("program").at("version").text();
+    result_.verdict = root_.at("verdict").text();
+    result_.exit_status = root_.at("exit_status").count();
+    result_.has_baseline = !root_.at("baseline").is_null();
+    for (const JsonField& input : root_.at("inputs").list()) read_input(input);
+    read_options(root_.at("options"));
+    const JsonField totals = root_.at("totals");
+    result_.moves = totals.at("moves").count();
+    result_.left_out_as_asked = totals.at("left_out_as_asked").count();
+    for (const char* const total : kTotals) result_.totals[total] = totals.at(total).count();
+    for (const JsonField& move : root_.at("moves").list()) read_move(move);
+    for (const JsonField& event : root_.at("events").list()) read_finding(event);
     return std::move(result_);
   }
 
  private:
-  void read_inputs() {
+  void read_input(const JsonField& input) {
     JobArguments& a = result_.arguments;
-    for (const json& input : root_.at("inputs")) {
-      const std::string role = input.at("role");
-      if (role == "baseline" || role == "project") continue;  // no verdict depends on the bytes of these
-      const std::string name = found_at(input.at("name"), file_);
-      result_.inputs.push_back({role, name, input.at("bytes"), input.at("checksum")});
-      if (role == "toolpath") a.path = name;
-      if (role == "part") a.parts.push_back(name);
-      if (role == "fixture") a.fixtures.push_back(name);
-      if (role == "head") a.heads.push_back(name);
-      if (role == "tools") a.tools_file = name;
-      if (role == "part" || role == "fixture")
-        meshes_[role + " " + input.at("name").get<std::string>()] = (role == "part" ? a.parts : a.fixtures).size() - 1;
+    const std::string role = input.at("role").text();
+    if (role == "baseline" || role == "project") return;  // no verdict depends on the bytes of these
+    const std::string as_named = input.at("name").text(), name = found_at(as_named, file_);
+    if (as_named.empty() || as_named.find('\0') != std::string::npos) input.at("name").fail("the name of a file");
+    result_.inputs.push_back({role, name, input.at("bytes").count(), input.at("checksum").text()});
+    if (role == "toolpath") a.path = name;
+    if (role == "part") a.parts.push_back(name);
+    if (role == "fixture") a.fixtures.push_back(name);
+    if (role == "head") a.heads.push_back(name);
+    if (role == "tools") a.tools_file = name;
+    if (role == "part" || role == "fixture")
+      meshes_[role + " " + as_named] = (role == "part" ? a.parts : a.fixtures).size() - 1;
+  }
+
+  void read_options(const JsonField& options) {
+    CheckOptions& check = result_.options.check;
+    check.tolerance_mm = least_zero(options.at("tolerance"));
+    check.resolution_mm = least_zero(options.at("resolution"));
+    check.stock_to_leave_mm = length(options.at("stock_to_leave"));
+    check.shank_clearance_mm = least_zero(options.at("shank_clearance"));
+    check.holder_clearance_mm = least_zero(options.at("holder_clearance"));
+    check.near_miss_mm = least_zero(options.at("near_miss"));
+    JobArguments& a = result_.arguments;
+    const std::size_t rapid = options.at("rapid").word(kRapids);
+    a.rapid = kRapids[rapid];
+    check.rapid = static_cast<RapidMode>(rapid);
+    const JsonField more = options.at("more");
+    const auto given = [&](const char* option) {
+      const std::optional<JsonField> value = more.find(option);
+      return value ? value->text() : std::string();
+    };
+    a.place = given("place");
+    a.stl_units = given("stl-units");
+    a.reading = {given("dialect"), given("toolpath-units"), given("cutcom")};
+    a.holder = given("holder");
+    a.is_extended_up = more.find("extend-up").has_value();
+    const std::optional<JsonField> tools = more.find("tool");
+    if (!tools) return;
+    if (tools->is_text()) {
+      a.tool_names = {tools->text()};
+    } else {
+      for (const JsonField& tool : tools->list()) a.tool_names.push_back(tool.text());
     }
   }
 
-  void read_options() {
-    const json& options = root_.at("options");
-    CheckOptions& check = result_.options.check;
-    check.tolerance_mm = length(options.at("tolerance"));
-    check.resolution_mm = length(options.at("resolution"));
-    check.stock_to_leave_mm = length(options.at("stock_to_leave"));
-    check.shank_clearance_mm = length(options.at("shank_clearance"));
-    check.holder_clearance_mm = length(options.at("holder_clearance"));
-    check.near_miss_mm = length(options.at("near_miss"));
-    JobArguments& a = result_.arguments;
-    a.rapid = options.at("rapid");
-    check.rapid = a.rapid == "skip" ? RapidMode::skip : a.rapid == "dogleg" ? RapidMode::dogleg : RapidMode::straight;
-    const json& more = options.at("more");
-    a.place = more.value("place", "");
-    a.stl_units = more.value("stl-units", "");
-    a.reading = {more.value("dialect", ""), more.value("toolpath-units", ""), more.value("cutcom", "")};
-    a.holder = more.value("holder", "");
-    a.is_extended_up = more.contains("extend-up");
-    if (!more.contains("tool")) return;
-    const json& tools = more.at("tool");
-    if (tools.is_array())
-      a.tool_names = tools.get<std::vector<std::string>>();
-    else
-      a.tool_names = {tools.get<std::string>()};
+  void read_finding(const JsonField& event) {
+    result_.findings.push_back({static_cast<ClaimedState>(event.at("state").word(kStates)),
+                                event.at("first_move").count(), event.at("last_move").count(),
+                                event.at("worst_move").count()});
   }
 
-  [[nodiscard]] static ClaimedState state(const std::string& word) {
-    const auto* const known =
-        std::find_if(kStates.begin(), kStates.end(), [&](const auto& state) { return word == state.first; });
-    return known == kStates.end() ? ClaimedState::not_checked : known->second;
-  }
-
-  void read_move(const json& move) {
+  void read_move(const JsonField& move) {
     MoveClaim claim;
-    claim.state = state(move.at("state"));
-    if (move.at("depth").is_number()) claim.depth_mm = length(move.at("depth"));
-    if (move.at("depth_upper").is_number()) claim.depth_upper_mm = length(move.at("depth_upper"));
-    if (move.at("clearance").is_number()) claim.clearance_mm = length(move.at("clearance"));
-    if (move.at("witness").is_object()) claim.witness = witness(move.at("witness"));
-    const std::size_t index = move.at("move");
-    result_.lines[index] = move.at("line");
+    claim.state = static_cast<ClaimedState>(move.at("state").word(kStates));
+    claim.depth_mm = length_or_null(move.at("depth")).value_or(0);
+    claim.depth_upper_mm = length_or_null(move.at("depth_upper"));
+    claim.clearance_mm = length_or_null(move.at("clearance"));
+    if (const JsonField named = move.at("witness"); !named.is_null()) claim.witness = witness(named);
+    const std::size_t index = move.at("move").count();
+    result_.lines[index] = move.at("line").count();
     if (!result_.claims.emplace(index, claim).second) result_.totals["moves named twice"]++;
   }
 
-  [[nodiscard]] ClaimedWitness witness(const json& w) const {
+  [[nodiscard]] ClaimedWitness witness(const JsonField& w) const {
+    static const std::vector<std::string> kBodies = {"cutter", "shank", "holder", "head"};
+    static const std::vector<std::string> kCounterparts = {"part", "fixture"};
     ClaimedWitness read;
-    read.t = w.at("t");
+    read.t = w.at("t").number();
     read.point = vector(w.at("point")) * result_.mm_per_unit;
     read.normal = vector(w.at("normal"));
-    const std::string body = w.at("body"), against = w.at("against");
-    for (const Body named : {Body::cutter, Body::shank, Body::holder, Body::head})
-      if (body == body_name(named)) read.body = named;
-    read.is_fixture = against == "fixture";
-    const auto mesh = meshes_.find(against + " " + w.at("mesh").get<std::string>());
+    read.body = static_cast<Body>(w.at("body").word(kBodies));
+    const std::size_t against = w.at("against").word(kCounterparts);
+    read.is_fixture = against == 1;
+    const auto mesh = meshes_.find(kCounterparts[against] + " " + w.at("mesh").text());
     read.mesh = mesh == meshes_.end() ? static_cast<std::size_t>(-1) : mesh->second;
-    read.triangle = w.at("triangle");
+    read.triangle = w.at("triangle").count();
     return read;
   }
 
-  [[nodiscard]] static Vec3 vector(const json& v) {
-    return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
+  [[nodiscard]] static Vec3 vector(const JsonField& field) {
+    const std::vector<JsonField> numbers = field.list();
+    if (numbers.size() == 3) return {numbers[0].number(), numbers[1].number(), numbers[2].number()};
+    field.fail("three numbers");
+    return Vec3::Zero();
   }
-  [[nodiscard]] double length(const json& value) const { return value.get<double>() * result_.mm_per_unit; }
+  [[nodiscard]] double length(const JsonField& field) const {
+    const double value = field.number() * result_.mm_per_unit;
+    if (!std::isfinite(value)) field.fail("a length");
+    return value;
+  }
+  [[nodiscard]] double least_zero(const JsonField& field) const {
+    const double value = length(field);
+    if (!(value >= 0)) field.fail("a length of 0 or more");
+    return value;
+  }
+  [[nodiscard]] std::optional<double> length_or_null(const JsonField& field) const {
+    return field.is_null() ? std::nullopt : std::optional(least_zero(field));
+  }
 
   const std::string& file_;
-  const json& root_;
+  JsonField root_;
   std::map<std::string, std::size_t> meshes_;  // by role and name: which of its kind
   ClaimedResult result_;
 };
+
+Diagnostic invalid(const std::string& file, const std::string& found) {
+  return make_error("result-invalid", found + "; expected the JSON of 'gougecheck check --json'", file);
+}
 
 /// Findings and moves must tell the same: every gouge is in a finding, and a finding's worst move is as it says.
 void compare_findings(const ClaimedResult& result, std::vector<std::string>& all) {
@@ -167,26 +183,27 @@ void compare_findings(const ClaimedResult& result, std::vector<std::string>& all
   }
 }
 
-/// The verdict and the totals: "clean" is a word for results where nothing else was found or left open.
-void compare_verdict(const ClaimedResult& result, std::vector<std::string>& all) {
-  const auto& n = result.totals;
-  const bool has_gouges = n.at("gouge") + n.at("buried") > 0;
-  const bool is_complete = n.at("not_certified") == 0 && n.at("not_checked") <= n.at("left_out_as_asked");
-  const bool names_gouges = result.verdict == "gouges" || result.verdict == "accepted-gouges";
-  if (has_gouges != names_gouges || (result.verdict == "clean" && !is_complete))
-    all.emplace_back("its verdict says other than its totals");
-}
-
-Diagnostic invalid(const std::string& file, const std::string& found) {
-  return make_error("result-invalid", found + "; expected the JSON of 'gougecheck check --json'", file);
+/// What the totals cannot mean. Which gouges were accepted is not looked at.
+std::optional<std::string> find_wrong_verdict(const ClaimedResult& result) {
+  const auto total = [&](const char* state) { return result.totals.at(state); };
+  const bool is_open = total("not_checked") > result.left_out_as_asked || total("not_certified") > 0;
+  const bool may_be_accepted = result.has_baseline && total("buried") == 0;
+  std::string expected = is_open ? "not-fully-checked" : "clean";
+  if (total("gouge") + total("buried") > 0 && !(may_be_accepted && is_open && result.verdict == expected))
+    expected = may_be_accepted && !is_open && result.verdict == "accepted-gouges" ? result.verdict : "gouges";
+  if (result.verdict != expected)
+    return "its verdict is '" + result.verdict + "', that of its totals '" + expected + "'";
+  const std::size_t status = expected == "gouges" ? 1 : expected == "not-fully-checked" ? 4 : 0;
+  if (result.exit_status == status) return std::nullopt;
+  return "its exit status is " + std::to_string(result.exit_status) + ", that of its verdict " + std::to_string(status);
 }
 
 }  // namespace
 
-std::vector<MoveClaim> ClaimedResult::all_claims() const {
-  std::vector<MoveClaim> all(moves);
+std::vector<MoveClaim> ClaimedResult::claims_of(std::size_t path_moves) const {
+  std::vector<MoveClaim> all(path_moves);
   for (const auto& [move, claim] : claims)
-    if (move < moves) all[move] = claim;
+    if (move < path_moves) all[move] = claim;
   return all;
 }
 
@@ -199,12 +216,9 @@ Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_v
     return invalid(file, "it is no result of gougecheck in a version that is known");
   if (root.contains("correction") && !root.at("correction").is_null())
     return invalid(file, "it is the result of a correction; check the corrected toolpath with --json and verify that");
-  ClaimedResult result;
-  try {
-    result = ResultReader(file, root).read();
-  } catch (const json::exception& error) {
-    return invalid(file, std::string("something in it is missing or of another kind (") + error.what() + ")");
-  }
+  JsonErrors errors{file, "result-field", &parsed->lines};
+  ClaimedResult result = ResultReader(file, JsonField(root, errors)).read();
+  if (errors.first) return *errors.first;
   const CheckOptions check = result.options.check;
   const Result<JobOptions> understood = understand(result.arguments);
   if (!understood) return invalid(file, "an option in it cannot be (" + understood.error().message + ")");
@@ -215,23 +229,23 @@ Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_v
 
 std::vector<std::string> find_contradictions(const ClaimedResult& result) {
   std::vector<std::string> all;
-  std::map<std::string, std::size_t> counted;
+  std::array<std::size_t, kTotals.size()> counted{};
   for (const auto& [move, claim] : result.claims) {
-    ++counted[total_of(claim.state)];
+    ++counted.at(static_cast<std::size_t>(claim.state));
     if (move >= result.moves) all.push_back("it names move " + std::to_string(move) + ", which is not there");
     if (claim.state == ClaimedState::clean)
       all.push_back("it lists move " + std::to_string(move) + " and calls it clean");
   }
   if (result.totals.count("moves named twice") != 0) all.push_back("it names a move twice");
-  counted["clean"] = result.moves - std::min(result.moves, result.claims.size());
-  for (const auto& [word, state] : kStates) {
-    const std::string key = total_of(state);
-    if (result.totals.at(key) != counted[key])
-      all.push_back("its totals count " + std::to_string(result.totals.at(key)) + " moves as " + word + ", its moves " +
-                    std::to_string(counted[key]));
+  counted.front() = result.moves - std::min(result.moves, result.claims.size());
+  for (std::size_t k = 0; k < kTotals.size(); ++k) {
+    const std::size_t total = result.totals.at(kTotals.at(k));
+    if (total != counted.at(k))
+      all.push_back("its totals count " + std::to_string(total) + " moves as " + kStates[k] + ", its moves " +
+                    std::to_string(counted.at(k)));
   }
   compare_findings(result, all);
-  compare_verdict(result, all);
+  if (auto wrong = find_wrong_verdict(result)) all.push_back(std::move(*wrong));
   return all;
 }
 

@@ -25,18 +25,18 @@ class Verifier {
  public:
   Verifier(const Job& job, const ClaimedResult& result, Progress& progress)
       : result_(result), scene_(claimed_scene(job)), digest_(inputs_digest(result.inputs)), progress_(progress) {
-    claims_ = result.all_claims();
     done_.has_heads = !scene_.heads.empty();
   }
 
   /// Errors: certificate-invalid.
   Result<Verification> run(const std::string& certificate_name, std::string_view certificate, double seconds) {
     for (const std::string& what : find_contradictions(result_)) refute(std::nullopt, what);
-    if (scene_.path.moves.size() != claims_.size()) {
-      refute(std::nullopt, "the result has " + std::to_string(claims_.size()) + " moves and the toolpath " +
+    if (scene_.path.moves.size() != result_.moves) {
+      refute(std::nullopt, "the result has " + std::to_string(result_.moves) + " moves and the toolpath " +
                                std::to_string(scene_.path.moves.size()));
       return std::move(done_);
     }
+    claims_ = result_.claims_of(result_.moves);
     const ClaimedTools tools = claimed_tools(scene_);
     progress_.begin("verifying witnesses");
     check_witnesses(tools);

@@ -139,6 +139,73 @@ TEST(VerifyCommand, FindsWhatIsChangedInAResult) {
   }
 }
 
+TEST(VerifyCommand, AResultThatSaysWhatCannotBeIsRefusedByLineAndField) {
+  const SampleFolder sample = checked_sample("pocket");
+  const json whole = result_of(sample);
+  const std::vector<std::pair<const char*, std::function<void(json&)>>> changes = {
+      {"'/unit' is \"furlong\"; expected one of mm, in", [](json& r) { r["unit"] = "furlong"; }},
+      {"'/totals/moves' is -1; expected a whole number of 0 or more", [](json& r) { r["totals"]["moves"] = -1; }},
+      {"'/options/rapid' is \"bent\"; expected one of straight", [](json& r) { r["options"]["rapid"] = "bent"; }},
+      {"'/options/tolerance' is -0.01; expected a length of 0 or more",
+       [](json& r) { r["options"]["tolerance"] = -0.01; }},
+      {"'/options/resolution' is 1e+308; expected a length",
+       [](json& r) { r["unit"] = "in", r["options"]["resolution"] = 1e308; }},
+      {"'/options/more/place' is [1]; expected a text", [](json& r) { r["options"]["more"]["place"] = {1}; }},
+      {"'/moves/0/state' is \"fine\"; expected one of clean, near", [](json& r) { r["moves"][0]["state"] = "fine"; }},
+      {"'/moves/0/move' is 2.5; expected a whole number", [](json& r) { r["moves"][0]["move"] = 2.5; }},
+      {"'/moves/1/depth' is \"deep\"; expected a number", [](json& r) { r["moves"][1]["depth"] = "deep"; }},
+      {"'/moves/1/witness/point' is [1,2]; expected three numbers",
+       [](json& r) {
+         r["moves"][1]["witness"]["point"] = {1, 2};
+       }},
+      {"'/moves/1/witness/body' is \"spoon\"; expected one of cutter",
+       [](json& r) { r["moves"][1]["witness"]["body"] = "spoon"; }},
+      {"'/inputs/0/name' is \"pocket.apt\\u0000\"; expected the name of a file",
+       [](json& r) { r["inputs"][0]["name"] = std::string("pocket.apt\0", 11); }},
+      {"'/baseline' is nothing; expected it to be there", [](json& r) { r.erase("baseline"); }},
+  };
+  for (const auto& [message, change] : changes) {
+    json changed = whole;
+    change(changed);
+    write_text(sample.path + "/result.json", changed.dump(1));
+    const Outcome ran = verify(sample, {});
+    EXPECT_EQ(ran.exit_status, 3) << message << ": " << ran.out << ran.err;
+    EXPECT_EQ(ran.err.rfind("result.json:", 0), 0U) << ran.err;
+    EXPECT_NE(ran.err.find(std::string(": error: ") + message), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find(" [result-field]\n"), std::string::npos) << ran.err;
+  }
+}
+
+// Its moves are what it says, and its first lines what people and scripts look at.
+TEST(VerifyCommand, FindsAVerdictThatIsNotThatOfTheMoves) {
+  const SampleFolder sample = checked_sample("pocket");
+  const json whole = result_of(sample);
+  const std::vector<std::pair<const char*, std::function<void(json&)>>> changes = {
+      {"its verdict is 'clean', that of its totals 'gouges'", [](json& r) { r["verdict"] = "clean"; }},
+      {"its verdict is 'accepted-gouges', that of its totals 'gouges'",
+       [](json& r) { r["verdict"] = "accepted-gouges"; }},
+      {"its exit status is 0, that of its verdict 1", [](json& r) { r["exit_status"] = 0; }},
+  };
+  for (const auto& [what, change] : changes) {
+    json changed = whole;
+    change(changed);
+    write_text(sample.path + "/result.json", changed.dump());
+    const Outcome ran = verify(sample, {});
+    EXPECT_EQ(ran.exit_status, 1) << ran.out << ran.err;
+    EXPECT_NE(ran.out.find(what), std::string::npos) << ran.out;
+  }
+}
+
+TEST(VerifyCommand, AResultOfATrillionMovesTakesNoMemory) {
+  const SampleFolder sample = checked_sample("between_rib");
+  json result = result_of(sample);
+  result["totals"]["moves"] = 1'000'000'000'000;
+  write_text(sample.path + "/result.json", result.dump());
+  const Outcome ran = verify(sample, {});
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+  EXPECT_NE(ran.out.find("the result has 1000000000000 moves and the toolpath 2"), std::string::npos) << ran.out;
+}
+
 TEST(VerifyCommand, NamesTheMoveTheInstantAndThePointThatRefuteAResult) {
   const SampleFolder sample = checked_sample("pocket");
   json result = result_of(sample);
