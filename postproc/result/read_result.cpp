@@ -45,6 +45,11 @@ class ResultReader {
       root_.at("runs").fail("the runs of all moves, in their order");
     for (const JsonField& move : root_.at("moves").list()) read_move(move);
     for (const JsonField& event : root_.at("events").list()) read_event(event);
+    const auto is_of_finding = [](const StoredMove& m) {
+      return m.state == MoveState::gouge || m.state == MoveState::buried;
+    };
+    if (in_findings_ != static_cast<std::size_t>(std::ranges::count_if(result_.moves, is_of_finding)))
+      root_.at("events").fail("every move that gouges or is buried in one of them");
     return std::move(result_);
   }
 
@@ -131,10 +136,13 @@ class ResultReader {
   void read_event(const JsonField& field) {
     StoredFinding finding;
     finding.state = static_cast<MoveState>(field.at("state").word(states()));
-    if (finding.state != MoveState::gouge && finding.state != MoveState::buried) return;
-    finding.number = field.at("number").count();
     finding.first_move = field.at("first_move").count();
     finding.last_move = field.at("last_move").count();
+    if (finding.first_move < next_move_ || finding.last_move >= result_.motions.size())
+      return field.at("first_move").fail("findings of the path, one behind the other");
+    next_move_ = finding.last_move + 1;
+    if (finding.state != MoveState::gouge && finding.state != MoveState::buried) return;
+    finding.number = field.at("number").count();
     finding.worst_move = field.at("worst_move").count();
     finding.line = field.at("line").count();
     finding.tool = field.at("tool").text();
@@ -148,13 +156,17 @@ class ResultReader {
     const bool is_inside = finding.first_move <= finding.worst_move && finding.worst_move <= finding.last_move;
     if (!is_inside || worst == nullptr || worst->state != finding.state)
       return field.at("worst_move").fail("a move of the finding that is listed in 'moves' with its state");
-    if (const auto moves = result_.moves_of(finding); moves.size() != field.at("moves").count())
+    const std::size_t moves = result_.moves_of(finding).size();
+    if (moves != field.at("moves").count())
       return field.at("moves").fail("as many as 'moves' lists of its interval and state");
+    in_findings_ += moves;
     result_.findings.push_back(std::move(finding));
   }
 
   JsonField root_;
   StoredResult result_;
+  std::size_t next_move_ = 0;    // behind the findings so far
+  std::size_t in_findings_ = 0;  // moves
   double scale_ = 1;
 };
 
