@@ -94,6 +94,8 @@ void list(const StoredResult& result, std::ostream& out) {
 Result<std::vector<Acceptance>> read_existing(const std::string& file, const InputLimit& limit) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(file, ignored))) return std::vector<Acceptance>();
+  if (fs::is_fifo(fs::status(file, ignored)))
+    return make_error("accepted-format", "is a pipe; expected a file that accepted findings can be added to", file);
   const Result<std::string> bytes = read_file(file, limit.most_bytes);
   if (!bytes) return bytes.error();
   return read_accepted(file, *bytes);
@@ -109,7 +111,7 @@ void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
       ->required();
   command
       .add_option("--finding", arguments.findings, "Number of a finding to accept (repeatable); none: list them all")
-      ->type_name("N")
+      ->type_name("UINT")
       ->allow_extra_args(false);
   command.add_option("--reason", arguments.reason, "Why it may stay")->type_name("TEXT");
   command.add_option("--by", arguments.by, "Who accepts it")->type_name("NAME");
@@ -141,7 +143,7 @@ int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream
   Result<std::vector<Acceptance>> accepted = read_existing(arguments.output, arguments.input);
   if (!accepted) return fail(err, {accepted.error()});
   const AcceptanceNote note{arguments.reason, arguments.by, arguments.date.empty() ? today() : arguments.date};
-  for (const std::size_t number : arguments.findings) {
+  for (const std::uint32_t number : arguments.findings) {
     Result<Acceptance> made = accept_finding(*result, number, note, *accepted);
     if (!made) return fail(err, {made.error()});
     accepted->push_back(std::move(*made));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -15,8 +15,8 @@ namespace gouge {
 
 struct AcceptArguments {
   std::string result;
-  std::vector<std::size_t> findings;  ///< none: list them
-  std::string reason, by, date;       ///< empty date: today
+  std::vector<std::uint32_t> findings;  ///< none: list them
+  std::string reason, by, date;         ///< empty date: today
   std::string output;
   InputLimit input;
 };

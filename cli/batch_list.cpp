@@ -153,6 +153,12 @@ class JobListReader {
     }
   }
 
+  // The system would read a name up to a null, which is another file than the one that was looked at.
+  static bool is_named(const ListJson& value) {
+    return value.is_string() && !value.get_ref<const std::string&>().empty() &&
+           value.get_ref<const std::string&>().find('\0') == std::string::npos;
+  }
+
   static std::string called(const std::string& name, const std::vector<std::string>& paths) {
     return "job " + (name.empty() && !paths.empty() ? paths.front() : name) + ": ";
   }
@@ -162,8 +168,8 @@ class JobListReader {
     if (found == fields.end()) return otherwise;
     const Field field = found->second;
     fields.erase(found);
-    if (field.value->is_string() && !field.value->get<std::string>().empty()) return field.value->get<std::string>();
-    fail("\"" + key + "\" is no text, or empty; expected a text", field.pointer);
+    if (is_named(*field.value)) return field.value->get<std::string>();
+    fail("\"" + key + "\" is no text, empty, or holds the character U+0000; expected a text", field.pointer);
     return otherwise;
   }
 
@@ -190,8 +196,9 @@ class JobListReader {
         field.value->is_array() ? field.value->get<std::vector<ListJson>>() : std::vector<ListJson>{*field.value};
     std::vector<std::string> paths;
     for (const ListJson& value : values) {
-      if (!value.is_string() || value.get<std::string>().empty()) {
-        fail("\"path\" holds no text, or an empty one; expected files or patterns", field.pointer);
+      if (!is_named(value)) {
+        fail("\"path\" holds no text, an empty one, or one with the character U+0000; expected files or patterns",
+             field.pointer);
         return {};
       }
       const std::string path = JobWords("check", base_).located(value.get<std::string>());

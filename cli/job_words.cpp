@@ -106,6 +106,9 @@ Outcome JobWords::add(const std::string& key, const nlohmann::json& value) {
     return wrong("\"" + key + "\" is " + kind_of(value) + "; expected a text or a number");
   const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
   if (text.empty()) return wrong("\"" + key + "\" is empty; expected a value, or leave it out");
+  // The system would read a name up to there, which is another file than the one that was looked at.
+  if (text.find('\0') != std::string::npos)
+    return wrong("\"" + key + "\" holds the character U+0000; expected a text without it");
   const std::string type = option->get_type_name();
   const bool is_file = type == "FILE" || type == "FIXTURE";
   if (text == "-" && type == "FILE") return wrong("\"" + key + "\" is -; expected a file: " + rules_->why_no_dash);

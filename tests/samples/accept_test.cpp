@@ -214,6 +214,16 @@ TEST_F(Accept, TheFileLosesNothingAndTakesNothingTwice) {
             2);
 }
 
+TEST_F(Accept, AddsToNoPipe) {
+  ASSERT_EQ(shop_.check("a", path_text(stations(kDeep))).exit_status, 1);
+  ASSERT_EQ(shop_.run_script("mkfifo accepted.json").exit_status, 0);
+  const Outcome ran = accept("a.json", "1");
+  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_EQ(ran.err,
+            "accepted.json: error: is a pipe; expected a file that accepted findings can be added to "
+            "[accepted-format]\n");
+}
+
 TEST_F(Accept, NumbersEditedByHandAreRefused) {
   accept_deep();
   const std::string whole = shop_.read("accepted.json"), path = path_text(stations({{40, -0.5}, {50, -0.2}}));
@@ -258,6 +268,11 @@ TEST_F(Accept, OptionsAreAskedForByName) {
                 .find("a day like"),
             std::string::npos);
   EXPECT_NE(error_of({"accept", "a.json", "--reason", "r"}).find("needs --finding"), std::string::npos);
+  for (const char* number : {"-1", "1.5", "99999999999999999999", "one"})
+    EXPECT_NE(error_of({"accept", "a.json", "--finding", number})
+                  .find("--finding '" + std::string(number) + "': expected a whole number of 0 or more"),
+              std::string::npos)
+        << number;
   const Outcome listed = shop_.run({"accept", "a.json"});
   EXPECT_EQ(listed.exit_status, 0);
   EXPECT_NE(listed.out.find("1  path.apt:13: 0.200 mm cutter T1 at ("), std::string::npos) << listed.out;

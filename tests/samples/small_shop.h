@@ -37,6 +37,9 @@ class SmallShop {
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const {
     return run_gougecheck(folder_, arguments);
   }
+  [[nodiscard]] Outcome run_script(const std::string& script) const {
+    return testing_samples::run_script(folder_, script);
+  }
   /// `gougecheck check path.apt --part part.stl --json NAME.json` with `text` as path.apt.
   Outcome check(const std::string& name, const std::string& text, const std::vector<std::string>& more = {}) const;
 
