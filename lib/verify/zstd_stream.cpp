@@ -1,14 +1,31 @@
 #include "lib/verify/zstd_stream.h"
 
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <new>
 
 namespace gouge {
+namespace {
+
+// zstd says by null or a number what everything else says by std::bad_alloc. What it gave up must not pass for whole.
+void end_without_memory() { static_cast<void>(::operator new(PTRDIFF_MAX)); }
+
+template <class Context>
+Context* made(Context* context) {
+  if (context == nullptr) end_without_memory();
+  return context;
+}
+
+bool is_short_of_memory(std::size_t answer) { return ZSTD_getErrorCode(answer) == ZSTD_error_memory_allocation; }
+
+}  // namespace
 
 struct ZstdWriter::State {
-  ZSTD_CCtx* context = ZSTD_createCCtx();
+  ZSTD_CCtx* context = made(ZSTD_createCCtx());
   std::string out;
 };
 
@@ -25,8 +42,9 @@ void ZstdWriter::run(std::string_view bytes, bool is_end) {
   for (bool is_done = false; !is_done;) {
     ZSTD_outBuffer out{room.data(), room.size(), 0};
     const std::size_t left = ZSTD_compressStream2(state_->context, &out, &in, is_end ? ZSTD_e_end : ZSTD_e_continue);
+    if (ZSTD_isError(left) != 0) end_without_memory();  // nothing else can be wrong with bytes that are to be packed
     state_->out.append(room.data(), out.pos);
-    is_done = ZSTD_isError(left) != 0 || (is_end ? left == 0 : in.pos == in.size);
+    is_done = (is_end ? left == 0 : in.pos == in.size);
   }
 }
 
@@ -38,7 +56,7 @@ std::string ZstdWriter::finish() {
 }
 
 struct ZstdReader::State {
-  ZSTD_DCtx* context = ZSTD_createDCtx();
+  ZSTD_DCtx* context = made(ZSTD_createDCtx());
   ZSTD_inBuffer in{};
   std::string ready;  // what was read and not yet taken
   bool is_broken = false, is_ended = false;
@@ -48,6 +66,7 @@ struct ZstdReader::State {
     ZSTD_outBuffer out{room.data(), room.size(), 0};
     const std::size_t before = in.pos;
     const std::size_t left = ZSTD_decompressStream(context, &out, &in);
+    if (is_short_of_memory(left)) end_without_memory();
     if (ZSTD_isError(left) != 0 || (left != 0 && out.pos == 0 && in.pos == before)) is_broken = true;
     if (!is_broken && left == 0) is_ended = true;
     ready.append(room.data(), out.pos);
