@@ -124,7 +124,7 @@ class PathChecker {
 };
 
 // Of the bounds their sum, which stands with the first move.
-StretchForm form_of(MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) {
+StretchForm form_of(const Scene& scene, MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) {
   StretchForm form;
   form.write = [&](std::size_t first, std::size_t last) {
     std::string bytes;
@@ -138,7 +138,9 @@ StretchForm form_of(MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) 
     std::uint64_t sum = 0;
     std::vector<MoveVerdict> read(last - first);
     bool is_whole = take_bytes(bytes, sum);
-    for (MoveVerdict& verdict : read) is_whole = is_whole && take_bytes(bytes, verdict);
+    for (MoveVerdict& verdict : read)
+      is_whole =
+          is_whole && take_bytes(bytes, verdict) && is_of_meshes(verdict, scene.parts.size(), scene.fixtures.size());
     if (!is_whole || !bytes.empty()) return false;
     bounds[first] = sum;
     std::move(read.begin(), read.end(), verdicts.begin() + static_cast<std::ptrdiff_t>(first));
@@ -161,9 +163,10 @@ CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVar
   result.verdicts.resize(total);
   const PathChecker checker(toolpath, tools, scene, options);
   PagedVector<std::uint64_t> bounds(total, 0);
-  for_each_kept_chunk(
-      total, kMovesPerChunk, options.threads, "checking moves", progress, kept, form_of(result.verdicts, bounds),
-      [&](std::size_t first, std::size_t last) { checker.check(first, last, result.verdicts, bounds); });
+  for_each_kept_chunk(total, kMovesPerChunk, options.threads, "checking moves", progress, kept,
+                      form_of(*scene.scene, result.verdicts, bounds), [&](std::size_t first, std::size_t last) {
+                        checker.check(first, last, result.verdicts, bounds);
+                      });
   if (scene.is_within_reach && why_unfit(options) == Reason::Kind::none)
     mark_buried(toolpath, tools, scene, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;

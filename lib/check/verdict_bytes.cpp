@@ -65,6 +65,29 @@ bool take(std::string_view& bytes, Reason& reason) {
   return true;
 }
 
+// The bytes may have been damaged, or made by somebody else: what is not possible would be an index out of range later.
+bool is_possible(Body body) { return body <= Body::head; }
+
+bool is_possible(const Witness& w) {
+  return w.t >= 0 && w.t <= 1 && w.point.allFinite() && w.normal.allFinite() && is_possible(w.body) &&
+         w.against <= Against::fixture;
+}
+
+bool is_possible(const Reason& reason) {
+  using enum Reason::Kind;
+  constexpr double kMostCounted = 9e15;
+  const bool is_counted = reason.is(link_gouges) || reason.is(out_of_budget) || reason.is(head_out_of_budget);
+  if (is_counted && !(reason.amount >= 0 && reason.amount <= kMostCounted)) return false;
+  return reason.kind <= clearance_entered && is_possible(reason.body) && !std::isnan(reason.amount);
+}
+
+bool is_possible(const MoveVerdict& v) {
+  const auto is_length = [](double length_mm) { return length_mm >= 0 && std::isfinite(length_mm); };
+  return is_length(v.depth_mm) && v.depth_upper_mm >= 0 && (!v.witness || is_possible(*v.witness)) &&
+         (!v.clearance_mm || is_length(*v.clearance_mm)) &&
+         (!v.overcut_mm || (is_length(*v.overcut_mm) && v.overcut_upper_mm >= 0)) && is_possible(v.reason);
+}
+
 bool is_zero(double number) { return std::fpclassify(number) == FP_ZERO && !std::signbit(number); }
 
 }  // namespace
@@ -111,7 +134,11 @@ bool take_bytes(std::string_view& bytes, MoveVerdict& verdict) {
   }
   taken(kReason, v.reason);
   verdict = std::move(v);
-  return is_whole;
+  return is_whole && is_possible(verdict);
+}
+
+bool is_of_meshes(const MoveVerdict& verdict, std::size_t parts, std::size_t fixtures) {
+  return !verdict.witness || verdict.witness->mesh < (verdict.witness->against == Against::part ? parts : fixtures);
 }
 
 }  // namespace gouge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -15,9 +16,12 @@ void append_bytes(const MoveVerdict& verdict, std::string& bytes);
 void append_bytes(double number, std::string& bytes);
 void append_bytes(std::uint64_t count, std::string& bytes);
 
-/// Takes from the front of `bytes` what append_bytes wrote; false where they are too short or mean nothing.
+/// Takes from the front of `bytes` what append_bytes wrote; false where they are too short, or no verdict can be so.
 [[nodiscard]] bool take_bytes(std::string_view& bytes, MoveVerdict& verdict);
 [[nodiscard]] bool take_bytes(std::string_view& bytes, double& number);
 [[nodiscard]] bool take_bytes(std::string_view& bytes, std::uint64_t& count);
+
+/// Whether a verdict that was taken names a mesh of so many parts and fixtures, if any.
+[[nodiscard]] bool is_of_meshes(const MoveVerdict& verdict, std::size_t parts, std::size_t fixtures);
 
 }  // namespace gouge

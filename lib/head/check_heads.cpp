@@ -234,7 +234,8 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
       step.uppers_mm.resize(heads.size());
       is_whole = is_whole && take_bytes(bytes, step.bounds);
       for (double& upper : step.uppers_mm) is_whole = is_whole && take_bytes(bytes, upper);
-      is_whole = is_whole && take_bytes(bytes, step.verdict);
+      is_whole = is_whole && take_bytes(bytes, step.verdict) &&
+                 is_of_meshes(step.verdict, scene.scene->parts.size(), scene.scene->fixtures.size());
     }
     if (!is_whole || !bytes.empty()) return false;
     for (std::size_t i = first; i < last; ++i) {

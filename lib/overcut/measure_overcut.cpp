@@ -102,7 +102,9 @@ class Measuring {
     form.read = [this](std::size_t first, std::size_t last, std::string_view bytes) {
       std::vector<MoveVerdict> read(last - first);
       bool is_whole = true;
-      for (MoveVerdict& verdict : read) is_whole = is_whole && take_bytes(bytes, verdict);
+      for (MoveVerdict& verdict : read)
+        is_whole = is_whole && take_bytes(bytes, verdict) &&
+                   is_of_meshes(verdict, scene_.scene->parts.size(), scene_.scene->fixtures.size());
       if (!is_whole || !bytes.empty()) return false;
       for (std::size_t k = first; k < last; ++k) result_.verdicts[gouges_[k]] = std::move(read[k - first]);
       return true;

@@ -79,5 +79,33 @@ TEST(VerdictBytes, OfNoStateAreRefused) {
   EXPECT_FALSE(take_bytes(left, read));
 }
 
+// What a file from somebody else may hold: each would be an index out of range, or no number, later.
+TEST(VerdictBytes, WhatNoVerdictCanBeIsNotTaken) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const auto is_taken = [](const auto& change) {
+    MoveVerdict verdict = gouge_with_all(), read;
+    change(verdict);
+    const std::string bytes = bytes_of(verdict);
+    std::string_view left = bytes;
+    return take_bytes(left, read);
+  };
+  EXPECT_TRUE(is_taken([](MoveVerdict&) {}));
+  EXPECT_FALSE(is_taken([](MoveVerdict& v) { v.witness->body = static_cast<Body>(4); }));
+  EXPECT_FALSE(is_taken([](MoveVerdict& v) { v.witness->against = static_cast<Against>(2); }));
+  EXPECT_FALSE(is_taken([](MoveVerdict& v) { v.witness->t = 1.5; }));
+  EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.witness->point.x() = nan; }));
+  EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.depth_mm = nan; }));
+  EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.depth_mm = infinity; }));
+  EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.depth_upper_mm = nan; }));
+  EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.overcut_mm = -1.0; }));
+  EXPECT_FALSE(is_taken([&](MoveVerdict& v) { v.clearance_mm = infinity; }));
+  EXPECT_FALSE(is_taken([](MoveVerdict& v) { v.reason.kind = static_cast<Reason::Kind>(200); }));
+  EXPECT_FALSE(is_taken([](MoveVerdict& v) { v.reason.body = static_cast<Body>(9); }));
+  EXPECT_FALSE(is_taken([](MoveVerdict& v) { v.reason = {Reason::Kind::link_gouges, Body::cutter, 1e300}; }));
+  EXPECT_TRUE(is_of_meshes(gouge_with_all(), 0, 8));
+  EXPECT_FALSE(is_of_meshes(gouge_with_all(), 9, 7));
+  EXPECT_TRUE(is_of_meshes({}, 0, 0)) << "it names none";
+}
+
 }  // namespace
 }  // namespace gouge
