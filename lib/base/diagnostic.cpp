@@ -18,6 +18,19 @@ const char* word(Severity severity) {
   return kNames[static_cast<std::size_t>(severity)];
 }
 
+// A file may hold a name of a million letters. What is expected stands at the end of a message.
+std::string shortened(std::string text) {
+  constexpr std::size_t kMost = 3000, kBegin = 1500, kEnd = 1000;
+  if (text.size() <= kMost) return text;
+  const auto is_within_a_letter = [&](std::size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80U;
+  };
+  std::size_t begin = kBegin, end = text.size() - kEnd;
+  while (begin > 0 && is_within_a_letter(begin)) --begin;
+  while (end < text.size() && is_within_a_letter(end)) ++end;
+  return text.replace(begin, end - begin, " ... ");
+}
+
 }  // namespace
 
 Diagnostic make_error(std::string code, std::string message, std::string file, std::size_t line) {
@@ -40,7 +53,7 @@ bool has_error(const Diagnostics& diagnostics) {
 std::string to_text(const Diagnostic& diagnostic) {
   std::string text = diagnostic.file.empty() ? "gougecheck" : printable(diagnostic.file);
   if (diagnostic.line > 0) text += ":" + std::to_string(diagnostic.line);
-  text += std::string(": ") + word(diagnostic.severity) + ": " + printable(diagnostic.message);
+  text += std::string(": ") + word(diagnostic.severity) + ": " + shortened(printable(diagnostic.message));
   if (!diagnostic.code.empty()) text += " [" + diagnostic.code + "]";
   return text;
 }

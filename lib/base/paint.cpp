@@ -16,15 +16,15 @@ std::string painted(std::string_view text, Paint paint, bool is_on) {
 std::string painted_text(const Diagnostic& diagnostic) {
   static constexpr std::array<Paint, 3> kPaints = {Paint::note, Paint::warning, Paint::error};
   const std::string text = to_text(diagnostic);
-  // "PLACE: SEVERITY: MESSAGE [CODE]"; a place may hold ": " itself, so what comes after it is counted from the end.
+  // "PLACE: SEVERITY: MESSAGE [CODE]"; a place may hold ": " itself.
   const std::string code = diagnostic.code.empty() ? "" : " [" + diagnostic.code + "]";
-  const std::size_t behind = printable(diagnostic.message).size() + code.size() + 1;
-  const std::size_t severity_end = text.size() - behind;
-  const std::size_t severity = text.rfind(' ', severity_end - 1) + 1;
+  const std::string line = diagnostic.line > 0 ? ":" + std::to_string(diagnostic.line) : "";
+  const std::string place = (diagnostic.file.empty() ? "gougecheck" : printable(diagnostic.file)) + line;
+  const std::size_t severity = place.size() + 2, severity_end = text.find(' ', severity);
   return painted(text.substr(0, severity - 1), Paint::place, true) + " " +
          painted(text.substr(severity, severity_end - severity), kPaints[static_cast<std::size_t>(diagnostic.severity)],
                  true) +
-         text.substr(severity_end, behind - code.size()) + painted(code, Paint::faint, true);
+         text.substr(severity_end, text.size() - code.size() - severity_end) + painted(code, Paint::faint, true);
 }
 
 }  // namespace gouge

@@ -103,13 +103,16 @@ std::size_t JsonLines::set_root(std::size_t line) {
   return 0;
 }
 
-// A key may hold a slash, so that the next name is the shortest one there is.
+// A key may hold a slash, so that the next name is the shortest one there is. A key of slashes alone would take forever.
 std::size_t JsonLines::at(std::string_view pointer) const {
+  constexpr int kMostSlashes = 100;
   std::size_t value = 0;
   while (!pointer.empty()) {
     pointer.remove_prefix(1);
     auto found = values_.end();
-    for (std::size_t end = 0; found == values_.end() && end < pointer.size(); ++end) {
+    int slashes = 0;
+    for (std::size_t end = 0; found == values_.end() && end < pointer.size() && slashes < kMostSlashes; ++end) {
+      ++slashes;
       end = std::min(pointer.find('/', end), pointer.size());
       found = values_.find({value, std::string(pointer.substr(0, end))});
       if (found != values_.end()) pointer.remove_prefix(end);
