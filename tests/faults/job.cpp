@@ -15,8 +15,8 @@ using testing_samples::SampleFolder;
 
 std::vector<std::string> outputs_of(const std::string& name) {
   if (name == "check")
-    return {"--json", "o.json",   "--csv", "o.csv",    "--sarif", "o.sarif",  "--junit",
-            "o.xml",  "--export", "o.glb", "--export", "o.vtp",   "--export", "o.ply"};
+    return {"--json",   "o.json", "--csv",    "o.csv", "--sarif",  "o.sarif", "--junit",       "o.xml",
+            "--export", "o.glb",  "--export", "o.vtp", "--export", "o.ply",   "--certificate", "o.gcp"};
   if (name == "correct") return {"-o", "o.apt", "--csv", "o.csv"};
   return {"--report", "report", "--json", "o.json"};
 }
@@ -36,12 +36,12 @@ Files without(const Files& files, const Files& others) {
   return rest;
 }
 
-// A report of another time; where there is none, any text.
+// A report of something else, with more pictures than the new one, which must be removed; where there is none, any text.
 Files older_outputs(const FaultJob& job) {
   if (job.name == "report") {
-    std::vector<std::string> arguments = job.arguments;
-    arguments.insert(arguments.end(), {"--tolerance", "5"});
-    EXPECT_EQ(run_program(job.folder, arguments, {}).exit_status, 0);
+    const SampleFolder other = testing_samples::open_sample("pocket");
+    const std::vector<std::string> outputs = {"--report", job.folder + "/report", "--json", job.folder + "/o.json"};
+    EXPECT_EQ(run_program(other.path, other.arguments("check", other.toolpath(), outputs), {}).exit_status, 1);
     return without(files_of(job.folder), job.inputs);
   }
   Files older;
@@ -74,14 +74,17 @@ FaultJob make_job(const std::string& name) {
   job.older = older_outputs(job);
   job.prepare(false);
   const std::string counts = job.folder + ".counts";
-  for (const bool is_early : {false, true}) {
-    job.prepare(false);
+  const auto count = [&](bool is_early, bool has_older) {
+    job.prepare(has_older);
     Misfortune counted;
     counted.is_early = is_early;
     counted.counts_file = counts;
     EXPECT_EQ(run_program(job.folder, job.arguments, counted).exit_status, job.ending.exit_status);
-    job.calls.merge(counts_in(counts, is_early ? "early " : ""));
-  }
+    return counts_in(counts, is_early ? "early " : "");
+  };
+  job.calls = count(false, false);
+  job.calls.merge(count(true, false));
+  job.calls_over_older = count(false, true);
   EXPECT_GT(job.calls["memory"], 1000) << "the fault library counts nothing";
   return job;
 }

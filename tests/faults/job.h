@@ -17,6 +17,7 @@ struct FaultJob {
   Files outputs;                      ///< what it writes
   Ending ending;                      ///< undisturbed
   std::map<std::string, long> calls;  ///< by kind of the fault library; "early" kinds begin with "early "
+  std::map<std::string, long> calls_over_older;
 
   /// Inputs alone, or inputs and older outputs, into the folder.
   void prepare(bool has_older) const;
