@@ -23,6 +23,8 @@ choose() {
     fuzz_import_freecad) words=$here/tools.dict most=8000 seeds=("$here/../corpus/tool/freecad") ;;
     fuzz_import_fusion) words=$here/tools.dict most=8000 seeds=("$here/../corpus/tool") ;;
     fuzz_job_list) words=$here/jobs.dict most=2000 seeds=() ;;
+    fuzz_result | fuzz_project) words=$here/results.dict most=9000 seeds=() ;;
+    fuzz_certificate) words=$here/results.dict most=3000 seeds=() ;;
     fuzz_options | fuzz_command_line) words=$here/options.dict most=1000 seeds=() ;;
   esac
   [ ! -d "$here/corpus/$1" ] || seeds+=("$here/corpus/$1")
