@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLongest_s = 60;
+constexpr double kLongest_s = 600;  // the machine may have other work
 
 std::string bytes_of(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -15,7 +15,7 @@ using Files = std::map<std::string, std::string>;
 /// How a run ended and what it printed.
 struct Ending {
   int exit_status = -1;  ///< -1: a signal ended it
-  int signal = 0;        ///< 0: it ended by itself; SIGALRM: it did not end within a minute
+  int signal = 0;        ///< 0: it ended by itself; SIGALRM: it did not end within ten minutes
   std::string out, err;
   double seconds = 0;
 };
