@@ -389,15 +389,5 @@ TEST(ImportFusion, FilesThatAreNoLibraryAreRefused) {
   EXPECT_NE(error("{\"data\": [1e999]}").find("too large"), std::string::npos);
 }
 
-TEST(ImportTools, WhatIsNestedTooDeepIsReportedAsThatWhateverTheFormat) {
-  const std::string deep = "{\"data\": " + std::string(200'000, '[');
-  for (const auto format :
-       {std::optional<ImportFormat>(), std::optional(ImportFormat::fusion), std::optional(ImportFormat::freecad)}) {
-    const Result<ImportedTools> made = import_tools("a.json", deep, format, {});
-    ASSERT_FALSE(made);
-    EXPECT_EQ(made.error().code, "json-too-deep");
-  }
-}
-
 }  // namespace
 }  // namespace gouge

@@ -3,7 +3,7 @@
 #include "tests/toolmodels/import/import_helpers.h"
 #include "tests/toolmodels/sample_tools.h"
 
-// Seeded mutations of real-looking files: whatever comes out must be a library that reads back, or an error.
+// Seeded mutations of real-looking files: whatever comes out must be a library that reads back, or an error; and what no format may have.
 
 namespace gouge {
 namespace {
@@ -85,6 +85,16 @@ TEST(ImportFuzz, FreecadLibrariesNeverMakeAToolThatCannotBeReadBack) {
 }
 TEST(ImportFuzz, NxDatabasesNeverMakeAToolThatCannotBeReadBack) {
   fuzz("nx/metric/tool_database.dat", ImportFormat::nx, 6000);
+}
+
+TEST(ImportTools, WhatIsNestedTooDeepIsReportedAsThatWhateverTheFormat) {
+  const std::string deep = "{\"data\": " + std::string(200'000, '[');
+  for (const auto format :
+       {std::optional<ImportFormat>(), std::optional(ImportFormat::fusion), std::optional(ImportFormat::freecad)}) {
+    const Result<ImportedTools> made = import_tools("a.json", deep, format, {});
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().code, "json-too-deep");
+  }
 }
 
 }  // namespace
