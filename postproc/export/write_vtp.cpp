@@ -8,7 +8,7 @@ namespace {
 /// The arrays of a PolyData: points of the surfaces, then of the path; lines before triangles, as VTK orders cells.
 class PolyData {
  public:
-  explicit PolyData(const ExportScene& scene) : scene_(scene), mm_(mm_per(scene.unit)) {
+  explicit PolyData(const ExportScene& scene) : mm_(mm_per(scene.unit)) {
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) add_points(scene.meshes[m]);
     for (const ExportLine& line : scene.lines) add_line(line);
     std::uint32_t first = 0;
@@ -80,7 +80,6 @@ class PolyData {
            "</DataArray>\n";
   }
 
-  const ExportScene& scene_;
   double mm_;
   std::size_t points_count_ = 0, line_count_ = 0, triangle_count_ = 0;
   LittleEndian points_, depth_, overcut_, line_corners_, line_ends_, corners_, ends_, kind_, mesh_, state_, move_;
