@@ -80,7 +80,8 @@ CommandDoc document(const CLI::App& app) {
   doc.description = app.get_description();
   doc.footer = app.get_footer();
   for (const CLI::Option* option : app.get_options()) doc.options.push_back(document(*option));
-  std::ranges::stable_partition(doc.options, &OptionDoc::is_positional);
+  std::stable_partition(doc.options.begin(), doc.options.end(),
+                        [](const OptionDoc& option) { return option.is_positional; });
   for (const CLI::App* command : app.get_subcommands({})) doc.commands.push_back(document(*command));
   return doc;
 }
