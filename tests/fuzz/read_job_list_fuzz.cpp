@@ -29,7 +29,8 @@ void confine(std::string& text) {
 }
 
 void require_documented(const Diagnostic& error) {
-  static const std::set<std::string> kCodes = {"jobs-syntax", "jobs-duplicate-key", "jobs-field", "jobs-option"};
+  static const std::set<std::string> kCodes = {"jobs-syntax", "jobs-duplicate-key", "jobs-field",
+                                               "jobs-option", "json-too-deep",      "json-too-long"};
   require(kCodes.contains(error.code) && !error.message.empty());
 }
 
