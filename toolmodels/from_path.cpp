@@ -11,7 +11,7 @@ namespace {
 
 double tangent_of(double degrees) { return std::tan(degrees * (std::numbers::pi / 180)); }
 
-std::string mm(double value) { return exact_text(std::round(value * 1e6) / 1e6) + " mm"; }
+std::string cutter_mm(double value) { return exact_text(std::round(value * 1e6) / 1e6) + " mm"; }
 
 // Highest point the corner can reach; what lies above is the side.
 double tip_height(const AptCutter& c) {
@@ -55,9 +55,9 @@ Result<ToolFromPath> make_tool_from_path(const PathTool& tool, const std::vector
   const std::string who = "tool " + label(made.tool) + ": ";
   if (!(cutter.h_mm > 0) || ends_within_tip(cutter)) {
     cutter.h_mm = assumed_height(c);
-    const std::string found =
-        c.h_mm > 0 ? "its height h = " + mm(c.h_mm) + " ends within the tip" : "the file gives the cutter no length";
-    made.notes.push_back(make_note("cutter-length", who + found + "; it is checked up to " + mm(cutter.h_mm)));
+    const std::string found = c.h_mm > 0 ? "its height h = " + cutter_mm(c.h_mm) + " ends within the tip"
+                                         : "the file gives the cutter no length";
+    made.notes.push_back(make_note("cutter-length", who + found + "; it is checked up to " + cutter_mm(cutter.h_mm)));
   }
   if (const std::string contradiction = apt_contradiction(cutter); !contradiction.empty())
     made.notes.push_back(make_warning("cutter-contradiction", who + contradiction));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/contact/aims.h"
 #include "lib/correct/free_pose.h"
 #include "lib/correct/shift_arc.h"
 #include "lib/correct/split_arc.h"
@@ -11,7 +12,6 @@
 namespace gouge {
 namespace {
 
-constexpr double kKeptAimShare = 0.5, kCleanShare = 0.8;  // of the tolerance
 constexpr double kKeptPoint_mm = 1e-9;
 constexpr int kKeptPlaces = 16;
 constexpr int kGrowths = 3;
@@ -44,7 +44,7 @@ class ArcKeeper {
         correction_(correction),
         options_(keeping.checker.options()),
         change_of_(keeping.path.moves.size(), nullptr) {
-    options_.tolerance_mm *= kCleanShare;
+    options_.tolerance_mm *= kMotionAimShare;
     options_.near_miss_mm = 0;
     for (PathChange& change : correction.changes) change_of_[change.move] = &change;
   }
@@ -111,7 +111,7 @@ class ArcKeeper {
     const Vec3 out_first = outward(task.arc, task.start.tip), out_last = outward(task.arc, task.end.tip);
     const double sign = first.dot(out_first) + last.dot(out_last) < 0 ? -1 : 1;
     const double tolerance = k_.checker.options().tolerance_mm;
-    const double radial = deepest(task) - kKeptAimShare * tolerance;
+    const double radial = deepest(task) - kPositionAimShare * tolerance;
     if (std::abs(rise) > kKeptPoint_mm && try_ends(change, task, rise * axis, rise * axis)) return true;
     for (int g = 0; g < kGrowths; ++g) {
       const double growth = sign * (radial + 0.1 * g * tolerance);

@@ -5,19 +5,13 @@
 #include "lib/base/parallel.h"
 #include "lib/check/depth_limit.h"
 #include "lib/check/path_motion.h"
+#include "lib/contact/aims.h"
 #include "lib/correct/laws.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kPositionsPerChunk = 4;
-// A correction aims at half the tolerance: the other half is for the rounding of the written numbers and for
-// the motion between corrected positions. What has no business at a surface, fixtures and bodies that must keep a
-// clearance, gets this much air.
-constexpr double kPositionAimShare = 0.5;
-constexpr double kAir_mm = 2e-3;
-// While bridging, motions are held to this share of the tolerance.
-constexpr double kBridgeShare = 0.8;
 
 constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
 constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
@@ -145,7 +139,7 @@ void PathCorrector::correct_position(std::size_t i) {
   const ToolVariants& tool = *tools_[move.tool];
   work.depth_before_mm = depth_at(move.end, move.kind, tool);
   // A position within the tolerance is left alone, even one deeper than a correction aims for.
-  const double within = kBridgeShare * options_.tolerance_mm;
+  const double within = kMotionAimShare * options_.tolerance_mm;
   const CorrectionAim allowed{within, within, 0};
   const PoseLimits usual = limits_for(tool);
   PoseLimits now = usual;
@@ -219,7 +213,7 @@ BridgeTask PathCorrector::task_of(std::size_t i) const {
   task.options = options_;
   const MoveState state = result_.verdicts[i].state;
   task.options.near_miss_mm = state == MoveState::clean ? options_.near_miss_mm : 0;
-  task.options.tolerance_mm = kBridgeShare * options_.tolerance_mm;
+  task.options.tolerance_mm = kMotionAimShare * options_.tolerance_mm;
   task.limits = limits_for(*task.tool);
   task.strategy = strategy_of(i);
   task.rapid_clearance_mm = correct_.rapid_clearance_mm;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <optional>
 
+#include "lib/contact/aims.h"
 #include "lib/correct/free_pose.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kHoleAimShare = 0.5, kBridgeShare = 0.8;  // of the tolerance, as for positions
-constexpr double kLeastStep_mm = 5e-4, kAir_mm = 2e-3;
+constexpr double kLeastStep_mm = 5e-4;
 constexpr int kSteps = 40;
 
 class HolePlanner {
@@ -58,7 +58,7 @@ class HolePlanner {
   }
 
   [[nodiscard]] double excess(const std::vector<std::size_t>& gouging, const Vec3& by) const {
-    const CheckOptions options = within(kHoleAimShare);
+    const CheckOptions options = within(kPositionAimShare);
     double most = 0;
     for (const std::size_t i : gouging) {
       const MoveVerdict verdict = checker_.check(shifted(i, by), path_.moves[i].kind, tool_of(i), options);
@@ -70,7 +70,7 @@ class HolePlanner {
   }
   [[nodiscard]] bool is_clean(const std::vector<std::size_t>& gouging, const Vec3& by) const {
     return std::all_of(gouging.begin(), gouging.end(), [&](std::size_t i) {
-      return checker_.is_clean(shifted(i, by), path_.moves[i].kind, tool_of(i), within(kBridgeShare));
+      return checker_.is_clean(shifted(i, by), path_.moves[i].kind, tool_of(i), within(kMotionAimShare));
     });
   }
   [[nodiscard]] double depth(std::size_t i, const Vec3& by) const {

@@ -8,6 +8,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
 #include "lib/check/path_motion.h"
+#include "lib/contact/aims.h"
 #include "lib/correct/clean_intervals.h"
 #include "lib/correct/lifts.h"
 #include "lib/path/path_info.h"
@@ -15,7 +16,6 @@
 namespace gouge {
 namespace {
 
-constexpr double kShare = 0.8;  // of the tolerance: the rest is for the digits of the file
 // A clean stretch between two that are left out is cut only where it is longer: nobody wants a plunge for less.
 constexpr double kLeastCut_mm = 2;
 // How far before and behind the stretch another place to retract is sought.
@@ -84,7 +84,7 @@ class TrimChain {
 
   [[nodiscard]] CheckOptions options_for(bool keeps_near, double clearance_mm) const {
     CheckOptions options = job_.checker.options();
-    options.tolerance_mm *= kShare;
+    options.tolerance_mm *= kMotionAimShare;
     options.near_miss_mm = std::max(keeps_near ? options.near_miss_mm : 0, clearance_mm);
     return options;
   }

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/contact/aims.h"
 #include "lib/correct/free_pose.h"
 
 namespace gouge {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kShiftAimShare = 0.8;  // of the tolerance
 constexpr double kHeightShare = 0.2;
 constexpr double kTooDeepShare = 0.5;
 constexpr double kMostOfIt = 0.9;
@@ -28,7 +28,7 @@ class ArcShift {
   ArcShift(const ArcTask& task, const MotionChecker& checker)
       : task_(task), checker_(checker), options_(checker.options()) {
     is_full_ = (task.start.tip - task.end.tip).norm() <= kShiftedPoint_mm;
-    options_.tolerance_mm *= kShiftAimShare;
+    options_.tolerance_mm *= kMotionAimShare;
     options_.near_miss_mm = 0;
   }
 
@@ -92,7 +92,7 @@ class ArcShift {
       too_deep += depth > kTooDeepShare * tolerance ? 1 : 0;
       is_forced = is_forced && shift <= tolerance + kSideShiftsPerDepth * depth;
       // Between two clean positions so near to each other the arc, which is checked whole, says enough.
-      if (depth <= kShiftAimShare * tolerance && shift <= tolerance) continue;
+      if (depth <= kMotionAimShare * tolerance && shift <= tolerance) continue;
       if (why_not_shift(from, {to.tip, from.axis}, task_.kind, *task_.tool, checker_) != nullptr) return false;
     }
     return is_forced || too_deep >= kMostOfIt * (kShiftPlaces + 1);

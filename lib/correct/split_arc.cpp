@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/contact/aims.h"
+
 namespace gouge {
 namespace {
 
-constexpr double kSplitAimShare = 0.8;  // of the tolerance
 constexpr double kSamePoint_mm = 1e-9, kSameAxis = 1e-12;
 constexpr int kSplitPlaces = 32;
 constexpr int kSplitHalvings = 10;
@@ -22,7 +23,7 @@ class ArcSplit {
         checker_(checker),
         options_(checker.options()),
         whole_(task.start, task.end, task.arc) {
-    options_.tolerance_mm *= kSplitAimShare;
+    options_.tolerance_mm *= kMotionAimShare;
     options_.near_miss_mm = 0;
     keeps_start_ = (task.start.tip - task.new_start.tip).norm() <= kSamePoint_mm;
     keeps_end_ = (task.end.tip - task.new_end.tip).norm() <= kSamePoint_mm;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/contact/aims.h"
 #include "lib/contact/contacts.h"
 #include "lib/path/path_info.h"
 #include "lib/tool/evaluate.h"
@@ -12,8 +13,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kBend = 0.5;     // of the tolerance
-constexpr double kAir_mm = 2e-3;  // shank and holder keep so much more than asked: motions bend between positions
+constexpr double kBend = 0.5;  // of the tolerance
 constexpr double kAccuracy_mm = 2e-4;
 constexpr double kSurely_mm = 1e-6;  // beyond rounding
 constexpr double kAnyGap_mm = 1e6;   // how deep a gouge is does not matter
@@ -23,8 +23,7 @@ constexpr double kLimitMargin_rad = 2e-4;  // positions keep so much of the limi
 constexpr double kSure_rad = 1e-7;
 constexpr int kMostHalvings = 24;
 constexpr double kOnTheSpot_mm = 1e-6;
-// Of the tolerance, for the motions between positions: what is left is for the digits of the file.
-constexpr double kMotionShare = 0.8, kMostShare = 0.97;
+constexpr double kMostShare = 0.97;  // of the tolerance, for a motion that is deeper than kMotionAimShare of it
 
 }  // namespace
 
@@ -154,7 +153,7 @@ bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, 
   if (!start || !end) return false;
   const Motion motion(*start, *end);
   if (!motion.is_defined() || bends_too_far(i, k, motion) || !stays_within_limits(i, *start, k, *end)) return false;
-  return std::ranges::any_of(std::array{kMotionShare, kMostShare}, [&](double share) {
+  return std::ranges::any_of(std::array{kMotionAimShare, kMostShare}, [&](double share) {
     return task_.checker->is_clean(motion, positions_[k].kind, *task_.tool, options_for(share), true);
   });
 }

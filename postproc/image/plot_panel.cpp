@@ -15,11 +15,11 @@ constexpr double kLeft = 64, kBottom = 44, kTop = 36, kRight = 24;  // margins, 
 constexpr double kFont = 16, kSmall = 12, kTick = 6;
 constexpr double kCell = 2;  // side of a cell of a shaded part
 constexpr int kShades = 8;   // from the darkest to the lightest grey
-const Colour kInk{40, 44, 52, 1};
+const Colour kPlotInk{40, 44, 52, 1};
 const Colour kGrey{150, 155, 165, 1};
 
 void add_text(Drawing& drawing, const Vec2& at, const std::string& text, TextAnchor anchor, double size = kSmall) {
-  drawing.items.emplace_back(DrawnText{at, text, size, kInk, anchor, false});
+  drawing.items.emplace_back(DrawnText{at, text, size, kPlotInk, anchor, false});
 }
 
 void add_line(Drawing& drawing, const Vec2& a, const Vec2& b, const Colour& colour, double width = 1) {
@@ -55,8 +55,8 @@ void draw_scale(const PlotPanel& panel, LengthUnit unit, Drawing& drawing) {
   const double per_unit = panel.scale * mm_per(unit);
   const double length = round_length(panel.width / 5 / per_unit);
   const double b = panel.x + panel.width - 14, a = b - length * per_unit, y = panel.y + 26;
-  add_line(drawing, {a, y}, {b, y}, kInk, 2);
-  for (const double end : {a, b}) add_line(drawing, {end, y - 4}, {end, y + 4}, kInk);
+  add_line(drawing, {a, y}, {b, y}, kPlotInk, 2);
+  for (const double end : {a, b}) add_line(drawing, {end, y - 4}, {end, y + 4}, kPlotInk);
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(length) + 1e-9)));
   add_text(drawing, {(a + b) / 2, y - 7}, people_text(length, decimals) + " " + unit_name(unit), TextAnchor::middle);
 }
@@ -67,7 +67,7 @@ void draw_directions(const PlotPanel& panel, Drawing& drawing) {
   const std::array<const char*, 3> names = {"x", "y", "z"};
   for (Eigen::Index k = 0; k < 3; ++k) {
     const Vec2 way = panel.flat(Vec3::Unit(k));
-    add_line(drawing, origin, origin + kLength * way, kInk, 1.4);
+    add_line(drawing, origin, origin + kLength * way, kPlotInk, 1.4);
     add_text(drawing, origin + (kLength + 10) * way + Vec2(0, 4), names[static_cast<std::size_t>(k)],
              TextAnchor::middle, 14);
   }

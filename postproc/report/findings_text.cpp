@@ -194,11 +194,11 @@ class FindingsWriter {
   // As compilers quote sources: the number of the line, a bar, the line.
   void add_statement(std::size_t move) {
     if (!view_.has_statements) return;
-    constexpr std::size_t kWidth = 6;
+    constexpr std::size_t kDigits = 6;
     std::size_t number = model_.toolpath->moves[move].line;
     for (const std::string& quoted : statement_lines(*model_.toolpath, move)) {
       const std::string digits = std::to_string(number++);
-      const std::string before = std::string(kWidth - std::min(kWidth, digits.size()), ' ') + digits + " | ";
+      const std::string before = std::string(kDigits - std::min(kDigits, digits.size()), ' ') + digits + " | ";
       text_ += painted(before + printable(quoted), Paint::faint, view_.is_coloured) + "\n";
     }
   }
