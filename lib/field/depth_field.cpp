@@ -8,28 +8,83 @@
 
 #include "lib/check/path_motion.h"
 #include "lib/field/field_instants.h"
+#include "lib/field/group_neighbours.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
 namespace {
 
+constexpr double kMostSteps = 400;  // of a move
 constexpr std::size_t kPosesPerHeadPose = 25;
-constexpr std::size_t kGroup = 4;  // instants asked together, and such groups
-constexpr double kSpread = 0.5;    // of a node's radius: farther apart they are asked one by one
+constexpr double kSpread = 0.5;  // of a node's radius: farther apart they are asked one by one
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+// Of a depth: what goes unseen.
+constexpr double kUnseenShare = 0.01;
 
-// Instants so close that what the tool leaves between two of them stays a small part of the depth.
-std::size_t depth_instants(const Motion& motion, const CompiledTool& tool, double depth_mm,
-                           const std::optional<Witness>& witness) {
+/// How closely the instants of a move must be picked.
+struct Closeness {
+  double step_mm = 0;    ///< so close that what the tool leaves between two of them goes unseen
+  double unseen_mm = 0;  ///< a depth that does
+  double lever_mm = 0;   ///< where it gouges, the tool turns about its tip with this one
+};
+
+Closeness closeness_of(const Motion& motion, const CompiledTool& tool, const MoveVerdict& verdict) {
   // A holder is wide, but what moves slowly across the part is mostly the cutter, and its curvature counts.
   const double reach = std::clamp(tool.core_depth_mm, 0.1, std::max(tool.r_max_mm, 0.1));
-  // Where it gouges the tool turns about its tip with this lever.
-  const double lever = witness ? (witness->point - motion.at(witness->t).tip).norm() : tool.z_max_mm - tool.z_min_mm;
-  const double travel = path_length_mm(motion) + std::abs(motion.angle_rad()) * lever;
-  const double step = std::max(std::sqrt(8 * reach * 0.01 * std::max(depth_mm, 1e-3)), 0.02 * reach);
-  return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
+  const std::optional<Witness>& witness = verdict.witness;
+  Closeness out;
+  out.lever_mm = witness ? (witness->point - motion.at(witness->t).tip).norm() : tool.z_max_mm - tool.z_min_mm;
+  out.unseen_mm = kUnseenShare * std::max(verdict.depth_mm, 1e-3);
+  out.step_mm = std::max(std::sqrt(8 * reach * out.unseen_mm), 0.02 * reach);
+  return out;
 }
+
+/// Poses one after the other, less those that show nothing their neighbours do not.
+class PoseList {
+ public:
+  void add(const DepthField::FieldPose& pose, bool is_worst, const Closeness& closeness) {
+    if (!poses_.empty() && is_same(poses_.back(), pose)) {
+      poses_.back().last_move = pose.last_move;
+      may_go_ = may_go_ && !is_worst;
+      return;
+    }
+    const bool goes = may_go_ && poses_.size() >= 2 && is_between(pose, closeness);
+    if (goes) poses_.pop_back();
+    poses_.push_back(pose);
+    may_go_ = !is_worst && !goes;  // never two in a row
+    closeness_ = closeness;
+  }
+  [[nodiscard]] std::vector<DepthField::FieldPose> take() { return std::move(poses_); }
+
+ private:
+  // As where one move ends and the next begins.
+  static bool is_same(const DepthField::FieldPose& a, const DepthField::FieldPose& b) {
+    constexpr double kSame = 1e-9;
+    return a.tool == b.tool && (a.pose.tip - b.pose.tip).norm() <= kSame && (a.pose.axis - b.pose.axis).norm() <= kSame;
+  }
+
+  // Whether the last pose lies on the way from the one before it to `c`, and these are close enough.
+  [[nodiscard]] bool is_between(const DepthField::FieldPose& c, const Closeness& of_c) const {
+    const DepthField::FieldPose &a = poses_[poses_.size() - 2], &b = poses_.back();
+    const bool is_one_run =
+        a.tool == b.tool && b.tool == c.tool && b.first_move <= a.last_move + 1 && c.first_move <= b.last_move + 1;
+    if (!is_one_run) return false;
+    const double lever_mm = std::max(closeness_.lever_mm, of_c.lever_mm);
+    const auto apart_mm = [&](const Pose& from, const Pose& to) {
+      return (from.tip - to.tip).norm() + lever_mm * (from.axis - to.axis).norm();
+    };
+    const double before_mm = apart_mm(a.pose, b.pose), after_mm = apart_mm(b.pose, c.pose);
+    if (before_mm + after_mm > std::min(closeness_.step_mm, of_c.step_mm)) return false;
+    const double share = before_mm / (before_mm + after_mm);
+    const Pose straight{a.pose.tip + share * (c.pose.tip - a.pose.tip),
+                        a.pose.axis + share * (c.pose.axis - a.pose.axis)};
+    return apart_mm(b.pose, straight) <= std::min(closeness_.unseen_mm, of_c.unseen_mm);
+  }
+
+  std::vector<DepthField::FieldPose> poses_;
+  Closeness closeness_;  ///< of the last pose
+  bool may_go_ = false;  ///< it
+};
 
 /// What there is among the points asked about.
 struct Kinds {
@@ -51,7 +106,7 @@ class PlacedTool {
     first_part = first;
     for (const PlacedTool& part : of) {
       shift_mm_ = std::max(shift_mm_, (part.pose_->tip - pose_->tip).norm() + part.shift_mm_);
-      turn_rad_ = std::max(turn_rad_, angle_between(part.pose_->axis, pose_->axis) + part.turn_rad_);
+      turn_ = std::max(turn_, (part.pose_->axis - pose_->axis).norm() + part.turn_);
     }
   }
 
@@ -109,7 +164,7 @@ class PlacedTool {
 
   // As a point of the node sees the tool move between its parts' poses.
   [[nodiscard]] double spread_mm(const PointTree::Node& node) const {
-    return shift_mm_ + turn_rad_ * ((node.centre - pose_->tip).norm() + node.radius);
+    return shift_mm_ + turn_ * ((node.centre - pose_->tip).norm() + node.radius);
   }
 
   [[nodiscard]] bool has_clearance() const { return !tool_->with_clearance.elements.empty(); }
@@ -118,39 +173,33 @@ class PlacedTool {
   const ToolVariants* tool_;
   Kinds kinds_;
   double tolerance_mm_;
-  double shift_mm_ = 0, turn_rad_ = 0;  ///< how far from it the parts' tips and axes are
+  double shift_mm_ = 0, turn_ = 0;  ///< how far from its own the tips of the parts and the ends of their axes are
 };
-
-// Appends groups of neighbours, groups of those, and so on. Returns how many there are at last.
-std::size_t group(std::vector<PlacedTool>& tools) {
-  std::size_t first = 0;
-  while (true) {
-    const std::size_t last = tools.size();
-    if (last - first <= kGroup) return last - first;
-    for (std::size_t at = first; at < last;) {
-      std::size_t end = at + 1;
-      while (end < last && end - at < kGroup && tools[end].is_of(tools[at])) ++end;
-      tools.push_back(PlacedTool(std::span(tools).subspan(at, end - at), static_cast<std::uint32_t>(at)));
-      at = end;
-    }
-    if (tools.size() - last == last - first) return last - first;
-    first = last;
-  }
-}
 
 }  // namespace
 
 DepthField::DepthField(const CheckedToolpath& input, std::size_t most_poses)
     : heads_(input, most_poses / kPosesPerHeadPose + 1), tolerance_mm_(input.options.tolerance_mm) {
   const auto variants_of = [&](std::size_t move) { return input.tools[input.toolpath->moves[move].tool]; };
-  const auto wanted = [&](const Motion& motion, std::size_t move) {
-    const MoveVerdict& verdict = input.result->verdicts[move];
-    return depth_instants(motion, variants_of(move)->against_part, verdict.depth_mm, verdict.witness);
+  const auto closeness = [&](const Motion& motion, std::size_t move) {
+    return closeness_of(motion, variants_of(move)->against_part, input.result->verdicts[move]);
   };
-  for (const FieldInstants& one : pick_instants(input, most_poses, wanted)) {
+  const auto wanted = [&](const Motion& motion, std::size_t move) {
+    const Closeness close = closeness(motion, move);
+    const double travel = path_length_mm(motion) + std::abs(motion.angle_rad()) * close.lever_mm;
+    return static_cast<std::size_t>(std::clamp(std::ceil(travel / close.step_mm), 1.0, kMostSteps));
+  };
+  PoseList poses;
+  for (FieldInstants& one : pick_instants(input, most_poses, wanted)) {
     const Motion motion = motion_of(*input.toolpath, one.move, input.options.rapid);
-    for (const double t : one.t) poses_.push_back({motion.at(t), variants_of(one.move), one.move});
+    const std::optional<Witness>& witness = input.result->verdicts[one.move].witness;
+    std::ranges::sort(one.t);
+    for (const double t : one.t) {
+      const bool is_worst = witness && !(witness->t < t) && !(t < witness->t);
+      poses.add({motion.at(t), variants_of(one.move), one.move, one.move}, is_worst, closeness(motion, one.move));
+    }
   }
+  poses_ = poses.take();
 }
 
 std::vector<float> DepthField::tool_depth_at(const std::vector<Point>& points) const {
@@ -160,7 +209,7 @@ std::vector<float> DepthField::tool_depth_at(const std::vector<Point>& points) c
   std::vector<PlacedTool> tools;
   tools.reserve(poses_.size());
   for (const FieldPose& pose : poses_) tools.emplace_back(pose, kinds, tolerance_mm_);
-  const std::size_t roots = group(tools);
+  const std::size_t roots = group_neighbours(tools);
   return PointDepths(points).deepest(tools, roots);
 }
 

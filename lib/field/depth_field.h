@@ -29,9 +29,9 @@ class DepthField {
   struct FieldPose {
     Pose pose;
     const ToolVariants* tool = nullptr;
-    std::size_t move = 0;
+    std::size_t first_move = 0, last_move = 0;  ///< it is an instant of; two where one ends and the next begins
   };
-  /// Of the tool.
+  /// Of the tool, in the order of the path.
   [[nodiscard]] const std::vector<FieldPose>& poses() const { return poses_; }
   [[nodiscard]] const HeadField& heads() const { return heads_; }
   /// depth_at of the tool alone.

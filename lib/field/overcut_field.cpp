@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/base/parallel.h"
+#include "lib/field/group_neighbours.h"
 #include "lib/field/point_tree.h"
 #include "lib/tool/evaluate.h"
 
@@ -20,8 +21,48 @@ constexpr double kMoreThanReported = 2;
 // neighbour.
 constexpr double kNearer = 0.95;
 constexpr double kUnseen = 1.02;  // no eye could tell the difference
+// Of how far what is asked of a node reaches: farther apart poses are asked one by one.
+constexpr double kCoarse = 0.5;
 
 }  // namespace
+
+/// A tool where it was sampled, or about there at several instants that follow each other.
+class OvercutField::SweptPose {
+ public:
+  std::uint32_t parts = 0, first_part = 0;
+  double most_mm = 0;  ///< how far below the surface the tool reaches at most
+
+  SweptPose(const DepthField::FieldPose& pose, double most) : most_mm(most), pose_(&pose) {}
+  /// Stands for `parts`, those of one tool, and is where the one in the middle is.
+  SweptPose(std::span<const SweptPose> of, std::uint32_t first) : SweptPose(of[of.size() / 2]) {
+    parts = static_cast<std::uint32_t>(of.size());
+    first_part = first;
+    double shift_mm = 0, turn = 0;
+    for (const SweptPose& part : of) {
+      most_mm = std::max(most_mm, part.most_mm);
+      shift_mm = std::max(shift_mm, (part.pose_->pose.tip - pose_->pose.tip).norm() + part.shift_mm_);
+      turn = std::max(turn, (part.pose_->pose.axis - pose_->pose.axis).norm() + part.turn_);
+    }
+    shift_mm_ = shift_mm;
+    turn_ = turn;
+  }
+  [[nodiscard]] bool is_of(const SweptPose& other) const { return pose_->tool == other.pose_->tool; }
+
+  [[nodiscard]] double distance_mm(const Vec3& point) const {
+    return signed_distance_mm(pose_->tool->bare, pose_->pose, point);
+  }
+  /// How far from it the parts are at most, as the point sees them. An axis turns a point no farther than the chord its
+  /// own end goes, times the distance to the tip.
+  [[nodiscard]] double spread_mm(const Vec3& point) const {
+    return parts > 0 ? shift_mm_ + turn_ * (point - pose_->pose.tip).norm() : 0;
+  }
+
+ private:
+  const DepthField::FieldPose* pose_;
+  double shift_mm_ = 0, turn_ = 0;
+};
+
+OvercutField::~OvercutField() = default;
 
 OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depths)
     : parts_(input.scene->parts.size()), tolerance_mm_(input.options.tolerance_mm), depths_(depths) {
@@ -29,19 +70,25 @@ OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depth
   solids_.resize(parts_ + input.scene->fixtures.size());
   const double worst = input.result->worst_overcut_mm;
   for (const DepthField::FieldPose& pose : depths.poses()) {
-    const MoveVerdict& verdict = verdicts[pose.move];
-    const double reported = verdict.overcut_mm.value_or(0);
-    if (!(reported > 0) || !verdict.witness || verdict.witness->body == Body::head) continue;
-    swept_.push_back({pose, std::min(worst, kMoreThanReported * reported)});
-    largest_mm_ = std::max(largest_mm_, reported);
-    const Witness& w = *verdict.witness;
-    const std::size_t mesh = w.mesh + (w.against == Against::part ? 0 : parts_);
-    solids_[mesh] = &input.prepared->surface(w.against, w.mesh);
+    double largest = 0;
+    for (std::size_t move = pose.first_move; move <= pose.last_move; ++move) {
+      const MoveVerdict& verdict = verdicts[move];
+      const double reported = verdict.overcut_mm.value_or(0);
+      if (!(reported > 0) || !verdict.witness || verdict.witness->body == Body::head) continue;
+      largest = std::max(largest, reported);
+      const Witness& w = *verdict.witness;
+      const std::size_t mesh = w.mesh + (w.against == Against::part ? 0 : parts_);
+      solids_[mesh] = &input.prepared->surface(w.against, w.mesh);
+    }
+    if (!(largest > 0)) continue;
+    swept_.emplace_back(pose, std::min(worst, kMoreThanReported * largest));
+    largest_mm_ = std::max(largest_mm_, largest);
   }
+  roots_ = group_neighbours(swept_);
 }
 
-/// Rays in a tree, quick where neighbours in the list are neighbours in space. A pose goes down where its tool can meet them, and follows each ray from its far end back to the
-/// tool.
+/// Rays in a tree, quick where neighbours in the list are neighbours in space. A pose goes down where its tool can meet
+/// them, and follows each ray from its far end back to the tool.
 class OvercutField::RayTree {
  public:
   RayTree(const OvercutField& field, const std::vector<Ray>& rays)
@@ -56,8 +103,8 @@ class OvercutField::RayTree {
 
   std::vector<float> result() {
     if (tree_.nodes().empty()) return reported_;
-    Swept all(field_.swept_.size());
-    std::iota(all.begin(), all.end(), 0U);
+    Swept all(field_.roots_);
+    std::iota(all.begin(), all.end(), static_cast<std::uint32_t>(field_.swept_.size() - field_.roots_));
     std::vector<Task> tasks;
     split(0, all, tasks);
     for_each_chunk(tasks.size(), 1, 0, [&](std::size_t first, std::size_t last) {
@@ -95,21 +142,24 @@ class OvercutField::RayTree {
     return bundle;
   }
 
-  /// A ray's point at depth s lies within |s - S/2| + spread S/2 + radius of the middle at S/2.
-  [[nodiscard]] bool may_meet(std::size_t at, const SweptPose& swept) const {
-    const PointTree::Node& node = tree_.nodes()[at];
-    const double half = 0.5 * swept.most_mm;
-    const double reach = node.radius + half * (1 + bundles_[at].spread);
-    return signed_distance_mm(swept.pose.tool->bare, swept.pose.pose, node.centre + half * bundles_[at].inward) <=
-           reach;
-  }
-
   [[nodiscard]] Swept near_of(std::size_t at, const Swept& swept) const {
     Swept near;
-    for (const std::uint32_t p : swept) {
-      if (may_meet(at, field_.swept_[p])) near.push_back(p);
-    }
+    for (const std::uint32_t p : swept) add_near(at, p, near);
     return near;
+  }
+
+  /// A ray's point at depth s lies within |s - S/2| + spread S/2 + radius of the middle at S/2.
+  void add_near(std::size_t at, std::uint32_t p, Swept& near) const {
+    const PointTree::Node& node = tree_.nodes()[at];
+    const SweptPose& swept = field_.swept_[p];
+    const double half = 0.5 * swept.most_mm;
+    const double reach = node.radius + half * (1 + bundles_[at].spread);
+    const Vec3 middle = node.centre + half * bundles_[at].inward;
+    const double spread = swept.spread_mm(middle);
+    if (swept.distance_mm(middle) > reach + spread) return;
+    const bool is_coarse = node.child == 0 || spread > kCoarse * reach;
+    if (swept.parts == 0 || !is_coarse) return near.push_back(p);
+    for (std::uint32_t k = 0; k < swept.parts; ++k) add_near(at, swept.first_part + k, near);
   }
 
   // Down to the blocks, which become tasks.
@@ -148,7 +198,7 @@ class OvercutField::RayTree {
     double s = std::min(margin, swept.most_mm);
     const double least = std::max(field_.tolerance_mm_, kUnseen * static_cast<double>(reported_[index]));
     for (int k = 0; k < kSteps && s > least; ++k) {
-      const double out = signed_distance_mm(swept.pose.tool->bare, swept.pose.pose, ray.at + s * ray.inward);
+      const double out = swept.distance_mm(ray.at + s * ray.inward);
       if (out <= 1e-3 * s) {
         reported_[index] = static_cast<float>(s);
         return;
@@ -185,15 +235,20 @@ std::vector<float> OvercutField::overcut_at(const std::vector<Ray>& rays) const 
 }
 
 std::vector<float> OvercutField::at(const std::vector<Ray>& rays) const {
-  std::vector<FieldPoint> points;
-  points.reserve(rays.size());
-  for (const Ray& ray : rays) points.push_back({ray.at, ray.mesh >= parts_});
   std::vector<float> deepest = overcut_at(rays);
-  const std::vector<float> depths = depths_.tool_depth_at(points);
-  for (std::size_t i = 0; i < deepest.size(); ++i) {
-    const bool has_overcut = solids_[rays[i].mesh] != nullptr && deepest[i] > 0;
-    if (!has_overcut) deepest[i] = depths[i];
+  const auto point = [&](std::size_t i) { return FieldPoint{rays[i].at, rays[i].mesh >= parts_}; };
+  std::vector<std::size_t> without;
+  std::vector<FieldPoint> points;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (solids_[rays[i].mesh] != nullptr && deepest[i] > 0) continue;
+    without.push_back(i);
+    points.push_back(point(i));
   }
+  const std::vector<float> depths = depths_.tool_depth_at(points);
+  for (std::size_t k = 0; k < without.size(); ++k) deepest[without[k]] = depths[k];
+  if (depths_.heads().is_empty()) return deepest;
+  points.clear();
+  for (std::size_t i = 0; i < rays.size(); ++i) points.push_back(point(i));
   depths_.heads().deepen(points, deepest);
   return deepest;
 }

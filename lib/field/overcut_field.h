@@ -19,6 +19,9 @@ class OvercutField {
  public:
   /// All arguments, and what they point at, must outlive it.
   OvercutField(const CheckedToolpath& input, const DepthField& depths);
+  ~OvercutField();
+  OvercutField(const OvercutField&) = delete;
+  OvercutField& operator=(const OvercutField&) = delete;
 
   /// No move has an overcut: depths are all there is to show.
   [[nodiscard]] bool is_empty() const { return largest_mm_ <= 0; }
@@ -37,11 +40,9 @@ class OvercutField {
   class RayTree;
   [[nodiscard]] double margin_mm(const Surface& solid, const Ray& ray, double most_mm) const;
 
-  struct SweptPose {
-    DepthField::FieldPose pose;
-    double most_mm = 0;  ///< how far below the surface the tool reaches at most
-  };
-  std::vector<SweptPose> swept_;
+  class SweptPose;
+  std::vector<SweptPose> swept_;        ///< and groups of neighbours behind them
+  std::size_t roots_ = 0;               ///< so many of the last stand for all
   std::vector<const Surface*> solids_;  ///< by mesh; null where nothing is asked
   std::size_t parts_ = 0;               ///< so many meshes are parts, the others fixtures
   double largest_mm_ = 0, tolerance_mm_ = 0;
