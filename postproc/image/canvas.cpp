@@ -94,7 +94,8 @@ class Painter {
  public:
   Painter(const MaskPainter& masks, int width, int height, const Colour& background)
       : masks_(masks), width_(width * kSupersampling), height_(height * kSupersampling) {
-    bgr_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3);
+    bgr_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3, background.r);
+    if (background.r == background.g && background.g == background.b) return;
     for (std::size_t i = 0; i < bgr_.size(); i += 3) {
       bgr_[i] = static_cast<std::uint8_t>(background.b);
       bgr_[i + 1] = static_cast<std::uint8_t>(background.g);

@@ -1,6 +1,7 @@
 #include "postproc/image/pixel_points.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -20,16 +21,23 @@ std::uint32_t even_bits(std::uint32_t code) {
 // Calls `at(x, y)` for every place of a grid, along Morton's curve: neighbours in the list are neighbours in the grid.
 template <class At>
 void for_each_along_curve(int width, int height, At&& at) {
-  const auto side = std::bit_ceil(static_cast<std::uint32_t>(std::max({width, height, 1})));
-  constexpr std::uint32_t kSquare = 8;  // looked at only where it lies in the grid
-  const std::uint32_t step = std::min(side, kSquare) * std::min(side, kSquare);
-  const std::uint64_t codes = static_cast<std::uint64_t>(side) * side;
-  for (std::uint64_t code = 0; code < codes; code += step) {
-    const auto first = static_cast<std::uint32_t>(code);
-    if (static_cast<int>(even_bits(first)) >= width || static_cast<int>(even_bits(first >> 1)) >= height) continue;
-    for (std::uint32_t k = first; k < first + step; ++k) {
-      const auto x = static_cast<int>(even_bits(k)), y = static_cast<int>(even_bits(k >> 1));
-      if (x < width && y < height) at(x, y);
+  constexpr int kSquare = 8;  // looked at only where it lies in the grid
+  constexpr std::uint32_t kPlaces = kSquare * kSquare;
+  static const auto places = [] {
+    std::array<std::array<int, 2>, kPlaces> out{};
+    for (std::uint32_t k = 0; k < kPlaces; ++k)
+      out[k] = {static_cast<int>(even_bits(k)), static_cast<int>(even_bits(k >> 1))};
+    return out;
+  }();
+  const auto side = std::bit_ceil(static_cast<std::uint32_t>((std::max({width, height, 1}) + kSquare - 1) / kSquare));
+  const std::uint64_t squares = static_cast<std::uint64_t>(side) * side;
+  for (std::uint64_t code = 0; code < squares; ++code) {
+    const auto square = static_cast<std::uint32_t>(code);
+    const int left = kSquare * static_cast<int>(even_bits(square));
+    const int top = kSquare * static_cast<int>(even_bits(square >> 1));
+    if (left >= width || top >= height) continue;
+    for (const auto& [x, y] : places) {
+      if (left + x < width && top + y < height) at(left + x, top + y);
     }
   }
 }
@@ -39,22 +47,22 @@ void for_each_along_curve(int width, int height, At&& at) {
 PixelPoints pixel_points(const SurfaceBuffer& buffer) {
   PixelPoints out;
   out.source.assign(buffer.z.size(), kNoFace);
+  out.pixels.reserve(buffer.z.size() / 4 + 64);
   const View& view = buffer.view;
   const auto reach = static_cast<float>(4 * view.mm_per_pixel);
-  const auto take = [&](int x, int y, std::size_t lead) {
-    const std::size_t i = buffer.index(x, y);
+  const auto take = [&](std::size_t i, std::size_t lead) {
     if (buffer.face[i] == kNoFace) return;
     if (lead != i && buffer.face[lead] != kNoFace && std::abs(buffer.z[lead] - buffer.z[i]) < reach) {
       out.source[i] = out.source[lead];
       return;
     }
-    out.source[i] = static_cast<std::uint32_t>(out.points.size());
-    out.points.push_back({buffer.point(x, y), buffer.face[i]});
+    out.source[i] = static_cast<std::uint32_t>(out.pixels.size());
+    out.pixels.push_back(static_cast<std::uint32_t>(i));
   };
   for_each_along_curve((view.width + 1) / 2, (view.height + 1) / 2, [&](int column, int row) {
     const std::size_t lead = buffer.index(2 * column, 2 * row);
     for (int y = 2 * row; y < std::min(2 * row + 2, view.height); ++y) {
-      for (int x = 2 * column; x < std::min(2 * column + 2, view.width); ++x) take(x, y, lead);
+      for (int x = 2 * column; x < std::min(2 * column + 2, view.width); ++x) take(buffer.index(x, y), lead);
     }
   });
   return out;
@@ -72,8 +80,8 @@ std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& 
   if (field.is_empty()) return std::vector<float>(buffer.z.size(), 0.0F);
   const PixelPoints seen = pixel_points(buffer);
   std::vector<FieldPoint> points;
-  points.reserve(seen.points.size());
-  for (const PixelPoints::Point& p : seen.points) points.push_back({p.at, scene.is_fixture(p.face)});
+  points.reserve(seen.pixels.size());
+  for (const std::uint32_t i : seen.pixels) points.push_back({buffer.point(i), scene.is_fixture(buffer.face[i])});
   return seen.spread(field.depth_at(points));
 }
 
@@ -81,12 +89,12 @@ std::vector<float> overcut_on_pixels(const OvercutField& field, const PictureSce
                                      const SurfaceBuffer& buffer) {
   const PixelPoints seen = pixel_points(buffer);
   std::vector<OvercutField::Ray> rays;
-  rays.reserve(seen.points.size());
-  for (const PixelPoints::Point& p : seen.points) {
-    const auto [a, b, c] = scene.corners(p.face);
-    const Vec3 normal = (b - a).cross(c - a);
+  rays.reserve(seen.pixels.size());
+  for (const std::uint32_t i : seen.pixels) {
+    const std::uint32_t face = buffer.face[i];
+    const Vec3 normal = scene.area_normal(face);
     const double length = normal.norm();
-    rays.push_back({p.at, length > 0 ? Vec3(-normal / length) : Vec3(-Vec3::UnitZ()), scene.mesh_of(p.face)});
+    rays.push_back({buffer.point(i), length > 0 ? Vec3(-normal / length) : Vec3(-Vec3::UnitZ()), scene.mesh_of(face)});
   }
   return seen.spread(field.at(rays));
 }

@@ -12,16 +12,12 @@ namespace gouge {
 /// The surface points a picture is coloured by: one for neighbouring pixels (2 x 2) that lie on one piece of
 /// surface. Neighbours in the list are neighbours in the picture.
 struct PixelPoints {
-  struct Point {
-    Vec3 at = Vec3::Zero();
-    std::uint32_t face = 0;
-  };
-  std::vector<Point> points;
+  std::vector<std::uint32_t>
+      pixels;  ///< of each point: it lies in the middle of this one, the first of those it is for
+  std::vector<std::uint32_t> source;  ///< by pixel: its point, kNoFace where nothing is seen
 
   /// A value for every pixel from one for every point; 0 where nothing is seen.
   [[nodiscard]] std::vector<float> spread(const std::vector<float>& values) const;
-
-  std::vector<std::uint32_t> source;  ///< by pixel: its point, kNoFace where nothing is seen
 };
 
 [[nodiscard]] PixelPoints pixel_points(const SurfaceBuffer& buffer);

@@ -18,7 +18,8 @@ struct Raster {
 
   Raster() = default;
   Raster(int w, int h, std::uint8_t r, std::uint8_t g, std::uint8_t b) : width(w), height(h) {
-    rgb.resize(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3);
+    rgb.resize(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3, r);
+    if (r == g && g == b) return;
     for (std::size_t i = 0; i < rgb.size(); i += 3) {
       rgb[i] = r;
       rgb[i + 1] = g;

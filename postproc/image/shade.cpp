@@ -78,14 +78,14 @@ struct ViewNormals {
   std::vector<float> hidden;
 };
 
-// What one neighbour hides of the sky over each of `count` blocks.
+// What one neighbour hides of the sky over each of `count` blocks, whose normals are those from `at` on.
 GOUGE_WIDE void add_hidden(const float* z, const float* neighbour, const Offset& o, float per_mm, ViewNormals& n,
-                           std::size_t count) {
+                           std::size_t at, std::size_t count) {
   const auto ox = static_cast<float>(o.x), oy = static_cast<float>(o.y), across = ox * ox + oy * oy;
-  const float* const nx = n.x.data();
-  const float* const ny = n.y.data();
-  const float* const nz = n.z.data();
-  float* const hidden = n.hidden.data();
+  const float* const nx = n.x.data() + at;
+  const float* const ny = n.y.data() + at;
+  const float* const nz = n.z.data() + at;
+  float* const hidden = n.hidden.data() + at;
   for (std::size_t i = 0; i < count; ++i) {
     const float dz = (neighbour[i] - z[i]) * per_mm;
     const float length = std::sqrt(across + dz * dz);
@@ -98,10 +98,10 @@ GOUGE_WIDE void add_hidden(const float* z, const float* neighbour, const Offset&
 // How much of the sky over `count` blocks from one on their surroundings hide, 0 to 1: corners and grooves get their
 // depth from it. `z` are the blocks' own.
 void find_hidden(const BlockDepths& blocks, int column, int row, const float* z, float per_mm, ViewNormals& n,
-                 std::size_t count) {
-  std::fill_n(n.hidden.begin(), count, 0.0F);
-  for (const Offset& o : kNeighbours) add_hidden(z, blocks.neighbour(column, row, o), o, per_mm, n, count);
-  for (std::size_t i = 0; i < count; ++i) n.hidden[i] = std::min(1.0F, n.hidden[i] / 5);
+                 std::size_t at, std::size_t count) {
+  std::fill_n(n.hidden.data() + at, count, 0.0F);
+  for (const Offset& o : kNeighbours) add_hidden(z, blocks.neighbour(column, row, o), o, per_mm, n, at, count);
+  for (std::size_t i = at; i < at + count; ++i) n.hidden[i] = std::min(1.0F, n.hidden[i] / 5);
 }
 
 std::uint8_t level(double value) { return static_cast<std::uint8_t>(value + 0.5); }
@@ -127,12 +127,17 @@ class Shader {
 
   void paint(Raster& raster, int row) {
     const int y = kBlock * row;
+    int first = blocks_.columns, last = 0;  // with surface
     for (int column = 0; column < blocks_.columns; ++column) {
       const std::size_t i = buffer_.index(kBlock * column, y);
-      if (buffer_.face[i] != kNoFace)
-        set(normals_, static_cast<std::size_t>(column), buffer_.face[i], kBlock * column, y);
+      if (buffer_.face[i] == kNoFace) continue;
+      set(normals_, static_cast<std::size_t>(column), buffer_.face[i], kBlock * column, y);
+      first = std::min(first, column);
+      last = column + 1;
     }
-    find_hidden(blocks_, 0, row, blocks_.at(0, row), per_mm(), normals_, static_cast<std::size_t>(blocks_.columns));
+    if (first < last)
+      find_hidden(blocks_, first, row, blocks_.at(first, row), per_mm(), normals_, static_cast<std::size_t>(first),
+                  static_cast<std::size_t>(last - first));
     for (int column = 0; column < blocks_.columns; ++column) paint_block(raster, column, row);
   }
 
@@ -185,7 +190,7 @@ class Shader {
           continue;
         }
         set(one_, 0, face, x, y);
-        find_hidden(blocks_, column, row, &buffer_.z[i], per_mm(), one_, 1);
+        find_hidden(blocks_, column, row, &buffer_.z[i], per_mm(), one_, 0, 1);
         colour(pixel, i, light(one_, 0));
       }
     }

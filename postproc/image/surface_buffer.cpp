@@ -118,26 +118,29 @@ SurfaceBuffer draw_surface(const PictureScene& scene, const View& view) {
   return draw_faces(view, scene.faces_in(view), [&](std::uint32_t f) { return scene.corners(f); });
 }
 
-void NormalsAt::begin(std::uint32_t face) {
-  face_ = face;
-  normals_ = scene_.normals(face);
+NormalsAt::Known NormalsAt::know(std::uint32_t face) const {
+  Known known;
+  known.face = face;
+  known.normals = scene_.normals(face);
   const std::array<Vec3, 3> corners = scene_.corners(face);
   const Vec3 a = view_.project(corners[0]), b = view_.project(corners[1]), c = view_.project(corners[2]);
   const double area = cross(a, b, c.x(), c.y());
-  u_ = cross(b, c, 0.5, 0.5) / area;
-  u_right_ = (b.y() - c.y()) / area;
-  u_down_ = (c.x() - b.x()) / area;
-  v_ = cross(c, a, 0.5, 0.5) / area;
-  v_right_ = (c.y() - a.y()) / area;
-  v_down_ = (a.x() - c.x()) / area;
+  known.u = cross(b, c, 0.5, 0.5) / area;
+  known.u_right = (b.y() - c.y()) / area;
+  known.u_down = (c.x() - b.x()) / area;
+  known.v = cross(c, a, 0.5, 0.5) / area;
+  known.v_right = (c.y() - a.y()) / area;
+  known.v_down = (a.x() - c.x()) / area;
+  return known;
 }
 
 Vec3 NormalsAt::operator()(std::uint32_t face, int x, int y) {
-  if (face != face_) begin(face);
-  const double u = std::clamp(u_ + x * u_right_ + y * u_down_, 0.0, 1.0);
-  const double v = std::clamp(v_ + x * v_right_ + y * v_down_, 0.0, 1.0);
-  Vec3 normal =
-      u * normals_[0].cast<double>() + v * normals_[1].cast<double>() + (1 - u - v) * normals_[2].cast<double>();
+  Known& known = kept_[face % kKept];
+  if (face != known.face) known = know(face);
+  const double u = std::clamp(known.u + x * known.u_right + y * known.u_down, 0.0, 1.0);
+  const double v = std::clamp(known.v + x * known.v_right + y * known.v_down, 0.0, 1.0);
+  const std::array<Eigen::Vector3f, 3>& normals = known.normals;
+  Vec3 normal = u * normals[0].cast<double>() + v * normals[1].cast<double>() + (1 - u - v) * normals[2].cast<double>();
   const double length = normal.norm();
   if (!(length > 0)) return view_.toward;
   normal /= length;

@@ -25,6 +25,10 @@ struct SurfaceBuffer {
   [[nodiscard]] Vec3 point(int x, int y) const {
     return view.unproject(x + 0.5, y + 0.5, static_cast<double>(z[index(x, y)]));
   }
+  [[nodiscard]] Vec3 point(std::size_t pixel) const {
+    const auto width = static_cast<std::size_t>(view.width);
+    return point(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
+  }
 };
 
 using FaceCorners = std::array<std::uint32_t, 3>;
@@ -35,22 +39,27 @@ using FaceCorners = std::array<std::uint32_t, 3>;
                                          const View& view);
 [[nodiscard]] SurfaceBuffer draw_surface(const PictureScene& scene, const View& view);
 
-/// Interpolated unit normals of faces, turned towards the viewer. Quick for pixels of one face after another.
+/// Interpolated unit normals of faces, turned towards the viewer. Quick for pixels of one row after another.
 class NormalsAt {
  public:
-  NormalsAt(const PictureScene& scene, const View& view) : scene_(scene), view_(view) {}
+  NormalsAt(const PictureScene& scene, const View& view) : scene_(scene), view_(view), kept_(kKept) {}
   /// At the middle of the pixel.
   [[nodiscard]] Vec3 operator()(std::uint32_t face, int x, int y);
 
  private:
-  void begin(std::uint32_t face);
+  struct Known {
+    std::uint32_t face = kNoFace;
+    std::array<Eigen::Vector3f, 3> normals{};  ///< of its corners
+    /// Shares of the first two corners: at the left top pixel, and what they gain to the right and down.
+    double u = 0, u_right = 0, u_down = 0, v = 0, v_right = 0, v_down = 0;
+  };
+  [[nodiscard]] Known know(std::uint32_t face) const;
+
+  static constexpr std::size_t kKept = 1024;  // faces: those of a row or two of a picture
 
   const PictureScene& scene_;
   const View& view_;
-  std::uint32_t face_ = kNoFace;
-  std::array<Eigen::Vector3f, 3> normals_{};  ///< of its corners
-  /// Shares of the first two corners: at the left top pixel, and what they gain to the right and down.
-  double u_ = 0, u_right_ = 0, u_down_ = 0, v_ = 0, v_right_ = 0, v_down_ = 0;
+  std::vector<Known> kept_;
 };
 
 /// Whether a surface point is seen and not hidden behind another face.
