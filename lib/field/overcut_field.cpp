@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "lib/base/parallel.h"
@@ -13,7 +12,7 @@
 namespace gouge {
 namespace {
 
-constexpr int kShrinks = 16, kSteps = 64;
+constexpr int kShrinks = 16, kSteps = 64, kLooks = 8;
 // Overcuts of moves that are not the worst of their finding are searched less, and may be reported smaller than
 // they are.
 constexpr double kMoreThanReported = 2;
@@ -21,7 +20,7 @@ constexpr double kMoreThanReported = 2;
 // neighbour.
 constexpr double kNearer = 0.95;
 constexpr double kUnseen = 1.02;  // no eye could tell the difference
-// Of how far what is asked of a node reaches: farther apart poses are asked one by one.
+// Of a node's radius: poses farther apart are asked one by one.
 constexpr double kCoarse = 0.5;
 
 }  // namespace
@@ -103,8 +102,9 @@ class OvercutField::RayTree {
 
   std::vector<float> result() {
     if (tree_.nodes().empty()) return reported_;
-    Swept all(field_.roots_);
-    std::iota(all.begin(), all.end(), static_cast<std::uint32_t>(field_.swept_.size() - field_.roots_));
+    Swept all;
+    for (std::size_t p = field_.swept_.size() - field_.roots_; p < field_.swept_.size(); ++p)
+      all.push_back({static_cast<std::uint32_t>(p), field_.swept_[p].most_mm});
     std::vector<Task> tasks;
     split(0, all, tasks);
     for_each_chunk(tasks.size(), 1, 0, [&](std::size_t first, std::size_t last) {
@@ -114,7 +114,12 @@ class OvercutField::RayTree {
   }
 
  private:
-  using Swept = std::vector<std::uint32_t>;
+  /// A pose and how far along any ray of a node its tool reaches at most.
+  struct Reach {
+    std::uint32_t swept = 0;
+    double most_mm = 0;
+  };
+  using Swept = std::vector<Reach>;
   struct Task {
     std::size_t node = 0;
     Swept near;
@@ -144,22 +149,28 @@ class OvercutField::RayTree {
 
   [[nodiscard]] Swept near_of(std::size_t at, const Swept& swept) const {
     Swept near;
-    for (const std::uint32_t p : swept) add_near(at, p, near);
+    for (const Reach& one : swept) add_near(at, one, near);
     return near;
   }
 
-  /// A ray's point at depth s lies within |s - S/2| + spread S/2 + radius of the middle at S/2.
-  void add_near(std::size_t at, std::uint32_t p, Swept& near) const {
+  /// From the far end of the middle ray back to where the tool may meet any: a ray's point at depth s lies within the
+  /// node's radius and s times the spread of the middle ray's.
+  void add_near(std::size_t at, const Reach& of, Swept& near) const {
     const PointTree::Node& node = tree_.nodes()[at];
-    const SweptPose& swept = field_.swept_[p];
-    const double half = 0.5 * swept.most_mm;
-    const double reach = node.radius + half * (1 + bundles_[at].spread);
-    const Vec3 middle = node.centre + half * bundles_[at].inward;
-    const double spread = swept.spread_mm(middle);
-    if (swept.distance_mm(middle) > reach + spread) return;
-    const bool is_coarse = node.child == 0 || spread > kCoarse * reach;
-    if (swept.parts == 0 || !is_coarse) return near.push_back(p);
-    for (std::uint32_t k = 0; k < swept.parts; ++k) add_near(at, swept.first_part + k, near);
+    const Bundle& bundle = bundles_[at];
+    const SweptPose& swept = field_.swept_[of.swept];
+    double s = std::min(of.most_mm, swept.most_mm);
+    const double apart_mm = swept.spread_mm(node.centre + s * bundle.inward);
+    const double slack = node.radius + s * bundle.spread + apart_mm;
+    for (int k = 0; k < kLooks; ++k) {
+      const double out = swept.distance_mm(node.centre + s * bundle.inward) - slack;
+      if (out <= 0) break;
+      s -= out;
+      if (s <= field_.tolerance_mm_) return;
+    }
+    const bool is_coarse = node.child == 0 || apart_mm > kCoarse * node.radius;
+    if (swept.parts == 0 || !is_coarse) return near.push_back({of.swept, s});
+    for (std::uint32_t k = 0; k < swept.parts; ++k) add_near(at, {swept.first_part + k, s}, near);
   }
 
   // Down to the blocks, which become tasks.
@@ -176,7 +187,7 @@ class OvercutField::RayTree {
   }
 
   void visit(std::size_t at, const Swept& swept) {
-    const Swept near = near_of(at, swept);
+    Swept near = near_of(at, swept);
     if (near.empty()) return;
     const PointTree::Node& node = tree_.nodes()[at];
     if (node.child != 0) {
@@ -184,27 +195,41 @@ class OvercutField::RayTree {
       visit(node.child + 1, near);
       return;
     }
+    std::ranges::sort(near, [](const Reach& a, const Reach& b) {
+      return a.most_mm > b.most_mm || (a.most_mm >= b.most_mm && a.swept < b.swept);
+    });
     for (std::size_t i = node.first; i < node.last; ++i) {
-      for (const std::uint32_t p : near) follow(i, field_.swept_[p]);
+      if (field_.solids_[rays_[i].mesh] == nullptr) continue;
+      for (const Reach& one : near) {
+        if (least_of(i) >= one.most_mm) break;
+        follow(i, one);
+      }
     }
   }
 
-  void follow(std::size_t index, const SweptPose& swept) {
+  [[nodiscard]] double least_of(std::size_t index) const {
+    return std::max(field_.tolerance_mm_, kUnseen * static_cast<double>(reported_[index]));
+  }
+
+  void follow(std::size_t index, const Reach& one) {
     const Ray& ray = rays_[index];
-    const Surface* const solid = field_.solids_[ray.mesh];
-    if (solid == nullptr || static_cast<double>(reported_[index]) * kUnseen >= swept.most_mm) return;
+    const SweptPose& swept = field_.swept_[one.swept];
+    double s = deepest_in(swept, ray, one.most_mm, least_of(index));
+    if (!(s > 0)) return;
     double& margin = margins_[index];
-    if (margin < 0) margin = field_.margin_mm(*solid, ray, kMoreThanReported * field_.largest_mm_);
-    double s = std::min(margin, swept.most_mm);
-    const double least = std::max(field_.tolerance_mm_, kUnseen * static_cast<double>(reported_[index]));
-    for (int k = 0; k < kSteps && s > least; ++k) {
+    if (margin < 0) margin = field_.margin_mm(*field_.solids_[ray.mesh], ray, kMoreThanReported * field_.largest_mm_);
+    if (s > margin) s = deepest_in(swept, ray, margin, least_of(index));
+    if (s > 0) reported_[index] = static_cast<float>(s);
+  }
+
+  // The farthest point of the ray in the tool, from `s` on; 0 where none is beyond `least_mm`.
+  static double deepest_in(const SweptPose& swept, const Ray& ray, double s, double least_mm) {
+    for (int k = 0; k < kSteps && s > least_mm; ++k) {
       const double out = swept.distance_mm(ray.at + s * ray.inward);
-      if (out <= 1e-3 * s) {
-        reported_[index] = static_cast<float>(s);
-        return;
-      }
+      if (out <= 1e-3 * s) return s;
       s -= out;
     }
+    return 0;
   }
 
   const OvercutField& field_;

@@ -106,13 +106,19 @@ class PointDepths {
       candidates.resize(own);
     }
 
-    void visit(std::size_t at, std::size_t first) {
+    // At every second node: along Morton's curve the others are half a square.
+    void visit(std::size_t at, std::size_t first, bool is_half = false) {
       const PointTree::Node& node = field.tree_.nodes()[at];
+      if (is_half && node.child != 0) {
+        visit(node.child, first);
+        visit(node.child + 1, first);
+        return;
+      }
       const std::size_t own = shortlist(node, first);
       if (candidates.size() > own) {
         if (node.child != 0) {
-          visit(node.child, own);
-          visit(node.child + 1, own);
+          visit(node.child, own, true);
+          visit(node.child + 1, own, true);
         } else {
           look(node, own);
         }
