@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -115,16 +116,38 @@ void draw_glass_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuf
   });
 }
 
+/// The pixels that a tool may change: those it is seen in and, for its outline, two more.
+struct PixelRange {
+  int left = 0, top = 0, right = 0, bottom = 0;  ///< the last two behind the last
+};
+
+PixelRange pixels_of(const ToolSurface& tool, const View& view) {
+  constexpr double kFar = std::numeric_limits<double>::max();
+  Vec2 low(kFar, kFar), high(-kFar, -kFar);
+  for (const Vec3& vertex : tool.vertices) {
+    const Vec3 p = view.project(vertex);
+    low = low.cwiseMin(p.head<2>());
+    high = high.cwiseMax(p.head<2>());
+  }
+  const auto clamped = [](double x, int most) {
+    return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(most)));
+  };
+  return {clamped(low.x() - 3, view.width), clamped(low.y() - 3, view.height), clamped(high.x() + 2, view.width),
+          clamped(high.y() + 2, view.height)};
+}
+
 }  // namespace
 
 void lay_glass(Raster& raster, const SurfaceBuffer& part, const ToolSurface& tool, const PictureScene& heads) {
   const ToolPane tool_pane(part, tool);
   std::optional<HeadPane> head_pane;
   if (heads.face_count() > 0) head_pane.emplace(part, heads);
-  for_each_chunk(static_cast<std::size_t>(raster.height), 64, 0, [&](std::size_t first, std::size_t last) {
+  const PixelRange range = head_pane ? PixelRange{0, 0, raster.width, raster.height} : pixels_of(tool, part.view);
+  const auto rows = static_cast<std::size_t>(std::max(0, range.bottom - range.top));
+  for_each_chunk(rows, 64, 0, [&](std::size_t first, std::size_t last) {
     NormalsAt head_normals(heads, part.view);
-    for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y) {
-      for (int x = 0; x < raster.width; ++x) {
+    for (int y = range.top + static_cast<int>(first); y < range.top + static_cast<int>(last); ++y) {
+      for (int x = range.left; x < range.right; ++x) {
         const std::size_t i = part.index(x, y);
         const bool is_head_nearer = head_pane && head_pane->buffer().z[i] > tool_pane.buffer().z[i];
         if (head_pane && !is_head_nearer) head_pane->paint(raster, x, y, head_normals);

@@ -33,11 +33,11 @@ constexpr std::array<Offset, 16> kNeighbours{{{6, 0},
                                               {-8, -20},
                                               {8, -20},
                                               {20, -8}}};
-constexpr float kOcclusionReach = 40;  // pixels
-constexpr int kBlock = 2;              // pixels a side that share a light where they show one piece of surface
-constexpr int kBorder = 10;            // blocks a neighbour may be outside the picture
-constexpr float kNothing = -1e15F;     // as deep as where nothing is seen
-constexpr double kAlike = 0.998;       // of faces so much in line no eye could tell the light apart
+constexpr float kPerReach = 1.0F / 40;  // of the pixels that what hides the sky may be away
+constexpr int kBlock = 2;               // pixels a side that share a light where they show one piece of surface
+constexpr int kBorder = 10;             // blocks a neighbour may be outside the picture
+constexpr float kNothing = -1e15F;      // as deep as where nothing is seen
+constexpr double kAlike = 0.998;        // of faces so much in line no eye could tell the light apart
 
 /// The depth of the first pixel of every block, with a border of nothing.
 class BlockDepths {
@@ -90,7 +90,7 @@ GOUGE_WIDE void add_hidden(const float* z, const float* neighbour, const Offset&
     const float dz = (neighbour[i] - z[i]) * per_mm;
     const float length = std::sqrt(across + dz * dz);
     const float rise = (ox * nx[i] + oy * ny[i] + dz * nz[i]) / length - 0.12F;
-    const float near = 1 - length / kOcclusionReach;
+    const float near = 1 - length * kPerReach;
     hidden[i] += (rise > 0 ? rise : 0) * (near > 0 ? near : 0);
   }
 }

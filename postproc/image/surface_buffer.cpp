@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "lib/base/instruction_sets.h"
 #include "lib/base/parallel.h"
 
 namespace gouge {
@@ -27,6 +28,29 @@ double cross(const Vec3& a, const Vec3& b, double x, double y) {
   return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
 }
 
+// Pixels of a row from depth `at` on, `step` from one to the next.
+inline void draw_run(float* z, std::uint32_t* faces, double at, double step, std::size_t count, std::uint32_t face) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto here = static_cast<float>(at + step * static_cast<double>(static_cast<std::int32_t>(k)));
+    const bool is_nearer = here > z[k];
+    z[k] = is_nearer ? here : z[k];
+    faces[k] = is_nearer ? face : faces[k];
+  }
+}
+
+constexpr std::size_t kLongRun = 24;
+
+GOUGE_WIDE void draw_long_run(float* z, std::uint32_t* faces, double at, double step, std::size_t count,
+                              std::uint32_t face) {
+  draw_run(z, faces, at, step, count, face);
+}
+
+/// How much a coordinate gains from one pixel of a row to the next.
+struct Slope {
+  explicit Slope(double gain) : along(gain), inverse(1 / gain) {}
+  double along, inverse;
+};
+
 void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t face,
                const RowRange& rows) {
   const double area = cross(a, b, c.x(), c.y());
@@ -34,36 +58,36 @@ void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, const Vec3& 
   // Barycentric coordinates are linear along a row; each bounds the row from one side. The slack closes the
   // hair-line gaps that rounding would leave between neighbours.
   constexpr double kSlack = 1e-9;
-  const double du = -(c.y() - b.y()) / area;
-  const double dv = -(a.y() - c.y()) / area;
+  const double per_area = 1 / area;
+  const Slope du(-(c.y() - b.y()) * per_area), dv(-(a.y() - c.y()) * per_area), dw(-du.along - dv.along);
   for (int y = rows.first; y <= rows.last; ++y) {
-    const double u0 = cross(b, c, 0.5, y + 0.5) / area;
-    const double v0 = cross(c, a, 0.5, y + 0.5) / area;
+    const double u0 = cross(b, c, 0.5, y + 0.5) * per_area;
+    const double v0 = cross(c, a, 0.5, y + 0.5) * per_area;
     double low = 0;
     double high = buffer.view.width - 1;
-    const auto bound = [&](double at_zero, double slope) {  // keeps at_zero + slope x >= -slack
-      if (slope > 0)
-        low = std::max(low, (-kSlack - at_zero) / slope);
-      else if (slope < 0)
-        high = std::min(high, (-kSlack - at_zero) / slope);
+    const auto bound = [&](double at_zero, const Slope& slope) {  // keeps at_zero + slope x >= -slack
+      if (slope.along > 0)
+        low = std::max(low, (-kSlack - at_zero) * slope.inverse);
+      else if (slope.along < 0)
+        high = std::min(high, (-kSlack - at_zero) * slope.inverse);
       else if (at_zero < -kSlack)
         high = -1;
     };
     bound(u0, du);
     bound(v0, dv);
-    bound(1 - u0 - v0, -du - dv);
+    bound(1 - u0 - v0, dw);
     if (!(low <= high)) continue;
-    const int last = static_cast<int>(std::floor(high));
-    for (int x = static_cast<int>(std::ceil(low)); x <= last; ++x) {
-      const double u = u0 + du * x;
-      const double v = v0 + dv * x;
-      const auto z = static_cast<float>(u * a.z() + v * b.z() + (1 - u - v) * c.z());
-      const std::size_t i = buffer.index(x, y);
-      if (z > buffer.z[i]) {
-        buffer.z[i] = z;
-        buffer.face[i] = face;
-      }
-    }
+    const int first = static_cast<int>(std::ceil(low)), last = static_cast<int>(std::floor(high));
+    if (first > last) continue;
+    const std::size_t i = buffer.index(first, y);
+    const double u = u0 + du.along * first, v = v0 + dv.along * first;
+    const double z = c.z() + u * (a.z() - c.z()) + v * (b.z() - c.z());
+    const double dz = du.along * (a.z() - c.z()) + dv.along * (b.z() - c.z());
+    const auto count = static_cast<std::size_t>(last - first) + 1;
+    if (count < kLongRun)
+      draw_run(&buffer.z[i], &buffer.face[i], z, dz, count, face);
+    else
+      draw_long_run(&buffer.z[i], &buffer.face[i], z, dz, count, face);
   }
 }
 
