@@ -84,6 +84,48 @@ TEST(DepthField, CoversTheWholePathHoweverFewPosesItMayHave) {
   }
 }
 
+TEST(DepthField, LooksOnceWhereMovesMeetAndMissesNoCorner) {
+  SmallScene small;
+  small.path.moves.resize(1);
+  small.path.moves[0].end.tip = Vec3(4, 12, 9.7);
+  const auto go = [&](const Vec3& by, int count) {
+    for (int k = 0; k < count; ++k) {
+      Move move = small.path.moves.back();
+      move.has_start = true;
+      move.end.tip += by;
+      small.path.moves.push_back(move);
+    }
+  };
+  for (int row = 0; row < 4; ++row) {  // short moves; single ones of its own at each corner
+    go({row % 2 == 0 ? 0.12 : -0.12, 0, 0}, 200);
+    go({0, 0.5, 0}, 1);
+    go({row % 2 == 0 ? 0.3 : -0.3, 0, 0}, 1);
+    go({row % 2 == 0 ? -0.3 : 0.3, 0, 0}, 1);
+  }
+  small.check();
+  const DepthField field(small.input);
+  const std::size_t moves = small.path.moves.size();
+  EXPECT_GE(field.poses().size(), moves - 1);
+  EXPECT_LE(field.poses().size(), 3 * moves / 2);
+  std::vector<DepthField::Point> points;
+  for (double x = 1.05; x < 32; x += 0.7) {
+    for (double y = 9.5; y < 17; y += 0.13) points.push_back({{x, y, 10}, false});
+  }
+  const std::vector<float> depth = field.depth_at(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double dense = 0;
+    for (std::size_t m = 1; m < moves; ++m) {
+      const Vec3& from = small.path.start_of(m).tip;
+      const Move& move = small.path.moves[m];
+      for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const Pose pose{from + t * (move.end.tip - from), move.end.axis};
+        dense = std::max(dense, depth_at_pose(small.tool.against_part, pose, points[i].at));
+      }
+    }
+    EXPECT_NEAR(static_cast<double>(depth[i]), dense, 0.012 + 0.03 * dense) << points[i].at.transpose();
+  }
+}
+
 TEST(DepthField, IsEmptyForACleanPath) {
   SmallScene small;
   for (Move& move : small.path.moves) move.end.tip.z() += 1;
