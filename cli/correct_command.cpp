@@ -15,7 +15,6 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
 #include "lib/correct/correct_path.h"
-#include "lib/tilt/contact_pivot.h"
 #include "postproc/cldata/rewriting/list_written.h"
 #include "postproc/cldata/rewriting/record_texts.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
@@ -117,6 +116,10 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
     facts.uncut.push_back(
         {u.first, u.last, before.moves[u.first].line, before.moves[u.last].line, u.positions, u.length_mm});
   }
+  for (const StockStretch& s : correction.stock) {
+    facts.stock.push_back({s.first, s.last, before.moves[s.first].line, before.moves[s.last].line, s.most.thickness_mm,
+                           s.most.is_more, s.most.is_undecided, s.most.point});
+  }
   for (const Uncorrected& u : correction.uncorrected) {
     facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason, u.is_changed});
   }
@@ -172,7 +175,7 @@ class CorrectRun {
     model.correction.axes = measure_axes(job_.toolpath, correction.changes, path, limit_);
     for (OptionText& limit : limits_in_force(arguments_)) model.more_options.push_back(std::move(limit));
     add_not_tilted(correction.not_tilted, model.notes);
-    add_left_stock(correction.records, model.notes);
+    add_left_stock(model.correction, model.notes);
     if (misfit) model.notes.push_back(*misfit);
     print_notes(err_, model.notes, arguments_.job);
     const bool is_written = outputs_.write(job_, scene, model, progress_, context_.out, err_);
@@ -194,29 +197,11 @@ class CorrectRun {
     }
   }
 
-  /// A warning for each tool with a flat end that was tilted: what it cut square to its axis it now touches with its
-  /// edge.
-  void add_left_stock(const std::vector<ChangeRecord>& records, Diagnostics& notes) const {
-    const Toolpath& path = job_.toolpath;
-    for (std::size_t tool = 0; tool < path.tools.size(); ++tool) {
-      const ChangeRecord* first = nullptr;
-      double most_rad = 0;
-      for (const ChangeRecord& record : records) {
-        if (record.strategy != Strategy::tilt || path.moves[record.move].tool != tool) continue;
-        if (first == nullptr) first = &record;
-        most_rad = std::max(most_rad, record.tilt_rad);
-      }
-      if (first == nullptr || !job_.variants[tool]) continue;
-      const SupportStretch end = support_stretch(job_.variants[tool]->cutting, {0, -1});
-      const double left_mm = 2 * std::max(end.a.x(), end.b.x()) * std::sin(most_rad);
-      if (left_mm <= job_.options.check.tolerance_mm) continue;
-      notes.push_back(make_warning(
-          "tilt-leaves-stock",
-          tool_label(path, tool) + " has a flat end and is tilted by up to " + angle_text(most_rad, DegreeSign::word) +
-              ": where it cut square to its axis its edge alone does now, which leaves up to " +
-              depth_text(left_mm, path.unit) + " more; no check of gouges sees that",
-          path.file, path.moves[first->move].line));
-    }
+  /// Nothing gouges there, so nothing else tells of it.
+  void add_left_stock(const CorrectionFacts& facts, Diagnostics& notes) const {
+    if (facts.stock.empty()) return;
+    notes.push_back(make_warning("stock-left", stock_text(facts, job_.toolpath.unit), job_.toolpath.file,
+                                 facts.stock.front().first_line));
   }
 
   // Moving thousands of positions out of a part that lies elsewhere makes nothing of use.

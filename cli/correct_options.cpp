@@ -106,6 +106,9 @@ Result<TiltOptions> understand_tilt(const CorrectArguments& arguments) {
   const Result<double> blend = understand_length("--blend", arguments.blend, Least::above_zero);
   if (!blend) return blend.error();
   tilt.blend_mm = *blend;
+  const Result<double> stock = understand_length("--allow-stock", arguments.max_stock, Least::zero);
+  if (!stock) return stock.error();
+  tilt.max_stock_mm = *stock;
   return tilt;
 }
 
@@ -129,6 +132,12 @@ void add_tilt_options(CLI::App& command, CorrectArguments& arguments) {
       ->type_name("DEG");
   command
       .add_option("--blend", arguments.blend, "Way of the tip over which a tilt comes and goes, where the path has it")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command
+      .add_option("--allow-stock", arguments.max_stock,
+                  "How much more than the tolerance a tilt may leave of what the programmed path finished; what any "
+                  "change leaves beyond that is told")
       ->type_name("LENGTH")
       ->capture_default_str();
   command.add_flag("--allow-multax", arguments.may_add_axes,
@@ -160,8 +169,10 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
 }
 
 std::vector<OptionText> limits_in_force(const CorrectArguments& arguments) {
-  std::vector<OptionText> limits = {
-      {"max-tilt", arguments.max_tilt}, {"tilt", arguments.tilt}, {"blend", arguments.blend}};
+  std::vector<OptionText> limits = {{"max-tilt", arguments.max_tilt},
+                                    {"tilt", arguments.tilt},
+                                    {"blend", arguments.blend},
+                                    {"allow-stock", arguments.max_stock}};
   const auto add = [&](const char* name, const std::string& typed) {
     if (!typed.empty()) limits.push_back({name, typed});
   };

@@ -19,6 +19,7 @@ struct CorrectArguments {
   std::string max_side_shift;  ///< empty: by the depth
   std::string rapid_clearance = "1";
   std::string max_tilt = "30", tilt = "both", axis_cone, max_turn, max_turn_step, blend = "10";
+  std::string max_stock = "0.01";  ///< above the tolerance
   bool may_add_axes = false;
   std::string max_rotary_speed;  ///< empty: no limit
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/correct/laws.h"
+#include "lib/correct/measure_stock.h"
 #include "lib/correct/plan_holes.h"
 #include "lib/correct/proposer.h"
 
@@ -78,6 +79,8 @@ Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckR
                          setup.options.resolution_mm);
       if (worse.empty()) {
         correction.uncorrected = list_remaining(toolpath, result, correction, after.result);
+        if (progress) progress("measuring what is left", 0, 1);
+        correction.stock = measure_stock(toolpath, correction, after.path, setup, correct);
         return LawfulCorrection{std::move(correction), std::move(after)};
       }
       if (correction.changes.empty()) {

@@ -7,6 +7,7 @@
 
 #include "lib/base/result.h"
 #include "lib/certify/check.h"
+#include "lib/contact/left_stock.h"
 #include "lib/correct/correct_pose.h"
 #include "lib/path/path_change.h"
 #include "lib/tilt/tilt_options.h"
@@ -61,12 +62,19 @@ struct Uncut {
   double length_mm = 0;       ///< of the programmed feeds
 };
 
+/// Changed moves [first, last] after which some of what they finished stands out.
+struct StockStretch {
+  std::size_t first = 0, last = 0;
+  LeftStock most;
+};
+
 struct Correction {
   std::vector<PathChange> changes;  ///< in path order, for write_corrected
   std::vector<ChangeRecord> records;
   std::vector<Uncorrected> uncorrected;
   std::vector<NotTilted> not_tilted;
-  std::vector<Uncut> uncut;  ///< in path order
+  std::vector<Uncut> uncut;         ///< in path order
+  std::vector<StockStretch> stock;  ///< of the path as it is written; empty in what is proposed
 };
 
 /// The changes as they are proposed. Each motion that they touch has been checked by itself and is no worse than it

@@ -7,6 +7,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
 #include "lib/path/path_info.h"
+#include "lib/tilt/cut_path.h"
 #include "lib/tilt/smooth_tilts.h"
 
 namespace gouge {
@@ -26,18 +27,42 @@ double spacing_mm(const TiltOptions& options) {
 
 class RunPlanner {
  public:
-  RunPlanner(const TiltJob& job, const TiltRun& run) : job_(job), run_(run) {}
+  RunPlanner(const TiltJob& job, const TiltRun& run, CutPath& cut) : job_(job), run_(run), cut_(cut) {}
 
-  /// True where a tilt was found; else `reason` says why not.
+  /// True where a tilt was found; else `reason` says why not. Where it would leave what was finished, forward and back
+  /// alone are tried, which leave least under a flat end, and to the sides alone.
   bool plan() {
+    const bool is_free_way = job_.options.freedom == TiltFreedom::both;
+    if (plan_with(job_.options.freedom)) return true;
+    for (const TiltFreedom freedom : {TiltFreedom::lead, TiltFreedom::side}) {
+      if (least_stock_ && is_free_way && plan_with(freedom)) return true;
+    }
+    if (least_stock_) reason = stock_reason();
+    is_leaving = least_stock_.has_value();
+    return false;
+  }
+
+  SmoothedRun tilted;
+  std::string reason;
+  bool is_blocked = false;                       ///< at some position no tilt is free
+  bool is_leaving = false;                       ///< there are tilts, but they leave what was finished
+  bool is_too_fast = false, is_too_far = false;  ///< there are tilts, but they turn faster or further than allowed
+
+ private:
+  bool plan_with(TiltFreedom freedom) {
+    TiltOptions options = job_.options;
+    options.freedom = freedom;
+    const std::vector<TiltPosition> positions =
+        freedom == job_.options.freedom ? run_.positions : with_freedom(run_, freedom).positions;
     std::optional<std::size_t> doubtful;
     for (const bool may_raise : {false, true}) {
-      const TiltSpace space(run_.positions, {job_.tools[run_.tool], &job_.checker, job_.options, may_raise});
+      const TiltSpace space(positions, {job_.tools[run_.tool], &job_.checker, options, may_raise});
       const LatticeResult found = find_tilts(space, job_.checker.options().threads, doubtful);
       if (found.sequence) {
         const TiltSequence tilts = smooth_tilts(space, *found.sequence, job_.checker.options().threads);
-        if (!keeps_turns(space, tilts)) return false;
+        if (!keeps_turns(space, tilts) || leaves_too_much(space, tilts)) return false;
         gather(space, tilts);
+        cut_.accept(space, tilts);
         return true;
       }
       if (!may_raise || found.blocked) reason = why_not(space, found);
@@ -47,12 +72,30 @@ class RunPlanner {
     return false;
   }
 
-  SmoothedRun tilted;
-  std::string reason;
-  bool is_blocked = false;                       ///< at some position no tilt is free
-  bool is_too_fast = false, is_too_far = false;  ///< there are tilts, but they turn faster or further than allowed
+  bool leaves_too_much(const TiltSpace& space, const TiltSequence& tilts) {
+    const std::optional<LeftStock> left = cut_.left_by(space, tilts);
+    if (left && (!least_stock_ || left->thickness_mm < least_stock_->thickness_mm)) {
+      least_stock_ = left;
+      stock_tilt_rad_ = 0;
+      for (const Tilt& tilt : tilts) stock_tilt_rad_ = std::max(stock_tilt_rad_, tilt.norm());
+    }
+    return left.has_value();
+  }
 
- private:
+  [[nodiscard]] std::string stock_reason() const {
+    const double unit_mm = mm_per(job_.path.unit);
+    const int digits = job_.path.unit == LengthUnit::mm ? 3 : 4;
+    const auto length = [&](double mm) { return people_text(mm / unit_mm, digits); };
+    const auto& witness = job_.result.verdicts[run_.first_wanted].witness;
+    const Vec3& at = least_stock_->point;
+    return std::string("the ") + body_name(witness ? witness->body : Body::holder) +
+           " collides; the tilt that frees it and leaves least (" + people_text(stock_tilt_rad_ / kDegree, 1) +
+           " degrees) " + (least_stock_->is_undecided ? "is not proved to leave no more than " : "would leave ") +
+           (least_stock_->is_more ? "more than " : "") + length(least_stock_->thickness_mm) + " " +
+           unit_name(job_.path.unit) + " of stock at (" + length(at.x()) + ", " + length(at.y()) + ", " +
+           length(at.z()) + "), which the programmed path finished (--allow-stock)";
+  }
+
   bool keeps_turns(const TiltSpace& space, const TiltSequence& tilts) {
     const TiltOptions& limits = job_.options;
     for (std::size_t i = 0; i + 1 < space.size(); ++i) {
@@ -125,6 +168,9 @@ class RunPlanner {
 
   const TiltJob& job_;
   const TiltRun& run_;
+  CutPath& cut_;
+  std::optional<LeftStock> least_stock_;  // of the tilts that leave too much
+  double stock_tilt_rad_ = 0;
 };
 
 /// A plan, and which limits of turns runs of it do not keep.
@@ -137,6 +183,7 @@ struct Attempt {
 Attempt attempt(const TiltJob& job, double spacing_mm, const ProgressCall& progress) {
   Attempt made;
   TiltPlan& plan = made.plan;
+  CutPath cut(job);
   std::vector<bool> is_left = job.is_wanted;
   for (int round = 0; round <= kFinerSpacings; ++round, spacing_mm /= 2) {
     const std::vector<TiltRun> runs =
@@ -144,13 +191,14 @@ Attempt attempt(const TiltJob& job, double spacing_mm, const ProgressCall& progr
     std::erase_if(plan.failed, [&](const UntiltedRun& run) { return is_left[run.first_wanted]; });
     for (std::size_t r = 0; r < runs.size(); ++r) {
       if (progress) progress("tilting the tool", r, runs.size());
-      RunPlanner planner(job, runs[r]);
+      RunPlanner planner(job, runs[r], cut);
       const bool is_planned = planner.plan();
       if (is_planned) plan.runs.push_back(std::move(planner.tilted));
       if (!is_planned) plan.failed.push_back({runs[r].first_wanted, runs[r].last_wanted, planner.reason});
       made.is_too_fast = made.is_too_fast || planner.is_too_fast;
       made.is_too_far = made.is_too_far || planner.is_too_far;
-      const bool is_done = is_planned || planner.is_blocked || planner.is_too_fast || planner.is_too_far;
+      const bool is_done =
+          is_planned || planner.is_blocked || planner.is_leaving || planner.is_too_fast || planner.is_too_far;
       for (std::size_t i = runs[r].first_wanted; i <= runs[r].last_wanted && is_done; ++i) is_left[i] = false;
     }
     if (runs.empty()) break;

@@ -29,6 +29,8 @@ struct TiltOptions {
   double blend_mm = 10;  ///< way of the tip over which the tilt comes and goes, where the path has it
   /// How far the tip may rise off the part where the cutter would gouge when tilted: what it leaves uncut.
   double max_raise_mm = 1;
+  /// How much more than the tolerance may be left of what the programmed path finished; infinite: it is not measured.
+  double max_stock_mm = 0.01;
 
   [[nodiscard]] bool has_turn_limit() const {
     return max_turn_rad_per_mm < std::numeric_limits<double>::infinity() ||

@@ -194,7 +194,7 @@ class Measurer {
       if (std::ranges::any_of(normals, [](const auto& some) { return !some.empty(); })) break;
     }
     set_pivots(normals);
-    set_directions();
+    run_ = with_freedom(std::move(run_), job_.options.freedom);
   }
 
  private:
@@ -236,41 +236,42 @@ class Measurer {
     }
   }
 
-  /// Turned no more than the axis turns; for lead or side alone along the feed.
-  void set_directions() {
-    std::vector<TiltPosition>& all = run_.positions;
-    Vec3 first = all.front().programmed.axis.unitOrthogonal();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const Vec3& axis = all[i].programmed.axis;
-      const Vec3& before = all[i > 0 ? i - 1 : 0].programmed.axis;
-      first = shortest_turn(before, axis) * first;
-      if (job_.options.freedom != TiltFreedom::both) {
-        const Vec3 feed = all[std::min(i + 1, all.size() - 1)].programmed.tip - all[i > 0 ? i - 1 : 0].programmed.tip;
-        const Vec3 across = feed - feed.dot(axis) * axis;
-        if (across.norm() > 1e-3 * feed.norm() && across.norm() > 1e-6) first = across;
-        all[i].is_fixed = all[i].is_fixed || is_corner(i);
-      }
-      first = (first - first.dot(axis) * axis).normalized();
-      all[i].first = first;
-      all[i].second = axis.cross(first);
-    }
-  }
-
-  /// Where the feed turns at once, lead and side change places: there the axis stays as programmed.
-  [[nodiscard]] bool is_corner(std::size_t i) const {
-    constexpr double kSameFeed = 0.98;  // 11 degrees
-    if (i == 0 || i + 1 == run_.positions.size()) return false;
-    const Vec3 here = run_.positions[i].programmed.tip;
-    const Vec3 into = here - run_.positions[i - 1].programmed.tip, out = run_.positions[i + 1].programmed.tip - here;
-    return into.dot(out) < kSameFeed * into.norm() * out.norm();
-  }
-
   const TiltJob& job_;
   TiltRun& run_;
   const ToolVariants& tool_;
 };
 
+/// Where the feed turns at once, lead and side change places: there the axis stays as programmed.
+bool is_corner(const std::vector<TiltPosition>& all, std::size_t i) {
+  constexpr double kSameFeed = 0.98;  // 11 degrees
+  if (i == 0 || i + 1 == all.size()) return false;
+  const Vec3 here = all[i].programmed.tip;
+  const Vec3 into = here - all[i - 1].programmed.tip, out = all[i + 1].programmed.tip - here;
+  return into.dot(out) < kSameFeed * into.norm() * out.norm();
+}
+
 }  // namespace
+
+// Turned no more than the axis turns; for lead or side alone along the feed.
+TiltRun with_freedom(TiltRun run, TiltFreedom freedom) {
+  std::vector<TiltPosition>& all = run.positions;
+  Vec3 first = all.front().programmed.axis.unitOrthogonal();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Vec3& axis = all[i].programmed.axis;
+    const Vec3& before = all[i > 0 ? i - 1 : 0].programmed.axis;
+    first = shortest_turn(before, axis) * first;
+    if (freedom != TiltFreedom::both) {
+      const Vec3 feed = all[std::min(i + 1, all.size() - 1)].programmed.tip - all[i > 0 ? i - 1 : 0].programmed.tip;
+      const Vec3 across = feed - feed.dot(axis) * axis;
+      if (across.norm() > 1e-3 * feed.norm() && across.norm() > 1e-6) first = across;
+      all[i].is_fixed = all[i].is_fixed || is_corner(all, i);
+    }
+    first = (first - first.dot(axis) * axis).normalized();
+    all[i].first = first;
+    all[i].second = axis.cross(first);
+  }
+  return run;
+}
 
 std::vector<bool> moves_near(const Toolpath& path, const std::vector<bool>& is_wanted, double way_mm) {
   constexpr double kFar_mm = 1e300;

@@ -50,6 +50,7 @@ class CorrectionReport {
             {"quality", quality(c)},
             {"straightened", {{"curves", c.curves}, {"straight_moves", c.straight_moves}}},
             {"uncut", uncut(c)},
+            {"stock", stock(c)},
             {"changes", changes},
             {"uncorrected", left},
             {"written", written}};
@@ -133,6 +134,21 @@ class CorrectionReport {
     }
     const UncutTotal total = uncut_total(c);
     return {{"positions", total.positions}, {"length", length(total.length_mm)}, {"stretches", stretches}};
+  }
+
+  [[nodiscard]] Json stock(const CorrectionFacts& c) const {
+    Json stretches = Json::array();
+    for (const StockRecord& r : c.stock) {
+      stretches.push_back({{"first_move", r.first_move},
+                           {"last_move", r.last_move},
+                           {"first_line", r.first_line},
+                           {"last_line", r.last_line},
+                           {"thickness", length(r.thickness_mm)},
+                           {"is_more", r.is_more},
+                           {"is_proved", !r.is_undecided},
+                           {"point", lengths(r.point)}});
+    }
+    return stretches;
   }
 
   const ReportModel& model_;

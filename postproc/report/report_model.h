@@ -91,6 +91,16 @@ struct UncutRecord {
   double length_mm = 0;       ///< of the programmed feeds
 };
 
+/// What a stretch of changed moves leaves of the surface that it finished before.
+struct StockRecord {
+  std::size_t first_move = 0, last_move = 0;  ///< of the path before the correction
+  std::size_t first_line = 0, last_line = 0;
+  double thickness_mm = 0;
+  bool is_more = false;       ///< more than that: nothing near is cut
+  bool is_undecided = false;  ///< that it is no more than that is not proved
+  Vec3 point = Vec3::Zero();
+};
+
 /// A statement of the corrected file that is not as it was.
 struct WrittenRecord {
   std::string kind;      ///< "changed", "added", "removed"
@@ -122,6 +132,7 @@ struct CorrectionFacts {
   std::vector<CorrectedRecord> changes;
   std::vector<UncorrectedRecord> uncorrected;
   std::vector<UncutRecord> uncut;
+  std::vector<StockRecord> stock;              ///< more than is allowed of each stretch
   std::vector<WrittenRecord> written;          ///< every other record is the same to the byte
   std::optional<AxisFacts> axes;               ///< none: not measured
   const Toolpath* toolpath_before = nullptr;   ///< the path as read

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <numbers>
 
 #include "lib/path/path_info.h"
@@ -49,6 +50,8 @@ struct RandomRun {
     path = paths::through(poses(diameter));
     options.max_tilt_rad = random.in(8, 45) * kDegree;
     options.blend_mm = random.in(2, 20);
+    // What a tilt leaves is asked of plans, not of single tilts, as those of the lattice are.
+    options.max_stock_mm = std::numeric_limits<double>::infinity();
     if (random.is(0.2)) options.freedom = random.is(0.5) ? TiltFreedom::lead : TiltFreedom::side;
     if (random.is(0.2)) options.cone = AxisCone{random.axis(0.3), random.in(25, 50) * kDegree};
     if (random.is(0.2)) options.max_turn_rad_per_mm = random.in(1, 6) * kDegree;

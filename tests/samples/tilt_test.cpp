@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/samples/program.h"
@@ -53,12 +54,14 @@ TEST(Tilt, LimitsInForceStandInTheReport) {
   const SampleFolder sample = open_sample("freeform");
   correct(sample, {});
   const auto more = [&] { return Json::parse(text_of(sample.path + "/result.json")).at("options").at("more"); };
-  EXPECT_EQ(more(), Json({{"max-tilt", "30"}, {"tilt", "both"}, {"blend", "10"}}));
+  EXPECT_EQ(more(), Json({{"max-tilt", "30"}, {"tilt", "both"}, {"blend", "10"}, {"allow-stock", "0.01"}}));
   correct(sample, {"--max-tilt", "20", "--tilt", "side", "--blend", "0.5in", "--axis-cone", "0,0,1,60", "--max-turn",
-                   "4", "--max-turn-step", "9", "--max-rotary-speed", "3600", "--allow-multax", "--report", "r"});
+                   "4", "--max-turn-step", "9", "--max-rotary-speed", "3600", "--allow-multax", "--allow-stock", "0.02",
+                   "--report", "r"});
   EXPECT_EQ(more(), Json({{"max-tilt", "20"},
                           {"tilt", "side"},
                           {"blend", "0.5in"},
+                          {"allow-stock", "0.02"},
                           {"axis-cone", "0,0,1,60"},
                           {"max-turn", "4"},
                           {"max-turn-step", "9"},
@@ -99,26 +102,50 @@ std::string box_text(const std::array<double, 3>& low, const std::array<double, 
   return text + "endsolid box\n";
 }
 
-// The edge of a flat end does what its face did: nothing gouges, and the floor is left higher.
-TEST(Tilt, OfAFlatEndWarnsOfWhatItLeaves) {
+// The edge of a flat end does what its face did: nothing gouges, but the floor would be left higher. So it is not
+// tilted unless that is allowed, and what the lift leaves instead is told too.
+TEST(Tilt, OfAFlatEndThatWouldLeaveStockIsNotMadeUnlessAllowed) {
   const std::string folder = fresh_folder();
   write_text(folder + "/floor.stl", box_text({-200, -200, -10}, {200, 200, 0}));
-  write_text(folder + "/wall.stl", box_text({13, -30, -5}, {60, 30, 90}));
+  write_text(folder + "/wall.stl", box_text({13, -30, -5}, {60, 30, 60}));
   std::string path = "MULTAX/ON\nLOADTL/1\nGOTO/0,-80,120,0,0,1\n";
   for (int y = -80; y <= 80; y += 4) path += "GOTO/0," + std::to_string(y) + ",0,0,0,1\n";
   write_text(folder + "/pass.apt", path);
-  for (const std::string shape : {"flat", "ball"}) {
+  const auto ran_with = [&](const std::string& shape, const std::string& allowed) {
     write_text(folder + "/tools.json", R"({"units":"mm","tools":[{"number":1,"cutter":{"shape":")" + shape +
                                            R"(","diameter":10,"length":30},
       "shank":[{"lower_diameter":10,"upper_diameter":10,"length":20}],
       "holder":[{"lower_diameter":32,"upper_diameter":32,"length":40}]}]})");
-    const Outcome ran = run_gougecheck(folder, {"correct", "pass.apt", "--part", "floor.stl", "--part", "wall.stl",
-                                                "--tools", "tools.json", "-o", "tilted.apt"});
-    EXPECT_EQ(ran.exit_status, 0) << ran.err;
-    const bool is_warned = ran.err.find("T1 has a flat end and is tilted by up to ") != std::string::npos &&
-                           ran.err.find("[tilt-leaves-stock]") != std::string::npos;
-    EXPECT_EQ(is_warned, shape == "flat") << ran.err;
-  }
+    Corrected corrected;
+    corrected.ran =
+        run_gougecheck(folder, {"correct", "pass.apt", "--part", "floor.stl", "--part", "wall.stl", "--tools",
+                                "tools.json", "-o", "tilted.apt", "--json", "result.json", "--allow-stock", allowed});
+    EXPECT_EQ(corrected.ran.exit_status, 0) << corrected.ran.err;
+    corrected.correction = Json::parse(text_of(folder + "/result.json")).at("correction");
+    return corrected;
+  };
+  const auto is_said = [](const std::string& text, const std::string& words) {
+    return text.find(words) != std::string::npos;
+  };
+  const Corrected ball = ran_with("ball", "0.01");
+  EXPECT_GT(changes_by(ball, "tilt"), 0U);
+  EXPECT_TRUE(ball.correction.at("stock").empty());
+  EXPECT_FALSE(is_said(ball.ran.err + ball.ran.out, "stock")) << ball.ran.err << ball.ran.out;
+  const Corrected lifted = ran_with("flat", "0.01");
+  EXPECT_EQ(changes_by(lifted, "tilt"), 0U);
+  EXPECT_TRUE(is_said(lifted.ran.err, "the holder collides; the tilt that frees it and leaves least ("))
+      << lifted.ran.err;
+  EXPECT_TRUE(is_said(lifted.ran.err, "[stock-left]")) << lifted.ran.err;
+  EXPECT_TRUE(is_said(lifted.ran.out, "stock: ")) << lifted.ran.out;
+  ASSERT_EQ(lifted.correction.at("stock").size(), 1U);
+  // The holder begins 50 mm above the tip, the wall ends at 60.
+  EXPECT_NEAR(lifted.correction.at("stock")[0].at("thickness").get<double>(), 10, 0.3);
+  const Corrected tilted = ran_with("flat", "3");
+  EXPECT_GT(changes_by(tilted, "tilt"), 0U);
+  ASSERT_EQ(tilted.correction.at("stock").size(), 1U);
+  const double most = tilted.correction.at("quality").at("largest_tilt").at("rad");
+  EXPECT_NEAR(tilted.correction.at("stock")[0].at("thickness").get<double>(), 10 * std::sin(most), 0.03);
+  EXPECT_FALSE(is_said(tilted.ran.err, "[not-tilted]")) << tilted.ran.err;
 }
 
 TEST(Tilt, ThatIsNotFoundIsSaidAndLifted) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "lib/path/axis_quality.h"
@@ -251,11 +252,33 @@ TEST(PlanTilts, RaisesTheTipWhereTheTiltedCutterWouldGouge) {
       {floor_plate(), shapes::box(Vec3(9, -100, -5), Vec3(60, 100, 90)),
        shapes::box(Vec3(5.1, -100, -5), Vec3(6, 100, 0.5)), shapes::box(Vec3(-6, -100, -5), Vec3(-5.1, 100, 0.5))},
       tool);
-  const TiltPlan plan = bench.plan();
+  TiltOptions options;
+  options.max_stock_mm = std::numeric_limits<double>::infinity();
+  const TiltPlan plan = bench.plan(options);
   expect_clean(bench, plan);
   double highest = 0;
   for (const TiltedPosition& p : positions_of(plan)) highest = std::max(highest, p.pose.tip.z() - p.programmed.tip.z());
   EXPECT_GT(highest, 0.1);
+}
+
+TEST(PlanTilts, OfAFlatEndIsNotMadeWhereItWouldLeaveMoreThanAllowed) {
+  ToolAssembly tool = long_ball();
+  tool.cutter = FlatCutter{10, 20};
+  const Bench bench(row(-60, 60, 5), {floor_plate(), shapes::box(Vec3(9, -30, -5), Vec3(40, 30, 90))}, tool);
+  const TiltPlan none = bench.plan();
+  EXPECT_TRUE(none.runs.empty());
+  ASSERT_EQ(none.failed.size(), 1U);
+  const std::string& reason = none.failed[0].reason;
+  EXPECT_EQ(reason.rfind("the holder collides; the tilt that frees it and leaves least (", 0), 0U) << reason;
+  EXPECT_NE(reason.find(" mm of stock at ("), std::string::npos) << reason;
+  // Above the floor, where nothing was finished, nothing is left.
+  std::vector<Pose> above = row(-60, 60, 5);
+  for (Pose& pose : above) pose.tip.z() += 0.3;
+  const Bench rough(above, {floor_plate(), shapes::box(Vec3(9, -30, -5), Vec3(40, 30, 90))}, tool);
+  expect_clean(rough, rough.plan());
+  TiltOptions allowed;
+  allowed.max_stock_mm = 5;
+  expect_clean(bench, bench.plan(allowed));
 }
 
 TEST(PlanTilts, IsTheSameAtAnyNumberOfThreads) {

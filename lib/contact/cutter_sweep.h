@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "lib/check/motion.h"
+#include "lib/tool/compiled_tool.h"
+
+namespace gouge {
+
+/// A flat piece of surface as seen from one side of it.
+struct SidedPiece {
+  std::array<Vec3, 3> corners;
+  Vec3 outward;  ///< unit
+};
+
+/// Where a question was last answered with yes, as the next one is often answered there too. It changes no answer.
+struct SweepHint {
+  std::uint32_t piece = 0;
+};
+
+/// The space that cutters pass through on motions: a tree over the motions in the order in which they were added.
+/// Moves of a path may be taken out of it.
+class CutterSweep {
+ public:
+  /// Requires motion.is_defined(). `cutter`, with elements, must outlive the sweep. Curves are cut into chords that are
+  /// off by no more than 0.001 mm, which every answer allows for. Cost 200 bytes a chord, and one for each degree of turn.
+  void add(const Motion& motion, const CompiledTool& cutter, std::size_t move);
+  /// After the last motion. Cost linear.
+  void index();
+
+  [[nodiscard]] bool is_empty() const { return pieces_.empty(); }
+
+  /// From a point to the nearest cutter: not above the truth, and not below it by more than 0.0002 mm, or by what a
+  /// turning cutter leaves open, but where the truth is below `enough_mm` or above `hopeless_mm`. Negative inside.
+  [[nodiscard]] double distance(const Vec3& point, double enough_mm, double hopeless_mm) const;
+
+  /// The move of an instant at which all points are in the cutter; kNone where none was found.
+  [[nodiscard]] std::size_t covering_move(std::span<const Vec3> points, SweepHint& hint) const;
+
+  /// False: no point of the piece, lifted by `lift_mm`, is ever inside a cutter by `deep_mm` or more, but one whose axis,
+  /// by its deepest point, is on the other side.
+  [[nodiscard]] bool may_reach(const SidedPiece& piece, double lift_mm, double deep_mm, SweepHint& hint) const;
+
+  /// False where some of its cutters are not convex.
+  [[nodiscard]] bool is_convex() const { return is_convex_; }
+
+  /// Of the thinnest cutter; infinite where there is none.
+  [[nodiscard]] double least_radius_mm() const { return least_radius_mm_; }
+
+ private:
+  struct Piece {
+    Pose start, end;
+    Vec3 rotation_axis = Vec3::UnitX();
+    double angle_rad = 0;
+    double off_mm = 0;  ///< of the motion itself, at the most
+    const CompiledTool* cutter = nullptr;
+    std::size_t move = 0;
+    bool is_convex = true;
+    [[nodiscard]] Pose at(double t) const;
+  };
+  struct Node {
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+    std::uint32_t first = 0, last = 0;  ///< pieces
+    std::uint32_t second = 0;           ///< its halves are the next node and this one; 0: a leaf
+  };
+  class Instants;
+
+  std::uint32_t build(std::uint32_t first, std::uint32_t last);
+  /// Calls `look(piece)` for those whose box is no farther from all `points` than `within()`, until it returns true.
+  template <typename Within, typename Look>
+  bool visit(std::uint32_t node, std::span<const Vec3> points, const Within& within, const Look& look) const;
+
+  std::vector<Piece> pieces_;
+  std::vector<Node> nodes_;
+  bool is_convex_ = true;
+  double least_radius_mm_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace gouge

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "lib/contact/cutter_sweep.h"
+#include "lib/hierarchy/block_tree.h"
+#include "lib/path/toolpath.h"
+
+namespace gouge {
+
+/// What a changed path leaves on the part where the path before it did not.
+struct LeftStock {
+  double thickness_mm = 0;    ///< from the point to the nearest place that is cut; no point is left by much more
+  bool is_more = false;       ///< it is more than that: nothing near is cut
+  bool is_undecided = false;  ///< no such point was found, but that there is none is not proved
+  Vec3 point = Vec3::Zero();  ///< of the surface
+  std::size_t move = kNone;   ///< the motion that finished it
+};
+
+struct StockLimits {
+  double finished_mm = 0;  ///< what is cut to this height above the surface, or lower, is finished
+  double allowed_mm = 0;   ///< what is no farther from a cut is not left
+  double most_mm = 0;      ///< thicknesses beyond this are not told apart
+};
+
+/// What is left beyond that is not told apart.
+inline constexpr double kMostStock_mm = 20;
+
+/// What of the surface `before` finished and none of `after` comes as near to as is allowed: the point farthest from
+/// what is cut now.
+///
+/// Points closer to the border of what a cutter reaches than 2 % of its radius, 0.1 mm at the most, are not counted as
+/// finished.
+/// Ensures  (1) Nothing: proved, for every point of every triangle and every instant.
+///          (2) The thickness is true of its point to 0.001 mm, and nowhere larger by more than a fiftieth and 0.005 mm.
+///          (3) The same at any number of threads.
+/// Cost     some ten to a hundred distances for each piece of the finished surface that one pose of the new cutter
+///          covers: some tenths of a millimetre under a ball, a footprint under a flat end; and for each tenth of a
+///          millimetre of border.
+/// Method   docs/algorithms/tilting.md, "What a tilt leaves".
+[[nodiscard]] std::optional<LeftStock> find_left_stock(const BlockTree& parts, const CutterSweep& before,
+                                                       std::span<const CutterSweep* const> after,
+                                                       const StockLimits& limits, unsigned threads);
+
+}  // namespace gouge

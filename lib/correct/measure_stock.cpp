@@ -1,0 +1,97 @@
+#include "lib/correct/measure_stock.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/check/path_motion.h"
+#include "lib/correct/laws.h"
+#include "lib/correct/plan_holes.h"
+#include "lib/path/path_info.h"
+
+namespace gouge {
+namespace {
+
+class Measurer {
+ public:
+  Measurer(const Toolpath& path, const Correction& correction, const Toolpath& after, const CheckSetup& setup)
+      : path_(path), setup_(setup), is_changed_(changed(path, correction)) {
+    CutterSweep all;
+    for (std::size_t i = 0; i < path.moves.size(); ++i) {
+      if (is_changed_[i]) add(path, i, all);
+    }
+    all.index();
+    for (std::size_t i = 0; i < after.moves.size(); ++i) {
+      const Move& move = after.moves[i];
+      if (!cuts(after, i) || all.is_empty()) continue;
+      // No point of it is farther from the middle between its ends than half of its length.
+      const CompiledTool& cutter = setup.tools[move.tool]->cutting;
+      const double reach = 0.5 * move_length_mm(after, i) + cutter.r_max_mm +
+                           std::max(cutter.z_max_mm, -cutter.z_min_mm) + kMostStock_mm;
+      const Vec3 middle = 0.5 * (after.start_of(i).tip + move.end.tip);
+      if (all.distance(middle, reach, reach + 1) <= reach) add(after, i, after_);
+    }
+    after_.index();
+  }
+
+  [[nodiscard]] std::vector<StockStretch> measure(double allowed_mm) const {
+    std::vector<StockStretch> left;
+    const CheckOptions& options = setup_.options;
+    const CutterSweep* const after = &after_;
+    for (std::size_t first = 0, last = 0; first < is_changed_.size(); first = last + 1) {
+      last = first;
+      if (!is_changed_[first]) continue;
+      CutterSweep before;
+      for (; last < is_changed_.size() && is_changed_[last]; ++last) add(path_, last, before);
+      --last;
+      before.index();
+      if (before.is_empty()) continue;
+      const StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm};
+      if (const auto most = find_left_stock(setup_.scene.parts, before, {&after, 1}, limits, options.threads))
+        left.push_back({first, last, *most});
+    }
+    return left;
+  }
+
+ private:
+  static std::vector<bool> changed(const Toolpath& path, const Correction& correction) {
+    std::vector<bool> is_changed(path.moves.size() + 1, false);
+    for (const PathChange& change : correction.changes) {
+      const std::size_t last = change.hole_shift_mm ? end_of_hole(path, change.move) : change.move + 1;
+      for (std::size_t i = change.move; i < last; ++i) is_changed[i] = true;
+      if (change.new_end || change.hole_shift_mm) is_changed[last] = true;
+    }
+    is_changed.resize(path.moves.size());
+    for (const Uncut& uncut : correction.uncut) {
+      for (std::size_t i = uncut.first; i <= uncut.last; ++i) is_changed[i] = false;
+    }
+    return is_changed;
+  }
+
+  [[nodiscard]] bool cuts(const Toolpath& path, std::size_t i) const {
+    const Move& move = path.moves[i];
+    return move.kind != MoveKind::rapid && move.has_start && move.tool != kNone && setup_.tools[move.tool] != nullptr &&
+           !setup_.tools[move.tool]->cutting.elements.empty();
+  }
+
+  void add(const Toolpath& path, std::size_t i, CutterSweep& sweep) const {
+    if (!cuts(path, i)) return;
+    const Motion motion = motion_of(path, i, RapidMode::straight);
+    if (motion.is_defined()) sweep.add(motion, setup_.tools[path.moves[i].tool]->cutting, i);
+  }
+
+  const Toolpath& path_;
+  const CheckSetup& setup_;
+  std::vector<bool> is_changed_;
+  CutterSweep after_;
+};
+
+}  // namespace
+
+std::vector<StockStretch> measure_stock(const Toolpath& path, const Correction& correction, const Toolpath& after,
+                                        const CheckSetup& setup, const CorrectOptions& correct) {
+  if (correction.changes.empty()) return {};
+  const double allowed_mm = std::min(correct.tilt.max_stock_mm, TiltOptions{}.max_stock_mm);
+  return Measurer(path, correction, after, setup).measure(allowed_mm);
+}
+
+}  // namespace gouge

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/correct/correct_path.h"
+
+namespace gouge {
+
+/// What a corrected path leaves of the part's surface that the path before it finished: the most of each stretch of
+/// neighbouring changed moves, where that is more than the usual or the allowed TiltOptions::max_stock_mm above the
+/// tolerance, the lesser. What is left out (Correction::uncut) is not measured, and rapids cut nothing.
+///
+/// Requires `after` to be `path` with the changes.
+/// Ensures  the same at any number of threads; in path order.
+/// Cost     as find_left_stock, for each stretch.
+[[nodiscard]] std::vector<StockStretch> measure_stock(const Toolpath& path, const Correction& correction,
+                                                      const Toolpath& after, const CheckSetup& setup,
+                                                      const CorrectOptions& correct);
+
+}  // namespace gouge

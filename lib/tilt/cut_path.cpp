@@ -1,0 +1,110 @@
+#include "lib/tilt/cut_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lib/check/path_motion.h"
+#include "lib/path/path_info.h"
+
+namespace gouge {
+namespace {
+
+double reach_mm(const CompiledTool& cutter) {
+  return Vec2(cutter.r_max_mm, std::max(cutter.z_max_mm, -cutter.z_min_mm)).norm();
+}
+
+}  // namespace
+
+CutPath::ReplacedMoves CutPath::replaced_by(const TiltSpace& space) {
+  ReplacedMoves replaced;
+  for (std::size_t i = 0; i + 1 < space.size(); ++i) {
+    const TiltPosition &from = space[i], &to = space[i + 1];
+    replaced[to.move].push_back({from.move == to.move ? from.t : 0.0, to.t});
+  }
+  return replaced;
+}
+
+std::vector<CutPath::Cut> CutPath::tilted(const TiltSpace& space, const TiltSequence& tilts, std::size_t tool) {
+  std::vector<Cut> cuts;
+  for (std::size_t i = 0; i + 1 < space.size(); ++i) {
+    if (space[i + 1].kind == MoveKind::rapid) continue;
+    const auto from = space.pose(i, tilts[i]), to = space.pose(i + 1, tilts[i + 1]);
+    if (from && to) cuts.push_back({Motion(*from, *to), tool, space[i + 1].move});
+  }
+  return cuts;
+}
+
+/// Those moves near a ball, and parts of moves, that stay as programmed.
+void CutPath::add_unchanged(const ReplacedMoves& replaced, const Vec3& centre, double radius_mm,
+                            CutterSweep& sweep) const {
+  const Moves& moves = job_.path.moves;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const Move& move = moves[i];
+    if (move.kind == MoveKind::rapid || !move.has_start || move.tool == kNone || job_.tools[move.tool] == nullptr)
+      continue;
+    const CompiledTool& cutter = job_.tools[move.tool]->cutting;
+    // No point of it is farther from the middle between its ends than half of its length.
+    const Pose& start = job_.path.start_of(i);
+    const double away = (0.5 * (start.tip + move.end.tip) - centre).norm();
+    if (cutter.elements.empty() || away > radius_mm + 0.5 * move_length_mm(job_.path, i) + reach_mm(cutter)) continue;
+    const auto found = replaced.find(i);
+    if (found == replaced.end()) {
+      const Motion motion = motion_of(job_.path, i, RapidMode::straight);
+      if (motion.is_defined()) sweep.add(motion, cutter, i);
+      continue;
+    }
+    // Of a straight move what is between the stretches that are replaced.
+    const Motion motion(start, move.end);
+    std::vector<Replaced> stretches = found->second;
+    std::ranges::sort(stretches, {}, &Replaced::from);
+    double from = 0;
+    stretches.push_back({1, 1});
+    for (const Replaced& stretch : stretches) {
+      if (stretch.from > from) sweep.add(Motion(motion.at(from), motion.at(stretch.from)), cutter, i);
+      from = std::max(from, stretch.to);
+    }
+  }
+}
+
+std::optional<LeftStock> CutPath::left_by(const TiltSpace& space, const TiltSequence& tilts) const {
+  const std::size_t tool = tool_of(space);
+  const CompiledTool& cutter = job_.tools[tool]->cutting;
+  const double allowed_mm = job_.options.max_stock_mm;
+  if (cutter.elements.empty() || !(allowed_mm < std::numeric_limits<double>::infinity())) return std::nullopt;
+  CutterSweep before, own, others;
+  Vec3 low = space[0].programmed.tip, high = low;
+  for (std::size_t i = 0; i + 1 < space.size(); ++i) {
+    const bool is_as_it_was = !(tilts[i].norm() > 0) && !(tilts[i + 1].norm() > 0);
+    if (is_as_it_was || space[i + 1].kind == MoveKind::rapid) continue;
+    before.add(Motion(space[i].programmed, space[i + 1].programmed), cutter, space[i + 1].move);
+    for (const std::size_t k : {i, i + 1}) {
+      low = low.cwiseMin(space[k].programmed.tip);
+      high = high.cwiseMax(space[k].programmed.tip);
+    }
+  }
+  for (const Cut& cut : tilted(space, tilts, tool)) own.add(cut.motion, cutter, cut.move);
+  ReplacedMoves replaced = replaced_;
+  for (const auto& [move, stretches] : replaced_by(space)) {
+    std::vector<Replaced>& all = replaced[move];
+    all.insert(all.end(), stretches.begin(), stretches.end());
+  }
+  const double radius_mm = 0.5 * (high - low).norm() + reach_mm(cutter);
+  add_unchanged(replaced, 0.5 * (low + high), radius_mm, others);
+  for (const Cut& cut : accepted_) others.add(cut.motion, job_.tools[cut.tool]->cutting, cut.move);
+  for (CutterSweep* const sweep : {&before, &own, &others}) sweep->index();
+  const std::array<const CutterSweep*, 2> after = {&own, &others};
+  const CheckOptions& options = job_.checker.options();
+  return find_left_stock(job_.checker.scene().parts, before, after,
+                         {options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm}, options.threads);
+}
+
+void CutPath::accept(const TiltSpace& space, const TiltSequence& tilts) {
+  for (const auto& [move, stretches] : replaced_by(space)) {
+    std::vector<Replaced>& all = replaced_[move];
+    all.insert(all.end(), stretches.begin(), stretches.end());
+  }
+  for (Cut& cut : tilted(space, tilts, tool_of(space))) accepted_.push_back(std::move(cut));
+}
+
+}  // namespace gouge

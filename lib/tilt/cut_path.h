@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lib/contact/left_stock.h"
+#include "lib/tilt/tilt_lattice.h"
+#include "lib/tilt/tilt_run.h"
+
+namespace gouge {
+
+/// What a path cuts of the part while runs of it are tilted one by one: as programmed but for those accepted. Rapids cut
+/// nothing.
+class CutPath {
+ public:
+  /// `job` must outlive it.
+  explicit CutPath(const TiltJob& job) : job_(job) {}
+
+  /// What would be left where the cut is finished now, were the run tilted so too; nothing: no more than
+  /// TiltOptions::max_stock_mm above the tolerance, proved.
+  [[nodiscard]] std::optional<LeftStock> left_by(const TiltSpace& space, const TiltSequence& tilts) const;
+
+  void accept(const TiltSpace& space, const TiltSequence& tilts);
+
+ private:
+  struct Replaced {
+    double from = 0, to = 1;  ///< instants of the move
+  };
+  using ReplacedMoves = std::map<std::size_t, std::vector<Replaced>>;
+  struct Cut {
+    Motion motion;
+    std::size_t tool = 0, move = 0;
+  };
+
+  [[nodiscard]] static ReplacedMoves replaced_by(const TiltSpace& space);
+  [[nodiscard]] static std::vector<Cut> tilted(const TiltSpace& space, const TiltSequence& tilts, std::size_t tool);
+  void add_unchanged(const ReplacedMoves& replaced, const Vec3& centre, double radius_mm, CutterSweep& sweep) const;
+  [[nodiscard]] std::size_t tool_of(const TiltSpace& space) const { return job_.path.moves[space[0].move].tool; }
+
+  const TiltJob& job_;
+  ReplacedMoves replaced_;
+  std::vector<Cut> accepted_;
+};
+
+}  // namespace gouge

@@ -1,0 +1,201 @@
+#include "lib/contact/left_stock.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "lib/tool/evaluate.h"
+#include "tests/support/scatter.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr StockLimits kUsual{0.01, 0.02, 20};
+
+struct Bench {
+  std::vector<IndexedMesh> parts;
+  BlockTree tree;
+  explicit Bench(std::vector<IndexedMesh> meshes) : parts(std::move(meshes)), tree(build_block_tree(parts, 1)) {}
+};
+
+Bench floor_alone() { return Bench({shapes::box(Vec3(-100, -100, -10), Vec3(100, 100, 0))}); }
+
+CutterSweep sweep_of(const CompiledTool& cutter, const std::vector<std::pair<Pose, Pose>>& motions) {
+  CutterSweep sweep;
+  std::size_t move = 0;
+  for (const auto& [start, end] : motions) sweep.add(Motion(start, end), cutter, move++);
+  sweep.index();
+  return sweep;
+}
+
+/// Along y from -20 to 20.
+std::pair<Pose, Pose> row(double x, double z, const Vec3& axis = Vec3::UnitZ()) {
+  return {{Vec3(x, -20, z), axis.normalized()}, {Vec3(x, 20, z), axis.normalized()}};
+}
+
+std::optional<LeftStock> left(const Bench& bench, const CutterSweep& before, const CutterSweep& after,
+                              const StockLimits& limits = kUsual) {
+  const CutterSweep* const one = &after;
+  return find_left_stock(bench.tree, before, {&one, 1}, limits, 1);
+}
+
+TEST(LeftStock, IsNoneWhereThePathIsTheSame) {
+  const Bench bench = floor_alone();
+  for (const ToolVariants& tool : tools::all()) {
+    const CutterSweep same = sweep_of(tool.cutting, {row(0, 0)});
+    EXPECT_FALSE(left(bench, same, same)) << tool.bare.name;
+  }
+}
+
+TEST(LeftStock, IsTheLiftOfALiftedPath) {
+  const Bench bench = floor_alone();
+  for (const ToolVariants& tool : tools::all()) {
+    const CutterSweep before = sweep_of(tool.cutting, {row(0, 0)});
+    for (const double lift : {0.005, 0.03, 1.25}) {
+      const auto found = left(bench, before, sweep_of(tool.cutting, {row(0, lift)}));
+      ASSERT_EQ(found.has_value(), lift > 0.02) << lift;
+      if (!found) continue;
+      EXPECT_FALSE(found->is_undecided || found->is_more);
+      EXPECT_GT(found->thickness_mm * 1.02 + 0.006, lift);
+      EXPECT_LT(found->thickness_mm, lift + 0.011);
+      EXPECT_EQ(found->move, 0U);
+      EXPECT_NEAR(found->point.z(), 0, 1e-9);
+    }
+    // Where nothing cuts at all it is as much as is told apart.
+    const auto gone = left(bench, before, sweep_of(tool.cutting, {row(60, 0)}));
+    ASSERT_TRUE(gone.has_value());
+    EXPECT_TRUE(gone->is_more);
+    EXPECT_DOUBLE_EQ(gone->thickness_mm, 20);
+  }
+}
+
+TEST(LeftStock, OfAFlatEndTiltedAboutItsEdgeIsItsWidthTimesTheSine) {
+  const Bench bench = floor_alone();
+  const ToolVariants tool = tools::flat(10);
+  const CutterSweep before = sweep_of(tool.cutting, {row(0, 0)});
+  for (const double degrees : {0.5, 3.0, 12.0}) {
+    const double angle = degrees * kDegree;
+    // About the edge at x = 5: the tip is 5 mm from it along the tilted end.
+    const Vec3 axis(std::sin(angle), 0, std::cos(angle));
+    const Vec3 tip(5 - 5 * std::cos(angle), 0, 5 * std::sin(angle));
+    const auto found = left(bench, before, sweep_of(tool.cutting, {row(tip.x(), tip.z(), axis)}));
+    ASSERT_TRUE(found.has_value());
+    // From the floor at x = -5 to the other edge; to a fiftieth and 0.005 mm, and 0.1 mm from the border.
+    EXPECT_LE(found->thickness_mm, 2 * 10 * std::sin(angle / 2) + 0.001);
+    EXPECT_GE(found->thickness_mm * 1.02 + 0.006, (10 - 0.2) * std::sin(angle));
+    EXPECT_LT(found->point.x(), -4.5);
+  }
+}
+
+TEST(LeftStock, IsNoneWhereOtherMotionsCutIt) {
+  const Bench bench = floor_alone();
+  const ToolVariants tool = tools::flat(10);
+  const CutterSweep before = sweep_of(tool.cutting, {row(0, 0)});
+  const auto longer = [](double x) {
+    return std::pair<Pose, Pose>{{Vec3(x, -25, 0), Vec3::UnitZ()}, {Vec3(x, 25, 0), Vec3::UnitZ()}};
+  };
+  // Rows at both sides that together reach over the strip, or not.
+  EXPECT_FALSE(left(bench, before, sweep_of(tool.cutting, {longer(-3), longer(3)})));
+  const auto found = left(bench, before, sweep_of(tool.cutting, {longer(-6), longer(6)}));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->thickness_mm, 1, 0.03);
+  EXPECT_NEAR(found->point.x(), 0, 0.03);
+}
+
+TEST(LeftStock, OfABallIsNoneWhileItsCentreStays) {
+  const Bench bench = floor_alone();
+  const ToolVariants tool = tools::ball(10);
+  const CutterSweep before = sweep_of(tool.cutting, {row(0, 0)});
+  for (const double degrees : {2.0, 20.0}) {
+    const Vec3 axis(std::sin(degrees * kDegree), 0, std::cos(degrees * kDegree));
+    const Vec3 tip = Vec3(0, 0, 5) - 5 * axis;
+    EXPECT_FALSE(left(bench, before, sweep_of(tool.cutting, {row(tip.x(), tip.z(), axis)})));
+    EXPECT_TRUE(left(bench, before, sweep_of(tool.cutting, {row(tip.x(), tip.z() + 0.02, axis)})));
+  }
+}
+
+TEST(LeftStock, IsOfAWallThatTheFlankFinished) {
+  const Bench bench(
+      {shapes::box(Vec3(-100, -100, -10), Vec3(100, 100, 0)), shapes::box(Vec3(5, -100, 0), Vec3(20, 100, 20))});
+  const ToolVariants tool = tools::ball(10);
+  const CutterSweep before = sweep_of(tool.cutting, {row(0, 0)});
+  const Vec3 axis = Vec3(-0.1, 0, 1).normalized(), tip = Vec3(0, 0, 5) - 5 * axis;
+  const auto found = left(bench, before, sweep_of(tool.cutting, {row(tip.x(), tip.z(), axis)}));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->point.x(), 5, 1e-9);
+  // At the top of the wall, 15 mm above the centre and 5 mm beside it.
+  EXPECT_NEAR(found->thickness_mm, (5 + 15 * 0.1) / std::hypot(0.1, 1) - 5, 0.035);
+}
+
+TEST(LeftStock, IsTheSameFromBothSidesOfAMeshAndAtAnyNumberOfThreads) {
+  const ToolVariants tool = tools::bull(10, 2);
+  const CutterSweep before = sweep_of(tool.cutting, {row(0, 0)});
+  const CutterSweep after = sweep_of(tool.cutting, {row(0.5, 0.05, Vec3(0.02, 0, 1))});
+  const Bench usual = floor_alone();
+  const Bench turned({shapes::inside_out(usual.parts.front())});
+  const auto one = left(usual, before, after), other = left(turned, before, after);
+  ASSERT_TRUE(one && other);
+  EXPECT_NEAR(one->thickness_mm, other->thickness_mm, 0.03 * one->thickness_mm + 0.006);
+  const CutterSweep* const sweep = &after;
+  const auto many = find_left_stock(usual.tree, before, {&sweep, 1}, kUsual, 5);
+  ASSERT_TRUE(many.has_value());
+  EXPECT_EQ(many->thickness_mm, one->thickness_mm);
+  EXPECT_EQ(many->point, one->point);
+}
+
+// Against samples of both paths: where nothing is left, no sample is; where some is, none is left much higher.
+TEST(LeftStock, HoldsForSamplesOfRandomPaths) {
+  const Bench bench({shapes::sphere(30, 24, 12)});
+  test::Scatter random(11);
+  std::size_t none = 0, some = 0;
+  std::vector<ToolVariants> all = tools::all();
+  all.push_back(tools::shapes()[2]);  // a lollipop, which is not convex
+  for (int n = 0; n < 40; ++n) {
+    const ToolVariants& tool = all[static_cast<std::size_t>(n) % all.size()];
+    const Vec3 axis = random.axis(0.4).normalized(), other = random.axis(0.4).normalized();
+    const Pose a{Vec3(random.in(-6, 6), -8, 29), axis}, b{Vec3(random.in(-6, 6), 8, 29), axis};
+    const double lift = random.is(0.5) ? 0 : random.in(0, 0.4);
+    Pose c = a, d = b;
+    if (random.is(0.5)) {
+      c.axis = d.axis = (axis + random.in(0, 0.1) * other).normalized();
+    }
+    c.tip.z() += lift;
+    d.tip.z() += lift;
+    const CutterSweep before = sweep_of(tool.cutting, {{a, b}}), after = sweep_of(tool.cutting, {{c, d}});
+    const auto found = left(bench, before, after);
+    (found ? some : none) += 1;
+    const double most = found ? found->thickness_mm * 1.02 + 0.006 : kUsual.allowed_mm;
+    if (found && (found->is_more || found->is_undecided)) continue;
+    const Motion old_motion(a, b), new_motion(c, d);
+    const auto is_cut = [&](const Motion& motion, const Vec3& point, double deep) {
+      for (int k = 0; k <= 1600; ++k) {
+        if (signed_distance_mm(tool.cutting, motion.at(k / 1600.0), point) <= -deep) return true;
+      }
+      return false;
+    };
+    for (int k = 0; k < 60; ++k) {
+      const auto& t = bench.parts[0].triangles[random.below(bench.parts[0].triangles.size())];
+      const auto& v = bench.parts[0].vertices;
+      double u = random.in(0, 1), w = random.in(0, 1);
+      if (u + w > 1) u = 1 - u, w = 1 - w;
+      const Vec3 point = v[t[0]] + u * (v[t[1]] - v[t[0]]) + w * (v[t[2]] - v[t[0]]);
+      if (point.z() < 20) continue;
+      const Vec3 outward = (v[t[1]] - v[t[0]]).cross(v[t[2]] - v[t[0]]).normalized();
+      if (!is_cut(old_motion, point + 0.11 * outward, 0.101)) continue;
+      double away = 1e9;
+      for (int m = 0; m <= 1600; ++m)
+        away = std::min(away, signed_distance_mm(tool.cutting, new_motion.at(m / 1600.0), point));
+      const bool is_low = away <= most + 1e-3;
+      EXPECT_TRUE(is_low) << n << " at " << point.transpose() << " left above " << most;
+    }
+  }
+  EXPECT_GT(none, 3U);
+  EXPECT_GT(some, 3U);
+}
+
+}  // namespace
+}  // namespace gouge
