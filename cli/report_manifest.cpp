@@ -81,9 +81,9 @@ Result<ManifestEntry> describe_file(const std::string& folder, const std::string
 const std::vector<std::string>& names_of_report() {
   // event_1.png to event_9.png: a report has fewer, and a longer number may be a date of somebody's own.
   static const std::vector<std::string> kNames = {
-      "report.html", "result.json", "moves.csv",   "before_after.png", "heat_map.png", "depth_along_path.png",
-      "event_1.png", "event_2.png", "event_3.png", "event_4.png",      "event_5.png",  "event_6.png",
-      "event_7.png", "event_8.png", "event_9.png", kManifestName};
+      "report.html",          "result.json", "moves.csv",   "before_after.png", "tilt_field.png", "heat_map.png",
+      "depth_along_path.png", "event_1.png", "event_2.png", "event_3.png",      "event_4.png",    "event_5.png",
+      "event_6.png",          "event_7.png", "event_8.png", "event_9.png",      kManifestName};
   return kNames;
 }
 

@@ -7,6 +7,7 @@
 #include "postproc/image/mask_painter.h"
 #include "postproc/image/render_drawing.h"
 #include "postproc/image/report_scales.h"
+#include "postproc/image/tilt_field.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -50,6 +51,9 @@ Outcome add_scene_pictures(Album& album, const PictureSet& set, const CheckedToo
   if (set.model.has_correction && before.toolpath != nullptr && before.result != nullptr) {
     if (Outcome done = add_before_after(album, set, before); !done) return done;
   }
+  if (has_tilt_field(set.model)) {
+    if (Outcome done = album.add(draw_tilt_field(set), "tilt_field.png", "Tilted tool axes"); !done) return done;
+  }
   for (const PictureEvent& event : set.events) {
     const std::string number = std::to_string(event.number);
     const std::size_t move = event.event.worst_move;
@@ -86,7 +90,8 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
                  {},
                  gouge_witnesses(input, kMostWitnessesDrawn)};
   const bool has_before = model.has_correction && before.toolpath != nullptr && before.result != nullptr;
-  const std::size_t of_scene = scene.face_count() == 0 ? 0 : 1 + (has_before ? 1 : 0) + set.events.size();
+  const std::size_t of_path = 1U + (has_before ? 1U : 0U) + (has_tilt_field(model) ? 1U : 0U);
+  const std::size_t of_scene = scene.face_count() == 0 ? 0 : of_path + set.events.size();
   Album album{progress, of_scene + 1};
   album.report();
   if (of_scene > 0) {

@@ -15,8 +15,8 @@ namespace gouge {
 [[nodiscard]] Outcome load_pictures();
 
 /// The pictures of a report, PNG, 1600 x 1000: heat_map.png, depth_along_path.png, event_1.png to event_6.png
-/// for the worst findings, and before_after.png when the model has a correction with its path and verdicts
-/// before.
+/// for the worst findings, before_after.png when the model has a correction with its path and verdicts
+/// before, and tilt_field.png when that tilted the tool.
 ///
 /// Shape    `input` belongs to model.toolpath and model.result. `before` is the same for the path as read; it is looked
 ///          at only for a correction and may be empty.

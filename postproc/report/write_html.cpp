@@ -121,7 +121,7 @@ class HtmlReport {
 
   [[nodiscard]] std::string overview() const {
     std::string out = view_;
-    for (const char* name : {"before_after.png", "heat_map.png", "depth_along_path.png"}) {
+    for (const char* name : {"before_after.png", "tilt_field.png", "heat_map.png", "depth_along_path.png"}) {
       if (const NamedFile* file = picture(name)) out += figure(*file);
     }
     return out;

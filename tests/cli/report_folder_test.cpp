@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <numeric>
 
 #include "lib/base/files.h"
 #include "postproc/image/report_pictures.h"
@@ -193,11 +194,23 @@ TEST(ReportManifest, ReadIsAsWritten) {
 
 // Else no later report replaces or removes it, or nobody sees it.
 TEST(ReportManifest, EveryPictureIsANameOfTheReportAndOnItsPage) {
-  const SmallScene small;
-  const Result<std::vector<NamedFile>> pictures = draw_report_pictures(small.model, small.input);
+  SmallScene small;
+  const SmallScene before;
+  small.path.moves[1].end.axis = Vec3(0.2, 0, 1).normalized();
+  small.model.has_correction = true;
+  small.model.correction.toolpath_before = &before.path;
+  small.model.correction.result_before = &before.result;
+  small.model.correction.axes = AxisFacts{};
+  std::vector<std::size_t> origins(small.path.moves.size());
+  std::iota(origins.begin(), origins.end(), std::size_t{0});
+  small.model.correction.axes->tilts = find_axis_tilts(before.path, small.path, origins);
+  const Result<std::vector<NamedFile>> pictures = draw_report_pictures(small.model, small.input, before.input);
   ASSERT_TRUE(pictures && !pictures->empty());
   const std::string page = write_html(small.model, *pictures);
   const std::vector<std::string>& names = names_of_report();
+  for (const char* drawn : {"heat_map.png", "before_after.png", "tilt_field.png", "event_1.png"}) {
+    EXPECT_TRUE(std::ranges::any_of(*pictures, [&](const NamedFile& file) { return file.name == drawn; })) << drawn;
+  }
   for (const NamedFile& picture : *pictures) {
     EXPECT_NE(std::find(names.begin(), names.end(), picture.name), names.end()) << picture.name;
     const std::string figure = "<figure id=\"" + picture.name.substr(0, picture.name.find('.')) + "\">";

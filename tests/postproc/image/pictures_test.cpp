@@ -9,6 +9,7 @@
 #include "postproc/image/picture_events.h"
 #include "postproc/image/render_drawing.h"
 #include "postproc/image/report_pictures.h"
+#include "postproc/image/tilt_field.h"
 #include "tests/postproc/image/small_pages.h"
 #include "tests/postproc/image/small_scene.h"
 
@@ -196,6 +197,27 @@ TEST(ReportPictures, ShowBeforeAndAfterForACorrection) {
   const Result<std::vector<NamedFile>> files = draw_report_pictures(after.model, after.input, before.input);
   ASSERT_TRUE(files);
   EXPECT_EQ(names(*files), (std::vector<std::string>{"heat_map.png", "before_after.png", "depth_along_path.png"}));
+}
+
+TEST(ReportPictures, ShowTheTiltedAxesOfACorrection) {
+  const SmallScene before;
+  SmallScene after;
+  std::vector<std::size_t> origins;
+  for (std::size_t i = 0; i < after.path.moves.size(); ++i) {
+    origins.push_back(i);
+    if (i > 1 && i + 1 < after.path.moves.size()) after.path.moves[i].end.axis = Vec3(0.2, 0, 1).normalized();
+  }
+  after.check();
+  after.model.has_correction = true;
+  EXPECT_FALSE(has_tilt_field(after.model));
+  after.model.correction.axes = AxisFacts{};
+  EXPECT_FALSE(has_tilt_field(after.model));
+  after.model.correction.axes->tilts = find_axis_tilts(before.path, after.path, origins);
+  ASSERT_TRUE(has_tilt_field(after.model));
+  const Result<std::vector<NamedFile>> files = draw_report_pictures(after.model, after.input);
+  ASSERT_TRUE(files);
+  const std::vector<std::string> all = names(*files);
+  EXPECT_NE(std::ranges::find(all, "tilt_field.png"), all.end());
 }
 
 TEST(ReportPictures, SurviveWhatIsMissing) {

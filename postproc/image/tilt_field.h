@@ -1,0 +1,16 @@
+#pragma once
+
+#include "postproc/image/heat_map.h"
+
+namespace gouge {
+
+/// The tilted runs of a correction on the part: at positions along them the tool axis as it is now, in the colour of its
+/// angle from the programmed one. `set` describes the corrected path.
+///
+/// Requires has_tilt_field(set.model), and at least one direction in the set.
+[[nodiscard]] Page draw_tilt_field(const PictureSet& set);
+
+/// Whether a correction tilted anything.
+[[nodiscard]] bool has_tilt_field(const ReportModel& model);
+
+}  // namespace gouge
