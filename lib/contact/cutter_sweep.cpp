@@ -41,9 +41,7 @@ double reach_mm(const CompiledTool& tool) {
 Pose CutterSweep::Piece::at(double t) const {
   const Vec3 tip = start.tip + t * (end.tip - start.tip);
   if (!(angle_rad > 0)) return {tip, start.axis};
-  // The rotation axis is square to the tool axis.
-  const double angle = t * angle_rad;
-  return {tip, (std::cos(angle) * start.axis + std::sin(angle) * rotation_axis.cross(start.axis)).normalized()};
+  return {tip, (start.axis + t * (end.axis - start.axis)).normalized()};
 }
 
 void CutterSweep::add(const Motion& motion, const CompiledTool& cutter, std::size_t move) {
@@ -60,9 +58,9 @@ void CutterSweep::add(const Motion& motion, const CompiledTool& cutter, std::siz
       Piece piece;
       piece.start = {motion.tip_at(t0, number), motion.at(t0).axis};
       piece.end = {motion.tip_at(t1, number), motion.at(t1).axis};
-      piece.rotation_axis = motion.rotation_axis();
       piece.angle_rad = (t1 - t0) * motion.angle_rad();
-      piece.off_mm = motion.sag_mm(t0, t1, number);
+      // An axis that runs along the chord instead of the arc is ahead of an even turn, or behind, by less than angle^3 / 60.
+      piece.off_mm = motion.sag_mm(t0, t1, number) + reach_mm(cutter) * std::pow(piece.angle_rad, 3) / 60;
       piece.cutter = &cutter;
       piece.move = move;
       piece.is_convex = is_round;
@@ -107,19 +105,35 @@ std::uint32_t CutterSweep::build(std::uint32_t first, std::uint32_t last) {
   return index;
 }
 
-template <typename Within, typename Look>
-bool CutterSweep::visit(std::uint32_t index, std::span<const Vec3> points, const Within& within,
-                        const Look& look) const {
-  const Node& node = nodes_[index];
+/// Of the point that is farthest from the box, from it.
+double CutterSweep::away_mm(const Node& node, std::span<const Vec3> points) const {
+  double most = 0;
   for (const Vec3& point : points) {
-    const Vec3 past = (node.low - point).cwiseMax(point - node.high);
-    if (past.maxCoeff() > 0 && past.cwiseMax(0).norm() > within()) return false;
+    const Vec3 past = (node.low - point).cwiseMax(point - node.high).cwiseMax(0);
+    most = std::max(most, past.squaredNorm());
   }
-  if (node.second != 0) return visit(index + 1, points, within, look) || visit(node.second, points, within, look);
-  for (std::uint32_t i = node.first; i < node.last; ++i) {
-    if (look(i)) return true;
+  return std::sqrt(most);
+}
+
+template <typename Within, typename Look>
+bool CutterSweep::visit(std::uint32_t index, std::span<const Vec3> points, const Within& within, const Look& look,
+                        std::size_t& work) const {
+  const Node& node = nodes_[index];
+  work += 1 + (node.second == 0 ? node.last - node.first : 0);
+  if (node.second == 0) {
+    for (std::uint32_t i = node.first; i < node.last; ++i) {
+      if (look(i)) return true;
+    }
+    return false;
   }
-  return false;
+  std::uint32_t near = index + 1, far = node.second;
+  double near_mm = away_mm(nodes_[near], points), far_mm = away_mm(nodes_[far], points);
+  if (far_mm < near_mm) {
+    std::swap(near, far);
+    std::swap(near_mm, far_mm);
+  }
+  return (near_mm <= within() && visit(near, points, within, look, work)) ||
+         (far_mm <= within() && visit(far, points, within, look, work));
 }
 
 /// How far points are outside the cutter at the instants of one piece of motion: the largest of their distances.
@@ -212,19 +226,26 @@ class CutterSweep::Instants {
   double found_mm_ = kNever, bound_mm_ = kNever, found_at_ = 0;
 };
 
-double CutterSweep::distance(const Vec3& point, double enough_mm, double hopeless_mm) const {
+double CutterSweep::distance(const Vec3& point, double enough_mm, double hopeless_mm, SweepHint& hint) const {
   double found = kNever, bound = hopeless_mm;
   if (nodes_.empty()) return bound;
   const std::span<const Vec3> points(&point, 1);
-  visit(
-      0, points, [&] { return std::min(found, hopeless_mm); },
-      [&](std::uint32_t i) {
-        Instants instants(pieces_[i], points);
-        instants.search(enough_mm, std::min(found - kClose_mm, hopeless_mm));
-        found = std::min(found, instants.found_mm());
-        bound = std::min(bound, instants.bound_mm());
-        return found <= enough_mm;
-      });
+  const auto look = [&](std::uint32_t i) {
+    Instants instants(pieces_[i], points);
+    instants.search(enough_mm, std::min(found - kClose_mm, hopeless_mm));
+    if (instants.found_mm() < found) {
+      found = instants.found_mm();
+      hint.piece = i;
+    }
+    bound = std::min(bound, instants.bound_mm());
+    return found <= enough_mm;
+  };
+  const std::uint32_t first = hint.piece;
+  if (first >= pieces_.size() || !look(first)) {
+    visit(
+        0, points, [&] { return std::min(found, hopeless_mm); }, [&](std::uint32_t i) { return i != first && look(i); },
+        hint.work);
+  }
   return bound;
 }
 
@@ -236,8 +257,8 @@ std::size_t CutterSweep::covering_move(std::span<const Vec3> points, SweepHint& 
     if (instants.found_mm() <= 0) hint.piece = i;
     return instants.found_mm() <= 0;
   };
-  const bool is_found = (hint.piece < pieces_.size() && look(hint.piece)) || visit(
-                                                                                 0, points, [] { return 0.0; }, look);
+  const auto inside = [] { return 0.0; };
+  const bool is_found = (hint.piece < pieces_.size() && look(hint.piece)) || visit(0, points, inside, look, hint.work);
   return is_found ? pieces_[hint.piece].move : kNone;
 }
 
@@ -271,7 +292,7 @@ bool CutterSweep::may_reach(const SidedPiece& piece, double lift_mm, double deep
   };
   return (hint.piece < pieces_.size() && look(hint.piece)) ||
          visit(
-             0, {&middle, 1}, [&] { return std::max(0.0, radius - deep_mm); }, look);
+             0, {&middle, 1}, [&] { return std::max(0.0, radius - deep_mm); }, look, hint.work);
 }
 
 }  // namespace gouge

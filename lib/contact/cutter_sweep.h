@@ -20,6 +20,7 @@ struct SidedPiece {
 /// Where a question was last answered with yes, as the next one is often answered there too. It changes no answer.
 struct SweepHint {
   std::uint32_t piece = 0;
+  std::size_t work = 0;  ///< bounds of nodes and motions looked at so far
 };
 
 /// The space that cutters pass through on motions: a tree over the motions in the order in which they were added.
@@ -36,7 +37,8 @@ class CutterSweep {
 
   /// From a point to the nearest cutter: not above the truth, and not below it by more than 0.0002 mm, or by what a
   /// turning cutter leaves open, but where the truth is below `enough_mm` or above `hopeless_mm`. Negative inside.
-  [[nodiscard]] double distance(const Vec3& point, double enough_mm, double hopeless_mm) const;
+  /// The hint is the piece that was nearest.
+  [[nodiscard]] double distance(const Vec3& point, double enough_mm, double hopeless_mm, SweepHint& hint) const;
 
   /// The move of an instant at which all points are in the cutter; kNone where none was found.
   [[nodiscard]] std::size_t covering_move(std::span<const Vec3> points, SweepHint& hint) const;
@@ -54,7 +56,6 @@ class CutterSweep {
  private:
   struct Piece {
     Pose start, end;
-    Vec3 rotation_axis = Vec3::UnitX();
     double angle_rad = 0;
     double off_mm = 0;  ///< of the motion itself, at the most
     const CompiledTool* cutter = nullptr;
@@ -70,9 +71,12 @@ class CutterSweep {
   class Instants;
 
   std::uint32_t build(std::uint32_t first, std::uint32_t last);
-  /// Calls `look(piece)` for those whose box is no farther from all `points` than `within()`, until it returns true.
+  [[nodiscard]] double away_mm(const Node& node, std::span<const Vec3> points) const;
+  /// Calls `look(piece)` for those whose box is no farther from all `points` than `within()`, the nearer half of a node
+  /// first, until it returns true.
   template <typename Within, typename Look>
-  bool visit(std::uint32_t node, std::span<const Vec3> points, const Within& within, const Look& look) const;
+  bool visit(std::uint32_t node, std::span<const Vec3> points, const Within& within, const Look& look,
+             std::size_t& work) const;
 
   std::vector<Piece> pieces_;
   std::vector<Node> nodes_;

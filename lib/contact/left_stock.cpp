@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
+#include <queue>
 #include <vector>
 
 #include "lib/base/parallel.h"
@@ -12,11 +13,10 @@ namespace gouge {
 namespace {
 
 constexpr double kBorderShare = 0.02, kMostBorder_mm = 0.1;  // of the cutter's radius
-constexpr double kLeastShare = 0.1;    // of the border: what is not decided on a piece so small is not decided
-constexpr double kSamplePiece_mm = 1;  // the middle of a piece is asked how much is left there if it is no longer
-constexpr double kFirstPiece_mm = 8;   // pieces of a triangle that are looked at apart from each other
-constexpr int kMostPieces = 100'000;   // of one of those
-constexpr double kRelativeGap = 0.02, kGap_mm = 0.005;
+constexpr double kLeastShare = 0.1;   // of the border: what is not decided on a piece so small is not decided
+constexpr double kFirstPiece_mm = 8;  // no piece is longer
+constexpr double kRelativeGap = 0.02, kStockGap_mm = 0.005;
+constexpr std::size_t kPiecesAtOnce = 64;
 
 double longest_mm(const SidedPiece& at) {
   const std::size_t k = longest_edge(at.corners);
@@ -25,107 +25,186 @@ double longest_mm(const SidedPiece& at) {
 
 Vec3 middle_of(const SidedPiece& at) { return (at.corners[0] + at.corners[1] + at.corners[2]) / 3.0; }
 
+/// A piece whose points may be finished, and may be left by up to `most_mm`.
+struct Candidate {
+  SidedPiece at;
+  double most_mm = std::numeric_limits<double>::infinity();
+  std::size_t number = 0;  ///< in the order in which they were made: ties are settled by it
+  SweepHint finished;
+  std::array<SweepHint, std::tuple_size_v<SweepsAfter>> covered, nearest;
+};
+
+std::size_t work_of(const Candidate& candidate) {
+  std::size_t work = candidate.finished.work;
+  for (std::size_t i = 0; i < candidate.nearest.size(); ++i)
+    work += candidate.covered[i].work + candidate.nearest[i].work;
+  return work;
+}
+
+void forget_work(Candidate& candidate) {
+  candidate.finished.work = 0;
+  for (SweepHint& hint : candidate.covered) hint.work = 0;
+  for (SweepHint& hint : candidate.nearest) hint.work = 0;
+}
+
+struct IsLess {
+  bool operator()(const Candidate& a, const Candidate& b) const {
+    if (a.most_mm < b.most_mm || b.most_mm < a.most_mm) return a.most_mm < b.most_mm;
+    return a.number > b.number;
+  }
+};
+
+/// Best first: the piece that may be left by most is looked at, sampled in its middle and halved.
 class Finder {
  public:
-  Finder(const CutterSweep& before, std::span<const CutterSweep* const> after, const StockLimits& limits)
+  Finder(const CutterSweep& before, const SweepsAfter& after, const StockLimits& limits)
       : before_(before), after_(after), limits_(limits) {
     border_mm_ = std::min(kMostBorder_mm, kBorderShare * before.least_radius_mm());
-    is_convex_ = std::ranges::all_of(after, [](const CutterSweep* sweep) { return sweep->is_convex(); });
+    is_convex_ =
+        std::ranges::all_of(after, [](const CutterSweep* sweep) { return sweep == nullptr || sweep->is_convex(); });
   }
 
   /// Whether cutters of `before` may finish points of the piece.
-  [[nodiscard]] bool may_be_finished(const SidedPiece& at) {
-    return before_.may_reach(at, limits_.finished_mm + border_mm_, border_mm_, finished_hint_);
+  [[nodiscard]] bool may_be_finished(const SidedPiece& at, SweepHint& hint) const {
+    return before_.may_reach(at, limits_.finished_mm + border_mm_, border_mm_, hint);
   }
 
   /// Of a ball about the surface.
   [[nodiscard]] bool may_be_finished(const Vec3& centre, double radius_mm) const {
     const double near = radius_mm + limits_.finished_mm;
-    return before_.distance(centre, near, near + 1) <= near;
+    SweepHint none;
+    return before_.distance(centre, near, near + 1, none) <= near;
   }
 
-  void refine(const SidedPiece& at) {
-    if (pieces_++ > kMostPieces) return give_up(at);
-    if (!may_be_finished(at) || is_covered(at)) return;
-    const double longest = longest_mm(at);
-    if (longest <= kSamplePiece_mm) {
-      const Vec3 middle = middle_of(at);
-      double radius = 0;
-      for (const Vec3& corner : at.corners) radius = std::max(radius, (corner - middle).norm());
-      const double bar = bar_mm();
-      const Vec3 lifted = middle + bar * at.outward;
-      // Where the middle is cut at the bar only a small piece can be near enough to it.
-      if (radius < bar || !is_covered({&lifted, 1})) {
-        const double away = away_from_cuts(middle, bar - radius);
-        if (away + radius <= bar) return;
-        if (away > limits_.allowed_mm && sample(at, middle, away) && away + radius <= bar_mm()) return;
+  void add(const SidedPiece& at, const SweepHint& finished) {
+    Candidate candidate;
+    candidate.at = at;
+    candidate.number = made_++;
+    candidate.finished = finished;
+    queue_.push(candidate);
+  }
+
+  [[nodiscard]] std::optional<LeftStock> search(unsigned threads) {
+    std::size_t work = 0;
+    std::vector<Candidate> now;
+    std::vector<Outcome> outcomes;
+    while (!queue_.empty() && queue_.top().most_mm > bar_mm()) {
+      if (work >= limits_.most_work) {
+        give_up(queue_.top().at, queue_.top().most_mm);
+        break;
+      }
+      now.clear();
+      while (!queue_.empty() && now.size() < kPiecesAtOnce && queue_.top().most_mm > bar_mm()) {
+        now.push_back(queue_.top());
+        forget_work(now.back());
+        queue_.pop();
+      }
+      outcomes.assign(now.size(), {});
+      for_each_chunk(now.size(), 4, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) outcomes[i] = look(now[i]);
+      });
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        work += work_of(now[i]);
+        take(now[i], outcomes[i]);
       }
     }
-    if (longest <= kLeastShare * border_mm_) return give_up(at);
-    for (const auto& half : halves(at.corners, longest_edge(at.corners))) refine({half, at.outward});
+    if (undecided_mm_ <= bar_mm()) return left_;
+    if (!left_) left_ = LeftStock{limits_.allowed_mm, false, false, undecided_, kNone};
+    left_->is_undecided = true;
+    return left_;
   }
 
-  [[nodiscard]] const std::optional<LeftStock>& left() const { return left_; }
-
  private:
-  [[nodiscard]] bool is_found() const { return left_ && !left_->is_undecided; }
+  struct Outcome {
+    double most_mm = 0;        ///< what is left of the piece is no more
+    double away_mm = 0;        ///< of its middle
+    std::size_t move = kNone;  ///< that finished the middle, where that is left by more than was known
+  };
+
+  [[nodiscard]] bool is_found() const { return left_.has_value(); }
 
   /// As much as was found to be left, and no more than it matters.
   [[nodiscard]] double bar_mm() const {
     if (!is_found()) return limits_.allowed_mm;
-    return left_->is_more ? limits_.most_mm + kFirstPiece_mm : left_->thickness_mm * (1 + kRelativeGap) + kGap_mm;
+    return left_->is_more ? limits_.most_mm + kFirstPiece_mm : left_->thickness_mm * (1 + kRelativeGap) + kStockGap_mm;
   }
 
-  void give_up(const SidedPiece& at) {
-    if (!left_) left_ = LeftStock{limits_.allowed_mm, false, true, middle_of(at), kNone};
+  /// That points of it are left by up to `most_mm` is not decided.
+  void give_up(const SidedPiece& at, double most_mm) {
+    if (most_mm <= undecided_mm_) return;
+    undecided_mm_ = most_mm;
+    undecided_ = middle_of(at);
+  }
+
+  [[nodiscard]] Outcome look(Candidate& candidate) const {
+    const double bar = bar_mm();
+    const SidedPiece& at = candidate.at;
+    if (!may_be_finished(at, candidate.finished) || is_covered(candidate, bar)) return {};
+    const Vec3 middle = middle_of(at);
+    double radius = 0;
+    for (const Vec3& corner : at.corners) radius = std::max(radius, (corner - middle).norm());
+    Outcome outcome;
+    outcome.away_mm = away_from_cuts(candidate, middle, bar - radius);
+    outcome.most_mm = std::min(candidate.most_mm, outcome.away_mm + radius);
+    if (outcome.away_mm > limits_.allowed_mm && (!is_found() || outcome.away_mm > left_->thickness_mm)) {
+      const Vec3 finished = middle + limits_.finished_mm * at.outward;
+      outcome.move = before_.covering_move({&finished, 1}, candidate.finished);
+    }
+    return outcome;
+  }
+
+  void take(const Candidate& candidate, const Outcome& outcome) {
+    const SidedPiece& at = candidate.at;
+    const double away = outcome.away_mm;
+    if (outcome.move != kNone && (!is_found() || away > left_->thickness_mm)) {
+      left_ = LeftStock{std::min(away, limits_.most_mm), away >= limits_.most_mm, false, middle_of(at), outcome.move};
+    }
+    if (outcome.most_mm <= bar_mm()) return;
+    if (longest_mm(at) <= kLeastShare * border_mm_) return give_up(at, outcome.most_mm);
+    for (const auto& half : halves(at.corners, longest_edge(at.corners))) {
+      Candidate next = candidate;
+      next.at.corners = half;
+      next.most_mm = outcome.most_mm;
+      next.number = made_++;
+      queue_.push(next);
+    }
   }
 
   /// Whether one pose of a new cutter is over all of the piece, at the bar or lower.
-  [[nodiscard]] bool is_covered(const SidedPiece& at) {
+  [[nodiscard]] bool is_covered(Candidate& candidate, double bar_mm) const {
     if (!is_convex_) return false;
-    const Vec3 up = bar_mm() * at.outward;
-    const std::array<Vec3, 3> corners = {at.corners[0] + up, at.corners[1] + up, at.corners[2] + up};
-    return is_covered(corners);
-  }
-
-  [[nodiscard]] bool is_covered(std::span<const Vec3> points) {
-    covered_hints_.resize(after_.size());
+    const Vec3 up = bar_mm * candidate.at.outward;
+    const auto& at = candidate.at.corners;
+    const std::array<Vec3, 3> corners = {at[0] + up, at[1] + up, at[2] + up};
     for (std::size_t i = 0; i < after_.size(); ++i) {
-      if (after_[i]->covering_move(points, covered_hints_[i]) != kNone) return true;
+      if (after_[i] != nullptr && after_[i]->covering_move(corners, candidate.covered[i]) != kNone) return true;
     }
     return false;
   }
 
-  bool sample(const SidedPiece& at, const Vec3& middle, double away_mm) {
-    if (is_found() && away_mm <= left_->thickness_mm) return false;
-    const Vec3 finished = middle + limits_.finished_mm * at.outward;
-    const std::size_t move = before_.covering_move({&finished, 1}, finished_hint_);
-    if (move == kNone) return false;
-    left_ = LeftStock{std::min(away_mm, limits_.most_mm), away_mm >= limits_.most_mm, false, middle, move};
-    return true;
-  }
-
   /// Of a point of the surface from the nearest cut, as far as it is more than `enough_mm`.
-  [[nodiscard]] double away_from_cuts(const Vec3& point, double enough_mm) const {
+  [[nodiscard]] double away_from_cuts(Candidate& candidate, const Vec3& point, double enough_mm) const {
     double least = limits_.most_mm;
-    for (const CutterSweep* sweep : after_) {
-      if (least > enough_mm) least = std::min(least, sweep->distance(point, enough_mm, least));
+    for (std::size_t i = 0; i < after_.size() && least > enough_mm; ++i) {
+      if (after_[i] == nullptr) continue;
+      least = std::min(least, after_[i]->distance(point, enough_mm, least, candidate.nearest[i]));
     }
     return std::max(least, 0.0);
   }
 
   const CutterSweep& before_;
-  std::span<const CutterSweep* const> after_;
+  const SweepsAfter& after_;
   StockLimits limits_;
   double border_mm_ = kMostBorder_mm;
   bool is_convex_ = true;
   std::optional<LeftStock> left_;
-  int pieces_ = 0;
-  SweepHint finished_hint_;
-  std::vector<SweepHint> covered_hints_;
+  double undecided_mm_ = 0;
+  Vec3 undecided_ = Vec3::Zero();
+  std::size_t made_ = 0;
+  std::priority_queue<Candidate, std::vector<Candidate>, IsLess> queue_;
 };
 
-/// Pieces of all triangles that cutters of `before` may finish.
+/// Gives pieces of all triangles that cutters of `before` may finish to a search.
 class Gatherer {
  public:
   Gatherer(const BlockTree& tree, Finder& finder) : tree_(tree), finder_(finder) {}
@@ -144,8 +223,6 @@ class Gatherer {
     }
   }
 
-  std::vector<SidedPiece> pieces;
-
  private:
   void add(const std::array<Vec3, 3>& triangle) {
     const Vec3 across = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
@@ -154,41 +231,24 @@ class Gatherer {
   }
 
   void cut(const SidedPiece& at) {
-    if (!finder_.may_be_finished(at)) return;
-    if (longest_mm(at) <= kFirstPiece_mm) {
-      pieces.push_back(at);
-      return;
-    }
+    if (!finder_.may_be_finished(at, hint_)) return;
+    if (longest_mm(at) <= kFirstPiece_mm) return finder_.add(at, hint_);
     for (const auto& half : halves(at.corners, longest_edge(at.corners))) cut({half, at.outward});
   }
 
   const BlockTree& tree_;
   Finder& finder_;
+  SweepHint hint_;
 };
 
 }  // namespace
 
-std::optional<LeftStock> find_left_stock(const BlockTree& parts, const CutterSweep& before,
-                                         std::span<const CutterSweep* const> after, const StockLimits& limits,
-                                         unsigned threads) {
+std::optional<LeftStock> find_left_stock(const BlockTree& parts, const CutterSweep& before, const SweepsAfter& after,
+                                         const StockLimits& limits, unsigned threads) {
   if (parts.nodes.empty() || before.is_empty()) return std::nullopt;
   Finder finder(before, after, limits);
-  Gatherer gatherer(parts, finder);
-  gatherer.visit(0);
-  std::vector<std::optional<LeftStock>> left(gatherer.pieces.size());
-  for_each_chunk(left.size(), 1, threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      Finder own = finder;
-      own.refine(gatherer.pieces[i]);
-      left[i] = own.left();
-    }
-  });
-  std::optional<LeftStock> most;
-  for (const std::optional<LeftStock>& one : left) {
-    if (one && (!most || one->thickness_mm > most->thickness_mm || (most->is_undecided && !one->is_undecided)))
-      most = one;
-  }
-  return most;
+  Gatherer(parts, finder).visit(0);
+  return finder.search(threads);
 }
 
 }  // namespace gouge

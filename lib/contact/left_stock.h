@@ -1,7 +1,7 @@
 #pragma once
 
+#include <array>
 #include <optional>
-#include <span>
 
 #include "lib/contact/cutter_sweep.h"
 #include "lib/hierarchy/block_tree.h"
@@ -13,16 +13,23 @@ namespace gouge {
 struct LeftStock {
   double thickness_mm = 0;    ///< from the point to the nearest place that is cut; no point is left by much more
   bool is_more = false;       ///< it is more than that: nothing near is cut
-  bool is_undecided = false;  ///< no such point was found, but that there is none is not proved
+  bool is_undecided = false;  ///< more, or without a move any at all, is not excluded
   Vec3 point = Vec3::Zero();  ///< of the surface
-  std::size_t move = kNone;   ///< the motion that finished it
+  std::size_t move = kNone;   ///< the motion that finished it; kNone: no such point was found
 };
 
+/// One to two seconds of a processor.
+inline constexpr std::size_t kUsualStockWork = 5'000'000;
+
 struct StockLimits {
-  double finished_mm = 0;  ///< what is cut to this height above the surface, or lower, is finished
-  double allowed_mm = 0;   ///< what is no farther from a cut is not left
-  double most_mm = 0;      ///< thicknesses beyond this are not told apart
+  double finished_mm = 0;                   ///< what is cut to this height above the surface, or lower, is finished
+  double allowed_mm = 0;                    ///< what is no farther from a cut is not left
+  double most_mm = 0;                       ///< thicknesses beyond this are not told apart
+  std::size_t most_work = kUsualStockWork;  ///< bounds and distances; what is not decided by then stays undecided
 };
+
+/// What a path cuts, in two parts; null: nothing.
+using SweepsAfter = std::array<const CutterSweep*, 2>;
 
 /// What is left beyond that is not told apart.
 inline constexpr double kMostStock_mm = 20;
@@ -33,14 +40,14 @@ inline constexpr double kMostStock_mm = 20;
 /// Points closer to the border of what a cutter reaches than 2 % of its radius, 0.1 mm at the most, are not counted as
 /// finished.
 /// Ensures  (1) Nothing: proved, for every point of every triangle and every instant.
-///          (2) The thickness is true of its point to 0.001 mm, and nowhere larger by more than a fiftieth and 0.005 mm.
+///          (2) The thickness is true of its point to 0.001 mm, and nowhere larger by more than a fiftieth and 0.005 mm,
+///          unless it says that this is undecided.
 ///          (3) The same at any number of threads.
-/// Cost     some ten to a hundred distances for each piece of the finished surface that one pose of the new cutter
-///          covers: some tenths of a millimetre under a ball, a footprint under a flat end; and for each tenth of a
-///          millimetre of border.
+/// Cost     bounded by the work allowed. A finished surface of which nothing is left takes a piece for what one pose of the new cutter covers: some
+///          tenths of a millimetre under a ball, a footprint under a flat end.
 /// Method   docs/algorithms/tilting.md, "What a tilt leaves".
 [[nodiscard]] std::optional<LeftStock> find_left_stock(const BlockTree& parts, const CutterSweep& before,
-                                                       std::span<const CutterSweep* const> after,
-                                                       const StockLimits& limits, unsigned threads);
+                                                       const SweepsAfter& after, const StockLimits& limits,
+                                                       unsigned threads);
 
 }  // namespace gouge

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "lib/check/path_motion.h"
 #include "lib/correct/laws.h"
@@ -10,6 +12,9 @@
 
 namespace gouge {
 namespace {
+
+// Of all stretches together, a few seconds of a processor.
+constexpr std::size_t kMostWork = 10'000'000, kWorkPerMove = 200;
 
 class Measurer {
  public:
@@ -28,25 +33,28 @@ class Measurer {
       const double reach = 0.5 * move_length_mm(after, i) + cutter.r_max_mm +
                            std::max(cutter.z_max_mm, -cutter.z_min_mm) + kMostStock_mm;
       const Vec3 middle = 0.5 * (after.start_of(i).tip + move.end.tip);
-      if (all.distance(middle, reach, reach + 1) <= reach) add(after, i, after_);
+      if (SweepHint none; all.distance(middle, reach, reach + 1, none) <= reach) add(after, i, after_);
     }
     after_.index();
   }
 
   [[nodiscard]] std::vector<StockStretch> measure(double allowed_mm) const {
     std::vector<StockStretch> left;
+    std::vector<std::pair<std::size_t, std::size_t>> stretches;
+    for (std::size_t i = 0; i < is_changed_.size(); ++i) {
+      if (!is_changed_[i]) continue;
+      if (i == 0 || !is_changed_[i - 1]) stretches.push_back({i, i});
+      stretches.back().second = i;
+    }
     const CheckOptions& options = setup_.options;
-    const CutterSweep* const after = &after_;
-    for (std::size_t first = 0, last = 0; first < is_changed_.size(); first = last + 1) {
-      last = first;
-      if (!is_changed_[first]) continue;
+    StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm};
+    limits.most_work = (kMostWork + kWorkPerMove * path_.moves.size()) / std::max<std::size_t>(1, stretches.size());
+    for (const auto& [first, last] : stretches) {
       CutterSweep before;
-      for (; last < is_changed_.size() && is_changed_[last]; ++last) add(path_, last, before);
-      --last;
+      for (std::size_t i = first; i <= last; ++i) add(path_, i, before);
       before.index();
       if (before.is_empty()) continue;
-      const StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm};
-      if (const auto most = find_left_stock(setup_.scene.parts, before, {&after, 1}, limits, options.threads))
+      if (const auto most = find_left_stock(setup_.scene.parts, before, {&after_, nullptr}, limits, options.threads))
         left.push_back({first, last, *most});
     }
     return left;

@@ -93,7 +93,7 @@ std::optional<LeftStock> CutPath::left_by(const TiltSpace& space, const TiltSequ
   add_unchanged(replaced, 0.5 * (low + high), radius_mm, others);
   for (const Cut& cut : accepted_) others.add(cut.motion, job_.tools[cut.tool]->cutting, cut.move);
   for (CutterSweep* const sweep : {&before, &own, &others}) sweep->index();
-  const std::array<const CutterSweep*, 2> after = {&own, &others};
+  const SweepsAfter after = {&own, &others};
   const CheckOptions& options = job_.checker.options();
   return find_left_stock(job_.checker.scene().parts, before, after,
                          {options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm}, options.threads);

@@ -15,7 +15,7 @@ namespace gouge {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kTop = 118, kBottom = kPageHeight - 24;
+constexpr double kFieldTop = 118, kFieldBottom = kPageHeight - 24;
 constexpr double kAxisLength = 130;  // of the longest axis on the page
 constexpr double kAxisGap = 7;       // between the tips of two axes on the page
 constexpr double kLeast_rad = 1e-3;  // an axis that is tilted less is as programmed
@@ -85,7 +85,7 @@ Page draw_tilt_field(const PictureSet& set) {
   const std::vector<TiltedPose> poses = tilted_poses(set.model);
   Page page = make_page("Tilted tool axes", badge_text(set.model, *set.input.result), badge_colour(*set.input.result),
                         caption_lines(set.model, *set.input.toolpath));
-  const Area area{36, kTop, 1332, kBottom - kTop - 60};
+  const Area area{36, kFieldTop, 1332, kFieldBottom - kFieldTop - 60};
   View view = make_view(poses.empty() ? Vec3(1, -1, 1) : direction_to_look(poses), Vec3::UnitZ(),
                         static_cast<int>(area.width) * kSupersampling, static_cast<int>(area.height) * kSupersampling);
   fit_view(view, set.scene.part_points(), 0.12);
@@ -102,9 +102,9 @@ Page draw_tilt_field(const PictureSet& set) {
     page.line(tip, end, scale.at(at.tilt_rad / kDegree), 2);
     page.disc(tip, 1.8, kInk);
   }
-  add_triad(page, {area.x + 52, kBottom - 62}, view, 34);
-  add_scale_bar(page, {area.x + 120, kBottom - 26}, view, set.model.toolpath->unit, 180);
-  page.line({1380, kTop + 20}, {1380, kBottom - 20}, kHairline, 1);
+  add_triad(page, {area.x + 52, kFieldBottom - 62}, view, 34);
+  add_scale_bar(page, {area.x + 120, kFieldBottom - 26}, view, set.model.toolpath->unit, 180);
+  page.line({1380, kFieldTop + 20}, {1380, kFieldBottom - 20}, kHairline, 1);
   page.text({1408, 168}, "Tilt", 15, kInk, TextAnchor::left, true);
   const Area bar{1408, 190, 26, 360};
   constexpr int kSteps = 90;

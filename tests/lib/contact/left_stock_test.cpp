@@ -39,8 +39,7 @@ std::pair<Pose, Pose> row(double x, double z, const Vec3& axis = Vec3::UnitZ()) 
 
 std::optional<LeftStock> left(const Bench& bench, const CutterSweep& before, const CutterSweep& after,
                               const StockLimits& limits = kUsual) {
-  const CutterSweep* const one = &after;
-  return find_left_stock(bench.tree, before, {&one, 1}, limits, 1);
+  return find_left_stock(bench.tree, before, {&after, nullptr}, limits, 1);
 }
 
 TEST(LeftStock, IsNoneWhereThePathIsTheSame) {
@@ -140,8 +139,7 @@ TEST(LeftStock, IsTheSameFromBothSidesOfAMeshAndAtAnyNumberOfThreads) {
   const auto one = left(usual, before, after), other = left(turned, before, after);
   ASSERT_TRUE(one && other);
   EXPECT_NEAR(one->thickness_mm, other->thickness_mm, 0.03 * one->thickness_mm + 0.006);
-  const CutterSweep* const sweep = &after;
-  const auto many = find_left_stock(usual.tree, before, {&sweep, 1}, kUsual, 5);
+  const auto many = find_left_stock(usual.tree, before, {&after, nullptr}, kUsual, 5);
   ASSERT_TRUE(many.has_value());
   EXPECT_EQ(many->thickness_mm, one->thickness_mm);
   EXPECT_EQ(many->point, one->point);
