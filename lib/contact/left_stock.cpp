@@ -15,7 +15,7 @@ namespace {
 constexpr double kBorderShare = 0.02, kMostBorder_mm = 0.1;  // of the cutter's radius
 constexpr double kLeastShare = 0.1;   // of the border: what is not decided on a piece so small is not decided
 constexpr double kFirstPiece_mm = 8;  // no piece is longer
-constexpr double kRelativeGap = 0.02, kStockGap_mm = 0.005;
+constexpr double kRelativeGap = 0.1, kStockGap_mm = 0.01;
 constexpr std::size_t kPiecesAtOnce = 64;
 
 double longest_mm(const SidedPiece& at) {
@@ -109,8 +109,8 @@ class Finder {
       }
     }
     if (undecided_mm_ <= bar_mm()) return left_;
-    if (!left_) left_ = LeftStock{limits_.allowed_mm, false, false, undecided_, kNone};
-    left_->is_undecided = true;
+    if (!left_) return LeftStock{limits_.allowed_mm, false, true, undecided_, kNone};
+    left_->is_more = true;
     return left_;
   }
 

@@ -12,14 +12,14 @@ namespace gouge {
 /// What a changed path leaves on the part where the path before it did not.
 struct LeftStock {
   double thickness_mm = 0;    ///< from the point to the nearest place that is cut; no point is left by much more
-  bool is_more = false;       ///< it is more than that: nothing near is cut
-  bool is_undecided = false;  ///< more, or without a move any at all, is not excluded
+  bool is_more = false;       ///< it may be more than that: nothing near is cut, or the search ended before
+  bool is_undecided = false;  ///< no such point was found, but that there is none is not proved
   Vec3 point = Vec3::Zero();  ///< of the surface
-  std::size_t move = kNone;   ///< the motion that finished it; kNone: no such point was found
+  std::size_t move = kNone;   ///< the motion that finished it
 };
 
-/// One to two seconds of a processor.
-inline constexpr std::size_t kUsualStockWork = 5'000'000;
+/// Some tenths of a second of a processor.
+inline constexpr std::size_t kUsualStockWork = 1'000'000;
 
 struct StockLimits {
   double finished_mm = 0;                   ///< what is cut to this height above the surface, or lower, is finished
@@ -40,8 +40,8 @@ inline constexpr double kMostStock_mm = 20;
 /// Points closer to the border of what a cutter reaches than 2 % of its radius, 0.1 mm at the most, are not counted as
 /// finished.
 /// Ensures  (1) Nothing: proved, for every point of every triangle and every instant.
-///          (2) The thickness is true of its point to 0.001 mm, and nowhere larger by more than a fiftieth and 0.005 mm,
-///          unless it says that this is undecided.
+///          (2) The thickness is true of its point to 0.001 mm, and nowhere larger by more than a tenth and 0.01 mm,
+///          unless is_more.
 ///          (3) The same at any number of threads.
 /// Cost     bounded by the work allowed. A finished surface of which nothing is left takes a piece for what one pose of the new cutter covers: some
 ///          tenths of a millimetre under a ball, a footprint under a flat end.

@@ -13,8 +13,9 @@
 namespace gouge {
 namespace {
 
-// Of all stretches together, a few seconds of a processor.
-constexpr std::size_t kMostWork = 10'000'000, kWorkPerMove = 200;
+// Of all stretches together, some tenths of a second of a processor: what is reported beside a correction must not cost
+// more than it.
+constexpr std::size_t kMostWork = 2'000'000, kWorkPerMove = 20;
 
 class Measurer {
  public:

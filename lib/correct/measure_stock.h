@@ -12,7 +12,7 @@ namespace gouge {
 ///
 /// Requires `after` to be `path` with the changes.
 /// Ensures  the same at any number of threads; in path order.
-/// Cost     bounded: some seconds for all stretches together, and a share for each move; what is not decided by then says so.
+/// Cost     bounded: some tenths of a second for all stretches together, and a share for each move; what is not decided by then says so.
 [[nodiscard]] std::vector<StockStretch> measure_stock(const Toolpath& path, const Correction& correction,
                                                       const Toolpath& after, const CheckSetup& setup,
                                                       const CorrectOptions& correct);

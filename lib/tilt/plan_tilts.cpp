@@ -72,14 +72,17 @@ class RunPlanner {
     return false;
   }
 
+  // Where it is open whether anything is left the tilt is made: a lift, which is what else there is, surely leaves it. The
+  // report of what is left says so.
   bool leaves_too_much(const TiltSpace& space, const TiltSequence& tilts) {
     const std::optional<LeftStock> left = cut_.left_by(space, tilts);
-    if (left && (!least_stock_ || left->thickness_mm < least_stock_->thickness_mm)) {
+    if (!left || left->is_undecided) return false;
+    if (!least_stock_ || left->thickness_mm < least_stock_->thickness_mm) {
       least_stock_ = left;
       stock_tilt_rad_ = 0;
       for (const Tilt& tilt : tilts) stock_tilt_rad_ = std::max(stock_tilt_rad_, tilt.norm());
     }
-    return left.has_value();
+    return true;
   }
 
   [[nodiscard]] std::string stock_reason() const {
@@ -90,10 +93,9 @@ class RunPlanner {
     const Vec3& at = least_stock_->point;
     return std::string("the ") + body_name(witness ? witness->body : Body::holder) +
            " collides; the tilt that frees it and leaves least (" + people_text(stock_tilt_rad_ / kDegree, 1) +
-           " degrees) " + (least_stock_->is_undecided ? "is not proved to leave no more than " : "would leave ") +
-           (least_stock_->is_more ? "more than " : "") + length(least_stock_->thickness_mm) + " " +
-           unit_name(job_.path.unit) + " of stock at (" + length(at.x()) + ", " + length(at.y()) + ", " +
-           length(at.z()) + "), which the programmed path finished (--allow-stock)";
+           " degrees) " + "would leave " + length(least_stock_->thickness_mm) + " " + unit_name(job_.path.unit) +
+           (least_stock_->is_more ? " or more" : "") + " of stock at (" + length(at.x()) + ", " + length(at.y()) +
+           ", " + length(at.z()) + "), which the programmed path finished (--allow-stock)";
   }
 
   bool keeps_turns(const TiltSpace& space, const TiltSequence& tilts) {

@@ -137,7 +137,7 @@ std::string uncut_text(const CorrectionFacts& correction, LengthUnit unit) {
 std::string thickness_text(const StockRecord& stretch, LengthUnit unit) {
   const std::string thickness = depth_text(stretch.thickness_mm, unit);
   return stretch.is_undecided ? "no more than " + thickness + " is not proved"
-         : stretch.is_more    ? "more than " + thickness
+         : stretch.is_more    ? thickness + " or more"
                               : thickness;
 }
 

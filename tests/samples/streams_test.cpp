@@ -35,7 +35,7 @@ TEST(Streams, AClosedPipeEndsThePrintingNotTheWork) {
        {"--help", "--version", "check --help", "path info pocket.apt", "tool list --tools tools.json", "mesh part.stl"})
     EXPECT_EQ(run_script(sample.path, into_a_closed_pipe(std::string("$GOUGECHECK ") + command)).out, "0\n") << command;
   const Outcome corrected = run_script(sample.path, into_a_closed_pipe("$GOUGECHECK correct" + kPocket + "-o out.apt"));
-  EXPECT_EQ(corrected.out, "0\n");
+  EXPECT_EQ(corrected.out.substr(0, corrected.out.find("pocket.apt:136: warning: ")), "0\n") << corrected.out;
   EXPECT_TRUE(fs::exists(sample.path + "/out.apt"));
 }
 
@@ -44,11 +44,14 @@ TEST(Streams, DataThatAPipeDoesNotTakeAreStatus5) {
   for (const std::string& command :
        {"check" + kPocket + "--json -", "check" + kPocket + "--csv -", "correct" + kPocket + "-o -",
         std::string("path info pocket.apt --json -"), std::string("path convert pocket.apt -o -"),
-        std::string("mesh part.stl --json -")})
-    EXPECT_EQ(run_script(sample.path, into_a_closed_pipe("$GOUGECHECK " + command)).out,
-              "5\ngougecheck: error: standard output is a pipe whose reader ended before all was written "
-              "[output-unwritable]\n")
-        << command;
+        std::string("mesh part.stl --json -")}) {
+    const std::string out = run_script(sample.path, into_a_closed_pipe("$GOUGECHECK " + command)).out;
+    EXPECT_EQ(out.substr(0, 2), "5\n") << command;
+    EXPECT_TRUE(
+        out.ends_with("gougecheck: error: standard output is a pipe whose reader ended before all was written "
+                      "[output-unwritable]\n"))
+        << command << ": " << out;
+  }
 }
 
 TEST(Streams, AStandardOutputThatIsFullOrClosedIsStatus5) {

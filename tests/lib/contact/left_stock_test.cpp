@@ -59,7 +59,7 @@ TEST(LeftStock, IsTheLiftOfALiftedPath) {
       ASSERT_EQ(found.has_value(), lift > 0.02) << lift;
       if (!found) continue;
       EXPECT_FALSE(found->is_undecided || found->is_more);
-      EXPECT_GT(found->thickness_mm * 1.02 + 0.006, lift);
+      EXPECT_GT(found->thickness_mm * 1.1 + 0.011, lift);
       EXPECT_LT(found->thickness_mm, lift + 0.011);
       EXPECT_EQ(found->move, 0U);
       EXPECT_NEAR(found->point.z(), 0, 1e-9);
@@ -83,9 +83,9 @@ TEST(LeftStock, OfAFlatEndTiltedAboutItsEdgeIsItsWidthTimesTheSine) {
     const Vec3 tip(5 - 5 * std::cos(angle), 0, 5 * std::sin(angle));
     const auto found = left(bench, before, sweep_of(tool.cutting, {row(tip.x(), tip.z(), axis)}));
     ASSERT_TRUE(found.has_value());
-    // From the floor at x = -5 to the other edge; to a fiftieth and 0.005 mm, and 0.1 mm from the border.
+    // From the floor at x = -5 to the other edge; to a tenth and 0.01 mm, and 0.1 mm from the border.
     EXPECT_LE(found->thickness_mm, 2 * 10 * std::sin(angle / 2) + 0.001);
-    EXPECT_GE(found->thickness_mm * 1.02 + 0.006, (10 - 0.2) * std::sin(angle));
+    EXPECT_GE(found->thickness_mm * 1.1 + 0.011, (10 - 0.2) * std::sin(angle));
     EXPECT_LT(found->point.x(), -4.5);
   }
 }
@@ -101,8 +101,8 @@ TEST(LeftStock, IsNoneWhereOtherMotionsCutIt) {
   EXPECT_FALSE(left(bench, before, sweep_of(tool.cutting, {longer(-3), longer(3)})));
   const auto found = left(bench, before, sweep_of(tool.cutting, {longer(-6), longer(6)}));
   ASSERT_TRUE(found.has_value());
-  EXPECT_NEAR(found->thickness_mm, 1, 0.03);
-  EXPECT_NEAR(found->point.x(), 0, 0.03);
+  EXPECT_NEAR(found->thickness_mm, 1, 0.11);
+  EXPECT_NEAR(found->point.x(), 0, 0.11);
 }
 
 TEST(LeftStock, OfABallIsNoneWhileItsCentreStays) {
@@ -138,7 +138,7 @@ TEST(LeftStock, IsTheSameFromBothSidesOfAMeshAndAtAnyNumberOfThreads) {
   const Bench turned({shapes::inside_out(usual.parts.front())});
   const auto one = left(usual, before, after), other = left(turned, before, after);
   ASSERT_TRUE(one && other);
-  EXPECT_NEAR(one->thickness_mm, other->thickness_mm, 0.03 * one->thickness_mm + 0.006);
+  EXPECT_NEAR(one->thickness_mm, other->thickness_mm, 0.11 * one->thickness_mm + 0.011);
   const auto many = find_left_stock(usual.tree, before, {&after, nullptr}, kUsual, 5);
   ASSERT_TRUE(many.has_value());
   EXPECT_EQ(many->thickness_mm, one->thickness_mm);
@@ -166,7 +166,7 @@ TEST(LeftStock, HoldsForSamplesOfRandomPaths) {
     const CutterSweep before = sweep_of(tool.cutting, {{a, b}}), after = sweep_of(tool.cutting, {{c, d}});
     const auto found = left(bench, before, after);
     (found ? some : none) += 1;
-    const double most = found ? found->thickness_mm * 1.02 + 0.006 : kUsual.allowed_mm;
+    const double most = found ? found->thickness_mm * 1.1 + 0.011 : kUsual.allowed_mm;
     if (found && (found->is_more || found->is_undecided)) continue;
     const Motion old_motion(a, b), new_motion(c, d);
     const auto is_cut = [&](const Motion& motion, const Vec3& point, double deep) {
