@@ -36,6 +36,13 @@ Bounds3 axis_at(const PoseBounds& from, const PoseBounds& to, const Bounds& shar
 
 bool is_finite(const Pose& pose) { return pose.tip.allFinite() && pose.axis.allFinite(); }
 
+bool is_finite(const PathSpline& spline) {
+  return std::ranges::all_of(spline.pieces, [](const SplinePiece& piece) {
+    return std::isfinite(piece.u0) && std::isfinite(piece.u1) &&
+           std::ranges::all_of(piece.control, [](const Vec3& v) { return v.allFinite(); });
+  });
+}
+
 }  // namespace
 
 MotionPiece::MotionPiece(const PoseBounds& from, const PoseBounds& to) : ends_{from, to} { bound_chord(); }
@@ -173,9 +180,9 @@ std::vector<MotionPiece> MotionPiece::dogleg(const Pose& from, const Pose& to) {
 
 std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std::size_t index, bool is_dogleg) {
   const Move& move = path.moves[index];
-  const PoseBounds end = bounds_of(move.end);
   const bool has_way_here = move.has_start || move.is_linked;
   if (!is_finite(move.end) || (has_way_here && (index == 0 || !is_finite(path.start_of(index))))) return std::nullopt;
+  const PoseBounds end = bounds_of(move.end);  // after that: an interval is of numbers alone
   if (!has_way_here) return std::vector<MotionPiece>{MotionPiece(end, end)};
   const Pose& start = path.start_of(index);
   const PoseBounds from = bounds_of(start);
@@ -186,6 +193,7 @@ std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std:
   }
   if (move.has_start && move.curve_kind == CurveKind::spline) {
     if (move.curve >= path.splines.size() || path.splines[move.curve].pieces.empty()) return std::nullopt;
+    if (!is_finite(path.splines[move.curve])) return std::nullopt;
     return MotionPiece::along_spline(from, end, path.splines[move.curve]);
   }
   if (move.has_start && move.kind == MoveKind::rapid && is_dogleg) return MotionPiece::dogleg(start, move.end);

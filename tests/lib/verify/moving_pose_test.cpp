@@ -136,6 +136,13 @@ TEST_F(Motions, WhatIsNoNumberOrTurnsByHalfACircleHasNoPieces) {
   EXPECT_FALSE(motion_pieces(path, 1, false).has_value());
   path = paths::through({paths::upright(0, 0, 0), paths::upright(0, std::nan(""), 0)});
   EXPECT_FALSE(motion_pieces(path, 1, false).has_value());
+  for (const bool is_control : {true, false}) {
+    path = this->path(2);
+    ASSERT_TRUE(motion_pieces(path, 1, false).has_value());
+    SplinePiece& piece = path.splines.front().pieces.back();
+    (is_control ? piece.control[1].x() : piece.u0) = std::nan("");
+    EXPECT_FALSE(motion_pieces(path, 1, false).has_value());
+  }
 }
 
 }  // namespace
