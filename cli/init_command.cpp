@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "cli/config_command.h"
+#include "cli/json_text.h"
 #include "cli/parse_errors.h"
 #include "cli/print_diagnostics.h"
 #include "cli/program.h"
@@ -19,7 +19,6 @@ namespace gouge {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 std::string lower(std::string text) {
   std::ranges::transform(text, text.begin(),

@@ -5,12 +5,11 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
+#include "lib/check/finest_resolution.h"
 #include "lib/check/reach.h"
 
 namespace gouge {
 namespace {
-
-constexpr double kFinestResolution_mm = 1e-6;
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "cli/json_text.h"
 #include "lib/base/sha256.h"
 #include "lib/json/json_file.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "gougecheck-report-manifest";
 constexpr int kVersion = 1;

@@ -8,13 +8,12 @@
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/number_text.h"
 #include "lib/check/closeness.h"
+#include "lib/check/finest_resolution.h"
 #include "lib/check/reach.h"
 #include "toolmodels/compile_tool.h"
 
 namespace gougecheck {
 namespace {
-
-constexpr double kFinestResolution_mm = 1e-6;
 
 const std::vector<gouge::HeadBody>& no_heads() {
   static const std::vector<gouge::HeadBody> kNone;
@@ -76,7 +75,7 @@ std::vector<const gouge::ToolVariants*> PathTools::pointers() const {
 gouge::CheckOptions to_check_options(const CheckOptions& options) {
   gouge::CheckOptions result;
   result.tolerance_mm = length("tolerance", options.tolerance);
-  result.resolution_mm = length("resolution", options.resolution, kFinestResolution_mm);
+  result.resolution_mm = length("resolution", options.resolution, gouge::kFinestResolution_mm);
   result.stock_to_leave_mm = length("stock_to_leave", options.stock_to_leave);
   result.shank_clearance_mm = length("shank_clearance", options.shank_clearance);
   result.holder_clearance_mm = length("holder_clearance", options.holder_clearance);

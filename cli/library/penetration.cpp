@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cli/library/content.h"
+#include "lib/check/finest_resolution.h"
 #include "lib/check/mesh_reach.h"
 #include "lib/clash/clash.h"
 #include "lib/clash/free_shift.h"
@@ -70,9 +71,8 @@ const char* state_name(ClashState state) {
 }
 
 Penetration penetration(const Mesh& a, const Mesh& b, const Transform& pose_b, const PenetrationOptions& options) {
-  constexpr double kFinestResolution_mm = 1e-6;
-  if (!(options.tolerance >= 0) || !(options.resolution >= kFinestResolution_mm) || !std::isfinite(options.tolerance) ||
-      !std::isfinite(options.resolution))
+  if (!(options.tolerance >= 0) || !(options.resolution >= gouge::kFinestResolution_mm) ||
+      !std::isfinite(options.tolerance) || !std::isfinite(options.resolution))
     raise(gouge::make_error("usage", "expected a tolerance of at least 0 and a resolution of at least 0.000001 mm"));
   gouge::ClashOptions clash_options;
   clash_options.tolerance_mm = options.tolerance;
