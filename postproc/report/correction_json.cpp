@@ -1,6 +1,7 @@
 #include "postproc/report/correction_json.h"
 
 #include <cmath>
+#include <utility>
 
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_json.h"
@@ -122,15 +123,21 @@ class CorrectionReport {
             {"mesh", has_witness ? text(mesh_name(model_, *verdict.witness)) : Json(nullptr)}};
   }
 
+  template <typename Record>
+  [[nodiscard]] static Json lines_of_stretch(const Record& r) {
+    return {{"first_move", r.first_move},
+            {"last_move", r.last_move},
+            {"first_line", r.first_line},
+            {"last_line", r.last_line}};
+  }
+
   [[nodiscard]] Json uncut(const CorrectionFacts& c) const {
     Json stretches = Json::array();
     for (const UncutRecord& r : c.uncut) {
-      stretches.push_back({{"first_move", r.first_move},
-                           {"last_move", r.last_move},
-                           {"first_line", r.first_line},
-                           {"last_line", r.last_line},
-                           {"positions", r.positions},
-                           {"length", length(r.length_mm)}});
+      Json stretch = lines_of_stretch(r);
+      stretch["positions"] = r.positions;
+      stretch["length"] = length(r.length_mm);
+      stretches.push_back(std::move(stretch));
     }
     const UncutTotal total = uncut_total(c);
     return {{"positions", total.positions}, {"length", length(total.length_mm)}, {"stretches", stretches}};
@@ -139,14 +146,12 @@ class CorrectionReport {
   [[nodiscard]] Json stock(const CorrectionFacts& c) const {
     Json stretches = Json::array();
     for (const StockRecord& r : c.stock) {
-      stretches.push_back({{"first_move", r.first_move},
-                           {"last_move", r.last_move},
-                           {"first_line", r.first_line},
-                           {"last_line", r.last_line},
-                           {"thickness", length(r.thickness_mm)},
-                           {"is_more", r.is_more},
-                           {"is_proved", !r.is_undecided},
-                           {"point", lengths(r.point)}});
+      Json stretch = lines_of_stretch(r);
+      stretch["thickness"] = length(r.thickness_mm);
+      stretch["is_more"] = r.is_more;
+      stretch["is_proved"] = !r.is_undecided;
+      stretch["point"] = lengths(r.point);
+      stretches.push_back(std::move(stretch));
     }
     return stretches;
   }

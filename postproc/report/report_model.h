@@ -96,8 +96,8 @@ struct StockRecord {
   std::size_t first_move = 0, last_move = 0;  ///< of the path before the correction
   std::size_t first_line = 0, last_line = 0;
   double thickness_mm = 0;
-  bool is_more = false;       ///< more than that: nothing near is cut
-  bool is_undecided = false;  ///< that it is no more than that is not proved
+  bool is_more = false;       ///< it may be more than that: nothing near is cut, or the search ended before
+  bool is_undecided = false;  ///< no such point was found, but that there is none is not proved
   Vec3 point = Vec3::Zero();
 };
 

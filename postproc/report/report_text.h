@@ -47,7 +47,7 @@ struct UncutTotal {
 [[nodiscard]] std::string uncut_text(const CorrectionFacts& correction, LengthUnit unit);
 /// "up to 1.62 mm of what was finished left in 2 stretches, most at (0, 1, 2), line 12"; empty where nothing is.
 [[nodiscard]] std::string stock_text(const CorrectionFacts& correction, LengthUnit unit);
-/// "more than 20 mm", of one stretch.
+/// "20 mm or more", of one stretch.
 [[nodiscard]] std::string thickness_text(const StockRecord& stretch, LengthUnit unit);
 /// "2 curves became 79 straight moves".
 [[nodiscard]] std::string straightened_text(const CorrectionFacts& correction);

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/support/plain_text.h"
 
 // What people see: colours, the order and number of findings, quoted statements, versions, help.
 
@@ -12,13 +12,6 @@ namespace gouge::testing_samples {
 namespace {
 
 constexpr const char* kRed = "\x1b[1;31m";
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
 
 std::vector<double> depths_in(const std::string& text) {
   std::vector<double> depths;
@@ -45,15 +38,7 @@ TEST(Terminal, ColoursGoToTerminalsAndWhereTheyAreAskedFor) {
   const Outcome always = check(sample, {"--color", "always"});
   EXPECT_NE(always.out.find(std::string(kRed) + "gouge:"), std::string::npos) << always.out;
   EXPECT_NE(always.out.find(std::string(kRed) + "gouges:"), std::string::npos) << always.out;
-  std::string plain;
-  for (std::size_t at = 0; at < always.out.size(); ++at) {
-    if (always.out[at] == '\x1b') {
-      at = always.out.find('m', at);
-    } else {
-      plain += always.out[at];
-    }
-  }
-  EXPECT_EQ(plain, check(sample, {"--color", "never"}).out) << "colours change nothing else";
+  EXPECT_EQ(without_colours(always.out), check(sample, {"--color", "never"}).out) << "colours change nothing else";
   EXPECT_NE(on_terminal(sample, "").out.find(kRed), std::string::npos);
   EXPECT_EQ(on_terminal(sample, "", "NO_COLOR=1").out.find('\x1b'), std::string::npos);
   EXPECT_EQ(on_terminal(sample, "", "TERM=dumb").out.find('\x1b'), std::string::npos);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/plain_text.h"
+
 namespace gouge {
 namespace {
 
@@ -17,15 +19,7 @@ TEST(Paint, OfADiagnosticChangesNothingElse) {
         make_note("", "no code", "f"), make_error("c", "", "f"), make_error("c", "bad \x1b[31m text", "\x1b.apt", 3),
         make_error("c", std::string(100'000, 'x') + "; expected z", "f", 1)}) {
     const std::string coloured = painted_text(d);
-    std::string plain;
-    for (std::size_t at = 0; at < coloured.size(); ++at) {
-      if (coloured[at] == '\x1b') {
-        at = coloured.find('m', at);
-      } else {
-        plain += coloured[at];
-      }
-    }
-    EXPECT_EQ(plain, to_text(d));
+    EXPECT_EQ(without_colours(coloured), to_text(d));
     const std::string word = d.severity == Severity::error     ? "\x1b[1;31merror:\x1b[0m"
                              : d.severity == Severity::warning ? "\x1b[1;35mwarning:\x1b[0m"
                                                                : "\x1b[1;36mnote:\x1b[0m";

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <sstream>
 
 #include "postproc/report/cure_text.h"
 #include "postproc/report/report_text.h"
@@ -9,16 +8,11 @@
 #include "postproc/report/tightness.h"
 #include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
+#include "tests/support/plain_text.h"
 
 namespace gouge {
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
 TEST(FindingsText, CountsTheRecordsWrittenAndThoseChangedButNotFreed) {
   SmallReport report;
   report.add_correction();
@@ -86,15 +80,7 @@ TEST(FindingsText, ColoursAreTheOnlyDifference) {
   const std::string coloured = findings_text(report.model, view);
   EXPECT_NE(coloured.find("\x1b[1mpath.apt:12:\x1b[0m \x1b[1;31mgouge:\x1b[0m 0.333 mm"), std::string::npos)
       << coloured;
-  std::string plain;
-  for (std::size_t at = 0; at < coloured.size(); ++at) {
-    if (coloured[at] == '\x1b') {
-      at = coloured.find('m', at);
-    } else {
-      plain += coloured[at];
-    }
-  }
-  EXPECT_EQ(plain, findings_text(report.model));
+  EXPECT_EQ(without_colours(coloured), findings_text(report.model));
 }
 
 TEST(DepthText, NeverContradictsTheLimitBesideIt) {

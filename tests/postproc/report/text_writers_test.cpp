@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <sstream>
 
 #include "postproc/report/cure_text.h"
 #include "postproc/report/report_text.h"
@@ -9,16 +8,10 @@
 #include "postproc/report/tightness.h"
 #include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
+#include "tests/support/plain_text.h"
 
 namespace gouge {
 namespace {
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
 
 TEST(OverallVerdict, NeverCallsAnOpenQuestionClean) {
   CheckResult result;
