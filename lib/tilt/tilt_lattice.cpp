@@ -7,21 +7,24 @@
 #include <set>
 
 #include "lib/base/parallel.h"
+#include "lib/tilt/cheapest_choice.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kFirstLayers = 64;  // of a long run
-constexpr std::size_t kAtATime = 8;       // layers looked at before the next is decided on
 constexpr int kCoarseSteps = 6;           // of a lattice from no tilt to the largest one
 constexpr int kLevels = 3;                // each with half the step
 constexpr int kFinerPerStep = 4;          // about the way found
 constexpr double kTube = 1.5;             // how many steps of it the finer lattice reaches about the way
 constexpr int kMostRounds = 60;           // in which layers are added, ...
-constexpr int kMostStrikes = 12;       // ... or motions struck out: what refuses these refuses most of their neighbours
-constexpr double kLeastWay_mm = 1e-3;  // positions that are closer count as so far apart
+constexpr int kMostStrikes = 12;  // ... or motions struck out: what refuses these refuses most of their neighbours
 
 /// One lattice over the allowed tilts, and what is known of it at each position.
+///
+/// Which of its tilts are free is found out lazily too: the cheapest way is sought as if all were, then the tilts it
+/// takes are looked at, and it is sought again without those that are refused. The way that is left is the cheapest of
+/// all, as no other way lost a tilt that is free.
 class Lattice {
  public:
   /// `near`: null, or the sequence that tilts may be no farther from than `reach_rad`.
@@ -39,21 +42,22 @@ class Lattice {
       }
     }
     std::ranges::stable_sort(nodes_, {}, [](const Tilt& tilt) { return tilt.squaredNorm(); });
-    free_.resize(space.size());
     is_layer_.assign(space.size(), false);
   }
 
-  /// `doubtful`: a position where no tilt may be free, which is looked at first.
+  /// `doubtful`: a position where no tilt may be free, of which all are looked at first.
   LatticeResult find(std::optional<std::size_t> doubtful) {
-    if (doubtful) add_layer(*doubtful);
-    if (const auto blocked = look_at_new_layers()) return {std::nullopt, blocked};
+    if (doubtful) {
+      add_layer(*doubtful);
+      if (!look_at_all(layers_.front())) return {std::nullopt, doubtful};
+    }
     add_first_layers();
     for (int round = 0, strikes = 0; round < kMostRounds && strikes < kMostStrikes; ++round) {
       const std::size_t struck_before = struck_.size();
-      if (const auto blocked = look_at_new_layers()) return {std::nullopt, blocked};
-      const std::optional<TiltSequence> sequence = cheapest();
-      if (!sequence) return {std::nullopt, std::nullopt};
-      if (prove(*sequence)) return {sequence, std::nullopt};
+      const std::optional<Choice> choice = cheapest_free();
+      if (!choice) return {std::nullopt, first_blocked()};
+      const TiltSequence sequence = between_layers(*choice);
+      if (prove(sequence, *choice)) return {sequence, std::nullopt};
       strikes += struck_.size() > struck_before ? 1 : 0;
     }
     return {std::nullopt, std::nullopt};
@@ -61,117 +65,149 @@ class Lattice {
 
  private:
   using Node = std::uint32_t;
+  using Choice = std::vector<Node>;  ///< a tilt of each layer
+
   struct Struck {
     std::size_t from, to;
     Node node, next;
     auto operator<=>(const Struck&) const = default;
   };
 
-  /// Both ends, the middle, and so on between: a position where nothing is free is met soon.
+  /// A position, and what is known of the lattice's tilts there.
+  struct Layer {
+    std::size_t position = 0;
+    std::vector<Node> open;     ///< that were not refused; the smallest tilts first
+    std::vector<bool> is_free;  ///< of each open one, whether that is known
+    std::size_t at_once = 1;    ///< how many more to look at where the one that was taken is refused
+    RefusingPoints refusing;
+
+    void refuse(const std::vector<Node>& refused) {
+      std::size_t kept = 0;
+      for (std::size_t k = 0; k < open.size(); ++k) {
+        if (std::ranges::find(refused, open[k]) != refused.end()) continue;
+        open[kept] = open[k];
+        is_free[kept++] = is_free[k];
+      }
+      open.resize(kept);
+      is_free.resize(kept);
+    }
+  };
+
+  /// Both ends, those that are fixed, and some between.
   void add_first_layers() {
-    const std::size_t last = space_.size() - 1;
+    const std::size_t last = space_.size() - 1, pieces = std::min(kFirstLayers, last);
+    for (std::size_t k = 0; k <= pieces && pieces > 0; ++k) add_layer(k * last / pieces);
     add_layer(0);
-    add_layer(last);
     for (std::size_t i = 0; i < space_.size(); ++i) {
       if (space_[i].is_fixed) add_layer(i);
-    }
-    std::size_t pieces = 1;
-    while (pieces < kFirstLayers && pieces < space_.size()) pieces *= 2;
-    for (std::size_t step = pieces; step > 1; step /= 2) {
-      for (std::size_t k = step / 2; k < pieces; k += step) add_layer(k * last / pieces);
     }
   }
 
   void add_layer(std::size_t i) {
     if (is_layer_[i]) return;
     is_layer_[i] = true;
-    new_layers_.push_back(i);
-  }
-
-  /// A layer where nothing is free ends it.
-  [[nodiscard]] std::optional<std::size_t> look_at_new_layers() {
-    std::vector<std::size_t> left = std::move(new_layers_);
-    new_layers_.clear();
-    for (std::size_t begin = 0; begin < left.size(); begin += kAtATime) {
-      const std::size_t end = std::min(begin + kAtATime, left.size());
-      for_each_chunk(end - begin, 1, threads_, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) look_at(left[begin + k]);
-      });
-      for (std::size_t k = begin; k < end; ++k) {
-        if (free_[left[k]].empty()) return left[k];
-        layers_.push_back(left[k]);
-      }
-    }
-    std::ranges::sort(layers_);
-    return std::nullopt;
-  }
-
-  void look_at(std::size_t i) {
+    Layer layer;
+    layer.position = i;
     const bool is_fixed = space_[i].is_fixed;
-    RefusingPoints refusing;
     for (Node n = 0; n < nodes_.size() && (!is_fixed || n == 0); ++n) {
-      if (near_ != nullptr && (nodes_[n] - (*near_)[i]).norm() > reach_rad_) continue;
-      if (is_fixed || space_.is_free(i, nodes_[n], &refusing)) free_[i].push_back(n);
+      if (near_ == nullptr || !((nodes_[n] - (*near_)[i]).norm() > reach_rad_)) layer.open.push_back(n);
+    }
+    layer.is_free.assign(layer.open.size(), is_fixed);
+    layers_.insert(std::ranges::upper_bound(layers_, i, {}, &Layer::position), std::move(layer));
+  }
+
+  /// Whether any tilt is free there.
+  [[nodiscard]] bool look_at_all(Layer& layer) {
+    std::vector<Node> refused;
+    for (std::size_t k = 0; k < layer.open.size(); ++k) {
+      layer.is_free[k] = layer.is_free[k] || space_.is_free(layer.position, nodes_[layer.open[k]], &layer.refusing);
+      if (!layer.is_free[k]) refused.push_back(layer.open[k]);
+    }
+    layer.refuse(refused);
+    return !layer.open.empty();
+  }
+
+  /// Whether the tilt that was taken is free. Where it is not, others about it are looked at too, twice as many each
+  /// time: what refuses it refuses many, and a position where none is free is soon known.
+  [[nodiscard]] bool is_free(Layer& layer, Node taken) {
+    const auto index = static_cast<std::size_t>(std::ranges::find(layer.open, taken) - layer.open.begin());
+    if (layer.is_free[index]) return true;
+    layer.is_free[index] = space_.is_free(layer.position, nodes_[taken], &layer.refusing);
+    if (layer.is_free[index]) return true;
+    std::vector<std::size_t> others;
+    for (std::size_t k = 0; k < layer.open.size(); ++k) {
+      if (!layer.is_free[k] && k != index) others.push_back(k);
+    }
+    std::ranges::stable_sort(others, {},
+                             [&](std::size_t k) { return (nodes_[layer.open[k]] - nodes_[taken]).squaredNorm(); });
+    others.resize(std::min(others.size(), layer.at_once));
+    layer.at_once *= 2;
+    std::vector<Node> refused = {taken};
+    for (const std::size_t k : others) {
+      layer.is_free[k] = space_.is_free(layer.position, nodes_[layer.open[k]], &layer.refusing);
+      if (!layer.is_free[k]) refused.push_back(layer.open[k]);
+    }
+    layer.refuse(refused);
+    return false;
+  }
+
+  [[nodiscard]] std::optional<std::size_t> first_blocked() const {
+    const auto blocked = std::ranges::find_if(layers_, [](const Layer& layer) { return layer.open.empty(); });
+    return blocked == layers_.end() ? std::nullopt : std::optional(blocked->position);
+  }
+
+  /// The cheapest way through the layers that is free in each of them.
+  [[nodiscard]] std::optional<Choice> cheapest_free() {
+    for (;;) {
+      const std::optional<Choice> choice = cheapest();
+      if (!choice) return std::nullopt;
+      std::vector<char> is_refused(layers_.size(), 0);
+      for_each_chunk(layers_.size(), 1, threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t l = first; l < last; ++l) is_refused[l] = is_free(layers_[l], (*choice)[l]) ? 0 : 1;
+      });
+      if (std::ranges::find(is_refused, 1) == is_refused.end()) return choice;
+      if (first_blocked()) return std::nullopt;
     }
   }
 
-  [[nodiscard]] double way_mm(std::size_t i, std::size_t k) const {
-    return std::max(space_[k].way_mm - space_[i].way_mm, kLeastWay_mm);
-  }
-
-  [[nodiscard]] double cost(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const {
-    const double way = way_mm(i, k), blend = std::max(space_.task().options.blend_mm, kLeastWay_mm);
-    return 0.5 * way * (from.squaredNorm() + to.squaredNorm()) / (blend * blend) + (to - from).squaredNorm() / way;
-  }
-
-  [[nodiscard]] std::optional<TiltSequence> cheapest() {
-    constexpr double kNever = std::numeric_limits<double>::infinity();
-    std::vector<double> so_far(free_[layers_.front()].size(), 0);
-    std::vector<std::vector<std::uint32_t>> came_from(layers_.size());
-    for (std::size_t l = 1; l < layers_.size(); ++l) {
-      const std::size_t i = layers_[l - 1], k = layers_[l];
-      const std::vector<Node>&from = free_[i], &to = free_[k];
-      std::vector<double> best(to.size(), kNever);
-      came_from[l].assign(to.size(), 0);
-      for (std::uint32_t b = 0; b < to.size(); ++b) {
-        for (std::uint32_t a = 0; a < from.size(); ++a) {
-          const double total = so_far[a] + cost(i, nodes_[from[a]], k, nodes_[to[b]]);
-          if (!(total < best[b])) continue;
-          if (!struck_.empty() && struck_.contains({i, k, from[a], to[b]})) continue;
-          best[b] = total;
-          came_from[l][b] = a;
-        }
+  /// The cheapest way through the layers by tilts that were not refused.
+  [[nodiscard]] std::optional<Choice> cheapest() const {
+    std::vector<TiltLayer> layers;
+    for (const Layer& layer : layers_) {
+      TiltLayer& next = layers.emplace_back();
+      next.way_mm = space_[layer.position].way_mm;
+      for (const Node node : layer.open) next.tilts.push_back(nodes_[node]);
+    }
+    for (std::size_t l = 0; l + 1 < layers_.size(); ++l) {
+      const std::size_t i = layers_[l].position, k = layers_[l + 1].position;
+      for (auto it = struck_.lower_bound({i, k, 0, 0}); it != struck_.end() && it->from == i && it->to == k; ++it) {
+        const auto from = std::ranges::find(layers_[l].open, it->node);
+        const auto to = std::ranges::find(layers_[l + 1].open, it->next);
+        if (from == layers_[l].open.end() || to == layers_[l + 1].open.end()) continue;
+        layers[l].struck.emplace_back(from - layers_[l].open.begin(), to - layers_[l + 1].open.begin());
       }
-      so_far = std::move(best);
+      std::ranges::sort(layers[l].struck);
     }
-    const auto cheapest = std::ranges::min_element(so_far);
-    if (cheapest == so_far.end() || !(*cheapest < kNever)) return std::nullopt;
-    auto at = static_cast<std::uint32_t>(cheapest - so_far.begin());
-    std::vector<Node> chosen(layers_.size());
-    for (std::size_t l = layers_.size(); l-- > 0;) {
-      chosen[l] = free_[layers_[l]][at];
-      if (l > 0) at = came_from[l][at];
-    }
-    last_chosen_ = chosen;
-    return between_layers(chosen);
+    std::optional<Choice> choice = cheapest_choice(layers, space_.task().options.blend_mm);
+    for (std::size_t l = 0; choice && l < choice->size(); ++l) (*choice)[l] = layers_[l].open[(*choice)[l]];
+    return choice;
   }
 
-  [[nodiscard]] TiltSequence between_layers(const std::vector<Node>& chosen) const {
-    TiltSequence sequence(space_.size(), nodes_[chosen.front()]);
+  [[nodiscard]] TiltSequence between_layers(const Choice& choice) const {
+    TiltSequence sequence(space_.size(), nodes_[choice.front()]);
     for (std::size_t l = 1; l < layers_.size(); ++l) {
-      const std::size_t i = layers_[l - 1], k = layers_[l];
-      const Tilt &from = nodes_[chosen[l - 1]], &to = nodes_[chosen[l]];
-      for (std::size_t j = i + 1; j < k; ++j) {
-        const double share = (space_[j].way_mm - space_[i].way_mm) / way_mm(i, k);
-        sequence[j] = from + std::min(share, 1.0) * (to - from);
-      }
+      const std::size_t i = layers_[l - 1].position, k = layers_[l].position;
+      const double begin = space_[i].way_mm, way = std::max(space_[k].way_mm - begin, kLeastWay_mm);
+      const Tilt &from = nodes_[choice[l - 1]], &to = nodes_[choice[l]];
+      for (std::size_t j = i + 1; j < k; ++j)
+        sequence[j] = from + std::min((space_[j].way_mm - begin) / way, 1.0) * (to - from);
       sequence[k] = to;
     }
     return sequence;
   }
 
   /// Whether the sequence is free everywhere. Where not, layers are added or a change between two is struck out.
-  [[nodiscard]] bool prove(const TiltSequence& sequence) {
+  [[nodiscard]] bool prove(const TiltSequence& sequence, const Choice& choice) {
     constexpr char kPosition = 1, kMotion = 2;  // what is refused: the position, or the motion from it to the next
     std::vector<char> is_refused(space_.size(), 0);
     for_each_chunk(space_.size(), 8, threads_, [&](std::size_t first, std::size_t last) {
@@ -183,19 +219,21 @@ class Lattice {
         }
       }
     });
+    std::vector<std::size_t> added;
     bool is_proved = true;
     for (std::size_t l = 1; l < layers_.size(); ++l) {
-      const std::size_t first = layers_[l - 1], last = layers_[l];
+      const std::size_t first = layers_[l - 1].position, last = layers_[l].position;
       std::size_t bad = first;
       while (bad < last && is_refused[bad] == 0) ++bad;
       if (bad == last) continue;
       is_proved = false;
       if (last == first + 1) {
-        struck_.insert({first, last, last_chosen_[l - 1], last_chosen_[l]});
+        struck_.insert({first, last, choice[l - 1], choice[l]});
       } else {
-        add_layer(std::clamp(is_refused[bad] == kPosition ? bad : (first + last) / 2, first + 1, last - 1));
+        added.push_back(std::clamp(is_refused[bad] == kPosition ? bad : (first + last) / 2, first + 1, last - 1));
       }
     }
+    for (const std::size_t i : added) add_layer(i);
     return is_proved;
   }
 
@@ -203,13 +241,11 @@ class Lattice {
   unsigned threads_;
   const TiltSequence* near_;
   double reach_rad_;
-  std::vector<Tilt> nodes_;              // the smallest first
-  std::vector<std::vector<Node>> free_;  // of each layer
+  std::vector<Tilt> nodes_;  // the smallest first
   std::vector<bool> is_layer_;
-  std::vector<std::size_t> layers_, new_layers_;
+  std::vector<Layer> layers_;  // in the order of the way
   std::set<Struck> struck_;
   TiltProofs proofs_;
-  std::vector<Node> last_chosen_;
 };
 
 }  // namespace

@@ -21,13 +21,13 @@ struct LatticeResult {
 ///
 /// Tilts of a square lattice over all that is allowed, coarse at first, finer about what the coarse one found or where it
 /// found nothing. Layers are positions of the run, few at first; dynamic programming finds the cheapest way through them:
-/// sum of |tilt|^2 ds / blend^2 + |change of tilt|^2 / ds. Then, lazily, that way alone is proved: every position and
-/// motion of it. A position where it is not free becomes a layer of its own, a motion that is not is struck out, and the
-/// way is sought again.
+/// sum of |tilt|^2 ds / blend^2 + |change of tilt|^2 / ds. Only what that way takes is looked at, first its tilts at the
+/// layers, then every position and motion of it. A tilt that is not free is left out, a position where the way is not
+/// becomes a layer of its own, a motion that is not is struck out, and the way is sought again.
 /// `doubtful`: a position where no tilt may be free; it is looked at before all others. Where it is not, that is said at
 /// once.
 /// Ensures  the same sequence at any number of threads.
-/// Cost     some hundred checks of a position for each layer.
+/// Cost     some ten checks of a position for each layer; where none is free, of all its tilts, some hundred.
 /// Source   layers of postures: Plakhotnik and Lauwers 2014; only the winner's motions are proved: Dellin and Srinivasa
 ///          2016 (LazySP).
 [[nodiscard]] LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful);
