@@ -33,7 +33,7 @@ void set_extent(CompiledTool& tool) {
   }
 }
 
-double depth_on_axis(const CompiledTool& tool, double z) { return -evaluate(tool, 0, z).signed_distance_mm; }
+double depth_on_axis(const CompiledTool& tool, double z) { return -signed_distance_mm(tool, 0, z); }
 
 // Deepest of evenly spaced points, then halving the spacing around it: the depth is 1-Lipschitz, so the
 // result is within one spacing of the best depth, and in practice at it.

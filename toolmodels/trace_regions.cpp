@@ -109,7 +109,7 @@ class Tracer {
   double length_in_region(const Ray& ray, double limit) const {
     const auto is_nearest = [&](double t) {
       const Vec2 q = ray.from + t * ray.direction;
-      return std::abs(evaluate(tool_, std::max(0.0, q.x()), q.y()).signed_distance_mm) >= t - slack_;
+      return std::abs(signed_distance_mm(tool_, std::max(0.0, q.x()), q.y())) >= t - slack_;
     };
     if (is_nearest(limit)) return limit;
     double low = 0, high = limit;

@@ -139,7 +139,7 @@ class MoveChecker {
     const SearchResult entered = finish(offset_targets, 0, 0, *swept_.clearance);
     if (!entered.has_witness) return;
     const ToolPoint position = locate(entered);
-    if (!(evaluate(*offset_targets[entered.at.target].tool, position.r, position.z).signed_distance_mm < 0)) {
+    if (!(signed_distance_mm(*offset_targets[entered.at.target].tool, position.r, position.z) < 0)) {
       // It touches, and no point is in the clearance but for rounding.
       if (entered.value_upper_mm > options_.resolution_mm) is_decided_ = false;
       return;
@@ -157,7 +157,7 @@ class MoveChecker {
     const ToolPoint position = locate(entered);
     const ToolDistance at = evaluate(*target.tool, position.r, position.z);
     const SearchTarget all = whole()[entered.at.target];
-    const double depth = -evaluate(*all.tool, position.r, position.z).signed_distance_mm;
+    const double depth = -signed_distance_mm(*all.tool, position.r, position.z);
     verdict_.reason = {Reason::Kind::clearance_entered, target.tool->elements[at.element].body, entered.value_mm};
     if (!(depth > 0) || verdict_.depth_upper_mm - depth > options_.resolution_mm) return;
     verdict_.depth_mm = depth;

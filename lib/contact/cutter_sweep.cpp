@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "lib/geom/cross.h"
-#include "lib/path/toolpath.h"
+#include "lib/path/path_info.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
@@ -77,7 +77,12 @@ void CutterSweep::index() {
 
 std::uint32_t CutterSweep::build(std::uint32_t first, std::uint32_t last) {
   const auto index = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.push_back({Vec3::Constant(kNever), Vec3::Constant(-kNever), first, last, 0});
+  Node& made = nodes_.emplace_back();
+  made.low.setConstant(kNever);
+  made.high.setConstant(-kNever);
+  made.first = first;
+  made.last = last;
+  surround(made);
   if (last - first > kLeaf) {
     build(first, first + (last - first) / 2);
     const std::uint32_t second = build(first + (last - first) / 2, last);
@@ -103,6 +108,26 @@ std::uint32_t CutterSweep::build(std::uint32_t first, std::uint32_t last) {
     }
   }
   return index;
+}
+
+// A point of a body is moved from one pose to another by no more than its tip, and its distance from the tip times the
+// angle between the axes, about which it may be turned as one likes. On the way of a piece tips are between those of its
+// ends, and axes between its axes or its turn beyond.
+void CutterSweep::surround(Node& node) const {
+  const Piece& middle = pieces_[node.first + (node.last - node.first) / 2];
+  node.middle = middle.start;
+  for (std::uint32_t i = node.first; i < node.last; ++i) {
+    const Piece& piece = pieces_[i];
+    if (piece.cutter != middle.cutter) node.spread_mm = kNever;
+    const double way = std::max((piece.start.tip - node.middle.tip).norm(), (piece.end.tip - node.middle.tip).norm());
+    const double turn = angle_between_rad(piece.start.axis, node.middle.axis) + piece.angle_rad;
+    node.spread_mm = std::max(node.spread_mm, way + reach_mm(*piece.cutter) * turn + piece.off_mm);
+  }
+}
+
+bool CutterSweep::is_beyond(const Node& node, const Vec3& point, double within_mm) const {
+  return node.spread_mm < kNever &&
+         signed_distance_mm(*pieces_[node.first].cutter, node.middle, point) > node.spread_mm + within_mm;
 }
 
 /// Of the point that is farthest from the box, from it.
@@ -132,8 +157,12 @@ bool CutterSweep::visit(std::uint32_t index, std::span<const Vec3> points, const
     std::swap(near, far);
     std::swap(near_mm, far_mm);
   }
-  return (near_mm <= within() && visit(near, points, within, look, work)) ||
-         (far_mm <= within() && visit(far, points, within, look, work));
+  const auto is_near = [&](std::uint32_t child, double box_mm) {
+    const double within_mm = within();
+    return box_mm <= within_mm && !is_beyond(nodes_[child], points.front(), within_mm);
+  };
+  return (is_near(near, near_mm) && visit(near, points, within, look, work)) ||
+         (is_near(far, far_mm) && visit(far, points, within, look, work));
 }
 
 /// How far points are outside the cutter at the instants of one piece of motion: the largest of their distances.

@@ -65,14 +65,20 @@ class CutterSweep {
   };
   struct Node {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+    /// A pose among them; at no instant of them is a point of the cutter farther than spread_mm from where it is there.
+    Pose middle;
+    double spread_mm = 0;               ///< infinite where they have several cutters
     std::uint32_t first = 0, last = 0;  ///< pieces
     std::uint32_t second = 0;           ///< its halves are the next node and this one; 0: a leaf
   };
   class Instants;
 
   std::uint32_t build(std::uint32_t first, std::uint32_t last);
+  void surround(Node& node) const;
   [[nodiscard]] double away_mm(const Node& node, std::span<const Vec3> points) const;
-  /// Calls `look(piece)` for those whose box is no farther from all `points` than `within()`, the nearer half of a node
+  /// Whether a point is surely more than `within_mm` outside the cutter at all its instants.
+  [[nodiscard]] bool is_beyond(const Node& node, const Vec3& point, double within_mm) const;
+  /// Calls `look(piece)` for those that may be no farther from all `points` than `within()`, the nearer half of a node
   /// first, until it returns true.
   template <typename Within, typename Look>
   bool visit(std::uint32_t node, std::span<const Vec3> points, const Within& within, const Look& look,

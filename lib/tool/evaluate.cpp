@@ -51,17 +51,36 @@ ToolDistance result(const BoundaryElement& e, std::uint32_t index, const Vec2& q
   return e.kind == ElementKind::vertex ? from_vertex(e, index, q) : from_arc(e, index, q);
 }
 
-}  // namespace
+/// The distance of `result`, to the last bit.
+double distance_of(const BoundaryElement& e, const Vec2& q) {
+  if (e.kind == ElementKind::segment) return e.normal.dot(q - e.a);
+  const bool is_vertex = e.kind == ElementKind::vertex;
+  const double distance = std::sqrt((q - (is_vertex ? e.a : e.center)).squaredNorm());
+  return (e.is_reflex ? -1.0 : 1.0) * (is_vertex ? distance : distance - e.radius_mm);
+}
 
-ToolDistance evaluate(const CompiledTool& tool, double r_mm, double z_mm) {
-  if (tool.nodes.empty() && tool.elements.size() > 1) return evaluate_by_stretches(tool, r_mm, z_mm);
+bool has_stretches_alone(const CompiledTool& tool) { return tool.nodes.empty() && tool.elements.size() > 1; }
+
+std::uint32_t nearest_element(const CompiledTool& tool, double r, double z) {
   std::int32_t at = tool.nodes.empty() ? ~std::int32_t{0} : 0;
   while (at >= 0) {
     const BspNode& node = tool.nodes[static_cast<std::size_t>(at)];
-    at = node_value(node, r_mm, z_mm) < 0 ? node.negative : node.positive;
+    at = node_value(node, r, z) < 0 ? node.negative : node.positive;
   }
-  const auto element = static_cast<std::uint32_t>(~at);
+  return static_cast<std::uint32_t>(~at);
+}
+
+}  // namespace
+
+ToolDistance evaluate(const CompiledTool& tool, double r_mm, double z_mm) {
+  if (has_stretches_alone(tool)) return evaluate_by_stretches(tool, r_mm, z_mm);
+  const std::uint32_t element = nearest_element(tool, r_mm, z_mm);
   return result(tool.elements[element], element, Vec2(r_mm, z_mm));
+}
+
+double signed_distance_mm(const CompiledTool& tool, double r_mm, double z_mm) {
+  if (has_stretches_alone(tool)) return evaluate_by_stretches(tool, r_mm, z_mm).signed_distance_mm;
+  return distance_of(tool.elements[nearest_element(tool, r_mm, z_mm)], Vec2(r_mm, z_mm));
 }
 
 ToolDistance evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm, double z_mm) {

@@ -28,11 +28,14 @@ struct ToolDistance {
 /// (no borders), or where there is no tree.
 [[nodiscard]] ToolDistance evaluate_by_stretches(const CompiledTool& tool, double r_mm, double z_mm);
 
+/// The signed distance of evaluate alone, to the last bit.
+[[nodiscard]] double signed_distance_mm(const CompiledTool& tool, double r_mm, double z_mm);
+
 /// Signed distance of a point of the part, in part coordinates, to the tool at a pose.
 [[nodiscard]] inline double signed_distance_mm(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
   const Vec3 from_tip = point - pose.tip;
   const double z = from_tip.dot(pose.axis);
-  return evaluate(tool, (from_tip - z * pose.axis).norm(), z).signed_distance_mm;
+  return signed_distance_mm(tool, (from_tip - z * pose.axis).norm(), z);
 }
 
 /// Distance to one element, its ends included; not signed.

@@ -50,7 +50,7 @@ RegionFinder::RegionFinder(const CompiledTool& tool)
   }
 }
 
-double RegionFinder::depth_at(double r, double z) const { return -evaluate(tool_, std::abs(r), z).signed_distance_mm; }
+double RegionFinder::depth_at(double r, double z) const { return -signed_distance_mm(tool_, std::abs(r), z); }
 
 // Local maxima of the depth off the axis: hollow cutters and undercut rings have them. Looked for upward from the
 // points of a grid that are no less deep than their neighbours.

@@ -56,7 +56,7 @@ class ReachSearch {
  private:
   [[nodiscard]] double free_at(const Vec2& q) const {
     looks_ += kLooksOfEvaluation;
-    return -evaluate(form_, std::max(0.0, q.x()), q.y()).signed_distance_mm - depth_mm_ - kReachRounding * size_mm_;
+    return -signed_distance_mm(form_, std::max(0.0, q.x()), q.y()) - depth_mm_ - kReachRounding * size_mm_;
   }
 
   /// What is deeper than asked of the largest ball that touches the boundary at the middle ray's foot, or nearly.
@@ -127,7 +127,7 @@ class ReachSearch {
   [[nodiscard]] bool is_asked(const Ball& ball) const {
     if (ball.center.x() > 0) return false;
     const double excess = kRegionRounding * (bare_.z_max_mm - bare_.z_min_mm);
-    return -evaluate(bare_, 0, ball.center.y()).signed_distance_mm > depth_mm_ + excess;
+    return -signed_distance_mm(bare_, 0, ball.center.y()) > depth_mm_ + excess;
   }
 
   /// Whether all of the straight line between two points is deeper than asked.
@@ -214,8 +214,7 @@ class ReachSearch {
     const double longest = std::min(cell.longest_ray_mm(), size_mm_);
     for (double t = depth_mm_; t < longest; t *= 1.25) {
       const Vec2 q = cell.at(cell.middle(), t);  // beyond the axis the mirrored tool goes on
-      if (-evaluate(form_, std::abs(q.x()), q.y()).signed_distance_mm <
-          t - cell.width_mm(t) - kReachRounding * size_mm_)
+      if (-signed_distance_mm(form_, std::abs(q.x()), q.y()) < t - cell.width_mm(t) - kReachRounding * size_mm_)
         return t;
     }
     return longest;

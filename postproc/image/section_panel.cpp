@@ -102,7 +102,7 @@ class ToolBodies {
   }
   [[nodiscard]] double distance_mm(const Vec2& p) const {
     const double r = beside2_ > 0 ? std::sqrt(p.x() * p.x() + beside2_) : std::abs(p.x());
-    return evaluate(tool_, r, p.y()).signed_distance_mm;
+    return signed_distance_mm(tool_, r, p.y());
   }
 
   // No pixel of a square is nearer to the boundary than its middle by more than it is far from the middle.
