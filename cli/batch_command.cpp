@@ -13,6 +13,7 @@
 #include "cli/batch_run.h"
 #include "cli/batch_watch.h"
 #include "cli/report_folder.h"
+#include "lib/base/byte_size.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
@@ -62,8 +63,9 @@ class Batch {
     if (arguments_.is_rehearsal) return ranks_->is_first() ? list() : kExitClean;
     if (!ranks_->is_first()) status = open_own_store().value_or(kExitClean);
     if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
-    const BatchOptions options{arguments_.folder, jobs_at_once(), memory_bytes(), stop_on(arguments_),
-                               arguments_.chunk};
+    MeshCopies copies(arguments_.scratch);
+    const BatchOptions options{arguments_.folder,   jobs_at_once(),   memory_bytes(),
+                               stop_on(arguments_), arguments_.chunk, &copies};
     Progress progress(err_, ranks_->is_first() ? understand_progress(arguments_.progress) : ProgressMode::never);
     BatchRun batch(jobs_, texts_, options, *store_, progress, *ranks_);
     BatchPlan plan = ranks_->is_first() ? batch.plan(jobs_to_run()) : BatchPlan();
@@ -71,6 +73,7 @@ class Batch {
     ranks_->share(plan.together);
     for (const auto* numbers : {&plan.alone, &plan.together}) ran_.insert(numbers->begin(), numbers->end());
     const Outcome ran = batch.run(plan);
+    tell(copies);
     if (!ran) status = fail(err_, {ran.error()}, kExitInternal);
     if (!ranks_->is_first()) store_.reset();
     is_stopped_ = ranks_->largest(batch.is_stopped() || is_stopped_ ? 1 : 0) != 0;
@@ -279,6 +282,17 @@ class Batch {
       if (output.file.starts_with("corrected/") && is_below(output.file) && are_as_written({output}, arguments_.folder))
         fs::remove(arguments_.folder + "/" + output.file, ignored);
     }
+  }
+
+  void tell(const MeshCopies& copies) const {
+    Diagnostics notes;
+    if (const auto trouble = copies.trouble()) notes.push_back(*trouble);
+    if (copies.files() > 0)
+      notes.push_back(make_note("scratch-copied",
+                                "holds " + count_text(copies.files(), "mesh", "meshes") + " more, of " +
+                                    byte_size_text(copies.bytes()) + ", until the last process here ends",
+                                arguments_.scratch));
+    print_notes(err_, notes, arguments_);
   }
 
   [[nodiscard]] std::size_t jobs_at_once() const {

@@ -56,6 +56,11 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
                   "Check the toolpaths of a folder (or like 'hot/*.apt') now, and each that is written there, until "
                   "ctrl-C")
       ->type_name("FOLDER");
+  command
+      .add_option("--scratch", a.scratch,
+                  "A folder on a disk of this machine, where meshes are copied, once for all processes here, and read "
+                  "from: for meshes on a slow file system that many share")
+      ->type_name("FOLDER");
   command.add_flag("--force", a.is_forced,
                    "Let outputs replace files of their names that no batch or report wrote, never an input");
   add_common_job_options(command, a.job, false);
@@ -74,9 +79,9 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
 }
 
 void take_words(const CLI::App& command, BatchArguments& arguments) {
-  constexpr std::string_view kOwn[] = {"output",  "jobs",     "resume", "fresh",   "dry-run", "no-reports",
-                                       "stop-on", "memory",   "chunk",  "shard",   "watch",   "force",
-                                       "threads", "progress", "quiet",  "verbose", "color",   "help"};
+  constexpr std::string_view kOwn[] = {"output",   "jobs",  "resume",  "fresh", "dry-run", "no-reports", "stop-on",
+                                       "memory",   "chunk", "shard",   "watch", "scratch", "force",      "threads",
+                                       "progress", "quiet", "verbose", "color", "help"};
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || option->get_lnames().empty()) continue;
     const std::string& name = option->get_lnames().front();

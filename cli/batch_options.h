@@ -22,7 +22,7 @@ struct BatchArguments : Verbosity {
   std::vector<std::string> files;  ///< a job list, or toolpaths
   JobArguments job;                ///< how toolpaths are checked; `job.threads` of the whole batch
   std::vector<std::string> words;  ///< the options of `job` that were given
-  std::string folder, progress = "auto", stop_on, shard, watch;
+  std::string folder, progress = "auto", stop_on, shard, watch, scratch;
   std::uint32_t jobs = 0;
   double memory_gb = 0;
   std::size_t chunk = 65536;  ///< moves

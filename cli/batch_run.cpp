@@ -36,7 +36,13 @@ bool is_reason_to_stop(StopOn what, std::optional<int> status) {
 
 BatchRun::BatchRun(const std::vector<BatchJob>& jobs, const std::vector<std::string>& texts,
                    const BatchOptions& options, ResultStore& store, Progress& progress, Ranks& ranks)
-    : jobs_(jobs), texts_(texts), options_(options), store_(store), progress_(progress), ranks_(ranks) {
+    : jobs_(jobs),
+      texts_(texts),
+      options_(options),
+      store_(store),
+      progress_(progress),
+      ranks_(ranks),
+      scenes_(options.copies) {
   for (const BatchJob& job : jobs) sizes_.push_back(size_of(job));
 }
 

@@ -28,7 +28,8 @@ struct BatchOptions {
   std::size_t jobs_at_once = 1;
   std::uint64_t memory_bytes = 0;  ///< that all running jobs may need together, as estimated
   StopOn stop_on = StopOn::nothing;
-  std::size_t chunk = 0;  ///< moves after which a long job keeps what is done
+  std::size_t chunk = 0;         ///< moves after which a long job keeps what is done
+  MeshCopies* copies = nullptr;  ///< where meshes are read from; none: where they are
 };
 
 /// In which order jobs begin.

@@ -49,7 +49,8 @@ class SceneLoader {
                    std::vector<MeshFacts>& facts, const RigidTransform& place) {
     for (const std::string& name : names) {
       progress_.begin("reading " + name);
-      Result<FileView> view = view_file(name, request_.most_bytes);
+      Result<FileView> view = request_.copies != nullptr ? request_.copies->view(name, request_.most_bytes)
+                                                         : view_file(name, request_.most_bytes);
       if (!view) {
         files_->errors.push_back(view.error());
         continue;

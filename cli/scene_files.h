@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/mesh_copies.h"
 #include "cli/progress.h"
 #include "lib/base/diagnostic.h"
 #include "lib/base/units.h"
@@ -27,6 +28,7 @@ struct SceneRequest {
   std::string place_text;  ///< the same, as the user typed it
   std::uint64_t most_bytes = 0;
   unsigned threads = 0;
+  MeshCopies* copies = nullptr;  ///< where files are read from; none: where they are
 
   /// Equal for requests that read the same files in the same way.
   [[nodiscard]] std::string key() const;

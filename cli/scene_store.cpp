@@ -28,7 +28,11 @@ SceneSource SceneStore::source(const JobArguments& arguments) {
       if (!place) place = std::make_shared<Entry>();
       entry = place;
     }
-    std::call_once(entry->once, [&] { entry->files = load_scene(request, progress); });
+    std::call_once(entry->once, [&] {
+      SceneRequest its = request;
+      its.copies = copies_;
+      entry->files = load_scene(its, progress);
+    });
     return entry->files;
   };
 }

@@ -15,6 +15,9 @@ namespace gouge {
 /// same wait, and is let go when the last job that may ask for it is done. May be used from several threads.
 class SceneStore {
  public:
+  /// Files are read from `copies`, which must outlive it; none: where they are.
+  explicit SceneStore(MeshCopies* copies = nullptr) : copies_(copies) {}
+
   /// One more job will ask for the scene of these arguments.
   void expect(const JobArguments& arguments);
   /// A job that was expected is done with it.
@@ -34,6 +37,7 @@ class SceneStore {
     std::map<std::string, std::shared_ptr<Entry>> entries;  // by SceneRequest::key, as units may come from the toolpath
   };
 
+  MeshCopies* copies_;
   std::mutex guard_;
   std::map<std::string, Group> groups_;
 };

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/samples/batch_folder.h"
 #include "tests/samples/program.h"
@@ -179,6 +180,58 @@ TEST(Batch, IsTheSameUnderMpirunAndAfterARankIsKilled) {
                              "mpirun -n 2 $GOUGECHECK batch jobs.json -o killed -q --resume; echo resumed $?");
   EXPECT_NE(killed.out.find("resumed 1\n"), std::string::npos) << killed.out << killed.err;
   EXPECT_EQ(difference(expected, batch_files(folder + "/killed")), "");
+}
+
+// The numbers of meshes that processes say they copied, together.
+int meshes_copied(const std::string& err) {
+  const std::string before = "holds ";
+  int meshes = 0;
+  for (std::size_t at = err.find(before); at != std::string::npos; at = err.find(before, at + 1))
+    meshes += std::stoi(err.substr(at + before.size()));
+  return meshes;
+}
+
+TEST(Batch, ReadsEachMeshOnceForAllProcessesOfAMachine) {
+  const std::string folder = samples_with_list(kSamples);
+  fs::create_directories(folder + "/disk");
+  ASSERT_EQ(run_batch(folder, {"jobs.json", "-o", "one"}).exit_status, 1);
+  const auto expected = batch_files(folder + "/one");
+  std::set<std::string> meshes;
+  const Json list = Json::parse(text_of(folder + "/jobs.json"));
+  for (const Json& job : list.at("jobs")) {
+    for (const char* key : {"part", "fixture", "head"}) {
+      for (const auto& file : job.value(key, Json::array())) meshes.insert(file.get<std::string>());
+    }
+  }
+  const std::string batch = "$GOUGECHECK batch jobs.json -v --scratch disk -o ";
+  const auto run = [&](const std::string& how, const std::string& out) {
+    const Outcome ran = run_script(folder, kMpirun + how + batch + out);
+    EXPECT_EQ(ran.exit_status, 1) << ran.err;
+    EXPECT_EQ(meshes_copied(ran.err), static_cast<int>(meshes.size())) << ran.err;
+    EXPECT_EQ(difference(expected, batch_files(folder + "/" + out)), "") << out;
+    EXPECT_TRUE(fs::is_empty(folder + "/disk"));
+  };
+  run("", "alone");
+  if (!kHasMpi) return;
+  run("mpirun -n 3 ", "ranks");
+  const Outcome killed = run_script(folder, kMpirun + "mpirun -n 3 " + batch +
+                                                "killed & all=$!\n"
+                                                "while [ -z \"$(ls disk)\" ]; do sleep 0.01; done; sleep 0.1\n"
+                                                "kill -9 $(pgrep -f 'batch jobs.json' -P $all | tail -n 1)\n"
+                                                "wait $all; mpirun -n 2 " +
+                                                batch + "killed --resume; echo resumed $?");
+  EXPECT_NE(killed.out.find("resumed 1\n"), std::string::npos) << killed.out << killed.err;
+  EXPECT_EQ(difference(expected, batch_files(folder + "/killed")), "");
+  EXPECT_TRUE(fs::is_empty(folder + "/disk"));
+}
+
+TEST(Batch, GoesOnWithoutADiskOfItsOwn) {
+  const std::string folder = samples_with_list({"needles"});
+  const Outcome ran = run_batch(folder, {"jobs.json", "-o", "out", "--scratch", "gone"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_NE(ran.err.find("meshes are read where they are; the results are the same [scratch-unusable]\n"),
+            std::string::npos)
+      << ran.err;
 }
 
 TEST(Batch, SaysThatMpirunIsOfNoUseWithoutMpi) {

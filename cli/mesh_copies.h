@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "lib/base/diagnostic.h"
+#include "lib/base/result.h"
+#include "lib/base/view_file.h"
+
+namespace gouge {
+
+/// Copies of meshes on a disk of this machine, so that all gougechecks on it, ranks or shares, read a mesh of a shared
+/// file system once. They agree by locks on files alone; what one of them left that was killed is removed by the next
+/// that begins, all by the last that ends. May be used from several threads.
+class MeshCopies {
+ public:
+  /// In a folder of this user's own below `folder`; empty: nothing is copied.
+  explicit MeshCopies(const std::string& folder);
+  MeshCopies(const MeshCopies&) = delete;
+  MeshCopies& operator=(const MeshCopies&) = delete;
+  ~MeshCopies();
+
+  /// As view_file: from the copy where there is one with the SHA-256 of what was copied, made of the file as it is now;
+  /// else from the file, and copied.
+  [[nodiscard]] Result<FileView> view(const std::string& path, std::uint64_t most_bytes);
+
+  /// Why files are read where they are, the first reason of all (a warning, code scratch-unusable).
+  [[nodiscard]] std::optional<Diagnostic> trouble() const;
+  /// What this one has copied.
+  [[nodiscard]] std::size_t files() const;
+  [[nodiscard]] std::uint64_t bytes() const;
+
+ private:
+  void open();
+  void note(const std::string& what, int error);
+  [[nodiscard]] bool put(const std::string& copy, std::string_view bytes);
+
+  std::string folder_;  // of the copies; empty: none
+  int in_use_ = -1;     // a file there that all who use the folder have locked together
+  mutable std::mutex guard_;
+  std::optional<Diagnostic> trouble_;
+  std::size_t files_ = 0;
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace gouge
