@@ -32,11 +32,11 @@ bool is_convex(const CompiledTool& tool) {
   return true;
 }
 
-double reach_mm(const CompiledTool& tool) {
-  return Vec2(tool.r_max_mm, std::max(tool.z_max_mm, -tool.z_min_mm)).norm();
-}
-
 }  // namespace
+
+double farthest_mm(const CompiledTool& cutter) {
+  return Vec2(cutter.r_max_mm, std::max(cutter.z_max_mm, -cutter.z_min_mm)).norm();
+}
 
 Pose CutterSweep::Piece::at(double t) const {
   const Vec3 tip = start.tip + t * (end.tip - start.tip);
@@ -60,7 +60,7 @@ void CutterSweep::add(const Motion& motion, const CompiledTool& cutter, std::siz
       piece.end = {motion.tip_at(t1, number), motion.at(t1).axis};
       piece.angle_rad = (t1 - t0) * motion.angle_rad();
       // An axis that runs along the chord instead of the arc is ahead of an even turn, or behind, by less than angle^3 / 60.
-      piece.off_mm = motion.sag_mm(t0, t1, number) + reach_mm(cutter) * std::pow(piece.angle_rad, 3) / 60;
+      piece.off_mm = motion.sag_mm(t0, t1, number) + farthest_mm(cutter) * std::pow(piece.angle_rad, 3) / 60;
       piece.cutter = &cutter;
       piece.move = move;
       piece.is_convex = is_round;
@@ -98,7 +98,7 @@ std::uint32_t CutterSweep::build(std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t i = first; i < last; ++i) {
     const Piece& piece = pieces_[i];
     // About the axis at both ends, and what both leave their chords by in between.
-    const double bulge = reach_mm(*piece.cutter) * piece.angle_rad * piece.angle_rad / 8 + piece.off_mm;
+    const double bulge = farthest_mm(*piece.cutter) * piece.angle_rad * piece.angle_rad / 8 + piece.off_mm;
     const Vec3 wide = Vec3::Constant(piece.cutter->r_max_mm + bulge);
     for (const Pose& pose : {piece.start, piece.end}) {
       for (const double z : {piece.cutter->z_min_mm, piece.cutter->z_max_mm}) {
@@ -121,7 +121,7 @@ void CutterSweep::surround(Node& node) const {
     if (piece.cutter != middle.cutter) node.spread_mm = kNever;
     const double way = std::max((piece.start.tip - node.middle.tip).norm(), (piece.end.tip - node.middle.tip).norm());
     const double turn = angle_between_rad(piece.start.axis, node.middle.axis) + piece.angle_rad;
-    node.spread_mm = std::max(node.spread_mm, way + reach_mm(*piece.cutter) * turn + piece.off_mm);
+    node.spread_mm = std::max(node.spread_mm, way + farthest_mm(*piece.cutter) * turn + piece.off_mm);
   }
 }
 

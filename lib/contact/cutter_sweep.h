@@ -23,6 +23,9 @@ struct SweepHint {
   std::size_t work = 0;  ///< bounds of nodes and motions looked at so far
 };
 
+/// No point of the cutter is farther from its tip.
+[[nodiscard]] double farthest_mm(const CompiledTool& cutter);
+
 /// The space that cutters pass through on motions: a tree over the motions in the order in which they were added.
 /// Moves of a path may be taken out of it.
 class CutterSweep {

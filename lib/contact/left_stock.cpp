@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <queue>
-#include <vector>
 
-#include "lib/base/parallel.h"
+#include "lib/base/best_first_search.h"
 #include "lib/geom/triangle.h"
 
 namespace gouge {
@@ -16,7 +14,6 @@ constexpr double kBorderShare = 0.02, kMostBorder_mm = 0.1;  // of the cutter's 
 constexpr double kLeastShare = 0.1;   // of the border: what is not decided on a piece so small is not decided
 constexpr double kFirstPiece_mm = 8;  // no piece is longer
 constexpr double kRelativeGap = 0.1, kStockGap_mm = 0.01;
-constexpr std::size_t kPiecesAtOnce = 64;
 
 double longest_mm(const SidedPiece& at) {
   const std::size_t k = longest_edge(at.corners);
@@ -25,38 +22,24 @@ double longest_mm(const SidedPiece& at) {
 
 Vec3 middle_of(const SidedPiece& at) { return (at.corners[0] + at.corners[1] + at.corners[2]) / 3.0; }
 
-/// A piece whose points may be finished, and may be left by up to `most_mm`.
-struct Candidate {
+/// A piece whose points may be finished, and may be left by up to upper_mm.
+struct Candidate : SearchCandidate {
   SidedPiece at;
-  double most_mm = std::numeric_limits<double>::infinity();
-  std::size_t number = 0;  ///< in the order in which they were made: ties are settled by it
   SweepHint finished;
   std::array<SweepHint, std::tuple_size_v<SweepsAfter>> covered, nearest;
-};
 
-std::size_t work_of(const Candidate& candidate) {
-  std::size_t work = candidate.finished.work;
-  for (std::size_t i = 0; i < candidate.nearest.size(); ++i)
-    work += candidate.covered[i].work + candidate.nearest[i].work;
-  return work;
-}
-
-void forget_work(Candidate& candidate) {
-  candidate.finished.work = 0;
-  for (SweepHint& hint : candidate.covered) hint.work = 0;
-  for (SweepHint& hint : candidate.nearest) hint.work = 0;
-}
-
-struct IsLess {
-  bool operator()(const Candidate& a, const Candidate& b) const {
-    if (a.most_mm < b.most_mm || b.most_mm < a.most_mm) return a.most_mm < b.most_mm;
-    return a.number > b.number;
+  [[nodiscard]] std::size_t work() const {
+    std::size_t all = finished.work;
+    for (std::size_t i = 0; i < nearest.size(); ++i) all += covered[i].work + nearest[i].work;
+    return all;
   }
 };
 
 /// Best first: the piece that may be left by most is looked at, sampled in its middle and halved.
-class Finder {
+class Finder : public BestFirstSearch<Finder, Candidate> {
  public:
+  static constexpr bool kDescends = true;
+
   Finder(const CutterSweep& before, const SweepsAfter& after, const StockLimits& limits)
       : before_(before), after_(after), limits_(limits) {
     border_mm_ = std::min(kMostBorder_mm, kBorderShare * before.least_radius_mm());
@@ -69,65 +52,53 @@ class Finder {
     return before_.may_reach(at, limits_.finished_mm + border_mm_, border_mm_, hint);
   }
 
-  /// Of a ball about the surface.
-  [[nodiscard]] bool may_be_finished(const Vec3& centre, double radius_mm) const {
+  /// Of a ball about the surface, from either side.
+  [[nodiscard]] bool may_be_finished(const Vec3& centre, double radius_mm, SweepHint& hint) const {
     const double near = radius_mm + limits_.finished_mm;
-    SweepHint none;
-    return before_.distance(centre, near, near + 1, none) <= near;
+    return before_.distance(centre, near, near + 1, hint) <= near;
   }
 
   void add(const SidedPiece& at, const SweepHint& finished) {
     Candidate candidate;
+    candidate.upper_mm = std::numeric_limits<double>::infinity();
     candidate.at = at;
-    candidate.number = made_++;
     candidate.finished = finished;
-    queue_.push(candidate);
+    offer(candidate);
   }
 
-  [[nodiscard]] std::optional<LeftStock> search(unsigned threads) {
-    std::size_t work = 0;
-    std::vector<Candidate> now;
-    std::vector<Outcome> outcomes;
-    while (!queue_.empty() && queue_.top().most_mm > bar_mm()) {
-      if (work >= limits_.most_work) {
-        give_up(queue_.top().at, queue_.top().most_mm);
-        break;
-      }
-      now.clear();
-      while (!queue_.empty() && now.size() < kPiecesAtOnce && queue_.top().most_mm > bar_mm()) {
-        now.push_back(queue_.top());
-        forget_work(now.back());
-        queue_.pop();
-      }
-      outcomes.assign(now.size(), {});
-      for_each_chunk(now.size(), 4, threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) outcomes[i] = look(now[i]);
-      });
-      for (std::size_t i = 0; i < now.size(); ++i) {
-        work += work_of(now[i]);
-        take(now[i], outcomes[i]);
-      }
-    }
-    if (undecided_mm_ <= bar_mm()) return left_;
+  [[nodiscard]] std::optional<LeftStock> search() {
+    run();
+    if (const Candidate* const open = undecided()) give_up(open->at, open->upper_mm);
+    if (undecided_mm_ <= threshold_mm()) return left_;
     if (!left_) return LeftStock{limits_.allowed_mm, false, true, undecided_, kNone};
     left_->is_more = true;
     return left_;
   }
 
- private:
-  struct Outcome {
-    double most_mm = 0;        ///< what is left of the piece is no more
-    double away_mm = 0;        ///< of its middle
-    std::size_t move = kNone;  ///< that finished the middle, where that is left by more than was known
-  };
-
-  [[nodiscard]] bool is_found() const { return left_.has_value(); }
-
   /// As much as was found to be left, and no more than it matters.
-  [[nodiscard]] double bar_mm() const {
+  [[nodiscard]] double threshold_mm() const {
     if (!is_found()) return limits_.allowed_mm;
     return left_->is_more ? limits_.most_mm + kFirstPiece_mm : left_->thickness_mm * (1 + kRelativeGap) + kStockGap_mm;
   }
+
+  [[nodiscard]] bool is_exhausted() const { return work_ >= limits_.most_work; }
+
+  void split(const Candidate& candidate) {
+    Candidate next = candidate;
+    const std::size_t before = next.work();
+    const bool may_be_left = look(next);
+    work_ += next.work() - before;
+    const SidedPiece& at = candidate.at;
+    if (!may_be_left || next.upper_mm <= threshold_mm()) return;
+    if (longest_mm(at) <= kLeastShare * border_mm_) return give_up(at, next.upper_mm);
+    for (const auto& half : halves(at.corners, longest_edge(at.corners))) {
+      next.at.corners = half;
+      offer(next);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool is_found() const { return left_.has_value(); }
 
   /// That points of it are left by up to `most_mm` is not decided.
   void give_up(const SidedPiece& at, double most_mm) {
@@ -136,44 +107,27 @@ class Finder {
     undecided_ = middle_of(at);
   }
 
-  [[nodiscard]] Outcome look(Candidate& candidate) const {
-    const double bar = bar_mm();
+  /// Bounds what is left of it, and measures that in its middle. False: none of it is left above the threshold.
+  [[nodiscard]] bool look(Candidate& candidate) {
     const SidedPiece& at = candidate.at;
-    if (!may_be_finished(at, candidate.finished) || is_covered(candidate, bar)) return {};
+    const double threshold = threshold_mm();
+    if (!may_be_finished(at, candidate.finished) || is_covered(candidate, threshold)) return false;
     const Vec3 middle = middle_of(at);
     double radius = 0;
     for (const Vec3& corner : at.corners) radius = std::max(radius, (corner - middle).norm());
-    Outcome outcome;
-    outcome.away_mm = away_from_cuts(candidate, middle, bar - radius);
-    outcome.most_mm = std::min(candidate.most_mm, outcome.away_mm + radius);
-    if (outcome.away_mm > limits_.allowed_mm && (!is_found() || outcome.away_mm > left_->thickness_mm)) {
-      const Vec3 finished = middle + limits_.finished_mm * at.outward;
-      outcome.move = before_.covering_move({&finished, 1}, candidate.finished);
-    }
-    return outcome;
+    const double away = away_from_cuts(candidate, middle, threshold - radius);
+    candidate.upper_mm = std::min(candidate.upper_mm, away + radius);
+    if (away <= limits_.allowed_mm || (is_found() && away <= left_->thickness_mm)) return true;
+    const Vec3 finished = middle + limits_.finished_mm * at.outward;
+    const std::size_t move = before_.covering_move({&finished, 1}, candidate.finished);
+    if (move != kNone) left_ = LeftStock{std::min(away, limits_.most_mm), away >= limits_.most_mm, false, middle, move};
+    return true;
   }
 
-  void take(const Candidate& candidate, const Outcome& outcome) {
-    const SidedPiece& at = candidate.at;
-    const double away = outcome.away_mm;
-    if (outcome.move != kNone && (!is_found() || away > left_->thickness_mm)) {
-      left_ = LeftStock{std::min(away, limits_.most_mm), away >= limits_.most_mm, false, middle_of(at), outcome.move};
-    }
-    if (outcome.most_mm <= bar_mm()) return;
-    if (longest_mm(at) <= kLeastShare * border_mm_) return give_up(at, outcome.most_mm);
-    for (const auto& half : halves(at.corners, longest_edge(at.corners))) {
-      Candidate next = candidate;
-      next.at.corners = half;
-      next.most_mm = outcome.most_mm;
-      next.number = made_++;
-      queue_.push(next);
-    }
-  }
-
-  /// Whether one pose of a new cutter is over all of the piece, at the bar or lower.
-  [[nodiscard]] bool is_covered(Candidate& candidate, double bar_mm) const {
+  /// Whether one pose of a new cutter is over all of the piece, no more than `most_mm` away.
+  [[nodiscard]] bool is_covered(Candidate& candidate, double most_mm) const {
     if (!is_convex_) return false;
-    const Vec3 up = bar_mm * candidate.at.outward;
+    const Vec3 up = most_mm * candidate.at.outward;
     const auto& at = candidate.at.corners;
     const std::array<Vec3, 3> corners = {at[0] + up, at[1] + up, at[2] + up};
     for (std::size_t i = 0; i < after_.size(); ++i) {
@@ -200,8 +154,7 @@ class Finder {
   std::optional<LeftStock> left_;
   double undecided_mm_ = 0;
   Vec3 undecided_ = Vec3::Zero();
-  std::size_t made_ = 0;
-  std::priority_queue<Candidate, std::vector<Candidate>, IsLess> queue_;
+  std::size_t work_ = 0;
 };
 
 /// Gives pieces of all triangles that cutters of `before` may finish to a search.
@@ -213,7 +166,7 @@ class Gatherer {
     const NodeBlock& node = tree_.nodes[index];
     for (std::size_t i = 0; i < node.count; ++i) {
       const Vec3 centre = tree_.origin + Vec3(node.center[0][i], node.center[1][i], node.center[2][i]);
-      if (!finder_.may_be_finished(centre, static_cast<double>(node.radius_mm[i]))) continue;
+      if (!finder_.may_be_finished(centre, static_cast<double>(node.radius_mm[i]), near_)) continue;
       if (!node.has_leaves) {
         visit(node.child[i]);
         continue;
@@ -227,6 +180,10 @@ class Gatherer {
   void add(const std::array<Vec3, 3>& triangle) {
     const Vec3 across = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
     if (!(across.norm() > 0)) return;
+    const Vec3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+    double radius = 0;
+    for (const Vec3& corner : triangle) radius = std::max(radius, (corner - middle).norm());
+    if (!finder_.may_be_finished(middle, radius, near_)) return;
     for (const double side : {1.0, -1.0}) cut({triangle, side * across.normalized()});
   }
 
@@ -238,17 +195,17 @@ class Gatherer {
 
   const BlockTree& tree_;
   Finder& finder_;
-  SweepHint hint_;
+  SweepHint hint_, near_;
 };
 
 }  // namespace
 
 std::optional<LeftStock> find_left_stock(const BlockTree& parts, const CutterSweep& before, const SweepsAfter& after,
-                                         const StockLimits& limits, unsigned threads) {
+                                         const StockLimits& limits) {
   if (parts.nodes.empty() || before.is_empty()) return std::nullopt;
   Finder finder(before, after, limits);
   Gatherer(parts, finder).visit(0);
-  return finder.search(threads);
+  return finder.search();
 }
 
 }  // namespace gouge

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/parallel.h"
 #include "lib/check/path_motion.h"
 #include "lib/correct/laws.h"
 #include "lib/correct/plan_holes.h"
@@ -41,7 +42,7 @@ class Measurer {
 
   [[nodiscard]] std::vector<StockStretch> measure(double allowed_mm) const {
     std::vector<StockStretch> left;
-    std::vector<std::pair<std::size_t, std::size_t>> stretches;
+    std::vector<Stretch> stretches;
     for (std::size_t i = 0; i < is_changed_.size(); ++i) {
       if (!is_changed_[i]) continue;
       if (i == 0 || !is_changed_[i - 1]) stretches.push_back({i, i});
@@ -50,18 +51,27 @@ class Measurer {
     const CheckOptions& options = setup_.options;
     StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm};
     limits.most_work = (kMostWork + kWorkPerMove * path_.moves.size()) / std::max<std::size_t>(1, stretches.size());
-    for (const auto& [first, last] : stretches) {
-      CutterSweep before;
-      for (std::size_t i = first; i <= last; ++i) add(path_, i, before);
-      before.index();
-      if (before.is_empty()) continue;
-      if (const auto most = find_left_stock(setup_.scene.parts, before, {&after_, nullptr}, limits, options.threads))
-        left.push_back({first, last, *most});
+    std::vector<std::optional<LeftStock>> most(stretches.size());
+    for_each_chunk(stretches.size(), 1, options.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) most[k] = most_left(stretches[k], limits);
+    });
+    for (std::size_t k = 0; k < stretches.size(); ++k) {
+      if (most[k]) left.push_back({stretches[k].first, stretches[k].second, *most[k]});
     }
     return left;
   }
 
  private:
+  using Stretch = std::pair<std::size_t, std::size_t>;  ///< the first and the last of neighbouring changed moves
+
+  [[nodiscard]] std::optional<LeftStock> most_left(const Stretch& stretch, const StockLimits& limits) const {
+    CutterSweep before;
+    for (std::size_t i = stretch.first; i <= stretch.second; ++i) add(path_, i, before);
+    before.index();
+    if (before.is_empty()) return std::nullopt;
+    return find_left_stock(setup_.scene.parts, before, {&after_, nullptr}, limits);
+  }
+
   static std::vector<bool> changed(const Toolpath& path, const Correction& correction) {
     std::vector<bool> is_changed(path.moves.size() + 1, false);
     for (const PathChange& change : correction.changes) {

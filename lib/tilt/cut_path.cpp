@@ -8,13 +8,6 @@
 #include "lib/path/path_info.h"
 
 namespace gouge {
-namespace {
-
-double reach_mm(const CompiledTool& cutter) {
-  return Vec2(cutter.r_max_mm, std::max(cutter.z_max_mm, -cutter.z_min_mm)).norm();
-}
-
-}  // namespace
 
 CutPath::ReplacedMoves CutPath::replaced_by(const TiltSpace& space) {
   ReplacedMoves replaced;
@@ -47,7 +40,8 @@ void CutPath::add_unchanged(const ReplacedMoves& replaced, const Vec3& centre, d
     // No point of it is farther from the middle between its ends than half of its length.
     const Pose& start = job_.path.start_of(i);
     const double away = (0.5 * (start.tip + move.end.tip) - centre).norm();
-    if (cutter.elements.empty() || away > radius_mm + 0.5 * move_length_mm(job_.path, i) + reach_mm(cutter)) continue;
+    if (cutter.elements.empty() || away > radius_mm + 0.5 * move_length_mm(job_.path, i) + farthest_mm(cutter))
+      continue;
     const auto found = replaced.find(i);
     if (found == replaced.end()) {
       const Motion motion = motion_of(job_.path, i, RapidMode::straight);
@@ -89,14 +83,14 @@ std::optional<LeftStock> CutPath::left_by(const TiltSpace& space, const TiltSequ
     std::vector<Replaced>& all = replaced[move];
     all.insert(all.end(), stretches.begin(), stretches.end());
   }
-  const double radius_mm = 0.5 * (high - low).norm() + reach_mm(cutter);
+  const double radius_mm = 0.5 * (high - low).norm() + farthest_mm(cutter);
   add_unchanged(replaced, 0.5 * (low + high), radius_mm, others);
   for (const Cut& cut : accepted_) others.add(cut.motion, job_.tools[cut.tool]->cutting, cut.move);
   for (CutterSweep* const sweep : {&before, &own, &others}) sweep->index();
   const SweepsAfter after = {&own, &others};
   const CheckOptions& options = job_.checker.options();
   return find_left_stock(job_.checker.scene().parts, before, after,
-                         {options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm}, options.threads);
+                         {options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm});
 }
 
 void CutPath::accept(const TiltSpace& space, const TiltSequence& tilts) {
