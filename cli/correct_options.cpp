@@ -137,7 +137,7 @@ void add_tilt_options(CLI::App& command, CorrectArguments& arguments) {
   command
       .add_option("--allow-stock", arguments.max_stock,
                   "How much more than the tolerance a tilt may leave of what the programmed path finished; what any "
-                  "change leaves beyond that is told")
+                  "change leaves beyond that is reported")
       ->type_name("LENGTH")
       ->capture_default_str();
   command.add_flag("--allow-multax", arguments.may_add_axes,
