@@ -27,7 +27,8 @@ struct LatticeResult {
 /// `doubtful`: a position where no tilt may be free; it is looked at before all others. Where it is not, that is said at
 /// once.
 /// Ensures  the same sequence at any number of threads.
-/// Cost     some ten checks of a position for each layer; where none is free, of all its tilts, some hundred.
+/// Cost     checks of a tenth to a quarter of the tilts of each layer, of which there are some hundred; where none is
+///          free of all.
 /// Source   layers of postures: Plakhotnik and Lauwers 2014; only the winner's motions are proved: Dellin and Srinivasa
 ///          2016 (LazySP).
 [[nodiscard]] LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful);
