@@ -5,13 +5,15 @@ const kStateColours = ['#1860ba', '#b8860b', '#b2182b', '#7a0c58', '#ce7608', '#
 const kViews = { top: [0, 0, 1], bottom: [0, 0, -1], front: [0, -1, 0], back: [0, 1, 0], right: [1, 0, 0], left: [-1, 0, 0],
                  iso: [1, -1, 0.9] };
 const kMostSeenThrough = 200000;  // triangles of a closed mesh that are drawn on both sides
+const kMostSmooth = 300000;  // triangles that a software renderer draws with smooth edges
 const rgbOf = hex => [1, 3, 5].map(k => parseInt(hex.slice(k, k + 2), 16) / 255);
 
 class Desk {
   constructor(canvas, over, scene) {
     const { json, planes } = scene;
     this.json = json;
-    this.renderer = new Renderer(canvas);
+    const triangles = json.surface.meshes.reduce((sum, one) => sum + one.triangles, 0);
+    this.renderer = new Renderer(canvas, triangles <= kMostSmooth || !isDrawnInSoftware());
     this.over = new Overlay(over);
     const mesh = meshOf(planes, json.surface);
     this.values = json.surface.values.map(run => summedOf(planes, run));

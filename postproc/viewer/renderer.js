@@ -1,7 +1,15 @@
+// Whether WebGL runs on the processor, where smooth edges cost three times the frame.
+const isDrawnInSoftware = () => {
+  const gl = document.createElement('canvas').getContext('webgl2'), facts = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = facts ? gl.getParameter(facts.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|basic render/i.test(name);
+};
+
 // Draws a scene in parallel projection with WebGL2. Coordinates are millimetres from the middle of the surface.
 class Renderer {
-  constructor(canvas) {
-    const gl = canvas.getContext('webgl2', { antialias: true, stencil: true, alpha: true, preserveDrawingBuffer: true });
+  constructor(canvas, isSmooth) {
+    const gl = canvas.getContext('webgl2', { antialias: isSmooth, stencil: true, alpha: true, preserveDrawingBuffer: true });
     if (!gl) throw new Error('no WebGL2');
     this.canvas = canvas;
     this.gl = gl;
