@@ -69,9 +69,11 @@ class Batch {
     Progress progress(err_, ranks_->is_first() ? understand_progress(arguments_.progress) : ProgressMode::never);
     BatchRun batch(jobs_, texts_, options, *store_, progress, *ranks_);
     BatchPlan plan = ranks_->is_first() ? batch.plan(jobs_to_run()) : BatchPlan();
-    ranks_->share(plan.alone);
-    ranks_->share(plan.together);
-    for (const auto* numbers : {&plan.alone, &plan.together}) ran_.insert(numbers->begin(), numbers->end());
+    for (JobQueue* queue : {&plan.alone, &plan.together}) {
+      ranks_->share(queue->numbers);
+      ranks_->share(queue->group_ends);
+      ran_.insert(queue->numbers.begin(), queue->numbers.end());
+    }
     const Outcome ran = batch.run(plan);
     tell(copies);
     if (!ran) status = fail(err_, {ran.error()}, kExitInternal);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <system_error>
 #include <thread>
@@ -80,25 +81,44 @@ BatchPlan BatchRun::plan(const std::vector<std::size_t>& numbers) const {
   for (const std::size_t number : numbers) work += sizes_[number].path_bytes;
   const std::size_t at_once = std::min(options_.jobs_at_once * static_cast<std::size_t>(ranks_.count()),
                                        std::max<std::size_t>(numbers.size(), 1));
-  BatchPlan plan;
+  std::vector<std::size_t> alone, together;
   for (const std::size_t number : in_order(numbers)) {
     const bool is_large = sizes_[number].path_bytes > work / at_once;
-    (is_large || options_.jobs_at_once == 1 || numbers.size() == 1 ? plan.alone : plan.together).push_back(number);
+    (is_large || options_.jobs_at_once == 1 || numbers.size() == 1 ? alone : together).push_back(number);
   }
-  return plan;
+  return {queue_of(std::move(alone)), queue_of(std::move(together))};
+}
+
+JobQueue BatchRun::queue_of(std::vector<std::size_t> numbers) const {
+  JobQueue queue;
+  std::string group;
+  for (std::size_t position = 0; position < numbers.size(); ++position) {
+    std::string its = SceneStore::group_of(jobs_[numbers[position]].job());
+    if (position > 0 && its != group) queue.group_ends.push_back(position);
+    group = std::move(its);
+  }
+  if (!numbers.empty()) queue.group_ends.push_back(numbers.size());
+  queue.numbers = std::move(numbers);
+  return queue;
 }
 
 Outcome BatchRun::run(const BatchPlan& plan) {
-  all_ = plan.alone.size() + plan.together.size();
+  all_ = plan.alone.numbers.size() + plan.together.numbers.size();
   began_ = std::chrono::steady_clock::now();
-  for (const auto* numbers : {&plan.alone, &plan.together}) {
-    for (const std::size_t number : *numbers) scenes_.expect(jobs_[number].job());
+  is_expected_.assign(jobs_.size(), false);
+  for (const JobQueue* queue : {&plan.alone, &plan.together}) {
+    for (const std::size_t number : queue->numbers) {
+      scenes_.expect(jobs_[number].job());
+      is_expected_[number] = true;
+    }
   }
+  ranks_.deal(0, plan.alone.group_ends);
+  ranks_.deal(1, plan.together.group_ends);
   progress_.show("jobs", 0, all_);
   {
     const Writer writer(*this);
     while (const auto number = take(0, plan.alone, 1)) run_one(*number);
-    const std::size_t workers = std::min(options_.jobs_at_once, plan.together.size());
+    const std::size_t workers = std::min(options_.jobs_at_once, plan.together.numbers.size());
     for_each_chunk(workers, 1, static_cast<unsigned>(workers), [&](std::size_t, std::size_t) {
       while (const auto number = take(1, plan.together, workers)) run_one(*number);
     });
@@ -109,15 +129,34 @@ Outcome BatchRun::run(const BatchPlan& plan) {
   return Done{};
 }
 
-// What another process was given before is no longer expected here.
-std::optional<std::size_t> BatchRun::take(int list, const std::vector<std::size_t>& numbers, std::size_t workers) {
+std::optional<std::size_t> BatchRun::take(int list, const JobQueue& queue, std::size_t workers) {
   const std::scoped_lock lock(taking_);
-  const std::size_t place = std::min(ranks_.take(list, workers), numbers.size());
-  std::size_t& seen = seen_.at(static_cast<std::size_t>(list));
-  for (; seen < place; ++seen) scenes_.release(jobs_[numbers[seen]].job());
-  if (place == numbers.size()) return std::nullopt;
-  ++seen;
-  return numbers[place];
+  const std::optional<std::size_t> position = ranks_.take(list, workers);
+  Group& group = groups_.at(static_cast<std::size_t>(list));
+  if (!position) {
+    leave_group(list, queue);
+    return std::nullopt;
+  }
+  if (*position < group.first || *position >= group.end) {
+    leave_group(list, queue);
+    const auto end = std::ranges::upper_bound(queue.group_ends, *position);
+    group = {end == queue.group_ends.begin() ? 0 : *std::prev(end), *end};
+  }
+  const std::size_t number = queue.numbers[*position];
+  if (!is_expected_[number]) scenes_.expect(jobs_[number].job());
+  is_expected_[number] = false;
+  return number;
+}
+
+// What is left of it others do, so its scene may go; if some comes back, it is expected anew.
+void BatchRun::leave_group(int list, const JobQueue& queue) {
+  Group& group = groups_.at(static_cast<std::size_t>(list));
+  for (std::size_t position = group.first; position < group.end; ++position) {
+    const std::size_t number = queue.numbers[position];
+    if (is_expected_[number]) scenes_.release(jobs_[number].job());
+    is_expected_[number] = false;
+  }
+  group = {};
 }
 
 void BatchRun::run_one(std::size_t number) {

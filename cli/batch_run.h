@@ -32,10 +32,15 @@ struct BatchOptions {
   MeshCopies* copies = nullptr;  ///< where meshes are read from; none: where they are
 };
 
-/// In which order jobs begin.
+/// Jobs in the order in which they begin; jobs of one scene are neighbours, and a group.
+struct JobQueue {
+  std::vector<std::size_t> numbers;
+  std::vector<std::size_t> group_ends;  ///< one past the last position of each group
+};
+
 struct BatchPlan {
-  std::vector<std::size_t> alone;     ///< one after the other, each with all threads of its process
-  std::vector<std::size_t> together;  ///< side by side, each with one thread
+  JobQueue alone;     ///< one after the other, each with all threads of its process
+  JobQueue together;  ///< side by side, each with one thread
 };
 
 /// Runs jobs side by side and commits each result to the store as soon as it is there, while others run. Jobs of one scene run next to
@@ -58,10 +63,16 @@ class BatchRun {
   struct Size {
     std::uint64_t path_bytes = 0, memory_bytes = 0;
   };
+  /// Positions of the group of a queue that this process is in.
+  struct Group {
+    std::size_t first = 0, end = 0;
+  };
 
   [[nodiscard]] static Size size_of(const BatchJob& job);
   [[nodiscard]] std::vector<std::size_t> in_order(std::vector<std::size_t> numbers) const;
-  [[nodiscard]] std::optional<std::size_t> take(int list, const std::vector<std::size_t>& numbers, std::size_t workers);
+  [[nodiscard]] JobQueue queue_of(std::vector<std::size_t> numbers) const;
+  [[nodiscard]] std::optional<std::size_t> take(int list, const JobQueue& queue, std::size_t workers);
+  void leave_group(int list, const JobQueue& queue);
   void run_one(std::size_t number);
   void note(std::size_t number, JobRun&& run);
   void write_queued();
@@ -101,7 +112,8 @@ class BatchRun {
   Ranks& ranks_;
   SceneStore scenes_;
   std::mutex taking_;
-  std::array<std::size_t, 2> seen_{};  // of each list of the plan: so many were given to some process
+  std::array<Group, 2> groups_{};  // of each queue of the plan
+  std::vector<bool> is_expected_;  // by number: may still be given to this process
   std::vector<Size> sizes_;
   std::mutex writing_;  // of the store
   std::mutex guard_;    // of all that follows

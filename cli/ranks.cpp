@@ -1,9 +1,10 @@
 #include "cli/ranks.h"
 
 #include <array>
-#include <atomic>
 #include <cstdlib>
+#include <mutex>
 
+#include "cli/job_dealer.h"
 #include "lib/base/number_text.h"
 #include "lib/base/shared_module.h"
 
@@ -14,12 +15,21 @@ class OneProcess : public Ranks {
  public:
   [[nodiscard]] int rank() const override { return 0; }
   [[nodiscard]] int count() const override { return 1; }
-  [[nodiscard]] std::size_t take(int list, std::size_t) override { return next_.at(static_cast<std::size_t>(list))++; }
+  void deal(int list, const std::vector<std::size_t>& group_ends) override {
+    dealers_.at(static_cast<std::size_t>(list)) = JobDealer(group_ends, 1);
+  }
+  [[nodiscard]] std::optional<std::size_t> take(int list, std::size_t) override {
+    const std::scoped_lock lock(guard_);
+    const JobDealer::Block block = dealers_.at(static_cast<std::size_t>(list)).take(0, 1);
+    if (block.count == 0) return std::nullopt;
+    return block.first;
+  }
   void share(std::vector<std::size_t>&) override {}
   [[nodiscard]] int largest(int value) override { return value; }
 
  private:
-  std::array<std::atomic<std::size_t>, 2> next_{};
+  std::mutex guard_;
+  std::array<JobDealer, 2> dealers_;
 };
 
 // How many processes mpirun started, by Open MPI's and by MPICH's word; 0: it was not mpirun.

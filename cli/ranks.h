@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lib/base/result.h"
@@ -19,9 +20,11 @@ class Ranks {
 
   [[nodiscard]] virtual int rank() const = 0;
   [[nodiscard]] virtual int count() const = 0;
-  /// The next of 0, 1, 2, ... that no process was given of list 0 or 1. A process may be given up to `most` at once,
-  /// which are its own from then on.
-  [[nodiscard]] virtual std::size_t take(int list, std::size_t most) = 0;
+  /// Begins list 0 or 1, whose groups end before these positions (JobDealer), the same for all processes.
+  virtual void deal(int list, const std::vector<std::size_t>& group_ends) = 0;
+  /// A position of the list that no process was given, by JobDealer's rule; none: all were given. A process may be
+  /// given up to `most` of a group at once, which are its own from then on.
+  [[nodiscard]] virtual std::optional<std::size_t> take(int list, std::size_t most) = 0;
   /// Gives all processes what rank 0 has.
   virtual void share(std::vector<std::size_t>& numbers) = 0;
   /// The largest of what the processes have, once all of them have called.
