@@ -1,15 +1,35 @@
 #include "lib/base/shared_module.h"
 
 #include <dlfcn.h>
+#include <sys/mman.h>
 
 namespace gouge {
 namespace {
 
+// What OpenCV and MPI and all the libraries behind them ask for while they are loaded. Some of those (OpenBLAS) ask
+// again for ever for memory they are refused, so it is asked for before they are.
+constexpr std::size_t kAddressSpaceToLoad = 512'000'000;
+
+bool has_address_space_to_load() {
+  void* start = ::mmap(nullptr, kAddressSpaceToLoad, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  return start != MAP_FAILED && ::munmap(start, kAddressSpaceToLoad) == 0;
+}
+
+// A segment that cannot be mapped is one of a folder mounted without leave to execute, or there is no memory for it.
+bool tells_of_memory(const std::string& why) {
+  const auto says = [&](const char* words) { return why.find(words) != std::string::npos; };
+  return says("cannot allocate") || says("Cannot allocate") || says("out of memory") ||
+         (says("failed to map segment") && !says("not permitted"));
+}
+
+Diagnostic no_memory(const std::string& file, const std::string& why) {
+  return make_error("out-of-memory", "no memory to load " + file + ": " + why);
+}
+
 Diagnostic missing(const std::string& file) {
   const char* reason = ::dlerror();
   const std::string why = reason == nullptr ? "no reason given" : reason;
-  if (why.find("cannot allocate") != std::string::npos || why.find("out of memory") != std::string::npos)
-    return make_error("out-of-memory", "no memory to load " + file + ": " + why);
+  if (tells_of_memory(why)) return no_memory(file, why);
   return make_error("module-missing", "a part of the program cannot be loaded: " + why +
                                           "; expected it where it was built or installed with the program: install "
                                           "both together");
@@ -18,7 +38,12 @@ Diagnostic missing(const std::string& file) {
 }  // namespace
 
 Result<void*> find_function(const std::string& file, const std::string& function) {
-  void* module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);
+  if (module == nullptr) {
+    ::dlerror();
+    if (!has_address_space_to_load()) return no_memory(file, "less than 512 MB of address space are left");
+    module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  }
   if (module == nullptr) return missing(file);
   void* address = ::dlsym(module, function.c_str());
   if (address == nullptr) return missing(file);

@@ -12,7 +12,8 @@ namespace gouge {
 /// The address of `function` in the shared module `file` (a name without a folder), which is loaded if it is not yet and
 /// stays so. It is looked for where the run path of the program says: beside it in a build, in the folder of its
 /// libraries once installed. Cost: that of loading the libraries the module needs, the first time.
-/// Errors   module-missing, with the system's reason; out-of-memory.
+/// Errors   module-missing, with the system's reason; out-of-memory, also where less than 512 MB of address space are
+///          left (ulimit -v) and the module is not yet loaded.
 [[nodiscard]] Result<void*> find_function(const std::string& file, const std::string& function);
 
 }  // namespace gouge

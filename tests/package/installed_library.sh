@@ -52,7 +52,7 @@ check_examples() {
   [ "$(run "$1/two_bodies")" = 1 ] && grep -q '^penetrating: ' "$work/out.txt" &&
     grep -q '^free after a shift of B by ' "$work/out.txt" || fail "two_bodies: $(cat "$work/out.txt")"
 }
-cmake -S "$source/samples/library" -B "$work/examples" -DCMAKE_PREFIX_PATH="$prefix" >"$work/cmake.log" 2>&1 ||
+cmake -G Ninja -S "$source/samples/library" -B "$work/examples" -DCMAKE_PREFIX_PATH="$prefix" >"$work/cmake.log" 2>&1 ||
   fail "find_package: $(cat "$work/cmake.log")"
 cmake --build "$work/examples" >"$work/build.log" 2>&1 || fail "the examples: $(cat "$work/build.log")"
 check_examples "$work/examples"

@@ -25,7 +25,7 @@ MoveVerdict gouge_with_all() {
   v.clearance_mm = 0;
   v.overcut_mm = 0.5;
   v.overcut_upper_mm = 0.625;
-  v.reason = {Reason::Kind::clearance_entered, Body::shank, -1.5, std::string("text\0of\nall bytes\xff", 20)};
+  v.reason = {Reason::Kind::clearance_entered, Body::shank, -1.5, std::string("text\0of\nall bytes\xff", 18)};
   return v;
 }
 
