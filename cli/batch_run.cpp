@@ -95,6 +95,7 @@ JobQueue BatchRun::queue_of(std::vector<std::size_t> numbers) const {
   for (std::size_t position = 0; position < numbers.size(); ++position) {
     std::string its = SceneStore::group_of(jobs_[numbers[position]].job());
     if (position > 0 && its != group) queue.group_ends.push_back(position);
+    queue.work.push_back(std::max<std::uint64_t>(sizes_[numbers[position]].path_bytes, 1));
     group = std::move(its);
   }
   if (!numbers.empty()) queue.group_ends.push_back(numbers.size());
@@ -112,8 +113,8 @@ Outcome BatchRun::run(const BatchPlan& plan) {
       is_expected_[number] = true;
     }
   }
-  ranks_.deal(0, plan.alone.group_ends);
-  ranks_.deal(1, plan.together.group_ends);
+  ranks_.deal(0, plan.alone.group_ends, plan.alone.work);
+  ranks_.deal(1, plan.together.group_ends, plan.together.work);
   progress_.show("jobs", 0, all_);
   {
     const Writer writer(*this);

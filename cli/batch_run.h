@@ -36,6 +36,7 @@ struct BatchOptions {
 struct JobQueue {
   std::vector<std::size_t> numbers;
   std::vector<std::size_t> group_ends;  ///< one past the last position of each group
+  std::vector<std::uint64_t> work;      ///< of each, reckoned in bytes of its path
 };
 
 struct BatchPlan {

@@ -15,8 +15,8 @@ class OneProcess : public Ranks {
  public:
   [[nodiscard]] int rank() const override { return 0; }
   [[nodiscard]] int count() const override { return 1; }
-  void deal(int list, const std::vector<std::size_t>& group_ends) override {
-    dealers_.at(static_cast<std::size_t>(list)) = JobDealer(group_ends, 1);
+  void deal(int list, const std::vector<std::size_t>& group_ends, const std::vector<std::uint64_t>& work) override {
+    dealers_.at(static_cast<std::size_t>(list)) = JobDealer(group_ends, work, 1);
   }
   [[nodiscard]] std::optional<std::size_t> take(int list, std::size_t) override {
     const std::scoped_lock lock(guard_);

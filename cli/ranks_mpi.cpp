@@ -46,7 +46,7 @@ class MpiRanks : public Ranks {
   [[nodiscard]] int rank() const override { return rank_; }
   [[nodiscard]] int count() const override { return count_; }
 
-  void deal(int list, const std::vector<std::size_t>& group_ends) override {
+  void deal(int list, const std::vector<std::size_t>& group_ends, const std::vector<std::uint64_t>& work) override {
     Given& given = given_.at(static_cast<std::size_t>(list));
     if (is_dealt_) {
       given.next = rank_;
@@ -55,7 +55,7 @@ class MpiRanks : public Ranks {
     }
     if (rank_ == 0) {
       const std::scoped_lock lock(dealing_);
-      dealers_.at(static_cast<std::size_t>(list)) = JobDealer(group_ends, static_cast<std::size_t>(count_));
+      dealers_.at(static_cast<std::size_t>(list)) = JobDealer(group_ends, work, static_cast<std::size_t>(count_));
     }
     static_cast<void>(largest(0));  // nobody asks before
   }

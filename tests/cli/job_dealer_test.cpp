@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <set>
 #include <vector>
@@ -13,8 +14,13 @@ namespace {
 
 using Positions = std::vector<std::size_t>;
 
+// As much work at every position.
+JobDealer even_dealer(const Positions& group_ends, std::size_t processes) {
+  return JobDealer(group_ends, std::vector<std::uint64_t>(group_ends.empty() ? 0 : group_ends.back(), 1), processes);
+}
+
 TEST(JobDealer, GivesOneProcessAllInOrder) {
-  JobDealer dealer({3, 4, 9}, 1);
+  JobDealer dealer = even_dealer({3, 4, 9}, 1);
   Positions taken;
   for (auto block = dealer.take(0, 2); block.count > 0; block = dealer.take(0, 2)) {
     for (std::size_t k = 0; k < block.count; ++k) taken.push_back(block.first + k);
@@ -24,11 +30,11 @@ TEST(JobDealer, GivesOneProcessAllInOrder) {
 
 TEST(JobDealer, GivesNothingOfNoList) {
   EXPECT_EQ(JobDealer().take(0, 1).count, 0U);
-  EXPECT_EQ(JobDealer({}, 3).take(2, 5).count, 0U);
+  EXPECT_EQ(even_dealer({}, 3).take(2, 5).count, 0U);
 }
 
 TEST(JobDealer, LetsAProcessStayInItsGroup) {
-  JobDealer dealer({4, 8}, 2);
+  JobDealer dealer = even_dealer({4, 8}, 2);
   EXPECT_EQ(dealer.take(0, 1).first, 0U);
   EXPECT_EQ(dealer.take(1, 1).first, 4U);
   EXPECT_EQ(dealer.take(0, 1).first, 1U);
@@ -36,15 +42,24 @@ TEST(JobDealer, LetsAProcessStayInItsGroup) {
 }
 
 TEST(JobDealer, GivesTheLaterHalfOfTheLongestRestToWhoHasNone) {
-  JobDealer dealer({10, 11}, 3);
+  JobDealer dealer = even_dealer({10, 11}, 3);
   EXPECT_EQ(dealer.take(0, 1).first, 0U);
   EXPECT_EQ(dealer.take(1, 1).first, 10U);
   EXPECT_EQ(dealer.take(2, 1).first, 5U);  // of 1 to 9
   EXPECT_EQ(dealer.take(1, 9).first, 3U);  // of 1 to 4, as 6 to 9 is as long and of a later process
 }
 
+TEST(JobDealer, HalvesByWorkNotByCount) {
+  JobDealer dealer({6, 10}, {9, 8, 4, 3, 2, 2, 1, 1, 1, 1}, 3);
+  EXPECT_EQ(dealer.take(0, 1).first, 0U);
+  EXPECT_EQ(dealer.take(1, 1).first, 6U);
+  EXPECT_EQ(dealer.take(2, 1).first, 2U);  // of 8, 4, 3, 2, 2
+  EXPECT_EQ(dealer.take(0, 1).first, 1U);
+  EXPECT_EQ(dealer.take(0, 1).first, 4U);  // of 3, 2, 2
+}
+
 TEST(JobDealer, NeverGivesMoreOfAGroupThanAskedFor) {
-  JobDealer dealer({5, 7}, 1);
+  JobDealer dealer = even_dealer({5, 7}, 1);
   EXPECT_EQ(dealer.take(0, 4).count, 4U);
   EXPECT_EQ(dealer.take(0, 4).count, 1U);
   EXPECT_EQ(dealer.take(0, 4).count, 2U);
@@ -58,7 +73,7 @@ TEST(JobDealer, GivesEachPositionOnceAndHasFewReadTheSameScene) {
     const std::size_t processes = 1 + random() % 9, groups = 1 + random() % 30;
     Positions ends;
     for (std::size_t group = 0, end = 0; group < groups; ++group) ends.push_back(end += 1 + random() % 60);
-    JobDealer dealer(ends, processes);
+    JobDealer dealer = even_dealer(ends, processes);
     std::vector<double> free_at(processes, 0.0);
     std::vector<int> given(ends.back(), 0);
     std::set<std::pair<std::size_t, std::size_t>> readings;
