@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <random>
 #include <set>
 #include <vector>
+
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
@@ -68,24 +69,26 @@ TEST(JobDealer, NeverGivesMoreOfAGroupThanAskedFor) {
 
 // Processes of random speeds: each position once, and few read the same scene.
 TEST(JobDealer, GivesEachPositionOnceAndHasFewReadTheSameScene) {
-  std::mt19937 random(7);
+  test::Scatter random(7);
   for (int round = 0; round < 300; ++round) {
-    const std::size_t processes = 1 + random() % 9, groups = 1 + random() % 30;
+    const std::size_t processes = 1 + random.below(9), groups = 1 + random.below(30);
     Positions ends;
-    for (std::size_t group = 0, end = 0; group < groups; ++group) ends.push_back(end += 1 + random() % 60);
-    JobDealer dealer = even_dealer(ends, processes);
+    for (std::size_t group = 0, end = 0; group < groups; ++group) ends.push_back(end += 1 + random.below(60));
+    std::vector<std::uint64_t> work;
+    for (std::size_t position = 0; position < ends.back(); ++position) work.push_back(1 + random.below(4));
+    JobDealer dealer(ends, work, processes);
     std::vector<double> free_at(processes, 0.0);
     std::vector<int> given(ends.back(), 0);
     std::set<std::pair<std::size_t, std::size_t>> readings;
     for (;;) {
       const auto process = static_cast<std::size_t>(std::ranges::min_element(free_at) - free_at.begin());
-      const JobDealer::Block block = dealer.take(process, 1 + random() % 4);
+      const JobDealer::Block block = dealer.take(process, 1 + random.below(4));
       if (block.count == 0) break;
       for (std::size_t position = block.first; position < block.first + block.count; ++position) {
         ++given[position];
         const auto group = static_cast<std::size_t>(std::ranges::upper_bound(ends, position) - ends.begin());
         readings.emplace(process, group);
-        free_at[process] += 1.0 + static_cast<double>(random() % 1000) / 1000.0;
+        free_at[process] += random.in(0.5, 1.5) * static_cast<double>(work[position]);
       }
     }
     EXPECT_TRUE(std::ranges::all_of(given, [](int times) { return times == 1; }));
