@@ -38,13 +38,14 @@ class Verifier {
     }
     claims_ = result_.claims_of(result_.moves);
     const ClaimedTools tools = claimed_tools(scene_);
+    const SceneOrders orders(scene_);
     progress_.begin("verifying witnesses");
     check_witnesses(tools);
     std::vector<ProofState> proofs(claims_.size(), ProofState::missing);
     if (!certificate_name.empty()) {
       done_.has_certificate = true;
       Result<CertificateReading> read =
-          verify_certificate(scene_, claims_, digest_, certificate_name, certificate, progress_.call());
+          verify_certificate(scene_, orders, claims_, digest_, certificate_name, certificate, progress_.call());
       if (!read) return read.error();
       proofs = std::move(read->of_move);
       for (const ProofRefutation& r : read->refuted) done_.refuted.push_back({r.move, std::nullopt, r.point, r.what});
@@ -55,7 +56,7 @@ class Verifier {
     for (const Counterexample& c : done_.outside.refuted) done_.refuted.push_back({c.move, c.t, c.point, c.what});
     std::vector<bool> is_proved(proofs.size());
     for (std::size_t i = 0; i < proofs.size(); ++i) is_proved[i] = proofs[i] == ProofState::proved;
-    done_.attack = attack_claims(scene_, tools, claims_, is_proved, seconds);
+    done_.attack = attack_claims(scene_, orders, tools, claims_, is_proved, seconds);
     if (const auto& c = done_.attack.found) done_.refuted.push_back({c->move, c->t, c->point, c->what});
     return std::move(done_);
   }

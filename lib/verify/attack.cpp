@@ -40,8 +40,9 @@ struct Target {
 
 class Attack {
  public:
-  Attack(const ClaimedScene& scene, const ClaimedTools& tools, const std::vector<MoveClaim>& claims)
-      : scene_(scene), tools_(tools), claims_(claims), parts_(scene.parts), fixtures_(scene.fixtures) {
+  Attack(const ClaimedScene& scene, const SceneOrders& orders, const ClaimedTools& tools,
+         const std::vector<MoveClaim>& claims)
+      : scene_(scene), orders_(orders), tools_(tools), claims_(claims) {
     for (const IndexedMesh* head : scene.heads) {
       head_box_.extend(head->box());
       looks_per_head_ += head->triangles.size() / 100;  // a look at a head takes time linear in its facets
@@ -89,14 +90,14 @@ class Attack {
   std::optional<Counterexample> look_at(std::size_t move, double t) {
     const ClaimedTool& tool = *tools_[scene_.path.moves[move].tool];
     const double allowed = *allowed_mm(move);
-    std::vector<Target> targets{{&tool.part, &parts_, allowed}, {&tool.fixture, &fixtures_, allowed}};
+    std::vector<Target> targets{{&tool.part, &orders_.parts, allowed}, {&tool.fixture, &orders_.fixtures, allowed}};
     if (claims_clean(claims_[move])) {
-      targets.push_back({&tool.clearance, &parts_, scene_.resolution_mm});
-      targets.push_back({&tool.clearance, &fixtures_, scene_.resolution_mm});
+      targets.push_back({&tool.clearance, &orders_.parts, scene_.resolution_mm});
+      targets.push_back({&tool.clearance, &orders_.fixtures, scene_.resolution_mm});
     }
     if (!scene_.heads.empty() && draws_.below(looks_per_head_) == 0) {
-      targets.push_back({nullptr, &parts_, allowed});
-      targets.push_back({nullptr, &fixtures_, allowed});
+      targets.push_back({nullptr, &orders_.parts, allowed});
+      targets.push_back({nullptr, &orders_.fixtures, allowed});
     }
     for (const Target& target : targets) {
       if (target.surface->root().size() == 0 || (target.contour != nullptr && target.contour->empty())) continue;
@@ -226,9 +227,9 @@ class Attack {
   }
 
   const ClaimedScene& scene_;
+  const SceneOrders& orders_;
   const ClaimedTools& tools_;
   const std::vector<MoveClaim>& claims_;
-  TriangleOrder parts_, fixtures_;
   Box3 head_box_;
   std::size_t looks_per_head_ = 4;
   Draws draws_;
@@ -236,9 +237,9 @@ class Attack {
 
 }  // namespace
 
-AttackResult attack_claims(const ClaimedScene& scene, const ClaimedTools& tools, const std::vector<MoveClaim>& claims,
-                           const std::vector<bool>& is_proved, double seconds) {
-  return Attack(scene, tools, claims).run(is_proved, seconds);
+AttackResult attack_claims(const ClaimedScene& scene, const SceneOrders& orders, const ClaimedTools& tools,
+                           const std::vector<MoveClaim>& claims, const std::vector<bool>& is_proved, double seconds) {
+  return Attack(scene, orders, tools, claims).run(is_proved, seconds);
 }
 
 }  // namespace gouge

@@ -28,11 +28,12 @@ struct AttackResult {
 /// all it searches for the point of the surface that is deepest in the tool (or a head), best first, and climbs from
 /// there over its triangle and over time. What it does not find may be there all the same.
 ///
+/// `orders`     those of the scene.
 /// `is_proved`  one a move.
 /// `seconds`  how long it goes on at least; 0: these ends and some thousand instants more, the same on
 ///            every run.
-[[nodiscard]] AttackResult attack_claims(const ClaimedScene& scene, const ClaimedTools& tools,
-                                         const std::vector<MoveClaim>& claims, const std::vector<bool>& is_proved,
-                                         double seconds);
+[[nodiscard]] AttackResult attack_claims(const ClaimedScene& scene, const SceneOrders& orders,
+                                         const ClaimedTools& tools, const std::vector<MoveClaim>& claims,
+                                         const std::vector<bool>& is_proved, double seconds);
 
 }  // namespace gouge

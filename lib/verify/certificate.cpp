@@ -18,7 +18,7 @@ constexpr std::uint64_t kTriesPerMove = 3'000, kTriesAlone = 300'000;
 /// What is asked of one move of a tool: its forms against the surfaces they must stay out of.
 class Questions {
  public:
-  explicit Questions(const ClaimedScene& scene) : scene_(scene), parts_(scene.parts), fixtures_(scene.fixtures) {
+  Questions(const ClaimedScene& scene, const SceneOrders& orders) : scene_(scene), orders_(orders) {
     for (const ToolVariants* tool : scene.tools) {
       forms_.push_back(tool == nullptr ? nullptr : std::make_unique<Forms>(*tool));
     }
@@ -37,10 +37,10 @@ class Questions {
   [[nodiscard]] std::vector<ProofQuestion> of(std::size_t move, const MoveClaim& claim) const {
     const Forms& forms = *forms_[scene_.path.moves[move].tool];
     const double depth = claims_clean(claim) ? scene_.largest_clean_mm() : *claim.depth_upper_mm;
-    std::vector<ProofQuestion> all{{forms.part, parts_, depth}, {forms.fixture, fixtures_, depth}};
+    std::vector<ProofQuestion> all{{forms.part, orders_.parts, depth}, {forms.fixture, orders_.fixtures, depth}};
     if (claims_clean(claim)) {
-      all.push_back({forms.clearance, parts_, scene_.resolution_mm});
-      all.push_back({forms.clearance, fixtures_, scene_.resolution_mm});
+      all.push_back({forms.clearance, orders_.parts, scene_.resolution_mm});
+      all.push_back({forms.clearance, orders_.fixtures, scene_.resolution_mm});
     }
     return all;
   }
@@ -57,8 +57,8 @@ class Questions {
     return all;
   }
   [[nodiscard]] CertificateHeader header(std::string_view inputs) const {
-    return {std::string(inputs),     scene_.path.moves.size(), parts_.root().size(),
-            fixtures_.root().size(), scene_.tolerance_mm,      scene_.resolution_mm};
+    return {std::string(inputs), scene_.path.moves.size(), orders_.parts.root().size(), orders_.fixtures.root().size(),
+            scene_.tolerance_mm, scene_.resolution_mm};
   }
 
  private:
@@ -73,7 +73,7 @@ class Questions {
   };
 
   const ClaimedScene& scene_;
-  TriangleOrder parts_, fixtures_;
+  const SceneOrders& orders_;
   std::vector<std::unique_ptr<Forms>> forms_;
 };
 
@@ -218,7 +218,8 @@ std::optional<ProofRefutation> refute(const Questions& questions, const std::vec
 
 MadeCertificate make_certificate(const ClaimedScene& scene, const std::vector<MoveClaim>& claims,
                                  std::string_view inputs, const ProgressCall& progress) {
-  const Questions questions(scene);
+  const SceneOrders orders(scene);
+  const Questions questions(scene, orders);
   const std::size_t moves = claims.size();
   MadeCertificate made;
   ZstdWriter writer;
@@ -245,12 +246,13 @@ MadeCertificate make_certificate(const ClaimedScene& scene, const std::vector<Mo
   return made;
 }
 
-Result<CertificateReading> verify_certificate(const ClaimedScene& scene, const std::vector<MoveClaim>& claims,
-                                              std::string_view inputs, const std::string& name, std::string_view bytes,
+Result<CertificateReading> verify_certificate(const ClaimedScene& scene, const SceneOrders& orders,
+                                              const std::vector<MoveClaim>& claims, std::string_view inputs,
+                                              const std::string& name, std::string_view bytes,
                                               const ProgressCall& progress) {
   if (bytes.substr(0, kCertificateMagic.size()) != kCertificateMagic)
     return invalid(name, "it is no certificate of this version; expected a file of 'gougecheck check --certificate'");
-  const Questions questions(scene);
+  const Questions questions(scene, orders);
   CertificateReader reader(name, bytes.substr(kCertificateMagic.size()), claims.size());
   if (const Outcome header = reader.read_header(questions.header(inputs)); !header) return header.error();
   CertificateReading reading;

@@ -7,6 +7,7 @@
 #include "lib/base/parallel.h"
 #include "lib/base/result.h"
 #include "lib/verify/claims.h"
+#include "lib/verify/triangle_order.h"
 
 // Proofs of a result in a file: docs/formats/certificate.md.
 
@@ -44,11 +45,11 @@ struct CertificateReading {
   std::vector<ProofRefutation> refuted;
 };
 
-/// Proves anew what the certificate proves.
+/// Proves anew what the certificate proves. `orders` are those of the scene.
 /// Errors  certificate-invalid: it is no certificate, is cut short or broken, or belongs to other inputs or
 ///         another result; the message says which.
 /// Cost    linear in what it holds once it is unpacked; memory for some thousand moves of it.
-[[nodiscard]] Result<CertificateReading> verify_certificate(const ClaimedScene& scene,
+[[nodiscard]] Result<CertificateReading> verify_certificate(const ClaimedScene& scene, const SceneOrders& orders,
                                                             const std::vector<MoveClaim>& claims,
                                                             std::string_view inputs, const std::string& name,
                                                             std::string_view bytes, const ProgressCall& progress);

@@ -143,7 +143,7 @@ void Separation::clip(bool is_ring) {
     if (p.is_arc) {
       const auto radius_at = [&](double z) {
         const Bounds up = Bounds(z) - Bounds(p.center.y());
-        const Bounds out = CGAL::sqrt(CGAL::square(Bounds(p.radius_mm)) - CGAL::square(up));
+        const Bounds out = square_root(CGAL::square(Bounds(p.radius_mm)) - CGAL::square(up));
         const bool is_right = p.a.x() + p.b.x() >= 2 * p.center.x();
         return is_right ? Bounds(p.center.x()) + out : Bounds(p.center.x()) - out;
       };
@@ -170,7 +170,7 @@ void Separation::clip(bool is_ring) {
     }
     reaches_.push_back(reach);
   }
-  longest_mm_ = CGAL::sqrt(far2).sup();
+  longest_mm_ = square_root(far2).sup();
 }
 
 /// The largest out r + up z of the pieces; out >= 0.
@@ -187,7 +187,7 @@ Bounds Separation::support(const Bounds& out, const Bounds& up) const {
       const double side = p.is_hollow ? -1 : 1;
       const bool is_beside = (Bounds(side) * left(p.a)).sup() < 0 || (Bounds(side) * left(p.b)).inf() > 0;
       const Bounds round = is_beside ? Bounds(std::max(along(p.a).sup(), along(p.b).sup()))
-                                     : along(p.center) + Bounds(p.radius_mm) * CGAL::sqrt(out * out + up * up);
+                                     : along(p.center) + Bounds(p.radius_mm) * square_root(out * out + up * up);
       here = std::min(here, round.sup());
     }
     top = std::max(top, here);
@@ -274,8 +274,8 @@ bool Separation::is_near_exit_point(double depth_mm) {
   double far = 0;
   for (const double r : {r_lo_, r_hi_})
     for (const double at : {z_lo_, z_hi_})
-      far = larger(far, CGAL::sqrt(CGAL::square(Bounds(r) - Bounds(way_out.x())) +
-                                   CGAL::square(Bounds(at) - Bounds(way_out.y()))));
+      far = larger(far, square_root(CGAL::square(Bounds(r) - Bounds(way_out.x())) +
+                                    CGAL::square(Bounds(at) - Bounds(way_out.y()))));
   return (Bounds(depth_mm) - Bounds(far) - Bounds(kJoint_mm)).inf() >= 0;
 }
 

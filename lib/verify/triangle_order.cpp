@@ -54,34 +54,39 @@ void TriangleOrder::sort(const Node& node, std::vector<Vec3>& centers, std::vect
   sort({node.middle(), node.last}, centers, order);
 }
 
-void TriangleOrder::bound(const Node& node) {
-  if (node.size() < 2) return;
-  bound({node.first, node.middle()});
-  bound({node.middle(), node.last});
+/// Returns the box of the node.
+Box3 TriangleOrder::bound(const Node& node) {
   Box3 box;
-  Vec3 sum = Vec3::Zero();
-  for (std::uint32_t i = node.first; i < node.last; ++i) {
-    const std::array<Vec3, 3> c = corners(i);
-    for (const Vec3& p : c) box.extend(p);
-    if (node.size() <= kMostWithNormal) sum -= (c[1] - c[0]).cross(c[2] - c[0]);
+  if (node.size() == 0) return box;
+  if (node.size() == 1) {
+    for (const Vec3& p : corners(node.first)) box.extend(p);
+    return box;
   }
+  box = bound({node.first, node.middle()}).merged(bound({node.middle(), node.last}));
   Extent& extent = extents_[node.middle()];
   extent.center = 0.5 * (box.min() + box.max());
   for (int k = 0; k < 3; ++k) {
     const Bounds c(extent.center[k]);
     extent.half[k] = std::max((Bounds(box.max()[k]) - c).sup(), (c - Bounds(box.min()[k])).sup());
   }
-  if (node.size() > kMostWithNormal || !(sum.norm() > 0)) return;
+  if (node.size() > kMostWithNormal) return box;
+  Vec3 sum = Vec3::Zero();
+  for (std::uint32_t i = node.first; i < node.last; ++i) {
+    const std::array<Vec3, 3> c = corners(i);
+    sum -= (c[1] - c[0]).cross(c[2] - c[0]);
+  }
+  if (!(sum.norm() > 0)) return box;
   const Vec3 into = sum.normalized();
   double least = 1e300;
   for (std::uint32_t i = node.first; i < node.last; ++i) {
     const std::array<Vec3, 3> c = corners(i);
     const Vec3 own = -(c[1] - c[0]).cross(c[2] - c[0]);
-    if (!(own.dot(into) >= kEven * own.norm())) return;
+    if (!(own.dot(into) >= kEven * own.norm())) return box;
     for (const Vec3& p : c) least = std::min(least, dot(Bounds3(into), Bounds3(p)).inf());
   }
   extent.into = into;
   extent.least = least;
+  return box;
 }
 
 }  // namespace gouge

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/mesh/indexed_mesh.h"
+#include "lib/verify/claims.h"
 
 namespace gouge {
 
@@ -40,11 +41,17 @@ class TriangleOrder {
     std::uint32_t mesh = 0, triangle = 0;
   };
   void sort(const Node& node, std::vector<Vec3>& centers, std::vector<std::uint32_t>& order);
-  void bound(const Node& node);
+  Box3 bound(const Node& node);
 
   std::span<const IndexedMesh> meshes_;
   std::vector<Named> order_;
   std::vector<Extent> extents_;  // by the middle of the node, which no two nodes share
+};
+
+/// Those of all parts and of all fixtures of a scene, which must outlive them.
+struct SceneOrders {
+  explicit SceneOrders(const ClaimedScene& scene) : parts(scene.parts), fixtures(scene.fixtures) {}
+  TriangleOrder parts, fixtures;
 };
 
 }  // namespace gouge

@@ -70,7 +70,8 @@ std::string as_blocks(std::string_view bytes) {
 
 void read(std::string_view bytes) {
   const Case& of = the_case();
-  const Result<CertificateReading> reading = verify_certificate(of.scene, of.claims, kInputs, "proofs.gcp", bytes, {});
+  const Result<CertificateReading> reading =
+      verify_certificate(of.scene, SceneOrders(of.scene), of.claims, kInputs, "proofs.gcp", bytes, {});
   if (!reading) return require(reading.error().code == "certificate-invalid" && !reading.error().message.empty());
   require(reading->of_move.size() == of.claims.size());
   for (const std::size_t dives : {2U, 3U}) require(reading->of_move[dives] != ProofState::proved);
@@ -83,7 +84,8 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
   // The scene is what it is said to be: the honest moves have proofs, which are read, and no others.
   const gouge::Case& of = gouge::the_case();
   const gouge::MadeCertificate made = gouge::make_certificate(of.scene, of.claims, gouge::kInputs, {});
-  const auto read = gouge::verify_certificate(of.scene, of.claims, gouge::kInputs, "", made.bytes, {});
+  const auto read =
+      gouge::verify_certificate(of.scene, gouge::SceneOrders(of.scene), of.claims, gouge::kInputs, "", made.bytes, {});
   gouge::fuzz::require(read && made.proved == 3 && made.not_proved.size() == 2 && read->refuted.empty());
   return 0;
 }

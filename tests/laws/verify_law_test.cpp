@@ -41,7 +41,7 @@ struct Case {
     return make_certificate(with, claims, kInputs, {});
   }
   [[nodiscard]] Result<CertificateReading> verify(std::string_view bytes) const {
-    return verify_certificate(*scene, claims, kInputs, "proofs.gcp", bytes, {});
+    return verify_certificate(*scene, SceneOrders(*scene), claims, kInputs, "proofs.gcp", bytes, {});
   }
   /// By its proofs and its witnesses.
   [[nodiscard]] bool is_refuted(std::string_view bytes) const {

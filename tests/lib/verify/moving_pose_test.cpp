@@ -11,16 +11,6 @@
 namespace gouge {
 namespace {
 
-TEST(SineCosine, HoldTheTrueValuesCloselyAtAllAnglesThatAreAskedFor) {
-  const RoundsUpward upward;
-  for (double angle = -6.5; angle <= 6.5; angle += 0.0173) {
-    const SineCosine found = sine_cosine(Bounds(angle));
-    EXPECT_TRUE(found.sine.inf() <= std::sin(angle) && std::sin(angle) <= found.sine.sup()) << angle;
-    EXPECT_TRUE(found.cosine.inf() <= std::cos(angle) && std::cos(angle) <= found.cosine.sup()) << angle;
-    EXPECT_LE(found.sine.sup() - found.sine.inf(), 1e-12) << angle;
-  }
-}
-
 class Motions : public testing::Test {
  protected:
   Vec3 vector(double size) {
