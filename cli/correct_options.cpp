@@ -62,7 +62,8 @@ Result<BodyStrategies> understand_strategies(const std::vector<std::string>& typ
         if (!direction) return usage_error("--strategy", one, "three numbers of a direction, as in direction=0,0,1");
         strategies.direction = *direction;
       }
-      strategies.of[index] = body == Body::cutter && *strategy == Strategy::tilt ? Strategy::weighted : *strategy;
+      strategies.of[index] =
+          body == Body::cutter && *strategy == Strategy::tilt ? BodyStrategies::kOfCutter : *strategy;
       is_any = true;
     }
     if (!is_any) return usage_error("--strategy", one, kExpectedStrategy);
@@ -202,10 +203,10 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
   command
       .add_option(
           "--strategy", arguments.strategies,
-          "auto: shift the cutter (weighted), tilt shank, holder and heads away, else lift along the axis; tilt; "
-          "weighted: shift by the contacts' weighted mean, else along the axis; axis: lift alone; trim: leave the "
-          "gouging stretch out (retract, cross, come down again); or for one body: holder=tilt. May be repeated "
-          "(default: auto)")
+          "auto: shift the cutter along the part's normal, tilt shank, holder and heads away, else lift along the axis; "
+          "tilt; normal: shift along the normal of the deepest contact; weighted: shift by the contacts' weighted mean; "
+          "both else along the axis; axis: lift alone; trim: leave the gouging stretch out (retract, cross, come down "
+          "again); or for one body: holder=tilt. May be repeated (default: auto)")
       ->type_name("[BODY=]NAME")
       ->allow_extra_args(false);
   command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")

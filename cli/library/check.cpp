@@ -27,7 +27,8 @@ gouge::BodyStrategies to_strategies(const std::string& name) {
     if (name != gouge::strategy_name(strategy)) continue;
     gouge::BodyStrategies all = gouge::BodyStrategies::all(strategy);
     // A cutter that gouges is inside the surface that it shall keep to: no tilt about the contact frees it.
-    if (strategy == Strategy::tilt) all.of[static_cast<std::size_t>(gouge::Body::cutter)] = Strategy::weighted;
+    if (strategy == Strategy::tilt)
+      all.of[static_cast<std::size_t>(gouge::Body::cutter)] = gouge::BodyStrategies::kOfCutter;
     return all;
   }
   raise(gouge::make_error("usage", "strategy '" + name + "': expected auto, weighted, normal, axis, tilt or trim"));

@@ -17,8 +17,9 @@ enum class Strategy { weighted, axis, tilt, normal, direction, trim };
 
 /// Which strategy cures a gouge of which body.
 struct BodyStrategies {
-  /// The least change that works: a cutter is shifted, what is above it is tilted away.
-  std::array<Strategy, 4> of = {Strategy::weighted, Strategy::tilt, Strategy::tilt, Strategy::tilt};
+  /// The least change that works: a cutter is shifted out of the surface, what is above it is tilted away.
+  static constexpr Strategy kOfCutter = Strategy::normal;
+  std::array<Strategy, 4> of = {kOfCutter, Strategy::tilt, Strategy::tilt, Strategy::tilt};
 
   Vec3 direction = Vec3::UnitZ();  ///< of Strategy::direction, unit
 
