@@ -99,20 +99,42 @@ struct Laws {
   const CheckResult& before;
   const std::vector<bool>& is_wanted;
 
-  void expect_kept(const SmoothedRun& tilted, std::size_t number) const {
+  /// A long move may hold several runs: one of them begins where the one before it ends.
+  void expect_kept(const TiltPlan& plan, std::size_t index, std::size_t number) const {
+    const SmoothedRun& tilted = plan.runs[index];
     // The motions of the run, with the programmed ones that they stand for.
     std::vector<std::pair<Pose, Pose>> stations;  // programmed, tilted
-    const std::size_t first = tilted.positions.front().move;
-    if (first > 0) stations.emplace_back(run.path.moves[first - 1].end, run.path.moves[first - 1].end);
+    const std::size_t first = tilted.positions.front().move, last = tilted.positions.back().move;
+    const auto is_of = [](const UntiltedRun& failed, std::size_t i) {
+      return failed.first_wanted <= i && i <= failed.last_wanted;
+    };
+    const auto is_given_up = [&](std::size_t i) {
+      return std::ranges::any_of(plan.failed, [&](const UntiltedRun& failed) { return is_of(failed, i); });
+    };
+    const TiltedPosition *previous = nullptr, *next = nullptr;
+    for (const SmoothedRun& other : plan.runs) {
+      if (&other == &tilted || other.positions.empty()) continue;
+      if (&other < &tilted && other.positions.back().move == first) previous = &other.positions.back();
+      if (&other > &tilted && other.positions.front().move == last && next == nullptr) next = &other.positions.front();
+    }
+    if (previous != nullptr) {
+      stations.emplace_back(previous->programmed, previous->pose);
+    } else if (first > 0 && !is_given_up(first)) {
+      stations.emplace_back(run.path.moves[first - 1].end, run.path.moves[first - 1].end);
+    }
     std::size_t move = first;
     for (const TiltedPosition& p : tilted.positions) {
       for (; move < p.move; ++move) {
         const Pose& end = run.path.moves[move].end;
-        if (stations.back().first.tip != end.tip) stations.emplace_back(end, end);
+        if (stations.empty() || stations.back().first.tip != end.tip) stations.emplace_back(end, end);
       }
       stations.emplace_back(p.programmed, p.pose);
     }
-    if (move + 1 < run.path.moves.size()) stations.emplace_back(run.path.moves[move].end, run.path.moves[move].end);
+    if (next != nullptr) {
+      stations.emplace_back(next->programmed, next->pose);
+    } else if (move + 1 < run.path.moves.size() && !is_given_up(move)) {
+      stations.emplace_back(run.path.moves[move].end, run.path.moves[move].end);
+    }
     for (std::size_t i = 1; i < stations.size(); ++i) {
       if ((stations[i].first.tip - stations[i - 1].first.tip).norm() < 1e-9) continue;
       const Motion programmed(stations[i - 1].first, stations[i].first);
@@ -202,8 +224,8 @@ TEST(TiltLaw, HoldsForRandomRuns) {
       is_wanted.push_back(verdict.state == MoveState::gouge && verdict.witness->body != Body::cutter);
     const TiltPlan plan = plan_tilts({run.path, before, own.setup.tools, checker, run.options, is_wanted}, {});
     const Laws laws{run, own, checker, own.setup.tools, before, is_wanted};
-    for (const SmoothedRun& one : plan.runs) {
-      if (!one.positions.empty()) laws.expect_kept(one, n);
+    for (std::size_t r = 0; r < plan.runs.size(); ++r) {
+      if (!plan.runs[r].positions.empty()) laws.expect_kept(plan, r, n);
     }
     for (const UntiltedRun& one : plan.failed) {
       const bool is_missed = laws.has_way(one);
