@@ -7,6 +7,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
 #include "lib/path/path_info.h"
+#include "lib/tilt/closed_contours.h"
 #include "lib/tilt/cut_path.h"
 #include "lib/tilt/smooth_tilts.h"
 
@@ -27,7 +28,8 @@ double spacing_mm(const TiltOptions& options) {
 
 class RunPlanner {
  public:
-  RunPlanner(const TiltJob& job, const TiltRun& run, CutPath& cut) : job_(job), run_(run), cut_(cut) {}
+  RunPlanner(const TiltJob& job, const TiltRun& run, CutPath& cut, ClosedContours& contours)
+      : job_(job), run_(run), cut_(cut), contours_(contours) {}
 
   /// True where a tilt was found; else `reason` says why not. Where it would leave what was finished, forward and back
   /// alone are tried, which leave least under a flat end, and to the sides alone.
@@ -56,20 +58,73 @@ class RunPlanner {
         freedom == job_.options.freedom ? run_.positions : with_freedom(run_, freedom).positions;
     std::optional<std::size_t> doubtful;
     for (const bool may_raise : {false, true}) {
-      const TiltSpace space(positions, {job_.tools[run_.tool], &job_.checker, options, may_raise});
-      const LatticeResult found = find_tilts(space, job_.checker.options().threads, doubtful);
-      if (found.sequence) {
-        const TiltSequence tilts = smooth_tilts(space, *found.sequence, job_.checker.options().threads);
-        if (!keeps_turns(space, tilts) || leaves_too_much(space, tilts)) return false;
-        gather(space, tilts);
-        cut_.accept(space, tilts);
+      const TiltTask task{job_.tools[run_.tool], &job_.checker, options, may_raise};
+      LatticeResult found;
+      std::optional<Tilted> way = where_known(positions, task);
+      if (!way) way = look_for(TiltSpace(positions, task), doubtful, found);
+      if (way) {
+        close_contours(*way);
+        if (!keeps_turns(way->space, way->tilts) || leaves_too_much(way->space, way->tilts)) return false;
+        gather(way->space, way->tilts);
+        cut_.accept(way->space, way->tilts);
+        contours_.learn(way->space, way->tilts);
         return true;
       }
-      if (!may_raise || found.blocked) reason = why_not(space, found);
+      if (!may_raise || found.blocked) reason = why_not(TiltSpace(positions, task), found);
       doubtful = found.blocked;
     }
     is_blocked = doubtful.has_value();
     return false;
+  }
+
+  struct Tilted {
+    TiltSpace space;
+    TiltSequence tilts;
+  };
+
+  [[nodiscard]] std::optional<Tilted> look_for(TiltSpace space, std::optional<std::size_t> doubtful,
+                                               LatticeResult& found) const {
+    const unsigned threads = job_.checker.options().threads;
+    found = find_tilts(space, threads, doubtful);
+    if (!found.sequence) return std::nullopt;
+    TiltSequence tilts = smooth_tilts(space, *found.sequence, threads);
+    return Tilted{std::move(space), std::move(tilts)};
+  }
+
+  // With the tilts of other runs where a contour closes between them. Where that leads nowhere the contour opens.
+  [[nodiscard]] std::optional<Tilted> where_known(std::vector<TiltPosition> positions, const TiltTask& task) const {
+    LatticeResult found;
+    if (!contours_.give_known(positions)) return std::nullopt;
+    return look_for(TiltSpace(std::move(positions), task), std::nullopt, found);
+  }
+
+  // Where both ends of a contour are in the run and were tilted differently: as the one, or as the other.
+  void close_contours(Tilted& way) const {
+    std::vector<TiltPosition> positions;
+    for (std::size_t i = 0; i < way.space.size(); ++i) positions.push_back(way.space[i]);
+    const auto axis_at = [&](std::size_t i) { return positions[i].axis_for(way.tilts[i]); };
+    for (const auto& [begin, end] : contours_.loops(positions)) {
+      if (angle_between_rad(axis_at(begin), axis_at(end)) < kSame_rad) continue;
+      for (const std::size_t as : {begin, end}) {
+        const std::size_t other_end = begin + end - as;
+        if (positions[other_end].is_fixed()) continue;
+        std::vector<TiltPosition> closed = positions;
+        closed[as].given = way.tilts[as];
+        closed[other_end].given = closed[other_end].tilt_to(axis_at(as));
+        LatticeResult found;
+        std::optional<Tilted> other = look_for(TiltSpace(closed, way.space.task()), std::nullopt, found);
+        if (!other || !may_turn(*other)) continue;
+        way = std::move(*other);
+        positions = std::move(closed);
+        break;
+      }
+    }
+  }
+
+  [[nodiscard]] static bool may_turn(const Tilted& way) {
+    for (std::size_t i = 0; i + 1 < way.space.size(); ++i)
+      if (!way.space.may_turn(i, way.tilts[i], i + 1, way.tilts[i + 1])) return false;
+    return true;
   }
 
   // Where it is open whether anything is left the tilt is made: a lift, which is what else there is, surely leaves it. The
@@ -171,6 +226,7 @@ class RunPlanner {
   const TiltJob& job_;
   const TiltRun& run_;
   CutPath& cut_;
+  ClosedContours& contours_;
   std::optional<LeftStock> least_stock_;  // of the tilts that leave too much
   double stock_tilt_rad_ = 0;
 };
@@ -186,14 +242,16 @@ Attempt attempt(const TiltJob& job, double spacing_mm, const ProgressCall& progr
   Attempt made;
   TiltPlan& plan = made.plan;
   CutPath cut(job);
+  ClosedContours contours(job);
   std::vector<bool> is_left = job.is_wanted;
   for (int round = 0; round <= kFinerSpacings; ++round, spacing_mm /= 2) {
     const std::vector<TiltRun> runs =
         find_tilt_runs({job.path, job.result, job.tools, job.checker, job.options, is_left}, spacing_mm);
     std::erase_if(plan.failed, [&](const UntiltedRun& run) { return is_left[run.first_wanted]; });
+    contours.begin(runs);
     for (std::size_t r = 0; r < runs.size(); ++r) {
       if (progress) progress("tilting the tool", r, runs.size());
-      RunPlanner planner(job, runs[r], cut);
+      RunPlanner planner(job, runs[r], cut, contours);
       const bool is_planned = planner.plan();
       if (is_planned) plan.runs.push_back(std::move(planner.tilted));
       if (!is_planned) plan.failed.push_back({runs[r].first_wanted, runs[r].last_wanted, planner.reason});

@@ -32,7 +32,7 @@ class Smoother {
     draw_in();
     kept_.assign(space_.size(), kFree);
     for (std::size_t i = 0; i < space_.size(); ++i) {
-      if (space_[i].is_fixed) kept_[i] = kProven;
+      if (space_[i].is_fixed()) kept_[i] = kProven;
     }
     for (int round = 0;; ++round) {
       const TiltSequence tilts = curve();
@@ -58,7 +58,7 @@ class Smoother {
 
   [[nodiscard]] Tilt drawn_in(std::size_t i) const {
     const double angle = proven_[i].norm();
-    if (!(angle > 0)) return proven_[i];
+    if (!(angle > 0) || space_[i].is_fixed()) return proven_[i];
     const Tilt way = proven_[i] / angle;
     double good = angle, bad = angle;
     while (good > 0) {
@@ -89,7 +89,8 @@ class Smoother {
       if (kept_[i] != kFree && is_apart) anchors.push_back({i, wanted(i)});
     }
     if (anchors.empty()) anchors.push_back({0, Tilt::Zero()});
-    TiltSequence tilts = curve_through(anchors, ways_mm_, space_[0].is_fixed, space_[space_.size() - 1].is_fixed);
+    TiltSequence tilts =
+        curve_through(anchors, ways_mm_, space_[0].stays_programmed(), space_[space_.size() - 1].stays_programmed());
     // To digits that no file has, so that where an anchor far away changes next to nothing it changes nothing.
     for (Tilt& tilt : tilts) tilt = (tilt / kDigit_rad).array().round() * kDigit_rad;
     for (std::size_t i = 0; i < space_.size(); ++i) {
@@ -171,7 +172,7 @@ class Smoother {
     double least = roughness(curve(), ways_mm_);
     const std::size_t most = std::min(kMostLetGo, 1 + kMostLooks / space_.size());
     for (std::size_t i = 1; i + 1 < space_.size() && tried < most; ++i) {
-      if (kept_[i] == kFree || space_[i].is_fixed) continue;
+      if (kept_[i] == kFree || space_[i].is_fixed()) continue;
       ++tried;
       const int was = kept_[i];
       kept_[i] = kFree;

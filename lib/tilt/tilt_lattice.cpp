@@ -42,6 +42,7 @@ class Lattice {
       }
     }
     std::ranges::stable_sort(nodes_, {}, [](const Tilt& tilt) { return tilt.squaredNorm(); });
+    choices_ = static_cast<Node>(nodes_.size());
     is_layer_.assign(space.size(), false);
   }
 
@@ -99,7 +100,7 @@ class Lattice {
     for (std::size_t k = 0; k <= pieces && pieces > 0; ++k) add_layer(k * last / pieces);
     add_layer(0);
     for (std::size_t i = 0; i < space_.size(); ++i) {
-      if (space_[i].is_fixed) add_layer(i);
+      if (space_[i].is_fixed()) add_layer(i);
     }
   }
 
@@ -108,12 +109,23 @@ class Lattice {
     is_layer_[i] = true;
     Layer layer;
     layer.position = i;
-    const bool is_fixed = space_[i].is_fixed;
-    for (Node n = 0; n < nodes_.size() && (!is_fixed || n == 0); ++n) {
-      if (near_ == nullptr || !((nodes_[n] - (*near_)[i]).norm() > reach_rad_)) layer.open.push_back(n);
+    if (const auto& given = space_[i].given) {
+      layer.open = {node_of(*given)};
+    } else {
+      for (Node n = 0; n < choices_; ++n) {
+        if (near_ == nullptr || !((nodes_[n] - (*near_)[i]).norm() > reach_rad_)) layer.open.push_back(n);
+      }
     }
-    layer.is_free.assign(layer.open.size(), is_fixed);
+    layer.is_free.assign(layer.open.size(), space_[i].stays_programmed());
     layers_.insert(std::ranges::upper_bound(layers_, i, {}, &Layer::position), std::move(layer));
+  }
+
+  /// Of a tilt that need not be one of the lattice's.
+  [[nodiscard]] Node node_of(const Tilt& tilt) {
+    const auto known = std::ranges::find_if(nodes_, [&](const Tilt& node) { return node == tilt; });
+    const auto node = static_cast<Node>(known - nodes_.begin());
+    if (known == nodes_.end()) nodes_.push_back(tilt);
+    return node;
   }
 
   /// Whether any tilt is free there.
@@ -241,7 +253,8 @@ class Lattice {
   unsigned threads_;
   const TiltSequence* near_;
   double reach_rad_;
-  std::vector<Tilt> nodes_;  // the smallest first
+  std::vector<Tilt> nodes_;  // of the lattice, the smallest first; then those that are given
+  Node choices_ = 0;         // how many are of the lattice
   std::vector<bool> is_layer_;
   std::vector<Layer> layers_;  // in the order of the way
   std::set<Struck> struck_;

@@ -118,8 +118,8 @@ class Chain {
     const bool begins_path = !moves[begin->move].has_start;
     const bool ends_path =
         end + 1 == stations_.end() && (last_move_ + 1 == moves.size() || !moves[last_move_ + 1].has_start);
-    run.positions.front().is_fixed = !begins_path || is_clean_at(*begin);
-    run.positions.back().is_fixed = !ends_path || is_clean_at(*end);
+    if (!begins_path || is_clean_at(*begin)) run.positions.front().given = Tilt::Zero();
+    if (!ends_path || is_clean_at(*end)) run.positions.back().given = Tilt::Zero();
     return run;
   }
 
@@ -264,7 +264,7 @@ TiltRun with_freedom(TiltRun run, TiltFreedom freedom) {
       const Vec3 feed = all[std::min(i + 1, all.size() - 1)].programmed.tip - all[i > 0 ? i - 1 : 0].programmed.tip;
       const Vec3 across = feed - feed.dot(axis) * axis;
       if (across.norm() > 1e-3 * feed.norm() && across.norm() > 1e-6) first = across;
-      all[i].is_fixed = all[i].is_fixed || is_corner(all, i);
+      if (is_corner(all, i)) all[i].given = Tilt::Zero();
     }
     first = (first - first.dot(axis) * axis).normalized();
     all[i].first = first;

@@ -34,6 +34,12 @@ Vec3 TiltPosition::axis_for(const Tilt& tilt) const {
   return (std::cos(angle) * programmed.axis + std::sin(angle) * towards).normalized();
 }
 
+Tilt TiltPosition::tilt_to(const Vec3& axis) const {
+  const Tilt towards(axis.dot(first), axis.dot(second));
+  const double across = towards.norm();
+  return across > 0 ? Tilt(std::atan2(across, axis.dot(programmed.axis)) / across * towards) : Tilt(Tilt::Zero());
+}
+
 TiltSpace::TiltSpace(std::vector<TiltPosition> positions, const TiltTask& task)
     : positions_(std::move(positions)), task_(task) {}
 

@@ -24,11 +24,16 @@ struct TiltPosition {
   Pose programmed;
   Vec3 first = Vec3::UnitX(), second = Vec3::UnitY();  ///< unit, square to the axis and to each other
   ContactPivot pivot{Pose{}};
-  double tolerance_share = 0;     ///< of the tolerance: how deep the cutter may be in the part here
-  bool is_fixed = false;          ///< it stays as programmed
+  double tolerance_share = 0;  ///< of the tolerance: how deep the cutter may be in the part here
+  /// Where it has no choice: none where it stays as programmed, or that of another pass through the same place.
+  std::optional<Tilt> given;
   bool is_reached_clean = false;  ///< the programmed motion from the position before is clean
 
   [[nodiscard]] Vec3 axis_for(const Tilt& tilt) const;
+  /// The tilt with that axis, which is less than half a circle from the programmed one.
+  [[nodiscard]] Tilt tilt_to(const Vec3& axis) const;
+  [[nodiscard]] bool is_fixed() const { return given.has_value(); }
+  [[nodiscard]] bool stays_programmed() const { return given && given->isZero(0); }
 };
 
 /// What every tilt of a run is held against.

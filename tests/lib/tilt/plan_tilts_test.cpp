@@ -1,6 +1,3 @@
-// Holders beside walls: a ball cutter of 10 mm, stick-out 40 mm, holder of 30 mm. Its centre is 5 mm above the tip, so
-// the lower edge of the holder is 35 mm above the centre and 15 mm beside the axis. At a wall at distance x of the
-// centre it is free from the tilt on for which 15 cos - 35 sin = x.
 #include "lib/tilt/plan_tilts.h"
 
 #include <gtest/gtest.h>
@@ -11,108 +8,12 @@
 
 #include "lib/path/axis_quality.h"
 #include "lib/path/path_info.h"
-#include "tests/support/paths.h"
-#include "tests/support/shapes.h"
-#include "tests/support/tools.h"
-#include "tests/support/whole_check.h"
+#include "tests/lib/tilt/tilt_bench.h"
 
 namespace gouge {
 namespace {
 
-using paths::upright;
-constexpr double kDegree = std::numbers::pi / 180;
-
-ToolAssembly long_ball() {
-  ToolAssembly tool;
-  tool.number = 1;
-  tool.cutter = BallCutter{10, 20};
-  tool.shank = {{10, 10, 20}};
-  tool.holder = {{30, 30, 60}};
-  return tool;
-}
-
-/// Least tilt, rad, that frees the holder beside a wall at a distance of the ball's centre.
-double least_tilt(double distance_mm) { return std::acos(distance_mm / std::hypot(15, 35)) - std::atan2(35, 15); }
-
-IndexedMesh floor_plate() { return shapes::box(Vec3(-200, -200, -10), Vec3(200, 200, 0)); }
-
-/// Of all runs.
-std::vector<TiltedPosition> positions_of(const TiltPlan& plan) {
-  std::vector<TiltedPosition> all;
-  for (const SmoothedRun& run : plan.runs) all.insert(all.end(), run.positions.begin(), run.positions.end());
-  return all;
-}
-
-struct Bench {
-  ToolVariants tool;
-  Scene scene;
-  Toolpath path;
-  OwnSetup own;
-  CheckResult before;
-  MotionChecker checker;
-
-  Bench(const std::vector<Pose>& poses, std::vector<IndexedMesh> parts, const ToolAssembly& assembly = long_ball(),
-        unsigned threads = 1)
-      : tool(tools::variants(assembly)),
-        scene(scene_of(std::move(parts))),
-        path(paths::through(poses)),
-        own(&tool, scene, options_of(threads)),
-        before(check(path, own.setup)),
-        checker(own.setup) {}
-
-  static Scene scene_of(std::vector<IndexedMesh> parts) {
-    Scene scene;
-    scene.parts = std::move(parts);
-    return scene;
-  }
-  static CheckOptions options_of(unsigned threads) {
-    CheckOptions options;
-    options.threads = threads;
-    return options;
-  }
-
-  [[nodiscard]] TiltPlan plan(const TiltOptions& options = {}) const {
-    std::vector<bool> is_wanted;
-    for (const MoveVerdict& verdict : before.verdicts)
-      is_wanted.push_back(verdict.state == MoveState::gouge && verdict.witness->body != Body::cutter);
-    return plan_tilts({path, before, own.setup.tools, checker, options, is_wanted}, {});
-  }
-
-  /// The path with the plan's positions in it.
-  [[nodiscard]] Toolpath tilted(const TiltPlan& plan) const {
-    std::vector<Pose> poses;
-    for (std::size_t i = 0; i < path.moves.size(); ++i) {
-      Pose end = path.moves[i].end;
-      for (const TiltedPosition& p : positions_of(plan)) {
-        if (p.move == i && !p.is_end) poses.push_back(p.pose);
-        if (p.move == i && p.is_end) end = p.pose;
-      }
-      poses.push_back(end);
-    }
-    return paths::through(poses);
-  }
-};
-
-double largest_tilt(const TiltPlan& plan) {
-  double most = 0;
-  for (const TiltedPosition& p : positions_of(plan)) most = std::max(most, p.tilt_rad);
-  return most;
-}
-
-/// A row at z = 0 along y, from above and up again.
-std::vector<Pose> row(double from, double to, double step, double x = 0) {
-  std::vector<Pose> poses{upright(x, from, 120)};
-  for (double y = from; y < to + 1e-9; y += step) poses.push_back(upright(x, y, 0));
-  poses.push_back(upright(x, to, 120));
-  return poses;
-}
-
-void expect_clean(const Bench& bench, const TiltPlan& plan) {
-  EXPECT_TRUE(plan.failed.empty()) << plan.failed.front().reason;
-  const Toolpath path = bench.tilted(plan);
-  const CheckResult after = check(path, bench.own.setup);
-  EXPECT_EQ(after.counts.clean, path.moves.size());
-}
+using namespace tilt_bench;
 
 TEST(PlanTilts, BesideAWallIsTheLeastTiltThatFreesTheHolder) {
   for (const double wall : {6.0, 9.0, 12.0}) {
@@ -279,6 +180,39 @@ TEST(PlanTilts, OfAFlatEndIsNotMadeWhereItWouldLeaveMoreThanAllowed) {
   TiltOptions allowed;
   allowed.max_stock_mm = 5;
   expect_clean(bench, bench.plan(allowed));
+}
+
+TEST(PlanTilts, KeepsAClosedContourClosed) {
+  // Around in a pocket with walls of two heights, down and up at the place where it begins and ends.
+  std::vector<Pose> poses{upright(0, -40, 120)};
+  const int count = 90;
+  for (int k = 0; k <= count; ++k) {
+    const double angle = 2 * std::numbers::pi * (k % count) / count;
+    poses.push_back(upright(40 * std::sin(angle), -40 * std::cos(angle), 0));
+  }
+  poses.push_back(upright(0, -40, 120));
+  enum Walls { beside, at_seam, around };
+  for (const Walls walls : {beside, at_seam, around}) {
+    const bool is_begin_walled = walls != beside;
+    std::vector<IndexedMesh> parts{floor_plate(), shapes::box(Vec3(47, -100, -5), Vec3(90, 100, 60))};
+    if (is_begin_walled) parts.push_back(shapes::box(Vec3(-12, -90, -5), Vec3(100, -47, 90)));
+    if (walls == around) {
+      parts.push_back(shapes::box(Vec3(-90, -100, -5), Vec3(-48, 100, 60)));
+      parts.push_back(shapes::box(Vec3(-100, 49, -5), Vec3(100, 90, 90)));
+    }
+    const Bench bench(poses, parts);
+    const TiltPlan plan = bench.plan();
+    expect_clean(bench, plan);
+    EXPECT_EQ(plan.runs.size(), walls == at_seam ? 2U : 1U);
+    const Toolpath path = bench.tilted(plan);
+    std::vector<Pose> seam;
+    for (const Move& move : path.moves)
+      if ((move.end.tip + 5 * move.end.axis - Vec3(0, -40, 5)).norm() < 1e-6) seam.push_back(move.end);
+    ASSERT_EQ(seam.size(), 2U);
+    EXPECT_NEAR((seam[0].tip - seam[1].tip).norm(), 0, 1e-7);
+    EXPECT_NEAR((seam[0].axis - seam[1].axis).norm(), 0, 1e-9);
+    EXPECT_EQ(angle_between_rad(seam[0].axis, Vec3::UnitZ()) > 1 * kDegree, is_begin_walled);
+  }
 }
 
 TEST(PlanTilts, IsTheSameAtAnyNumberOfThreads) {
