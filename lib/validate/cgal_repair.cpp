@@ -176,8 +176,12 @@ void fill_holes(SurfaceMesh& surface, bool fills_holes, RepairSteps& steps) {
     if (fills_holes && !is_rim_of_triangle(surface, hole)) {
       const auto rim = CGAL::halfedges_around_face(hole, surface);
       const bool is_long = static_cast<std::size_t>(std::distance(rim.begin(), rim.end())) > kLongestCubicHole;
-      pmp::triangulate_hole(surface, hole, std::back_inserter(patch),
-                            pmp::parameters::do_not_use_cubic_algorithm(is_long));
+      const auto options = pmp::parameters::do_not_use_cubic_algorithm(is_long);
+#if CGAL_VERSION_NR < 1050600000
+      pmp::triangulate_hole(surface, hole, std::back_inserter(patch), options);
+#else
+      pmp::triangulate_hole(surface, hole, options.face_output_iterator(std::back_inserter(patch)));
+#endif
     }
     if (patch.empty()) {
       ++steps.holes_left;
