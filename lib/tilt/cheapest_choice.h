@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,6 +16,8 @@ struct TiltLayer {
   std::vector<Tilt> tilts;
   /// Those of it that may not be followed by these of the next layer, by their indices; sorted.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> struck;
+  /// Nor may any that is farther away.
+  double largest_change_rad = std::numeric_limits<double>::infinity();
 };
 
 /// Positions that are closer count as so far apart.

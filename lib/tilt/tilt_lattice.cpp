@@ -18,7 +18,7 @@ constexpr int kLevels = 3;                // each with half the step
 constexpr int kFinerPerStep = 4;          // about the way found
 constexpr double kTube = 1.5;             // how many steps of it the finer lattice reaches about the way
 constexpr int kMostRounds = 60;           // in which layers are added, ...
-constexpr int kMostStrikes = 12;  // ... or motions struck out: what refuses these refuses most of their neighbours
+constexpr int kMostStrikes = 24;  // ... or motions struck out: what refuses these refuses most of their neighbours
 
 /// One lattice over the allowed tilts, and what is known of it at each position.
 ///
@@ -192,6 +192,8 @@ class Lattice {
     }
     for (std::size_t l = 0; l + 1 < layers_.size(); ++l) {
       const std::size_t i = layers_[l].position, k = layers_[l + 1].position;
+      layers[l].largest_change_rad = 0;
+      for (std::size_t j = i; j < k; ++j) layers[l].largest_change_rad += space_.largest_change_rad(j);
       for (auto it = struck_.lower_bound({i, k, 0, 0}); it != struck_.end() && it->from == i && it->to == k; ++it) {
         const auto from = std::ranges::find(layers_[l].open, it->node);
         const auto to = std::ranges::find(layers_[l + 1].open, it->next);
@@ -267,8 +269,6 @@ LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional
   LatticeResult found;
   for (int level = 0, steps = kCoarseSteps; level < kLevels; ++level, steps *= 2) {
     found = Lattice(space, steps, threads, nullptr, 0).find(doubtful);
-    // Where no way leads between, positions closer to each other help more than more tilts.
-    if (!found.sequence && !found.blocked) break;
     if (found.blocked) doubtful = found.blocked;
     if (!found.sequence) continue;
     const double reach_rad = kTube * space.task().options.max_tilt_rad / steps;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "lib/contact/aims.h"
@@ -141,11 +142,19 @@ bool TiltSpace::stays_within_limits(std::size_t i, const Pose& from, std::size_t
 
 /// While the axis turns by an angle on a straight way of the tip, a point of the tool at a distance from the tip leaves
 /// its own straight way by distance * angle^2 / 8: so much the cut surface may be off in between.
-bool TiltSpace::bends_too_far(std::size_t i, std::size_t k, const Motion& motion) const {
+double TiltSpace::largest_turn_rad(std::size_t i, std::size_t k) const {
   const double programmed = angle_between_rad(positions_[i].programmed.axis, positions_[k].programmed.axis);
   const double allowed_mm = kBend * task_.checker->options().tolerance_mm;
   const double angle = std::sqrt(8 * allowed_mm / std::max(task_.tool->cutting.r_max_mm, 1e-3));
-  return motion.angle_rad() > std::max(programmed, angle);
+  return std::max(programmed, angle);
+}
+
+// Along the feed the frames of tilts turn about the axis, too, and say nothing of each other.
+double TiltSpace::largest_change_rad(std::size_t i) const {
+  if (task_.options.freedom != TiltFreedom::both) return std::numeric_limits<double>::infinity();
+  const double programmed = angle_between_rad(positions_[i].programmed.axis, positions_[i + 1].programmed.axis);
+  const double most = task_.options.max_tilt_rad;
+  return (largest_turn_rad(i, i + 1) + programmed) * (most > 0 ? most / std::sin(most) : 1) + kSure_rad;
 }
 
 bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const {
@@ -158,7 +167,8 @@ bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, 
   const std::optional<Pose> start = pose(i, from), end = pose(k, to);
   if (!start || !end) return false;
   const Motion motion(*start, *end);
-  if (!motion.is_defined() || bends_too_far(i, k, motion) || !stays_within_limits(i, *start, k, *end)) return false;
+  if (!motion.is_defined() || motion.angle_rad() > largest_turn_rad(i, k) || !stays_within_limits(i, *start, k, *end))
+    return false;
   return std::ranges::any_of(std::array{kMotionAimShare, kMostShare}, [&](double share) {
     return task_.checker->is_clean(motion, positions_[k].kind, *task_.tool, options_for(share), true);
   });

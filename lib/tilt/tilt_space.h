@@ -76,12 +76,16 @@ class TiltSpace {
   /// matter of the whole run.
   [[nodiscard]] bool may_turn(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
 
+  /// Tilts of positions i and i + 1 that are farther apart than this turn the tool too far between the two.
+  /// docs/algorithms/tilting.md, "The cut between positions"
+  [[nodiscard]] double largest_change_rad(std::size_t i) const;
+
   /// What is in the way of the tool at a tilt, and how deep.
   [[nodiscard]] MoveVerdict verdict(std::size_t i, const Tilt& tilt) const;
 
  private:
   [[nodiscard]] bool stays_within_limits(std::size_t i, const Pose& from, std::size_t k, const Pose& to) const;
-  [[nodiscard]] bool bends_too_far(std::size_t i, std::size_t k, const Motion& motion) const;
+  [[nodiscard]] double largest_turn_rad(std::size_t i, std::size_t k) const;
   [[nodiscard]] CheckOptions options_for(double tolerance_share) const;
   [[nodiscard]] bool is_refused(const Pose& pose, const CheckOptions& options, RefusingPoints& refusing) const;
 

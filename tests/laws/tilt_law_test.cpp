@@ -180,7 +180,9 @@ struct Laws {
       std::vector<Tilt> next;
       RefusingPoints refusing;
       for (const Tilt& tilt : lattice()) {
-        if (is_last ? tilt.norm() > 0 : !space.is_free(i, tilt, &refusing)) continue;
+        // With lead or side alone corners stay as programmed, too.
+        const bool is_fixed = is_last || space[i].is_fixed();
+        if (is_fixed ? tilt.norm() > 0 : !space.is_free(i, tilt, &refusing)) continue;
         std::vector<Tilt> near;
         std::ranges::copy_if(reached, std::back_inserter(near),
                              [&](const Tilt& from) { return (from - tilt).norm() < 3 * kDegree; });

@@ -19,6 +19,8 @@ double cost_of(const std::vector<TiltLayer>& layers, const Choice& choice, doubl
     if (std::ranges::find(struck, std::pair(choice[l - 1], choice[l])) != struck.end())
       return std::numeric_limits<double>::infinity();
     const Tilt &from = layers[l - 1].tilts[choice[l - 1]], &to = layers[l].tilts[choice[l]];
+    if ((to - from).squaredNorm() > layers[l - 1].largest_change_rad * layers[l - 1].largest_change_rad)
+      return std::numeric_limits<double>::infinity();
     const double way = std::max(layers[l].way_mm - layers[l - 1].way_mm, kLeastWay_mm);
     cost +=
         0.5 * way * (from.squaredNorm() + to.squaredNorm()) / (blend_mm * blend_mm) + (to - from).squaredNorm() / way;
@@ -50,6 +52,9 @@ TEST(CheapestChoice, IsTheCheapestOfAllThatAreNotStruck) {
       way += random.is(0.1) ? 0 : random.in(0.1, 5);
       const int count = random.is(0.05) ? 0 : static_cast<int>(random.in(1, 6));
       for (int k = 0; k < count; ++k) layer.tilts.emplace_back(random.in(-0.5, 0.5), random.in(-0.5, 0.5));
+    }
+    for (TiltLayer& layer : layers) {
+      if (random.is(0.3)) layer.largest_change_rad = random.in(0.2, 1);
     }
     for (std::size_t l = 0; l + 1 < layers.size() && random.is(0.6); ++l) {
       const double share = random.is(0.2) ? 0.9 : 0.3;
