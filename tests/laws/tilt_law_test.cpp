@@ -3,10 +3,12 @@
 // GOUGE_FIRST_TILT the number of the first.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "lib/path/path_info.h"
 #include "lib/tilt/plan_tilts.h"
@@ -26,6 +28,15 @@ std::size_t number_of(const char* name, std::size_t usual) {
   const char* given = std::getenv(name);
   return given == nullptr ? usual : std::strtoull(given, nullptr, 10);
 }
+
+struct Stopwatch {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point since = Clock::now();
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(since, now)).count();
+  }
+};
 
 /// A path over a plate, with walls and posts that the holder runs into, and random limits.
 struct RandomRun {
@@ -164,10 +175,10 @@ struct Laws {
 
   /// Whether a lattice of 1 degree has a way through the run: free tilts at every position, and free motions from each
   /// to a tilt at most 3 degrees away.
-  [[nodiscard]] bool has_way(const UntiltedRun& failed) const {
+  [[nodiscard]] bool has_way_from(std::size_t first_wanted) const {
     const TiltJob job{run.path, before, tools, checker, run.options, is_wanted};
     for (const TiltRun& found : find_tilt_runs(job, run.options.blend_mm / 8)) {
-      if (found.first_wanted == failed.first_wanted) return has_way(found);
+      if (found.first_wanted == first_wanted) return has_way(found);
     }
     return false;
   }
@@ -213,7 +224,8 @@ struct Laws {
 
 TEST(TiltLaw, HoldsForRandomRuns) {
   const std::size_t first = number_of("GOUGE_FIRST_TILT", 0), count = number_of("GOUGE_TILTS", 20);
-  std::size_t tilted = 0, failed = 0, missed = 0;
+  std::size_t tilted = 0, failed = 0, missed = 0, ours_alone = 0;
+  double seconds = 0, lattice_seconds = 0;
   for (std::size_t n = first; n < first + count; ++n) {
     const RandomRun run(n);
     CheckOptions options;
@@ -224,16 +236,21 @@ TEST(TiltLaw, HoldsForRandomRuns) {
     std::vector<bool> is_wanted;
     for (const MoveVerdict& verdict : before.verdicts)
       is_wanted.push_back(verdict.state == MoveState::gouge && verdict.witness->body != Body::cutter);
+    Stopwatch watch;
     const TiltPlan plan = plan_tilts({run.path, before, own.setup.tools, checker, run.options, is_wanted}, {});
     const Laws laws{run, own, checker, own.setup.tools, before, is_wanted};
+    seconds += watch.lap();
     for (std::size_t r = 0; r < plan.runs.size(); ++r) {
       if (!plan.runs[r].positions.empty()) laws.expect_kept(plan, r, n);
     }
+    watch.lap();
+    for (const SmoothedRun& one : plan.runs) ours_alone += laws.has_way_from(one.first_wanted) ? 0U : 1U;
     for (const UntiltedRun& one : plan.failed) {
-      const bool is_missed = laws.has_way(one);
+      const bool is_missed = laws.has_way_from(one.first_wanted);
       missed += is_missed ? 1 : 0;
       if (is_missed) std::cout << "run " << n << " has a way on a lattice of 1 degree, but: " << one.reason << "\n";
     }
+    lattice_seconds += watch.lap();
     tilted += plan.runs.size();
     failed += plan.failed.size();
     if (std::getenv("GOUGE_TELL") != nullptr)
@@ -241,9 +258,10 @@ TEST(TiltLaw, HoldsForRandomRuns) {
     if (::testing::Test::HasFailure()) return;
   }
   std::cout << tilted << " runs tilted, " << failed << " not, " << missed
-            << " of these though a lattice of 1 degree has a way\n";
+            << " of these though a lattice of 1 degree has a way; it has none for " << ours_alone
+            << " that are tilted. Planned in " << seconds << " s, the lattices took " << lattice_seconds << " s\n";
   EXPECT_GT(tilted, count / 8);
-  EXPECT_LE(missed * 20, tilted + failed);
+  EXPECT_LE(missed, ours_alone + 1);  // solved as often as by the lattice
 }
 
 }  // namespace
