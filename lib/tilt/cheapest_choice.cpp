@@ -34,12 +34,11 @@ struct Best {
 
 /// What the step between two layers costs.
 struct Step {
-  double by_tilt = 0, by_change = 0, most = kNever;  // most: the largest change
+  double by_tilt = 0, by_change = 0;
   Step(const TiltLayer& from, const TiltLayer& to, double blend_mm) {
     const double way = std::max(to.way_mm - from.way_mm, kLeastWay_mm), blend = std::max(blend_mm, kLeastWay_mm);
     by_tilt = 0.5 * way / (blend * blend);
     by_change = 1 / way;
-    most = from.largest_change_rad;
   }
 };
 
@@ -47,10 +46,11 @@ struct Step {
 template <typename IsAllowed>
 void step_from(const TiltLayer& layer, std::uint32_t tilt, const Columns& to, const Step& step, double so_far,
                Best& best, const IsAllowed& is_allowed) {
-  const double x = layer.tilts[tilt].x(), y = layer.tilts[tilt].y(), most2 = step.most * step.most;
+  const double x = layer.tilts[tilt].x(), y = layer.tilts[tilt].y();
+  const double most = layer.largest_change_rad, most2 = most * most;
   const auto index = static_cast<std::int64_t>(tilt);
-  const auto first = std::ranges::lower_bound(to.x, x - step.most) - to.x.begin();
-  const auto last = std::ranges::upper_bound(to.x, x + step.most) - to.x.begin();
+  const auto first = std::ranges::lower_bound(to.x, x - most) - to.x.begin();
+  const auto last = std::ranges::upper_bound(to.x, x + most) - to.x.begin();
   const double *const to_x = to.x.data(), *const to_y = to.y.data(), *const square = to.square.data();
   double* const cost = best.cost.data();
   std::int64_t* const came = best.from.data();

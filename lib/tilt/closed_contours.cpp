@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace gouge {
 namespace {
@@ -42,55 +43,53 @@ std::vector<Seam> find_seams(const Toolpath& path, const std::vector<bool>& is_n
   return seams;
 }
 
+ClosedContours::ClosedContours(const TiltJob& job) : path_(job.path) {
+  for (const Seam& seam : find_seams(path_, moves_near(path_, job.is_wanted, job.options.blend_mm))) {
+    other_end_.emplace(seam.begin, seam.end);
+    other_end_.emplace(seam.end, seam.begin);
+  }
+}
+
 void ClosedContours::begin(const std::vector<TiltRun>& runs) {
-  programmed_.clear();
-  for (const Seam& seam : seams_) {
-    for (const std::size_t move : {seam.begin, seam.end}) {
-      const bool is_in_run = std::ranges::any_of(runs, [&](const TiltRun& run) {
-        return std::ranges::any_of(run.positions, [&](const TiltPosition& at) { return is_end(at, move); });
-      });
-      if (!is_in_run) programmed_[move] = path_.moves[move].end.axis;
-    }
+  std::set<std::size_t> in_runs;
+  for (const TiltRun& run : runs) {
+    for (const TiltPosition& at : run.positions)
+      if (is_end(at)) in_runs.insert(at.move);
   }
+  for (const auto& [move, other] : other_end_)
+    if (!in_runs.contains(move)) axes_.try_emplace(move, path_.moves[move].end.axis);
 }
 
-bool ClosedContours::give_known(std::vector<TiltPosition>& positions) const {
-  bool is_any = false;
-  for (const Seam& seam : seams_) {
-    for (const auto& [move, other] : {std::pair(seam.begin, seam.end), std::pair(seam.end, seam.begin)}) {
-      const auto tilted = tilted_.find(other), stays = programmed_.find(other);
-      if (tilted == tilted_.end() && stays == programmed_.end()) continue;
-      for (TiltPosition& at : positions) {
-        if (!is_end(at, move) || at.is_fixed()) continue;
-        at.given = at.tilt_to(tilted != tilted_.end() ? tilted->second : stays->second);
-        is_any = true;
-      }
-    }
+std::optional<std::vector<TiltPosition>> ClosedContours::with_known(const std::vector<TiltPosition>& positions) const {
+  std::optional<std::vector<TiltPosition>> known;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (!is_end(positions[i]) || positions[i].is_fixed()) continue;
+    const auto [first, last] = other_end_.equal_range(positions[i].move);
+    const auto found = std::find_if(first, last, [&](const auto& ends) { return axes_.contains(ends.second); });
+    if (found == last) continue;
+    if (!known) known = positions;
+    (*known)[i].given = positions[i].tilt_to(axes_.at(found->second));
   }
-  return is_any;
+  return known;
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> ClosedContours::loops(
-    const std::vector<TiltPosition>& positions) const {
+std::vector<std::pair<std::size_t, std::size_t>> ClosedContours::loops(const TiltSpace& space) const {
   std::vector<std::pair<std::size_t, std::size_t>> all;
-  const auto index_of = [&](std::size_t move) {
-    const auto found = std::ranges::find_if(positions, [&](const TiltPosition& at) { return is_end(at, move); });
-    return static_cast<std::size_t>(found - positions.begin());
-  };
-  for (const Seam& seam : seams_) {
-    const std::size_t begin = index_of(seam.begin), end = index_of(seam.end);
-    if (begin < positions.size() && end < positions.size()) all.emplace_back(begin, end);
+  std::map<std::size_t, std::size_t> seen;  // positions by their moves
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    if (!is_end(space[i])) continue;
+    const auto [first, last] = other_end_.equal_range(space[i].move);
+    for (auto ends = first; ends != last; ++ends) {
+      if (const auto begin = seen.find(ends->second); begin != seen.end()) all.emplace_back(begin->second, i);
+    }
+    seen.emplace(space[i].move, i);
   }
   return all;
 }
 
 void ClosedContours::learn(const TiltSpace& space, const TiltSequence& tilts) {
-  for (std::size_t i = 0; i < space.size(); ++i) {
-    for (const Seam& seam : seams_) {
-      for (const std::size_t move : {seam.begin, seam.end})
-        if (is_end(space[i], move)) tilted_[move] = space[i].axis_for(tilts[i]);
-    }
-  }
+  for (std::size_t i = 0; i < space.size(); ++i)
+    if (is_end(space[i])) axes_.insert_or_assign(space[i].move, space[i].axis_for(tilts[i]));
 }
 
 }  // namespace gouge

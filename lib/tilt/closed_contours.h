@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,28 +23,27 @@ struct Seam {
 /// alike at both ends of a contour after tilting, too.
 class ClosedContours {
  public:
-  explicit ClosedContours(const TiltJob& job)
-      : path_(job.path), seams_(find_seams(path_, moves_near(path_, job.is_wanted, job.options.blend_mm))) {}
+  /// What `job` refers to must outlive it.
+  explicit ClosedContours(const TiltJob& job);
 
   /// Runs that will be tilted next. Ends of contours that are in none of them, nor were before, stay as programmed.
   void begin(const std::vector<TiltRun>& runs);
 
-  /// Gives positions at one end of a contour the axis that is known of its other end. False where none is.
-  bool give_known(std::vector<TiltPosition>& positions) const;
+  /// The positions of a run, at one end of a contour given the axis that is known of its other end. Nothing where none is.
+  [[nodiscard]] std::optional<std::vector<TiltPosition>> with_known(const std::vector<TiltPosition>& positions) const;
 
-  /// Positions at the two ends of one contour, both of this run.
-  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> loops(
-      const std::vector<TiltPosition>& positions) const;
+  /// Positions at the two ends of one contour, both of this run; in the order of the path.
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> loops(const TiltSpace& space) const;
 
   /// The tilts of a run that are taken.
   void learn(const TiltSpace& space, const TiltSequence& tilts);
 
  private:
-  [[nodiscard]] static bool is_end(const TiltPosition& at, std::size_t move) { return at.move == move && !(at.t < 1); }
+  [[nodiscard]] bool is_end(const TiltPosition& at) const { return !(at.t < 1) && other_end_.contains(at.move); }
 
   const Toolpath& path_;
-  std::vector<Seam> seams_;
-  std::map<std::size_t, Vec3> programmed_, tilted_;  // axes at ends of moves, as far as they are known
+  std::multimap<std::size_t, std::size_t> other_end_;  // moves; a lap may end where the next begins
+  std::map<std::size_t, Vec3> axes_;                   // at ends of moves, as far as they are known
 };
 
 }  // namespace gouge

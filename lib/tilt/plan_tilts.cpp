@@ -64,7 +64,7 @@ class RunPlanner {
       if (!way) way = look_for(TiltSpace(positions, task), doubtful, found);
       if (way) {
         close_contours(*way);
-        if (!keeps_turns(way->space, way->tilts) || leaves_too_much(way->space, way->tilts)) return false;
+        if (!keeps_turns(*way) || leaves_too_much(way->space, way->tilts)) return false;
         gather(way->space, way->tilts);
         cut_.accept(way->space, way->tilts);
         contours_.learn(way->space, way->tilts);
@@ -92,39 +92,48 @@ class RunPlanner {
   }
 
   // With the tilts of other runs where a contour closes between them. Where that leads nowhere the contour opens.
-  [[nodiscard]] std::optional<Tilted> where_known(std::vector<TiltPosition> positions, const TiltTask& task) const {
+  [[nodiscard]] std::optional<Tilted> where_known(const std::vector<TiltPosition>& positions,
+                                                  const TiltTask& task) const {
     LatticeResult found;
-    if (!contours_.give_known(positions)) return std::nullopt;
-    return look_for(TiltSpace(std::move(positions), task), std::nullopt, found);
+    std::optional<std::vector<TiltPosition>> known = contours_.with_known(positions);
+    return known ? look_for(TiltSpace(std::move(*known), task), std::nullopt, found) : std::nullopt;
   }
 
   // Where both ends of a contour are in the run and were tilted differently: as the one, or as the other.
   void close_contours(Tilted& way) const {
-    std::vector<TiltPosition> positions;
-    for (std::size_t i = 0; i < way.space.size(); ++i) positions.push_back(way.space[i]);
-    const auto axis_at = [&](std::size_t i) { return positions[i].axis_for(way.tilts[i]); };
-    for (const auto& [begin, end] : contours_.loops(positions)) {
+    const auto axis_at = [&](std::size_t i) { return way.space[i].axis_for(way.tilts[i]); };
+    for (const auto& [begin, end] : contours_.loops(way.space)) {
       if (angle_between_rad(axis_at(begin), axis_at(end)) < kSame_rad) continue;
       for (const std::size_t as : {begin, end}) {
         const std::size_t other_end = begin + end - as;
-        if (positions[other_end].is_fixed()) continue;
-        std::vector<TiltPosition> closed = positions;
+        if (way.space[other_end].is_fixed()) continue;
+        std::vector<TiltPosition> closed;
+        for (std::size_t i = 0; i < way.space.size(); ++i) closed.push_back(way.space[i]);
         closed[as].given = way.tilts[as];
         closed[other_end].given = closed[other_end].tilt_to(axis_at(as));
         LatticeResult found;
-        std::optional<Tilted> other = look_for(TiltSpace(closed, way.space.task()), std::nullopt, found);
-        if (!other || !may_turn(*other)) continue;
+        std::optional<Tilted> other = look_for(TiltSpace(std::move(closed), way.space.task()), std::nullopt, found);
+        if (!other || beyond_limits(*other).is_any()) continue;
         way = std::move(*other);
-        positions = std::move(closed);
         break;
       }
     }
   }
 
-  [[nodiscard]] static bool may_turn(const Tilted& way) {
-    for (std::size_t i = 0; i + 1 < way.space.size(); ++i)
-      if (!way.space.may_turn(i, way.tilts[i], i + 1, way.tilts[i + 1])) return false;
-    return true;
+  /// Which limits of turns a way does not keep.
+  struct Beyond {
+    bool is_too_fast = false, is_too_far = false;
+    [[nodiscard]] bool is_any() const { return is_too_fast || is_too_far; }
+  };
+  [[nodiscard]] Beyond beyond_limits(const Tilted& way) const {
+    Beyond beyond;
+    for (std::size_t i = 0; i + 1 < way.space.size(); ++i) {
+      if (way.space.may_turn(i, way.tilts[i], i + 1, way.tilts[i + 1])) continue;
+      const double turn =
+          angle_between_rad(way.space[i].axis_for(way.tilts[i]), way.space[i + 1].axis_for(way.tilts[i + 1]));
+      (turn > job_.options.max_turn_step_rad ? beyond.is_too_far : beyond.is_too_fast) = true;
+    }
+    return beyond;
   }
 
   // Where it is open whether anything is left the tilt is made: a lift, which is what else there is, surely leaves it. The
@@ -153,13 +162,10 @@ class RunPlanner {
            ", " + length(at.z()) + "), which the programmed path finished (--allow-stock)";
   }
 
-  bool keeps_turns(const TiltSpace& space, const TiltSequence& tilts) {
-    const TiltOptions& limits = job_.options;
-    for (std::size_t i = 0; i + 1 < space.size(); ++i) {
-      if (space.may_turn(i, tilts[i], i + 1, tilts[i + 1])) continue;
-      const double turn = angle_between_rad(space[i].axis_for(tilts[i]), space[i + 1].axis_for(tilts[i + 1]));
-      (turn > limits.max_turn_step_rad ? is_too_far : is_too_fast) = true;
-    }
+  bool keeps_turns(const Tilted& way) {
+    const Beyond beyond = beyond_limits(way);
+    is_too_fast = is_too_fast || beyond.is_too_fast;
+    is_too_far = is_too_far || beyond.is_too_far;
     if (is_too_fast) reason = "the tool would have to turn faster than --max-turn allows";
     if (is_too_far) reason = "the tool would have to turn further in a record than --max-turn-step allows";
     return !is_too_fast && !is_too_far;

@@ -44,6 +44,7 @@ class Lattice {
     std::ranges::stable_sort(nodes_, {}, [](const Tilt& tilt) { return tilt.squaredNorm(); });
     choices_ = static_cast<Node>(nodes_.size());
     is_layer_.assign(space.size(), false);
+    for (std::size_t i = 0; i + 1 < space.size(); ++i) changes_rad_.push_back(space.largest_change_rad(i));
   }
 
   /// `doubtful`: a position where no tilt may be free, of which all are looked at first.
@@ -193,7 +194,7 @@ class Lattice {
     for (std::size_t l = 0; l + 1 < layers_.size(); ++l) {
       const std::size_t i = layers_[l].position, k = layers_[l + 1].position;
       layers[l].largest_change_rad = 0;
-      for (std::size_t j = i; j < k; ++j) layers[l].largest_change_rad += space_.largest_change_rad(j);
+      for (std::size_t j = i; j < k; ++j) layers[l].largest_change_rad += changes_rad_[j];
       for (auto it = struck_.lower_bound({i, k, 0, 0}); it != struck_.end() && it->from == i && it->to == k; ++it) {
         const auto from = std::ranges::find(layers_[l].open, it->node);
         const auto to = std::ranges::find(layers_[l + 1].open, it->next);
@@ -255,8 +256,9 @@ class Lattice {
   unsigned threads_;
   const TiltSequence* near_;
   double reach_rad_;
-  std::vector<Tilt> nodes_;  // of the lattice, the smallest first; then those that are given
-  Node choices_ = 0;         // how many are of the lattice
+  std::vector<Tilt> nodes_;          // of the lattice, the smallest first; then those that are given
+  Node choices_ = 0;                 // how many are of the lattice
+  std::vector<double> changes_rad_;  // the largest from each position to the next
   std::vector<bool> is_layer_;
   std::vector<Layer> layers_;  // in the order of the way
   std::set<Struck> struck_;

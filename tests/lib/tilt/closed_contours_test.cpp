@@ -79,12 +79,13 @@ TEST(ClosedContours, GiveTheOtherEndTheAxisThatOneHas) {
   second.positions[1].first = Vec3::UnitY();
   second.positions[1].second = -Vec3::UnitX();
   contours.begin({first, second});
-  std::vector<TiltPosition> given = second.positions;
-  EXPECT_FALSE(contours.give_known(given));
-  EXPECT_TRUE(contours.loops(given).empty());
+  EXPECT_FALSE(contours.with_known(second.positions));
+  EXPECT_TRUE(contours.loops(TiltSpace(second.positions, {})).empty());
 
   contours.learn(TiltSpace(first.positions, {}), {Tilt(0.1, 0.2), Tilt::Zero()});
-  ASSERT_TRUE(contours.give_known(given));
+  const auto known = contours.with_known(second.positions);
+  ASSERT_TRUE(known);
+  const std::vector<TiltPosition>& given = *known;
   EXPECT_FALSE(given[0].is_fixed());
   ASSERT_TRUE(given[1].is_fixed());
   EXPECT_NEAR((*given[1].given - Tilt(0.2, -0.1)).norm(), 0, 1e-12);
@@ -93,11 +94,11 @@ TEST(ClosedContours, GiveTheOtherEndTheAxisThatOneHas) {
   // Where the other end is in no run it stays as programmed, and so must this one.
   ClosedContours apart({path, before, own.setup.tools, checker, options, is_wanted});
   apart.begin({second});
-  given = second.positions;
-  ASSERT_TRUE(apart.give_known(given));
-  EXPECT_TRUE(given[1].stays_programmed());
+  const auto stays = apart.with_known(second.positions);
+  ASSERT_TRUE(stays);
+  EXPECT_TRUE((*stays)[1].stays_programmed());
 
-  const std::vector<TiltPosition> both{first.positions[0], second.positions[0], second.positions[1]};
+  const TiltSpace both({first.positions[0], second.positions[0], second.positions[1]}, {});
   ASSERT_EQ(contours.loops(both).size(), 1U);
   EXPECT_EQ(contours.loops(both)[0], std::pair(std::size_t{0}, std::size_t{2}));
 }
