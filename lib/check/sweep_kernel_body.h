@@ -13,8 +13,8 @@ namespace {
 GOUGE_INLINE void finish(const V& bound, float need, std::uint32_t count, KernelResult& result) {
   store(bound, result.bound);
   const M is_open = bound < need;
-  result.open = or_of(is_open & kLaneBit) & ((1U << count) - 1U);
-  result.least_pruned = least_of(is_open ? broadcast(3e38F) : bound);
+  result.open = bits_of(is_open) & ((1U << count) - 1U);
+  result.least_pruned = least_of(select(is_open, broadcast(3e38F), bound));
 }
 
 void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& piece, float need,
@@ -78,17 +78,17 @@ GOUGE_INLINE V3 first_look(const KernelPiece& piece, const Triangle& t, const V3
     const KernelPiece::Line& line = piece.lines[k];
     const V here = gr * line.r + gz * line.z;
     const M is_farther = here > reach;
-    reach = is_farther ? here : reach;
-    r = is_farther ? broadcast(line.r) : r;
-    z = is_farther ? broadcast(line.z) : z;
-    in_r = is_farther ? broadcast(line.in_r) : in_r;
-    in_z = is_farther ? broadcast(line.in_z) : in_z;
+    reach = select(is_farther, here, reach);
+    r = select(is_farther, broadcast(line.r), r);
+    z = select(is_farther, broadcast(line.z), z);
+    in_r = select(is_farther, broadcast(line.in_r), in_r);
+    in_z = select(is_farther, broadcast(line.in_z), in_z);
   }
   if (piece.is_sharp) {
     // Equally far from both lines of the corner.
     const V along = gr * in_r + gz * in_z;
     const V height = dot(g, t.a) - (gr * r + gz * z);
-    const V displacement = along < -0.1F ? height / along : V{};
+    const V displacement = select(along < -0.1F, height / along, V{});
     r = max(r + displacement * in_r, V{});
     z = z + displacement * in_z;
   }
@@ -145,7 +145,7 @@ GOUGE_INLINE V meet_in_corner(const KernelPiece& piece, const Touch& at, const P
   const V at_ends =
       min(max(at.distance - swing, also.distance - also_swing), max(at.distance + swing, also.distance + also_swing));
   const M is_deeper = at_ends < deepest.distance;
-  deepest.distance = is_deeper ? at_ends : deepest.distance;
+  deepest.distance = select(is_deeper, at_ends, deepest.distance);
   deepest.point = select(is_deeper, point, deepest.point);
   Crossing ridge{point, V{}};
   lowest_crossing(plane, also_plane, t, ridge);
@@ -185,7 +185,7 @@ GOUGE_INLINE V3 step_to_core(const KernelPiece& piece, const Touch& at, const Tr
   const V rate =
       min(dot(displacement, last.displacement) * inverse(dot(last.displacement, last.displacement)), broadcast(0.98F));
   const M leads = rate > 0.2F;
-  last.displacement = {leads ? V{} : displacement.x, leads ? V{} : displacement.y, leads ? V{} : displacement.z};
+  last.displacement = select(leads, V3{}, displacement);
   return select(leads, closest(plus(next, times(displacement, rate / (1.0F - rate))), t), next);
 }
 
@@ -222,7 +222,7 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
   const M on_side = has_closest_point(piece, need, range);
   const V3 normal = away_from_core(piece, t, f.axis);
   const V along = least_along(piece, normal, least_of_corners(normal, t), frame, f) - rest_along;
-  V bound = combine(piece, on_side, t.normal_scale < 1e29F ? along : broadcast(-3e38F), range);
+  V bound = combine(piece, on_side, select(t.normal_scale < 1e29F, along, broadcast(-3e38F)), range);
   if (!any_of(bound < need)) {
     store(bound, result.distance);
     result.point = {};

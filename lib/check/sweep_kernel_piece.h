@@ -32,12 +32,12 @@ struct Touch {
 GOUGE_INLINE void touch_pin(const KernelPiece& piece, const V3& u, const V3& axis, Touch& out) {
   out.z = dot(axis, u);
   const M is_beside = out.z >= piece.lines[1].z;
-  const V3 nearly = minus(u, times(axis, is_beside ? out.z : broadcast(piece.lines[1].z)));
-  const V3 across = minus(nearly, times(axis, is_beside ? dot(axis, nearly) : V{}));
+  const V3 nearly = minus(u, times(axis, select(is_beside, out.z, broadcast(piece.lines[1].z))));
+  const V3 across = minus(nearly, times(axis, select(is_beside, dot(axis, nearly), V{})));
   const V length = sqrt(dot(across, across));
   out.distance = length - piece.radius_mm;
   out.r = length;
-  out.r_lo = is_beside ? length : V{};
+  out.r_lo = select(is_beside, length, V{});
   out.gradient = times(across, 1.0F / max(length, broadcast(1e-20F)));
 }
 
@@ -61,16 +61,16 @@ GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, T
       const KernelPiece::Line& last = piece.lines[k - 1];
       const M here = (pr * last.dr + pz * last.dz > 0) & (pr * line.dr + pz * line.dz < 0);
       const V away = sqrt(pr * pr + pz * pz);
-      distance = here ? away : distance;
-      gr = here ? pr : gr;
-      gz = here ? pz : gz;
-      length = here ? away : length;
+      distance = select(here, away, distance);
+      gr = select(here, pr, gr);
+      gz = select(here, pz, gz);
+      length = select(here, away, length);
       is_at_corner = is_at_corner | here;
     }
     const M next = (side > distance) & ~is_at_corner;
-    distance = next ? side : distance;
-    gr = next ? broadcast(line.dz) : gr;
-    gz = next ? broadcast(-line.dr) : gz;
+    distance = select(next, side, distance);
+    gr = select(next, broadcast(line.dz), gr);
+    gz = select(next, broadcast(-line.dr), gz);
   }
   out.distance = distance - piece.radius_mm;
   out.r = out.r_lo = r;
@@ -95,12 +95,12 @@ GOUGE_INLINE void touch_next(const KernelPiece& piece, const V3& u, const V3& ax
     const V side = (first.r - line.r) * line.dz - (first.z - line.z) * line.dr;
     const M is_largest = side > largest;
     const M is_next = is_largest | (side > distance);
-    next_gr = is_largest ? gr : is_next ? broadcast(line.dz) : next_gr;
-    next_gz = is_largest ? gz : is_next ? broadcast(-line.dr) : next_gz;
-    distance = is_largest ? largest : is_next ? side : distance;
-    largest = is_largest ? side : largest;
-    gr = is_largest ? broadcast(line.dz) : gr;
-    gz = is_largest ? broadcast(-line.dr) : gz;
+    next_gr = select(is_largest, gr, select(is_next, broadcast(line.dz), next_gr));
+    next_gz = select(is_largest, gz, select(is_next, broadcast(-line.dr), next_gz));
+    distance = select(is_largest, largest, select(is_next, side, distance));
+    largest = select(is_largest, side, largest);
+    gr = select(is_largest, broadcast(line.dz), gr);
+    gz = select(is_largest, broadcast(-line.dr), gz);
   }
   out.distance = distance - piece.radius_mm;
   const V3 nearly = minus(u, times(axis, first.z));
@@ -117,13 +117,13 @@ GOUGE_INLINE M has_closest_point(const KernelPiece& piece, float need, const Ran
 
 GOUGE_INLINE V combine(const KernelPiece& piece, const M& has_closest_point, const V& by_plane, const Range& range) {
   const V never = broadcast(-3e38F);
-  V bound = (has_closest_point | (by_plane >= 0)) ? by_plane : never;
+  V bound = select(has_closest_point | (by_plane >= 0), by_plane, never);
   const V below = piece.z_lo_mm - range.z_hi;
   const V above = range.z_lo - piece.z_hi_mm;
   const M is_below = (below >= 0) | (range.r_lo >= piece.r_below_mm);
   const M is_above = (above >= 0) | (range.r_lo >= piece.r_above_mm);
-  bound = max(bound, is_below ? below : never);
-  return max(bound, is_above ? above : never);
+  bound = max(bound, select(is_below, below, never));
+  return max(bound, select(is_above, above, never));
 }
 
 /// A lower bound of the signed distance of points by a direction that does not turn with the tool: that of the point
@@ -158,7 +158,7 @@ GOUGE_INLINE V least_along(const KernelPiece& piece, const V3& g, const V& farth
     bound = min(bound, farthest_back - (end == 0 ? still : -still) - reach);
   }
   const float rest = frame.beside_mm + frame.rest_per_mm * piece.core_mm + piece.rounding_mm + piece.radius_mm;
-  return is_endless ? broadcast(-3e38F) : bound - rest;
+  return select(is_endless, broadcast(-3e38F), bound - rest);
 }
 
 /// About the point of the core nearest to u: any point will do.

@@ -10,7 +10,7 @@ GOUGE_INLINE void nearer(const V3& p, const V3& candidate, V& best2, V3& best) {
   const V3 d = minus(p, candidate);
   const V d2 = dot(d, d);
   const M is_nearer = d2 < best2;
-  best2 = is_nearer ? d2 : best2;
+  best2 = select(is_nearer, d2, best2);
   best = select(is_nearer, candidate, best);
 }
 
@@ -96,11 +96,11 @@ GOUGE_INLINE V least_blended(const Plane& p, const Plane& q) {
   V low_p = p.value[0], low_q = q.value[0], q_at_p = q.value[0], p_at_q = p.value[0];
   for (int k = 1; k < 6; ++k) {
     const M is_p = p.value[k] < low_p;
-    q_at_p = is_p ? q.value[k] : q_at_p;
-    low_p = is_p ? p.value[k] : low_p;
+    q_at_p = select(is_p, q.value[k], q_at_p);
+    low_p = select(is_p, p.value[k], low_p);
     const M is_q = q.value[k] < low_q;
-    p_at_q = is_q ? p.value[k] : p_at_q;
-    low_q = is_q ? q.value[k] : low_q;
+    p_at_q = select(is_q, p.value[k], p_at_q);
+    low_q = select(is_q, q.value[k], low_q);
   }
   const V slope = (q_at_p - low_p) + (p_at_q - low_q);
   const V share = min(max((q_at_p - low_q) / max(slope, broadcast(1e-30F)), V{}), broadcast(1.0F));
@@ -124,16 +124,16 @@ GOUGE_INLINE void lowest_crossing(const Plane& p, const Plane& q, const Triangle
       const V pd = p.value[2 * d + end], qd = q.value[2 * d + end];
       const V at_corner = max(pc, qc);
       const M is_corner = at_corner < lowest;
-      lowest = is_corner ? at_corner : lowest;
-      out.share = is_corner ? (pc < qc ? V{} : broadcast(1.0F)) : out.share;
+      lowest = select(is_corner, at_corner, lowest);
+      out.share = select(is_corner, select(pc < qc, V{}, broadcast(1.0F)), out.share);
       out.point = select(is_corner, *corners[c], out.point);
       const V over_c = pc - qc, over_d = pd - qd;
       const V along = over_c / (over_c - over_d);
       const V on_edge = pc + along * (pd - pc);
       const M is_edge = (over_c * over_d < 0) & (on_edge < lowest);
-      lowest = is_edge ? on_edge : lowest;
+      lowest = select(is_edge, on_edge, lowest);
       const V share = (qd - qc) / ((pc - pd) + (qd - qc));
-      out.share = is_edge ? min(max(share, V{}), broadcast(1.0F)) : out.share;
+      out.share = select(is_edge, min(max(share, V{}), broadcast(1.0F)), out.share);
       out.point = select(is_edge, plus(*corners[c], times(minus(*corners[d], *corners[c]), along)), out.point);
     }
   }

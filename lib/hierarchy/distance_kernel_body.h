@@ -15,7 +15,7 @@ constexpr float kAcross = 1.0F / (1 << 19);
 // The square of a shorter vector may be 0, and a quotient by its length anything.
 constexpr float kLeastSquare = 1e-30F;
 
-GOUGE_INLINE V not_negative(const V& a) { return select(less(V{}, a), a, V{}); }  // 0 for what is no number
+GOUGE_INLINE V not_negative(const V& a) { return select(0 < a, a, V{}); }  // 0 for what is no number
 
 /// `least`, `most`: no point of a lane is nearer, some point of it is no farther, but for `slack`.
 GOUGE_INLINE std::uint32_t finish(const V& least, const V& most, const V& slack, std::uint32_t count, float& within_mm,
@@ -24,7 +24,7 @@ GOUGE_INLINE std::uint32_t finish(const V& least, const V& most, const V& slack,
   store(bound, least_mm);
   const float nearest = least_of(most + slack);
   within_mm = nearest < within_mm ? nearest : within_mm;
-  return or_of(~less(broadcast(within_mm), bound) & kLaneBit) & ((1U << count) - 1U);
+  return bits_of(~(within_mm < bound)) & ((1U << count) - 1U);
 }
 
 std::uint32_t nodes(const NodeBlock& block, const DistanceQuery& query, float& within_mm, Lanes& least_mm) {
@@ -55,12 +55,12 @@ GOUGE_INLINE V3 about_nearest(const V3& a, const V3& b, const V3& c) {
   const V3 on_ab = plus(a, times(ab, clamped(d1, d1 - d3)));
   const V3 on_ac = plus(a, times(ac, clamped(d2, d2 - d6)));
   const V3 on_bc = plus(b, times(bc, clamped(d4 - d3, (d4 - d3) + (d5 - d6))));
-  V3 best = select(less(dot(on_ac, on_ac), dot(on_ab, on_ab)), on_ac, on_ab);
-  best = select(less(dot(on_bc, on_bc), dot(best, best)), on_bc, best);
+  V3 best = select(dot(on_ac, on_ac) < dot(on_ab, on_ab), on_ac, on_ab);
+  best = select(dot(on_bc, on_bc) < dot(best, best), on_bc, best);
   const V va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
   const V scale = 1.0F / (va + vb + vc);
   const V3 within = plus(a, plus(times(ab, vb * scale), times(ac, vc * scale)));
-  return select(less(V{}, va) & less(V{}, vb) & less(V{}, vc), within, best);
+  return select((0 < va) & (0 < vb) & (0 < vc), within, best);
 }
 
 std::uint32_t triangles(const TriangleBlock& block, const DistanceQuery& query, float& within_mm, Lanes& least_mm) {
@@ -74,7 +74,7 @@ std::uint32_t triangles(const TriangleBlock& block, const DistanceQuery& query, 
   const V3 foot = about_nearest(a, b, c);
   const V foot2 = dot(foot, foot), length = sqrt(foot2);
   const V along = min(dot(foot, a), min(dot(foot, b), dot(foot, c)));
-  const V least = select(less(broadcast(kLeastSquare), foot2), along / length, V{});
+  const V least = select(kLeastSquare < foot2, along / length, V{});
   return finish(least, length, broadcast(query.triangle_slack_mm), block.count, within_mm, least_mm);
 }
 

@@ -7,16 +7,188 @@
 namespace gouge::GOUGE_KERNEL {
 namespace {
 
-using V = float __attribute__((vector_size(64)));
-using M = int __attribute__((vector_size(64)));
+#define GOUGE_INLINE inline __attribute__((always_inline))
+
 using V8 = float __attribute__((vector_size(32)));
 using M8 = int __attribute__((vector_size(32)));
 using V4 = float __attribute__((vector_size(16)));
 using M4 = int __attribute__((vector_size(16)));
-constexpr M kLaneBit = {1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
-                        1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
 
-#define GOUGE_INLINE inline __attribute__((always_inline))
+GOUGE_INLINE float least_of(const V4& a) {
+  float least = a[0];
+  for (int i = 1; i < 4; ++i) least = a[i] < least ? a[i] : least;
+  return least;
+}
+#if defined(__AVX2__)
+GOUGE_INLINE float least_of(const V8& a) {
+  V4 half[2];
+  __builtin_memcpy(half, &a, sizeof(a));
+  return least_of(half[1] < half[0] ? half[1] : half[0]);
+}
+#endif
+
+#if defined(__AVX512F__)
+
+using V = float __attribute__((vector_size(64)));
+using M = int __attribute__((vector_size(64)));
+
+GOUGE_INLINE V broadcast(float x) { return x - V{}; }
+GOUGE_INLINE V select(const M& which, const V& a, const V& b) { return which ? a : b; }
+GOUGE_INLINE V max(const V& a, const V& b) { return select(b < a, a, b); }
+GOUGE_INLINE V min(const V& a, const V& b) { return select(a < b, a, b); }
+GOUGE_INLINE V sqrt(const V& a) {
+  V result;
+  for (int i = 0; i < 16; ++i) result[i] = __builtin_sqrtf(a[i]);
+  return result;
+}
+GOUGE_INLINE unsigned bits_of(const M& which) {
+  constexpr M kBit = {1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+                      1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+  const M bits = which & kBit;
+  M8 half[2];
+  M4 quarter[2];
+  long pair[2];
+  __builtin_memcpy(half, &bits, sizeof(bits));
+  half[0] |= half[1];
+  __builtin_memcpy(quarter, half, sizeof(quarter));
+  quarter[0] |= quarter[1];
+  __builtin_memcpy(pair, quarter, sizeof(pair));
+  const auto both = static_cast<unsigned long>(pair[0] | pair[1]);
+  return static_cast<unsigned>(both | (both >> 32));
+}
+GOUGE_INLINE float least_of(const V& a) {
+  V8 half[2];
+  __builtin_memcpy(half, &a, sizeof(a));
+  return least_of(half[1] < half[0] ? half[1] : half[0]);
+}
+
+#else
+
+// Of vectors wider than the processor's g++ takes comparisons and choices apart into single numbers, ten times as slow.
+// So sixteen lanes are made of parts as wide as the processor's registers here, and what is done to them is done to each.
+template <class Part>
+struct Halves {
+  Part low, high;
+};
+#if defined(__AVX2__)
+using V = Halves<V8>;
+using M = Halves<M8>;
+#else
+using V = Halves<Halves<V4> >;
+using M = Halves<Halves<M4> >;
+#endif
+
+#define GOUGE_OPERATOR(op)                                                     \
+  template <class P>                                                           \
+  GOUGE_INLINE auto operator op(const Halves<P>& a, const Halves<P>& b) {      \
+    return Halves<decltype(a.low op b.low)>{a.low op b.low, a.high op b.high}; \
+  }                                                                            \
+  template <class P>                                                           \
+  GOUGE_INLINE auto operator op(const Halves<P>& a, float b) {                 \
+    return Halves<decltype(a.low op b)>{a.low op b, a.high op b};              \
+  }                                                                            \
+  template <class P>                                                           \
+  GOUGE_INLINE auto operator op(float a, const Halves<P>& b) {                 \
+    return Halves<decltype(a op b.low)>{a op b.low, a op b.high};              \
+  }
+GOUGE_OPERATOR(+)
+GOUGE_OPERATOR(-)
+GOUGE_OPERATOR(*)
+GOUGE_OPERATOR(/)
+GOUGE_OPERATOR(<)
+GOUGE_OPERATOR(>)
+GOUGE_OPERATOR(<=)
+GOUGE_OPERATOR(>=)
+#undef GOUGE_OPERATOR
+
+template <class P>
+GOUGE_INLINE Halves<P> operator&(const Halves<P>& a, const Halves<P>& b) {
+  return {a.low & b.low, a.high & b.high};
+}
+template <class P>
+GOUGE_INLINE Halves<P> operator|(const Halves<P>& a, const Halves<P>& b) {
+  return {a.low | b.low, a.high | b.high};
+}
+template <class P>
+GOUGE_INLINE Halves<P> operator~(const Halves<P>& a) {
+  return {~a.low, ~a.high};
+}
+template <class P>
+GOUGE_INLINE Halves<P> operator-(const Halves<P>& a) {
+  return {-a.low, -a.high};
+}
+template <class P, class Q>
+GOUGE_INLINE Halves<P>& operator+=(Halves<P>& a, const Q& b) {
+  return a = a + b;
+}
+template <class P, class Q>
+GOUGE_INLINE Halves<P>& operator-=(Halves<P>& a, const Q& b) {
+  return a = a - b;
+}
+
+// Of one part. Masks are all ones or none in each lane, as comparisons make them.
+#if defined(__AVX2__)
+GOUGE_INLINE V8 select(const M8& which, const V8& a, const V8& b) {
+  return __builtin_ia32_blendvps256(b, a, reinterpret_cast<V8>(which));
+}
+GOUGE_INLINE V8 max(const V8& a, const V8& b) { return __builtin_ia32_maxps256(a, b); }
+GOUGE_INLINE V8 min(const V8& a, const V8& b) { return __builtin_ia32_minps256(a, b); }
+GOUGE_INLINE V8 sqrt(const V8& a) { return __builtin_ia32_sqrtps256(a); }
+GOUGE_INLINE unsigned bits_of(const M8& which) {
+  return static_cast<unsigned>(__builtin_ia32_movmskps256(reinterpret_cast<V8>(which)));
+}
+#else
+GOUGE_INLINE V4 select(const M4& which, const V4& a, const V4& b) {
+  return reinterpret_cast<V4>((which & reinterpret_cast<M4>(a)) | (~which & reinterpret_cast<M4>(b)));
+}
+#if defined(__SSE2__)
+GOUGE_INLINE V4 max(const V4& a, const V4& b) { return __builtin_ia32_maxps(a, b); }
+GOUGE_INLINE V4 min(const V4& a, const V4& b) { return __builtin_ia32_minps(a, b); }
+GOUGE_INLINE V4 sqrt(const V4& a) { return __builtin_ia32_sqrtps(a); }
+GOUGE_INLINE unsigned bits_of(const M4& which) {
+  return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<V4>(which)));
+}
+#else
+GOUGE_INLINE V4 max(const V4& a, const V4& b) { return select(b < a, a, b); }
+GOUGE_INLINE V4 min(const V4& a, const V4& b) { return select(a < b, a, b); }
+GOUGE_INLINE V4 sqrt(const V4& a) {
+  return V4{__builtin_sqrtf(a[0]), __builtin_sqrtf(a[1]), __builtin_sqrtf(a[2]), __builtin_sqrtf(a[3])};
+}
+GOUGE_INLINE unsigned bits_of(const M4& which) {
+  const M4 bits = which & M4{1, 2, 4, 8};
+  return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
+}
+#endif
+#endif
+
+template <class P, class Q>
+GOUGE_INLINE Halves<Q> select(const Halves<P>& which, const Halves<Q>& a, const Halves<Q>& b) {
+  return {select(which.low, a.low, b.low), select(which.high, a.high, b.high)};
+}
+template <class P>
+GOUGE_INLINE Halves<P> max(const Halves<P>& a, const Halves<P>& b) {
+  return {max(a.low, b.low), max(a.high, b.high)};
+}
+template <class P>
+GOUGE_INLINE Halves<P> min(const Halves<P>& a, const Halves<P>& b) {
+  return {min(a.low, b.low), min(a.high, b.high)};
+}
+template <class P>
+GOUGE_INLINE Halves<P> sqrt(const Halves<P>& a) {
+  return {sqrt(a.low), sqrt(a.high)};
+}
+/// Bit i says lane i.
+template <class P>
+GOUGE_INLINE unsigned bits_of(const Halves<P>& which) {
+  return bits_of(which.low) | bits_of(which.high) << (sizeof(P) / sizeof(float));
+}
+template <class P>
+GOUGE_INLINE float least_of(const Halves<P>& a) {
+  return least_of(min(a.high, a.low));
+}
+GOUGE_INLINE V broadcast(float x) { return x - V{}; }
+
+#endif
 
 struct V3 {
   V x, y, z;
@@ -29,73 +201,8 @@ GOUGE_INLINE void load(const std::array<Lanes, 3>& from, V3& to) {
   load(from[2], to.z);
 }
 GOUGE_INLINE void store(const V& from, Lanes& to) { __builtin_memcpy(&to, &from, sizeof(V)); }
-GOUGE_INLINE V broadcast(float x) { return x - V{}; }
-#if defined(__AVX512F__)
-GOUGE_INLINE M less(const V& a, const V& b) { return a < b; }
-GOUGE_INLINE V select(const M& which, const V& a, const V& b) { return which ? a : b; }
-#else
-// Of vectors wider than the processor's g++ takes comparisons and choices apart into single numbers, so they are cut to
-// its width here.
-#if defined(__AVX2__)
-using Part = V8;
-using PartMask = M8;
-#else
-using Part = V4;
-using PartMask = M4;
-#endif
-GOUGE_INLINE M less(const V& a, const V& b) {
-  constexpr int kParts = sizeof(V) / sizeof(Part);
-  Part left[kParts], right[kParts];
-  PartMask outcome[kParts];
-  __builtin_memcpy(left, &a, sizeof(V));
-  __builtin_memcpy(right, &b, sizeof(V));
-  for (int i = 0; i < kParts; ++i) outcome[i] = left[i] < right[i];
-  M result;
-  __builtin_memcpy(&result, outcome, sizeof(M));
-  return result;
-}
-GOUGE_INLINE V select(const M& which, const V& a, const V& b) {
-  M bits_a, bits_b;
-  __builtin_memcpy(&bits_a, &a, sizeof(V));
-  __builtin_memcpy(&bits_b, &b, sizeof(V));
-  const M bits = (which & bits_a) | (~which & bits_b);
-  V result;
-  __builtin_memcpy(&result, &bits, sizeof(V));
-  return result;
-}
-#endif
-GOUGE_INLINE V max(const V& a, const V& b) { return select(less(b, a), a, b); }
-GOUGE_INLINE V min(const V& a, const V& b) { return select(less(a, b), a, b); }
-GOUGE_INLINE V abs(const V& a) { return select(less(a, V{}), -a, a); }
-GOUGE_INLINE unsigned or_of(const M& a) {
-  M8 half[2];
-  M4 quarter[2];
-  long pair[2];
-  __builtin_memcpy(half, &a, sizeof(a));
-  half[0] |= half[1];
-  __builtin_memcpy(quarter, half, sizeof(quarter));
-  quarter[0] |= quarter[1];
-  __builtin_memcpy(pair, quarter, sizeof(pair));
-  const auto both = static_cast<unsigned long>(pair[0] | pair[1]);
-  return static_cast<unsigned>(both | (both >> 32));
-}
-GOUGE_INLINE bool any_of(const M& a) { return or_of(a) != 0; }
-GOUGE_INLINE float least_of(const V& a) {
-  V8 half[2];
-  V4 quarter[2];
-  __builtin_memcpy(half, &a, sizeof(a));
-  half[0] = half[1] < half[0] ? half[1] : half[0];
-  __builtin_memcpy(quarter, half, sizeof(quarter));
-  quarter[0] = quarter[1] < quarter[0] ? quarter[1] : quarter[0];
-  float least = quarter[0][0];
-  for (int i = 1; i < 4; ++i) least = quarter[0][i] < least ? quarter[0][i] : least;
-  return least;
-}
-GOUGE_INLINE V sqrt(const V& a) {
-  V result;
-  for (int i = 0; i < 16; ++i) result[i] = __builtin_sqrtf(a[i]);
-  return result;
-}
+GOUGE_INLINE V abs(const V& a) { return select(a < 0, -a, a); }
+GOUGE_INLINE bool any_of(const M& a) { return bits_of(a) != 0; }
 GOUGE_INLINE V dot(const V3& a, const V3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 GOUGE_INLINE V3 cross(const V3& a, const V3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
