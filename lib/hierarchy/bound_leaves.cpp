@@ -12,27 +12,10 @@ namespace {
 // Twice what single precision does to a number, relative to it.
 constexpr double kLeafSingle = 1.2e-7;
 
-using V = float __attribute__((vector_size(64)));
+// Loops over sixteen numbers, which the compiler cuts to the width of the processor. (Vectors of sixteen, where that is
+// less, it takes apart into single numbers wherever they are compared.)
 
-struct V3 {
-  V x, y, z;
-};
-
-[[gnu::always_inline]] inline void load_lanes(const Lanes& from, V& to) {
-  __builtin_memcpy(&to, from.data(), sizeof to);
-}
-
-[[gnu::always_inline]] inline void store_lanes(const V& from, Lanes& to) {
-  __builtin_memcpy(to.data(), &from, sizeof from);
-}
-
-[[gnu::always_inline]] inline void load_lanes(const std::array<Lanes, 3>& from, V3& to) {
-  load_lanes(from[0], to.x);
-  load_lanes(from[1], to.y);
-  load_lanes(from[2], to.z);
-}
-
-[[gnu::always_inline]] inline void keep_largest(const V& value, V& largest) {
+[[gnu::always_inline]] inline void keep_largest(float value, float& largest) {
   largest = value > largest ? value : largest;
 }
 
@@ -45,22 +28,23 @@ Single3 single(const Vec3& v) {
 
 GOUGE_WIDE void find_extent(const TriangleBlock* leaf, const TriangleBlock* end, const std::array<Single3, 3>& axes,
                             LeafExtent& extent) {
-  V high[3], low[3];
-  for (std::size_t k = 0; k < 3; ++k) high[k] = low[k] = V{} - std::numeric_limits<float>::max();
-  for (; leaf != end; ++leaf) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      V3 p;
-      load_lanes(leaf->corner[c], p);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const V along = axes[k][0] * p.x + axes[k][1] * p.y + axes[k][2] * p.z;
-        keep_largest(along, high[k]);
-        keep_largest(-along, low[k]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [ax, ay, az] = axes[k];
+    Lanes high, low;
+    high.fill(-std::numeric_limits<float>::max());
+    low = high;
+    for (const TriangleBlock* at = leaf; at != end; ++at) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto& [x, y, z] = at->corner[c];
+        for (std::size_t i = 0; i < kBlockLanes; ++i) {
+          const float along = ax * x[i] + ay * y[i] + az * z[i];
+          keep_largest(along, high[i]);
+          keep_largest(-along, low[i]);
+        }
       }
     }
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    store_lanes(high[k], extent.high[k]);
-    store_lanes(low[k], extent.low[k]);
+    extent.high[k] = high;
+    extent.low[k] = low;
   }
 }
 
@@ -71,34 +55,34 @@ struct Reach {
 
 GOUGE_WIDE void find_reach(const TriangleBlock* leaf, const TriangleBlock* end, const Single3& center,
                            const Single3& normal, Reach& reach) {
-  V height{}, disc2{}, radius2{};
+  const auto [cx, cy, cz] = center;
+  const auto [nx, ny, nz] = normal;
+  Lanes height{}, disc2{}, radius2{};
   for (; leaf != end; ++leaf) {
     for (std::size_t c = 0; c < 3; ++c) {
-      V3 p;
-      load_lanes(leaf->corner[c], p);
-      const V x = p.x - center[0], y = p.y - center[1], z = p.z - center[2];
-      const V h = normal[0] * x + normal[1] * y + normal[2] * z;
-      const V u = x - h * normal[0], v = y - h * normal[1], w = z - h * normal[2];
-      keep_largest(h, height);
-      keep_largest(-h, height);
-      keep_largest(u * u + v * v + w * w, disc2);
-      keep_largest(x * x + y * y + z * z, radius2);
+      for (std::size_t i = 0; i < kBlockLanes; ++i) {
+        const float x = leaf->corner[c][0][i] - cx, y = leaf->corner[c][1][i] - cy, z = leaf->corner[c][2][i] - cz;
+        const float h = nx * x + ny * y + nz * z;
+        const float u = x - h * nx, v = y - h * ny, w = z - h * nz;
+        keep_largest(h, height[i]);
+        keep_largest(-h, height[i]);
+        keep_largest(u * u + v * v + w * w, disc2[i]);
+        keep_largest(x * x + y * y + z * z, radius2[i]);
+      }
     }
   }
-  store_lanes(height, reach.height);
-  store_lanes(disc2, reach.disc2);
-  store_lanes(radius2, reach.radius2);
+  reach = {height, disc2, radius2};
 }
 
 GOUGE_WIDE void find_areas(const TriangleBlock& leaf, std::array<Lanes, 3>& areas) {
-  V3 a, b, c;
-  load_lanes(leaf.corner[0], a);
-  load_lanes(leaf.corner[1], b);
-  load_lanes(leaf.corner[2], c);
-  const V bx = b.x - a.x, by = b.y - a.y, bz = b.z - a.z, cx = c.x - a.x, cy = c.y - a.y, cz = c.z - a.z;
-  store_lanes(by * cz - bz * cy, areas[0]);
-  store_lanes(bz * cx - bx * cz, areas[1]);
-  store_lanes(bx * cy - by * cx, areas[2]);
+  const auto& [a, b, c] = leaf.corner;
+  for (std::size_t i = 0; i < kBlockLanes; ++i) {
+    const float bx = b[0][i] - a[0][i], by = b[1][i] - a[1][i], bz = b[2][i] - a[2][i];
+    const float cx = c[0][i] - a[0][i], cy = c[1][i] - a[1][i], cz = c[2][i] - a[2][i];
+    areas[0][i] = by * cz - bz * cy;
+    areas[1][i] = bz * cx - bx * cz;
+    areas[2][i] = bx * cy - by * cx;
+  }
 }
 
 double largest(const Lanes& lanes) { return static_cast<double>(*std::max_element(lanes.begin(), lanes.end())); }

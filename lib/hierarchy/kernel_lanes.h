@@ -194,13 +194,37 @@ struct V3 {
   V x, y, z;
 };
 
-GOUGE_INLINE void load(const Lanes& from, V& to) { __builtin_memcpy(&to, &from, sizeof(V)); }
+#if defined(__AVX512F__)
+GOUGE_INLINE void load(const float* from, V& to) { __builtin_memcpy(&to, from, sizeof(V)); }
+GOUGE_INLINE void store(const V& from, float* to) { __builtin_memcpy(to, &from, sizeof(V)); }
+#else
+// Part by part: what is copied in other pieces than it is read in has to wait for the memory.
+template <class P>
+GOUGE_INLINE void load(const float* from, P& to) {
+  __builtin_memcpy(&to, from, sizeof(P));
+}
+template <class P>
+GOUGE_INLINE void load(const float* from, Halves<P>& to) {
+  load(from, to.low);
+  load(from + sizeof(P) / sizeof(float), to.high);
+}
+template <class P>
+GOUGE_INLINE void store(const P& from, float* to) {
+  __builtin_memcpy(to, &from, sizeof(P));
+}
+template <class P>
+GOUGE_INLINE void store(const Halves<P>& from, float* to) {
+  store(from.low, to);
+  store(from.high, to + sizeof(P) / sizeof(float));
+}
+#endif
+GOUGE_INLINE void load(const Lanes& from, V& to) { load(reinterpret_cast<const float*>(&from), to); }
+GOUGE_INLINE void store(const V& from, Lanes& to) { store(from, reinterpret_cast<float*>(&to)); }
 GOUGE_INLINE void load(const std::array<Lanes, 3>& from, V3& to) {
   load(from[0], to.x);
   load(from[1], to.y);
   load(from[2], to.z);
 }
-GOUGE_INLINE void store(const V& from, Lanes& to) { __builtin_memcpy(&to, &from, sizeof(V)); }
 GOUGE_INLINE V abs(const V& a) { return select(a < 0, -a, a); }
 GOUGE_INLINE bool any_of(const M& a) { return bits_of(a) != 0; }
 GOUGE_INLINE V dot(const V3& a, const V3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
