@@ -15,15 +15,18 @@ constexpr double kLaneRounding_mm = 1e-9;  // of coordinates up to 100 m and a f
 constexpr double kLaneSingle = 1e-6;
 constexpr float kNormal = 1e-6F;  // the stored normal of a node is longer or shorter than 1 by less
 
-using V = float __attribute__((vector_size(64)));
+// Loops over sixteen numbers, which the compiler cuts to the width of the processor. (Vectors of sixteen, where that is
+// less, it takes apart into single numbers wherever they are compared.)
 
-[[gnu::always_inline]] inline V load(const Lanes& from) {
-  V to;
-  __builtin_memcpy(&to, from.data(), sizeof to);
-  return to;
+/// Lowers `least` to `reach`. Whether any lane of it is not negative.
+[[gnu::always_inline]] inline bool lower(const Lanes& reach, Lanes& least) {
+  std::int32_t open = 0;
+  for (std::size_t i = 0; i < kBlockLanes; ++i) {
+    least[i] = reach[i] < least[i] ? reach[i] : least[i];
+    open |= least[i] >= 0 ? 1 : 0;
+  }
+  return open != 0;
 }
-
-[[gnu::always_inline]] inline void store(const V& from, Lanes& to) { __builtin_memcpy(to.data(), &from, sizeof from); }
 
 std::uint32_t not_negative(const Lanes& reach_mm, std::uint32_t count) {
   std::uint32_t found = 0;
@@ -57,38 +60,40 @@ std::uint32_t LaneSpace::reached(const TriangleBlock& leaf) const {
 }
 
 // How far each lane reaches into the half-space that it reaches into least: its ball, or its disc where that is less.
-GOUGE_WIDE void LaneSpace::find_reach(const NodeBlock& node, std::span<const Half> halves, Lanes& reach_mm) {
-  const V x = load(node.center[0]), y = load(node.center[1]), z = load(node.center[2]);
-  const V nx = load(node.normal[0]), ny = load(node.normal[1]), nz = load(node.normal[2]);
-  const V thick = load(node.half_thickness_mm), disc = load(node.disc_radius_mm), ball = load(node.radius_mm);
-  V least = V{} + std::numeric_limits<float>::max();
+// Once no lane reaches into one of them the others are not asked.
+GOUGE_WIDE void LaneSpace::find_reach(const NodeBlock& node, std::span<const Half> halves, Lanes& least) {
+  least.fill(std::numeric_limits<float>::max());
+  Lanes reach;
   for (const Half& half : halves) {
-    const auto [dx, dy, dz] = half.direction;
-    const V turn = dx * nx + dy * ny + dz * nz;
-    const V cosine = turn < 0 ? -turn : turn;
-    V sine = 1 - cosine * cosine + kNormal;
-    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) sine[lane] = sine[lane] > 0 ? std::sqrt(sine[lane]) : 0;
-    const V extent = cosine * thick + sine * disc + kNormal * (thick + disc);
-    const V reach = dx * x + dy * y + dz * z - half.least_mm + (extent < ball ? extent : ball);
-    least = reach < least ? reach : least;
+    const float dx = half.direction[0], dy = half.direction[1], dz = half.direction[2], least_mm = half.least_mm;
+    for (std::size_t i = 0; i < kBlockLanes; ++i) {
+      const float turn = dx * node.normal[0][i] + dy * node.normal[1][i] + dz * node.normal[2][i];
+      const float cosine = std::abs(turn), across = 1 - cosine * cosine + kNormal;
+      const float sine = std::sqrt(across > 0 ? across : 0);
+      const float thick = node.half_thickness_mm[i], disc = node.disc_radius_mm[i], ball = node.radius_mm[i];
+      const float extent = cosine * thick + sine * disc + kNormal * (thick + disc);
+      const float at = dx * node.center[0][i] + dy * node.center[1][i] + dz * node.center[2][i] - least_mm;
+      reach[i] = at + (extent < ball ? extent : ball);
+    }
+    if (!lower(reach, least)) return;
   }
-  store(least, reach_mm);
 }
 
 // The highest corner of each triangle in the half-space that it reaches into least.
-GOUGE_WIDE void LaneSpace::find_reach(const TriangleBlock& leaf, std::span<const Half> halves, Lanes& reach_mm) {
-  V least = V{} + std::numeric_limits<float>::max();
+GOUGE_WIDE void LaneSpace::find_reach(const TriangleBlock& leaf, std::span<const Half> halves, Lanes& least) {
+  least.fill(std::numeric_limits<float>::max());
+  Lanes reach;
   for (const Half& half : halves) {
-    const auto [dx, dy, dz] = half.direction;
-    V reach = V{} - std::numeric_limits<float>::max();
-    for (std::size_t c = 0; c < 3; ++c) {
-      const V high = dx * load(leaf.corner[c][0]) + dy * load(leaf.corner[c][1]) + dz * load(leaf.corner[c][2]);
-      reach = high > reach ? high : reach;
+    const float dx = half.direction[0], dy = half.direction[1], dz = half.direction[2], least_mm = half.least_mm;
+    for (std::size_t i = 0; i < kBlockLanes; ++i) {
+      const float a = dx * leaf.corner[0][0][i] + dy * leaf.corner[0][1][i] + dz * leaf.corner[0][2][i];
+      const float b = dx * leaf.corner[1][0][i] + dy * leaf.corner[1][1][i] + dz * leaf.corner[1][2][i];
+      const float c = dx * leaf.corner[2][0][i] + dy * leaf.corner[2][1][i] + dz * leaf.corner[2][2][i];
+      const float high = a < b ? b : a;
+      reach[i] = (high < c ? c : high) - least_mm;
     }
-    reach -= half.least_mm;
-    least = reach < least ? reach : least;
+    if (!lower(reach, least)) return;
   }
-  store(least, reach_mm);
 }
 
 }  // namespace gouge
