@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/check/hull_bound.h"
+#include "lib/check/sweep_filter.h"
 #include "lib/check/tool_interval.h"
 #include "lib/geom/triangle.h"
 
@@ -109,6 +110,14 @@ SearchResult search_move(const Motion& motion, const std::vector<SearchTarget>& 
   result.t = start.t;
   result.point = start.point;
   result.at = start.at;
+  return result;
+}
+
+SearchResult sweep_and_search(const Motion& motion, const std::vector<SearchTarget>& targets,
+                              const SearchQuery& query) {
+  const SweptMove swept = sweep_moves({&motion, 1}, targets, query).front();
+  SearchResult result = search_move(motion, targets, query, swept.start);
+  result.bounds += swept.bounds;
   return result;
 }
 

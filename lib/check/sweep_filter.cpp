@@ -46,7 +46,7 @@ struct Remainder {
 
 class Sweep {
  public:
-  Sweep(std::span<const Motion> motions, const std::vector<SearchTarget>& targets, const SearchQuery& query,
+  Sweep(std::span<const Motion> motions, std::span<const CoverTarget> targets, const SearchQuery& query,
         const SweepKernel& kernel)
       : motions_(motions),
         targets_(targets),
@@ -60,9 +60,9 @@ class Sweep {
     for (target_ = 0; target_ < targets_.size(); ++target_) {
       tool_ = targets_[target_].tool;
       tree_ = targets_[target_].tree;
-      if (tool_->elements.empty() || tree_->nodes.empty() || steps_.empty()) continue;
+      if (tree_->nodes.empty() || steps_.empty()) continue;
       forget_frames();
-      for (const CoverPiece& piece : make_convex_cover(*tool_).pieces) {
+      for (const CoverPiece& piece : targets_[target_].cover->pieces) {
         piece_ = kernel_piece(piece);
         Remainder all;
         all.nodes.push_back(0);
@@ -180,8 +180,8 @@ class Sweep {
     frame_ = &frame_of(0, index);
     least_ = least;
     const std::uint32_t m = step_->move;
-    if (m > 0 && swept_[m].start.value_mm <= 0 && swept_[m - 1].start.value_mm > query_.tolerance_mm &&
-        swept_[m - 1].start.at.target == target_) {
+    if (tool_ != nullptr && m > 0 && swept_[m].start.value_mm <= 0 &&
+        swept_[m - 1].start.value_mm > query_.tolerance_mm && swept_[m - 1].start.at.target == target_) {
       measure(*step_, swept_[m - 1].start.at.triangle, swept_[m - 1].start.point);
     }
     need_ = need(swept_[m].start.value_mm);
@@ -254,6 +254,7 @@ class Sweep {
 
   void measure_deepest(const TriangleBlock& block, const KernelResult& result, const SweepInterval& step,
                        const SweepFrame& frame) {
+    if (tool_ == nullptr) return;
     auto deepest = static_cast<std::size_t>(std::countr_zero(result.open));
     for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(open));
@@ -352,7 +353,7 @@ class Sweep {
   }
 
   std::span<const Motion> motions_;
-  const std::vector<SearchTarget>& targets_;
+  std::span<const CoverTarget> targets_;
   const SearchQuery& query_;
   const SweepKernel& kernel_;
   std::vector<SweepInterval> steps_;
@@ -381,15 +382,18 @@ class Sweep {
 
 std::vector<SweptMove> sweep_moves(std::span<const Motion> motions, const std::vector<SearchTarget>& targets,
                                    const SearchQuery& query, const SweepKernel& kernel) {
-  return Sweep(motions, targets, query, kernel).run();
+  std::vector<ConvexCover> covers(targets.size());
+  std::vector<CoverTarget> covered(targets.size());
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    if (!targets[i].tree->nodes.empty()) covers[i] = make_convex_cover(*targets[i].tool);
+    covered[i] = {&covers[i], targets[i].tree, targets[i].tool};
+  }
+  return sweep_covers(motions, covered, query, kernel);
 }
 
-SearchResult sweep_and_search(const Motion& motion, const std::vector<SearchTarget>& targets,
-                              const SearchQuery& query) {
-  const SweptMove swept = sweep_moves({&motion, 1}, targets, query).front();
-  SearchResult result = search_move(motion, targets, query, swept.start);
-  result.bounds += swept.bounds;
-  return result;
+std::vector<SweptMove> sweep_covers(std::span<const Motion> motions, std::span<const CoverTarget> targets,
+                                    const SearchQuery& query, const SweepKernel& kernel) {
+  return Sweep(motions, targets, query, kernel).run();
 }
 
 }  // namespace gouge

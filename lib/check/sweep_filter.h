@@ -7,6 +7,7 @@
 #include "lib/check/motion.h"
 #include "lib/check/search.h"
 #include "lib/check/sweep_frame.h"
+#include "lib/tool/convex_cover.h"
 
 // The wide sweep: many moves against a surface at once. What sixteen-wide bounds in single precision prove free
 // needs no further look; the triangles that remain go to the exact search (search.h).
@@ -28,8 +29,17 @@ struct SweptMove {
                                                  const std::vector<SearchTarget>& targets, const SearchQuery& query,
                                                  const SweepKernel& kernel = fastest_sweep_kernel());
 
-/// One motion, swept and searched to the end.
-[[nodiscard]] SearchResult sweep_and_search(const Motion& motion, const std::vector<SearchTarget>& targets,
-                                            const SearchQuery& query);
+/// A cover against a surface. `tool`: what it covers, which is measured where it is deepest; null: nothing is measured,
+/// and what is left of a move has no value.
+struct CoverTarget {
+  const ConvexCover* cover = nullptr;
+  const BlockTree* tree = nullptr;
+  const CompiledTool* tool = nullptr;
+};
+
+/// The same for covers that were made before, and of other bodies than tools. Requires a query of reach 0 for those.
+[[nodiscard]] std::vector<SweptMove> sweep_covers(std::span<const Motion> motions, std::span<const CoverTarget> targets,
+                                                  const SearchQuery& query,
+                                                  const SweepKernel& kernel = fastest_sweep_kernel());
 
 }  // namespace gouge

@@ -9,13 +9,14 @@
 #include "lib/check/check_path.h"
 #include "lib/check/path_motion.h"
 #include "lib/check/reach.h"
+#include "lib/check/sweep_filter.h"
 #include "lib/check/verdict_bytes.h"
 #include "lib/head/head_search.h"
 
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMovesPerChunk = 8;
+constexpr std::size_t kMovesPerChunk = 64;
 constexpr std::uint64_t kMostBounds = 100'000;
 
 void decide(MoveState state, Reason reason, MoveVerdict& verdict) {
@@ -53,23 +54,48 @@ std::uint64_t HeadChecker::check(const Motion& motion, const CheckOptions& optio
 
 std::uint64_t HeadChecker::sweep(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict,
                                  std::vector<double>& uppers_mm) const {
-  uppers_mm.clear();
-  if (const Reason::Kind unfit = why_unfit(motion); unfit != Reason::Kind::none) {
-    refuse(unfit, verdict);
-    return 0;
-  }
-  const HeadMotion head_motion(motion);
+  MoveVerdict* const of = &verdict;
   std::uint64_t bounds = 0;
-  for (const HeadBody& head : heads_) {
-    const HeadResult found =
-        search_head(head_motion, head, trees_,
-                    {options.tolerance_mm, options.resolution_mm, std::max(options.resolution_mm, options.gouge_gap_mm),
-                     std::min(kMostBounds, options.budget_per_move)});
-    bounds += found.bounds;
-    uppers_mm.push_back(found.depth_upper_mm);
-    join(found, options, verdict);
-  }
+  sweep_all({&motion, 1}, options, {&of, 1}, {&uppers_mm, 1}, {&bounds, 1});
   return bounds;
+}
+
+// A motion that is refused would spoil the bounds it shares with its neighbours, so those are swept without it.
+void HeadChecker::sweep_all(std::span<const Motion> motions, const CheckOptions& options,
+                            std::span<MoveVerdict* const> verdicts, std::span<std::vector<double>> uppers_mm,
+                            std::span<std::uint64_t> bounds) const {
+  std::vector<Motion> fit;
+  std::vector<std::size_t> index;
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    uppers_mm[m].clear();
+    bounds[m] = 0;
+    if (const Reason::Kind unfit = why_unfit(motions[m]); unfit != Reason::Kind::none) {
+      refuse(unfit, *verdicts[m]);
+    } else {
+      fit.push_back(motions[m]);
+      index.push_back(m);
+    }
+  }
+  const SearchGoal goal{options.tolerance_mm, options.resolution_mm,
+                        std::max(options.resolution_mm, options.gouge_gap_mm),
+                        std::min(kMostBounds, options.budget_per_move)};
+  for (const HeadBody& head : heads_) {
+    const bool is_covered = !head.cover.pieces.empty();
+    std::vector<SweptMove> swept;
+    if (is_covered) {
+      const std::array<CoverTarget, 2> targets{{{&head.cover, trees_[0]}, {&head.cover, trees_[1]}}};
+      swept = sweep_covers(fit, targets, {goal, 0});
+    }
+    for (std::size_t k = 0; k < fit.size(); ++k) {
+      const HeadMotion moving(fit[k]);
+      const HeadResult found = is_covered ? search_head(moving, head, trees_, goal, swept[k].start)
+                                          : search_head(moving, head, trees_, goal);
+      const std::size_t m = index[k];
+      bounds[m] += found.bounds + (is_covered ? swept[k].bounds : 0);
+      uppers_mm[m].push_back(found.depth_upper_mm);
+      join(found, options, *verdicts[m]);
+    }
+  }
 }
 
 double HeadChecker::excess_at(const Pose& pose, double allowed_mm, double accuracy_mm) const {
@@ -209,12 +235,21 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
   PagedVector<std::uint64_t> bounds(result.verdicts.size(), 0);
   HeadUppers uppers_mm(result.verdicts.size(), heads.size());
   const auto sweep = [&](std::size_t first, std::size_t last) {
-    std::vector<double> uppers_of_move;
+    std::vector<std::size_t> moves;
+    std::vector<Motion> motions;
+    std::vector<MoveVerdict*> verdicts;
     for (std::size_t i = first; i < last; ++i) {
       if (result.verdicts[i].state == MoveState::not_checked) continue;
-      const Motion motion = motion_of(toolpath, i, options.rapid);
-      bounds[i] = checker.sweep(motion, options, result.verdicts[i], uppers_of_move);
-      uppers_mm.set(i, uppers_of_move);
+      moves.push_back(i);
+      motions.push_back(motion_of(toolpath, i, options.rapid));
+      verdicts.push_back(&result.verdicts[i]);
+    }
+    std::vector<std::vector<double>> uppers_of(moves.size());
+    std::vector<std::uint64_t> spent(moves.size(), 0);
+    checker.sweep_all(motions, options, verdicts, uppers_of, spent);
+    for (std::size_t k = 0; k < moves.size(); ++k) {
+      bounds[moves[k]] = spent[k];
+      uppers_mm.set(moves[k], uppers_of[k]);
     }
   };
   StretchForm form;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "lib/base/kept_work.h"
@@ -48,6 +49,13 @@ class HeadChecker {
   /// The same but for whether a head is inside a solid; how deep the surface may be in each head goes to `uppers_mm`.
   std::uint64_t sweep(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict,
                       std::vector<double>& uppers_mm) const;
+
+  /// Motions one after the other, together: what is far from all of them is discarded once.
+  ///
+  /// Shape    one verdict, one list of uppers and one count of bounds a motion, as of `sweep`; a verdict may differ from
+  ///          that of the motion alone in how deep the surface may be.
+  void sweep_all(std::span<const Motion> motions, const CheckOptions& options, std::span<MoveVerdict* const> verdicts,
+                 std::span<std::vector<double>> uppers_mm, std::span<std::uint64_t> bounds) const;
 
   /// Turns moves that are clean or near into buried or not certified where a head is inside a solid or may be, as
   /// mark_buried does for the tool.

@@ -46,8 +46,17 @@ class Search : public BestFirstSearch<Search, Candidate> {
         if (!trees_[k]->nodes.empty()) add_node(root);
       }
     }
-    result_.depth_upper_mm = std::max(run(), result_.depth_mm);
-    return result_;
+    return finish();
+  }
+
+  HeadResult find(const SearchStart& start) {
+    prune(start.certified_mm);
+    std::uint32_t facet = 0;
+    for (const SearchSeed& seed : start.seeds) {
+      for (std::uint32_t s = 0; s < intervals_.segments(); ++s)
+        facet = add_piece(s, seed.target, seed.triangle, trees_[seed.target]->corners(seed.triangle), facet);
+    }
+    return finish();
   }
 
   [[nodiscard]] double threshold_mm() const { return goal_.pruning_threshold_mm(result_.depth_mm); }
@@ -74,6 +83,11 @@ class Search : public BestFirstSearch<Search, Candidate> {
   }
 
  private:
+  HeadResult finish() {
+    result_.depth_upper_mm = std::max(run(), result_.depth_mm);
+    return result_;
+  }
+
   void open(const Candidate& c) {
     const BlockTree& tree = *trees_[c.tree];
     if (c.kind == Candidate::Kind::leaf) {
@@ -113,8 +127,9 @@ class Search : public BestFirstSearch<Search, Candidate> {
     if (bound(c, NodeRegion(held, interval.to_tool0, interval.to_tool1, bulge_mm(interval, far_mm)))) offer(c);
   }
 
-  void add_piece(std::uint32_t index, std::uint32_t tree, std::uint32_t triangle, const std::array<Vec3, 3>& piece,
-                 std::uint32_t facet) {
+  /// A facet of the head near the piece.
+  std::uint32_t add_piece(std::uint32_t index, std::uint32_t tree, std::uint32_t triangle,
+                          const std::array<Vec3, 3>& piece, std::uint32_t facet) {
     const HeadInterval& interval = intervals_[index];
     std::array<Vec3, 6> corners;
     double far_mm = 0;
@@ -130,9 +145,10 @@ class Search : public BestFirstSearch<Search, Candidate> {
     c.index = triangle;
     c.piece = piece;
     c.facet = facet;
-    if (!bound(c, PieceRegion(corners, bulge_mm(interval, far_mm)))) return;
+    if (!bound(c, PieceRegion(corners, bulge_mm(interval, far_mm)))) return facet;
     if (c.upper_mm > threshold_mm()) try_points(c, (piece[0] + piece[1] + piece[2]) / 3.0);
     offer(c);
+    return c.facet;
   }
 
   /// False where the region stays out of the head's box. Else bounds its depth, first by the signed distance of its
@@ -202,6 +218,14 @@ class Search : public BestFirstSearch<Search, Candidate> {
 HeadResult search_head(const HeadMotion& motion, const HeadBody& head, std::span<const BlockTree* const> trees,
                        const SearchGoal& goal) {
   return Search(motion, head, trees, goal).find();
+}
+
+HeadResult search_head(const HeadMotion& motion, const HeadBody& head, std::span<const BlockTree* const> trees,
+                       const SearchGoal& goal, const SearchStart& start) {
+  if (!start.seeds.empty()) return Search(motion, head, trees, goal).find(start);
+  HeadResult result;
+  result.depth_upper_mm = std::max(0.0, start.certified_mm);
+  return result;
 }
 
 }  // namespace gouge

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "lib/mesh/indexed_mesh.h"
+#include "lib/tool/convex_cover.h"
+
+namespace gouge {
+
+/// Solids of revolution about the z axis, one above the other, that hold a closed mesh: what they are free of needs no
+/// look at the mesh. Each is the convex hull of what the mesh turns through between two heights, rounded where the mesh
+/// is, and the claims of CoverPiece hold for it with the mesh as the tool, but (4).
+///
+/// Ensures  nothing is claimed (no pieces) of a mesh that fills too little of them, as one beside the axis.
+/// Cost     O(triangles), and for each some of the heights at which the mesh may be cut.
+/// Proof    docs/algorithms/wide_sweep.md, section 7.
+[[nodiscard]] ConvexCover make_revolved_cover(const IndexedMesh& mesh);
+
+}  // namespace gouge
