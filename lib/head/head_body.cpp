@@ -36,7 +36,7 @@ std::vector<std::uint32_t> pieces_of(const IndexedMesh& mesh) {
 
 Result<HeadBody> build_head_body(IndexedMesh of) {
   if (auto error = find_too_far(of, "head", "--stl-units")) return *std::move(error);
-  HeadBody head{Surface(std::move(of)), {}, {}, {}, {}};
+  HeadBody head{Surface(std::move(of)), {}, {}, {}, {}, {}};
   const IndexedMesh& mesh = head.surface.mesh();
   if (!head.surface.is_solid()) {
     return make_error("mesh-head-open",
@@ -46,6 +46,7 @@ Result<HeadBody> build_head_body(IndexedMesh of) {
   }
   head.box = mesh.box();
   head.cover = make_revolved_cover(mesh);
+  head.supports = SupportPlanes(head.surface);
   const std::vector<std::uint32_t> piece = pieces_of(mesh);
   const std::uint32_t pieces = *std::max_element(piece.begin(), piece.end()) + 1;
   head.cores.resize(pieces, Vec3::Zero());

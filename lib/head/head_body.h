@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lib/base/result.h"
+#include "lib/head/support_planes.h"
 #include "lib/mesh/mesh_findings.h"
 #include "lib/surface/surface.h"
 #include "lib/tool/convex_cover.h"
@@ -17,7 +18,8 @@ struct HeadBody {
   /// For each piece of its surface a point inside it, the deepest of some hundred tries, and how deep it is.
   std::vector<Vec3> cores;
   std::vector<double> core_depths_mm;
-  ConvexCover cover;  ///< make_revolved_cover of its surface
+  ConvexCover cover;       ///< make_revolved_cover of its surface
+  SupportPlanes supports;  ///< of its surface
 };
 
 /// Requires what build_mesh ensures, and a surface that does not cross itself: the nearest facet decides the

@@ -14,6 +14,7 @@ namespace gouge {
 namespace {
 
 constexpr double kSearchRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
+constexpr double kFacetsOwn = 1 - 1e-12;     // cosine: what rounding makes of a facet's normal
 constexpr double kSameNormal = 0.9999;       // cosine: a second plane as steep as the first bounds nothing more
 
 /// A node or leaf of a tree or a piece of a facet, over a time interval.
@@ -151,22 +152,34 @@ class Search : public BestFirstSearch<Search, Candidate> {
     return c.facet;
   }
 
-  /// False where the region stays out of the head's box. Else bounds its depth, first by the signed distance of its
-  /// middle, which changes by no more than the distance moved.
+  /// False where the region stays out of the head's box. Else bounds its depth: first by the plane of the facet that was
+  /// close to what it is a part of, then by the signed distance of its middle, which changes by no more than the distance
+  /// moved, and last by planes near it.
   template <typename Region>
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
     if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + kSearchRounding_mm) return false;
     ++result_.bounds;
-    const ClosestPoint foot = head_.surface.closest_point_from(region.middle, c.facet);
-    c.facet = foot.triangle;
-    c.upper_mm = region.radius_mm - foot.signed_mm() + kSearchRounding_mm;
-    if (c.upper_mm > threshold_mm()) bound_by_planes(c, region, foot);
+    c.upper_mm = depth_by_support(head_, region, c.facet);
+    if (c.upper_mm > threshold_mm()) bound_by_foot(c, region);
     c.is_time_next = region.travel_mm > 2 * region.size_mm && intervals_.can_halve(c.interval);
     return true;
   }
 
   template <typename Region>
+  void bound_by_foot(Candidate& c, const Region& region) const {
+    const ClosestPoint foot = head_.surface.closest_point_from(region.middle, c.facet);
+    c.facet = foot.triangle;
+    c.upper_mm = std::min(c.upper_mm, region.radius_mm - foot.signed_mm() + kSearchRounding_mm);
+    if (c.upper_mm > threshold_mm()) bound_by_planes(c, region, foot);
+  }
+
+  /// A facet's own plane first, where it bounds all of the head: no other prism on it bounds more.
+  template <typename Region>
   void bound_by_plane(Candidate& c, const Region& region, const ClosestPoint& at, bool is_middle_inside) const {
+    c.upper_mm = std::min(c.upper_mm, depth_by_support(head_, region, at.triangle));
+    if (c.upper_mm <= threshold_mm()) return;
+    const bool is_facets_own = at.normal.dot(head_.surface.face_normal(at.triangle)) > kFacetsOwn;
+    if (is_facets_own && std::isfinite(head_.supports.rise_mm(at.triangle))) return;
     const auto depth_mm = depth_by_plane(head_, region, HeadPlane(at), is_middle_inside, threshold_mm());
     if (depth_mm) c.upper_mm = std::min(c.upper_mm, *depth_mm);
   }

@@ -1,6 +1,8 @@
 #include "lib/head/plane_bound.h"
 
 #include <algorithm>
+#include <cmath>
+
 namespace gouge {
 namespace {
 
@@ -45,6 +47,15 @@ std::optional<double> depth_below(const HeadBody& head, const Region& region, co
   if (holds(touching_mm)) return touching_mm;
   if (touching_mm < enough_mm && holds(enough_mm)) return enough_mm;
   return std::nullopt;
+}
+
+template <typename Region>
+double depth_below_support(const HeadBody& head, const Region& region, std::uint32_t facet) {
+  const double rise_mm = head.supports.rise_mm(facet);
+  if (!std::isfinite(rise_mm)) return rise_mm;
+  const Vec3 n = head.surface.face_normal(facet);
+  const double low_mm = n.dot(region.middle - head.surface.mesh().corner(facet, 0)) + region.along(n).low_mm;
+  return std::max(0.0, rise_mm - low_mm + kPlaneRounding_mm);
 }
 
 }  // namespace
@@ -124,6 +135,14 @@ std::optional<double> depth_by_plane(const HeadBody& head, const PieceRegion& re
 std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region, const HeadPlane& plane,
                                      bool is_middle_inside, double enough_mm) {
   return depth_below(head, region, plane, is_middle_inside, enough_mm);
+}
+
+double depth_by_support(const HeadBody& head, const PieceRegion& region, std::uint32_t facet) {
+  return depth_below_support(head, region, facet);
+}
+
+double depth_by_support(const HeadBody& head, const NodeRegion& region, std::uint32_t facet) {
+  return depth_below_support(head, region, facet);
 }
 
 }  // namespace gouge

@@ -74,4 +74,9 @@ struct HeadPlane {
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region,
                                                    const HeadPlane& plane, bool is_middle_inside, double enough_mm);
 
+/// The same by the plane of a facet, if that bounds all of the head (support_planes.h); infinite if not.
+/// Cost     a few products.
+[[nodiscard]] double depth_by_support(const HeadBody& head, const PieceRegion& region, std::uint32_t facet);
+[[nodiscard]] double depth_by_support(const HeadBody& head, const NodeRegion& region, std::uint32_t facet);
+
 }  // namespace gouge

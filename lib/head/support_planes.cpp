@@ -1,0 +1,48 @@
+#include "lib/head/support_planes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "lib/hierarchy/triangles_within.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kRiseRounding_mm = 1e-8;  // what a search of the tree may miss, and the rounding to single precision
+
+}  // namespace
+
+SupportPlanes::SupportPlanes(const Surface& surface) : surface_(std::make_shared<const Surface>(surface)) {
+  const std::size_t count = surface.mesh().triangles.size();
+  rises_mm_ = std::shared_ptr<std::atomic<float>[]>(new std::atomic<float>[count]);
+  for (std::size_t t = 0; t < count; ++t)
+    rises_mm_[static_cast<std::ptrdiff_t>(t)].store(std::numeric_limits<float>::quiet_NaN(), std::memory_order_relaxed);
+}
+
+// Who asks at the same time finds the same.
+double SupportPlanes::rise_mm(std::uint32_t facet) const {
+  std::atomic<float>& known = rises_mm_[static_cast<std::ptrdiff_t>(facet)];
+  const float rise = known.load(std::memory_order_relaxed);
+  if (!std::isnan(rise)) return static_cast<double>(rise);
+  const auto found = static_cast<float>(find_rise_mm(facet));
+  known.store(found, std::memory_order_relaxed);
+  return static_cast<double>(found);
+}
+
+double SupportPlanes::find_rise_mm(std::uint32_t facet) const {
+  const Vec3 n = surface_->face_normal(facet);
+  if (!(n.squaredNorm() > 0.5)) return std::numeric_limits<double>::infinity();  // without area
+  const double at_mm = n.dot(surface_->mesh().corner(facet, 0));
+  const BlockTree& tree = surface_->tree();
+  const std::array<HalfSpace, 1> high{{{n, at_mm + kMostRise_mm}}}, above{{{n, at_mm}}};
+  if (is_entered(tree, high)) return std::numeric_limits<double>::infinity();
+  double rise = 0;
+  for (const std::uint32_t t : triangles_within(tree, above)) {
+    for (std::size_t c = 0; c < 3; ++c) rise = std::max(rise, n.dot(surface_->mesh().corner(t, c)) - at_mm);
+  }
+  return rise + kRiseRounding_mm;
+}
+
+}  // namespace gouge

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "lib/surface/surface.h"
+
+namespace gouge {
+
+/// The planes of a head's facets as bounds of all of it: how far the head rises above each, found when first asked for.
+/// Small, and shared by its copies. Any number of threads may ask.
+///
+/// No point q is deeper in the head than n . (v - q) + rise, for the facet's unit normal n out of the head and a corner
+/// v of it, or 0 where that is negative: moved as far along n, q is on or above a plane that no part of the head is
+/// above, so outside. On a convex head every facet's plane bounds so; on others those of its convex hull.
+class SupportPlanes {
+ public:
+  SupportPlanes() = default;
+  /// The surface is shared.
+  explicit SupportPlanes(const Surface& surface);
+
+  /// A height above the plane that no point of the head is above; infinite where it rises above it by more than
+  /// kMostRise_mm.
+  /// Cost     of the first call for a facet a search of the head's tree.
+  [[nodiscard]] double rise_mm(std::uint32_t facet) const;
+
+  static constexpr double kMostRise_mm = 1e-3;
+
+ private:
+  [[nodiscard]] double find_rise_mm(std::uint32_t facet) const;
+
+  std::shared_ptr<const Surface> surface_;
+  std::shared_ptr<std::atomic<float>[]> rises_mm_;  // by facet; no number: not yet found
+};
+
+}  // namespace gouge
