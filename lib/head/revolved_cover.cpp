@@ -247,6 +247,7 @@ class CoverMaker {
   [[nodiscard]] Slab slab(std::size_t first, std::size_t last) const {
     Points all;
     for (std::size_t k = first; k < last; ++k) all.insert(all.end(), slices_[k].begin(), slices_[k].end());
+    if (all.empty()) all = {{0, heights_[first]}, {0, heights_[last]}};  // between two pieces of the mesh
     if (first == 0) all.push_back({0, heights_.front()});
     Points hull = outer_hull(std::move(all));
     if (first > 0) {  // begins at its outer end, not in a face

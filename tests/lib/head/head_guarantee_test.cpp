@@ -5,8 +5,10 @@
 #include <functional>
 #include <numbers>
 
+#include "lib/check/sweep_filter.h"
 #include "lib/head/check_heads.h"
 #include "lib/surface/surface.h"
+#include "tests/support/revolved_heads.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
@@ -19,6 +21,7 @@
 namespace gouge {
 namespace {
 
+using test::heads_around_the_axis;
 using test::Scatter;
 
 constexpr int kClimb = 100;  // steps
@@ -32,7 +35,7 @@ int motions() { return number_from("GOUGE_HEAD_MOTIONS", 12); }
 int samples() { return number_from("GOUGE_HEAD_SAMPLES", 400); }
 
 struct Tally {
-  int deep = 0, clean = 0, tight = 0, all = 0;
+  int deep = 0, clean = 0, tight = 0, covered = 0, all = 0;
 };
 
 using MakeMotion = std::function<Motion(Scatter&)>;
@@ -80,6 +83,22 @@ double sampled_depth(const HeadMotion& moving, const HeadBody& head, const Index
   return deepest.depth_mm;
 }
 
+struct Expectation {
+  const HeadBody& head;
+  const IndexedMesh& part;
+  const SearchGoal& goal;
+};
+
+void expect_reported(const Expectation& of, const HeadMotion& moving, const HeadResult& reported, double sampled_mm) {
+  const double rounding = 1e-9 + 1e-14 * moving.motion().start().tip.norm();
+  EXPECT_LE(sampled_mm, reported.depth_upper_mm + rounding);
+  EXPECT_LE(reported.depth_mm, reported.depth_upper_mm);
+  if (!reported.has_witness) return;
+  const Vec3 there = moving.at(reported.t).inverse().point(reported.point);
+  EXPECT_NEAR(-of.head.surface.closest_point(there)->signed_mm(), reported.depth_mm, rounding);
+}
+
+/// Each motion searched from all of the part, and from what the head's cover leaves of it, swept with its neighbours.
 Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const MakeMotion& make,
                     const SearchGoal& goal, std::uint64_t seed) {
   Scatter random(seed);
@@ -87,25 +106,34 @@ Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const
   EXPECT_TRUE(head.has_value()) << head_mesh.name;
   const BlockTree tree = build_block_tree({&part, 1});
   const std::array trees{&tree};
+  const std::array<CoverTarget, 1> covers{{{&head->cover, &tree}}};
+  const bool is_covered = !head->cover.pieces.empty();
+  const Expectation of{*head, part, goal};
   Tally tally;
-  for (int i = 0; i < motions(); ++i) {
-    const Motion motion = make(random);
-    if (!motion.is_defined()) continue;
-    const HeadMotion moving(motion);
-    const HeadResult reported = search_head(moving, *head, trees, goal);
-    const double sampled = sampled_depth(moving, *head, part, reported, random);
-    const double rounding = 1e-9 + 1e-14 * motion.start().tip.norm();
-    EXPECT_LE(sampled, reported.depth_upper_mm + rounding) << head_mesh.name << ", motion " << i;
-    EXPECT_LE(reported.depth_mm, reported.depth_upper_mm);
-    if (reported.has_witness) {
-      const double there =
-          -head->surface.closest_point(moving.at(reported.t).inverse().point(reported.point))->signed_mm();
-      EXPECT_NEAR(there, reported.depth_mm, rounding);
+  for (int i = 0; i < motions();) {
+    std::vector<Motion> group;
+    for (const std::size_t last = 1 + random.below(6); group.size() < last && i < motions(); ++i) {
+      if (Motion motion = make(random); motion.is_defined()) group.push_back(std::move(motion));
     }
-    ++tally.all;
-    tally.deep += reported.depth_mm > goal.tolerance_mm ? 1 : 0;
-    tally.clean += reported.depth_upper_mm <= goal.tolerance_mm + goal.resolution_mm ? 1 : 0;
-    tally.tight += reported.depth_upper_mm - reported.depth_mm <= goal.resolution_mm ? 1 : 0;
+    const std::vector<SweptMove> swept = is_covered ? sweep_covers(group, covers, {goal, 0}) : std::vector<SweptMove>{};
+    for (std::size_t m = 0; m < group.size(); ++m) {
+      SCOPED_TRACE(head_mesh.name + ", motion " + std::to_string(i));
+      const HeadMotion moving(group[m]);
+      const HeadResult reported = search_head(moving, *head, trees, goal);
+      const double sampled = sampled_depth(moving, *head, part, reported, random);
+      expect_reported(of, moving, reported, sampled);
+      if (is_covered) {
+        const HeadResult left = search_head(moving, *head, trees, goal, swept[m].start);
+        expect_reported(of, moving, left, sampled);
+        EXPECT_LE(left.depth_mm, reported.depth_upper_mm + 1e-9);
+        EXPECT_LE(reported.depth_mm, left.depth_upper_mm + 1e-9);
+        ++tally.covered;
+      }
+      ++tally.all;
+      tally.deep += reported.depth_mm > goal.tolerance_mm ? 1 : 0;
+      tally.clean += reported.depth_upper_mm <= goal.tolerance_mm + goal.resolution_mm ? 1 : 0;
+      tally.tight += reported.depth_upper_mm - reported.depth_mm <= goal.resolution_mm ? 1 : 0;
+    }
   }
   return tally;
 }
@@ -207,6 +235,21 @@ TEST(HeadGuarantee, HoldsForWhatIsMetInMidSwing) {
       },
       kGoal, 10);
   EXPECT_GT(tally.deep, tally.all / 4);
+}
+
+TEST(HeadGuarantee, HoldsForHeadsAroundTheAxis) {
+  // Nearly round, and what a cover holds that the head does not: steps, a thread of bumps, corners of a box, a gap.
+  const MakeMotion make = [](Scatter& random) {
+    const Pose from{Vec3(40 * random.in(-1, 1), 40 * random.in(-1, 1), 20 * random.in(-1, 1)), random.axis(0.4)};
+    const double way = random.below(2) == 0 ? 1 : 30;
+    return Motion(from, {from.tip + way * random.point(1), random.axis(0.4)});
+  };
+  std::uint64_t seed = 11;
+  for (const IndexedMesh& head : heads_around_the_axis()) {
+    const Tally tally = expect_bounds(head, shapes::star_prism(), make, kGoal, seed++);
+    EXPECT_EQ(tally.covered, tally.all) << head.name;
+    EXPECT_GT(tally.deep, 0) << head.name;
+  }
 }
 
 TEST(HeadGuarantee, HoldsForAThinPlateAndForCavities) {

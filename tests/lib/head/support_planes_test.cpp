@@ -1,0 +1,85 @@
+// Planes of facets against all corners, and the depths they bound against the closest point.
+#include "lib/head/support_planes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/head/head_body.h"
+#include "lib/head/plane_bound.h"
+#include "tests/support/revolved_heads.h"
+#include "tests/support/scatter.h"
+
+namespace gouge {
+namespace {
+
+std::vector<IndexedMesh> heads() {
+  std::vector<IndexedMesh> all = test::heads_around_the_axis();
+  all.push_back(shapes::moved(shapes::tetrahedron(), {100, -30, 7}));
+  all.push_back(shapes::slotted_block());
+  all.push_back(shapes::needle_fan(60));
+  // Corners as a file in single precision gives them: quadrilaterals are no longer flat.
+  IndexedMesh rounded = all.front();
+  for (Vec3& v : rounded.vertices) v = v.cast<float>().cast<double>();
+  all.push_back(rounded);
+  return all;
+}
+
+TEST(SupportPlanes, RiseNoLessThanAnyCornerAndHardlyMore) {
+  std::size_t bounded = 0, all = 0;
+  for (const IndexedMesh& mesh : heads()) {
+    const Surface surface(mesh);
+    const SupportPlanes supports(surface);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t, ++all) {
+      const Vec3 n = surface.face_normal(t);
+      double rise = 0;
+      for (const Vec3& v : mesh.vertices) rise = std::max(rise, n.dot(v - mesh.corner(t, 0)));
+      const double told = supports.rise_mm(t);
+      ASSERT_GE(told, rise) << mesh.name << ", facet " << t;
+      if (std::isfinite(told)) {
+        ASSERT_LE(told, rise + 1e-7) << mesh.name << ", facet " << t;
+        ++bounded;
+      } else {
+        ASSERT_GT(rise, 0.99 * SupportPlanes::kMostRise_mm) << mesh.name << ", facet " << t;
+      }
+      ASSERT_EQ(told, supports.rise_mm(t));
+    }
+  }
+  EXPECT_GT(bounded, all / 4);
+  EXPECT_LT(bounded, all);
+}
+
+TEST(SupportPlanes, BoundTheDepthOfPiecesThatMove) {
+  std::size_t free = 0, deep = 0;
+  for (const IndexedMesh& mesh : heads()) {
+    const HeadBody head = *build_head_body(mesh);
+    test::Scatter random(5);
+    for (int i = 0; i < 400; ++i) {
+      const Vec3 about = mesh.vertices[random.below(mesh.vertices.size())] + 3 * random.point(1);
+      std::array<Vec3, 6> corners;
+      for (Vec3& corner : corners) corner = about + (i % 3 == 0 ? 0.05 : 3) * random.point(1);
+      const double bulge = i % 2 == 0 ? 0 : random.in(0, 0.1);
+      const auto facet = static_cast<std::uint32_t>(random.below(mesh.triangles.size()));
+      const double bound = depth_by_support(head, PieceRegion(corners, bulge), facet);
+      free += bound <= 0 ? 1 : 0;
+      for (int k = 0; k < 60; ++k) {
+        double sum = 0;
+        Vec3 q = Vec3::Zero();
+        for (const Vec3& corner : corners) {
+          const double share = k < 6 ? (&corner == &corners[static_cast<std::size_t>(k)] ? 1 : 1e-12) : random.in(0, 1);
+          sum += share;
+          q += share * corner;
+        }
+        const double depth = -head.surface.closest_point(q / sum + bulge * random.direction())->signed_mm();
+        ASSERT_LE(depth, bound + 1e-9) << mesh.name << ", facet " << facet;
+        deep += depth > 0.1 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(free, 100u);
+  EXPECT_GT(deep, 1000u);
+}
+
+}  // namespace
+}  // namespace gouge
