@@ -22,7 +22,6 @@ constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one lev
 constexpr float kSpaceFirst = 12.0F;
 // How often triangles and time are cut, and how many parts are looked at, before the exact search takes over.
 constexpr std::size_t kCuts = 10;
-constexpr std::size_t kCoverCuts = 1;  // where nothing is measured
 constexpr std::uint32_t kMostParts = 1200;
 constexpr std::size_t kMostBlocks = 200;
 constexpr float kProgress = 0.95F;
@@ -190,7 +189,8 @@ class Sweep {
     for (const TriangleBlock* block : work.blocks) visit_triangles(*block);
     for (const std::uint32_t node : work.nodes) visit_node(node);
     parts_ = 0;
-    refine(*step_, *frame_, 0, short_of_, 0);
+    // What is measured otherwise is searched otherwise.
+    tool_ == nullptr ? give_up(waiting_[0]) : refine(*step_, *frame_, 0, short_of_, 0);
     work_[m].least_pruned = std::min(work_[m].least_pruned, least_);
     swept_[m].bounds += std::exchange(bounds_, 0);
   }
@@ -271,7 +271,7 @@ class Sweep {
   // point moves, and how far the triangle's corners swing about it. Smaller triangles swing less.
   void refine(const SweepInterval& step, const SweepFrame& frame, std::size_t depth, float short_of, int failures) {
     if (waiting_[depth].empty()) return;
-    if (depth == most_cuts() || waiting_[depth].size() > kMostBlocks || parts_ >= kMostParts) return give_up(waiting_[depth]);
+    if (depth == kCuts || waiting_[depth].size() > kMostBlocks || parts_ >= kMostParts) return give_up(waiting_[depth]);
     parts_ += static_cast<std::uint32_t>(waiting_[depth].size());
     const float edge_mm = kSmallSwing_mm / std::max(frame.half_turn, 1e-9F);
     if (!(step.t1 > step.t0) || (piece_.core_r_mm > 0 && !are_short(waiting_[depth], edge_mm))) {
@@ -296,8 +296,6 @@ class Sweep {
       }
     }
   }
-
-  [[nodiscard]] std::size_t most_cuts() const { return tool_ != nullptr ? kCuts : kCoverCuts; }
 
   void begin(std::size_t depth) {
     waiting_[depth].clear();
