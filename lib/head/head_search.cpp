@@ -14,6 +14,7 @@ namespace gouge {
 namespace {
 
 constexpr double kSearchRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
+constexpr std::size_t kMostKept = 8;         // planes
 constexpr double kFacetsOwn = 1 - 1e-12;     // cosine: what rounding makes of a facet's normal
 constexpr double kSameNormal = 0.9999;       // cosine: a second plane as steep as the first bounds nothing more
 
@@ -152,21 +153,22 @@ class Search : public BestFirstSearch<Search, Candidate> {
     return c.facet;
   }
 
-  /// False where the region stays out of the head's box. Else bounds its depth: first by the plane of the facet that was
-  /// close to what it is a part of, then by the signed distance of its middle, which changes by no more than the distance
+  /// False where the region stays out of the head's box. Else bounds its depth: first by planes that bounded others, then by the signed distance of its middle, which changes by no more than the distance
   /// moved, and last by planes near it.
   template <typename Region>
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
     if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + kSearchRounding_mm) return false;
     ++result_.bounds;
-    c.upper_mm = depth_by_support(head_, region, c.facet);
+    c.upper_mm = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < plane_count_ && c.upper_mm > threshold_mm(); ++k)
+      c.upper_mm = std::min(c.upper_mm, depth_by_support(region, planes_[k].plane));
     if (c.upper_mm > threshold_mm()) bound_by_foot(c, region);
     c.is_time_next = region.travel_mm > 2 * region.size_mm && intervals_.can_halve(c.interval);
     return true;
   }
 
   template <typename Region>
-  void bound_by_foot(Candidate& c, const Region& region) const {
+  void bound_by_foot(Candidate& c, const Region& region) {
     const ClosestPoint foot = head_.surface.closest_point_from(region.middle, c.facet);
     c.facet = foot.triangle;
     c.upper_mm = std::min(c.upper_mm, region.radius_mm - foot.signed_mm() + kSearchRounding_mm);
@@ -175,26 +177,48 @@ class Search : public BestFirstSearch<Search, Candidate> {
 
   /// A facet's own plane first, where it bounds all of the head: no other prism on it bounds more.
   template <typename Region>
-  void bound_by_plane(Candidate& c, const Region& region, const ClosestPoint& at, bool is_middle_inside) const {
-    c.upper_mm = std::min(c.upper_mm, depth_by_support(head_, region, at.triangle));
-    if (c.upper_mm <= threshold_mm()) return;
-    const bool is_facets_own = at.normal.dot(head_.surface.face_normal(at.triangle)) > kFacetsOwn;
-    if (is_facets_own && std::isfinite(head_.supports.rise_mm(at.triangle))) return;
+  void bound_by_plane(Candidate& c, const Region& region, const ClosestPoint& at, bool is_middle_inside) {
+    const auto support = head_.supports.plane(at.triangle);
+    if (support) {
+      keep_plane(at.triangle, *support);
+      c.upper_mm = std::min(c.upper_mm, depth_by_support(region, *support));
+      if (c.upper_mm <= threshold_mm() || at.normal.dot(support->normal) > kFacetsOwn) return;
+    }
     const auto depth_mm = depth_by_plane(head_, region, HeadPlane(at), is_middle_inside, threshold_mm());
     if (depth_mm) c.upper_mm = std::min(c.upper_mm, *depth_mm);
   }
 
-  void bound_by_planes(Candidate& c, const NodeRegion& region, const ClosestPoint& foot) const {
+  void bound_by_planes(Candidate& c, const NodeRegion& region, const ClosestPoint& foot) {
     bound_by_plane(c, region, foot, foot.is_inside);
   }
   /// Where the plane at the closest point to the middle leaves too much, as across an edge of the head, the one at the
   /// closest point to where it leaves most may not.
-  void bound_by_planes(Candidate& c, const PieceRegion& region, const ClosestPoint& foot) const {
+  void bound_by_planes(Candidate& c, const PieceRegion& region, const ClosestPoint& foot) {
     bound_by_plane(c, region, foot, foot.is_inside);
     if (c.upper_mm <= threshold_mm()) return;
     const Vec3 lowest = region.lowest(foot.normal);
     const ClosestPoint other = head_.surface.closest_point_from(lowest, c.facet);
     if (other.normal.dot(foot.normal) < kSameNormal) bound_by_plane(c, region, other, foot.is_inside);
+  }
+
+  /// For the next to be bounded: parts near one another are bounded by the same planes.
+  void keep_plane(std::uint32_t facet, const OuterPlane& plane) {
+    std::size_t at = 0;
+    while (at < plane_count_ && planes_[at].facet != facet) ++at;
+    if (at == plane_count_) {
+      at = std::min(plane_count_, planes_.size() - 1);
+      plane_count_ = at + 1;
+      planes_[at] = {facet, plane};
+    }
+    const auto place = planes_.begin() + static_cast<std::ptrdiff_t>(at);
+    std::rotate(planes_.begin(), place, place + 1);
+  }
+
+  /// Whether a kept plane leaves a point no deeper than the deepest known one.
+  [[nodiscard]] bool is_no_deeper(const Vec3& q) const {
+    return std::any_of(
+        planes_.begin(), planes_.begin() + static_cast<std::ptrdiff_t>(plane_count_),
+        [&](const Kept& kept) { return kept.plane.height_mm - kept.plane.normal.dot(q) <= result_.depth_mm; });
   }
 
   void try_points(const Candidate& c, const Vec3& centre) {
@@ -203,9 +227,11 @@ class Search : public BestFirstSearch<Search, Candidate> {
       for (const double t : {interval.t0, interval.t1}) {
         const RigidTransform& to_tool = t > interval.t0 ? interval.to_tool1 : interval.to_tool0;
         const Vec3 q = to_tool.point(p);
+        if (is_no_deeper(q)) continue;
         const double near2_mm2 = closest_on_triangle(q, head_.surface.corners(c.facet)).distance2_mm2;
         if (near2_mm2 <= result_.depth_mm * result_.depth_mm) continue;
         const ClosestPoint foot = head_.surface.closest_point_from(q, c.facet);
+        if (const auto support = head_.supports.plane(foot.triangle)) keep_plane(foot.triangle, *support);
         if (!foot.is_inside || foot.distance_mm <= result_.depth_mm) continue;
         result_.depth_mm = foot.distance_mm;
         result_.has_witness = true;
@@ -224,6 +250,12 @@ class Search : public BestFirstSearch<Search, Candidate> {
   std::span<const BlockTree* const> trees_;
   const SearchGoal& goal_;
   HeadResult result_;
+  struct Kept {
+    std::uint32_t facet = 0;
+    OuterPlane plane;
+  };
+  std::array<Kept, kMostKept> planes_;  // the one that was of use last first
+  std::size_t plane_count_ = 0;
 };
 
 }  // namespace

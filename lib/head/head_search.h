@@ -24,7 +24,8 @@ struct HeadResult {
   std::uint64_t bounds = 0;
 };
 
-/// Best first (best_first_search.h) over (interval of time x part of the surface). In the tool's frame a point of the
+/// Best first (best_first_search.h) over (interval of time x part of the surface). Planes that all of the head is below
+/// are asked first, the ones that bounded other parts. In the tool's frame a point of the
 /// surface stays within `bulge` of the chord between its positions at both ends of an interval; the head's signed
 /// distance is 1-Lipschitz, so over the interval and a ball about the point it is nowhere below half of (sum of both
 /// ends - path length) - radius.

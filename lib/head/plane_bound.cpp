@@ -1,7 +1,6 @@
 #include "lib/head/plane_bound.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gouge {
 namespace {
@@ -50,12 +49,9 @@ std::optional<double> depth_below(const HeadBody& head, const Region& region, co
 }
 
 template <typename Region>
-double depth_below_support(const HeadBody& head, const Region& region, std::uint32_t facet) {
-  const double rise_mm = head.supports.rise_mm(facet);
-  if (!std::isfinite(rise_mm)) return rise_mm;
-  const Vec3 n = head.surface.face_normal(facet);
-  const double low_mm = n.dot(region.middle - head.surface.mesh().corner(facet, 0)) + region.along(n).low_mm;
-  return std::max(0.0, rise_mm - low_mm + kPlaneRounding_mm);
+double depth_below_support(const Region& region, const OuterPlane& plane) {
+  const double low_mm = plane.normal.dot(region.middle) + region.along(plane.normal).low_mm;
+  return std::max(0.0, plane.height_mm - low_mm + kPlaneRounding_mm);
 }
 
 }  // namespace
@@ -137,12 +133,12 @@ std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& reg
   return depth_below(head, region, plane, is_middle_inside, enough_mm);
 }
 
-double depth_by_support(const HeadBody& head, const PieceRegion& region, std::uint32_t facet) {
-  return depth_below_support(head, region, facet);
+double depth_by_support(const PieceRegion& region, const OuterPlane& plane) {
+  return depth_below_support(region, plane);
 }
 
-double depth_by_support(const HeadBody& head, const NodeRegion& region, std::uint32_t facet) {
-  return depth_below_support(head, region, facet);
+double depth_by_support(const NodeRegion& region, const OuterPlane& plane) {
+  return depth_below_support(region, plane);
 }
 
 }  // namespace gouge

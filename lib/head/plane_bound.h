@@ -74,9 +74,9 @@ struct HeadPlane {
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region,
                                                    const HeadPlane& plane, bool is_middle_inside, double enough_mm);
 
-/// The same by the plane of a facet, if that bounds all of the head (support_planes.h); infinite if not.
+/// The same by a plane that all of the head is below (support_planes.h), at least 0.
 /// Cost     a few products.
-[[nodiscard]] double depth_by_support(const HeadBody& head, const PieceRegion& region, std::uint32_t facet);
-[[nodiscard]] double depth_by_support(const HeadBody& head, const NodeRegion& region, std::uint32_t facet);
+[[nodiscard]] double depth_by_support(const PieceRegion& region, const OuterPlane& plane);
+[[nodiscard]] double depth_by_support(const NodeRegion& region, const OuterPlane& plane);
 
 }  // namespace gouge

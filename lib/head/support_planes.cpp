@@ -31,6 +31,13 @@ double SupportPlanes::rise_mm(std::uint32_t facet) const {
   return static_cast<double>(found);
 }
 
+std::optional<OuterPlane> SupportPlanes::plane(std::uint32_t facet) const {
+  const double rise = rise_mm(facet);
+  if (!std::isfinite(rise)) return std::nullopt;
+  const Vec3 n = surface_->face_normal(facet);
+  return OuterPlane{n, n.dot(surface_->mesh().corner(facet, 0)) + rise};
+}
+
 double SupportPlanes::find_rise_mm(std::uint32_t facet) const {
   const Vec3 n = surface_->face_normal(facet);
   if (!(n.squaredNorm() > 0.5)) return std::numeric_limits<double>::infinity();  // without area

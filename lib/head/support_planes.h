@@ -3,10 +3,17 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "lib/surface/surface.h"
 
 namespace gouge {
+
+/// No point of a head is above it: none has a larger normal . x than `height_mm`. Unit normal, tool's frame.
+struct OuterPlane {
+  Vec3 normal = Vec3::UnitZ();
+  double height_mm = 0;
+};
 
 /// The planes of a head's facets as bounds of all of it: how far the head rises above each, found when first asked for.
 /// Small, and shared by its copies. Any number of threads may ask.
@@ -24,6 +31,9 @@ class SupportPlanes {
   /// kMostRise_mm.
   /// Cost     of the first call for a facet a search of the head's tree.
   [[nodiscard]] double rise_mm(std::uint32_t facet) const;
+
+  /// The facet's plane, raised by that; nothing where that is infinite.
+  [[nodiscard]] std::optional<OuterPlane> plane(std::uint32_t facet) const;
 
   static constexpr double kMostRise_mm = 1e-3;
 

@@ -61,7 +61,9 @@ TEST(SupportPlanes, BoundTheDepthOfPiecesThatMove) {
       for (Vec3& corner : corners) corner = about + (i % 3 == 0 ? 0.05 : 3) * random.point(1);
       const double bulge = i % 2 == 0 ? 0 : random.in(0, 0.1);
       const auto facet = static_cast<std::uint32_t>(random.below(mesh.triangles.size()));
-      const double bound = depth_by_support(head, PieceRegion(corners, bulge), facet);
+      const auto plane = head.supports.plane(facet);
+      if (!plane) continue;
+      const double bound = depth_by_support(PieceRegion(corners, bulge), *plane);
       free += bound <= 0 ? 1 : 0;
       for (int k = 0; k < 60; ++k) {
         double sum = 0;
