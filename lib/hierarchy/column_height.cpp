@@ -14,8 +14,13 @@ constexpr double kColumnRounding_mm = 1e-9;
 
 class Climb {
  public:
-  Climb(const BlockTree& tree, const Column& column, double enough)
-      : tree_(tree), column_(column), through_(column.through - tree.origin), enough_(enough), highest_(column.low_mm) {
+  Climb(const BlockTree& tree, const Column& column, double enough, double most)
+      : tree_(tree),
+        column_(column),
+        through_(column.through - tree.origin),
+        enough_(enough),
+        most_(most),
+        highest_(column.low_mm) {
     axes_[0] = column.direction;
     axes_[1] = column.direction.unitOrthogonal();
     axes_[2] = column.direction.cross(axes_[1]);
@@ -65,7 +70,7 @@ class Climb {
       if (is_out(2, i, beside_[1] - column_.radius_mm, beside_[1] + column_.radius_mm)) continue;
       const std::uint32_t triangle = leaf.triangle[i];
       const double height = height_of(tree_.corners(triangle));
-      if (height > enough_) return false;
+      if (height > most_) return false;
       highest_ = std::max(highest_, height);
     }
     return true;
@@ -126,7 +131,7 @@ class Climb {
   const BlockTree& tree_;
   const Column& column_;
   Vec3 through_;
-  double enough_, highest_;
+  double enough_, most_, highest_;
   std::array<Vec3, 3> axes_;      // the column's direction and two across
   double height_ = 0;             // of the column's point along the first, in the tree's frame
   std::array<double, 2> beside_;  // along the others
@@ -136,8 +141,8 @@ class Climb {
 
 }  // namespace
 
-std::optional<double> highest_in_column(const BlockTree& tree, const Column& column, double enough_mm) {
-  return Climb(tree, column, enough_mm).run();
+std::optional<double> highest_in_column(const BlockTree& tree, const Column& column, double enough_mm, double most_mm) {
+  return Climb(tree, column, enough_mm, most_mm).run();
 }
 
 }  // namespace gouge

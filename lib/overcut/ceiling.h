@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "lib/hierarchy/column_height.h"
@@ -8,13 +9,14 @@
 namespace gouge {
 
 /// A height, as of a Column's, over all of a closed surface within a cylinder that `reach_mm` to both sides of
-/// `column.through` holds; at most `enough_mm`, and what is above it, up to there and to reach_mm, is outside. So every
+/// `column.through` holds; at most `most_mm`, and what is above it, up to there and to reach_mm, is outside. So every
 /// point of the solid in the cylinder is below it. Nothing where no such height is proven.
 ///
-/// `column`: through, direction and radius; low and high are set here. `is_through_outside`: known to be.
+/// `column`: through, direction and radius; low and high are set here. `enough_mm`: no lower height is asked for, at
+/// most `most_mm`. `is_through_outside`: known to be. `near`: a triangle near the column.
 /// Requires surface.is_solid().
 /// Proof    docs/algorithms/overcut.md, section 4.
 [[nodiscard]] std::optional<double> ceiling(const Surface& surface, Column column, double reach_mm, double enough_mm,
-                                            bool is_through_outside = false);
+                                            double most_mm, bool is_through_outside = false, std::uint32_t near = 0);
 
 }  // namespace gouge

@@ -3,116 +3,190 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 // Any weights of limits, adding up to 1, and of planes, none negative, bound the program:
 //   sum of weighted values + half . |sum of weighted gradients|.
-// That is convex and piecewise linear in the weights, so its least value is at a corner: where one gradient component
-// vanishes for each weight that is free.
+// Good weights come from the dual simplex method: it begins at the corner of the box where the first limit is largest,
+// and takes in what that corner violates most, until it violates nothing. Whatever rounding does to the weights, the
+// bound they make holds.
 
 namespace gouge {
 namespace {
 
-constexpr double kParallel = 1e-12;
-constexpr int kAxes = 4;
-constexpr std::array<std::pair<int, int>, 6> kPairs = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+using Vec5 = Eigen::Matrix<double, 5, 1>;  // y, and the value
+using Mat5 = Eigen::Matrix<double, 5, 5>;
 
-/// The solution of a x + b y = e, c x + d y = f; nothing where it is not unique.
-bool solve(double a, double b, double c, double d, double e, double f, double& x, double& y) {
-  const double determinant = a * d - b * c;
-  if (!(std::abs(determinant) > kParallel)) return false;
-  x = (e * d - b * f) / determinant;
-  y = (a * f - c * e) / determinant;
-  return true;
-}
+constexpr double kPivot = 1e-11;
+constexpr double kViolated_mm = 1e-8;
+constexpr int kMostPivots = 30;
+constexpr double kRangeRounding = 1e-9, kLevel = 1e-4;  // what is steeper tells its end that exactly
 
-}  // namespace
-
-bool CellProgram::is_empty() const {
-  for (std::size_t k = 0; k < plane_count_; ++k) {
-    if (planes_[k].value + spread(planes_[k].gradient) < 0) return true;
-  }
-  return false;
-}
-
-Vec4 CellProgram::corner(const Vec4& gradient) const {
-  Vec4 y;
-  for (int i = 0; i < kAxes; ++i) y[i] = std::copysign(half_[i], gradient[i]);
-  return y;
-}
-
-void CellProgram::offer(double upper, const Vec4& at, double share, Bound& best) const {
-  if (!(upper < best.upper)) return;
-  best.upper = upper;
-  best.at = at.cwiseMin(half_).cwiseMax(-half_);
-  best.share = share;
-}
-
-void CellProgram::bound_by_limit(const Affine& limit, double share, Bound& best) const {
-  const Vec4& f = limit.gradient;
-  offer(limit.value + spread(f), corner(f), share, best);
-  for (std::size_t k = 0; k < plane_count_; ++k) {
-    const Affine& p = planes_[k];
-    for (int i = 0; i < kAxes; ++i) {
-      if (!(f[i] * p.gradient[i] < 0)) continue;
-      const double weight = -f[i] / p.gradient[i];
-      const Vec4 rest = f + weight * p.gradient;
-      Vec4 at = corner(rest);
-      at[i] = 0;
-      at[i] = -p.at(at) / p.gradient[i];
-      offer(limit.value + weight * p.value + spread(rest), at, share, best);
-    }
-    for (std::size_t l = 0; l < k; ++l) {
-      const Affine& q = planes_[l];
-      for (const auto& [i, j] : kPairs) {
-        double wp = 0, wq = 0;
-        if (!solve(p.gradient[i], q.gradient[i], p.gradient[j], q.gradient[j], -f[i], -f[j], wp, wq)) continue;
-        if (wp < 0 || wq < 0) continue;
-        const Vec4 rest = f + wp * p.gradient + wq * q.gradient;
-        Vec4 at = corner(rest);
-        at[i] = at[j] = 0;
-        double yi = 0, yj = 0;
-        solve(p.gradient[i], p.gradient[j], q.gradient[i], q.gradient[j], -p.at(at), -q.at(at), yi, yj);
-        at[i] = yi;
-        at[j] = yj;
-        offer(limit.value + wp * p.value + wq * q.value + spread(rest), at, share, best);
+/// Largest v with  v <= limit(y)  of all limits,  plane(y) >= 0  of all planes, y in a box: rows n . (y, v) <= b.
+class DualSimplex {
+ public:
+  explicit DualSimplex(const Vec4& half) {
+    for (int i = 0; i < 4; ++i) {
+      for (const double side : {1.0, -1.0}) {
+        Vec5 n = Vec5::Zero();
+        n[i] = side;
+        rows_[count_++] = {n, half[i]};
       }
     }
   }
-}
-
-void CellProgram::blend(Bound& best) const {
-  const Affine &a = limits_[0], &b = limits_[1];
-  const Vec4 difference = a.gradient - b.gradient;
-  const auto mixed = [&](double share) {
-    return Affine{share * a.value + (1 - share) * b.value, b.gradient + share * difference};
-  };
-  for (int i = 0; i < kAxes; ++i) {
-    if (!(std::abs(difference[i]) > kParallel)) continue;
-    const double share = -b.gradient[i] / difference[i];
-    if (share > 0 && share < 1) bound_by_limit(mixed(share), share, best);
+  /// `of_value`: 1 for a limit, 0 for a plane.
+  void add(const Affine& part, double of_value) {
+    Vec5 n;
+    n << -part.gradient, of_value;
+    rows_[count_++] = {n, part.value};
   }
-  for (std::size_t k = 0; k < plane_count_; ++k) {
-    const Affine& p = planes_[k];
-    for (const auto& [i, j] : kPairs) {
-      double share = 0, weight = 0;
-      if (!solve(difference[i], p.gradient[i], difference[j], p.gradient[j], -b.gradient[i], -b.gradient[j], share,
-                 weight))
-        continue;
-      if (!(share > 0 && share < 1) || weight < 0) continue;
-      const Affine both = mixed(share);
-      const Vec4 rest = both.gradient + weight * p.gradient;
-      offer(both.value + weight * p.value + spread(rest), best.at, share, best);
+
+  /// Begins at the first limit, whose gradient that is.
+  void run(const Vec4& first) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto axis = static_cast<Eigen::Index>(i);
+      const bool is_up = first[axis] >= 0;
+      basis_[i] = 2 * i + (is_up ? 0 : 1);
+      inverse_(axis, axis) = is_up ? 1 : -1;
+      inverse_(4, axis) = weights_[axis] = std::abs(first[axis]);
+    }
+    basis_[4] = kSides;
+    inverse_(4, 4) = weights_[4] = 1;
+    for (int k = 0; k < kMostPivots; ++k) {
+      Vec5 offsets;
+      for (std::size_t i = 0; i < 5; ++i) offsets[static_cast<Eigen::Index>(i)] = rows_[basis_[i]].offset;
+      at_ = inverse_ * offsets;
+      entering_ = most_violated();
+      if (entering_ == kNone || !pivot()) return;
     }
   }
+
+  /// No point is behind all planes; then the weights are those of planes that miss the box together.
+  [[nodiscard]] bool is_empty() const { return is_empty_; }
+  /// Of the k-th part that was added; may be a little negative.
+  [[nodiscard]] double weight(std::size_t k) const {
+    if (is_empty_ && k + kSides == entering_) return 1;
+    for (std::size_t i = 0; i < 5; ++i) {
+      if (basis_[i] == k + kSides) return weights_[static_cast<Eigen::Index>(i)];
+    }
+    return 0;
+  }
+  [[nodiscard]] Vec4 at() const { return at_.head<4>(); }
+
+ private:
+  static constexpr std::size_t kSides = 8, kNone = 1000;
+  struct Row {
+    Vec5 n;
+    double offset = 0;
+  };
+
+  [[nodiscard]] std::size_t most_violated() const {
+    std::size_t worst = kNone;
+    double most = kViolated_mm;
+    for (std::size_t k = 0; k < count_; ++k) {
+      const double over = rows_[k].n.dot(at_) - rows_[k].offset;
+      if (!(over > most)) continue;
+      most = over;
+      worst = k;
+    }
+    return worst;
+  }
+
+  /// False where the new row excludes all points.
+  bool pivot() {
+    const Vec5 share = inverse_.transpose() * rows_[entering_].n;
+    Eigen::Index leaving = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < 5; ++i) {
+      if (!(share[i] > kPivot)) continue;
+      const double ratio = std::max(0.0, weights_[i]) / share[i];
+      if (ratio >= least) continue;
+      least = ratio;
+      leaving = i;
+    }
+    if (leaving < 0) {
+      is_empty_ = true;
+      weights_ = -share;
+      return false;
+    }
+    weights_ -= least * share;
+    weights_[leaving] = least;
+    Vec5 change = share;
+    change[leaving] -= 1;
+    inverse_ -= (inverse_.col(leaving) / share[leaving]) * change.transpose();
+    basis_[static_cast<std::size_t>(leaving)] = entering_;
+    return true;
+  }
+
+  std::array<Row, kSides + CellProgram::kMostPlanes + CellProgram::kMostLimits> rows_;
+  std::size_t count_ = 0, entering_ = kNone;
+  std::array<std::size_t, 5> basis_{};
+  Mat5 inverse_ = Mat5::Zero();  // of the matrix whose rows are those of the basis
+  Vec5 at_ = Vec5::Zero(), weights_ = Vec5::Zero();
+  bool is_empty_ = false;
+};
+
+}  // namespace
+
+Affine CellProgram::blend_of(const std::array<double, kMostPlanes + kMostLimits>& weights) const {
+  Affine blend;
+  for (std::size_t k = 0; k < plane_count_ + limit_count_; ++k) {
+    if (!(weights[k] > 0)) continue;
+    const Affine& part = k < limit_count_ ? limits_[k] : planes_[k - limit_count_];
+    blend.value += weights[k] * part.value;
+    blend.gradient += weights[k] * part.gradient;
+  }
+  return blend;
 }
 
 CellProgram::Bound CellProgram::bound() const {
-  Bound best;
-  best.upper = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < limit_count_; ++k) bound_by_limit(limits_[k], k == 0 ? 1 : 0, best);
-  if (limit_count_ == 2) blend(best);
-  return best;
+  DualSimplex simplex(half_);
+  for (std::size_t k = 0; k < limit_count_; ++k) simplex.add(limits_[k], 1);
+  for (std::size_t k = 0; k < plane_count_; ++k) simplex.add(planes_[k], 0);
+  simplex.run(limits_[0].gradient);
+  std::array<double, kMostPlanes + kMostLimits> weights{};
+  for (std::size_t k = 0; k < limit_count_ + plane_count_; ++k) weights[k] = std::max(0.0, simplex.weight(k));
+  Bound bound;
+  if (simplex.is_empty()) {
+    std::fill_n(weights.begin(), limit_count_, 0.0);
+    const Affine miss = blend_of(weights);
+    bound.upper = -std::numeric_limits<double>::infinity();
+    if (miss.value + spread(miss.gradient) < 0) return bound;
+    weights.fill(0);
+  }
+  double sum = 0;
+  for (std::size_t k = 0; k < limit_count_; ++k) sum += weights[k];
+  if (!(sum > kPivot)) {
+    weights.fill(0);
+    weights[0] = sum = 1;
+  }
+  for (double& weight : weights) weight /= sum;
+  bound.least = blend_of(weights);
+  bound.upper = bound.least.value + spread(bound.least.gradient);
+  bound.at = simplex.at().cwiseMin(half_).cwiseMax(-half_);
+  for (std::size_t k = 0; k < limit_count_; ++k) bound.share[k] = weights[k];
+  return bound;
+}
+
+CellProgram::Range CellProgram::where_at_least(double value, const Bound& bound) const {
+  Range range{-half_, half_};
+  const auto narrow = [&](const Affine& part, double least) {
+    Vec4 most;
+    for (int i = 0; i < 4; ++i) most[i] = std::max(part.gradient[i] * range.low[i], part.gradient[i] * range.high[i]);
+    const double all = part.value - least + most.sum();
+    for (int i = 0; i < 4; ++i) {
+      const double slope = part.gradient[i];
+      if (!(std::abs(slope) > kLevel)) continue;
+      const double end = (most[i] - all) / slope;  // where the part is `least` with all others at their best
+      if (slope > 0) range.low[i] = std::max(range.low[i], end - kRangeRounding);
+      if (slope < 0) range.high[i] = std::min(range.high[i], end + kRangeRounding);
+    }
+  };
+  for (int round = 0; round < 2; ++round) {
+    narrow(bound.least, value);
+    for (std::size_t k = 0; k < limit_count_; ++k) narrow(limits_[k], value);
+    for (std::size_t k = 0; k < plane_count_; ++k) narrow(planes_[k], 0);
+  }
+  return range;
 }
 
 }  // namespace gouge

@@ -18,10 +18,10 @@ struct Affine {
 };
 
 /// A linear program over the points y of a box of space and time about the origin that a few half-spaces leave: the
-/// largest value that each of up to two limits allows.
+/// largest value that all of a few limits allow.
 class CellProgram {
  public:
-  static constexpr std::size_t kMostPlanes = 5, kMostLimits = 2;
+  static constexpr std::size_t kMostPlanes = 10, kMostLimits = 4;
 
   /// The points y with |y_i| <= half_i.
   explicit CellProgram(const Vec4& half) : half_(half) {}
@@ -33,24 +33,32 @@ class CellProgram {
   void limit(const Affine& limit) {
     if (limit_count_ < kMostLimits) limits_[limit_count_++] = limit;
   }
-  /// Proven: one of the half-spaces misses the box.
-  [[nodiscard]] bool is_empty() const;
+  /// Lets limit `k` allow so much more.
+  void raise(std::size_t k, double by) { limits_[k].value += by; }
+  [[nodiscard]] bool is_full() const { return plane_count_ == kMostPlanes || limit_count_ == kMostLimits; }
 
   struct Bound {
-    double upper = 0;        ///< min over the limits is no larger anywhere
+    double upper = 0;        ///< min over the limits is no larger anywhere; -infinity: proven to be empty
     Vec4 at = Vec4::Zero();  ///< about where it is largest
-    double share = 1;        ///< of the first limit in the blend that bounds it
+    std::array<double, kMostLimits> share = {};  ///< of each limit in the blend that bounds it
+    Affine least;  ///< the blend: at least min over the limits wherever that is behind all planes
   };
-  /// Ensures  upper bounds the program's value at any rounding but for that of sums: it is a value of its dual. Exact for
-  ///          one limit and up to two planes, and for two limits and one plane.
+  /// Requires a limit.
+  /// Ensures  upper bounds the program's value at any rounding but for that of sums: it is a value of its dual. The
+  ///          program's own value but for rounding.
+  /// Cost     below a microsecond.
   [[nodiscard]] Bound bound() const;
 
+  struct Range {
+    Vec4 low, high;
+  };
+  /// A part of the box that holds all of its points behind all planes where every limit allows at least
+  /// `value`; low > high somewhere: there is none. `bound`: of this program.
+  [[nodiscard]] Range where_at_least(double value, const Bound& bound) const;
+
  private:
-  void bound_by_limit(const Affine& limit, double share, Bound& best) const;
-  void blend(Bound& best) const;
-  void offer(double upper, const Vec4& at, double share, Bound& best) const;
   [[nodiscard]] double spread(const Vec4& gradient) const { return half_.dot(gradient.cwiseAbs()); }
-  [[nodiscard]] Vec4 corner(const Vec4& gradient) const;
+  [[nodiscard]] Affine blend_of(const std::array<double, kMostPlanes + kMostLimits>& weights) const;
 
   Vec4 half_;
   std::array<Affine, kMostPlanes> planes_;

@@ -1,6 +1,7 @@
 #include "lib/overcut/overcut_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,10 +20,16 @@ constexpr double kSearchRounding_mm = 1e-9;
 constexpr double kNotable_mm = 0.1 * kOvercutGap_mm;
 constexpr double kNear_mm = 0.02;  // a climb ends when it looks no farther than that
 constexpr int kClimbs = 24;
-constexpr int kRounds = 3;              // planes of the tool that are added to a cell's first
-constexpr double kSameNormal = 0.9999;  // cosine: a second limit as steep as the first limits nothing
-constexpr double kNotCut = 0.1;         // of what is too much: a plane that cuts less off is of no use
-constexpr double kAlongNormal = 0.25;   // first order says all along the normal; cells need to be small across it
+constexpr int kRounds = 8;  // planes and limits that are added to a cell's first
+constexpr double kNoLimit_mm = 1e6;
+constexpr double kNotLimited = 0.1;  // of what is too much: a limit that takes less off is of no use
+constexpr double kCoarse = 0.1;      // of what is too much: so much higher a ceiling may be than it needs to be
+constexpr double kHopeless = 0.5;    // of a cell's radius: where more than that is too much a ceiling does not help
+constexpr double kHigher = 0.3;      // of a cell's radius: a ceiling that is so much higher does not help
+constexpr int kNoZone = -1;
+constexpr double kWorthAnotherLook = 0.5;  // of its volume: a cell that is left less is looked at again
+constexpr double kNotCut = 0.05;           // of what is too much: a plane that cuts less off is of no use
+constexpr double kAlongNormal = 0.25;      // first order says all along the normal; cells need to be small across it
 
 /// A box of space with axes along the search's frame, over a time interval.
 struct Cell : SearchCandidate {
@@ -33,6 +40,8 @@ struct Cell : SearchCandidate {
   double inside_mm = 0;
   Vec3 outward = Vec3::UnitZ();
   std::uint32_t triangle = 0;  ///< the closest
+  int zone = kNoZone;          ///< the sharp zone of the solid that it holds whole; else kNoZone
+  double kept = 1;             ///< of the volume, when it was made smaller
 };
 
 class Search : public BestFirstSearch<Search, Cell> {
@@ -56,15 +65,12 @@ class Search : public BestFirstSearch<Search, Cell> {
     const bool is_sharp_only = options_.blunt_upper_mm <= threshold_mm();
     if (is_sharp_only) prune(options_.blunt_upper_mm);
     for (std::uint32_t s = 0; s < tool_.segments(); ++s) {
-      for (const Box3& box_of : tool_.extents(frame_, s, is_sharp_only)) {
-        const Box3 both = box_of.intersection(all);
-        if (both.isEmpty()) continue;
+      const std::vector<Box3> boxes = tool_.extents(frame_, s, is_sharp_only);
+      for (std::size_t k = 0; k < boxes.size(); ++k) {
         Cell cell;
-        cell.centre = frame_.transpose() * both.center();
-        cell.half = 0.5 * both.sizes();
         cell.interval = s;
-        look_at_part(cell);
-        add(cell);
+        if (is_sharp_only) cell.zone = static_cast<int>(k);
+        add_within(boxes[k].intersection(all), cell);
       }
     }
     best_.depth_upper_mm = std::max(run(), best_.depth_mm);
@@ -75,11 +81,21 @@ class Search : public BestFirstSearch<Search, Cell> {
   [[nodiscard]] bool is_exhausted() const { return looked_ >= options_.most_cells; }
 
   void split(const Cell& cell) {
+    if (cell.zone >= 0) {
+      const Vec3 centre = frame_ * cell.centre;
+      const Box3 whole(centre - cell.half, centre + cell.half);
+      Cell part = cell;
+      part.zone = kNoZone;
+      const std::vector<Box3> pieces = tool_.pieces(frame_, cell.interval, static_cast<std::size_t>(cell.zone));
+      for (const Box3& piece : pieces) add_within(piece.intersection(whole), part);
+      if (!pieces.empty()) return;
+    }
     if (cell.next == 3) {
       const std::uint32_t first = tool_.halve(cell.interval);
       for (std::uint32_t k = 0; k < 2; ++k) {
         Cell part = cell;
         part.interval = first + k;
+        look_at_part(part);
         add(part);
       }
       return;
@@ -94,6 +110,15 @@ class Search : public BestFirstSearch<Search, Cell> {
   }
 
  private:
+  /// A cell of the box, along the axes of the frame; its interval and all else are those of `like`.
+  void add_within(const Box3& box, Cell like) {
+    if (box.isEmpty()) return;
+    like.centre = frame_.transpose() * box.center();
+    like.half = 0.5 * box.sizes();
+    look_at_part(like);
+    add(like);
+  }
+
   /// `cell.triangle` is one near it, of the cell it is a half of.
   void look_at_part(Cell& cell) const {
     const ClosestPoint foot = part_.closest_point_from(cell.centre, cell.triangle);
@@ -104,6 +129,7 @@ class Search : public BestFirstSearch<Search, Cell> {
 
   void add(Cell cell) {
     ++looked_;
+    cell.kept = 1;
     const double radius = cell.half.norm();
     cell.upper_mm = cell.inside_mm + radius + kSearchRounding_mm;
     if (cell.upper_mm <= threshold_mm()) return prune(cell.upper_mm);
@@ -113,6 +139,10 @@ class Search : public BestFirstSearch<Search, Cell> {
     if (cell.upper_mm <= threshold_mm()) return prune(cell.upper_mm);
     offer_point(cell, swept);
     if (is_decided_by_planes(cell, swept)) return;
+    if (cell.kept < kWorthAnotherLook) {
+      look_at_part(cell);
+      return add(cell);
+    }
     choose_next(cell, swept, -(frame_ * cell.outward));
     offer(cell);
   }
@@ -129,54 +159,84 @@ class Search : public BestFirstSearch<Search, Cell> {
     return limit;
   }
 
-  /// To first order: the tool behind planes that touch it, the part below planes square to its closest points.
-  bool is_decided_by_planes(const Cell& cell, const SweptBound& swept) {
+  struct Limit {
+    Vec3 outward;
+    double height_mm;  ///< over the cell's centre, of the surface's closest point somewhere in the cell
+  };
+  using Limits = std::array<Limit, CellProgram::kMostLimits>;
+
+  /// To first order: the tool behind planes that touch it, the part below planes square to its closest points. Where
+  /// that does not decide the cell it is made as small as what is left of it.
+  bool is_decided_by_planes(Cell& cell, const SweptBound& swept) {
     const double radius = cell.half.norm();
     Vec4 half_sizes;
     half_sizes << cell.half, 0.5;
     CellProgram program(half_sizes);
-    program.limit(below(cell.inside_mm, cell.outward));
+    Limits limits;
+    std::size_t count = 0;
+    const auto limit = [&](double height, const Vec3& outward) {
+      limits[count++] = {outward, height};
+      program.limit(below(height, outward));
+    };
+    limit(cell.inside_mm, cell.outward);
     if (swept.half) program.keep_behind(in_cell(*swept.half));
     CellProgram::Bound bound = program.bound();
-    for (int k = 0; k < kRounds && bound.upper > threshold_mm(); ++k) {
+    for (int k = 0; k < kRounds && bound.upper > threshold_mm() && !program.is_full(); ++k) {
+      const double too_much = bound.upper - threshold_mm();
       const Vec3 point = cell.centre + frame_.transpose() * bound.at.head<3>();
       const auto half = tool_.half_space(point, bound.at[3], cell.centre, radius, cell.interval);
-      if (!half || in_cell(*half).at(bound.at) > -kNotCut * (bound.upper - threshold_mm())) break;
-      program.keep_behind(in_cell(*half));
+      const bool cuts = half && in_cell(*half).at(bound.at) < -kNotCut * too_much;
+      if (cuts) program.keep_behind(in_cell(*half));
+      bool limits_more = false;
+      if (!cuts) {
+        const ClosestPoint foot = part_.closest_point_from(point, cell.triangle);
+        const double height = foot.normal.dot(foot.point - cell.centre);
+        limits_more = below(height, foot.normal).at(bound.at) < bound.upper - kNotLimited * too_much;
+        if (limits_more) limit(height, foot.normal);
+      }
+      if (!cuts && !limits_more) break;
       bound = program.bound();
     }
-    if (program.is_empty()) return true;
-    Vec3 second = cell.outward;
-    double second_mm = 0;
-    if (bound.upper > threshold_mm() + radius) return false;
-    if (bound.upper > threshold_mm()) {
-      const ClosestPoint foot =
-          part_.closest_point_from(cell.centre + frame_.transpose() * bound.at.head<3>(), cell.triangle);
-      if (foot.normal.dot(cell.outward) > kSameNormal) return false;
-      second = foot.normal;
-      second_mm = second.dot(foot.point - cell.centre);
-      program.limit(below(second_mm, second));
-      bound = program.bound();
-      if (bound.upper > threshold_mm()) return false;
+    if (std::isinf(bound.upper) && bound.upper < 0) return true;
+    raise_to_ceilings(cell, limits, count, bound, program);
+    bound = program.bound();
+    cell.upper_mm = std::min(cell.upper_mm, bound.upper);
+    if (bound.upper <= threshold_mm()) {
+      prune(bound.upper);
+      return true;
     }
-    const double spare = threshold_mm() - bound.upper;
-    double higher = 0;
-    if (bound.share > 0) {
-      const auto height = ceiling_of(cell, cell.outward, cell.inside_mm + spare);
-      if (!height) return false;
-      higher = *height - cell.inside_mm;
+    prune(threshold_mm());  // of all that is cut off
+    return !shrink(cell, program.where_at_least(threshold_mm(), bound));
+  }
+
+  /// Each limit as high as what is proven of it; none where nothing is, or nothing would help.
+  void raise_to_ceilings(const Cell& cell, const Limits& limits, std::size_t count, const CellProgram::Bound& bound,
+                         CellProgram& program) const {
+    const double radius = cell.half.norm();
+    const double too_much = bound.upper - threshold_mm();
+    for (std::size_t k = 0; k < count; ++k) {
+      std::optional<double> height;
+      const double enough = limits[k].height_mm + std::max(-too_much, kCoarse * too_much);
+      if (bound.share[k] > 0 && too_much <= kHopeless * radius)
+        height = ceiling_of(cell, limits[k].outward, enough, enough + kHigher * radius);
+      program.raise(k, height ? std::max(0.0, *height - limits[k].height_mm) : kNoLimit_mm);
     }
-    if (bound.share < 1) {
-      const auto height = ceiling_of(cell, second, second_mm + spare);
-      if (!height) return false;
-      higher = std::max(higher, *height - second_mm);
-    }
-    prune(bound.upper + higher);
+  }
+
+  /// False where nothing is left.
+  bool shrink(Cell& cell, const CellProgram::Range& range) {
+    const Vec4 size = range.high - range.low;
+    if ((size.array() < 0).any()) return false;
+    cell.centre += frame_.transpose() * Vec3(0.5 * (range.high + range.low).head<3>());
+    const double before = cell.half.prod();
+    cell.half = 0.5 * size.head<3>();
+    cell.kept = cell.half.prod() / before;
     return true;
   }
 
   /// Over the part in the cell, along `outward` from its centre.
-  [[nodiscard]] std::optional<double> ceiling_of(const Cell& cell, const Vec3& outward, double enough) const {
+  [[nodiscard]] std::optional<double> ceiling_of(const Cell& cell, const Vec3& outward, double enough,
+                                                 double most) const {
     const Vec3 up = frame_ * outward;
     double beside2 = 0;
     for (int k = 0; k < 4; ++k) {
@@ -190,7 +250,7 @@ class Search : public BestFirstSearch<Search, Cell> {
     column.direction = outward;
     column.radius_mm = std::sqrt(beside2) + kSearchRounding_mm;
     const double reach = cell.half.dot(up.cwiseAbs()) + kSearchRounding_mm;
-    return ceiling(part_, column, reach, enough, cell.inside_mm < 0);
+    return ceiling(part_, column, reach, enough, most, cell.inside_mm < 0, cell.triangle);
   }
 
   void choose_next(Cell& cell, const SweptBound& swept, const Vec3& deeper) const {

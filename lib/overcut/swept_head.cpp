@@ -67,7 +67,7 @@ std::optional<DriftingHalfSpace> SweptHead::half_space(const Vec3& point, double
   column.direction = up;
   column.radius_mm = around + 0.5 * (chord - along * up).norm();
   const double enough = up.dot(foot->point - column.through) + kSteep * radius + kHeadRounding_mm;
-  const auto height = ceiling(head_.surface, column, around + 0.5 * std::abs(along), enough);
+  const auto height = ceiling(head_.surface, column, around + 0.5 * std::abs(along), enough, enough);
   if (!height) return std::nullopt;
   const Vec3 n0 = interval.to_tool0.rotation.transpose() * up, n1 = interval.to_tool1.rotation.transpose() * up;
   return behind_plane(n0, n1, *height, -along, bulge, radius);

@@ -64,6 +64,11 @@ class SweptSolid {
   /// interval; where `is_sharp_only`, those of its sharp zones.
   [[nodiscard]] virtual std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
                                                   bool is_sharp_only) const = 0;
+  /// Smaller boxes along the same axes that together hold what the box of a sharp zone, counted as in `extents`, does.
+  [[nodiscard]] virtual std::vector<Box3> pieces(const Eigen::Matrix3d& /*frame*/, std::uint32_t /*interval*/,
+                                                 std::size_t /*zone*/) const {
+    return {};
+  }
 
   [[nodiscard]] const Motion& motion() const { return motion_; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "lib/check/support_plane.h"
 #include "lib/tool/evaluate.h"
@@ -11,6 +12,9 @@ namespace gouge {
 namespace {
 
 constexpr double kToolRounding_mm = 1e-9;
+constexpr double kAngleRounding = 1e-7;  // of an arc sine, next to a pole
+constexpr double kLeastAcross = 0.1;
+constexpr int kArcs = 24;  // of a sharp edge, each searched for itself
 
 /// The smallest distance of a stretch from the tool axis.
 double smallest_radius(const Vec3& a, const Vec3& b) {
@@ -31,42 +35,139 @@ struct Chord {
   }
 };
 
-/// Points of the tool in the cell lie behind a plane that supports it. The directions of the plane at both ends differ
-/// by the turn; their mean serves, with half the difference at the cell's rim added.
-std::optional<DriftingHalfSpace> behind(const SupportPlane& plane, const Chord& chord, const ToolInterval& interval) {
-  const double around = chord.radius_mm + chord.bulge_mm;
-  const double z_lo = std::min(chord.q0.z(), chord.q1.z()) - around;
-  const double z_hi = std::max(chord.q0.z(), chord.q1.z()) + around;
-  const double r = plane.range.r_min_mm > 0 ? smallest_radius(chord.q0, chord.q1) - around : 0.0;
-  if (!supports(plane, z_lo, z_hi, 0, r, 0)) return std::nullopt;
-  const Vec3 n0 = interval.f0.rows.transpose() * plane.normal, n1 = interval.f1.rows.transpose() * plane.normal;
-  const double d0 = plane.depth_mm(chord.q0), d1 = plane.depth_mm(chord.q1);
-  return behind_plane(n0, n1, 0.5 * (d0 + d1), d1 - d0, chord.bulge_mm, chord.radius_mm);
-}
-
-/// The plane that touches the tool at the sample's foot; at a corner that only planes of some heights support, that of
-/// the side which the sample is farther in front of.
-std::optional<DriftingHalfSpace> behind(const CompiledTool& tool, const ToolSample& sample, const Chord& chord,
-                                        const ToolInterval& interval) {
-  const SupportPlane plane = support_plane(tool, sample);
-  std::optional<DriftingHalfSpace> half = behind(plane, chord, interval);
-  const std::uint32_t corner = sample.nearest.element;
-  if (half || tool.elements[corner].kind != ElementKind::vertex) return half;
-  double farthest = -std::numeric_limits<double>::infinity();
-  for (const std::uint32_t side : {corner - 1, corner + 1}) {
-    if (side >= tool.elements.size() || tool.elements[side].kind != ElementKind::segment) continue;
-    ToolSample beside = sample;
-    beside.nearest.element = side;
-    beside.nearest.normal = tool.elements[side].normal;
-    const SupportPlane other = support_plane(tool, beside);
-    const double in_front = -other.depth_mm(sample.q);
-    if (in_front <= farthest) continue;
-    if (const std::optional<DriftingHalfSpace> kept = behind(other, chord, interval)) {
-      half = kept;
-      farthest = in_front;
+/// The tool's points at some heights lie in the rings that discs of the half plane make about the axis, and in what is
+/// between them: largest of  r n_r + z n_z + radius  over a few discs, for each direction n.
+class Hull {
+ public:
+  /// Of the heights [z_lo, z_hi] and what is r_lo or more from the axis, asked for directions whose angle over the
+  /// (r, z) plane's r axis is in [low, high].
+  Hull(const CompiledTool& tool, double z_lo, double z_hi, double r_lo, double low, double high)
+      : z_lo_(z_lo), z_hi_(z_hi), r_lo_(r_lo), least_across_(std::max(0.0, std::min(std::cos(low), std::cos(high)))) {
+    for (const BoundaryElement& e : tool.elements) {
+      const double bottom = std::min(e.a.y(), e.b.y()), top = std::max(e.a.y(), e.b.y());
+      if (e.kind == ElementKind::arc) {
+        if (top >= z_lo - e.radius_mm && bottom <= z_hi + e.radius_mm && e.center.x() + e.radius_mm >= r_lo)
+          add_arc(e, low, high);
+      } else if (e.kind == ElementKind::segment) {
+        add_segment(e);
+      }
     }
   }
-  return half;
+
+  [[nodiscard]] bool is_empty() const { return discs_.empty(); }
+  /// `along`: the direction's component along the axis.
+  [[nodiscard]] double support_mm(double along) const {
+    const double across = std::sqrt(std::max(0.0, 1 - along * along));
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Disc& disc : discs_)
+      most = std::max(most, disc.center.x() * across + disc.center.y() * along + disc.radius_mm);
+    return most;
+  }
+  /// By how much, at most, the support exceeds what is linear in time between two instants, over the square of the
+  /// turn.
+  [[nodiscard]] double bulge_mm() const {
+    double most = 0;
+    for (const Disc& disc : discs_) {
+      const double r = disc.center.x();
+      most = std::max(most, std::abs(disc.center.y()) + (r < 0 ? -r * (1 + 1 / least_across_) : r));
+    }
+    return most / 8;
+  }
+
+ private:
+  struct Disc {
+    Vec2 center;
+    double radius_mm;
+  };
+  void add(const Vec2& center, double radius) { discs_.push_back({center, radius}); }
+
+  void add_segment(const BoundaryElement& e) {
+    const Vec2 side = e.b - e.a;
+    double from = 0, to = 1;  // shares of the segment
+    const auto keep_above = [&](double start, double slope, double least) {
+      if (slope > 0) from = std::max(from, (least - start) / slope);
+      if (slope < 0) to = std::min(to, (least - start) / slope);
+      if (!(slope < 0 || slope > 0) && start < least) to = -1;
+    };
+    keep_above(e.a.y(), side.y(), z_lo_);
+    keep_above(-e.a.y(), -side.y(), -z_hi_);
+    keep_above(e.a.x(), side.x(), r_lo_);
+    if (from > to) return;
+    add(from > 0 ? Vec2(e.a + from * side) : e.a, 0);
+    add(to < 1 ? Vec2(e.a + to * side) : e.b, 0);
+  }
+
+  /// An arc that faces outwards is its disc only for the directions of its own normals at these heights.
+  void add_arc(const BoundaryElement& e, double low, double high) {
+    const Vec2 from = e.a - e.center, to = e.b - e.center;
+    const bool is_steep = e.center.x() < 0 && least_across_ < kLeastAcross;
+    if (e.is_reflex || is_steep) {
+      const double out = e.is_reflex ? 0 : e.radius_mm - (0.5 * (from + to)).norm() + kToolRounding_mm;
+      add(e.a, out);
+      add(e.b, out);
+      // Where it turns back over itself the part that faces outwards ends in the middle of it.
+      if (e.is_reflex && std::max(from.x(), to.x()) > kAngleRounding * e.radius_mm) {
+        add(e.center + Vec2(0, e.radius_mm), 0);
+        add(e.center - Vec2(0, e.radius_mm), 0);
+      }
+      return;
+    }
+    const double rounding = kAngleRounding;
+    if (std::min(from.x(), to.x()) < -rounding * e.radius_mm) return add(e.center, e.radius_mm);
+    const auto angle = [&](double height) { return std::asin(std::clamp(height / e.radius_mm, -1.0, 1.0)); };
+    const double a = std::max(angle(std::min(from.y(), to.y())), angle(z_lo_ - e.center.y()));
+    const double b = std::min(angle(std::max(from.y(), to.y())), angle(z_hi_ - e.center.y()));
+    if (a > b) return;
+    if (high < a - rounding)
+      return add(e.center + e.radius_mm * Vec2(std::cos(a), std::sin(a)), rounding * e.radius_mm);
+    if (low > b + rounding) return add(e.center + e.radius_mm * Vec2(std::cos(b), std::sin(b)), rounding * e.radius_mm);
+    add(e.center, e.radius_mm);
+  }
+
+  std::vector<Disc> discs_;
+  double z_lo_, z_hi_, r_lo_, least_across_;
+};
+
+/// What of the tool comes into the cell lies behind a plane whose direction is fixed in the part: how far the tool
+/// reaches along it changes with the instant nearly linearly. Proof: docs/algorithms/overcut.md, section 4.
+DriftingHalfSpace behind(const CompiledTool& tool, const Vec3& direction, const Vec3& centre, const Chord& chord,
+                         const ToolInterval& interval) {
+  const double around = chord.radius_mm + chord.bulge_mm + kToolRounding_mm;
+  const double z_lo = std::min(chord.q0.z(), chord.q1.z()) - around;
+  const double z_hi = std::max(chord.q0.z(), chord.q1.z()) + around;
+  const double along0 = direction.dot(interval.f0.rows.row(2)), along1 = direction.dot(interval.f1.rows.row(2));
+  const auto angle = [](double along) { return std::asin(std::clamp(along, -1.0, 1.0)); };
+  const double low = std::min(angle(along0), angle(along1)), high = std::max(angle(along0), angle(along1));
+  const double r_lo = std::max(0.0, smallest_radius(chord.q0, chord.q1) - around);
+  const Hull hull(tool, z_lo, z_hi, r_lo, low - interval.turn_rad, high + interval.turn_rad);
+  if (hull.is_empty()) return {direction, -4 * around, 0};
+  const double end0 = direction.dot(interval.f0.tip) + hull.support_mm(along0);
+  const double end1 = direction.dot(interval.f1.tip) + hull.support_mm(along1);
+  const double over = interval.turn_rad * interval.turn_rad * hull.bulge_mm() + interval.sag_mm;
+  return {direction, 0.5 * (end0 + end1) - direction.dot(centre) + over + kToolRounding_mm, end1 - end0};
+}
+
+/// A vector of tool coordinates in the part at the instant of s, near enough.
+Vec3 in_part(const Vec3& tool_vector, double s, const ToolInterval& interval) {
+  const Vec3 at0 = interval.f0.rows.transpose() * tool_vector, at1 = interval.f1.rows.transpose() * tool_vector;
+  return ((0.5 - s) * at0 + (0.5 + s) * at1).normalized();
+}
+
+/// A half-space that the place is not in at the instant of s, where there is one: square to the boundary nearest to it,
+/// or to the axis where that boundary is at other heights than the cell.
+DriftingHalfSpace beside(const CompiledTool& tool, const ToolSample& sample, const Vec3& place, double s,
+                         const Vec3& centre, const Chord& chord, const ToolInterval& interval) {
+  const auto behind_square_to = [&](const Vec3& direction) {
+    return behind(tool, in_part(direction, s, interval), centre, chord, interval);
+  };
+  const auto room = [&](const DriftingHalfSpace& half) {
+    return half.offset_mm + s * half.drift_mm - half.normal.dot(place - centre);
+  };
+  const DriftingHalfSpace half = behind_square_to(support_plane(tool, sample).normal);
+  const Vec3 radial(sample.q.x(), sample.q.y(), 0);
+  if (room(half) < 0 || sample.nearest.signed_distance_mm <= 0 || !(radial.norm() > kToolRounding_mm)) return half;
+  const DriftingHalfSpace other = behind_square_to(radial);
+  return room(other) < room(half) ? other : half;
 }
 
 }  // namespace
@@ -104,7 +205,7 @@ SweptBound SweptTool::bound(const Vec3& centre, double radius, std::uint32_t ind
     bound.is_blunt = std::none_of(sharp_zones_->begin(), sharp_zones_->end(),
                                   [&](const Box2& zone) { return zone.squaredExteriorDistance(q) <= around * around; });
   }
-  bound.half = behind(tool_, middle, chord, interval);
+  bound.half = beside(tool_, middle, centre, 0, centre, chord, interval);
   return bound;
 }
 
@@ -112,7 +213,7 @@ std::optional<DriftingHalfSpace> SweptTool::half_space(const Vec3& point, double
                                                        std::uint32_t index) const {
   const ToolInterval& interval = intervals_[index];
   const Vec3 q = (0.5 - s) * interval.f0.to_tool(point) + (0.5 + s) * interval.f1.to_tool(point);
-  return behind(tool_, sample_tool(tool_, q), Chord(interval, centre, radius), interval);
+  return beside(tool_, sample_tool(tool_, q), point, s, centre, Chord(interval, centre, radius), interval);
 }
 
 std::vector<Box3> SweptTool::extents(const Eigen::Matrix3d& frame, std::uint32_t index, bool is_sharp_only) const {
@@ -121,6 +222,37 @@ std::vector<Box3> SweptTool::extents(const Eigen::Matrix3d& frame, std::uint32_t
   std::vector<Box3> boxes;
   for (const Box2& zone : *sharp_zones_) boxes.push_back(extent(frame, index, zone));
   return boxes;
+}
+
+std::vector<Box3> SweptTool::pieces(const Eigen::Matrix3d& frame, std::uint32_t index, std::size_t zone) const {
+  std::vector<Box3> boxes;
+  for (int k = 0; k < kArcs; ++k) boxes.push_back(extent_of_arc(frame, index, (*sharp_zones_)[zone], k));
+  return boxes;
+}
+
+/// Of one of kArcs equal pieces of such a ring.
+Box3 SweptTool::extent_of_arc(const Eigen::Matrix3d& frame, std::uint32_t index, const Box2& ring, int piece) const {
+  constexpr double kAngle = 2 * std::numbers::pi / kArcs;
+  const ToolInterval& interval = intervals_[index];
+  const double far = ring.max().x() + std::max(std::abs(ring.min().y()), std::abs(ring.max().y()));
+  const double bulge = interval.t1 > interval.t0 ? interval.bulge_mm(far) : 0;
+  const double r_min = std::max(0.0, ring.min().x());
+  Box3 box;
+  for (const ToolFrame* at : {&interval.f0, &interval.f1}) {
+    const Eigen::Matrix3d to_frame = frame * at->rows.transpose();
+    const Vec3 tip = frame * at->tip;
+    for (int end = 0; end < 2; ++end) {
+      const double angle = (piece + end) * kAngle;
+      const Vec3 radial = to_frame * Vec3(std::cos(angle), std::sin(angle), 0);
+      for (const double r : {r_min, ring.max().x()}) {
+        for (const double z : {ring.min().y(), ring.max().y()})
+          box.extend(Vec3(tip + r * radial + z * to_frame.col(2)));
+      }
+    }
+  }
+  // What is between the two ends of an arc is no farther from their chord than that.
+  const double out = ring.max().x() * (1 - std::cos(0.5 * kAngle)) + bulge + kToolRounding_mm;
+  return Box3(Vec3(box.min().array() - out), Vec3(box.max().array() + out));
 }
 
 /// Of the ring that a box of the half plane makes about the axis.

@@ -28,9 +28,13 @@ class SweptTool : public SweptSolid {
                                                             double radius_mm, std::uint32_t interval) const override;
   [[nodiscard]] std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
                                           bool is_sharp_only) const override;
+  [[nodiscard]] std::vector<Box3> pieces(const Eigen::Matrix3d& frame, std::uint32_t interval,
+                                         std::size_t zone) const override;
 
  private:
   [[nodiscard]] Box3 extent(const Eigen::Matrix3d& frame, std::uint32_t index, const Box2& ring) const;
+  [[nodiscard]] Box3 extent_of_arc(const Eigen::Matrix3d& frame, std::uint32_t index, const Box2& ring,
+                                   int piece) const;
 
   const CompiledTool& tool_;
   ToolIntervals intervals_;

@@ -9,7 +9,7 @@ namespace gouge {
 namespace {
 
 std::optional<double> highest(const std::vector<IndexedMesh>& meshes, const Column& column, double enough) {
-  return highest_in_column(build_block_tree(meshes), column, enough);
+  return highest_in_column(build_block_tree(meshes), column, enough, enough);
 }
 
 TEST(ColumnHeight, OfAPlaneFaceIsExact) {
