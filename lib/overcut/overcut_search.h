@@ -32,7 +32,7 @@ struct Overcut {
 /// cell's middle: a linear program bounds the cell to second order in its size.
 ///
 /// Requires part.is_solid(). `seed`: a point in the solid at `seed_t`, where the search begins.
-/// Cost     about 3 microseconds a cell; none for a solid blunt wherever it is in the part, a hundred where a corner is.
+/// Cost     some microseconds a cell; none for a solid blunt wherever it is in the part, some dozens where a corner is.
 /// Source   measure of thesis chapters 4 and 5; proof: docs/algorithms/overcut.md.
 [[nodiscard]] Overcut find_overcut(SweptSolid& solid, const Surface& part, const Vec3& seed, double seed_t,
                                    const OvercutOptions& options = {});
