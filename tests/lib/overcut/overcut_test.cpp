@@ -5,6 +5,7 @@
 #include "lib/overcut/swept_tool.h"
 #include "lib/surface/surface.h"
 #include "tests/support/paths.h"
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
@@ -47,6 +48,33 @@ TEST(Overcut, IsMeasuredOnTheCurvedPartAsWell) {
   const IndexedMesh part = shapes::sphere(30, 60, 120);
   const CheckResult result = check({paths::upright(0, 0, 40), paths::upright(0, 0, 29.8)}, tools::ball(10), part);
   EXPECT_NEAR(*result.verdicts[1].overcut_mm, 0.2, 0.005);
+}
+
+TEST(Overcut, PlanesOfATurningToolHoldAllOfItThatComesIntoTheCell) {
+  test::Scatter random(11);
+  std::size_t in_both = 0, tight = 0;
+  for (int k = 0; k < 400; ++k) {
+    const ToolVariants tool = random.is(0.5) ? tools::ball(10) : tools::flat(10);
+    const double lean = random.in(0, 0.4);
+    const Motion motion({random.point(2), random.axis(lean)}, {random.point(2), random.axis(lean)});
+    SweptTool swept(motion, tool.bare);
+    const double t = random.in(0, 1), radius = random.in(0.2, 3);
+    const Vec3 centre = motion.at(t).tip + random.point(6);
+    const auto half = swept.half_space(centre + radius * random.direction(), t - 0.5, centre, radius, 0);
+    ASSERT_TRUE(half.has_value());
+    double least = 1e300;
+    for (int n = 0; n < 400; ++n) {
+      const double at = random.in(0, 1);
+      const Vec3 y = radius * random.in(0, 1) * random.direction();
+      if (swept.distance_at(centre + y, at) > 0) continue;
+      ++in_both;
+      least = std::min(least, half->offset_mm + (at - 0.5) * half->drift_mm - half->normal.dot(y));
+    }
+    EXPECT_GE(least, 0) << k;
+    tight += least < 0.1 * radius ? 1U : 0U;
+  }
+  EXPECT_GT(in_both, 10000U);
+  EXPECT_GT(tight, 50U);
 }
 
 TEST(Overcut, OfARibCutThroughIsHalfItsThickness) {
