@@ -6,17 +6,22 @@
 
 namespace gouge {
 
+/// A gap that leaves a value open: that it is above the tolerance is all that is wanted.
+inline constexpr double kAnyGap_mm = 1e6;
+
 /// When a search for a largest value may stop.
 struct SearchGoal {
   double tolerance_mm = 0;   ///< enough is a proof that the value is at most this ...
   double resolution_mm = 0;  ///< ... plus this;
-  double gap_mm = 0;         ///< above the tolerance the value itself is wanted, to this gap
+  double gap_mm = 0;         ///< above the tolerance the value itself is wanted, to this gap (kAnyGap_mm: it is not)
   std::uint64_t budget = 0;  ///< bounds to compute before giving up
 
   /// Candidates whose upper bound is no larger need no further look once `value_mm` was measured.
   [[nodiscard]] double pruning_threshold_mm(double value_mm) const {
     return value_mm > tolerance_mm ? value_mm + gap_mm : tolerance_mm + resolution_mm;
   }
+  /// Whether nothing more is wanted once `value_mm` was measured.
+  [[nodiscard]] bool is_met_by(double value_mm) const { return gap_mm >= kAnyGap_mm && value_mm > tolerance_mm; }
 };
 
 /// What the search needs of a candidate; those of the searches derive from it.

@@ -1,15 +1,10 @@
 #include "lib/certify/motion_checker.h"
 
+#include "lib/base/best_first_search.h"
 #include "lib/check/check_move.h"
 #include "lib/head/check_heads.h"
 
 namespace gouge {
-namespace {
-
-constexpr double kAnyGap_mm = 1e6;  // how far the depth of a gouge is left open when only the verdict counts
-
-}  // namespace
-
 MotionChecker::MotionChecker(const CheckSetup& setup) : scene_(setup.scene), options_(setup.options) {
   if (!setup.heads.empty() && scene_.is_within_reach) heads_ = std::make_unique<HeadChecker>(setup.heads, scene_);
 }

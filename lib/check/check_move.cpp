@@ -11,8 +11,6 @@
 namespace gouge {
 namespace {
 
-constexpr double kAnyGap_mm = 1e6;  // how far a depth is left open when only the verdict counts
-
 using Targets = std::vector<SearchTarget>;
 
 Targets whole_tool(const ToolVariants& tool, const PreparedScene& scene) {
@@ -37,7 +35,7 @@ SearchQuery query(const CheckOptions& options, double reach, double tolerance) {
   return {{tolerance, options.resolution_mm, gap, options.budget_per_move}, reach};
 }
 
-/// What the wide sweep says of one move: a result for each query that may be asked, null where it is not.
+/// What the wide sweep says of one move: a result for each query, null where it was not asked.
 struct Swept {
   const SweptMove* depth = nullptr;
   const SweptMove* clearance = nullptr;
@@ -51,7 +49,7 @@ class MoveChecker {
       : motion_(motion), kind_(kind), tool_(tool), scene_(scene), options_(options), swept_(swept) {}
 
   MoveVerdict run() {
-    const SearchResult depth = finish(whole(), 0, options_.tolerance_mm, *swept_.depth);
+    const SearchResult depth = finish(whole(), 0, options_.tolerance_mm, swept_.depth);
     set_depth(depth, whole());
     // By the witness, as anyone would compute it: the search may differ from it in the last digits.
     const bool is_deep = verdict_.depth_mm > options_.tolerance_mm;
@@ -73,9 +71,10 @@ class MoveChecker {
  private:
   [[nodiscard]] Targets whole() const { return whole_tool(tool_, scene_); }
 
-  SearchResult finish(const Targets& targets, double reach, double tolerance, const SweptMove& swept) {
-    const SearchResult outcome = search_move(motion_, targets, query(options_, reach, tolerance), swept.start);
-    bounds_ += outcome.bounds + swept.bounds;
+  SearchResult finish(const Targets& targets, double reach, double tolerance, const SweptMove* swept) {
+    if (swept == nullptr) return ask(targets, reach, tolerance);
+    const SearchResult outcome = search_move(motion_, targets, query(options_, reach, tolerance), swept->start);
+    bounds_ += outcome.bounds + swept->bounds;
     is_decided_ = is_decided_ && outcome.is_decided;
     return outcome;
   }
@@ -136,7 +135,7 @@ class MoveChecker {
   // Any depth in a body with a clearance is a gouge, so the whole depth is then wanted to the resolution.
   void check_clearances(const SearchResult& depth) {
     const Targets offset_targets = clearance_bodies(tool_, scene_);
-    const SearchResult entered = finish(offset_targets, 0, 0, *swept_.clearance);
+    const SearchResult entered = finish(offset_targets, 0, 0, swept_.clearance);
     if (!entered.has_witness) return;
     const ToolPoint position = locate(entered);
     if (!(signed_distance_mm(*offset_targets[entered.at.target].tool, position.r, position.z) < 0)) {
@@ -200,7 +199,7 @@ class MoveChecker {
 
   void check_near_miss() {
     const Targets watched = watched_bodies(tool_, scene_, kind_);
-    const SearchResult outcome = finish(watched, options_.near_miss_mm, 0, *swept_.near_miss);
+    const SearchResult outcome = finish(watched, options_.near_miss_mm, 0, swept_.near_miss);
     if (!outcome.has_witness) {
       if (!is_decided_) give_up();
       return;
@@ -280,19 +279,26 @@ void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kind
                                    [](const Motion& motion) { return why_unfit(motion) == Reason::Kind::none; });
   if (!are_fit) return check_fit_moves(motions, kinds, tool, scene, options, verdicts, bounds);
   std::vector<SweptMove> clearance, near_feed, near_rapid;
-  const std::vector<SweptMove> depth =
-      sweep_moves(motions, whole_tool(tool, scene), query(options, 0, options.tolerance_mm));
-  if (!tool.with_clearance.elements.empty())
+  const SearchQuery deep = query(options, 0, options.tolerance_mm);
+  const std::vector<SweptMove> depth = sweep_moves(motions, whole_tool(tool, scene), deep);
+  // Where it is enough that all gouge nothing else is asked of them.
+  const bool is_told =
+      std::ranges::all_of(depth, [&](const SweptMove& swept) { return deep.is_met_by(swept.start.value_mm); });
+  if (!is_told && !tool.with_clearance.elements.empty())
     clearance = sweep_moves(motions, clearance_bodies(tool, scene), query(options, 0, 0));
-  if (options.near_miss_mm > 0) {
+  if (!is_told && options.near_miss_mm > 0) {
     const SearchQuery near = query(options, options.near_miss_mm, 0);
-    near_feed = sweep_moves(motions, watched_bodies(tool, scene, MoveKind::feed), near);
-    near_rapid = sweep_moves(motions, watched_bodies(tool, scene, MoveKind::rapid), near);
+    const auto is_rapid = [](MoveKind kind) { return kind == MoveKind::rapid; };
+    if (!std::ranges::all_of(kinds, is_rapid))
+      near_feed = sweep_moves(motions, watched_bodies(tool, scene, MoveKind::feed), near);
+    if (std::ranges::any_of(kinds, is_rapid))
+      near_rapid = sweep_moves(motions, watched_bodies(tool, scene, MoveKind::rapid), near);
   }
   for (std::size_t m = 0; m < motions.size(); ++m) {
     Swept swept{&depth[m]};
     if (!clearance.empty()) swept.clearance = &clearance[m];
-    if (!near_feed.empty()) swept.near_miss = kinds[m] == MoveKind::rapid ? &near_rapid[m] : &near_feed[m];
+    if (const std::vector<SweptMove>& near = kinds[m] == MoveKind::rapid ? near_rapid : near_feed; !near.empty())
+      swept.near_miss = &near[m];
     MoveChecker checker(motions[m], kinds[m], tool, scene, options, swept);
     verdicts[m] = checker.run();
     bounds[m] += checker.bounds();

@@ -99,6 +99,8 @@ class Sweep {
 
   /// The signed distance to prove for a move, given the deepest point met on it.
   [[nodiscard]] float need(double value_mm) const {
+    // Which any bound meets, that of what no piece bounds, too.
+    if (query_.is_met_by(value_mm)) return std::numeric_limits<float>::lowest();
     const double distance = query_.reach_mm - query_.pruning_threshold_mm(value_mm);
     return std::nextafter(static_cast<float>(distance), std::numeric_limits<float>::max());
   }
