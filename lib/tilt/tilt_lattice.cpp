@@ -27,9 +27,17 @@ constexpr int kMostStrikes = 24;  // ... or motions struck out: what refuses the
 /// all, as no other way lost a tilt that is free.
 class Lattice {
  public:
-  /// `near`: null, or the sequence that tilts may be no farther from than `reach_rad`.
-  Lattice(const TiltSpace& space, int steps, unsigned threads, const TiltSequence* near, double reach_rad)
-      : space_(space), threads_(threads), near_(near), reach_rad_(reach_rad), proofs_(space) {
+  /// `near`: null, or the sequence that tilts may be no farther from than `reach_rad`. `refusing`: what other lattices
+  /// learned at each position.
+  Lattice(const TiltSpace& space, int steps, unsigned threads, std::vector<RefusingPoints>& refusing,
+          const TiltSequence* near, double reach_rad)
+      : space_(space),
+        threads_(threads),
+        refusing_(refusing),
+        near_(near),
+        reach_rad_(reach_rad),
+        first_at_once_(near != nullptr ? 1 : static_cast<std::size_t>(steps / kCoarseSteps * (steps / kCoarseSteps))),
+        proofs_(space) {
     const TiltOptions& options = space.task().options;
     // A little inwards, where the largest tilts are still within their margin.
     const double step_rad = options.max_tilt_rad / steps * 0.999;
@@ -81,7 +89,6 @@ class Lattice {
     std::vector<Node> open;     ///< that were not refused; the smallest tilts first
     std::vector<bool> is_free;  ///< of each open one, whether that is known
     std::size_t at_once = 1;    ///< how many more to look at where the one that was taken is refused
-    RefusingPoints refusing;
 
     void refuse(const std::vector<Node>& refused) {
       std::size_t kept = 0;
@@ -110,6 +117,7 @@ class Lattice {
     is_layer_[i] = true;
     Layer layer;
     layer.position = i;
+    layer.at_once = first_at_once_;
     if (const auto& given = space_[i].given) {
       layer.open = {node_of(*given)};
     } else {
@@ -133,7 +141,8 @@ class Lattice {
   [[nodiscard]] bool look_at_all(Layer& layer) {
     std::vector<Node> refused;
     for (std::size_t k = 0; k < layer.open.size(); ++k) {
-      layer.is_free[k] = layer.is_free[k] || space_.is_free(layer.position, nodes_[layer.open[k]], &layer.refusing);
+      layer.is_free[k] =
+          layer.is_free[k] || space_.is_free(layer.position, nodes_[layer.open[k]], &refusing_[layer.position]);
       if (!layer.is_free[k]) refused.push_back(layer.open[k]);
     }
     layer.refuse(refused);
@@ -145,7 +154,7 @@ class Lattice {
   [[nodiscard]] bool is_free(Layer& layer, Node taken) {
     const auto index = static_cast<std::size_t>(std::ranges::find(layer.open, taken) - layer.open.begin());
     if (layer.is_free[index]) return true;
-    layer.is_free[index] = space_.is_free(layer.position, nodes_[taken], &layer.refusing);
+    layer.is_free[index] = space_.is_free(layer.position, nodes_[taken], &refusing_[layer.position]);
     if (layer.is_free[index]) return true;
     std::vector<std::size_t> others;
     for (std::size_t k = 0; k < layer.open.size(); ++k) {
@@ -157,7 +166,7 @@ class Lattice {
     layer.at_once *= 2;
     std::vector<Node> refused = {taken};
     for (const std::size_t k : others) {
-      layer.is_free[k] = space_.is_free(layer.position, nodes_[layer.open[k]], &layer.refusing);
+      layer.is_free[k] = space_.is_free(layer.position, nodes_[layer.open[k]], &refusing_[layer.position]);
       if (!layer.is_free[k]) refused.push_back(layer.open[k]);
     }
     layer.refuse(refused);
@@ -254,8 +263,10 @@ class Lattice {
 
   const TiltSpace& space_;
   unsigned threads_;
+  std::vector<RefusingPoints>& refusing_;  // at each position
   const TiltSequence* near_;
   double reach_rad_;
+  std::size_t first_at_once_;        // as many as lie about a tilt where a coarser lattice has one
   std::vector<Tilt> nodes_;          // of the lattice, the smallest first; then those that are given
   Node choices_ = 0;                 // how many are of the lattice
   std::vector<double> changes_rad_;  // the largest from each position to the next
@@ -269,13 +280,14 @@ class Lattice {
 
 LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful) {
   LatticeResult found;
+  std::vector<RefusingPoints> refusing(space.size());
   for (int level = 0, steps = kCoarseSteps; level < kLevels; ++level, steps *= 2) {
-    found = Lattice(space, steps, threads, nullptr, 0).find(doubtful);
+    found = Lattice(space, steps, threads, refusing, nullptr, 0).find(doubtful);
     if (found.blocked) doubtful = found.blocked;
     if (!found.sequence) continue;
     const double reach_rad = kTube * space.task().options.max_tilt_rad / steps;
     LatticeResult finer =
-        Lattice(space, kFinerPerStep * steps, threads, &*found.sequence, reach_rad).find(std::nullopt);
+        Lattice(space, kFinerPerStep * steps, threads, refusing, &*found.sequence, reach_rad).find(std::nullopt);
     if (finer.sequence) found = std::move(finer);
     break;
   }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "lib/base/best_first_search.h"
 #include "lib/contact/aims.h"
 #include "lib/contact/contacts.h"
 #include "lib/path/path_info.h"
@@ -17,7 +18,6 @@ namespace {
 constexpr double kBend = 0.5;  // of the tolerance
 constexpr double kAccuracy_mm = 2e-4;
 constexpr double kSurely_mm = 1e-6;  // beyond rounding
-constexpr double kAnyGap_mm = 1e6;   // how deep a gouge is does not matter
 constexpr std::size_t kMostRefusing = 24;
 constexpr int kMostRaises = 12;
 constexpr double kLimitMargin_rad = 2e-4;  // positions keep so much of the limits for what lies between them
@@ -51,12 +51,19 @@ CheckOptions TiltSpace::options_for(double tolerance_share) const {
   return options;
 }
 
-std::optional<Pose> TiltSpace::pose(std::size_t i, const Tilt& tilt) const {
+Pose TiltSpace::kept_pose(std::size_t i, const Tilt& tilt) const {
   const TiltPosition& at = positions_[i];
   if (!(tilt.norm() > 0)) return at.programmed;
-  Pose pose{at.programmed.tip, at.axis_for(tilt)};
-  pose.tip = at.pivot.tip_for(pose.axis);
-  if (!task_.may_raise) return pose;
+  const Vec3 axis = at.axis_for(tilt);
+  return {at.pivot.tip_for(axis), axis};
+}
+
+double TiltSpace::most_raise_mm() const { return task_.may_raise ? task_.options.max_raise_mm : 0; }
+
+std::optional<Pose> TiltSpace::pose(std::size_t i, const Tilt& tilt) const {
+  Pose pose = kept_pose(i, tilt);
+  if (!task_.may_raise || !(tilt.norm() > 0)) return pose;
+  const TiltPosition& at = positions_[i];
   const double aim = at.tolerance_share * task_.checker->options().tolerance_mm;
   double raised_mm = 0;
   for (int k = 0; k < kMostRaises; ++k) {
@@ -69,8 +76,9 @@ std::optional<Pose> TiltSpace::pose(std::size_t i, const Tilt& tilt) const {
   return std::nullopt;
 }
 
-bool TiltSpace::is_refused(const Pose& pose, const CheckOptions& options, RefusingPoints& refusing) const {
-  const double allowed = options.tolerance_mm + options.resolution_mm + kSurely_mm;
+bool TiltSpace::is_refused(const Pose& pose, double deeper_mm, const CheckOptions& options,
+                           RefusingPoints& refusing) const {
+  const double allowed = options.tolerance_mm + options.resolution_mm + kSurely_mm + deeper_mm;
   const auto found = std::ranges::find_if(refusing, [&](const Witness& in) {
     const CompiledTool& tool = in.against == Against::part ? task_.tool->against_part : task_.tool->against_fixture;
     return signed_distance_mm(tool, pose, in.point) < -allowed;
@@ -85,10 +93,12 @@ bool TiltSpace::is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusin
   if (tilt.norm() > task_.options.max_tilt_rad - kLimitMargin_rad) return false;
   const auto& cone = task_.options.cone;
   if (cone && angle_between_rad(at.axis_for(tilt), cone->axis) > cone->half_angle_rad - kLimitMargin_rad) return false;
+  CheckOptions options = options_for(at.tolerance_share);
+  // A tool that rises by so much takes no point farther out of it.
+  if (refusing != nullptr && is_refused(kept_pose(i, tilt), most_raise_mm(), options, *refusing)) return false;
   const std::optional<Pose> pose = this->pose(i, tilt);
   if (!pose) return false;
-  CheckOptions options = options_for(at.tolerance_share);
-  if (refusing != nullptr && is_refused(*pose, options, *refusing)) return false;
+  if (refusing != nullptr && task_.may_raise && is_refused(*pose, 0, options, *refusing)) return false;
   options.near_miss_mm = kAir_mm;
   options.gouge_gap_mm = kAnyGap_mm;
   // From an end of the run, which is outside, clean motions lead to every position of a proven sequence.

@@ -87,7 +87,12 @@ class TiltSpace {
   [[nodiscard]] bool stays_within_limits(std::size_t i, const Pose& from, std::size_t k, const Pose& to) const;
   [[nodiscard]] double largest_turn_rad(std::size_t i, std::size_t k) const;
   [[nodiscard]] CheckOptions options_for(double tolerance_share) const;
-  [[nodiscard]] bool is_refused(const Pose& pose, const CheckOptions& options, RefusingPoints& refusing) const;
+  /// The contact kept, and not raised.
+  [[nodiscard]] Pose kept_pose(std::size_t i, const Tilt& tilt) const;
+  [[nodiscard]] double most_raise_mm() const;
+  /// Whether a point is deeper in the tool than it may be, and by `deeper_mm` more.
+  [[nodiscard]] bool is_refused(const Pose& pose, double deeper_mm, const CheckOptions& options,
+                                RefusingPoints& refusing) const;
 
   std::vector<TiltPosition> positions_;
   TiltTask task_;
