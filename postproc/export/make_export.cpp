@@ -105,7 +105,7 @@ class ExportMaker {
       if (soup.triangles.empty()) continue;
       Result<BuiltMesh> built = build_mesh(soup);
       if (!built) continue;
-      bodies.push_back({Surface(std::move(built->mesh)), {}, {}, {}});
+      bodies.push_back({Surface(std::move(built->mesh)), {}, {}, {}, {}, {}});
       names.push_back(label + " " + body_name(body));
       kinds.push_back(body);
     }
