@@ -44,59 +44,72 @@ void for_each_along_curve(int width, int height, At&& at) {
 
 }  // namespace
 
-PixelPoints pixel_points(const SurfaceBuffer& buffer) {
-  PixelPoints out;
-  out.source.assign(buffer.z.size(), kNoFace);
-  out.pixels.reserve(buffer.z.size() / 4 + 64);
+std::vector<PixelPoint> pixel_points(const SurfaceBuffer& buffer) {
+  std::vector<PixelPoint> points;
+  points.reserve(buffer.z.size() / 4 + 64);
   const View& view = buffer.view;
   const auto reach = static_cast<float>(4 * view.mm_per_pixel);
-  const auto take = [&](std::size_t i, std::size_t lead) {
-    if (buffer.face[i] == kNoFace) return;
-    if (lead != i && buffer.face[lead] != kNoFace && std::abs(buffer.z[lead] - buffer.z[i]) < reach) {
-      out.source[i] = out.source[lead];
-      return;
-    }
-    out.source[i] = static_cast<std::uint32_t>(out.pixels.size());
-    out.pixels.push_back(static_cast<std::uint32_t>(i));
-  };
   for_each_along_curve((view.width + 1) / 2, (view.height + 1) / 2, [&](int column, int row) {
     const std::size_t lead = buffer.index(2 * column, 2 * row);
-    for (int y = 2 * row; y < std::min(2 * row + 2, view.height); ++y) {
-      for (int x = 2 * column; x < std::min(2 * column + 2, view.width); ++x) take(buffer.index(x, y), lead);
+    const float z = buffer.z[lead];
+    const bool has_lead = buffer.face[lead] != kNoFace;
+    std::uint8_t covers = 0;  // what the lead stands for
+    std::array<PixelPoint, 4> alone;
+    std::size_t more = 0;
+    for (int k = 0; k < 4; ++k) {
+      const int x = 2 * column + k % 2, y = 2 * row + k / 2;
+      if (x >= view.width || y >= view.height) continue;
+      const std::size_t i = buffer.index(x, y);
+      if (buffer.face[i] == kNoFace) continue;
+      const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(k));
+      if (has_lead && (k == 0 || std::abs(z - buffer.z[i]) < reach))
+        covers = static_cast<std::uint8_t>(covers | bit);
+      else
+        alone[more++] = {x, y, bit};
     }
+    if (covers != 0) points.push_back({2 * column, 2 * row, covers});
+    points.insert(points.end(), alone.begin(), alone.begin() + static_cast<std::ptrdiff_t>(more));
   });
-  return out;
+  return points;
 }
 
-std::vector<float> PixelPoints::spread(const std::vector<float>& values) const {
-  std::vector<float> out(source.size(), 0.0F);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (source[i] != kNoFace) out[i] = values[source[i]];
+std::vector<float> spread(const SurfaceBuffer& buffer, const std::vector<PixelPoint>& points,
+                          const std::vector<float>& values) {
+  std::vector<float> out;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (!(values[p] > 0)) continue;
+    if (out.empty()) out.resize(buffer.z.size(), 0.0F);
+    const PixelPoint& point = points[p];
+    for (int k = 0; k < 4; ++k) {
+      if ((point.covers >> k & 1) != 0) out[buffer.index(point.x / 2 * 2 + k % 2, point.y / 2 * 2 + k / 2)] = values[p];
+    }
   }
   return out;
 }
 
 std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& scene, const SurfaceBuffer& buffer) {
-  if (field.is_empty()) return std::vector<float>(buffer.z.size(), 0.0F);
-  const PixelPoints seen = pixel_points(buffer);
+  if (field.is_empty()) return {};
+  const std::vector<PixelPoint> seen = pixel_points(buffer);
   std::vector<FieldPoint> points;
-  points.reserve(seen.pixels.size());
-  for (const std::uint32_t i : seen.pixels) points.push_back({buffer.point(i), scene.is_fixture(buffer.face[i])});
-  return seen.spread(field.depth_at(points));
+  points.reserve(seen.size());
+  for (const PixelPoint& p : seen)
+    points.push_back({buffer.point(p.x, p.y), scene.is_fixture(buffer.face[buffer.index(p.x, p.y)])});
+  return spread(buffer, seen, field.depth_at(points));
 }
 
 std::vector<float> overcut_on_pixels(const OvercutField& field, const PictureScene& scene,
                                      const SurfaceBuffer& buffer) {
-  const PixelPoints seen = pixel_points(buffer);
+  const std::vector<PixelPoint> seen = pixel_points(buffer);
   std::vector<OvercutField::Ray> rays;
-  rays.reserve(seen.pixels.size());
-  for (const std::uint32_t i : seen.pixels) {
-    const std::uint32_t face = buffer.face[i];
+  rays.reserve(seen.size());
+  for (const PixelPoint& p : seen) {
+    const std::uint32_t face = buffer.face[buffer.index(p.x, p.y)];
     const Vec3 normal = scene.area_normal(face);
     const double length = normal.norm();
-    rays.push_back({buffer.point(i), length > 0 ? Vec3(-normal / length) : Vec3(-Vec3::UnitZ()), scene.mesh_of(face)});
+    rays.push_back(
+        {buffer.point(p.x, p.y), length > 0 ? Vec3(-normal / length) : Vec3(-Vec3::UnitZ()), scene.mesh_of(face)});
   }
-  return seen.spread(field.at(rays));
+  return spread(buffer, seen, field.at(rays));
 }
 
 }  // namespace gouge

@@ -9,20 +9,21 @@
 
 namespace gouge {
 
-/// The surface points a picture is coloured by: one for neighbouring pixels (2 x 2) that lie on one piece of
-/// surface. Neighbours in the list are neighbours in the picture.
-struct PixelPoints {
-  std::vector<std::uint32_t>
-      pixels;  ///< of each point: it lies in the middle of this one, the first of those it is for
-  std::vector<std::uint32_t> source;  ///< by pixel: its point, kNoFace where nothing is seen
-
-  /// A value for every pixel from one for every point; 0 where nothing is seen.
-  [[nodiscard]] std::vector<float> spread(const std::vector<float>& values) const;
+/// A surface point that a picture is coloured by: one for neighbouring pixels (2 x 2) that lie on one piece of surface.
+struct PixelPoint {
+  int x = 0, y = 0;  ///< it lies in the middle of this pixel, the first of those it is for
+  /// Of the square of 2 x 2 pixels that has this one, those it is for: bit x + 2 y.
+  std::uint8_t covers = 0;
 };
 
-[[nodiscard]] PixelPoints pixel_points(const SurfaceBuffer& buffer);
+/// The points of all pixels that show a face. Neighbours in the list are neighbours in the picture.
+[[nodiscard]] std::vector<PixelPoint> pixel_points(const SurfaceBuffer& buffer);
 
-/// The depth for every pixel of a buffer, mm; 0 where nothing is seen or gouged.
+/// A value for every pixel from one for every point; 0 where nothing is seen. Empty where all are 0.
+[[nodiscard]] std::vector<float> spread(const SurfaceBuffer& buffer, const std::vector<PixelPoint>& points,
+                                        const std::vector<float>& values);
+
+/// The depth for every pixel of a buffer, mm; 0 where nothing is seen or gouged. Empty where nothing is gouged.
 [[nodiscard]] std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& scene,
                                                  const SurfaceBuffer& buffer);
 /// The same of overcuts.

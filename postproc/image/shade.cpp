@@ -39,6 +39,9 @@ constexpr int kBorder = 10;             // blocks a neighbour may be outside the
 constexpr float kNothing = -1e15F;      // as deep as where nothing is seen
 constexpr double kAlike = 0.998;        // of faces so much in line no eye could tell the light apart
 
+Vec3 key_light() { return Vec3(-0.45, 0.75, 0.75).normalized(); }
+Vec3 fill_light() { return Vec3(0.8, 0.1, 0.6).normalized(); }
+
 /// The depth of the first pixel of every block, with a border of nothing.
 class BlockDepths {
  public:
@@ -71,37 +74,92 @@ class BlockDepths {
   std::vector<float> z_;
 };
 
-/// Normals as the view sees them: x right, y down, z towards the viewer.
-struct ViewNormals {
-  explicit ViewNormals(std::size_t count) : x(count), y(count), z(count), hidden(count) {}
-  std::vector<float> x, y, z;
-  std::vector<float> hidden;
+/// Of a run of blocks, each value a list: normals as the view sees them, x right, y down and z towards the viewer; how
+/// much of the sky over them their surroundings hide, 0 to 1; and their light.
+struct LitBlocks {
+  explicit LitBlocks(std::size_t count) : x(count), y(count), z(count), hidden(count), light(count) {}
+  std::vector<float> x, y, z, hidden, light;
+
+  /// Of any length, to either side.
+  void set(std::size_t at, const Eigen::Vector3f& right_up_toward) {
+    x[at] = right_up_toward.x();
+    y[at] = -right_up_toward.y();
+    z[at] = right_up_toward.z();
+  }
 };
 
-// What one neighbour hides of the sky over each of `count` blocks, whose normals are those from `at` on.
-GOUGE_WIDE void add_hidden(const float* z, const float* neighbour, const Offset& o, float per_mm, ViewNormals& n,
-                           std::size_t at, std::size_t count) {
-  const auto ox = static_cast<float>(o.x), oy = static_cast<float>(o.y), across = ox * ox + oy * oy;
-  const float* const nx = n.x.data() + at;
-  const float* const ny = n.y.data() + at;
-  const float* const nz = n.z.data() + at;
-  float* const hidden = n.hidden.data() + at;
+// Makes the normals unit and turns them to the viewer.
+GOUGE_WIDE void turn_to_viewer(LitBlocks& lit, std::size_t at, std::size_t count) {
+  float* const x = lit.x.data() + at;
+  float* const y = lit.y.data() + at;
+  float* const z = lit.z.data() + at;
   for (std::size_t i = 0; i < count; ++i) {
-    const float dz = (neighbour[i] - z[i]) * per_mm;
-    const float length = std::sqrt(across + dz * dz);
-    const float rise = (ox * nx[i] + oy * ny[i] + dz * nz[i]) / length - 0.12F;
-    const float near = 1 - length * kPerReach;
-    hidden[i] += (rise > 0 ? rise : 0) * (near > 0 ? near : 0);
+    const float length = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    const bool has_length = length > 0;
+    const float per_length = (z[i] < 0 ? -1.0F : 1.0F) / (has_length ? length : 1.0F);
+    x[i] = has_length ? x[i] * per_length : 0.0F;
+    y[i] = has_length ? y[i] * per_length : 0.0F;
+    z[i] = has_length ? z[i] * per_length : 1.0F;
   }
 }
 
-// How much of the sky over `count` blocks from one on their surroundings hide, 0 to 1: corners and grooves get their
-// depth from it. `z` are the blocks' own.
-void find_hidden(const BlockDepths& blocks, int column, int row, const float* z, float per_mm, ViewNormals& n,
-                 std::size_t at, std::size_t count) {
-  std::fill_n(n.hidden.data() + at, count, 0.0F);
-  for (const Offset& o : kNeighbours) add_hidden(z, blocks.neighbour(column, row, o), o, per_mm, n, at, count);
-  for (std::size_t i = at; i < at + count; ++i) n.hidden[i] = std::min(1.0F, n.hidden[i] / 5);
+constexpr float kRise = 0.12F;         // what rises less over a surface hides nothing of its sky
+constexpr std::size_t kTogether = 32;  // blocks looked at in one, for mostly nothing hides any of them
+constexpr float kLeastRiseSquare = 0.0143F, kMostReachSquare = 1601.0F;  // a little wider than kRise and kPerReach
+
+// What one neighbour hides of the sky over each of `count` blocks from `at` on.
+GOUGE_WIDE void add_hidden(const float* z, const float* neighbour, const Offset& o, float per_mm, LitBlocks& lit,
+                           std::size_t at, std::size_t count) {
+  const auto ox = static_cast<float>(o.x), oy = static_cast<float>(o.y), across = ox * ox + oy * oy;
+  const float* const nx = lit.x.data() + at;
+  const float* const ny = lit.y.data() + at;
+  const float* const nz = lit.z.data() + at;
+  float* const hidden = lit.hidden.data() + at;
+  for (std::size_t first = 0; first < count; first += kTogether) {
+    const std::size_t last = std::min(first + kTogether, count);
+    int may_hide = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      const float dz = (neighbour[i] - z[i]) * per_mm;
+      const float square = across + dz * dz;
+      const float rise = ox * nx[i] + oy * ny[i] + dz * nz[i];
+      may_hide |= static_cast<int>(rise > 0) & static_cast<int>(rise * rise > kLeastRiseSquare * square) &
+                  static_cast<int>(square < kMostReachSquare);
+    }
+    if (may_hide == 0) continue;
+    for (std::size_t i = first; i < last; ++i) {
+      const float dz = (neighbour[i] - z[i]) * per_mm;
+      const float length = std::sqrt(across + dz * dz);
+      const float rise = (ox * nx[i] + oy * ny[i] + dz * nz[i]) / length - kRise;
+      const float near = 1 - length * kPerReach;
+      hidden[i] += (rise > 0 ? rise : 0) * (near > 0 ? near : 0);
+    }
+  }
+}
+
+// light_on, less what the surroundings hide: corners and grooves get their depth from it.
+GOUGE_WIDE void find_light(LitBlocks& lit, std::size_t at, std::size_t count) {
+  const Eigen::Vector3f key = key_light().cast<float>(), fill = fill_light().cast<float>();
+  const float* const x = lit.x.data() + at;
+  const float* const y = lit.y.data() + at;
+  const float* const z = lit.z.data() + at;
+  const float* const hidden = lit.hidden.data() + at;
+  float* const light = lit.light.data() + at;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float from_key = x[i] * key.x() - y[i] * key.y() + z[i] * key.z();
+    const float from_fill = x[i] * fill.x() - y[i] * fill.y() + z[i] * fill.z();
+    const float lit_by = 0.44F + 0.50F * (from_key > 0 ? from_key : 0) + 0.16F * (from_fill > 0 ? from_fill : 0);
+    const float share = hidden[i] / 5;
+    light[i] = lit_by * (1 - 0.55F * (share < 1 ? share : 1));
+  }
+}
+
+// The light of `count` blocks from one on, whose normals are those from `at` on. `z` are the blocks' own.
+void light_blocks(const BlockDepths& blocks, int column, int row, const float* z, float per_mm, LitBlocks& lit,
+                  std::size_t at, std::size_t count) {
+  turn_to_viewer(lit, at, count);
+  std::fill_n(lit.hidden.data() + at, count, 0.0F);
+  for (const Offset& o : kNeighbours) add_hidden(z, blocks.neighbour(column, row, o), o, per_mm, lit, at, count);
+  find_light(lit, at, count);
 }
 
 std::uint8_t level(double value) { return static_cast<std::uint8_t>(value + 0.5); }
@@ -122,40 +180,27 @@ class Shader {
         scale_(scale),
         blocks_(blocks),
         normals_at_(scene, buffer.view),
-        normals_(static_cast<std::size_t>(blocks.columns)),
+        lit_(static_cast<std::size_t>(blocks.columns)),
         one_(1) {}
 
   void paint(Raster& raster, int row) {
     const int y = kBlock * row;
     int first = blocks_.columns, last = 0;  // with surface
     for (int column = 0; column < blocks_.columns; ++column) {
-      const std::size_t i = buffer_.index(kBlock * column, y);
-      if (buffer_.face[i] == kNoFace) continue;
-      set(normals_, static_cast<std::size_t>(column), buffer_.face[i], kBlock * column, y);
+      const std::uint32_t face = buffer_.face[buffer_.index(kBlock * column, y)];
+      if (face == kNoFace) continue;
+      lit_.set(static_cast<std::size_t>(column), normals_at_.in_view(face, kBlock * column, y));
       first = std::min(first, column);
       last = column + 1;
     }
     if (first < last)
-      find_hidden(blocks_, first, row, blocks_.at(first, row), per_mm(), normals_, static_cast<std::size_t>(first),
-                  static_cast<std::size_t>(last - first));
+      light_blocks(blocks_, first, row, blocks_.at(first, row), per_mm(), lit_, static_cast<std::size_t>(first),
+                   static_cast<std::size_t>(last - first));
     for (int column = 0; column < blocks_.columns; ++column) paint_block(raster, column, row);
   }
 
  private:
   [[nodiscard]] float per_mm() const { return static_cast<float>(1 / buffer_.view.mm_per_pixel); }
-
-  void set(ViewNormals& n, std::size_t at, std::uint32_t face, int x, int y) {
-    const View& view = buffer_.view;
-    const Vec3 normal = normals_at_(face, x, y);
-    n.x[at] = static_cast<float>(normal.dot(view.right));
-    n.y[at] = static_cast<float>(-normal.dot(view.up));
-    n.z[at] = static_cast<float>(normal.dot(view.toward));
-  }
-
-  [[nodiscard]] static double light(const ViewNormals& n, std::size_t i) {
-    const double lit = light_on(static_cast<double>(n.x[i]), -static_cast<double>(n.y[i]), static_cast<double>(n.z[i]));
-    return lit * (1 - 0.55 * static_cast<double>(n.hidden[i]));
-  }
 
   /// Pixels of one face mostly follow each other, so the last answer is kept.
   [[nodiscard]] bool is_alike(std::uint32_t face, std::uint32_t lead) {
@@ -170,30 +215,47 @@ class Shader {
   }
 
   void paint_block(Raster& raster, int column, int row) {
-    const std::size_t first = buffer_.index(kBlock * column, kBlock * row);
+    const int x = kBlock * column, y = kBlock * row;
+    const std::size_t first = buffer_.index(x, y);
     const std::uint32_t lead = buffer_.face[first];
-    const double lead_light = lead != kNoFace ? light(normals_, static_cast<std::size_t>(column)) : 0;
-    const std::uint8_t* painted = nullptr;
-    for (int y = kBlock * row; y < std::min(kBlock * row + kBlock, raster.height); ++y) {
-      for (int x = kBlock * column; x < std::min(kBlock * column + kBlock, raster.width); ++x) {
-        const std::size_t i = buffer_.index(x, y);
+    const double lead_light = static_cast<double>(lit_.light[static_cast<std::size_t>(column)]);
+    if (lead != kNoFace && is_uniform(x, y)) {
+      std::uint8_t* const pixel = raster.pixel(x, y);
+      colour(pixel, first, lead_light);
+      std::copy_n(pixel, 3, pixel + 3);
+      std::copy_n(pixel, 6, raster.pixel(x, y + 1));
+      return;
+    }
+    for (int v = y; v < std::min(y + kBlock, raster.height); ++v) {
+      for (int u = x; u < std::min(x + kBlock, raster.width); ++u) {
+        const std::size_t i = buffer_.index(u, v);
         const std::uint32_t face = buffer_.face[i];
         if (face == kNoFace) continue;
-        std::uint8_t* const pixel = raster.pixel(x, y);
         if (lead != kNoFace && is_alike(face, lead)) {
-          if (painted != nullptr && !(depth(i) < depth(first)) && !(depth(first) < depth(i))) {
-            std::copy_n(painted, 3, pixel);
-          } else {
-            colour(pixel, i, lead_light);
-            if (i == first) painted = pixel;
-          }
+          colour(raster.pixel(u, v), i, lead_light);
           continue;
         }
-        set(one_, 0, face, x, y);
-        find_hidden(blocks_, column, row, &buffer_.z[i], per_mm(), one_, 0, 1);
-        colour(pixel, i, light(one_, 0));
+        one_.set(0, normals_at_.in_view(face, u, v));
+        light_blocks(blocks_, column, row, &buffer_.z[i], per_mm(), one_, 0, 1);
+        colour(raster.pixel(u, v), i, static_cast<double>(one_.light[0]));
       }
     }
+  }
+
+  /// Whether the whole block has one face, or such as are alike, and one depth: one colour.
+  [[nodiscard]] bool is_uniform(int x, int y) {
+    if (x + 1 >= buffer_.view.width || y + 1 >= buffer_.view.height) return false;
+    const std::size_t a = buffer_.index(x, y), b = buffer_.index(x, y + 1);
+    const std::uint32_t lead = buffer_.face[a];
+    for (const std::size_t i : {a + 1, b, b + 1}) {
+      const std::uint32_t face = buffer_.face[i];
+      if (face != lead && (face == kNoFace || !is_alike(face, lead))) return false;
+    }
+    if (depth_mm_.empty()) return true;
+    const float* const above = depth_mm_.data() + a;
+    const float* const below = depth_mm_.data() + b;
+    const auto [least, most] = std::minmax({above[0], above[1], below[0], below[1]});
+    return !(least < most);
   }
 
   [[nodiscard]] double depth(std::size_t i) const {
@@ -212,7 +274,7 @@ class Shader {
   const ColourScale& scale_;
   const BlockDepths& blocks_;
   NormalsAt normals_at_;
-  ViewNormals normals_, one_;
+  LitBlocks lit_, one_;
   std::uint32_t compared_face_ = kNoFace, compared_lead_ = kNoFace;
   bool is_alike_ = false;
 };
@@ -228,7 +290,7 @@ void draw_edge(Raster& raster, const SurfaceBuffer& buffer, const Vec3& a, const
 }  // namespace
 
 double light_on(double right, double up, double toward) {
-  static const Vec3 key = Vec3(-0.45, 0.75, 0.75).normalized(), fill = Vec3(0.8, 0.1, 0.6).normalized();
+  static const Vec3 key = key_light(), fill = fill_light();
   const Vec3 normal(right, up, toward);
   return 0.44 + 0.50 * std::max(0.0, normal.dot(key)) + 0.16 * std::max(0.0, normal.dot(fill));
 }

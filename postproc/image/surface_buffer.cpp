@@ -38,21 +38,14 @@ inline void draw_run(float* z, std::uint32_t* faces, double at, double step, std
   }
 }
 
-constexpr std::size_t kLongRun = 24;
-
-GOUGE_WIDE void draw_long_run(float* z, std::uint32_t* faces, double at, double step, std::size_t count,
-                              std::uint32_t face) {
-  draw_run(z, faces, at, step, count, face);
-}
-
 /// How much a coordinate gains from one pixel of a row to the next.
 struct Slope {
   explicit Slope(double gain) : along(gain), inverse(1 / gain) {}
   double along, inverse;
 };
 
-void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t face,
-               const RowRange& rows) {
+GOUGE_WIDE void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t face,
+                          const RowRange& rows) {
   const double area = cross(a, b, c.x(), c.y());
   if (!(std::abs(area) > 0)) return;  // seen edge on
   // Barycentric coordinates are linear along a row; each bounds the row from one side. The slack closes the
@@ -83,11 +76,7 @@ void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, const Vec3& 
     const double u = u0 + du.along * first, v = v0 + dv.along * first;
     const double z = c.z() + u * (a.z() - c.z()) + v * (b.z() - c.z());
     const double dz = du.along * (a.z() - c.z()) + dv.along * (b.z() - c.z());
-    const auto count = static_cast<std::size_t>(last - first) + 1;
-    if (count < kLongRun)
-      draw_run(&buffer.z[i], &buffer.face[i], z, dz, count, face);
-    else
-      draw_long_run(&buffer.z[i], &buffer.face[i], z, dz, count, face);
+    draw_run(&buffer.z[i], &buffer.face[i], z, dz, static_cast<std::size_t>(last - first) + 1, face);
   }
 }
 
@@ -145,7 +134,15 @@ SurfaceBuffer draw_surface(const PictureScene& scene, const View& view) {
 NormalsAt::Known NormalsAt::know(std::uint32_t face) const {
   Known known;
   known.face = face;
-  known.normals = scene_.normals(face);
+  const std::array<Eigen::Vector3f, 3> normals = scene_.normals(face);
+  std::array<Eigen::Vector3f, 3> seen;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 normal = normals[k].cast<double>();
+    seen[k] = Vec3(normal.dot(view_.right), normal.dot(view_.up), normal.dot(view_.toward)).cast<float>();
+  }
+  known.last = seen[2];
+  known.first_more = seen[0] - seen[2];
+  known.second_more = seen[1] - seen[2];
   const std::array<Vec3, 3> corners = scene_.corners(face);
   const Vec3 a = view_.project(corners[0]), b = view_.project(corners[1]), c = view_.project(corners[2]);
   const double area = cross(a, b, c.x(), c.y());
@@ -158,17 +155,20 @@ NormalsAt::Known NormalsAt::know(std::uint32_t face) const {
   return known;
 }
 
-Vec3 NormalsAt::operator()(std::uint32_t face, int x, int y) {
+Eigen::Vector3f NormalsAt::in_view(std::uint32_t face, int x, int y) {
   Known& known = kept_[face % kKept];
   if (face != known.face) known = know(face);
-  const double u = std::clamp(known.u + x * known.u_right + y * known.u_down, 0.0, 1.0);
-  const double v = std::clamp(known.v + x * known.v_right + y * known.v_down, 0.0, 1.0);
-  const std::array<Eigen::Vector3f, 3>& normals = known.normals;
-  Vec3 normal = u * normals[0].cast<double>() + v * normals[1].cast<double>() + (1 - u - v) * normals[2].cast<double>();
-  const double length = normal.norm();
+  const auto u = static_cast<float>(std::clamp(known.u + x * known.u_right + y * known.u_down, 0.0, 1.0));
+  const auto v = static_cast<float>(std::clamp(known.v + x * known.v_right + y * known.v_down, 0.0, 1.0));
+  return known.last + u * known.first_more + v * known.second_more;
+}
+
+Vec3 NormalsAt::operator()(std::uint32_t face, int x, int y) {
+  const Vec3 seen = in_view(face, x, y).cast<double>();
+  const double length = seen.norm();
   if (!(length > 0)) return view_.toward;
-  normal /= length;
-  return normal.dot(view_.toward) < 0 ? Vec3(-normal) : normal;
+  const Vec3 normal = (view_.right * seen.x() + view_.up * seen.y() + view_.toward * seen.z()) / length;
+  return seen.z() < 0 ? Vec3(-normal) : normal;
 }
 
 bool is_visible(const SurfaceBuffer& buffer, const Vec3& point_part, double slack_mm) {

@@ -39,17 +39,20 @@ using FaceCorners = std::array<std::uint32_t, 3>;
                                          const View& view);
 [[nodiscard]] SurfaceBuffer draw_surface(const PictureScene& scene, const View& view);
 
-/// Interpolated unit normals of faces, turned towards the viewer. Quick for pixels of one row after another.
+/// Interpolated normals of faces at the middles of pixels. Quick for pixels of one row after another.
 class NormalsAt {
  public:
   NormalsAt(const PictureScene& scene, const View& view) : scene_(scene), view_(view), kept_(kKept) {}
-  /// At the middle of the pixel.
+  /// Unit, turned towards the viewer, in part coordinates.
   [[nodiscard]] Vec3 operator()(std::uint32_t face, int x, int y);
+  /// Of any length and to either side: what of it points right, up and towards the viewer.
+  [[nodiscard]] Eigen::Vector3f in_view(std::uint32_t face, int x, int y);
 
  private:
   struct Known {
     std::uint32_t face = kNoFace;
-    std::array<Eigen::Vector3f, 3> normals{};  ///< of its corners
+    /// Normal of the third corner in_view, and what those of the others have more.
+    Eigen::Vector3f last = Eigen::Vector3f::Zero(), first_more = last, second_more = last;
     /// Shares of the first two corners: at the left top pixel, and what they gain to the right and down.
     double u = 0, u_right = 0, u_down = 0, v = 0, v_right = 0, v_down = 0;
   };
