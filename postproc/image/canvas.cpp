@@ -94,12 +94,12 @@ class Painter {
  public:
   Painter(const MaskPainter& masks, int width, int height, const Colour& background)
       : masks_(masks), width_(width * kSupersampling), height_(height * kSupersampling) {
-    bgr_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3, background.r);
+    rgb_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3, background.r);
     if (background.r == background.g && background.g == background.b) return;
-    for (std::size_t i = 0; i < bgr_.size(); i += 3) {
-      bgr_[i] = static_cast<std::uint8_t>(background.b);
-      bgr_[i + 1] = static_cast<std::uint8_t>(background.g);
-      bgr_[i + 2] = static_cast<std::uint8_t>(background.r);
+    for (std::size_t i = 0; i < rgb_.size(); i += 3) {
+      rgb_[i] = static_cast<std::uint8_t>(background.r);
+      rgb_[i + 1] = static_cast<std::uint8_t>(background.g);
+      rgb_[i + 2] = static_cast<std::uint8_t>(background.b);
     }
   }
 
@@ -113,13 +113,7 @@ class Painter {
       const std::size_t first =
           static_cast<std::size_t>(seen.y - target.y + y) * static_cast<std::size_t>(raster.width) +
           static_cast<std::size_t>(seen.x - target.x);
-      const std::uint8_t* from = raster.rgb.data() + 3 * first;
-      std::uint8_t* to = pixel(seen.x, seen.y + y);
-      for (int x = 0; x < seen.width; ++x, from += 3, to += 3) {
-        to[0] = from[2];
-        to[1] = from[1];
-        to[2] = from[0];
-      }
+      std::copy_n(raster.rgb.data() + 3 * first, 3 * static_cast<std::size_t>(seen.width), pixel(seen.x, seen.y + y));
     }
   }
 
@@ -186,7 +180,7 @@ class Painter {
   [[nodiscard]] Result<std::string> png() const {
     if (failure_) return *failure_;
     std::vector<std::uint8_t> small;
-    const Outcome shrunk = masks_.shrink(bgr_, width_, height_, kSupersampling, small);
+    const Outcome shrunk = masks_.shrink(rgb_, width_, height_, kSupersampling, small);
     if (!shrunk) return shrunk.error();
     return encode_png(small.data(), width_ / kSupersampling, height_ / kSupersampling);
   }
@@ -213,7 +207,7 @@ class Painter {
   }
 
   [[nodiscard]] std::uint8_t* pixel(int x, int y) {
-    return bgr_.data() +
+    return rgb_.data() +
            (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) * 3;
   }
 
@@ -230,7 +224,7 @@ class Painter {
       return;
     }
     const int opacity = static_cast<int>(std::lround(std::clamp(colour.opacity, 0.0, 1.0) * 256));
-    const std::array<int, 3> paint{colour.b, colour.g, colour.r};
+    const std::array<int, 3> paint{colour.r, colour.g, colour.b};
     const std::uint8_t* level = mask.grey.data();
     for (int y = 0; y < seen.height; ++y) {
       std::uint8_t* at = pixel(seen.x, seen.y + y);
@@ -245,7 +239,7 @@ class Painter {
 
   const MaskPainter& masks_;
   int width_, height_;  // of the large picture
-  std::vector<std::uint8_t> bgr_;
+  std::vector<std::uint8_t> rgb_;
   std::optional<Diagnostic> failure_;
 };
 

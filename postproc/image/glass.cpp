@@ -26,22 +26,38 @@ Colour glass_colour(const View& view, Vec3 normal, int body) {
   return {lit(colour.r), lit(colour.g), lit(colour.b), 1};
 }
 
-/// The pane that a body lays over the part.
+/// Pixels of a picture.
+struct PixelRange {
+  int left = 0, top = 0, right = 0, bottom = 0;  ///< the last two behind the last
+};
+
+/// What a view shows of these pixels alone.
+View part_of(const View& view, const PixelRange& range) {
+  View out = view;
+  out.width = std::max(0, range.right - range.left);
+  out.height = std::max(0, range.bottom - range.top);
+  out.centre += (0.5 * (range.left + range.right - view.width) * view.mm_per_pixel) * view.right -
+                (0.5 * (range.top + range.bottom - view.height) * view.mm_per_pixel) * view.up;
+  return out;
+}
+
+/// The pane that a body lays over the part. It is drawn for some pixels of the picture; in no other is it seen.
 class Pane {
  public:
-  Pane(const SurfaceBuffer& part, SurfaceBuffer buffer) : part_(part), buffer_(std::move(buffer)) {}
+  Pane(const SurfaceBuffer& part, const PixelRange& range, SurfaceBuffer buffer)
+      : part_(part), range_(range), buffer_(std::move(buffer)) {}
   virtual ~Pane() = default;
   Pane(const Pane&) = delete;
   Pane& operator=(const Pane&) = delete;
 
   void paint(Raster& raster, int x, int y, NormalsAt& head_normals) const {
-    const std::size_t i = buffer_.index(x, y);
-    const int right = x + 2 < raster.width ? body_of(buffer_.index(x + 2, y)) : body_of(i);
-    const int below = y + 2 < raster.height ? body_of(buffer_.index(x, y + 2)) : body_of(i);
-    const int body = body_of(i);
+    const int body = body_at(x, y);
+    const int right = x + 2 < raster.width ? body_at(x + 2, y) : body;
+    const int below = y + 2 < raster.height ? body_at(x, y + 2) : body;
     const bool is_edge = right != body || below != body;
     if (body < 0 && !is_edge) return;
-    const bool is_hidden = body >= 0 && part_.face[i] != kNoFace && buffer_.z[i] < part_.z[i];
+    const std::size_t i = part_.index(x, y);
+    const bool is_hidden = body >= 0 && part_.face[i] != kNoFace && z_at(x, y) < part_.z[i];
     if (is_edge) {
       blend_pixel(raster, x, y, body_colour(std::max({body, right, below})), is_hidden ? 0.5 : 0.85);
       return;
@@ -49,11 +65,24 @@ class Pane {
     blend_pixel(raster, x, y, colour(x, y, head_normals), is_hidden ? hidden_opacity() : opacity());
   }
 
+  [[nodiscard]] float z_at(int x, int y) const {
+    return is_within(x, y) ? buffer_.z[place(x, y)] : std::numeric_limits<float>::lowest();
+  }
   [[nodiscard]] const SurfaceBuffer& buffer() const { return buffer_; }
 
+ protected:
+  /// Requires a face there.
+  [[nodiscard]] std::uint32_t face_at(int x, int y) const { return buffer_.face[place(x, y)]; }
+
  private:
-  [[nodiscard]] int body_of(std::size_t i) const {
-    return buffer_.face[i] == kNoFace ? -1 : body_of_face(buffer_.face[i]);
+  [[nodiscard]] bool is_within(int x, int y) const {
+    return x >= range_.left && y >= range_.top && x < range_.right && y < range_.bottom;
+  }
+  [[nodiscard]] std::size_t place(int x, int y) const { return buffer_.index(x - range_.left, y - range_.top); }
+  [[nodiscard]] int body_at(int x, int y) const {
+    if (!is_within(x, y)) return -1;
+    const std::uint32_t face = face_at(x, y);
+    return face == kNoFace ? -1 : body_of_face(face);
   }
   [[nodiscard]] virtual int body_of_face(std::uint32_t face) const = 0;
   [[nodiscard]] virtual Colour colour(int x, int y, NormalsAt& head_normals) const = 0;
@@ -61,13 +90,14 @@ class Pane {
   [[nodiscard]] virtual double hidden_opacity() const = 0;
 
   const SurfaceBuffer& part_;
+  PixelRange range_;
   SurfaceBuffer buffer_;
 };
 
 class ToolPane : public Pane {
  public:
-  ToolPane(const SurfaceBuffer& part, const ToolSurface& tool)
-      : Pane(part, draw_surface(tool.vertices, tool.faces, part.view)), tool_(tool) {
+  ToolPane(const SurfaceBuffer& part, const PixelRange& range, const ToolSurface& tool)
+      : Pane(part, range, draw_surface(tool.vertices, tool.faces, part_of(part.view, range))), tool_(tool) {
     colours_.reserve(tool.faces.size());
     for (std::size_t f = 0; f < tool.faces.size(); ++f)
       colours_.push_back(glass_colour(part.view, normal(f), static_cast<int>(tool.bodies[f])));
@@ -81,9 +111,7 @@ class ToolPane : public Pane {
     const Vec3 square = (tool_.vertices[corners[1]] - a).cross(tool_.vertices[corners[2]] - a);
     return square.norm() < 1e-12 ? buffer().view.toward : Vec3(square.normalized());
   }
-  [[nodiscard]] Colour colour(int x, int y, NormalsAt&) const override {
-    return colours_[buffer().face[buffer().index(x, y)]];
-  }
+  [[nodiscard]] Colour colour(int x, int y, NormalsAt&) const override { return colours_[face_at(x, y)]; }
   [[nodiscard]] double opacity() const override { return 0.34; }
   [[nodiscard]] double hidden_opacity() const override { return 0.10; }
 
@@ -94,12 +122,13 @@ class ToolPane : public Pane {
 /// Clearer than a tool: a head is large, and what it gouges lies behind it.
 class HeadPane : public Pane {
  public:
-  HeadPane(const SurfaceBuffer& part, const PictureScene& heads) : Pane(part, draw_surface(heads, part.view)) {}
+  HeadPane(const SurfaceBuffer& part, const PictureScene& heads)
+      : Pane(part, {0, 0, part.view.width, part.view.height}, draw_surface(heads, part.view)) {}
 
  private:
   [[nodiscard]] int body_of_face(std::uint32_t) const override { return kHead; }
   [[nodiscard]] Colour colour(int x, int y, NormalsAt& head_normals) const override {
-    return glass_colour(buffer().view, head_normals(buffer().face[buffer().index(x, y)], x, y), kHead);
+    return glass_colour(buffer().view, head_normals(face_at(x, y), x, y), kHead);
   }
   [[nodiscard]] double opacity() const override { return 0.24; }
   [[nodiscard]] double hidden_opacity() const override { return 0.10; }
@@ -117,10 +146,6 @@ void draw_glass_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuf
 }
 
 /// The pixels that a tool may change: those it is seen in and, for its outline, two more.
-struct PixelRange {
-  int left = 0, top = 0, right = 0, bottom = 0;  ///< the last two behind the last
-};
-
 PixelRange pixels_of(const ToolSurface& tool, const View& view) {
   constexpr double kFar = std::numeric_limits<double>::max();
   Vec2 low(kFar, kFar), high(-kFar, -kFar);
@@ -139,17 +164,17 @@ PixelRange pixels_of(const ToolSurface& tool, const View& view) {
 }  // namespace
 
 void lay_glass(Raster& raster, const SurfaceBuffer& part, const ToolSurface& tool, const PictureScene& heads) {
-  const ToolPane tool_pane(part, tool);
+  const PixelRange tool_range = pixels_of(tool, part.view);
+  const ToolPane tool_pane(part, tool_range, tool);
   std::optional<HeadPane> head_pane;
   if (heads.face_count() > 0) head_pane.emplace(part, heads);
-  const PixelRange range = head_pane ? PixelRange{0, 0, raster.width, raster.height} : pixels_of(tool, part.view);
+  const PixelRange range = head_pane ? PixelRange{0, 0, raster.width, raster.height} : tool_range;
   const auto rows = static_cast<std::size_t>(std::max(0, range.bottom - range.top));
   for_each_chunk(rows, 64, 0, [&](std::size_t first, std::size_t last) {
     NormalsAt head_normals(heads, part.view);
     for (int y = range.top + static_cast<int>(first); y < range.top + static_cast<int>(last); ++y) {
       for (int x = range.left; x < range.right; ++x) {
-        const std::size_t i = part.index(x, y);
-        const bool is_head_nearer = head_pane && head_pane->buffer().z[i] > tool_pane.buffer().z[i];
+        const bool is_head_nearer = head_pane && head_pane->z_at(x, y) > tool_pane.z_at(x, y);
         if (head_pane && !is_head_nearer) head_pane->paint(raster, x, y, head_normals);
         tool_pane.paint(raster, x, y, head_normals);
         if (is_head_nearer) head_pane->paint(raster, x, y, head_normals);

@@ -20,6 +20,17 @@ Cell cell_of(const Vec3& p, double side) {
           static_cast<std::int64_t>(std::floor(p.z() / side))};
 }
 
+bool has_any(const std::unordered_set<std::uint64_t>& cells, const Cell& low, const Cell& high) {
+  for (std::int64_t x = low.x; x <= high.x; ++x) {
+    for (std::int64_t y = low.y; y <= high.y; ++y) {
+      for (std::int64_t z = low.z; z <= high.z; ++z) {
+        if (cells.contains(Cell{x, y, z}.key())) return true;
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void GougedCells::add(const Vec3& point) {
@@ -37,16 +48,15 @@ bool GougedCells::is_near(const Vec3& at, double reach_mm) const {
     side *= 2;
     ++level;
   }
-  const auto& cells = levels_[level];
   const Cell c = cell_of(at, side);
-  for (std::int64_t x = c.x - 1; x <= c.x + 1; ++x) {
-    for (std::int64_t y = c.y - 1; y <= c.y + 1; ++y) {
-      for (std::int64_t z = c.z - 1; z <= c.z + 1; ++z) {
-        if (cells.contains(Cell{x, y, z}.key())) return true;
-      }
-    }
+  // A cell that has a point lies in larger ones that have it too: mostly one of those is looked at, and found empty.
+  for (const std::size_t up : {std::size_t{4}, std::size_t{2}, std::size_t{0}}) {
+    if (level + up >= levels_.size()) continue;
+    if (!has_any(levels_[level + up], {(c.x - 1) >> up, (c.y - 1) >> up, (c.z - 1) >> up},
+                 {(c.x + 1) >> up, (c.y + 1) >> up, (c.z + 1) >> up}))
+      return false;
   }
-  return false;
+  return true;
 }
 
 }  // namespace gouge
