@@ -111,7 +111,9 @@ class PlacedTool {
   }
 
   [[nodiscard]] bool is_of(const PlacedTool& other) const { return tool_ == other.tool_; }
-  [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return spread_mm(node) > kSpread * node.radius; }
+  /// Whether its parts are too far apart to be asked in one about the node.
+  [[nodiscard]] bool is_apart(const PointTree::Node& node) const { return spread_mm(node) > kSpread * node.radius; }
+  [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return node.child == 0 || is_apart(node); }
 
   [[nodiscard]] double floor_mm() const { return has_clearance() ? 0.0 : tolerance_mm_; }
 
@@ -202,15 +204,42 @@ DepthField::DepthField(const CheckedToolpath& input, std::size_t most_poses)
   poses_ = poses.take();
 }
 
+namespace {
+
+/// The tools of those poses and groups of neighbours behind them; how many of the last stand for all.
+std::pair<std::vector<PlacedTool>, std::size_t> grouped_tools(const std::vector<DepthField::FieldPose>& poses,
+                                                              const Kinds& kinds, double tolerance_mm) {
+  std::vector<PlacedTool> tools;
+  tools.reserve(2 * poses.size());
+  for (const DepthField::FieldPose& pose : poses) tools.emplace_back(pose, kinds, tolerance_mm);
+  const std::size_t roots = group_neighbours(tools);
+  return {std::move(tools), roots};
+}
+
+}  // namespace
+
 std::vector<float> DepthField::tool_depth_at(const std::vector<Point>& points) const {
   if (poses_.empty()) return std::vector<float>(points.size(), 0.0F);
   Kinds kinds;
   for (const Point& point : points) (point.is_fixture ? kinds.has_fixtures : kinds.has_parts) = true;
-  std::vector<PlacedTool> tools;
-  tools.reserve(poses_.size());
-  for (const FieldPose& pose : poses_) tools.emplace_back(pose, kinds, tolerance_mm_);
-  const std::size_t roots = group_neighbours(tools);
+  const auto [tools, roots] = grouped_tools(poses_, kinds, tolerance_mm_);
   return PointDepths(points).deepest(tools, roots);
+}
+
+std::vector<std::uint8_t> DepthField::may_be_deep(const std::vector<Vec3>& centres, double radius_mm) const {
+  std::vector<Point> points;
+  points.reserve(centres.size());
+  for (const Vec3& centre : centres) points.push_back({centre, false});
+  std::vector<float> found(points.size(), 0.0F);
+  if (!poses_.empty()) {
+    const auto [tools, roots] = grouped_tools(poses_, {true, true}, tolerance_mm_);
+    const std::vector<AnyDepth<PlacedTool>> any = any_depths(tools, radius_mm);
+    found = PointDepths(points).deepest(any, roots);
+  }
+  heads_.find_any(points, radius_mm, found);
+  std::vector<std::uint8_t> out(points.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = found[i] > 0 ? 1 : 0;
+  return out;
 }
 
 std::vector<float> DepthField::depth_at(const std::vector<Point>& points) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "lib/field/checked_toolpath.h"
@@ -23,6 +24,10 @@ class DepthField {
 
   /// For each point the largest depth that counts as a gouge, in mm, else 0. Within 3 % of the sampled poses.
   [[nodiscard]] std::vector<float> depth_at(const std::vector<Point>& points) const;
+
+  /// For each ball of that radius about a centre whether any point in it may have a depth: where not, no depth_at is
+  /// more than 0.
+  [[nodiscard]] std::vector<std::uint8_t> may_be_deep(const std::vector<Vec3>& centres, double radius_mm) const;
 
   [[nodiscard]] bool is_empty() const { return poses_.empty() && heads_.is_empty(); }
 

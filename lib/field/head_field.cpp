@@ -49,6 +49,7 @@ class PlacedHead {
     std::optional<std::uint32_t> triangle;
   };
   static constexpr std::uint32_t parts = 0, first_part = 0;
+  [[nodiscard]] static bool is_apart(const PointTree::Node&) { return false; }
   [[nodiscard]] static bool is_coarse(const PointTree::Node&) { return false; }
 
   [[nodiscard]] double floor_mm() const { return tolerance_mm_; }
@@ -135,13 +136,24 @@ HeadField::HeadField(const CheckedToolpath& input, std::size_t most_poses)
   }
 }
 
-void HeadField::deepen(const std::vector<FieldPoint>& points, std::vector<float>& depth_mm) const {
+template <class Bodies>
+void HeadField::raise(const std::vector<FieldPoint>& points, std::vector<float>& values,
+                      const Bodies& bodies_of) const {
   if (swept_.empty()) return;
   std::vector<PlacedHead> heads;
   heads.reserve(swept_.size());
   for (const SweptPose& p : swept_) heads.emplace_back(heads_[p.head], p.to_tool, tolerance_mm_);
-  const std::vector<float> deep = PointDepths(points).deepest(heads);
-  for (std::size_t i = 0; i < deep.size(); ++i) depth_mm[i] = std::max(depth_mm[i], deep[i]);
+  const std::vector<float> deep = PointDepths(points).deepest(bodies_of(heads));
+  for (std::size_t i = 0; i < deep.size(); ++i) values[i] = std::max(values[i], deep[i]);
+}
+
+void HeadField::deepen(const std::vector<FieldPoint>& points, std::vector<float>& depth_mm) const {
+  raise(
+      points, depth_mm, [](const std::vector<PlacedHead>& heads) -> const auto& { return heads; });
+}
+
+void HeadField::find_any(const std::vector<FieldPoint>& points, double radius_mm, std::vector<float>& found) const {
+  raise(points, found, [&](const std::vector<PlacedHead>& heads) { return any_depths(heads, radius_mm); });
 }
 
 }  // namespace gouge

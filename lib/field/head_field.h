@@ -23,6 +23,9 @@ class HeadField {
   /// poses.
   void deepen(const std::vector<FieldPoint>& points, std::vector<float>& depth_mm) const;
 
+  /// Raises that of each point above 0 where a ball of that radius about it may reach into a head so that it counts.
+  void find_any(const std::vector<FieldPoint>& points, double radius_mm, std::vector<float>& found) const;
+
   /// A head at an instant.
   struct SweptPose {
     std::size_t head = 0;
@@ -31,6 +34,9 @@ class HeadField {
   [[nodiscard]] const std::vector<SweptPose>& all_swept() const { return swept_; }
 
  private:
+  template <class Bodies>
+  void raise(const std::vector<FieldPoint>& points, std::vector<float>& values, const Bodies& bodies_of) const;
+
   std::span<const HeadBody> heads_;
   std::vector<SweptPose> swept_;
   double tolerance_mm_ = 0;

@@ -26,6 +26,54 @@ struct DepthRange {
   Vec3 slope = Vec3::Zero();
 };
 
+/// A body as balls of one radius see it: deepest where a point of one may have a depth that counts, else 0. What
+/// holds of all points of a node that is wider by the radius holds of all balls about the points of the node. One that
+/// stands for several is asked for them as long as they are close to each other, in leaves too.
+template <class Of>
+class AnyDepth {
+ public:
+  using Memory = typename Of::Memory;
+  std::uint32_t parts, first_part;
+
+  AnyDepth(const Of& of, double radius_mm)
+      : parts(of.parts), first_part(of.first_part), of_(of), radius_mm_(radius_mm) {}
+
+  [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return of_.is_apart(wider(node)); }
+  [[nodiscard]] double floor_mm() const { return of_.floor_mm(); }
+  [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double enough_mm, Memory& memory) const {
+    const DepthRange range = of_.range_mm(wider(node), enough_mm, memory);
+    return {range.least_mm, range.most_mm, range.most_mm, Vec3::Zero()};
+  }
+  [[nodiscard]] double depth_mm(const FieldPoint& centre, double, Memory& memory) const {
+    PointTree::Node point;
+    point.box.extend(centre.at);
+    point.centre = centre.at;
+    const bool may_be = of_.range_mm(wider(point), floor_mm(), memory).most_mm > floor_mm();
+    return may_be ? static_cast<double>(std::numeric_limits<float>::max()) : 0;
+  }
+
+ private:
+  [[nodiscard]] PointTree::Node wider(const PointTree::Node& node) const {
+    PointTree::Node out;
+    const Vec3 more = Vec3::Constant(radius_mm_);
+    out.box = Box3(node.box.min() - more, node.box.max() + more);
+    out.centre = node.centre;
+    out.radius = std::max(0.5 * out.box.diagonal().norm(), node.radius + radius_mm_);
+    return out;
+  }
+
+  const Of& of_;
+  double radius_mm_;
+};
+
+template <class Of>
+[[nodiscard]] std::vector<AnyDepth<Of>> any_depths(const std::vector<Of>& bodies, double radius_mm) {
+  std::vector<AnyDepth<Of>> out;
+  out.reserve(bodies.size());
+  for (const Of& body : bodies) out.emplace_back(body, radius_mm);
+  return out;
+}
+
 /// The largest depth of each point of a surface in any of many bodies. Both are halved together: a node of points
 /// hands down the bodies that may be the deepest somewhere in it, and its leaves ask those with the largest bound first.
 class PointDepths {
@@ -43,7 +91,7 @@ class PointDepths {
   /// floor_mm(): depths not above it do not count. Its Memory keeps what it finds from one call to the next nearby.
   ///
   /// One may stand for several: `parts` is how many, `first_part` the first of them, and its range holds for each. Where
-  /// is_coarse(node), and in every leaf, they are asked themselves.
+  /// is_coarse(node) they are asked themselves.
   template <class Body>
   [[nodiscard]] std::vector<float> deepest(const std::vector<Body>& bodies, std::size_t roots) const {
     std::vector<float> depth(points_.size(), 0.0F);
@@ -149,7 +197,7 @@ class PointDepths {
       DepthRange range = body.range_mm(node, enough_mm, memories[parent.body]);
       if (range.most_mm <= enough_mm) return;
       range.most_mm = std::min(parent.range.most_mm, range.most_mm);
-      if (body.parts > 0 && (node.child == 0 || body.is_coarse(node))) {
+      if (body.parts > 0 && body.is_coarse(node)) {
         for (std::uint32_t k = 0; k < body.parts; ++k) propose(node, {body.first_part + k, range});
         return;
       }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -44,8 +45,14 @@ View part_of(const View& view, const PixelRange& range) {
 /// The pane that a body lays over the part. It is drawn for some pixels of the picture; in no other is it seen.
 class Pane {
  public:
-  Pane(const SurfaceBuffer& part, const PixelRange& range, SurfaceBuffer buffer)
-      : part_(part), range_(range), buffer_(std::move(buffer)) {}
+  /// `body_of`: of a face.
+  template <class BodyOf>
+  Pane(const SurfaceBuffer& part, const PixelRange& range, SurfaceBuffer buffer, const BodyOf& body_of)
+      : part_(part), range_(range), buffer_(std::move(buffer)), bodies_(buffer_.face.size(), std::int8_t{-1}) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (buffer_.face[i] != kNoFace) bodies_[i] = static_cast<std::int8_t>(body_of(buffer_.face[i]));
+    }
+  }
   virtual ~Pane() = default;
   Pane(const Pane&) = delete;
   Pane& operator=(const Pane&) = delete;
@@ -79,12 +86,7 @@ class Pane {
     return x >= range_.left && y >= range_.top && x < range_.right && y < range_.bottom;
   }
   [[nodiscard]] std::size_t place(int x, int y) const { return buffer_.index(x - range_.left, y - range_.top); }
-  [[nodiscard]] int body_at(int x, int y) const {
-    if (!is_within(x, y)) return -1;
-    const std::uint32_t face = face_at(x, y);
-    return face == kNoFace ? -1 : body_of_face(face);
-  }
-  [[nodiscard]] virtual int body_of_face(std::uint32_t face) const = 0;
+  [[nodiscard]] int body_at(int x, int y) const { return is_within(x, y) ? bodies_[place(x, y)] : -1; }
   [[nodiscard]] virtual Colour colour(int x, int y, NormalsAt& head_normals) const = 0;
   [[nodiscard]] virtual double opacity() const = 0;
   [[nodiscard]] virtual double hidden_opacity() const = 0;
@@ -92,19 +94,21 @@ class Pane {
   const SurfaceBuffer& part_;
   PixelRange range_;
   SurfaceBuffer buffer_;
+  std::vector<std::int8_t> bodies_;  ///< by pixel of the range; -1: none
 };
 
 class ToolPane : public Pane {
  public:
   ToolPane(const SurfaceBuffer& part, const PixelRange& range, const ToolSurface& tool)
-      : Pane(part, range, draw_surface(tool.vertices, tool.faces, part_of(part.view, range))), tool_(tool) {
+      : Pane(part, range, draw_surface(tool.vertices, tool.faces, part_of(part.view, range)),
+             [&](std::uint32_t face) { return static_cast<int>(tool.bodies[face]); }),
+        tool_(tool) {
     colours_.reserve(tool.faces.size());
     for (std::size_t f = 0; f < tool.faces.size(); ++f)
       colours_.push_back(glass_colour(part.view, normal(f), static_cast<int>(tool.bodies[f])));
   }
 
  private:
-  [[nodiscard]] int body_of_face(std::uint32_t face) const override { return static_cast<int>(tool_.bodies[face]); }
   [[nodiscard]] Vec3 normal(std::size_t face) const {
     const FaceCorners& corners = tool_.faces[face];
     const Vec3& a = tool_.vertices[corners[0]];
@@ -123,10 +127,10 @@ class ToolPane : public Pane {
 class HeadPane : public Pane {
  public:
   HeadPane(const SurfaceBuffer& part, const PictureScene& heads)
-      : Pane(part, {0, 0, part.view.width, part.view.height}, draw_surface(heads, part.view)) {}
+      : Pane(part, {0, 0, part.view.width, part.view.height}, draw_surface(heads, part.view),
+             [](std::uint32_t) { return kHead; }) {}
 
  private:
-  [[nodiscard]] int body_of_face(std::uint32_t) const override { return kHead; }
   [[nodiscard]] Colour colour(int x, int y, NormalsAt& head_normals) const override {
     return glass_colour(buffer().view, head_normals(face_at(x, y), x, y), kHead);
   }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 
+#include "lib/base/parallel.h"
 #include "lib/hierarchy/triangles_within.h"
 #include "lib/mesh/vertex_triangles.h"
 
@@ -22,16 +24,30 @@ Normal unit(const Vec3& v) {
 
 }  // namespace
 
-std::array<Normal, 3> PictureScene::Mesh::normals(std::uint32_t triangle) const {
-  const Vec3 own = area_normal(triangle);
+std::vector<std::array<Eigen::Vector3f, 3>> PictureScene::corner_normals() const {
+  std::vector<std::array<Normal, 3>> out(face_count());
+  for (const Mesh& mesh : meshes_) {
+    std::vector<Vec3> area(mesh.triangles.size());
+    const auto each = [&](const std::function<void(std::uint32_t)>& at) {
+      for_each_chunk(area.size(), 4096, 0, [&](std::size_t first, std::size_t last) {
+        for (std::size_t t = first; t < last; ++t) at(static_cast<std::uint32_t>(t));
+      });
+    };
+    each([&](std::uint32_t t) { area[t] = mesh.area_normal(t); });
+    each([&](std::uint32_t t) { out[mesh.first_face + t] = mesh.normals(t, area); });
+  }
+  return out;
+}
+
+std::array<Normal, 3> PictureScene::Mesh::normals(std::uint32_t triangle, std::span<const Vec3> area) const {
+  const Vec3& own = area[triangle];
   std::array<Normal, 3> out;
   out.fill(unit(own));
   for (std::size_t k = 0; k < 3; ++k) {
     const std::span<const std::uint32_t> fan = around->at(triangles[triangle][k]);
     Vec3 sum = Vec3::Zero();
     for (const std::uint32_t t : fan.first(std::min(fan.size(), kLargestFan))) {
-      const Vec3 weighted = area_normal(t);
-      if (is_smooth_between(weighted, own, kSmoothCosine)) sum += weighted;
+      if (is_smooth_between(area[t], own, kSmoothCosine)) sum += area[t];
     }
     if (sum.norm() > 0) out[k] = unit(sum);
   }
@@ -48,6 +64,7 @@ PictureScene::PictureScene(const PreparedScene& scene) : prepared_(&scene) {
   for (std::size_t m = 0; m < scene.scene->fixtures.size(); ++m) {
     add(scene.surface(Against::fixture, m), scene.scene->fixtures[m].vertices);
   }
+  normals_ = corner_normals();
 }
 
 PictureScene::PictureScene(std::span<const HeadBody> heads, const RigidTransform& to_part) {
@@ -57,6 +74,7 @@ PictureScene::PictureScene(std::span<const HeadBody> heads, const RigidTransform
     add(head.surface, moved);
   }
   first_fixture_face_ = face_count();
+  normals_ = corner_normals();
 }
 
 void PictureScene::add(const Surface& surface, std::span<const Vec3> vertices) {
@@ -90,11 +108,6 @@ std::array<Vec3, 3> PictureScene::corners(std::uint32_t face) const {
   const Mesh& mesh = owner_of(face);
   const TriangleCorners& c = mesh.triangles[face - mesh.first_face];
   return {mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]]};
-}
-
-std::array<Normal, 3> PictureScene::normals(std::uint32_t face) const {
-  const Mesh& mesh = owner_of(face);
-  return mesh.normals(face - mesh.first_face);
 }
 
 Vec3 PictureScene::area_normal(std::uint32_t face) const {

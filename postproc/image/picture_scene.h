@@ -20,8 +20,7 @@ namespace gouge {
   return dot > 0 && dot * dot >= least_cosine * least_cosine * a.squaredNorm() * b.squaredNorm();
 }
 
-/// Parts and fixtures, or heads, as one list of faces and one of vertices. The meshes stay where they are, and normals
-/// are computed for the faces that are seen.
+/// Parts and fixtures, or heads, as one list of faces and one of vertices. The meshes stay where they are.
 class PictureScene {
  public:
   /// Ends of a sharp edge or a border, in the list of vertices.
@@ -29,7 +28,7 @@ class PictureScene {
     std::uint32_t a = 0, b = 0;
   };
 
-  /// The scene must outlive it. Cost: O(n), and 14 bytes a triangle that the scene keeps.
+  /// The scene must outlive it. Cost: O(n), 36 bytes a triangle, and 14 that the scene keeps.
   explicit PictureScene(const PreparedScene& scene);
   /// Heads where `to_part` brings them. They must outlive it.
   PictureScene(std::span<const HeadBody> heads, const RigidTransform& to_part);
@@ -42,7 +41,7 @@ class PictureScene {
   /// Those that reach into the view, and some that only come near.
   [[nodiscard]] std::vector<std::uint32_t> faces_in(const View& view) const;
   /// Unit, at the three corners: smooth across edges that bend less than 35 degrees.
-  [[nodiscard]] std::array<Eigen::Vector3f, 3> normals(std::uint32_t face) const;
+  [[nodiscard]] const std::array<Eigen::Vector3f, 3>& normals(std::uint32_t face) const { return normals_[face]; }
   /// Of the face alone, twice its area long.
   [[nodiscard]] Vec3 area_normal(std::uint32_t face) const;
   [[nodiscard]] bool is_fixture(std::uint32_t face) const { return face >= first_fixture_face_; }
@@ -71,10 +70,12 @@ class PictureScene {
       const TriangleCorners& c = triangles[triangle];
       return (vertices[c[1]] - vertices[c[0]]).cross(vertices[c[2]] - vertices[c[0]]);
     }
-    [[nodiscard]] std::array<Eigen::Vector3f, 3> normals(std::uint32_t triangle) const;
+    /// `area`: area_normal of each triangle.
+    [[nodiscard]] std::array<Eigen::Vector3f, 3> normals(std::uint32_t triangle, std::span<const Vec3> area) const;
   };
 
   void add(const Surface& surface, std::span<const Vec3> vertices);
+  [[nodiscard]] std::vector<std::array<Eigen::Vector3f, 3>> corner_normals() const;
   void find_edges(const Mesh& mesh, const IndexedMesh& indices);
   [[nodiscard]] const Mesh& owner_of(std::uint32_t face) const;
 
@@ -82,6 +83,7 @@ class PictureScene {
   std::vector<Mesh> meshes_;
   std::deque<std::vector<Vec3>> moved_;  ///< vertices of heads
   std::vector<Edge> edges_;
+  std::vector<std::array<Eigen::Vector3f, 3>> normals_;
   std::vector<std::span<const Vec3>> part_points_;
   std::uint32_t first_fixture_face_ = 0;
   Box3 part_box_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace gouge {
 
@@ -18,38 +19,47 @@ std::uint32_t even_bits(std::uint32_t code) {
   return (code | (code >> 8)) & 0x0000FFFFU;
 }
 
-// Calls `at(x, y)` for every place of a grid, along Morton's curve: neighbours in the list are neighbours in the grid.
+constexpr int kSide = 8;  // of a square, in blocks of 2 x 2 pixels
+
+/// Some blocks of a picture that are looked at together: its first.
+struct Square {
+  int column = 0, row = 0;
+};
+
+// Those that cover a grid, along Morton's curve: neighbours in the list are neighbours in the grid.
+std::vector<Square> squares_of(int width, int height) {
+  const int columns = (width + kSide - 1) / kSide, rows = (height + kSide - 1) / kSide;
+  const auto side = std::bit_ceil(static_cast<std::uint32_t>(std::max({columns, rows, 1})));
+  std::vector<Square> squares;
+  for (std::uint64_t code = 0; code < static_cast<std::uint64_t>(side) * side; ++code) {
+    const auto column = static_cast<int>(even_bits(static_cast<std::uint32_t>(code)));
+    const auto row = static_cast<int>(even_bits(static_cast<std::uint32_t>(code >> 1)));
+    if (column < columns && row < rows) squares.push_back({kSide * column, kSide * row});
+  }
+  return squares;
+}
+
+// Calls `at(column, row)` for every block of a square within the grid, along the same curve.
 template <class At>
-void for_each_along_curve(int width, int height, At&& at) {
-  constexpr int kSquare = 8;  // looked at only where it lies in the grid
-  constexpr std::uint32_t kPlaces = kSquare * kSquare;
+void for_each_block(const Square& square, int width, int height, At&& at) {
+  constexpr std::uint32_t kPlaces = kSide * kSide;
   static const auto places = [] {
     std::array<std::array<int, 2>, kPlaces> out{};
     for (std::uint32_t k = 0; k < kPlaces; ++k)
       out[k] = {static_cast<int>(even_bits(k)), static_cast<int>(even_bits(k >> 1))};
     return out;
   }();
-  const auto side = std::bit_ceil(static_cast<std::uint32_t>((std::max({width, height, 1}) + kSquare - 1) / kSquare));
-  const std::uint64_t squares = static_cast<std::uint64_t>(side) * side;
-  for (std::uint64_t code = 0; code < squares; ++code) {
-    const auto square = static_cast<std::uint32_t>(code);
-    const int left = kSquare * static_cast<int>(even_bits(square));
-    const int top = kSquare * static_cast<int>(even_bits(square >> 1));
-    if (left >= width || top >= height) continue;
-    for (const auto& [x, y] : places) {
-      if (left + x < width && top + y < height) at(left + x, top + y);
-    }
+  for (const auto& [x, y] : places) {
+    if (square.column + x < width && square.row + y < height) at(square.column + x, square.row + y);
   }
 }
 
-}  // namespace
-
-std::vector<PixelPoint> pixel_points(const SurfaceBuffer& buffer) {
+std::vector<PixelPoint> points_in(const SurfaceBuffer& buffer, const std::vector<Square>& squares) {
   std::vector<PixelPoint> points;
-  points.reserve(buffer.z.size() / 4 + 64);
+  points.reserve(squares.size() * kSide * kSide + 64);
   const View& view = buffer.view;
   const auto reach = static_cast<float>(4 * view.mm_per_pixel);
-  for_each_along_curve((view.width + 1) / 2, (view.height + 1) / 2, [&](int column, int row) {
+  const auto take = [&](int column, int row) {
     const std::size_t lead = buffer.index(2 * column, 2 * row);
     const float z = buffer.z[lead];
     const bool has_lead = buffer.face[lead] != kNoFace;
@@ -69,9 +79,59 @@ std::vector<PixelPoint> pixel_points(const SurfaceBuffer& buffer) {
     }
     if (covers != 0) points.push_back({2 * column, 2 * row, covers});
     points.insert(points.end(), alone.begin(), alone.begin() + static_cast<std::ptrdiff_t>(more));
-  });
+  };
+  for (const Square& square : squares) for_each_block(square, (view.width + 1) / 2, (view.height + 1) / 2, take);
   return points;
 }
+
+std::vector<Square> squares_of(const View& view) { return squares_of((view.width + 1) / 2, (view.height + 1) / 2); }
+
+/// Least and most depth of what a square of a view shows; nothing where it shows none.
+struct Slab {
+  float least = std::numeric_limits<float>::max(), most = std::numeric_limits<float>::lowest();
+};
+
+Slab slab_of(const SurfaceBuffer& buffer, const Square& square) {
+  Slab slab;
+  const int right = std::min(2 * (square.column + kSide), buffer.view.width);
+  for (int y = 2 * square.row; y < std::min(2 * (square.row + kSide), buffer.view.height); ++y) {
+    const float* const z = buffer.z.data() + buffer.index(0, y);
+    for (int x = 2 * square.column; x < right; ++x) {
+      slab.most = std::max(slab.most, z[x]);
+      slab.least = std::min(slab.least, z[x] > std::numeric_limits<float>::lowest() ? z[x] : slab.least);
+    }
+  }
+  return slab;
+}
+
+// Those where the field may be more than nothing. Each is asked as a ball about what it shows; where that is deep, at
+// an edge of the part, a ball says little and the square stays.
+std::vector<Square> squares_with(const DepthField& field, const SurfaceBuffer& buffer) {
+  const View& view = buffer.view;
+  const double half_mm = kSide * view.mm_per_pixel, radius_mm = 3 * half_mm;
+  std::vector<Square> asked, kept;
+  std::vector<Vec3> centres;
+  std::vector<std::size_t> which;  // of the centres is that of a square; none: it stays
+  for (const Square& square : squares_of(view)) {
+    const Slab slab = slab_of(buffer, square);
+    if (!(slab.least <= slab.most)) continue;
+    const double least = static_cast<double>(slab.least), most = static_cast<double>(slab.most);
+    const Vec3 half(half_mm, half_mm, 0.5 * (most - least));
+    asked.push_back(square);
+    which.push_back(half.norm() <= radius_mm ? centres.size() : kNone);
+    if (which.back() != kNone)
+      centres.push_back(view.unproject(2 * square.column + kSide, 2 * square.row + kSide, 0.5 * (least + most)));
+  }
+  const std::vector<std::uint8_t> may_be = field.may_be_deep(centres, radius_mm * (1 + 1e-9));
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    if (which[k] == kNone || may_be[which[k]] != 0) kept.push_back(asked[k]);
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<PixelPoint> pixel_points(const SurfaceBuffer& buffer) { return points_in(buffer, squares_of(buffer.view)); }
 
 std::vector<float> spread(const SurfaceBuffer& buffer, const std::vector<PixelPoint>& points,
                           const std::vector<float>& values) {
@@ -89,7 +149,7 @@ std::vector<float> spread(const SurfaceBuffer& buffer, const std::vector<PixelPo
 
 std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& scene, const SurfaceBuffer& buffer) {
   if (field.is_empty()) return {};
-  const std::vector<PixelPoint> seen = pixel_points(buffer);
+  const std::vector<PixelPoint> seen = points_in(buffer, squares_with(field, buffer));
   std::vector<FieldPoint> points;
   points.reserve(seen.size());
   for (const PixelPoint& p : seen)

@@ -3,8 +3,6 @@
 #include <limits>
 #include <unordered_map>
 
-#include "lib/base/parallel.h"
-
 namespace gouge {
 namespace {
 
@@ -12,30 +10,25 @@ constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kMostEdges = 300'000;
 constexpr float kSameNormal = 0.9999F;
 
-using CornerNormals = std::array<Eigen::Vector3f, 3>;
-
 }  // namespace
 
 ViewerMesh ViewerMesh::from(const PictureScene& scene) {
   const std::uint32_t faces = scene.face_count();
-  std::vector<CornerNormals> normals(faces);
-  for_each_chunk(faces, 4096, 0, [&](std::size_t first, std::size_t last) {
-    for (std::size_t f = first; f < last; ++f) normals[f] = scene.normals(static_cast<std::uint32_t>(f));
-  });
   ViewerMesh out;
   out.triangles.reserve(faces);
   // By vertex of the scene the last copy made of it, and by copy the one before.
   std::vector<std::uint32_t> latest(scene.vertex_count(), kNoVertex), before;
   for (std::uint32_t f = 0; f < faces; ++f) {
     const std::array<std::uint32_t, 3> corners = scene.corner_vertices(f);
+    const std::array<Eigen::Vector3f, 3>& normals = scene.normals(f);
     std::array<std::uint32_t, 3> triangle{};
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint32_t copy = latest[corners[k]];
-      while (copy != kNoVertex && out.normals[copy].dot(normals[f][k]) < kSameNormal) copy = before[copy];
+      while (copy != kNoVertex && out.normals[copy].dot(normals[k]) < kSameNormal) copy = before[copy];
       if (copy == kNoVertex) {
         copy = static_cast<std::uint32_t>(out.positions.size());
         out.positions.push_back(scene.vertex(corners[k]));
-        out.normals.push_back(normals[f][k]);
+        out.normals.push_back(normals[k]);
         out.mesh_of.push_back(scene.mesh_of(f));
         before.push_back(latest[corners[k]]);
         latest[corners[k]] = copy;

@@ -95,7 +95,8 @@ struct Ball {
   struct Memory {};
   [[nodiscard]] double depth(const Vec3& point) const { return radius - (point - centre).norm(); }
   [[nodiscard]] static double floor_mm() { return 0.5; }
-  [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return spread > 0.5 * node.radius; }
+  [[nodiscard]] bool is_apart(const PointTree::Node& node) const { return spread > 0.5 * node.radius; }
+  [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return node.child == 0 || is_apart(node); }
   [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double, Memory&) const {
     const double here = depth(node.centre), slack = node.radius + spread;
     if (parts > 0 || !((node.centre - centre).norm() > 0))
@@ -138,7 +139,8 @@ TEST(PointDepths, AreTheLargestOfAllBodies) {
   EXPECT_LT(deep, points.size());
 }
 
-TEST(PointDepths, AreTheSameWhereBodiesAreAskedTogether) {
+/// Forty balls, and behind them those that stand for four of them.
+std::vector<Ball> grouped_balls() {
   std::vector<Ball> balls;
   for (int k = 0; k < 40; ++k) balls.push_back({Vec3(0.4 * k - 8, 0.2 * k, 1), 5 + 0.05 * (k % 7)});
   const std::size_t count = balls.size();
@@ -151,11 +153,45 @@ TEST(PointDepths, AreTheSameWhereBodiesAreAskedTogether) {
           together.spread, (balls[k].centre - together.centre).norm() + std::abs(balls[k].radius - together.radius));
     balls.push_back(together);
   }
+  return balls;
+}
+
+TEST(PointDepths, AreTheSameWhereBodiesAreAskedTogether) {
+  const std::vector<Ball> balls = grouped_balls();
+  const std::size_t count = 40;
   const std::vector<FieldPoint> points = wavy_field();
   const std::vector<float> found = PointDepths(points).deepest(balls, balls.size() - count);
   const std::size_t deep = expect_deepest(points, found, balls, count);
   EXPECT_GT(deep, 100U);
   EXPECT_LT(deep, points.size());
+}
+
+TEST(AnyDepth, MissesNoBallThatReachesIntoABody) {
+  const std::vector<Ball> balls = grouped_balls();
+  const std::size_t count = 40;
+  const std::vector<FieldPoint> points = wavy_field();
+  for (const double radius : {0.0, 0.3, 2.0, 9.0}) {
+    const std::vector<float> found = PointDepths(points).deepest(any_depths(balls, radius), balls.size() - count);
+    std::size_t kept = 0, reaching = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      double deepest = -1e9;  // of any point of the ball about this one in any of the forty
+      for (std::size_t b = 0; b < count; ++b)
+        deepest = std::max(deepest, std::min(balls[b].radius, balls[b].depth(points[i].at) + radius));
+      if (deepest > Ball::floor_mm()) {
+        ++reaching;
+        EXPECT_GT(found[i], 0) << "point " << i << ", radius " << radius;
+      }
+      // A body that stands for four is a little larger than they are, and a ball's box than the ball.
+      if (deepest < Ball::floor_mm() - 3 - radius) {
+        EXPECT_LE(found[i], 0) << "point " << i << ", radius " << radius;
+      }
+      kept += found[i] > 0 ? 1U : 0U;
+    }
+    EXPECT_GT(reaching, 100U);
+    if (radius < 5) {
+      EXPECT_LT(kept, points.size());
+    }
+  }
 }
 
 }  // namespace
