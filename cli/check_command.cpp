@@ -114,7 +114,7 @@ int run_check(const CheckArguments& check_arguments, const JobContext& context) 
   std::vector<FindingCures> cures;
   if (check_arguments.finds_cures)
     cures = find_cures(job.toolpath, result, job.setup(scene), cure_options, progress.call());
-  progress.end();
+  progress.begin("summing up the result");
   ReportModel model = job.report(arguments, job.toolpath, result, scene);
   if (check_arguments.finds_stickout) model.stickout_options = *stickout;
   model.stickouts = std::move(stickouts);
@@ -126,9 +126,9 @@ int run_check(const CheckArguments& check_arguments, const JobContext& context) 
   MadeCertificate certificate;
   if (!arguments.certificate_file.empty()) {
     certificate = make_certificate(claimed_scene(job), claims_of(result), inputs_digest(job.inputs), progress.call());
-    progress.end();
     model.certificate_bytes = certificate.bytes;
   }
+  progress.end();
   print_notes(err, model.notes, arguments);
   if (!certificate.not_proved.empty() && !arguments.is_quiet) print(err, {describe_unproved(job, certificate)});
   if (arguments.is_verbose) {

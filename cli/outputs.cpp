@@ -100,6 +100,7 @@ Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, con
   if (model.has_correction)
     before = pictures_of(job, scene, *model.correction.toolpath_before, *model.correction.result_before);
   const CheckedToolpath input = pictures_of(job, scene, *model.toolpath, *model.result);
+  progress.begin("preparing the pictures");
   Result<std::vector<NamedFile>> drawn = draw_report_pictures(model, input, before, progress.call());
   if (!drawn) return drawn.error();
   std::vector<NamedFile> files = std::move(*drawn);

@@ -56,8 +56,15 @@ Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 class ViewerWriter {
  public:
-  ViewerWriter(const ReportModel& model, const CheckedToolpath& input, const CheckedToolpath& before)
-      : model_(model), input_(input), scene_(*input.prepared), scale_(surface_scale(model, input)) {
+  static constexpr std::size_t kSteps = 5;  // the scene, its surface, what gouges it, all else, and the text
+
+  ViewerWriter(const ReportModel& model, const CheckedToolpath& input, const CheckedToolpath& before,
+               const ProgressCall& progress)
+      : model_(model),
+        input_(input),
+        progress_(progress),
+        scene_(*input.prepared),
+        scale_(surface_scale(model, input)) {
     paths_.push_back(&input);
     if (model.has_correction && before.toolpath != nullptr && before.result != nullptr) paths_.push_back(&before);
   }
@@ -79,12 +86,22 @@ class ViewerWriter {
     write_paths();
     json_["findings"] = finding_texts(model_, input_, HtmlTable::kMostRows);
     json_["view"] = first_view();
-    return payload_.text(json_);
+    tell(kSteps - 1);
+    Result<std::string> text = payload_.text(json_);
+    tell(kSteps);
+    return text;
+  }
+
+  /// That so many steps are done.
+  void tell(std::size_t done) const {
+    if (progress_) progress_("drawing the 3D view", done, kSteps);
   }
 
  private:
   void write_surface() {
+    tell(1);
     ViewerMesh mesh = ViewerMesh::from(scene_);
+    tell(2);
     std::vector<std::unique_ptr<SurfaceValues>> fields;
     std::vector<AskedValues> asked;
     std::vector<Vec3> points;
@@ -94,6 +111,7 @@ class ViewerWriter {
     }
     is_overcut_ = fields.front()->is_overcut() || fields.back()->is_overcut();
     const VertexValues values = refine_surface(mesh, asked, points, scene_.part_size_mm());
+    tell(3);
     json_["surface"] = write_mesh(payload_, mesh);
     Json by_path = Json::array();
     for (const std::vector<float>& of_path : values) by_path.push_back(write_values(payload_, of_path, scale_));
@@ -141,6 +159,7 @@ class ViewerWriter {
 
   const ReportModel& model_;
   const CheckedToolpath& input_;
+  const ProgressCall& progress_;
   PictureScene scene_;
   ColourScale scale_;
   std::vector<const CheckedToolpath*> paths_;
@@ -153,8 +172,8 @@ class ViewerWriter {
 
 Result<std::string> write_viewer(const ReportModel& model, const CheckedToolpath& input, const CheckedToolpath& before,
                                  const ProgressCall& progress) {
-  if (progress) progress("drawing the 3D view", 0, 1);
-  ViewerWriter writer(model, input, before);
+  if (progress) progress("drawing the 3D view", 0, ViewerWriter::kSteps);
+  ViewerWriter writer(model, input, before, progress);
   if (!writer.has_scene()) return std::string();
   const Result<std::string> scene = writer.run();
   if (!scene) return scene.error();

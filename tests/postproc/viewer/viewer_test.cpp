@@ -190,5 +190,21 @@ TEST(RefineSurface, LeavesNoGapBetweenTriangles) {
   for (const auto& [edge, balance] : edges) ASSERT_EQ(balance, 0);
 }
 
+TEST(Viewer, TellsOfEachStepUntilAllAreDone) {
+  const SmallScene small;
+  std::vector<std::size_t> told;
+  std::size_t all = 0;
+  const auto listen = [&](std::string_view stage, std::size_t done, std::size_t total) {
+    EXPECT_EQ(stage, "drawing the 3D view");
+    told.push_back(done);
+    all = total;
+  };
+  ASSERT_TRUE(write_viewer(small.model, small.input, {}, listen));
+  ASSERT_GT(told.size(), 3U);
+  EXPECT_EQ(told.front(), 0U);
+  EXPECT_EQ(told.back(), all);
+  for (std::size_t k = 1; k < told.size(); ++k) EXPECT_EQ(told[k], told[k - 1] + 1);
+}
+
 }  // namespace
 }  // namespace gouge
