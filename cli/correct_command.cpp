@@ -146,9 +146,10 @@ class CorrectRun {
     note_setup(job_, arguments_.job, scene);
     const CheckSetup setup = job_.setup(scene);
     const CheckResult before = check(job_.toolpath, setup, progress_.call());
-    progress_.end();
+    progress_.begin("comparing path and part");
     const PathFit fit = find_path_fit(job_.toolpath, before.verdicts, setup.tools, scene, job_.options.check.threads);
     const std::optional<Diagnostic> misfit = describe_misfit(job_.toolpath, fit);
+    progress_.end();
     if (misfit && is_beyond_correction(fit) && !arguments_.job.is_forced) return refuse(*misfit);
     CorrectOptions correct = correct_;
     const RewritableMoves rewritable = rewritable_moves(job_.toolpath);
@@ -168,6 +169,7 @@ class CorrectRun {
     const Correction& correction = corrected->correction;
     const Toolpath& path = corrected->after.path;
     const CheckResult& after = corrected->after.result;
+    progress_.begin("summing up the result");
     ReportModel model = job_.report(arguments_.job, path, after, scene);
     model.has_correction = true;
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before, path);
@@ -177,6 +179,7 @@ class CorrectRun {
     add_not_tilted(correction.not_tilted, model.notes);
     add_left_stock(model.correction, model.notes);
     if (misfit) model.notes.push_back(*misfit);
+    progress_.end();
     print_notes(err_, model.notes, arguments_.job);
     const bool is_written = outputs_.write(job_, scene, model, progress_, context_.out, err_);
     if (arguments_.job.is_verbose) print_peak_memory(err_);
