@@ -153,8 +153,8 @@ class Search : public BestFirstSearch<Search, Candidate> {
     return c.facet;
   }
 
-  /// False where the region stays out of the head's box. Else bounds its depth: first by planes that bounded others, then by the signed distance of its middle, which changes by no more than the distance
-  /// moved, and last by planes near it.
+  /// False where the region stays out of the head's box. Else bounds its depth: first by planes that bounded others, then
+  /// by the signed distance of its middle, which changes by no more than the distance moved, and last by planes near it.
   template <typename Region>
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
     if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + kSearchRounding_mm) return false;
