@@ -51,7 +51,7 @@ TEST(VerdictOnly, IsThatOfTheCheckThatMeasures) {
       EXPECT_EQ(whole.state, quick.state) << "seed " << seed << ", move " << i << ", depth " << whole.depth_mm;
       EXPECT_LE(quick.depth_mm, whole.depth_upper_mm + 1e-9);
       gouges += whole.state == MoveState::gouge ? 1 : 0;
-      nears += whole.state == MoveState::near ? 1 : 0;
+      nears += whole.state == MoveState::near_miss ? 1 : 0;
       cleans += whole.state == MoveState::clean ? 1 : 0;
     }
   }
