@@ -191,8 +191,11 @@ class Sweep {
     for (const TriangleBlock* block : work.blocks) visit_triangles(*block);
     for (const std::uint32_t node : work.nodes) visit_node(node);
     parts_ = 0;
-    // What is measured otherwise is searched otherwise.
-    tool_ == nullptr ? give_up(waiting_[0]) : refine(*step_, *frame_, 0, short_of_, 0);
+    if (tool_ == nullptr) {
+      give_up(waiting_[0]);  // what is measured otherwise is searched otherwise
+    } else {
+      refine(*step_, *frame_, 0, short_of_, 0);
+    }
     work_[m].least_pruned = std::min(work_[m].least_pruned, least_);
     swept_[m].bounds += std::exchange(bounds_, 0);
   }
