@@ -93,8 +93,7 @@ int run_check(const CheckArguments& check_arguments, const JobContext& context) 
   progress.end();
   if (!loaded.job) return fail(err, loaded.errors);
   Job& job = *loaded.job;
-  progress.begin("indexing the meshes");
-  const PreparedScene& scene = job.files->prepared(options->check.threads);
+  const PreparedScene& scene = job.files->prepared(options->check.threads, progress.call());
   progress.begin("checking the set-up");
   note_setup(job, arguments, scene);
   CheckSetup setup = job.setup(scene);

@@ -140,8 +140,7 @@ class CorrectRun {
         progress_(progress) {}
 
   int run() {
-    progress_.begin("indexing the meshes");
-    const PreparedScene& scene = job_.files->prepared(job_.options.check.threads);
+    const PreparedScene& scene = job_.files->prepared(job_.options.check.threads, progress_.call());
     progress_.begin("checking the set-up");
     note_setup(job_, arguments_.job, scene);
     const CheckSetup setup = job_.setup(scene);

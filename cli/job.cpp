@@ -44,7 +44,7 @@ class JobLoader {
     }
     SourceText text(std::move(*bytes));
     job_.inputs.push_back(describe_input("toolpath", arguments_.path, text));
-    ReadOutcome outcome = read_toolpath(arguments_.path, std::move(text), job_.options.reading);
+    ReadOutcome outcome = read_toolpath(arguments_.path, std::move(text), job_.options.reading, progress_.call());
     errors_.insert(errors_.end(), outcome.errors.begin(), outcome.errors.end());
     if (!outcome.toolpath) return false;
     job_.toolpath = std::move(*outcome.toolpath);

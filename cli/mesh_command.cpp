@@ -97,7 +97,7 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   if (const auto status = refuse_outputs({{"the mesh", arguments.file}}, outputs_of(arguments), err)) return *status;
   Progress progress(err, understand_progress(arguments.progress));
   progress.begin("reading " + arguments.file);
-  Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}}, arguments.input.most_bytes);
+  Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}}, arguments.input.most_bytes, progress.call());
   progress.end();
   if (!loaded) return fail(err, {loaded.error()});
   info.file = arguments.file;

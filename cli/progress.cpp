@@ -52,9 +52,10 @@ void Progress::show(std::string_view stage, std::size_t done, std::size_t total)
   if (!is_on_) return;
   const std::scoped_lock lock(guard_);
   if (stage != stage_) enter(stage);
+  counted_ = Clock::now();
+  if (total_ == 0) first_counted_ = counted_;
   done_ = done;
   total_ = total;
-  counted_ = Clock::now();
   draw(counted_);
 }
 
@@ -80,16 +81,17 @@ void Progress::draw(Clock::time_point now) {
   if (stage_.empty() || now - began_ < kQuietStart || (is_drawn_ && now - drawn_ < kRedraw)) return;
   drawn_ = now;
   is_drawn_ = true;
-  const double elapsed_s = std::chrono::duration<double>(now - began_).count();
+  const auto seconds = [](Clock::duration lasting) { return std::chrono::duration<double>(lasting).count(); };
   err_ << '\r' << printable(stage_) << ": ";
   if (total_ == 0) {
-    err_ << duration_text(elapsed_s);
+    err_ << duration_text(seconds(now - began_));
   } else {
+    const double elapsed_s = seconds(now - first_counted_);
     err_ << done_ << " of " << total_ << " (" << done_ * 100 / total_ << " %)";
     if (done_ > 0 && done_ < total_ && elapsed_s > kLeastElapsed_s) {
       // The rest takes as long in proportion as what was done when it was last counted.
-      const double counted_s = std::chrono::duration<double>(counted_ - began_).count();
-      const double all_s = counted_s * static_cast<double>(total_) / static_cast<double>(done_);
+      const double all_s =
+          seconds(counted_ - first_counted_) * static_cast<double>(total_) / static_cast<double>(done_);
       err_ << ", about " << duration_text(std::max(1.0, all_s - elapsed_s)) << " left";
     }
   }

@@ -50,7 +50,7 @@ class Progress {
   bool is_drawn_ = false;
   std::string stage_;  // empty: nothing is being done
   std::size_t done_ = 0, total_ = 0;
-  Clock::time_point began_, counted_, drawn_;
+  Clock::time_point began_, first_counted_, counted_, drawn_;
   std::condition_variable_any closed_;
   std::jthread ticker_;  // draws while nothing reports
 };

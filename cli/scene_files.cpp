@@ -76,7 +76,7 @@ class SceneLoader {
       if (task == 0) {
         input = describe_input(role, name, mine.bytes);
       } else {
-        loaded = load_mesh_view(std::move(mine), name, placement);
+        loaded = load_mesh_view(std::move(mine), name, placement, progress_.call());
       }
     });
     files_->inputs.push_back(std::move(input));
@@ -118,8 +118,8 @@ std::string SceneRequest::key() const {
   return key;
 }
 
-const PreparedScene& SceneFiles::prepared(unsigned threads) const {
-  std::call_once(once_, [&] { prepared_.emplace(scene, threads); });
+const PreparedScene& SceneFiles::prepared(unsigned threads, const ProgressCall& progress) const {
+  std::call_once(once_, [&] { prepared_.emplace(scene, threads, progress); });
   return *prepared_;
 }
 

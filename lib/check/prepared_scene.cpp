@@ -15,15 +15,15 @@ std::vector<Surface> surfaces_of(const std::vector<IndexedMesh>& meshes, const B
 
 }  // namespace
 
-PreparedScene::PreparedScene(const Scene& of, unsigned threads)
+PreparedScene::PreparedScene(const Scene& of, unsigned threads, const ProgressCall& progress)
     : scene(&of),
       is_within_reach(why_unfit(of) == Reason::Kind::none),
       part_surfaces_(surfaces_of(of.parts, parts, threads)),
       fixture_surfaces_(surfaces_of(of.fixtures, fixtures, threads)),
       sides_(of) {
   if (!is_within_reach) return;
-  parts = build_block_tree(of.parts, threads);
-  fixtures = build_block_tree(of.fixtures, threads);
+  parts = build_block_tree(of.parts, threads, "indexing the parts", progress);
+  fixtures = build_block_tree(of.fixtures, threads, "indexing the fixtures", progress);
 }
 
 const Surface& PreparedScene::surface(Against kind, std::size_t mesh) const {

@@ -15,7 +15,7 @@ namespace gouge {
 class PreparedScene {
  public:
   /// Requires that the scene outlives it. `threads` as in for_each_chunk.
-  explicit PreparedScene(const Scene& scene, unsigned threads = 0);
+  explicit PreparedScene(const Scene& scene, unsigned threads = 0, const ProgressCall& progress = {});
   /// Stays where it is: its surfaces point into its trees.
   PreparedScene(const PreparedScene&) = delete;
   PreparedScene& operator=(const PreparedScene&) = delete;

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "lib/base/parallel.h"
 #include "lib/geom/vec.h"
 #include "lib/hierarchy/blocks.h"
 #include "lib/mesh/indexed_mesh.h"
@@ -38,7 +40,9 @@ struct BlockTree {
 
 /// Requires that the meshes outlive the tree and hold fewer than 2^32 triangles together.
 /// Ensures  every triangle in exactly one leaf, every bound holds; the same bytes at any number of threads (0: all).
-/// Cost     O(n log n) time, 47 bytes a triangle, 16 more while it is built.
-[[nodiscard]] BlockTree build_block_tree(std::span<const IndexedMesh> meshes, unsigned threads = 0);
+/// Cost     O(n log n) time, 47 bytes a triangle, 16 more while it is built. It is reported as `stage`, triangles
+///          counted.
+[[nodiscard]] BlockTree build_block_tree(std::span<const IndexedMesh> meshes, unsigned threads = 0,
+                                         std::string_view stage = {}, const ProgressCall& progress = {});
 
 }  // namespace gouge

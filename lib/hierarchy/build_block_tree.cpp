@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -6,6 +7,7 @@
 
 #include "lib/base/large_pages.h"
 #include "lib/base/parallel.h"
+#include "lib/base/stage.h"
 #include "lib/hierarchy/block_tree.h"
 #include "lib/hierarchy/bound_leaves.h"
 #include "lib/hierarchy/cut_entries.h"
@@ -21,6 +23,9 @@ constexpr double kBlockRoundUp = 1 + 1e-9;
 
 // Subtrees of this many triangles are made whole, one by one: their leaves stay in the processor's cache.
 constexpr std::size_t kSubtree = kBlockLanes * kBlockLanes * kBlockLanes;
+
+// How much longer a triangle takes in its subtree than in one cut above it: twelve cuts, in the cache, and bounds.
+constexpr std::size_t kWorkOfSubtrees = 8;
 
 /// Triangles one child of a node over `count` of them holds: a power of 16, so that all blocks but the last
 /// of each level are full.
@@ -69,10 +74,12 @@ class Builder {
     tree_.rounding_mm = kBlockSingle * 0.5 * box.diagonal().norm();
   }
 
-  BlockTree build() {
+  BlockTree build(std::string_view name, const ProgressCall& progress) {
     if (total_ == 0) return std::move(tree_);
+    Stage stage(progress, name, total_, total_ * (1 + cuts_to_subtrees() + kWorkOfSubtrees));
     make_entries();
-    sort_into_subtrees();
+    stage.add(total_);
+    sort_into_subtrees(stage);
     const std::size_t nodes = nodes_below(total_);
     reserve_large(tree_.nodes, nodes);
     tree_.nodes.resize(nodes);
@@ -81,8 +88,11 @@ class Builder {
     tree_.leaves.resize(leaves);
     areas_.resize(tree_.leaves.size());
     plan({0, 0, total_});
-    for_each_chunk(subtrees_.size(), 1, threads_, [this](std::size_t first, std::size_t last) {
-      for (std::size_t j = first; j < last; ++j) make_subtree(subtrees_[j]);
+    for_each_chunk(subtrees_.size(), 1, threads_, [this, &stage](std::size_t first, std::size_t last) {
+      for (std::size_t j = first; j < last; ++j) {
+        make_subtree(subtrees_[j]);
+        stage.add((subtrees_[j].range.last - subtrees_[j].range.first) * kWorkOfSubtrees);
+      }
     });
     for_each_chunk(lanes_.size(), 1, threads_, [this](std::size_t first, std::size_t last) {
       for (std::size_t j = first; j < last; ++j) bound(lanes_[j]);
@@ -128,7 +138,12 @@ class Builder {
   }
 
   // All cuts of one depth side by side, from the whole down to the subtrees.
-  void sort_into_subtrees() {
+  // How often each triangle is in a cut, about.
+  [[nodiscard]] std::size_t cuts_to_subtrees() const {
+    return total_ <= kSubtree ? 0 : static_cast<std::size_t>(std::bit_width((total_ - 1) / kSubtree));
+  }
+
+  void sort_into_subtrees(Stage& stage) {
     std::vector<Entry> scratch;
     reserve_large(scratch, total_);
     scratch.resize(total_);
@@ -136,8 +151,10 @@ class Builder {
     keep_if_large(cuts, 0, total_);
     while (!cuts.empty()) {
       for_each_chunk(cuts.size(), 1, threads_, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
+        for (std::size_t i = first; i < last; ++i) {
           cut(cuts[i], {scratch.data() + cuts[i].first, scratch.size() - cuts[i].first});
+          stage.add(cuts[i].last - cuts[i].first);
+        }
       });
       next.clear();
       for (const Cut& c : cuts) {
@@ -284,8 +301,9 @@ class Builder {
 
 }  // namespace
 
-BlockTree build_block_tree(std::span<const IndexedMesh> meshes, unsigned threads) {
-  return Builder(meshes, threads).build();
+BlockTree build_block_tree(std::span<const IndexedMesh> meshes, unsigned threads, std::string_view stage,
+                           const ProgressCall& progress) {
+  return Builder(meshes, threads).build(stage, progress);
 }
 
 }  // namespace gouge

@@ -5,11 +5,13 @@
 #include <optional>
 
 #include "lib/base/number_text.h"
+#include "lib/base/stage.h"
 
 namespace gouge::detail {
 namespace {
 
 constexpr std::size_t kLongestQuote = 40;
+constexpr std::size_t kMegabyte = 1'000'000;
 
 char lower(char c) { return (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -65,6 +67,7 @@ class Words {
   }
 
   [[nodiscard]] std::size_t line() const { return line_; }
+  [[nodiscard]] std::size_t bytes_read() const { return at_; }
 
  private:
   // Blanks, line ends, and lines that begin with '#', as some writers put them above the solid.
@@ -92,7 +95,9 @@ class Words {
 
 class AsciiParser {
  public:
-  AsciiParser(std::string_view bytes, const std::string& name) : words_(bytes) {
+  AsciiParser(std::string_view bytes, const std::string& name, const ProgressCall& progress)
+      : words_(bytes),
+        stage_(progress, "reading the text of " + name + ", MB", bytes.size() / kMegabyte, bytes.size()) {
     soup_.name = name;
     soup_.format = StlFormat::ascii;
     soup_.triangles.reserve(bytes.size() / 260);
@@ -101,6 +106,7 @@ class AsciiParser {
   Result<TriangleSoup> parse() {
     while (!words_.peek().empty()) {
       if (!parse_statement()) return *error_;
+      count_megabytes();
     }
     if (soup_.triangles.empty()) {
       return make_error("stl-no-triangles", "the ASCII STL holds no facet; expected at least one", soup_.name);
@@ -116,6 +122,12 @@ class AsciiParser {
   }
 
  private:
+  void count_megabytes() {
+    if (words_.bytes_read() - counted_ < kMegabyte) return;
+    stage_.add(words_.bytes_read() - counted_);
+    counted_ = words_.bytes_read();
+  }
+
   bool parse_statement() {
     const std::string_view word = words_.next();
     if (equals(word, "solid")) {
@@ -209,6 +221,8 @@ class AsciiParser {
   }
 
   Words words_;
+  Stage stage_;
+  std::size_t counted_ = 0;  // bytes
   TriangleSoup soup_;
   std::optional<Diagnostic> error_;
   bool is_in_solid_ = false;
@@ -230,8 +244,8 @@ bool looks_like_ascii_stl(std::string_view bytes) {
                      [](char c) { return is_blank(c) || is_line_end(c) || (c >= ' ' && c <= '~'); });
 }
 
-Result<TriangleSoup> parse_ascii_stl(std::string_view bytes, const std::string& name) {
-  return AsciiParser(bytes, name).parse();
+Result<TriangleSoup> parse_ascii_stl(std::string_view bytes, const std::string& name, const ProgressCall& progress) {
+  return AsciiParser(bytes, name, progress).parse();
 }
 
 void count_normal(TriangleSoup& soup, std::size_t index, const TrianglePoints& triangle, const Vec3& stored_normal) {

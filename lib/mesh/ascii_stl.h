@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "lib/base/parallel.h"
 #include "lib/base/result.h"
 #include "lib/mesh/triangle_soup.h"
 
@@ -15,7 +16,8 @@ namespace gouge::detail {
 [[nodiscard]] bool looks_like_ascii_stl(std::string_view bytes);
 
 /// Errors and tolerance as described at parse_stl.
-[[nodiscard]] Result<TriangleSoup> parse_ascii_stl(std::string_view bytes, const std::string& name);
+[[nodiscard]] Result<TriangleSoup> parse_ascii_stl(std::string_view bytes, const std::string& name,
+                                                   const ProgressCall& progress = {});
 
 /// Counts a stored normal that points to the other side of its triangle, the one at `index`. Normals that are
 /// zero or not finite say nothing, nor do triangles too thin to have a normal.

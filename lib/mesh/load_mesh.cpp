@@ -16,21 +16,23 @@ struct Welded {
 };
 
 // The file is let go of at the end, before anything else takes memory.
-Result<Welded> weld(FileView file, const std::string& name, const MeshPlacement& placement) {
-  Result<TriangleSoup> soup = parse_stl(file.bytes, name, std::move(file.keep));
+Result<Welded> weld(FileView file, const std::string& name, const MeshPlacement& placement,
+                    const ProgressCall& progress) {
+  Result<TriangleSoup> soup = parse_stl(file.bytes, name, std::move(file.keep), progress);
   if (!soup) return soup.error();
-  Result<BuiltMesh> built = build_mesh(*soup, placement);
+  Result<BuiltMesh> built = build_mesh(*soup, placement, progress);
   if (!built) return built.error();
   return Welded{std::move(*built), soup->format, std::move(soup->notes)};
 }
 
 }  // namespace
 
-Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name, const MeshPlacement& placement) {
-  Result<Welded> welded = weld(std::move(file), name, placement);
+Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name, const MeshPlacement& placement,
+                                  const ProgressCall& progress) {
+  Result<Welded> welded = weld(std::move(file), name, placement, progress);
   if (!welded) return welded.error();
   LoadedMesh loaded;
-  loaded.findings = find_mesh_findings(welded->built);
+  loaded.findings = find_mesh_findings(welded->built, progress);
   loaded.mesh = std::move(welded->built.mesh);
   loaded.format = welded->format;
   loaded.notes = std::move(welded->notes);
@@ -43,10 +45,11 @@ Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& na
   return load_mesh_view({bytes, nullptr}, name, placement);
 }
 
-Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement, std::uint64_t most_bytes) {
+Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement, std::uint64_t most_bytes,
+                             const ProgressCall& progress) {
   Result<FileView> file = view_file(path, most_bytes);
   if (!file) return file.error();
-  return load_mesh_view(std::move(*file), path, placement);
+  return load_mesh_view(std::move(*file), path, placement, progress);
 }
 
 }  // namespace gouge

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lib/base/parallel.h"
 #include "lib/base/result.h"
 #include "lib/base/view_file.h"
 #include "lib/mesh/mesh_builder.h"
@@ -19,11 +20,12 @@ struct LoadedMesh {
 /// From an STL file to a mesh and what there is to say about it.
 /// Errors: those of read_file, parse_stl and build_mesh.
 [[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement = {},
-                                           std::uint64_t most_bytes = kMaxInputBytes);
+                                           std::uint64_t most_bytes = kMaxInputBytes,
+                                           const ProgressCall& progress = {});
 
 /// The same from a file that is looked at already; it is let go of as soon as the mesh is welded.
 [[nodiscard]] Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name,
-                                                const MeshPlacement& placement = {});
+                                                const MeshPlacement& placement = {}, const ProgressCall& progress = {});
 
 /// The same from the bytes of a file.
 [[nodiscard]] Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& name,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lib/base/large_pages.h"
+#include "lib/base/stage.h"
 
 namespace gouge {
 namespace {
@@ -125,7 +126,7 @@ bool is_in_range(const std::array<Vec3, 3>& t, double scale) {
 
 }  // namespace
 
-Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& placement) {
+Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& placement, const ProgressCall& progress) {
   BuiltMesh built;
   IndexedMesh& mesh = built.mesh;
   mesh.name = soup.name;
@@ -138,7 +139,9 @@ Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& plac
   const auto centre = [&](const std::array<Vec3, 3>& t) {
     return placement.transform.point((t[0] + t[1] + t[2]) * (scale / 3));
   };
+  Stage stage(progress, "reading " + soup.name, soup.triangles.size());
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    stage.pass(i);
     const auto& [triangle, hashes] = ahead.at(i);
     if (!is_in_range(triangle, scale)) {
       return make_error("stl-coordinate-too-large",

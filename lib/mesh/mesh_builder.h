@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "lib/base/parallel.h"
 #include "lib/base/result.h"
 #include "lib/base/units.h"
 #include "lib/geom/rigid_transform.h"
@@ -53,6 +54,7 @@ struct BuiltMesh {
 /// Errors   stl-no-surface: every triangle is degenerate. stl-coordinate-too-large: a coordinate beyond
 ///          1e9 mm after scaling.
 /// Cost     O(n).
-[[nodiscard]] Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& placement = {});
+[[nodiscard]] Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& placement = {},
+                                           const ProgressCall& progress = {});
 
 }  // namespace gouge

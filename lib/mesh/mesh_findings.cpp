@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/stage.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/opposite_half_edges.h"
 #include "lib/mesh/union_find.h"
@@ -17,6 +18,11 @@ namespace {
 // Distinguishing a cavity from an inside-out body costs one pass over the mesh; files with more inward pieces than
 // this are broken anyway.
 constexpr std::size_t kMostInwardPieces = 64;
+
+// Of a closed mesh: edges matched (3), fans, pieces joined and measured.
+constexpr std::size_t kWorkPerTriangle = 6;
+// Of any mesh: its edges (2), what is wrong with edges, vertices, copies, pieces.
+constexpr std::size_t kStepsOfFaultFinder = 6;
 
 struct Piece {
   std::uint32_t lowest = 0;  // its lowest triangle
@@ -83,14 +89,20 @@ class FaultFinder {
   FaultFinder(const IndexedMesh& mesh, const MeshAdjacency& adjacency)
       : mesh_(mesh), adjacency_(adjacency), pieces_(mesh.triangles.size()) {}
 
-  MeshFindings find() {
+  MeshFindings find(Stage* stage) {
+    const auto step = [&] {
+      if (stage != nullptr) stage->add(mesh_.triangles.size());
+    };
     found_.vertices = mesh_.vertices.size();
     found_.edges = adjacency_.edges().size();
     found_.triangles = mesh_.triangles.size();
     found_.box_mm = mesh_.box();
     find_edges();
+    step();
     find_vertices();
+    step();
     find_duplicates();
+    step();
     find_open_pieces();
     find_pieces(mesh_, pieces_, is_open_, found_);
     return found_;
@@ -180,15 +192,18 @@ class FaultFinder {
 };
 
 // Where each edge has two triangles and each vertex one fan, all there is to find is about whole pieces.
-MeshFindings find_closed_findings(const IndexedMesh& mesh, const OppositeHalfEdges& opposites) {
+MeshFindings find_closed_findings(const IndexedMesh& mesh, const OppositeHalfEdges& opposites, Stage& stage) {
   MeshFindings found;
   found.vertices = mesh.vertices.size();
   found.edges = opposites.size() / 2;
   found.triangles = mesh.triangles.size();
   found.box_mm = mesh.box();
   UnionFind pieces(mesh.triangles.size());
-  for (std::uint32_t side = 0; side < opposites.size(); ++side) {
-    if (opposites[side] < side) pieces.join(opposites[side] / 3, side / 3);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    stage.pass(t);
+    for (const std::uint32_t side : {3 * t, 3 * t + 1, 3 * t + 2}) {
+      if (opposites[side] < side) pieces.join(opposites[side] / 3, t);
+    }
   }
   find_pieces(mesh, pieces, {}, found);
   return found;
@@ -202,18 +217,24 @@ std::optional<long long> MeshFindings::handles() const {
 }
 
 MeshFindings find_mesh_findings(const IndexedMesh& mesh, const MeshAdjacency& adjacency) {
-  return FaultFinder(mesh, adjacency).find();
+  return FaultFinder(mesh, adjacency).find(nullptr);
 }
 
-MeshFindings find_mesh_findings(const IndexedMesh& mesh) {
-  if (const auto opposites = find_opposite_half_edges(mesh); opposites && is_manifold(mesh, *opposites)) {
-    return find_closed_findings(mesh, *opposites);
+MeshFindings find_mesh_findings(const IndexedMesh& mesh, const ProgressCall& progress) {
+  const std::size_t count = mesh.triangles.size();
+  Stage stage(progress, "looking for faults of " + mesh.name, count, kWorkPerTriangle * count);
+  if (const auto opposites = find_opposite_half_edges(mesh, &stage);
+      opposites && is_manifold(mesh, *opposites, &stage)) {
+    return find_closed_findings(mesh, *opposites, stage);
   }
-  return find_mesh_findings(mesh, MeshAdjacency(mesh));
+  Stage full(progress, "listing faults of " + mesh.name, count, kStepsOfFaultFinder * count);
+  const MeshAdjacency adjacency(mesh);
+  full.add(2 * count);
+  return FaultFinder(mesh, adjacency).find(&full);
 }
 
-MeshFindings find_mesh_findings(const BuiltMesh& built) {
-  MeshFindings found = find_mesh_findings(built.mesh);
+MeshFindings find_mesh_findings(const BuiltMesh& built, const ProgressCall& progress) {
+  MeshFindings found = find_mesh_findings(built.mesh, progress);
   found.degenerate_triangles = built.degenerate;
   found.collinear_triangles = built.collinear;
   found.opposite_normals = built.opposite_normals;

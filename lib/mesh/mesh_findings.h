@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lib/base/diagnostic.h"
+#include "lib/base/parallel.h"
 #include "lib/base/units.h"
 #include "lib/mesh/adjacency.h"
 #include "lib/mesh/indexed_mesh.h"
@@ -64,9 +65,9 @@ struct MeshFindings {
 /// Requires what build_mesh ensures.
 /// Cost     O(n), and O(n) for each of the pieces that face inward (the first 64; later ones count as inside
 /// out).
-[[nodiscard]] MeshFindings find_mesh_findings(const IndexedMesh& mesh);
+[[nodiscard]] MeshFindings find_mesh_findings(const IndexedMesh& mesh, const ProgressCall& progress = {});
 [[nodiscard]] MeshFindings find_mesh_findings(const IndexedMesh& mesh, const MeshAdjacency& adjacency);
-[[nodiscard]] MeshFindings find_mesh_findings(const BuiltMesh& built);
+[[nodiscard]] MeshFindings find_mesh_findings(const BuiltMesh& built, const ProgressCall& progress = {});
 
 /// One sentence for each kind of finding: how many, where the first is, and what it means for a check.
 /// Warnings where a check can no longer tell a buried tool, notes for the rest; empty for a clean solid.

@@ -28,8 +28,9 @@ class Matcher {
     opposites_.resize(sides_);
   }
 
-  std::optional<OppositeHalfEdges> match() {
+  std::optional<OppositeHalfEdges> match(Stage* stage) {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (stage != nullptr) stage->pass(t, 3);
       const TriangleCorners& c = mesh_.triangles[t];
       if (!add(3 * t, c[0], c[1]) || !add(3 * t + 1, c[1], c[2]) || !add(3 * t + 2, c[2], c[0])) return std::nullopt;
     }
@@ -71,15 +72,16 @@ std::uint32_t after(std::uint32_t side) { return side % 3 == 2 ? side - 2 : side
 
 }  // namespace
 
-std::optional<OppositeHalfEdges> find_opposite_half_edges(const IndexedMesh& mesh) {
+std::optional<OppositeHalfEdges> find_opposite_half_edges(const IndexedMesh& mesh, Stage* stage) {
   if (mesh.triangles.size() > kMostTriangles) return std::nullopt;
-  return Matcher(mesh).match();
+  return Matcher(mesh).match(stage);
 }
 
-bool is_manifold(const IndexedMesh& mesh, const OppositeHalfEdges& opposites) {
+bool is_manifold(const IndexedMesh& mesh, const OppositeHalfEdges& opposites, Stage* stage) {
   std::vector<bool> is_seen(mesh.vertices.size(), false);
   std::size_t corners = 0;  // in the first fan of each vertex
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (stage != nullptr) stage->pass(t);
     const std::uint32_t a = opposites[3 * t] / 3, b = opposites[3 * t + 1] / 3, c = opposites[3 * t + 2] / 3;
     if (a == b || b == c || c == a) return false;  // two common edges: the same corners
     for (std::uint32_t k = 0; k < 3; ++k) {

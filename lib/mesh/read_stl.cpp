@@ -143,7 +143,8 @@ Result<TriangleSoup> parse_binary_stl(std::string_view bytes, const std::string&
 
 }  // namespace
 
-Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name, std::shared_ptr<const void> keep) {
+Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name, std::shared_ptr<const void> keep,
+                               const ProgressCall& progress) {
   if (bytes.empty()) {
     return make_error("stl-empty", "the file is empty (0 bytes); expected a binary or ASCII STL", name);
   }
@@ -151,7 +152,7 @@ Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name, 
   if (has_header && bytes.size() == kHeaderSize + kTriangleSize * TriangleList::word_at(bytes, 80)) {
     return parse_binary_stl(bytes, name, std::move(keep));
   }
-  if (detail::looks_like_ascii_stl(bytes)) return detail::parse_ascii_stl(bytes, name);
+  if (detail::looks_like_ascii_stl(bytes)) return detail::parse_ascii_stl(bytes, name, progress);
   const bool is_plain = is_text(bytes.substr(0, 4096));
   if (const auto foreign = describe_foreign_mesh(bytes, is_plain))
     return make_error("stl-not-stl", "the file " + *foreign, name);

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "lib/base/parallel.h"
 #include "lib/base/result.h"
 #include "lib/mesh/triangle_soup.h"
 
@@ -23,10 +24,11 @@ namespace gouge {
 ///          `name` stands in each; ASCII errors have the line.
 /// Binary triangles are looked up in `bytes` and not copied: the bytes must outlive the soup, unless `keep`
 /// sees to that.
-/// Cost     O(bytes).
+/// Cost     O(bytes). ASCII, which takes long enough, is counted in MB.
 [[nodiscard]] Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name,
-                                             std::shared_ptr<const void> keep = nullptr);
-Result<TriangleSoup> parse_stl(std::string&& bytes, const std::string& name,
-                               std::shared_ptr<const void> keep = nullptr) = delete;  ///< would not outlive it
+                                             std::shared_ptr<const void> keep = nullptr,
+                                             const ProgressCall& progress = {});
+Result<TriangleSoup> parse_stl(std::string&& bytes, const std::string& name, std::shared_ptr<const void> keep = nullptr,
+                               const ProgressCall& progress = {}) = delete;  ///< would not outlive it
 
 }  // namespace gouge

@@ -36,6 +36,24 @@ TEST(Progress, SaysHowMuchIsDoneAndAboutHowLongTheRestTakes) {
   EXPECT_NE(err.str().find("\rchecking moves: 500 of 1000 (50 %), about "), std::string::npos) << err.str();
 }
 
+TEST(Progress, WhatWentBeforeTheCountingIsNotCountedIn) {
+  std::ostringstream err;
+  Progress progress(err, ProgressMode::always);
+  progress.begin("reading part.stl");
+  wait_ms(3000);
+  progress.show("reading part.stl", 0, 1000);
+  wait_ms(1300);
+  progress.show("reading part.stl", 500, 1000);
+  wait_ms(300);
+  progress.end();
+  const std::size_t at = err.str().find("500 of 1000 (50 %), about ");
+  ASSERT_NE(at, std::string::npos) << err.str();
+  // 1.3 s or more as the machine is busy, not 4.3 s.
+  const double left_s = std::stod(err.str().substr(at + 26));
+  EXPECT_GE(left_s, 1);
+  EXPECT_LE(left_s, 3) << err.str();
+}
+
 TEST(Progress, EachStageCountsItsOwnTime) {
   std::ostringstream err;
   Progress progress(err, ProgressMode::always);

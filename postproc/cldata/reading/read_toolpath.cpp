@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/stage.h"
 #include "lib/base/units.h"
 #include "postproc/cldata/interpreting/interpreter.h"
 #include "postproc/cldata/language/arguments.h"
@@ -275,7 +276,8 @@ void report_last_line(std::string_view bytes, const Dialect& dialect, Diagnostic
 
 }  // namespace
 
-ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const ReadOptions& options) {
+ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const ReadOptions& options,
+                          const ProgressCall& progress) {
   ReadOutcome outcome;
   const Dialect dialect = options.dialect.value_or(recognise_dialect(bytes));
   if (auto error = find_unreadable(file_name, bytes, dialect, options.dialect.has_value())) {
@@ -297,7 +299,11 @@ ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const 
   if (options.is_cutcom_centre) interpreter.set_cutter_centre();
   StatementReader reader(path.source, dialect.form);
   Statement statement;
-  while (!interpreter.is_hopeless() && reader.next(statement)) interpreter.take(statement);
+  Stage stage(progress, "reading " + file_name, lines.with_text);
+  for (std::size_t i = 0; !interpreter.is_hopeless() && reader.next(statement); ++i) {
+    stage.pass(i);
+    interpreter.take(statement);
+  }
   if (!interpreter.is_hopeless()) interpreter.finish();
   outcome.errors = interpreter.take_errors();
   report_last_line(path.source, dialect, outcome.errors);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lib/base/diagnostic.h"
+#include "lib/base/parallel.h"
 #include "lib/path/toolpath.h"
 #include "postproc/cldata/language/dialect.h"
 
@@ -40,7 +41,7 @@ struct ReadOutcome {
 ///          12 times the file for the shortest positions there are (GOTO/1,1,1), 3 times for usual ones of five
 ///          axes, 18 times for lists of positions of one digit, 39 for such holes, each of which is four moves. Of long paths most of it is not in memory but
 ///          in files (lib/base/paged_memory.h).
-[[nodiscard]] ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes,
-                                        const ReadOptions& options = {});
+[[nodiscard]] ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const ReadOptions& options = {},
+                                        const ProgressCall& progress = {});
 
 }  // namespace gouge

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "lib/base/parallel.h"
+
+namespace gouge {
+
+/// One stage of long work that is not a loop over chunks alone: counts what is done and reports it a thousand times at
+/// the most. Free where nobody asks.
+class Stage {
+ public:
+  /// `items` is what is counted for the reader, all of them done when `work` is, in any unit: where each item is gone
+  /// through six times it is six times as much. Reports that nothing is done. The call must outlive it.
+  Stage(const ProgressCall& progress, std::string_view name, std::size_t items, std::size_t work);
+  Stage(const ProgressCall& progress, std::string_view name, std::size_t items) : Stage(progress, name, items, items) {}
+
+  /// From any thread.
+  void add(std::size_t work) {
+    if (progress_) count(work);
+  }
+
+  /// For a loop over items: adds `work` for each of the items before `i` now and then.
+  void pass(std::size_t i, std::size_t work = 1) {
+    if (i % kStride == kStride - 1) add(work * kStride);
+  }
+
+ private:
+  static constexpr std::size_t kStride = 4096;
+
+  void count(std::size_t work);
+
+  const ProgressCall& progress_;
+  std::string name_;
+  std::size_t items_, work_;
+  std::atomic<std::size_t> done_{0};
+  std::mutex guard_;
+  std::size_t reported_ = 0;  // of kReports
+};
+
+}  // namespace gouge
