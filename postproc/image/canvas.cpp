@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 #include "postproc/image/ascii_text.h"
@@ -211,6 +212,18 @@ class Painter {
            (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) * 3;
   }
 
+  // How many levels of a mask are 0 before one that is not, or some of them.
+  static int untouched_of(const std::uint8_t* levels, int count) {
+    constexpr int kTogether = 8;
+    int untouched = 0;
+    for (; untouched + kTogether <= count; untouched += kTogether) {
+      std::uint64_t together = 0;
+      std::memcpy(&together, levels + untouched, sizeof together);
+      if (together != 0) break;
+    }
+    return untouched > 0 || *levels != 0 ? untouched : 1;
+  }
+
   // Paints `draw` into a mask over `area` and lays the colour over the picture through it, so that overlapping
   // strokes of one item do not add up.
   template <class Draw>
@@ -229,7 +242,13 @@ class Painter {
     for (int y = 0; y < seen.height; ++y) {
       std::uint8_t* at = pixel(seen.x, seen.y + y);
       for (int x = 0; x < seen.width; ++x, at += 3, ++level) {
-        if (*level == 0) continue;
+        const int untouched = untouched_of(level, seen.width - x);  // most of the mask of a frame
+        if (untouched > 0) {
+          x += untouched - 1;
+          at += 3 * (untouched - 1);
+          level += untouched - 1;
+          continue;
+        }
         const int alpha = *level * opacity;  // of 255 * 256
         for (std::size_t k = 0; k < 3; ++k)
           at[k] = static_cast<std::uint8_t>((at[k] * (65280 - alpha) + paint[k] * alpha + 32640) / 65280);

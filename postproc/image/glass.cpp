@@ -1,6 +1,7 @@
 #include "postproc/image/glass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -42,34 +43,45 @@ View part_of(const View& view, const PixelRange& range) {
   return out;
 }
 
+constexpr int kOutline = 2;  // pixels wide, of a supersampled picture
+
 /// The pane that a body lays over the part. It is drawn for some pixels of the picture; in no other is it seen.
 class Pane {
  public:
   /// `body_of`: of a face.
   template <class BodyOf>
   Pane(const SurfaceBuffer& part, const PixelRange& range, SurfaceBuffer buffer, const BodyOf& body_of)
-      : part_(part), range_(range), buffer_(std::move(buffer)), bodies_(buffer_.face.size(), std::int8_t{-1}) {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (buffer_.face[i] != kNoFace) bodies_[i] = static_cast<std::int8_t>(body_of(buffer_.face[i]));
+      : part_(part), range_(range), buffer_(std::move(buffer)), stride_(buffer_.view.width + kOutline) {
+    bodies_.assign(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(buffer_.view.height + kOutline), -1);
+    for (int y = 0; y < buffer_.view.height; ++y) {
+      const std::uint32_t* const faces = buffer_.face.data() + buffer_.index(0, y);
+      std::int8_t* const bodies = bodies_.data() + body_index(0, y);
+      for (int x = 0; x < buffer_.view.width; ++x) {
+        if (faces[x] != kNoFace) bodies[x] = static_cast<std::int8_t>(body_of(faces[x]));
+      }
+      // The edge of the picture is no outline.
+      if (range.right == part.view.width && buffer_.view.width >= kOutline)
+        std::copy_n(bodies + buffer_.view.width - kOutline, kOutline, bodies + buffer_.view.width);
     }
+    if (range.bottom != part.view.height || buffer_.view.height < kOutline) return;
+    std::copy_n(bodies_.data() + body_index(0, buffer_.view.height - kOutline), kOutline * stride_,
+                bodies_.data() + body_index(0, buffer_.view.height));
   }
-  virtual ~Pane() = default;
-  Pane(const Pane&) = delete;
-  Pane& operator=(const Pane&) = delete;
 
-  void paint(Raster& raster, int x, int y, NormalsAt& head_normals) const {
-    const int body = body_at(x, y);
-    const int right = x + 2 < raster.width ? body_at(x + 2, y) : body;
-    const int below = y + 2 < raster.height ? body_at(x, y + 2) : body;
+  /// `coat_of(i, is_hidden)`: what colours pixel i of the buffer.
+  template <class CoatOf>
+  void paint(Raster& raster, int x, int y, const CoatOf& coat_of) const {
+    if (!is_within(x, y)) return;
+    const std::int8_t* const at = bodies_.data() + body_index(x - range_.left, y - range_.top);
+    const int body = *at, right = at[kOutline], below = at[kOutline * stride_];
     const bool is_edge = right != body || below != body;
     if (body < 0 && !is_edge) return;
-    const std::size_t i = part_.index(x, y);
-    const bool is_hidden = body >= 0 && part_.face[i] != kNoFace && z_at(x, y) < part_.z[i];
-    if (is_edge) {
-      blend_pixel(raster, x, y, body_colour(std::max({body, right, below})), is_hidden ? 0.5 : 0.85);
-      return;
-    }
-    blend_pixel(raster, x, y, colour(x, y, head_normals), is_hidden ? hidden_opacity() : opacity());
+    const std::size_t i = place(x, y);
+    const bool is_hidden = body >= 0 && buffer_.z[i] < part_.z[part_.index(x, y)];
+    if (is_edge)
+      Coat(body_colour(std::max({body, right, below})), is_hidden ? 0.5 : 0.85).lay(raster.pixel(x, y));
+    else
+      coat_of(i, is_hidden).lay(raster.pixel(x, y));
   }
 
   [[nodiscard]] float z_at(int x, int y) const {
@@ -77,65 +89,73 @@ class Pane {
   }
   [[nodiscard]] const SurfaceBuffer& buffer() const { return buffer_; }
 
- protected:
-  /// Requires a face there.
-  [[nodiscard]] std::uint32_t face_at(int x, int y) const { return buffer_.face[place(x, y)]; }
-
  private:
   [[nodiscard]] bool is_within(int x, int y) const {
     return x >= range_.left && y >= range_.top && x < range_.right && y < range_.bottom;
   }
   [[nodiscard]] std::size_t place(int x, int y) const { return buffer_.index(x - range_.left, y - range_.top); }
-  [[nodiscard]] int body_at(int x, int y) const { return is_within(x, y) ? bodies_[place(x, y)] : -1; }
-  [[nodiscard]] virtual Colour colour(int x, int y, NormalsAt& head_normals) const = 0;
-  [[nodiscard]] virtual double opacity() const = 0;
-  [[nodiscard]] virtual double hidden_opacity() const = 0;
+  [[nodiscard]] std::size_t body_index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_) + static_cast<std::size_t>(x);
+  }
 
   const SurfaceBuffer& part_;
   PixelRange range_;
   SurfaceBuffer buffer_;
-  std::vector<std::int8_t> bodies_;  ///< by pixel of the range; -1: none
+  int stride_;
+  std::vector<std::int8_t> bodies_;  ///< by pixel of the range and of a border behind it; -1: none
 };
 
-class ToolPane : public Pane {
+class ToolPane {
  public:
   ToolPane(const SurfaceBuffer& part, const PixelRange& range, const ToolSurface& tool)
-      : Pane(part, range, draw_surface(tool.vertices, tool.faces, part_of(part.view, range)),
-             [&](std::uint32_t face) { return static_cast<int>(tool.bodies[face]); }),
+      : pane_(part, range, draw_surface(tool.vertices, tool.faces, part_of(part.view, range)),
+              [&](std::uint32_t face) { return static_cast<int>(tool.bodies[face]); }),
         tool_(tool) {
-    colours_.reserve(tool.faces.size());
-    for (std::size_t f = 0; f < tool.faces.size(); ++f)
-      colours_.push_back(glass_colour(part.view, normal(f), static_cast<int>(tool.bodies[f])));
+    coats_.reserve(tool.faces.size());
+    for (std::size_t f = 0; f < tool.faces.size(); ++f) {
+      const Colour colour = glass_colour(part.view, normal(f), static_cast<int>(tool.bodies[f]));
+      coats_.push_back({Coat(colour, 0.34), Coat(colour, 0.10)});
+    }
   }
+
+  void paint(Raster& raster, int x, int y) const {
+    pane_.paint(raster, x, y, [&](std::size_t i, bool is_hidden) -> const Coat& {
+      return coats_[pane_.buffer().face[i]][is_hidden ? 1 : 0];
+    });
+  }
+  [[nodiscard]] float z_at(int x, int y) const { return pane_.z_at(x, y); }
 
  private:
   [[nodiscard]] Vec3 normal(std::size_t face) const {
     const FaceCorners& corners = tool_.faces[face];
     const Vec3& a = tool_.vertices[corners[0]];
     const Vec3 square = (tool_.vertices[corners[1]] - a).cross(tool_.vertices[corners[2]] - a);
-    return square.norm() < 1e-12 ? buffer().view.toward : Vec3(square.normalized());
+    return square.norm() < 1e-12 ? pane_.buffer().view.toward : Vec3(square.normalized());
   }
-  [[nodiscard]] Colour colour(int x, int y, NormalsAt&) const override { return colours_[face_at(x, y)]; }
-  [[nodiscard]] double opacity() const override { return 0.34; }
-  [[nodiscard]] double hidden_opacity() const override { return 0.10; }
 
+  Pane pane_;
   const ToolSurface& tool_;
-  std::vector<Colour> colours_;  ///< by face
+  std::vector<std::array<Coat, 2>> coats_;  ///< by face: where it is seen, and behind the part
 };
 
 /// Clearer than a tool: a head is large, and what it gouges lies behind it.
-class HeadPane : public Pane {
+class HeadPane {
  public:
   HeadPane(const SurfaceBuffer& part, const PictureScene& heads)
-      : Pane(part, {0, 0, part.view.width, part.view.height}, draw_surface(heads, part.view),
-             [](std::uint32_t) { return kHead; }) {}
+      : pane_(part, {0, 0, part.view.width, part.view.height}, draw_surface(heads, part.view),
+              [](std::uint32_t) { return kHead; }) {}
+
+  void paint(Raster& raster, int x, int y, NormalsAt& normals) const {
+    pane_.paint(raster, x, y, [&](std::size_t i, bool is_hidden) {
+      const SurfaceBuffer& buffer = pane_.buffer();
+      return Coat(glass_colour(buffer.view, normals(buffer.face[i], x, y), kHead), is_hidden ? 0.10 : 0.24);
+    });
+  }
+  [[nodiscard]] float z_at(int x, int y) const { return pane_.z_at(x, y); }
+  [[nodiscard]] const SurfaceBuffer& buffer() const { return pane_.buffer(); }
 
  private:
-  [[nodiscard]] Colour colour(int x, int y, NormalsAt& head_normals) const override {
-    return glass_colour(buffer().view, head_normals(face_at(x, y), x, y), kHead);
-  }
-  [[nodiscard]] double opacity() const override { return 0.24; }
-  [[nodiscard]] double hidden_opacity() const override { return 0.10; }
+  Pane pane_;
 };
 
 void draw_glass_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuffer& head, const Vec3& a,
@@ -180,7 +200,7 @@ void lay_glass(Raster& raster, const SurfaceBuffer& part, const ToolSurface& too
       for (int x = range.left; x < range.right; ++x) {
         const bool is_head_nearer = head_pane && head_pane->z_at(x, y) > tool_pane.z_at(x, y);
         if (head_pane && !is_head_nearer) head_pane->paint(raster, x, y, head_normals);
-        tool_pane.paint(raster, x, y, head_normals);
+        tool_pane.paint(raster, x, y);
         if (is_head_nearer) head_pane->paint(raster, x, y, head_normals);
       }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "lib/tool/evaluate.h"
 #include "postproc/image/shade.h"
@@ -11,7 +12,8 @@
 namespace gouge {
 namespace {
 
-constexpr int kPieces = 48;  // of a straight flank that a plane beside the axis cuts in a curve
+constexpr int kHatch = 20, kHatchWidth = 2;  // pixels of a supersampled picture
+constexpr int kPieces = 48;                  // of a straight flank that a plane beside the axis cuts in a curve
 
 void clipped_line(Page& page, const Area& box, const Vec2& a, const Vec2& b, const Colour& colour, double width,
                   const std::vector<double>& dashes = {}) {
@@ -69,7 +71,7 @@ class InsideOf {
   std::size_t next_ = 0;
 };
 
-/// The body of the tool that each pixel of a panel shows, -1 for none.
+/// Where a panel shows the tool, and which body of it.
 class ToolBodies {
  public:
   ToolBodies(const SectionPanel& panel, double beside_mm, const CompiledTool& tool, int width, int height)
@@ -85,9 +87,12 @@ class ToolBodies {
     }
   }
 
-  [[nodiscard]] int at(int x, int y) const {
-    return is_inside_[index(x, y)] != 0 ? static_cast<int>(body_at(ranges_, place(x, y).y())) : -1;
+  /// For each pixel whether the tool is seen there.
+  [[nodiscard]] std::span<const std::uint8_t> row(int y) const {
+    return std::span(is_inside_).subspan(index(0, y), static_cast<std::size_t>(width_));
   }
+  /// The body that is seen in a row: they lie one above the other.
+  [[nodiscard]] int body_of_row(int y) const { return static_cast<int>(body_at(ranges_, place(0, y).y())); }
 
  private:
   static constexpr int kSquare = 64;
@@ -131,20 +136,50 @@ class ToolBodies {
   std::vector<std::uint8_t> is_inside_;
 };
 
-void paint_pixel(Raster& raster, int x, int y, bool is_material, bool is_head, int tool_body) {
-  const bool is_tool = tool_body >= 0;
-  if (is_material) {
-    const bool is_hatch = (x + y) % 20 < 2;
-    const Colour colour = is_hatch ? Colour{150, 158, 166, 1} : Colour{214, 218, 222, 1};
-    std::uint8_t* const pixel = raster.pixel(x, y);
-    pixel[0] = colour.r;
-    pixel[1] = colour.g;
-    pixel[2] = colour.b;
+using Pixel = std::array<std::uint8_t, 3>;
+
+constexpr std::size_t kKindsOfTool = 4;  // none, then the bodies
+
+/// The colour of every kind of pixel there is: few, so that each is mixed once and not at every place again.
+class SectionColours {
+ public:
+  SectionColours() {
+    for (std::size_t k = 0; k < colours_.size(); ++k) colours_[k] = mixed(k);
   }
-  if ((is_tool || is_head) && is_material) return blend_pixel(raster, x, y, kAlarm, 0.62);
-  if (is_head) blend_pixel(raster, x, y, body_colour(static_cast<int>(Body::head)), 0.26);
-  if (is_tool) blend_pixel(raster, x, y, body_colour(tool_body), 0.26);
-}
+  /// `tool_body`: -1 for none.
+  [[nodiscard]] const Pixel& at(bool is_material, bool is_hatch, bool is_head, int tool_body) const {
+    return colours_[index(is_material, is_hatch, is_head, tool_body)];
+  }
+
+ private:
+  static std::size_t index(bool is_material, bool is_hatch, bool is_head, int tool_body) {
+    return ((is_material ? 4U : 0U) + (is_hatch ? 2U : 0U) + (is_head ? 1U : 0U)) * kKindsOfTool +
+           static_cast<std::size_t>(tool_body + 1);
+  }
+
+  static Pixel mixed(std::size_t index) {
+    const int tool_body = static_cast<int>(index % kKindsOfTool) - 1;
+    const std::size_t flags = index / kKindsOfTool;
+    const bool is_material = (flags & 4U) != 0, is_hatch = (flags & 2U) != 0, is_head = (flags & 1U) != 0;
+    Raster one(1, 1, 255, 255, 255);
+    std::uint8_t* const pixel = one.pixel(0, 0);
+    if (is_material) {
+      const Colour colour = is_hatch ? Colour{150, 158, 166, 1} : Colour{214, 218, 222, 1};
+      pixel[0] = colour.r;
+      pixel[1] = colour.g;
+      pixel[2] = colour.b;
+    }
+    if ((tool_body >= 0 || is_head) && is_material) {
+      blend_pixel(one, 0, 0, kAlarm, 0.62);
+    } else {
+      if (is_head) blend_pixel(one, 0, 0, body_colour(static_cast<int>(Body::head)), 0.26);
+      if (tool_body >= 0) blend_pixel(one, 0, 0, body_colour(tool_body), 0.26);
+    }
+    return {pixel[0], pixel[1], pixel[2]};
+  }
+
+  std::array<Pixel, 8 * kKindsOfTool> colours_;
+};
 
 Raster paint_panel(const SectionPanel& panel, const Section& section, bool is_closed, const CompiledTool& tool) {
   const int width = static_cast<int>(panel.area.width) * kSupersampling;
@@ -154,13 +189,21 @@ Raster paint_panel(const SectionPanel& panel, const Section& section, bool is_cl
   std::vector<InsideOf> heads;
   for (const std::vector<SectionLine>& lines : section.heads) heads.emplace_back(panel, lines, height);
   const ToolBodies bodies(panel, section.plane.beside_mm, tool, width, height);
+  const SectionColours colours;
   for (int y = 0; y < height; ++y) {
     material.begin_row(y);
     for (InsideOf& head : heads) head.begin_row(y);
-    for (int x = 0; x < width; ++x) {
+    const std::span<const std::uint8_t> is_inside = bodies.row(y);
+    const int body = bodies.body_of_row(y);
+    std::uint8_t* pixel = raster.pixel(0, y);
+    for (int x = 0, hatch = y % kHatch; x < width; ++x, pixel += 3, hatch = hatch + 1 == kHatch ? 0 : hatch + 1) {
       bool is_head = false;
       for (InsideOf& head : heads) is_head = head.at(x) || is_head;
-      paint_pixel(raster, x, y, material.at(x), is_head, bodies.at(x, y));
+      const int tool_body = is_inside[static_cast<std::size_t>(x)] != 0 ? body : -1;
+      const Pixel& colour = colours.at(material.at(x), hatch < kHatchWidth, is_head, tool_body);
+      pixel[0] = colour[0];
+      pixel[1] = colour[1];
+      pixel[2] = colour[2];
     }
   }
   return raster;

@@ -162,11 +162,9 @@ void light_blocks(const BlockDepths& blocks, int column, int row, const float* z
   find_light(lit, at, count);
 }
 
-std::uint8_t level(double value) { return static_cast<std::uint8_t>(value + 0.5); }
-
 void put(std::uint8_t* pixel, const Colour& colour, double light) {
   const std::array<unsigned char, 3> parts{colour.r, colour.g, colour.b};
-  for (std::size_t k = 0; k < 3; ++k) pixel[k] = level(std::clamp(parts[k] * light, 0.0, 255.0));
+  for (std::size_t k = 0; k < 3; ++k) pixel[k] = colour_level(std::clamp(parts[k] * light, 0.0, 255.0));
 }
 
 /// Paints the rows of a picture, a row of blocks at a time.
@@ -296,9 +294,7 @@ double light_on(double right, double up, double toward) {
 }
 
 void blend_pixel(Raster& raster, int x, int y, const Colour& colour, double opacity) {
-  std::uint8_t* pixel = raster.pixel(x, y);
-  const std::array<unsigned char, 3> parts{colour.r, colour.g, colour.b};
-  for (std::size_t k = 0; k < 3; ++k) pixel[k] = level(pixel[k] * (1 - opacity) + parts[k] * opacity);
+  Coat(colour, opacity).lay(raster.pixel(x, y));
 }
 
 Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer, const std::vector<float>& depth_mm,

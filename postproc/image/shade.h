@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "postproc/image/colour_scale.h"
@@ -13,6 +16,23 @@ namespace gouge {
 /// show one piece of surface, or faces nearly in line, share their light.
 [[nodiscard]] Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer, const std::vector<float>& depth_mm,
                            const ColourScale& scale);
+
+/// A level of a colour from a value in [0, 255].
+[[nodiscard]] inline std::uint8_t colour_level(double value) { return static_cast<std::uint8_t>(value + 0.5); }
+
+/// A colour to lay over pixels.
+class Coat {
+ public:
+  Coat(const Colour& colour, double opacity)
+      : rest_(1 - opacity), paint_{colour.r * opacity, colour.g * opacity, colour.b * opacity} {}
+  void lay(std::uint8_t* pixel) const {
+    for (std::size_t k = 0; k < 3; ++k) pixel[k] = colour_level(pixel[k] * rest_ + paint_[k]);
+  }
+
+ private:
+  double rest_;
+  std::array<double, 3> paint_;
+};
 
 /// Lays `colour` over one pixel.
 void blend_pixel(Raster& raster, int x, int y, const Colour& colour, double opacity);
