@@ -101,10 +101,11 @@ Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, con
     before = pictures_of(job, scene, *model.correction.toolpath_before, *model.correction.result_before);
   const CheckedToolpath input = pictures_of(job, scene, *model.toolpath, *model.result);
   progress.begin("preparing the pictures");
-  Result<std::vector<NamedFile>> drawn = draw_report_pictures(model, input, before, progress.call());
+  const ReportScene shown(model, input, before);
+  Result<std::vector<NamedFile>> drawn = draw_report_pictures(shown, progress.call());
   if (!drawn) return drawn.error();
   std::vector<NamedFile> files = std::move(*drawn);
-  const Result<std::string> view = write_viewer(model, input, before, progress.call());
+  const Result<std::string> view = write_viewer(shown, progress.call());
   if (!view) return view.error();
   progress.begin("writing the report");
   files.push_back({"report.html", write_html(model, files, *view), ""});

@@ -9,7 +9,7 @@
 #include "lib/check/path_motion.h"
 #include "lib/field/field_instants.h"
 #include "lib/field/group_neighbours.h"
-#include "lib/tool/evaluate.h"
+#include "lib/field/tangent_bound.h"
 
 namespace gouge {
 namespace {
@@ -129,7 +129,7 @@ class PlacedTool {
       const ToolDistance here = evaluate(form, r, z);
       DepthRange one{-here.signed_distance_mm - node.radius - spread, 0, 0, Vec3::Zero()};
       one.at_centre_mm = -here.signed_distance_mm + spread;
-      if (is_bounded_by_tangent(form, here, node, r, z)) {
+      if (is_bounded_by_tangent(form, here, r, z, node.radius)) {
         one.slope = -here.normal.x() / r * across - here.normal.y() * pose_->axis;
         one.most_mm = one.at_centre_mm + PointTree::reach_mm(node, one.slope);
       } else {
@@ -154,14 +154,6 @@ class PlacedTool {
   static DepthRange either(const DepthRange& a, const DepthRange& b) {
     const double most = std::max(a.most_mm, b.most_mm);
     return {std::min(a.least_mm, b.least_mm), most, most, Vec3::Zero()};
-  }
-
-  /// Whether the plane tangent to the tool at the foot of the node's centre bounds the node's depth (SupportRange).
-  [[nodiscard]] static bool is_bounded_by_tangent(const CompiledTool& form, const ToolDistance& here,
-                                                  const PointTree::Node& node, double r, double z) {
-    const SupportRange& support = form.elements[here.element].support;
-    return std::min(z, here.foot.y()) - node.radius >= support.z_lo_mm &&
-           std::max(z, here.foot.y()) + node.radius <= support.z_hi_mm && r - node.radius >= support.r_min_mm && r > 0;
   }
 
   // As a point of the node sees the tool move between its parts' poses.
@@ -226,14 +218,16 @@ std::vector<float> DepthField::tool_depth_at(const std::vector<Point>& points) c
   return PointDepths(points).deepest(tools, roots);
 }
 
-std::vector<std::uint8_t> DepthField::may_be_deep(const std::vector<Vec3>& centres, double radius_mm) const {
+std::vector<std::uint8_t> DepthField::may_be_deep(const std::vector<Vec3>& centres, double radius_mm,
+                                                  double around_mm) const {
   std::vector<Point> points;
   points.reserve(centres.size());
   for (const Vec3& centre : centres) points.push_back({centre, false});
   std::vector<float> found(points.size(), 0.0F);
   if (!poses_.empty()) {
     const auto [tools, roots] = grouped_tools(poses_, {true, true}, tolerance_mm_);
-    const std::vector<AnyDepth<PlacedTool>> any = any_depths(tools, radius_mm);
+    const double floor_mm = around_mm > 0 ? 0 : std::numeric_limits<double>::infinity();
+    const std::vector<AnyDepth<PlacedTool>> any = any_depths(tools, radius_mm + around_mm, floor_mm);
     found = PointDepths(points).deepest(any, roots);
   }
   heads_.find_any(points, radius_mm, found);

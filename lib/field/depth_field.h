@@ -26,8 +26,9 @@ class DepthField {
   [[nodiscard]] std::vector<float> depth_at(const std::vector<Point>& points) const;
 
   /// For each ball of that radius about a centre whether any point in it may have a depth: where not, no depth_at is
-  /// more than 0.
-  [[nodiscard]] std::vector<std::uint8_t> may_be_deep(const std::vector<Vec3>& centres, double radius_mm) const;
+  /// more than 0. With `around_mm`, also whether any of the tool may be within that of such a point, however little.
+  [[nodiscard]] std::vector<std::uint8_t> may_be_deep(const std::vector<Vec3>& centres, double radius_mm,
+                                                      double around_mm = 0) const;
 
   [[nodiscard]] bool is_empty() const { return poses_.empty() && heads_.is_empty(); }
 

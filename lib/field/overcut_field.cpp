@@ -7,7 +7,7 @@
 #include "lib/base/parallel.h"
 #include "lib/field/group_neighbours.h"
 #include "lib/field/point_tree.h"
-#include "lib/tool/evaluate.h"
+#include "lib/field/tangent_bound.h"
 
 namespace gouge {
 namespace {
@@ -19,6 +19,7 @@ constexpr double kMoreThanReported = 2;
 // A flat facet of a curved part is taken for the part: what lies below it may be a little nearer to its
 // neighbour.
 constexpr double kNearer = 0.95;
+constexpr double kMet = 1e-3;     // of a depth: as near the tool a ray has met it
 constexpr double kUnseen = 1.02;  // no eye could tell the difference
 // Of a node's radius: poses farther apart are asked one by one.
 constexpr double kCoarse = 0.5;
@@ -49,6 +50,24 @@ class OvercutField::SweptPose {
 
   [[nodiscard]] double distance_mm(const Vec3& point) const {
     return signed_distance_mm(pose_->tool->bare, pose_->pose, point);
+  }
+  /// How far at least all points of a node, moved as its centre to `at` and up to `more_mm` farther, are outside of it:
+  /// the node is flat, and beside a flat one the tangent plane of the tool says more than the nearest point.
+  [[nodiscard]] double out_mm(const PointTree::Node& node, const Vec3& at, double more_mm) const {
+    const Pose& pose = pose_->pose;
+    const Vec3 d = at - pose.tip;
+    const double z = d.dot(pose.axis);
+    const Vec3 across = d - z * pose.axis;
+    const double r = across.norm();
+    const CompiledTool& tool = pose_->tool->bare;
+    const ToolDistance here = evaluate(tool, r, z);
+    const double out = here.signed_distance_mm - node.radius - more_mm;
+    if (!(r > 0)) return out;
+    const Vec3 normal = here.normal.x() / r * across + here.normal.y() * pose.axis;
+    const double by_plane = here.signed_distance_mm - PointTree::reach_mm(node, normal) - more_mm;
+    // They stay outside as far as they are moved by what is returned.
+    const double radius_mm = node.radius + more_mm + std::max(by_plane, 0.0);
+    return by_plane > out && is_bounded_by_tangent(tool, here, r, z, radius_mm) ? by_plane : out;
   }
   /// How far from it the parts are at most, as the point sees them. An axis turns a point no farther than the chord its
   /// own end goes, times the distance to the tip.
@@ -81,6 +100,7 @@ OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depth
     }
     if (!(largest > 0)) continue;
     swept_.emplace_back(pose, std::min(worst, kMoreThanReported * largest));
+    reach_mm_ = std::max(reach_mm_, swept_.back().most_mm);
     largest_mm_ = std::max(largest_mm_, largest);
   }
   roots_ = group_neighbours(swept_);
@@ -161,9 +181,9 @@ class OvercutField::RayTree {
     const SweptPose& swept = field_.swept_[of.swept];
     double s = std::min(of.most_mm, swept.most_mm);
     const double apart_mm = swept.spread_mm(node.centre + s * bundle.inward);
-    const double slack = node.radius + s * bundle.spread + apart_mm;
+    const double slack = s * bundle.spread + apart_mm;
     for (int k = 0; k < kLooks; ++k) {
-      const double out = swept.distance_mm(node.centre + s * bundle.inward) - slack;
+      const double out = swept.out_mm(node, node.centre + s * bundle.inward, slack);
       if (out <= 0) break;
       s -= out;
       if (s <= field_.tolerance_mm_) return;
@@ -226,7 +246,7 @@ class OvercutField::RayTree {
   static double deepest_in(const SweptPose& swept, const Ray& ray, double s, double least_mm) {
     for (int k = 0; k < kSteps && s > least_mm; ++k) {
       const double out = swept.distance_mm(ray.at + s * ray.inward);
-      if (out <= 1e-3 * s) return s;
+      if (out <= kMet * s) return s;
       s -= out;
     }
     return 0;
@@ -253,6 +273,11 @@ double OvercutField::margin_mm(const Surface& solid, const Ray& ray, double most
     radius = std::min(next, kNearer * radius);
   }
   return radius;
+}
+
+std::vector<std::uint8_t> OvercutField::may_be_deep(const std::vector<Vec3>& centres, double radius_mm) const {
+  // A ray's end counts as in the tool a little outside of it.
+  return depths_.may_be_deep(centres, radius_mm, reach_mm_ * (1 + 2 * kMet));
 }
 
 std::vector<float> OvercutField::overcut_at(const std::vector<Ray>& rays) const {

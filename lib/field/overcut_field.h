@@ -31,6 +31,10 @@ class OvercutField {
     Vec3 inward = -Vec3::UnitZ();  ///< unit
     std::size_t mesh = 0;          ///< among parts, then fixtures
   };
+  /// For each ball of that radius about a centre whether any ray that begins in it may have an overcut or a depth: where
+  /// not, `at` is 0.
+  [[nodiscard]] std::vector<std::uint8_t> may_be_deep(const std::vector<Vec3>& centres, double radius_mm) const;
+
   /// For each ray the overcut alone, mm; 0 where the tool does not reach or overcut says nothing.
   [[nodiscard]] std::vector<float> overcut_at(const std::vector<Ray>& rays) const;
   /// For each ray the overcut, or where it says nothing the depth, mm; 0 where nothing gouges.
@@ -46,6 +50,7 @@ class OvercutField {
   std::vector<const Surface*> solids_;  ///< by mesh; null where nothing is asked
   std::size_t parts_ = 0;               ///< so many meshes are parts, the others fixtures
   double largest_mm_ = 0, tolerance_mm_ = 0;
+  double reach_mm_ = 0;  ///< no ray is followed farther
   const DepthField& depths_;
 };
 

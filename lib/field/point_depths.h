@@ -35,11 +35,15 @@ class AnyDepth {
   using Memory = typename Of::Memory;
   std::uint32_t parts, first_part;
 
-  AnyDepth(const Of& of, double radius_mm)
-      : parts(of.parts), first_part(of.first_part), of_(of), radius_mm_(radius_mm) {}
+  AnyDepth(const Of& of, double radius_mm, double most_floor_mm)
+      : parts(of.parts),
+        first_part(of.first_part),
+        of_(of),
+        radius_mm_(radius_mm),
+        floor_mm_(std::min(of.floor_mm(), most_floor_mm)) {}
 
   [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return of_.is_apart(wider(node)); }
-  [[nodiscard]] double floor_mm() const { return of_.floor_mm(); }
+  [[nodiscard]] double floor_mm() const { return floor_mm_; }
   [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double enough_mm, Memory& memory) const {
     const DepthRange range = of_.range_mm(wider(node), enough_mm, memory);
     return {range.least_mm, range.most_mm, range.most_mm, Vec3::Zero()};
@@ -63,14 +67,16 @@ class AnyDepth {
   }
 
   const Of& of_;
-  double radius_mm_;
+  double radius_mm_, floor_mm_;
 };
 
+/// Depths not above `most_floor_mm` do not count, nor those that do not count for the bodies, whichever is less.
 template <class Of>
-[[nodiscard]] std::vector<AnyDepth<Of>> any_depths(const std::vector<Of>& bodies, double radius_mm) {
+[[nodiscard]] std::vector<AnyDepth<Of>> any_depths(const std::vector<Of>& bodies, double radius_mm,
+                                                   double most_floor_mm = std::numeric_limits<double>::infinity()) {
   std::vector<AnyDepth<Of>> out;
   out.reserve(bodies.size());
-  for (const Of& body : bodies) out.emplace_back(body, radius_mm);
+  for (const Of& body : bodies) out.emplace_back(body, radius_mm, most_floor_mm);
   return out;
 }
 

@@ -10,7 +10,7 @@
 namespace gouge {
 
 /// A tree of boxes over points in the order they come in, halved in the middle: quick to make for a single pass over
-/// points whose neighbours in the list are neighbours in space, as those of pixel_points are. In any other order it
+/// points whose neighbours in the list are neighbours in space, as those of a picture are. In any other order it
 /// holds as well, but its boxes are large. It is cut into blocks that share no point, so that threads may work on them
 /// in any order.
 ///

@@ -51,7 +51,8 @@ class ExportMaker {
  private:
   void add_surface() {
     ViewerMesh mesh = ViewerMesh::from(scene_);
-    const SurfaceValues fields(input_);
+    const PicturedPath path(input_);
+    const SurfaceValues fields(path);
     std::vector<Vec3> points;
     for (const GougeWitness& gouge : gouge_witnesses(input_, kMostPoints)) points.push_back(gouge.at);
     const VertexValues values = refine_surface(

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <optional>
 
+#include "lib/base/large_pages.h"
 #include "postproc/image/ascii_text.h"
 #include "postproc/image/encode_png.h"
 #include "postproc/image/font.h"
@@ -95,7 +96,9 @@ class Painter {
  public:
   Painter(const MaskPainter& masks, int width, int height, const Colour& background)
       : masks_(masks), width_(width * kSupersampling), height_(height * kSupersampling) {
-    rgb_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3, background.r);
+    const std::size_t bytes = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3;
+    reserve_large(rgb_, bytes);
+    rgb_.resize(bytes, background.r);
     if (background.r == background.g && background.g == background.b) return;
     for (std::size_t i = 0; i < rgb_.size(); i += 3) {
       rgb_[i] = static_cast<std::uint8_t>(background.r);

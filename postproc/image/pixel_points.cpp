@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 
-namespace gouge {
+#include "lib/base/instruction_sets.h"
+#include "lib/base/large_pages.h"
 
+namespace gouge {
 namespace {
 
 // Every second bit of a number, side by side.
@@ -18,6 +20,13 @@ std::uint32_t even_bits(std::uint32_t code) {
   code = (code | (code >> 4)) & 0x00FF00FFU;
   return (code | (code >> 8)) & 0x0000FFFFU;
 }
+
+/// A surface point that a picture is coloured by: one for neighbouring pixels (2 x 2) that lie on one piece of surface.
+struct PixelPoint {
+  int x = 0, y = 0;  ///< it lies in the middle of this pixel, the first of those it is for
+  /// Of the square of 2 x 2 pixels that has this one, those it is for: bit x + 2 y.
+  std::uint8_t covers = 0;
+};
 
 constexpr int kSide = 8;  // of a square, in blocks of 2 x 2 pixels
 
@@ -54,6 +63,7 @@ void for_each_block(const Square& square, int width, int height, At&& at) {
   }
 }
 
+// The points of all pixels of the squares that show a face. Neighbours in the list are neighbours in the picture.
 std::vector<PixelPoint> points_in(const SurfaceBuffer& buffer, const std::vector<Square>& squares) {
   std::vector<PixelPoint> points;
   points.reserve(squares.size() * kSide * kSide + 64);
@@ -91,54 +101,105 @@ struct Slab {
   float least = std::numeric_limits<float>::max(), most = std::numeric_limits<float>::lowest();
 };
 
-Slab slab_of(const SurfaceBuffer& buffer, const Square& square) {
-  Slab slab;
-  const int right = std::min(2 * (square.column + kSide), buffer.view.width);
-  for (int y = 2 * square.row; y < std::min(2 * (square.row + kSide), buffer.view.height); ++y) {
-    const float* const z = buffer.z.data() + buffer.index(0, y);
-    for (int x = 2 * square.column; x < right; ++x) {
-      slab.most = std::max(slab.most, z[x]);
-      slab.least = std::min(slab.least, z[x] > std::numeric_limits<float>::lowest() ? z[x] : slab.least);
+/// The slabs of all squares of a view, row by row as its pixels lie in memory.
+class Slabs {
+ public:
+  explicit Slabs(const SurfaceBuffer& buffer)
+      : columns_((buffer.view.width + kPixels - 1) / kPixels),
+        slabs_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(buffer.view.height / kPixels + 1)) {
+    // A lane for each pixel of a row of a square, so that they are looked at in one.
+    const auto padded = static_cast<std::size_t>(columns_ * kPixels),
+               width = static_cast<std::size_t>(buffer.view.width);
+    std::vector<float> least(padded), most(padded);
+    for (int top = 0; top < buffer.view.height; top += kPixels) {
+      std::ranges::fill(least, Slab{}.least);
+      std::ranges::fill(most, Slab{}.most);
+      for (int y = top; y < std::min(top + kPixels, buffer.view.height); ++y)
+        widen(buffer.z.data() + buffer.index(0, y), least.data(), most.data(), width);
+      for (int column = 0; column < columns_; ++column) {
+        const auto first = std::ptrdiff_t{column} * kPixels;
+        slabs_[index(column, top / kPixels)] = {
+            *std::min_element(least.begin() + first, least.begin() + first + kPixels),
+            *std::max_element(most.begin() + first, most.begin() + first + kPixels)};
+      }
     }
   }
-  return slab;
-}
+  [[nodiscard]] const Slab& of(const Square& square) const {
+    return slabs_[index(square.column / kSide, square.row / kSide)];
+  }
+
+ private:
+  static constexpr int kPixels = 2 * kSide;
+
+  GOUGE_WIDE static void widen(const float* z, float* least, float* most, std::size_t count) {
+    for (std::size_t x = 0; x < count; ++x) {
+      const float high = most[x], low = least[x], here = z[x];
+      most[x] = here > high ? here : high;
+      const float seen = here > Slab{}.most ? here : low;
+      least[x] = seen < low ? seen : low;
+    }
+  }
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+
+  int columns_;
+  std::vector<Slab> slabs_;
+};
+
+/// Squares that are asked about as balls of one radius.
+struct Balls {
+  double radius_mm;
+  std::vector<Vec3> centres{};
+  std::vector<std::size_t> of{};  ///< the square of each
+};
 
 // Those where the field may be more than nothing. Each is asked as a ball about what it shows; where that is deep, at
 // an edge of the part, a ball says little and the square stays.
-std::vector<Square> squares_with(const DepthField& field, const SurfaceBuffer& buffer) {
+template <class Field>
+std::vector<Square> squares_with(const Field& field, const SurfaceBuffer& buffer) {
   const View& view = buffer.view;
-  const double half_mm = kSide * view.mm_per_pixel, radius_mm = 3 * half_mm;
-  std::vector<Square> asked, kept;
-  std::vector<Vec3> centres;
-  std::vector<std::size_t> which;  // of the centres is that of a square; none: it stays
+  const double half_mm = kSide * view.mm_per_pixel;
+  // What is seen from above or at a slant, and what is steep.
+  std::array<Balls, 2> balls{Balls{1.75 * half_mm}, Balls{3 * half_mm}};
+  const Slabs slabs(buffer);
+  std::vector<Square> asked;
+  std::vector<std::uint8_t> is_kept;
   for (const Square& square : squares_of(view)) {
-    const Slab slab = slab_of(buffer, square);
+    const Slab& slab = slabs.of(square);
     if (!(slab.least <= slab.most)) continue;
     const double least = static_cast<double>(slab.least), most = static_cast<double>(slab.most);
-    const Vec3 half(half_mm, half_mm, 0.5 * (most - least));
+    const double half = Vec3(half_mm, half_mm, 0.5 * (most - least)).norm();
+    const auto fitting = std::ranges::find_if(balls, [&](const Balls& some) { return half <= some.radius_mm; });
+    if (fitting != balls.end()) {
+      fitting->centres.push_back(
+          view.unproject(2 * square.column + kSide, 2 * square.row + kSide, 0.5 * (least + most)));
+      fitting->of.push_back(asked.size());
+    }
     asked.push_back(square);
-    which.push_back(half.norm() <= radius_mm ? centres.size() : kNone);
-    if (which.back() != kNone)
-      centres.push_back(view.unproject(2 * square.column + kSide, 2 * square.row + kSide, 0.5 * (least + most)));
+    is_kept.push_back(fitting == balls.end() ? 1 : 0);
   }
-  const std::vector<std::uint8_t> may_be = field.may_be_deep(centres, radius_mm * (1 + 1e-9));
+  for (const Balls& some : balls) {
+    const std::vector<std::uint8_t> may_be = field.may_be_deep(some.centres, some.radius_mm * (1 + 1e-9));
+    for (std::size_t k = 0; k < some.of.size(); ++k) is_kept[some.of[k]] = may_be[k];
+  }
+  std::vector<Square> kept;
   for (std::size_t k = 0; k < asked.size(); ++k) {
-    if (which[k] == kNone || may_be[which[k]] != 0) kept.push_back(asked[k]);
+    if (is_kept[k] != 0) kept.push_back(asked[k]);
   }
   return kept;
 }
 
-}  // namespace
-
-std::vector<PixelPoint> pixel_points(const SurfaceBuffer& buffer) { return points_in(buffer, squares_of(buffer.view)); }
-
+// A value for every pixel from one for every point; 0 where nothing is seen. Empty where all are 0.
 std::vector<float> spread(const SurfaceBuffer& buffer, const std::vector<PixelPoint>& points,
                           const std::vector<float>& values) {
   std::vector<float> out;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (!(values[p] > 0)) continue;
-    if (out.empty()) out.resize(buffer.z.size(), 0.0F);
+    if (out.empty()) {
+      reserve_large(out, buffer.z.size());
+      out.resize(buffer.z.size(), 0.0F);
+    }
     const PixelPoint& point = points[p];
     for (int k = 0; k < 4; ++k) {
       if ((point.covers >> k & 1) != 0) out[buffer.index(point.x / 2 * 2 + k % 2, point.y / 2 * 2 + k / 2)] = values[p];
@@ -146,6 +207,8 @@ std::vector<float> spread(const SurfaceBuffer& buffer, const std::vector<PixelPo
   }
   return out;
 }
+
+}  // namespace
 
 std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& scene, const SurfaceBuffer& buffer) {
   if (field.is_empty()) return {};
@@ -159,7 +222,7 @@ std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& 
 
 std::vector<float> overcut_on_pixels(const OvercutField& field, const PictureScene& scene,
                                      const SurfaceBuffer& buffer) {
-  const std::vector<PixelPoint> seen = pixel_points(buffer);
+  const std::vector<PixelPoint> seen = points_in(buffer, squares_with(field, buffer));
   std::vector<OvercutField::Ray> rays;
   rays.reserve(seen.size());
   for (const PixelPoint& p : seen) {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lib/base/large_pages.h"
+
 // Pixels as plain data.
 
 namespace gouge {
@@ -18,7 +20,9 @@ struct Raster {
 
   Raster() = default;
   Raster(int w, int h, std::uint8_t r, std::uint8_t g, std::uint8_t b) : width(w), height(h) {
-    rgb.resize(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3, r);
+    const std::size_t bytes = static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3;
+    reserve_large(rgb, bytes);
+    rgb.resize(bytes, r);
     if (r == g && g == b) return;
     for (std::size_t i = 0; i < rgb.size(); i += 3) {
       rgb[i] = r;

@@ -33,23 +33,22 @@ struct Album {
   }
 };
 
-Outcome add_before_after(Album& album, const PictureSet& after, const CheckedToolpath& before_input) {
+Outcome add_before_after(Album& album, const PictureSet& after, const PicturedPath& path) {
   ReportModel model = after.model;
-  model.toolpath = before_input.toolpath;
-  model.result = before_input.result;
-  const DepthField field(before_input);
-  const OvercutField overcuts(before_input, field);
-  PictureSet before{
-      model,       before_input,        after.scene, field, overcuts, worst_events(before_input, kEventsOfReport),
-      after.scale, after.surface_scale, {},          {}};
-  before.directions = choose_directions(before_input, after.scene, before.events, 1);
+  model.toolpath = path.input.toolpath;
+  model.result = path.input.result;
+  PictureSet before{model,       path.input,          after.scene,
+                    path.depths, path.overcuts,       worst_events(path.input, kEventsOfReport),
+                    after.scale, after.surface_scale, {},
+                    {}};
+  before.directions = choose_directions(path.input, after.scene, before.events, 1);
   return album.add(draw_before_after(before, after), "before_after.png", "Before and after the correction");
 }
 
-Outcome add_scene_pictures(Album& album, const PictureSet& set, const CheckedToolpath& before) {
+Outcome add_scene_pictures(Album& album, const PictureSet& set, const std::optional<PicturedPath>& before) {
   if (Outcome done = album.add(draw_heat_map(set), "heat_map.png", heat_map_title(set)); !done) return done;
-  if (set.model.has_correction && before.toolpath != nullptr && before.result != nullptr) {
-    if (Outcome done = add_before_after(album, set, before); !done) return done;
+  if (before) {
+    if (Outcome done = add_before_after(album, set, *before); !done) return done;
   }
   if (has_tilt_field(set.model)) {
     if (Outcome done = album.add(draw_tilt_field(set), "tilt_field.png", "Tilted tool axes"); !done) return done;
@@ -74,29 +73,26 @@ Outcome load_pictures() {
   return Done{};
 }
 
-Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, const CheckedToolpath& input,
-                                                    const CheckedToolpath& before, const ProgressCall& progress) {
-  const PictureScene scene(*input.prepared);
-  const DepthField field(input);
-  const OvercutField overcuts(input, field);
+Result<std::vector<NamedFile>> draw_report_pictures(const ReportScene& shown, const ProgressCall& progress) {
+  const ReportModel& model = shown.model;
+  const CheckedToolpath& input = shown.path.input;
   PictureSet set{model,
                  input,
-                 scene,
-                 field,
-                 overcuts,
+                 shown.scene,
+                 shown.path.depths,
+                 shown.path.overcuts,
                  worst_events(input, kEventsOfReport),
                  depth_scale(model, input),
                  surface_scale(model, input),
                  {},
                  gouge_witnesses(input, kMostWitnessesDrawn)};
-  const bool has_before = model.has_correction && before.toolpath != nullptr && before.result != nullptr;
-  const std::size_t of_path = 1U + (has_before ? 1U : 0U) + (has_tilt_field(model) ? 1U : 0U);
-  const std::size_t of_scene = scene.face_count() == 0 ? 0 : of_path + set.events.size();
+  const std::size_t of_path = 1U + (shown.before ? 1U : 0U) + (has_tilt_field(model) ? 1U : 0U);
+  const std::size_t of_scene = shown.scene.face_count() == 0 ? 0 : of_path + set.events.size();
   Album album{progress, of_scene + 1};
   album.report();
   if (of_scene > 0) {
-    set.directions = choose_directions(input, scene, set.events, kViews);
-    if (Outcome done = add_scene_pictures(album, set, before); !done) return done.error();
+    set.directions = choose_directions(input, shown.scene, set.events, kViews);
+    if (Outcome done = add_scene_pictures(album, set, shown.before); !done) return done.error();
   }
   if (Outcome done = album.add(draw_depth_strip(set), "depth_along_path.png", "Depth along the path"); !done) {
     return done.error();

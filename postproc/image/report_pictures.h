@@ -4,9 +4,8 @@
 
 #include "lib/base/parallel.h"
 #include "lib/base/result.h"
-#include "lib/field/checked_toolpath.h"
+#include "postproc/image/report_scene.h"
 #include "postproc/report/named_file.h"
-#include "postproc/report/report_model.h"
 
 namespace gouge {
 
@@ -18,14 +17,10 @@ namespace gouge {
 /// for the worst findings, before_after.png when the model has a correction with its path and verdicts
 /// before, and tilt_field.png when that tilted the tool.
 ///
-/// Shape    `input` belongs to model.toolpath and model.result. `before` is the same for the path as read; it is looked
-///          at only for a correction and may be empty.
 /// Ensures  The same bytes on every run and at any number of threads.
 /// Errors   picture-not-encoded; a picture of a scene without triangles is left out, not an error.
 /// Cost     Seconds; grows with the number of triangles and of gouging moves.
-[[nodiscard]] Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model,
-                                                                  const CheckedToolpath& input,
-                                                                  const CheckedToolpath& before = {},
+[[nodiscard]] Result<std::vector<NamedFile>> draw_report_pictures(const ReportScene& shown,
                                                                   const ProgressCall& progress = {});
 
 }  // namespace gouge

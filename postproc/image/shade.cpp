@@ -207,9 +207,16 @@ class Shader {
       compared_face_ = face;
       compared_lead_ = lead;
       const bool is_one_kind = scene_.is_fixture(face) == scene_.is_fixture(lead);
-      is_alike_ = is_one_kind && is_smooth_between(scene_.area_normal(face), scene_.area_normal(lead), kAlike);
+      is_alike_ = is_one_kind && is_smooth_between(area_normal(face), area_normal(lead), kAlike);
     }
     return is_alike_;
+  }
+
+  /// Those of the faces of a row or two of a picture are kept.
+  [[nodiscard]] const Vec3& area_normal(std::uint32_t face) {
+    AreaNormal& known = area_normals_[face % area_normals_.size()];
+    if (known.face != face) known = {face, scene_.area_normal(face)};
+    return known.normal;
   }
 
   void paint_block(Raster& raster, int column, int row) {
@@ -218,10 +225,10 @@ class Shader {
     const std::uint32_t lead = buffer_.face[first];
     const double lead_light = static_cast<double>(lit_.light[static_cast<std::size_t>(column)]);
     if (lead != kNoFace && is_uniform(x, y)) {
-      std::uint8_t* const pixel = raster.pixel(x, y);
-      colour(pixel, first, lead_light);
-      std::copy_n(pixel, 3, pixel + 3);
-      std::copy_n(pixel, 6, raster.pixel(x, y + 1));
+      std::uint8_t* const above = raster.pixel(x, y);
+      std::uint8_t* const below = raster.pixel(x, y + 1);
+      colour(above, first, lead_light);
+      for (std::size_t k = 0; k < 3; ++k) above[3 + k] = below[k] = below[3 + k] = above[k];
       return;
     }
     for (int v = y; v < std::min(y + kBlock, raster.height); ++v) {
@@ -273,6 +280,11 @@ class Shader {
   const BlockDepths& blocks_;
   NormalsAt normals_at_;
   LitBlocks lit_, one_;
+  struct AreaNormal {
+    std::uint32_t face = kNoFace;
+    Vec3 normal = Vec3::Zero();
+  };
+  std::vector<AreaNormal> area_normals_ = std::vector<AreaNormal>(512);
   std::uint32_t compared_face_ = kNoFace, compared_lead_ = kNoFace;
   bool is_alike_ = false;
 };

@@ -5,78 +5,103 @@
 #include <numeric>
 
 #include "lib/base/instruction_sets.h"
+#include "lib/base/large_pages.h"
 #include "lib/base/parallel.h"
 
 namespace gouge {
 namespace {
 
-constexpr int kBandRows = 32;
+constexpr int kBandRows = 16;  // those of a large picture stay in a processor's own memory
 
 struct RowRange {
   int first = 0, last = -1;  // inclusive
 };
 
+// Rows whose middles a face reaches; none where no middle of a pixel lies between its sides, as of most faces that are
+// smaller than a pixel.
 RowRange rows_of(const Vec3& a, const Vec3& b, const Vec3& c, int height) {
-  const double low = std::min({a.y(), b.y(), c.y()});
-  const double high = std::max({a.y(), b.y(), c.y()});
+  constexpr double kSlack = 1e-6;  // pixels: more than what draw_face gives
+  const double low = std::min({a.y(), b.y(), c.y()}) - kSlack - 0.5;
+  const double high = std::max({a.y(), b.y(), c.y()}) + kSlack - 0.5;
   if (!(high >= 0) || !(low <= height)) return {};
-  return {std::max(0, static_cast<int>(std::floor(low - 0.5))),
-          std::min(height - 1, static_cast<int>(std::ceil(high - 0.5)))};
+  const double left = std::min({a.x(), b.x(), c.x()}) - kSlack - 0.5;
+  const double right = std::max({a.x(), b.x(), c.x()}) + kSlack - 0.5;
+  if (std::ceil(left) > right) return {};
+  return {std::max(0, static_cast<int>(std::ceil(low))), std::min(height - 1, static_cast<int>(std::floor(high)))};
 }
 
 double cross(const Vec3& a, const Vec3& b, double x, double y) {
   return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
 }
 
-// Pixels of a row from depth `at` on, `step` from one to the next.
-inline void draw_run(float* z, std::uint32_t* faces, double at, double step, std::size_t count, std::uint32_t face) {
+constexpr int kLanes = 8;
+
+// Pixels of a row, of which those from `low` to before `high` are drawn: depth `at` where k is 0, and `step` more from
+// one to the next.
+inline void draw_run(float* z, std::uint32_t* faces, double at, double step, std::int32_t low, std::int32_t high,
+                     std::size_t count, std::uint32_t face) {
   for (std::size_t k = 0; k < count; ++k) {
-    const auto here = static_cast<float>(at + step * static_cast<double>(static_cast<std::int32_t>(k)));
-    const bool is_nearer = here > z[k];
+    const auto place = static_cast<std::int32_t>(k);
+    const auto here = static_cast<float>(at + step * static_cast<double>(place));
+    const bool is_nearer = (place >= low) & (place < high) & (here > z[k]);
     z[k] = is_nearer ? here : z[k];
     faces[k] = is_nearer ? face : faces[k];
   }
 }
 
-/// How much a coordinate gains from one pixel of a row to the next.
-struct Slope {
-  explicit Slope(double gain) : along(gain), inverse(1 / gain) {}
-  double along, inverse;
+/// One side of a face bounds a row of pixels: at or beyond `bound`, which grows from row to row.
+struct SideBound {
+  double bound = 0, per_row = 0;
 };
 
 GOUGE_WIDE void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t face,
                           const RowRange& rows) {
   const double area = cross(a, b, c.x(), c.y());
   if (!(std::abs(area) > 0)) return;  // seen edge on
-  // Barycentric coordinates are linear along a row; each bounds the row from one side. The slack closes the
-  // hair-line gaps that rounding would leave between neighbours.
+  // Barycentric coordinates are linear; each bounds a row from one side. The slack closes the hair-line gaps that
+  // rounding would leave between neighbours.
   constexpr double kSlack = 1e-9;
-  const double per_area = 1 / area;
-  const Slope du(-(c.y() - b.y()) * per_area), dv(-(a.y() - c.y()) * per_area), dw(-du.along - dv.along);
+  const double per_area = 1 / area, y0 = rows.first + 0.5;
+  const double du = -(c.y() - b.y()) * per_area, dv = -(a.y() - c.y()) * per_area;
+  const double du_down = (c.x() - b.x()) * per_area, dv_down = (a.x() - c.x()) * per_area;
+  const double u = cross(b, c, 0.5, y0) * per_area, v = cross(c, a, 0.5, y0) * per_area;
+  constexpr double kFar = 1e15;
+  std::array<SideBound, 3> lows, highs;
+  lows.fill({-kFar, 0});
+  highs.fill({kFar, 0});
+  struct Side {
+    double at, along, down;
+  };
+  const std::array<Side, 3> sides{{{u, du, du_down}, {v, dv, dv_down}, {1 - u - v, -du - dv, -du_down - dv_down}}};
+  for (std::size_t k = 0; k < 3; ++k) {  // keeps at + along x + down y >= -slack
+    const Side& side = sides[k];
+    const double inverse = -1 / side.along;
+    if (side.along > 0)
+      lows[k] = {(side.at + kSlack) * inverse, side.down * inverse};
+    else if (side.along < 0)
+      highs[k] = {(side.at + kSlack) * inverse, side.down * inverse};
+  }
+  const double dz = du * (a.z() - c.z()) + dv * (b.z() - c.z());
+  const double dz_down = du_down * (a.z() - c.z()) + dv_down * (b.z() - c.z());
+  const double z0 = c.z() + u * (a.z() - c.z()) + v * (b.z() - c.z());
+  const int width = buffer.view.width;
   for (int y = rows.first; y <= rows.last; ++y) {
-    const double u0 = cross(b, c, 0.5, y + 0.5) * per_area;
-    const double v0 = cross(c, a, 0.5, y + 0.5) * per_area;
-    double low = 0;
-    double high = buffer.view.width - 1;
-    const auto bound = [&](double at_zero, const Slope& slope) {  // keeps at_zero + slope x >= -slack
-      if (slope.along > 0)
-        low = std::max(low, (-kSlack - at_zero) * slope.inverse);
-      else if (slope.along < 0)
-        high = std::min(high, (-kSlack - at_zero) * slope.inverse);
-      else if (at_zero < -kSlack)
-        high = -1;
-    };
-    bound(u0, du);
-    bound(v0, dv);
-    bound(1 - u0 - v0, dw);
+    const double down = y - rows.first;
+    double low = 0, high = width - 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      low = std::max(low, lows[k].bound + lows[k].per_row * down);
+      high = std::min(high, highs[k].bound + highs[k].per_row * down);
+    }
     if (!(low <= high)) continue;
     const int first = static_cast<int>(std::ceil(low)), last = static_cast<int>(std::floor(high));
     if (first > last) continue;
-    const std::size_t i = buffer.index(first, y);
-    const double u = u0 + du.along * first, v = v0 + dv.along * first;
-    const double z = c.z() + u * (a.z() - c.z()) + v * (b.z() - c.z());
-    const double dz = du.along * (a.z() - c.z()) + dv.along * (b.z() - c.z());
-    draw_run(&buffer.z[i], &buffer.face[i], z, dz, static_cast<std::size_t>(last - first) + 1, face);
+    // Whole lanes, for most runs are short and would spend their time on what is left over; the pixels beside the run
+    // stay as they are.
+    const int count = last + 1 - first, whole = (count + kLanes - 1) / kLanes * kLanes;
+    const int from = whole <= width ? std::min(first, width - whole) : first;
+    const std::size_t i = buffer.index(from, y);
+    draw_run(&buffer.z[i], &buffer.face[i], z0 + dz_down * down + dz * from, dz, first - from, last + 1 - from,
+             static_cast<std::size_t>(whole <= width ? whole : count), face);
   }
 }
 
@@ -86,6 +111,8 @@ SurfaceBuffer draw_faces(const View& view, const std::vector<std::uint32_t>& fac
   SurfaceBuffer buffer;
   buffer.view = view;
   const std::size_t pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
+  reserve_large(buffer.z, pixels);
+  reserve_large(buffer.face, pixels);
   buffer.z.assign(pixels, std::numeric_limits<float>::lowest());
   buffer.face.assign(pixels, kNoFace);
   const auto projected = [&](std::uint32_t face) {

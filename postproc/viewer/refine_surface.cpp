@@ -87,11 +87,11 @@ class Cutter {
   std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
     const double length = (out_.positions[a] - out_.positions[b]).norm();
     if (length <= finest_mm_) return kWhole;
+    const Vec3 at = 0.5 * (out_.positions[a] + out_.positions[b]);
+    if (!cells_.is_near(at, 0.6 * length)) return kWhole;
     const std::uint64_t key = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
     const auto [found, is_new] = middles_.try_emplace(key, kWhole);
     if (!is_new) return found->second;
-    const Vec3 at = 0.5 * (out_.positions[a] + out_.positions[b]);
-    if (!cells_.is_near(at, 0.6 * length)) return kWhole;
     found->second = static_cast<std::uint32_t>(out_.positions.size());
     const Eigen::Vector3f sum = out_.normals[a] + out_.normals[b];
     out_.positions.push_back(at);

@@ -37,24 +37,36 @@ std::vector<std::uint32_t> in_space(const std::vector<SurfacePoint>& points) {
 
 }  // namespace
 
-SurfaceValues::SurfaceValues(const CheckedToolpath& input)
-    : parts_(input.scene->parts.size()), depths_(input), overcuts_(input, depths_) {}
+// Most points of a surface lie far from what gouges it, and it is cheaper to see that than to follow a ray.
+void SurfaceValues::drop_untouched(const std::vector<SurfacePoint>& points, std::vector<std::uint32_t>& order) const {
+  std::vector<Vec3> places;
+  places.reserve(order.size());
+  for (const std::uint32_t i : order) places.push_back(points[i].at);
+  const std::vector<std::uint8_t> may_be = path_.overcuts.may_be_deep(places, 0);
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (may_be[k] != 0) order[kept++] = order[k];
+  }
+  order.resize(kept);
+}
 
 std::vector<float> SurfaceValues::at(const std::vector<SurfacePoint>& points, SurfaceQuantity quantity) const {
   std::vector<float> values(points.size(), 0.0F);
   if (is_empty() || points.empty() || (quantity == SurfaceQuantity::overcut && !is_overcut())) return values;
-  const std::vector<std::uint32_t> order = in_space(points);
+  std::vector<std::uint32_t> order = in_space(points);
   std::vector<float> sorted;
   if (is_overcut() && quantity != SurfaceQuantity::depth) {
+    drop_untouched(points, order);
     std::vector<OvercutField::Ray> rays;
     rays.reserve(points.size());
     for (const std::uint32_t i : order) rays.push_back({points[i].at, -points[i].normal, points[i].mesh});
-    sorted = quantity == SurfaceQuantity::overcut ? overcuts_.overcut_at(rays) : overcuts_.at(rays);
+    sorted = quantity == SurfaceQuantity::overcut ? path_.overcuts.overcut_at(rays) : path_.overcuts.at(rays);
   } else {
+    const std::size_t parts = path_.input.scene->parts.size();
     std::vector<FieldPoint> asked;
     asked.reserve(points.size());
-    for (const std::uint32_t i : order) asked.push_back({points[i].at, points[i].mesh >= parts_});
-    sorted = depths_.depth_at(asked);
+    for (const std::uint32_t i : order) asked.push_back({points[i].at, points[i].mesh >= parts});
+    sorted = path_.depths.depth_at(asked);
   }
   for (std::size_t k = 0; k < order.size(); ++k) values[order[k]] = sorted[k];
   return values;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lib/field/overcut_field.h"
+#include "postproc/image/report_scene.h"
 
 namespace gouge {
 
@@ -19,19 +19,19 @@ enum class SurfaceQuantity : std::uint8_t { pictured, depth, overcut };
 /// What colours the surface in the pictures of one path, at any point: the overcut, or the depth where no move has one.
 class SurfaceValues {
  public:
-  /// `input` and what it points at must outlive it.
-  explicit SurfaceValues(const CheckedToolpath& input);
+  /// `path` and what it points at must outlive it.
+  explicit SurfaceValues(const PicturedPath& path) : path_(path) {}
 
-  [[nodiscard]] bool is_overcut() const { return !overcuts_.is_empty(); }
-  [[nodiscard]] bool is_empty() const { return depths_.is_empty(); }
+  [[nodiscard]] bool is_overcut() const { return !path_.overcuts.is_empty(); }
+  [[nodiscard]] bool is_empty() const { return path_.depths.is_empty(); }
   /// mm; 0 where nothing gouges. Quick for any order of the points.
   [[nodiscard]] std::vector<float> at(const std::vector<SurfacePoint>& points,
                                       SurfaceQuantity quantity = SurfaceQuantity::pictured) const;
 
  private:
-  std::size_t parts_;
-  DepthField depths_;
-  OvercutField overcuts_;
+  void drop_untouched(const std::vector<SurfacePoint>& points, std::vector<std::uint32_t>& order) const;
+
+  const PicturedPath& path_;
 };
 
 }  // namespace gouge

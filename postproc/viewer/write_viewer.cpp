@@ -56,17 +56,16 @@ Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 class ViewerWriter {
  public:
-  static constexpr std::size_t kSteps = 5;  // the scene, its surface, what gouges it, all else, and the text
+  static constexpr std::size_t kSteps = 4;  // the surface, what gouges it, all else, and the text
 
-  ViewerWriter(const ReportModel& model, const CheckedToolpath& input, const CheckedToolpath& before,
-               const ProgressCall& progress)
-      : model_(model),
-        input_(input),
+  ViewerWriter(const ReportScene& shown, const ProgressCall& progress)
+      : model_(shown.model),
+        input_(shown.path.input),
         progress_(progress),
-        scene_(*input.prepared),
-        scale_(surface_scale(model, input)) {
-    paths_.push_back(&input);
-    if (model.has_correction && before.toolpath != nullptr && before.result != nullptr) paths_.push_back(&before);
+        scene_(shown.scene),
+        scale_(surface_scale(model_, input_)) {
+    paths_.push_back(&shown.path);
+    if (shown.before) paths_.push_back(&*shown.before);
   }
 
   [[nodiscard]] bool has_scene() const { return scene_.face_count() > 0; }
@@ -99,19 +98,18 @@ class ViewerWriter {
 
  private:
   void write_surface() {
-    tell(1);
     ViewerMesh mesh = ViewerMesh::from(scene_);
-    tell(2);
+    tell(1);
     std::vector<std::unique_ptr<SurfaceValues>> fields;
     std::vector<AskedValues> asked;
     std::vector<Vec3> points;
-    for (const CheckedToolpath* path : paths_) {
+    for (const PicturedPath* path : paths_) {
       asked.push_back({fields.emplace_back(std::make_unique<SurfaceValues>(*path)).get()});
-      for (const GougeWitness& gouge : gouge_witnesses(*path, kMostPoints)) points.push_back(gouge.at);
+      for (const GougeWitness& gouge : gouge_witnesses(path->input, kMostPoints)) points.push_back(gouge.at);
     }
     is_overcut_ = fields.front()->is_overcut() || fields.back()->is_overcut();
     const VertexValues values = refine_surface(mesh, asked, points, scene_.part_size_mm());
-    tell(3);
+    tell(2);
     json_["surface"] = write_mesh(payload_, mesh);
     Json by_path = Json::array();
     for (const std::vector<float>& of_path : values) by_path.push_back(write_values(payload_, of_path, scale_));
@@ -142,10 +140,11 @@ class ViewerWriter {
   void write_paths() {
     Json out = Json::array();
     const double error_mm = scene_.part_size_mm() / 2000;
-    for (const CheckedToolpath* path : paths_) {
-      Json one = write_path(payload_, stations_of(*path, error_mm, kMostStations), *path, depth_scale(model_, input_));
-      one["name"] = paths_.size() == 1 ? "" : path == &input_ ? "After" : "Before";
-      one["moves_of_path"] = path->toolpath->moves.size();
+    for (const PicturedPath* path : paths_) {
+      const CheckedToolpath& input = path->input;
+      Json one = write_path(payload_, stations_of(input, error_mm, kMostStations), input, depth_scale(model_, input_));
+      one["name"] = paths_.size() == 1 ? "" : path == paths_.front() ? "After" : "Before";
+      one["moves_of_path"] = input.toolpath->moves.size();
       out.push_back(one);
     }
     json_["paths"] = out;
@@ -160,9 +159,9 @@ class ViewerWriter {
   const ReportModel& model_;
   const CheckedToolpath& input_;
   const ProgressCall& progress_;
-  PictureScene scene_;
+  const PictureScene& scene_;
   ColourScale scale_;
-  std::vector<const CheckedToolpath*> paths_;
+  std::vector<const PicturedPath*> paths_;
   Payload payload_;
   Json json_;
   bool is_overcut_ = false;
@@ -170,10 +169,9 @@ class ViewerWriter {
 
 }  // namespace
 
-Result<std::string> write_viewer(const ReportModel& model, const CheckedToolpath& input, const CheckedToolpath& before,
-                                 const ProgressCall& progress) {
+Result<std::string> write_viewer(const ReportScene& shown, const ProgressCall& progress) {
   if (progress) progress("drawing the 3D view", 0, ViewerWriter::kSteps);
-  ViewerWriter writer(model, input, before, progress);
+  ViewerWriter writer(shown, progress);
   if (!writer.has_scene()) return std::string();
   const Result<std::string> scene = writer.run();
   if (!scene) return scene.error();

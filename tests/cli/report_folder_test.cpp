@@ -204,7 +204,7 @@ TEST(ReportManifest, EveryPictureIsANameOfTheReportAndOnItsPage) {
   std::vector<std::size_t> origins(small.path.moves.size());
   std::iota(origins.begin(), origins.end(), std::size_t{0});
   small.model.correction.axes->tilts = find_axis_tilts(before.path, small.path, origins);
-  const Result<std::vector<NamedFile>> pictures = draw_report_pictures(small.model, small.input, before.input);
+  const Result<std::vector<NamedFile>> pictures = draw_report_pictures({small.model, small.input, before.input});
   ASSERT_TRUE(pictures && !pictures->empty());
   const std::string page = write_html(small.model, *pictures);
   const std::vector<std::string>& names = names_of_report();

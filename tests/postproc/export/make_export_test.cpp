@@ -30,7 +30,8 @@ TEST(MakeExport, ThePartHasDepthOvercutAndColoursAsTheFieldSays) {
   ASSERT_EQ(part->depth_mm.size(), part->positions.size());
   ASSERT_EQ(part->overcut_mm.size(), part->positions.size());
   ASSERT_EQ(part->colours.size(), part->positions.size());
-  const SurfaceValues field(small.input);
+  const PicturedPath path(small.input);
+  const SurfaceValues field(path);
   std::size_t compared = 0;
   for (std::size_t v = 0; v < part->positions.size(); ++v) {
     EXPECT_NEAR(part->normals[v].norm(), 1, 1e-5);

@@ -230,8 +230,8 @@ TEST(HeadField, StaysEmptyWhereNoHeadComesNear) {
 
 TEST(ReportPictures, OfHeadsAreTheSameOnEveryRun) {
   const HeadScene small;
-  const Result<std::vector<NamedFile>> first = draw_report_pictures(small.model, small.input);
-  const Result<std::vector<NamedFile>> second = draw_report_pictures(small.model, small.input);
+  const Result<std::vector<NamedFile>> first = draw_report_pictures({small.model, small.input});
+  const Result<std::vector<NamedFile>> second = draw_report_pictures({small.model, small.input});
   ASSERT_TRUE(first);
   ASSERT_TRUE(second);
   ASSERT_EQ(first->size(), 3U);

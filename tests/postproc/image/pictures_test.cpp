@@ -151,8 +151,8 @@ TEST(PictureEvents, AreNumberedFromTheDeepestAndKeepApart) {
 
 TEST(ReportPictures, AreTheOnesGuaranteedAndTheSameOnEveryRun) {
   const SmallScene small;
-  const Result<std::vector<NamedFile>> first = draw_report_pictures(small.model, small.input);
-  const Result<std::vector<NamedFile>> second = draw_report_pictures(small.model, small.input);
+  const Result<std::vector<NamedFile>> first = draw_report_pictures({small.model, small.input});
+  const Result<std::vector<NamedFile>> second = draw_report_pictures({small.model, small.input});
   ASSERT_TRUE(first);
   ASSERT_TRUE(second);
   EXPECT_EQ(names(*first), (std::vector<std::string>{"heat_map.png", "event_1.png", "depth_along_path.png"}));
@@ -168,7 +168,7 @@ TEST(ReportPictures, TellHowManyOfThemAreDone) {
     told.push_back(done);
     EXPECT_EQ(total, 3U);
   };
-  ASSERT_TRUE(draw_report_pictures(small.model, small.input, {}, listen));
+  ASSERT_TRUE(draw_report_pictures({small.model, small.input}, listen));
   EXPECT_EQ(told, (std::vector<std::size_t>{0, 1, 2, 3}));
 }
 
@@ -194,7 +194,7 @@ TEST(ReportPictures, ShowBeforeAndAfterForACorrection) {
   after.model.has_correction = true;
   after.model.correction.toolpath_before = &before.path;
   after.model.correction.result_before = &before.result;
-  const Result<std::vector<NamedFile>> files = draw_report_pictures(after.model, after.input, before.input);
+  const Result<std::vector<NamedFile>> files = draw_report_pictures({after.model, after.input, before.input});
   ASSERT_TRUE(files);
   EXPECT_EQ(names(*files), (std::vector<std::string>{"heat_map.png", "before_after.png", "depth_along_path.png"}));
 }
@@ -214,7 +214,7 @@ TEST(ReportPictures, ShowTheTiltedAxesOfACorrection) {
   EXPECT_FALSE(has_tilt_field(after.model));
   after.model.correction.axes->tilts = find_axis_tilts(before.path, after.path, origins);
   ASSERT_TRUE(has_tilt_field(after.model));
-  const Result<std::vector<NamedFile>> files = draw_report_pictures(after.model, after.input);
+  const Result<std::vector<NamedFile>> files = draw_report_pictures({after.model, after.input});
   ASSERT_TRUE(files);
   const std::vector<std::string> all = names(*files);
   EXPECT_NE(std::ranges::find(all, "tilt_field.png"), all.end());
@@ -223,14 +223,14 @@ TEST(ReportPictures, ShowTheTiltedAxesOfACorrection) {
 TEST(ReportPictures, SurviveWhatIsMissing) {
   SmallScene small;
   small.input.tools = {nullptr};
-  EXPECT_TRUE(draw_report_pictures(small.model, small.input));
+  EXPECT_TRUE(draw_report_pictures({small.model, small.input}));
   small.scene.parts.clear();
-  const Result<std::vector<NamedFile>> without_part = draw_report_pictures(small.model, small.input);
+  const Result<std::vector<NamedFile>> without_part = draw_report_pictures({small.model, small.input});
   ASSERT_TRUE(without_part);
   EXPECT_EQ(names(*without_part), std::vector<std::string>{"depth_along_path.png"});
   small.path.moves.clear();
   small.result = CheckResult{};
-  EXPECT_TRUE(draw_report_pictures(small.model, small.input));
+  EXPECT_TRUE(draw_report_pictures({small.model, small.input}));
 }
 
 TEST(ReportPictures, SurviveABuriedToolAndAnUnfinishedCheck) {
@@ -242,7 +242,7 @@ TEST(ReportPictures, SurviveABuriedToolAndAnUnfinishedCheck) {
   small.result.verdicts[3].depth_upper_mm = std::numeric_limits<double>::infinity();
   small.result.events = {{MoveState::buried, 2, 2, 2, 1, 0, Body::cutter, Against::part}};
   small.result.worst_depth_mm = 0;
-  const Result<std::vector<NamedFile>> files = draw_report_pictures(small.model, small.input);
+  const Result<std::vector<NamedFile>> files = draw_report_pictures({small.model, small.input});
   ASSERT_TRUE(files);
   EXPECT_EQ(names(*files), (std::vector<std::string>{"heat_map.png", "event_1.png", "depth_along_path.png"}));
 }

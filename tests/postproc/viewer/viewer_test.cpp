@@ -82,7 +82,7 @@ struct UnpackedScene {
   }
 };
 
-std::string page_of(const SmallScene& small) { return *write_viewer(small.model, small.input); }
+std::string page_of(const SmallScene& small) { return *write_viewer({small.model, small.input}); }
 
 TEST(WriteViewer, KeepsThePartAndThePath) {
   const SmallScene small;
@@ -108,7 +108,8 @@ TEST(WriteViewer, ColoursTheMiddleOfALargeTriangleAsTheFieldDoes) {
   const std::vector<Vec3> places = scene.places(surface, surface.at("positions"));
   const std::vector<std::uint32_t> values = scene.summed(surface.at("values").at(0));
   ASSERT_EQ(values.size(), places.size());
-  const SurfaceValues field(small.input);
+  const PicturedPath path(small.input);
+  const SurfaceValues field(path);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Vec3& p = places[i];
@@ -165,7 +166,8 @@ TEST(RefineSurface, LeavesNoGapBetweenTriangles) {
   ViewerMesh mesh = ViewerMesh::from(pictures);
   EXPECT_EQ(mesh.triangles.size(), 12U);
   EXPECT_EQ(mesh.positions.size(), 24U);  // three normals at each corner
-  const SurfaceValues field(small.input);
+  const PicturedPath path(small.input);
+  const SurfaceValues field(path);
   const VertexValues values = refine_surface(mesh, {AskedValues{&field}}, {}, 50);
   ASSERT_EQ(values.size(), 1U);
   EXPECT_EQ(values[0].size(), mesh.positions.size());
@@ -199,7 +201,7 @@ TEST(Viewer, TellsOfEachStepUntilAllAreDone) {
     told.push_back(done);
     all = total;
   };
-  ASSERT_TRUE(write_viewer(small.model, small.input, {}, listen));
+  ASSERT_TRUE(write_viewer({small.model, small.input}, listen));
   ASSERT_GT(told.size(), 3U);
   EXPECT_EQ(told.front(), 0U);
   EXPECT_EQ(told.back(), all);

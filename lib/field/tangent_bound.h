@@ -1,0 +1,18 @@
+#pragma once
+
+#include <algorithm>
+
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+
+/// Whether the plane tangent to the tool at the foot of the point (r, z) bounds the depth of all points within `radius_mm`
+/// of it (SupportRange). `here`: what evaluate says about the point.
+[[nodiscard]] inline bool is_bounded_by_tangent(const CompiledTool& tool, const ToolDistance& here, double r, double z,
+                                                double radius_mm) {
+  const SupportRange& support = tool.elements[here.element].support;
+  return std::min(z, here.foot.y()) - radius_mm >= support.z_lo_mm &&
+         std::max(z, here.foot.y()) + radius_mm <= support.z_hi_mm && r - radius_mm >= support.r_min_mm && r > 0;
+}
+
+}  // namespace gouge

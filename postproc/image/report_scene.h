@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "lib/field/overcut_field.h"
+#include "postproc/image/picture_scene.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+
+/// A path and the fields of what it gouges. `input`, and what it points at, must outlive it.
+struct PicturedPath {
+  explicit PicturedPath(const CheckedToolpath& of) : input(of), depths(of), overcuts(of, depths) {}
+
+  const CheckedToolpath& input;
+  DepthField depths;
+  OvercutField overcuts;
+};
+
+/// What the pictures and the 3D view of a report are drawn from, made once for both.
+///
+/// Shape    `input` belongs to model.toolpath and model.result. `before` is the same for the path as read; it is looked
+///          at only for a correction and may be empty. All, and what they point at, must outlive it.
+struct ReportScene {
+  ReportScene(const ReportModel& of, const CheckedToolpath& input, const CheckedToolpath& path_before = {})
+      : model(of), scene(*input.prepared), path(input) {
+    if (of.has_correction && path_before.toolpath != nullptr && path_before.result != nullptr)
+      before.emplace(path_before);
+  }
+
+  const ReportModel& model;
+  PictureScene scene;
+  PicturedPath path;
+  std::optional<PicturedPath> before;  ///< only of a correction
+};
+
+}  // namespace gouge
