@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
 namespace gouge {
@@ -15,5 +18,40 @@ void reserve_large(std::vector<Item>& items, std::size_t count) {
   items.reserve(count);
   ask_for_large_pages(items.data(), count * sizeof(Item));
 }
+
+/// Gives a vector large pages, where there are, whose items are not set when it grows without a value: for those who set
+/// all of them and would have to fetch each twice.
+template <typename Item>
+struct LargePageAllocator {
+  using value_type = Item;
+
+  LargePageAllocator() = default;
+  template <typename Other>
+  LargePageAllocator(const LargePageAllocator<Other>& /*other*/) {}
+
+  [[nodiscard]] Item* allocate(std::size_t count) {
+    Item* const start = std::allocator<Item>().allocate(count);
+    ask_for_large_pages(start, count * sizeof(Item));
+    return start;
+  }
+  void deallocate(Item* start, std::size_t count) noexcept { std::allocator<Item>().deallocate(start, count); }
+
+  template <typename Made>
+  void construct(Made* item) noexcept {
+    ::new (static_cast<void*>(item)) Made;
+  }
+  template <typename Made, typename... Arguments>
+  void construct(Made* item, Arguments&&... arguments) {
+    ::new (static_cast<void*>(item)) Made(std::forward<Arguments>(arguments)...);
+  }
+
+  template <typename Other>
+  bool operator==(const LargePageAllocator<Other>& /*other*/) const {
+    return true;
+  }
+};
+
+template <typename Item>
+using LargePageVector = std::vector<Item, LargePageAllocator<Item>>;
 
 }  // namespace gouge

@@ -184,8 +184,9 @@ class Shader {
   void paint(Raster& raster, int row) {
     const int y = kBlock * row;
     int first = blocks_.columns, last = 0;  // with surface
+    const std::uint32_t* const faces = buffer_.face.data() + buffer_.index(0, y);
     for (int column = 0; column < blocks_.columns; ++column) {
-      const std::uint32_t face = buffer_.face[buffer_.index(kBlock * column, y)];
+      const std::uint32_t face = faces[kBlock * column];
       if (face == kNoFace) continue;
       lit_.set(static_cast<std::size_t>(column), normals_at_.in_view(face, kBlock * column, y));
       first = std::min(first, column);
@@ -194,7 +195,7 @@ class Shader {
     if (first < last)
       light_blocks(blocks_, first, row, blocks_.at(first, row), per_mm(), lit_, static_cast<std::size_t>(first),
                    static_cast<std::size_t>(last - first));
-    for (int column = 0; column < blocks_.columns; ++column) paint_block(raster, column, row);
+    paint_blocks(raster, row);
   }
 
  private:
@@ -219,58 +220,73 @@ class Shader {
     return known.normal;
   }
 
+  // Most blocks show one face and one depth; they are painted here, the others by paint_block.
+  void paint_blocks(Raster& raster, int row) {
+    const int y = kBlock * row;
+    const bool is_whole = y + 1 < raster.height;
+    const std::size_t first = buffer_.index(0, y), width = static_cast<std::size_t>(raster.width);
+    const std::uint32_t* const above = buffer_.face.data() + first;
+    const std::uint32_t* const below = above + (is_whole ? width : 0);
+    const float* const depth_above = depth_mm_.empty() ? nullptr : depth_mm_.data() + first;
+    const float* const depth_below = depth_mm_.empty() ? nullptr : depth_above + (is_whole ? width : 0);
+    const float* const light = lit_.light.data();
+    std::uint8_t* const pixels_above = raster.pixel(0, y);
+    std::uint8_t* const pixels_below = pixels_above + (is_whole ? 3 * width : 0);
+    for (std::size_t column = 0; column < lit_.light.size(); ++column) {
+      const std::size_t x = static_cast<std::size_t>(kBlock) * column;
+      const bool is_inside = is_whole && x + 1 < width;
+      const std::uint32_t lead = above[x];
+      const bool is_one_face = is_inside && ((above[x + 1] ^ lead) | (below[x] ^ lead) | (below[x + 1] ^ lead)) == 0;
+      if (is_one_face && lead == kNoFace) continue;
+      if (!is_inside || lead == kNoFace || !(is_one_face || is_one_surface(lead, above + x + 1, below + x)) ||
+          (depth_above != nullptr && !is_one_depth(depth_above + x, depth_below + x))) {
+        paint_block(raster, static_cast<int>(column), row);
+        continue;
+      }
+      std::uint8_t* const at = pixels_above + 3 * x;
+      std::uint8_t* const under = pixels_below + 3 * x;
+      colour(at, lead, depth_above == nullptr ? 0.0F : depth_above[x], static_cast<double>(light[column]));
+      for (std::size_t k = 0; k < 3; ++k) at[3 + k] = under[k] = under[3 + k] = at[k];
+    }
+  }
+
+  [[nodiscard]] bool is_one_surface(std::uint32_t lead, const std::uint32_t* beside, const std::uint32_t* below) {
+    for (const std::uint32_t face : {beside[0], below[0], below[1]}) {
+      if (face != lead && (face == kNoFace || !is_alike(face, lead))) return false;
+    }
+    return true;
+  }
+
+  static bool is_one_depth(const float* above, const float* below) {
+    const auto [least, most] = std::minmax({above[0], above[1], below[0], below[1]});
+    return !(least < most);
+  }
+
   void paint_block(Raster& raster, int column, int row) {
     const int x = kBlock * column, y = kBlock * row;
-    const std::size_t first = buffer_.index(x, y);
-    const std::uint32_t lead = buffer_.face[first];
+    const std::uint32_t lead = buffer_.face[buffer_.index(x, y)];
     const double lead_light = static_cast<double>(lit_.light[static_cast<std::size_t>(column)]);
-    if (lead != kNoFace && is_uniform(x, y)) {
-      std::uint8_t* const above = raster.pixel(x, y);
-      std::uint8_t* const below = raster.pixel(x, y + 1);
-      colour(above, first, lead_light);
-      for (std::size_t k = 0; k < 3; ++k) above[3 + k] = below[k] = below[3 + k] = above[k];
-      return;
-    }
     for (int v = y; v < std::min(y + kBlock, raster.height); ++v) {
       for (int u = x; u < std::min(x + kBlock, raster.width); ++u) {
         const std::size_t i = buffer_.index(u, v);
         const std::uint32_t face = buffer_.face[i];
         if (face == kNoFace) continue;
+        const float depth = depth_mm_.empty() ? 0.0F : depth_mm_[i];
         if (lead != kNoFace && is_alike(face, lead)) {
-          colour(raster.pixel(u, v), i, lead_light);
+          colour(raster.pixel(u, v), face, depth, lead_light);
           continue;
         }
         one_.set(0, normals_at_.in_view(face, u, v));
         light_blocks(blocks_, column, row, &buffer_.z[i], per_mm(), one_, 0, 1);
-        colour(raster.pixel(u, v), i, static_cast<double>(one_.light[0]));
+        colour(raster.pixel(u, v), face, depth, static_cast<double>(one_.light[0]));
       }
     }
   }
 
-  /// Whether the whole block has one face, or such as are alike, and one depth: one colour.
-  [[nodiscard]] bool is_uniform(int x, int y) {
-    if (x + 1 >= buffer_.view.width || y + 1 >= buffer_.view.height) return false;
-    const std::size_t a = buffer_.index(x, y), b = buffer_.index(x, y + 1);
-    const std::uint32_t lead = buffer_.face[a];
-    for (const std::size_t i : {a + 1, b, b + 1}) {
-      const std::uint32_t face = buffer_.face[i];
-      if (face != lead && (face == kNoFace || !is_alike(face, lead))) return false;
-    }
-    if (depth_mm_.empty()) return true;
-    const float* const above = depth_mm_.data() + a;
-    const float* const below = depth_mm_.data() + b;
-    const auto [least, most] = std::minmax({above[0], above[1], below[0], below[1]});
-    return !(least < most);
-  }
-
-  [[nodiscard]] double depth(std::size_t i) const {
-    return depth_mm_.empty() ? 0.0 : static_cast<double>(depth_mm_[i]);
-  }
-
-  void colour(std::uint8_t* pixel, std::size_t i, double light) const {
+  void colour(std::uint8_t* pixel, std::uint32_t face, float depth_mm, double light) const {
     // Gouges with less contrast, so that a colour can be compared with the bar wherever it lies.
-    if (depth(i) > 0) return put(pixel, scale_.at(depth(i)), 0.55 + 0.42 * light);
-    put(pixel, scene_.is_fixture(buffer_.face[i]) ? kFixtureGrey : kPartGrey, 0.12 + 0.97 * light);
+    if (depth_mm > 0) return put(pixel, scale_.at(static_cast<double>(depth_mm)), 0.55 + 0.42 * light);
+    put(pixel, scene_.is_fixture(face) ? kFixtureGrey : kPartGrey, 0.12 + 0.97 * light);
   }
 
   const PictureScene& scene_;

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "lib/base/instruction_sets.h"
-#include "lib/base/large_pages.h"
 #include "lib/base/parallel.h"
 
 namespace gouge {
@@ -111,10 +110,8 @@ SurfaceBuffer draw_faces(const View& view, const std::vector<std::uint32_t>& fac
   SurfaceBuffer buffer;
   buffer.view = view;
   const std::size_t pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
-  reserve_large(buffer.z, pixels);
-  reserve_large(buffer.face, pixels);
-  buffer.z.assign(pixels, std::numeric_limits<float>::lowest());
-  buffer.face.assign(pixels, kNoFace);
+  buffer.z.resize(pixels);
+  buffer.face.resize(pixels);
   const auto projected = [&](std::uint32_t face) {
     std::array<Vec3, 3> corners = corners_of(face);
     for (Vec3& corner : corners) corner = view.project(corner);
@@ -132,6 +129,10 @@ SurfaceBuffer draw_faces(const View& view, const std::vector<std::uint32_t>& fac
   for_each_chunk(bands, 1, 0, [&](std::size_t first, std::size_t last) {
     for (std::size_t band = first; band < last; ++band) {
       const int top = static_cast<int>(band) * kBandRows;
+      // Emptied here, so that a band is at hand where its faces are drawn.
+      const std::size_t begin = buffer.index(0, top), end = buffer.index(0, std::min(top + kBandRows, view.height));
+      std::fill(buffer.z.data() + begin, buffer.z.data() + end, std::numeric_limits<float>::lowest());
+      std::fill(buffer.face.data() + begin, buffer.face.data() + end, kNoFace);
       for (const std::uint32_t f : band_faces[band]) {
         const auto [a, b, c] = projected(f);
         RowRange rows = rows_of(a, b, c, view.height);

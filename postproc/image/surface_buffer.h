@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "lib/base/large_pages.h"
 #include "postproc/image/picture_scene.h"
 #include "postproc/image/view.h"
 
@@ -15,8 +16,8 @@ inline constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max
 /// What each pixel of a view shows: the nearest face and how near (z-buffer).
 struct SurfaceBuffer {
   View view;
-  std::vector<float> z;             ///< mm towards the viewer; lowest float where nothing is seen
-  std::vector<std::uint32_t> face;  ///< index, kNoFace where nothing is seen
+  LargePageVector<float> z;             ///< mm towards the viewer; lowest float where nothing is seen
+  LargePageVector<std::uint32_t> face;  ///< index, kNoFace where nothing is seen
 
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x);
