@@ -45,8 +45,13 @@ class AnyDepth {
   [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return of_.is_apart(wider(node)); }
   [[nodiscard]] double floor_mm() const { return floor_mm_; }
   [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double enough_mm, Memory& memory) const {
-    const DepthRange range = of_.range_mm(wider(node), enough_mm, memory);
-    return {range.least_mm, range.most_mm, range.most_mm, Vec3::Zero()};
+    // A ball's points lie within its radius of its centre, and are points of the wider node.
+    DepthRange range = of_.range_mm(wider(node), enough_mm, memory);
+    if (range.slope.isZero(0))
+      range.at_centre_mm = range.most_mm;
+    else
+      range.at_centre_mm += radius_mm_;
+    return range;
   }
   [[nodiscard]] double depth_mm(const FieldPoint& centre, double, Memory& memory) const {
     PointTree::Node point;
@@ -63,6 +68,8 @@ class AnyDepth {
     out.box = Box3(node.box.min() - more, node.box.max() + more);
     out.centre = node.centre;
     out.radius = std::max(0.5 * out.box.diagonal().norm(), node.radius + radius_mm_);
+    out.normal = node.normal;
+    out.off_mm = node.off_mm + radius_mm_;
     return out;
   }
 
@@ -126,6 +133,8 @@ class PointDepths {
   struct Candidate {
     std::uint32_t body = 0;
     DepthRange range;
+    /// The depth of a point p of the node, and of those below it, is at most at_origin_mm + range.slope . p.
+    double at_origin_mm = std::numeric_limits<double>::infinity();
   };
   struct Task {
     std::size_t node = 0;
@@ -199,19 +208,25 @@ class PointDepths {
     void propose(const PointTree::Node& node, const Candidate& parent) {
       const Body& body = bodies[parent.body];
       const double enough_mm = std::max(body.floor_mm(), least_mm);
-      if (parent.range.most_mm <= enough_mm) return;
+      if (parent.range.most_mm <= enough_mm || most_by(parent, node) <= enough_mm) return;
       DepthRange range = body.range_mm(node, enough_mm, memories[parent.body]);
       if (range.most_mm <= enough_mm) return;
       range.most_mm = std::min(parent.range.most_mm, range.most_mm);
       if (body.parts > 0 && body.is_coarse(node)) {
-        for (std::uint32_t k = 0; k < body.parts; ++k) propose(node, {body.first_part + k, range});
+        const double at_origin_mm = range.at_centre_mm - range.slope.dot(node.centre);
+        for (std::uint32_t k = 0; k < body.parts; ++k) propose(node, {body.first_part + k, range, at_origin_mm});
         return;
       }
       if (range.least_mm > least_mm) {
         least_mm = range.least_mm;
         champion = candidates.size();
       }
-      candidates.push_back({parent.body, range});
+      candidates.push_back({parent.body, range, range.at_centre_mm - range.slope.dot(node.centre)});
+    }
+
+    // What the plane of a candidate of the parent says of the node: far cheaper than to ask the body.
+    static double most_by(const Candidate& parent, const PointTree::Node& node) {
+      return parent.at_origin_mm + parent.range.slope.dot(node.centre) + PointTree::reach_mm(node, parent.range.slope);
     }
 
     void look(const PointTree::Node& node, std::size_t own) {
@@ -223,11 +238,10 @@ class PointDepths {
       for (std::size_t k = own; k < candidates.size(); ++k) {
         const Candidate& one = candidates[k];
         const Body& body = bodies[one.body];
-        const double at_origin_mm = one.range.at_centre_mm - one.range.slope.dot(node.centre);
         for (std::size_t i = node.first; i < node.last; ++i) {
           const FieldPoint& point = field.points_[i];
           const double enough_mm = std::max(body.floor_mm(), kUnseen * static_cast<double>(depth[i]));
-          if (at_origin_mm + one.range.slope.dot(point.at) <= enough_mm) continue;
+          if (one.at_origin_mm + one.range.slope.dot(point.at) <= enough_mm) continue;
           depth[i] = std::max(depth[i], static_cast<float>(body.depth_mm(point, enough_mm, memories[one.body])));
         }
       }
