@@ -65,8 +65,8 @@ std::vector<SurfacePoint> spread_points(const ViewerMesh& mesh, double apart_mm)
 class Cutter {
  public:
   Cutter(const ViewerMesh& mesh, const GougedCells& cells, double finest_mm)
-      : out_(mesh), cells_(cells), finest_mm_(finest_mm) {
-    out_.triangles.clear();
+      : out_{mesh.positions, mesh.normals, mesh.mesh_of, {}, mesh.edges}, cells_(cells), finest_mm_(finest_mm) {
+    out_.triangles.reserve(mesh.triangles.size());
   }
 
   /// False where it comes to too many.

@@ -16,8 +16,12 @@ ViewerMesh ViewerMesh::from(const PictureScene& scene) {
   const std::uint32_t faces = scene.face_count();
   ViewerMesh out;
   out.triangles.reserve(faces);
+  out.positions.reserve(scene.vertex_count());  // and a few more along sharp edges
+  out.normals.reserve(scene.vertex_count());
+  out.mesh_of.reserve(scene.vertex_count());
   // By vertex of the scene the last copy made of it, and by copy the one before.
   std::vector<std::uint32_t> latest(scene.vertex_count(), kNoVertex), before;
+  before.reserve(scene.vertex_count());
   for (std::uint32_t f = 0; f < faces; ++f) {
     const std::array<std::uint32_t, 3> corners = scene.corner_vertices(f);
     const std::array<Eigen::Vector3f, 3>& normals = scene.normals(f);

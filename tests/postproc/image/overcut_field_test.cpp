@@ -81,6 +81,46 @@ TEST(OvercutField, FindsTheToolBelowASurfaceItDoesNotPierce) {
   EXPECT_NEAR(static_cast<double>(field.overcut_at({{above, -Vec3::UnitZ(), 0}})[0]), 8, 0.4);
 }
 
+// Whoever asks about balls first must not lose a ray: one from above, and one the tool passes below.
+TEST(OvercutField, MayBeDeepWhereverARayHasAnOvercut) {
+  Plunge below(60);
+  below.path.moves[0].end = {Vec3(-20, 15, 25), Vec3(-1, 0, 0)};
+  below.path.moves[1].end = {Vec3(14, 15, 25), Vec3(-1, 0, 0)};
+  below.check();
+  below.input.result = &below.result;
+  const Plunge above(18);
+  std::size_t left_out = 0;
+  for (const SmallScene* const scene :
+       {static_cast<const SmallScene*>(&below), static_cast<const SmallScene*>(&above)}) {
+    const DepthField depths(scene->input);
+    const OvercutField field(scene->input, depths);
+    std::vector<OvercutField::Ray> rays;
+    std::vector<Vec3> places;
+    for (double x = 0.25; x < 40; x += 0.5) {
+      for (double y = 0.25; y < 30; y += 0.5) {
+        rays.push_back({Vec3(x, y, 30), -Vec3::UnitZ(), 0});
+        places.push_back(rays.back().at);
+      }
+    }
+    const std::vector<float> deep = field.at(rays);
+    std::size_t gouged = 0;
+    for (const double radius_mm : {0.0, 0.3, 2.0}) {
+      const std::vector<std::uint8_t> may_be = field.may_be_deep(places, radius_mm);
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        gouged += deep[i] > 0 ? 1U : 0U;
+        left_out += may_be[i] == 0 ? 1U : 0U;
+        EXPECT_TRUE(may_be[i] != 0 || !(deep[i] > 0)) << places[i].transpose() << " of " << radius_mm;
+        // The places within a ball are those of other rays.
+        for (std::size_t k = 0; k < rays.size() && may_be[i] == 0; k += 7) {
+          EXPECT_TRUE((places[k] - places[i]).norm() > radius_mm || !(deep[k] > 0)) << places[k].transpose();
+        }
+      }
+    }
+    EXPECT_GT(gouged, 100U);
+  }
+  EXPECT_GT(left_out, 100U);
+}
+
 TEST(OvercutField, IsEmptyForSurfacesThatAreNotClosed) {
   IndexedMesh open = box_mesh("open.stl", {0, 0, 0}, {40, 30, 30});
   open.triangles.pop_back();

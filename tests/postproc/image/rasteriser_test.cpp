@@ -1,11 +1,17 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
 #include "postproc/image/colour_scale.h"
 #include "postproc/image/picture_scene.h"
 #include "postproc/image/section.h"
 #include "postproc/image/surface_buffer.h"
 #include "postproc/image/tool_outline.h"
 #include "tests/postproc/image/small_scene.h"
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
@@ -70,6 +76,62 @@ TEST(SurfaceBuffer, ShowsTheNearestFaceAndNoGaps) {
   EXPECT_NEAR(NormalsAt(scene, view)(buffer.face[buffer.index(200, 150)], 200, 150).z(), 1, 1e-6);
   EXPECT_TRUE(is_visible(buffer, {20, 15, 10}, 0.01));
   EXPECT_FALSE(is_visible(buffer, {20, 15, 9}, 0.01));
+}
+
+// What the pixel in the middle of (x, y) shows of these triangles, one by one.
+std::uint32_t face_by_hand(const std::vector<Vec3>& vertices, const std::vector<FaceCorners>& faces, const View& view,
+                           int x, int y, double& nearest, double& edge_gap) {
+  std::uint32_t seen = kNoFace;
+  nearest = std::numeric_limits<float>::lowest();
+  edge_gap = 1;
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    std::array<Vec3, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = view.project(vertices[faces[f][k]]);
+    const Vec2 at(x + 0.5, y + 0.5);
+    const auto side = [&](const Vec3& a, const Vec3& b) {
+      return (b.x() - a.x()) * (at.y() - a.y()) - (b.y() - a.y()) * (at.x() - a.x());
+    };
+    const double area = (p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) - (p[1].y() - p[0].y()) * (p[2].x() - p[0].x());
+    if (!(std::abs(area) > 0)) continue;
+    const double u = side(p[1], p[2]) / area, v = side(p[2], p[0]) / area, w = 1 - u - v;
+    edge_gap = std::min({edge_gap, std::abs(u), std::abs(v), std::abs(w)});
+    if (u < 0 || v < 0 || w < 0) continue;
+    const double z = u * p[0].z() + v * p[1].z() + w * p[2].z();
+    edge_gap = std::min(edge_gap, std::abs(z - nearest));
+    if (z > nearest) seen = f;
+    nearest = std::max(nearest, z);
+  }
+  return seen;
+}
+
+TEST(SurfaceBuffer, ShowsOfAnyTrianglesWhatEachPixelShows) {
+  test::Scatter scatter(7);
+  for (const int width : {5, 8, 13, 90}) {
+    std::vector<Vec3> vertices;
+    std::vector<FaceCorners> faces;
+    for (std::uint32_t f = 0; f < 60; ++f) {
+      const Vec3 middle = scatter.point(12);
+      const double reach = scatter.in(0.05, 9);
+      for (int k = 0; k < 3; ++k) vertices.push_back(middle + scatter.point(reach));
+      faces.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+    }
+    View view = make_view(Vec3(0.3, -0.4, 1), Vec3::UnitY(), width, 70);
+    view.mm_per_pixel = 0.3;
+    const SurfaceBuffer buffer = draw_surface(vertices, faces, view);
+    std::size_t seen = 0;
+    for (int y = 0; y < view.height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        double nearest = 0, edge_gap = 0;
+        const std::uint32_t face = face_by_hand(vertices, faces, view, x, y, nearest, edge_gap);
+        if (edge_gap < 1e-5) continue;  // either may be right
+        ASSERT_EQ(buffer.face[buffer.index(x, y)], face) << x << " " << y << " of " << width;
+        if (face == kNoFace) continue;
+        ++seen;
+        ASSERT_NEAR(static_cast<double>(buffer.z[buffer.index(x, y)]), nearest, 1e-4);
+      }
+    }
+    EXPECT_GT(seen, 50U);
+  }
 }
 
 TEST(PictureScene, FindsTheTwelveEdgesOfABlock) {

@@ -155,8 +155,7 @@ TEST(WriteViewer, IsTheSameAtAnyNumberOfThreads) {
 TEST(WriteViewer, IsNothingWithoutTriangles) {
   SmallScene small;
   small.scene.parts.clear();
-  small.prepared.emplace(small.scene);
-  small.input.prepared = &*small.prepared;
+  small.check();
   EXPECT_EQ(page_of(small), "");
 }
 
