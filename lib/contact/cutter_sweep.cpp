@@ -19,7 +19,8 @@ constexpr double kClose_mm = 2e-4;  // to which the nearest instant is found
 constexpr int kMostLooks = 60;      // at one piece of motion, ...
 constexpr int kMostHalvings = 12;   // ... of a cutter that is not convex
 
-/// Of a solid of revolution whose profile turns one way alone, as contours run from the tip up.
+}  // namespace
+
 bool is_convex(const CompiledTool& tool) {
   Vec2 along = Vec2::UnitX();
   for (const BoundaryElement& e : tool.elements) {
@@ -31,8 +32,6 @@ bool is_convex(const CompiledTool& tool) {
   }
   return true;
 }
-
-}  // namespace
 
 double farthest_mm(const CompiledTool& cutter) {
   return Vec2(cutter.r_max_mm, std::max(cutter.z_max_mm, -cutter.z_min_mm)).norm();

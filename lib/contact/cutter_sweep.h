@@ -11,6 +11,9 @@
 
 namespace gouge {
 
+/// Of a solid of revolution whose profile turns one way alone, as contours run from the tip up.
+[[nodiscard]] bool is_convex(const CompiledTool& tool);
+
 /// A flat piece of surface as seen from one side of it.
 struct SidedPiece {
   std::array<Vec3, 3> corners;

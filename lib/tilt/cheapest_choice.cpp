@@ -2,35 +2,13 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+
+#include "lib/tilt/lowest_parabola.h"
 
 namespace gouge {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-
-/// Coordinates of a layer's tilts side by side, in the order of x.
-struct Columns {
-  std::vector<double> x, y, square;
-  std::vector<std::uint32_t> tilt, place;  // the tilt at a place, and the place of a tilt
-  explicit Columns(const std::vector<Tilt>& tilts) : tilt(tilts.size()), place(tilts.size()) {
-    std::iota(tilt.begin(), tilt.end(), 0U);
-    std::ranges::stable_sort(tilt, {}, [&](std::uint32_t k) { return tilts[k].x(); });
-    for (const std::uint32_t k : tilt) {
-      place[k] = static_cast<std::uint32_t>(x.size());
-      x.push_back(tilts[k].x());
-      y.push_back(tilts[k].y());
-      square.push_back(tilts[k].squaredNorm());
-    }
-  }
-};
-
-/// The least of a layer so far, at each place, and from which tilt of the one before.
-struct Best {
-  std::vector<double> cost;
-  std::vector<std::int64_t> from;  // as wide as what it is chosen with
-  explicit Best(std::size_t count) : cost(count, kNever), from(count, 0) {}
-};
 
 /// What the step between two layers costs.
 struct Step {
@@ -42,63 +20,117 @@ struct Step {
   }
 };
 
-/// From one tilt to all of the next layer for which `is_allowed(place)`.
-template <typename IsAllowed>
-void step_from(const TiltLayer& layer, std::uint32_t tilt, const Columns& to, const Step& step, double so_far,
-               Best& best, const IsAllowed& is_allowed) {
-  const double x = layer.tilts[tilt].x(), y = layer.tilts[tilt].y();
-  const double most = layer.largest_change_rad, most2 = most * most;
-  const auto index = static_cast<std::int64_t>(tilt);
-  const auto first = std::ranges::lower_bound(to.x, x - most) - to.x.begin();
-  const auto last = std::ranges::upper_bound(to.x, x + most) - to.x.begin();
-  const double *const to_x = to.x.data(), *const to_y = to.y.data(), *const square = to.square.data();
-  double* const cost = best.cost.data();
-  std::int64_t* const came = best.from.data();
-  for (auto b = static_cast<std::size_t>(first); b < static_cast<std::size_t>(last); ++b) {
-    const double dx = to_x[b] - x, dy = to_y[b] - y;
-    const double change2 = dx * dx + dy * dy;
-    const double total = so_far + step.by_tilt * square[b] + step.by_change * change2;
-    const bool is_less = total < cost[b] && !(change2 > most2) && is_allowed(b);
-    came[b] = is_less ? index : came[b];
-    cost[b] = is_less ? total : cost[b];
-  }
+/// The least cost of a layer's tilts, and from which tilt of the one before.
+struct Best {
+  std::vector<double> cost;
+  std::vector<std::uint32_t> from;
+};
+
+bool is_struck(const TiltLayer& layer, std::uint32_t from, std::uint32_t to) {
+  return !layer.struck.empty() && std::ranges::binary_search(layer.struck, std::pair(from, to));
 }
+
+class Choosing {
+ public:
+  Choosing(const std::vector<TiltLayer>& layers, double blend_mm) : layers_(layers), blend_mm_(blend_mm) {
+    rows_.reserve(layers.size());
+    for (const TiltLayer& layer : layers) rows_.emplace_back(layer.tilts);
+  }
+
+  LayerChoices run() {
+    LayerChoices choices;
+    best_.push_back({std::vector<double>(layers_.front().tilts.size(), 0.0), {}});
+    for (std::size_t l = 0; l < layers_.size(); ++l) {
+      if (l > 0) step_to(l);
+      auto& is_possible = choices.is_possible.emplace_back();
+      for (const double cost : best_[l].cost) is_possible.push_back(cost < kNever ? 1 : 0);
+      if (std::ranges::find(is_possible, 1) != is_possible.end()) continue;
+      choices.first_unreached = l;
+      return choices;
+    }
+    for (std::size_t l = layers_.size() - 1; l-- > 0;) keep_those_leading_on(l, choices.is_possible);
+    choices.cheapest = cheapest();
+    return choices;
+  }
+
+ private:
+  void step_to(std::size_t l) {
+    const TiltLayer &from = layers_[l - 1], &to = layers_[l];
+    const Step step(from, to, blend_mm_);
+    std::vector<double> before = best_[l - 1].cost;
+    for (std::size_t a = 0; a < before.size(); ++a) before[a] += step.by_tilt * from.tilts[a].squaredNorm();
+    Best best{std::vector<double>(to.tilts.size(), kNever),
+              parabolas_.find(rows_[l - 1], before, step.by_change, rows_[l])};
+    std::vector<std::uint32_t> nearest;
+    const double most2 = from.largest_change_rad * from.largest_change_rad;
+    const auto change2 = [&](std::uint32_t a, std::uint32_t b) { return (to.tilts[b] - from.tilts[a]).squaredNorm(); };
+    for (std::uint32_t b = 0; b < to.tilts.size(); ++b) {
+      std::uint32_t& a = best.from[b];
+      if (a == LowestParabolas::kNoTilt) continue;
+      if (change2(a, b) > most2 || is_struck(from, a, b)) {
+        if (nearest.empty()) nearest = nearest_of(l - 1, before, l);
+        a = change2(nearest[b], b) > most2 ? LowestParabolas::kNoTilt : cheapest_allowed(from, before, step, to, b);
+      }
+      if (a == LowestParabolas::kNoTilt) continue;
+      best.cost[b] = before[a] + step.by_tilt * to.tilts[b].squaredNorm() + step.by_change * change2(a, b);
+    }
+    best_.push_back(std::move(best));
+  }
+
+  /// The nearest tilts of a layer, of those with finite heights, to another layer's.
+  [[nodiscard]] std::vector<std::uint32_t> nearest_of(std::size_t layer, std::vector<double> heights,
+                                                      std::size_t other) {
+    for (double& height : heights) height = height < kNever ? 0 : kNever;
+    return parabolas_.find(rows_[layer], heights, 1, rows_[other]);
+  }
+
+  /// Each one asked.
+  static std::uint32_t cheapest_allowed(const TiltLayer& from, const std::vector<double>& before, const Step& step,
+                                        const TiltLayer& to, std::uint32_t b) {
+    const double most2 = from.largest_change_rad * from.largest_change_rad;
+    std::uint32_t found = LowestParabolas::kNoTilt;
+    double least = kNever;
+    for (std::uint32_t a = 0; a < from.tilts.size(); ++a) {
+      const double change2 = (to.tilts[b] - from.tilts[a]).squaredNorm();
+      const double cost = before[a] + step.by_change * change2;
+      if (!(cost < least) || change2 > most2 || is_struck(from, a, b)) continue;
+      least = cost;
+      found = a;
+    }
+    return found;
+  }
+
+  void keep_those_leading_on(std::size_t l, std::vector<std::vector<char>>& is_possible) {
+    const TiltLayer &from = layers_[l], &to = layers_[l + 1];
+    const double most2 = from.largest_change_rad * from.largest_change_rad;
+    if (!(most2 < kNever)) return;
+    std::vector<double> heights;
+    for (const char possible : is_possible[l + 1]) heights.push_back(possible != 0 ? 0 : kNever);
+    const std::vector<std::uint32_t>& nearest = parabolas_.find(rows_[l + 1], heights, 1, rows_[l]);
+    for (std::size_t a = 0; a < from.tilts.size(); ++a) {
+      if ((to.tilts[nearest[a]] - from.tilts[a]).squaredNorm() > most2) is_possible[l][a] = 0;
+    }
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> cheapest() const {
+    const std::vector<double>& last = best_.back().cost;
+    auto at = static_cast<std::uint32_t>(std::ranges::min_element(last) - last.begin());
+    std::vector<std::uint32_t> chosen(layers_.size(), at);
+    for (std::size_t l = layers_.size() - 1; l > 0; --l) chosen[l - 1] = at = best_[l].from[at];
+    return chosen;
+  }
+
+  const std::vector<TiltLayer>& layers_;
+  double blend_mm_;
+  std::vector<TiltRows> rows_;
+  std::vector<Best> best_;
+  LowestParabolas parabolas_;
+};
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> cheapest_choice(const std::vector<TiltLayer>& layers, double blend_mm) {
-  std::vector<Best> best;
-  best.reserve(layers.size());
-  best.emplace_back(layers.front().tilts.size());
-  std::ranges::fill(best.back().cost, 0);
-  std::vector<Columns> columns{Columns(layers.front().tilts)};
-  columns.reserve(layers.size());
-  for (std::size_t l = 1; l < layers.size(); ++l) {
-    const TiltLayer& from = layers[l - 1];
-    const Step step(from, layers[l], blend_mm);
-    const Columns& to = columns.emplace_back(layers[l].tilts);
-    best.emplace_back(to.x.size());
-    for (std::uint32_t a = 0; a < from.tilts.size(); ++a) {
-      const double so_far = best[l - 1].cost[columns[l - 1].place[a]] + step.by_tilt * from.tilts[a].squaredNorm();
-      if (!(so_far < kNever)) continue;
-      if (from.struck.empty()) {
-        step_from(from, a, to, step, so_far, best[l], [](std::size_t) { return true; });
-      } else {
-        step_from(from, a, to, step, so_far, best[l],
-                  [&](std::size_t b) { return !std::ranges::binary_search(from.struck, std::pair(a, to.tilt[b])); });
-      }
-    }
-  }
-  const auto cost_of = [&](std::uint32_t tilt) { return best.back().cost[columns.back().place[tilt]]; };
-  std::uint32_t at = 0;
-  for (std::uint32_t k = 1; k < layers.back().tilts.size(); ++k) at = cost_of(k) < cost_of(at) ? k : at;
-  if (layers.back().tilts.empty() || !(cost_of(at) < kNever)) return std::nullopt;
-  std::vector<std::uint32_t> chosen(layers.size());
-  for (std::size_t l = layers.size(); l-- > 0;) {
-    chosen[l] = at;
-    at = static_cast<std::uint32_t>(best[l].from[columns[l].place[at]]);
-  }
-  return chosen;
+LayerChoices cheapest_choice(const std::vector<TiltLayer>& layers, double blend_mm) {
+  return Choosing(layers, blend_mm).run();
 }
 
 }  // namespace gouge

@@ -57,11 +57,12 @@ class RunPlanner {
     const std::vector<TiltPosition> positions =
         freedom == job_.options.freedom ? run_.positions : with_freedom(run_, freedom).positions;
     std::optional<std::size_t> doubtful;
+    std::vector<KnownTilts> known;
     for (const bool may_raise : {false, true}) {
       const TiltTask task{job_.tools[run_.tool], &job_.checker, options, may_raise};
       LatticeResult found;
       std::optional<Tilted> way = where_known(positions, task);
-      if (!way) way = look_for(TiltSpace(positions, task), doubtful, found);
+      if (!way) way = look_for(TiltSpace(positions, task), doubtful, known, found);
       if (way) {
         close_contours(*way);
         if (!keeps_turns(*way) || leaves_too_much(way->space, way->tilts)) return false;
@@ -83,9 +84,9 @@ class RunPlanner {
   };
 
   [[nodiscard]] std::optional<Tilted> look_for(TiltSpace space, std::optional<std::size_t> doubtful,
-                                               LatticeResult& found) const {
+                                               std::vector<KnownTilts>& learned, LatticeResult& found) const {
     const unsigned threads = job_.checker.options().threads;
-    found = find_tilts(space, threads, doubtful);
+    found = find_tilts(space, threads, doubtful, learned);
     if (!found.sequence) return std::nullopt;
     TiltSequence tilts = smooth_tilts(space, *found.sequence, threads);
     return Tilted{std::move(space), std::move(tilts)};
@@ -95,8 +96,9 @@ class RunPlanner {
   [[nodiscard]] std::optional<Tilted> where_known(const std::vector<TiltPosition>& positions,
                                                   const TiltTask& task) const {
     LatticeResult found;
+    std::vector<KnownTilts> learned;
     std::optional<std::vector<TiltPosition>> known = contours_.with_known(positions);
-    return known ? look_for(TiltSpace(std::move(*known), task), std::nullopt, found) : std::nullopt;
+    return known ? look_for(TiltSpace(std::move(*known), task), std::nullopt, learned, found) : std::nullopt;
   }
 
   // Where both ends of a contour are in the run and were tilted differently: as the one, or as the other.
@@ -112,7 +114,9 @@ class RunPlanner {
         closed[as].given = way.tilts[as];
         closed[other_end].given = closed[other_end].tilt_to(axis_at(as));
         LatticeResult found;
-        std::optional<Tilted> other = look_for(TiltSpace(std::move(closed), way.space.task()), std::nullopt, found);
+        std::vector<KnownTilts> learned;
+        std::optional<Tilted> other =
+            look_for(TiltSpace(std::move(closed), way.space.task()), std::nullopt, learned, found);
         if (!other || beyond_limits(*other).is_any()) continue;
         way = std::move(*other);
         break;

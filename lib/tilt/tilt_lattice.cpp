@@ -14,26 +14,29 @@ namespace {
 
 constexpr std::size_t kFirstLayers = 64;  // of a long run
 constexpr int kCoarseSteps = 6;           // of a lattice from no tilt to the largest one
-constexpr int kLevels = 3;                // each with half the step
-constexpr int kFinerPerStep = 4;          // about the way found
-constexpr double kTube = 1.5;             // how many steps of it the finer lattice reaches about the way
-constexpr int kMostRounds = 60;           // in which layers are added, ...
+constexpr int kLevels = 4;                // each with half the step
+constexpr int kFinestSteps = kCoarseSteps << (kLevels - 1);
+constexpr int kFinerPerStep = 4;        // about the way found
+constexpr double kTube = 1.5;           // how many steps of it the finer lattice reaches about the way
+constexpr int kMostDoubted = 3;         // layers that are asked for any free tilt where no way is left
+constexpr std::size_t kMostOthers = 4;  // of those about a refused tilt that no known point refuses
+constexpr int kMostRounds = 60;         // in which layers are added, ...
 constexpr int kMostStrikes = 24;  // ... or motions struck out: what refuses these refuses most of their neighbours
 
 /// One lattice over the allowed tilts, and what is known of it at each position.
 ///
 /// Which of its tilts are free is found out lazily too: the cheapest way is sought as if all were, then the tilts it
 /// takes are looked at, and it is sought again without those that are refused. The way that is left is the cheapest of
-/// all, as no other way lost a tilt that is free.
+/// all, as no other way lost a tilt that is free. Tilts that no way leads through any more are not looked at.
 class Lattice {
  public:
-  /// `near`: null, or the sequence that tilts may be no farther from than `reach_rad`. `refusing`: what other lattices
+  /// `near`: null, or the sequence that tilts may be no farther from than `reach_rad`. `known`: what other lattices
   /// learned at each position.
-  Lattice(const TiltSpace& space, int steps, unsigned threads, std::vector<RefusingPoints>& refusing,
-          const TiltSequence* near, double reach_rad)
+  Lattice(const TiltSpace& space, int steps, unsigned threads, std::vector<KnownTilts>& known, const TiltSequence* near,
+          double reach_rad)
       : space_(space),
         threads_(threads),
-        refusing_(refusing),
+        known_(known),
         near_(near),
         reach_rad_(reach_rad),
         first_at_once_(near != nullptr ? 1 : static_cast<std::size_t>(steps / kCoarseSteps * (steps / kCoarseSteps))),
@@ -45,11 +48,11 @@ class Lattice {
     for (int x = -steps; x <= steps; ++x) {
       for (int y = -across; y <= across; ++y) {
         const Tilt tilt = step_rad * Tilt(x, y);
-        if (tilt.norm() <= options.max_tilt_rad)
-          nodes_.push_back(options.freedom == TiltFreedom::side ? Tilt(tilt.y(), tilt.x()) : tilt);
+        if (tilt.norm() > options.max_tilt_rad) continue;
+        nodes_.push_back(options.freedom == TiltFreedom::side ? Tilt(tilt.y(), tilt.x()) : tilt);
+        finest_.push_back(index_among_finest(x, y, steps));
       }
     }
-    std::ranges::stable_sort(nodes_, {}, [](const Tilt& tilt) { return tilt.squaredNorm(); });
     choices_ = static_cast<Node>(nodes_.size());
     is_layer_.assign(space.size(), false);
     for (std::size_t i = 0; i + 1 < space.size(); ++i) changes_rad_.push_back(space.largest_change_rad(i));
@@ -59,13 +62,13 @@ class Lattice {
   LatticeResult find(std::optional<std::size_t> doubtful) {
     if (doubtful) {
       add_layer(*doubtful);
-      if (!look_at_all(layers_.front())) return {std::nullopt, doubtful};
+      if (!has_free(layers_.front())) return {std::nullopt, doubtful};
     }
     add_first_layers();
     for (int round = 0, strikes = 0; round < kMostRounds && strikes < kMostStrikes; ++round) {
       const std::size_t struck_before = struck_.size();
       const std::optional<Choice> choice = cheapest_free();
-      if (!choice) return {std::nullopt, first_blocked()};
+      if (!choice) return {std::nullopt, blocked()};
       const TiltSequence sequence = between_layers(*choice);
       if (prove(sequence, *choice)) return {sequence, std::nullopt};
       strikes += struck_.size() > struck_before ? 1 : 0;
@@ -86,14 +89,16 @@ class Lattice {
   /// A position, and what is known of the lattice's tilts there.
   struct Layer {
     std::size_t position = 0;
-    std::vector<Node> open;     ///< that were not refused; the smallest tilts first
-    std::vector<bool> is_free;  ///< of each open one, whether that is known
+    std::vector<Node> open;     ///< that were not refused, and that ways may lead through; by columns
+    std::vector<char> is_free;  ///< of each open one, whether that is known
+    std::vector<Node> aside;    ///< not refused, but no way leads through them
     std::size_t at_once = 1;    ///< how many more to look at where the one that was taken is refused
 
-    void refuse(const std::vector<Node>& refused) {
+    template <typename IsKept>
+    void keep(const IsKept& is_kept) {
       std::size_t kept = 0;
       for (std::size_t k = 0; k < open.size(); ++k) {
-        if (std::ranges::find(refused, open[k]) != refused.end()) continue;
+        if (!is_kept(k)) continue;
         open[kept] = open[k];
         is_free[kept++] = is_free[k];
       }
@@ -101,6 +106,13 @@ class Lattice {
       is_free.resize(kept);
     }
   };
+
+  /// Where the finest lattice has a tilt of one with so many steps; kNone: it does not.
+  [[nodiscard]] static std::size_t index_among_finest(int x, int y, int steps) {
+    if (kFinestSteps % steps != 0) return kNone;
+    const int row = x * (kFinestSteps / steps) + kFinestSteps, column = y * (kFinestSteps / steps) + kFinestSteps;
+    return static_cast<std::size_t>(row * (2 * kFinestSteps + 1) + column);
+  }
 
   /// Both ends, those that are fixed, and some between.
   void add_first_layers() {
@@ -121,11 +133,14 @@ class Lattice {
     if (const auto& given = space_[i].given) {
       layer.open = {node_of(*given)};
     } else {
+      bool is_raised = false;
       for (Node n = 0; n < choices_; ++n) {
-        if (near_ == nullptr || !((nodes_[n] - (*near_)[i]).norm() > reach_rad_)) layer.open.push_back(n);
+        const bool is_near = near_ == nullptr || !((nodes_[n] - (*near_)[i]).norm() > reach_rad_);
+        if (is_near && !stays_refused(i, n, is_raised)) layer.open.push_back(n);
       }
     }
-    layer.is_free.assign(layer.open.size(), space_[i].stays_programmed());
+    for (const Node n : layer.open)
+      layer.is_free.push_back(space_[i].stays_programmed() || state_of(i, n) == KnownTilts::kFree ? 1 : 0);
     layers_.insert(std::ranges::upper_bound(layers_, i, {}, &Layer::position), std::move(layer));
   }
 
@@ -137,45 +152,133 @@ class Lattice {
     return node;
   }
 
-  /// Whether any tilt is free there.
-  [[nodiscard]] bool look_at_all(Layer& layer) {
-    std::vector<Node> refused;
+  [[nodiscard]] KnownTilts::State state_of(std::size_t position, Node node) const {
+    const std::vector<KnownTilts::State>& states = known_[position].states;
+    return states.empty() || node >= choices_ || finest_[node] == kNone ? KnownTilts::kUnknown : states[finest_[node]];
+  }
+
+  /// Where the tip may rise, what was refused before that stays refused if it does not or cannot. `is_raised`: whether
+  /// it does at any tilt there, from which on no more is asked.
+  [[nodiscard]] bool stays_refused(std::size_t position, Node node, bool& is_raised) {
+    const KnownTilts::State state = state_of(position, node);
+    KnownTilts& known = known_[position];
+    if (state != KnownTilts::kUnknown || known.unraised.empty() || finest_[node] == kNone || is_raised)
+      return state == KnownTilts::kRefused;
+    if (known.unraised[finest_[node]] != KnownTilts::kRefused) return false;
+    const std::optional<double> raise_mm = space_.is_refused_by(known.refusing, position, nodes_[node])
+                                               ? std::nullopt
+                                               : space_.raise_mm(position, nodes_[node], &known.refusing);
+    is_raised = raise_mm && *raise_mm > 0;
+    if (!is_raised) keep(position, node, false);
+    return !is_raised;
+  }
+
+  void keep(std::size_t position, Node node, bool is_free) {
+    if (node >= choices_ || finest_[node] == kNone) return;
+    std::vector<KnownTilts::State>& states = known_[position].states;
+    states.resize((2 * kFinestSteps + 1) * (2 * kFinestSteps + 1), KnownTilts::kUnknown);
+    states[finest_[node]] = is_free ? KnownTilts::kFree : KnownTilts::kRefused;
+  }
+
+  /// Whether a tilt is free, which is kept.
+  [[nodiscard]] bool look(std::size_t position, Node node) {
+    KnownTilts& known = known_[position];
+    const bool was_free = node < choices_ && finest_[node] != kNone && !known.unraised.empty() &&
+                          known.unraised[finest_[node]] == KnownTilts::kFree;
+    const bool is_same = was_free && space_.raise_mm(position, nodes_[node]) == 0.0;
+    const bool is_free = is_same || space_.is_free(position, nodes_[node], &known.refusing);
+    keep(position, node, is_free);
+    return is_free;
+  }
+
+  /// Whether any tilt is free there, whether a way leads through it or not.
+  [[nodiscard]] bool has_free(Layer& layer) {
+    if (std::ranges::find(layer.is_free, 1) != layer.is_free.end()) return true;
     for (std::size_t k = 0; k < layer.open.size(); ++k) {
-      layer.is_free[k] =
-          layer.is_free[k] || space_.is_free(layer.position, nodes_[layer.open[k]], &refusing_[layer.position]);
-      if (!layer.is_free[k]) refused.push_back(layer.open[k]);
+      layer.is_free[k] = look(layer.position, layer.open[k]) ? 1 : 0;
+      if (layer.is_free[k] == 0) continue;
+      const auto first = static_cast<std::ptrdiff_t>(k);
+      layer.open.erase(layer.open.begin(), layer.open.begin() + first);
+      layer.is_free.erase(layer.is_free.begin(), layer.is_free.begin() + first);
+      return true;
     }
-    layer.refuse(refused);
-    return !layer.open.empty();
+    layer.open.clear();
+    layer.is_free.clear();
+    return std::ranges::any_of(layer.aside, [&](Node node) {
+      const KnownTilts::State state = state_of(layer.position, node);
+      return state == KnownTilts::kFree || (state == KnownTilts::kUnknown && look(layer.position, node));
+    });
   }
 
   /// Whether the tilt that was taken is free. Where it is not, others about it are looked at too, twice as many each
   /// time: what refuses it refuses many, and a position where none is free is soon known.
   [[nodiscard]] bool is_free(Layer& layer, Node taken) {
     const auto index = static_cast<std::size_t>(std::ranges::find(layer.open, taken) - layer.open.begin());
-    if (layer.is_free[index]) return true;
-    layer.is_free[index] = space_.is_free(layer.position, nodes_[taken], &refusing_[layer.position]);
-    if (layer.is_free[index]) return true;
+    if (layer.is_free[index] != 0) return true;
+    layer.is_free[index] = look(layer.position, taken) ? 1 : 0;
+    if (layer.is_free[index] != 0) return true;
     std::vector<std::size_t> others;
     for (std::size_t k = 0; k < layer.open.size(); ++k) {
-      if (!layer.is_free[k] && k != index) others.push_back(k);
+      if (layer.is_free[k] == 0 && k != index) others.push_back(k);
     }
-    std::ranges::stable_sort(others, {},
-                             [&](std::size_t k) { return (nodes_[layer.open[k]] - nodes_[taken]).squaredNorm(); });
-    others.resize(std::min(others.size(), layer.at_once));
+    const auto away = [&](std::size_t k) { return (nodes_[layer.open[k]] - nodes_[taken]).squaredNorm(); };
+    if (others.size() > layer.at_once) {
+      std::ranges::stable_sort(others, {}, away);
+      others.resize(layer.at_once);
+    }
     layer.at_once *= 2;
-    std::vector<Node> refused = {taken};
-    for (const std::size_t k : others) {
-      layer.is_free[k] = space_.is_free(layer.position, nodes_[layer.open[k]], &refusing_[layer.position]);
-      if (!layer.is_free[k]) refused.push_back(layer.open[k]);
-    }
-    layer.refuse(refused);
+    look_quickly_at(layer, others, index);
     return false;
   }
 
-  [[nodiscard]] std::optional<std::size_t> first_blocked() const {
-    const auto blocked = std::ranges::find_if(layers_, [](const Layer& layer) { return layer.open.empty(); });
-    return blocked == layers_.end() ? std::nullopt : std::optional(blocked->position);
+  /// Leaves out what is refused, and with it the one at `refused`.
+  void look_at(Layer& layer, const std::vector<std::size_t>& some, std::size_t refused) {
+    std::vector<char> is_refused(layer.open.size(), 0);
+    if (refused != kNone) is_refused[refused] = 1;
+    for (const std::size_t k : some) {
+      layer.is_free[k] = look(layer.position, layer.open[k]) ? 1 : 0;
+      is_refused[k] = layer.is_free[k] == 0 ? 1 : 0;
+    }
+    layer.keep([&](std::size_t k) { return is_refused[k] == 0; });
+  }
+
+  /// Leaves out what known points refuse, and some of the others that are refused, and with these the one at `refused`.
+  void look_quickly_at(Layer& layer, const std::vector<std::size_t>& some, std::size_t refused) {
+    std::vector<char> is_refused(layer.open.size(), 0);
+    is_refused[refused] = 1;
+    std::size_t looks = 0;
+    for (const std::size_t k : some) {
+      const Node node = layer.open[k];
+      if (space_.is_refused_by(known_[layer.position].refusing, layer.position, nodes_[node])) {
+        keep(layer.position, node, false);
+        is_refused[k] = 1;
+      } else if (looks++ < kMostOthers) {
+        layer.is_free[k] = look(layer.position, node) ? 1 : 0;
+        is_refused[k] = layer.is_free[k] == 0 ? 1 : 0;
+      }
+    }
+    layer.keep([&](std::size_t k) { return is_refused[k] == 0; });
+  }
+
+  /// All of it that ways may lead through.
+  void look_at_rest(Layer& layer) {
+    std::vector<std::size_t> rest;
+    for (std::size_t k = 0; k < layer.open.size(); ++k) {
+      if (layer.is_free[k] == 0) rest.push_back(k);
+    }
+    look_at(layer, rest, kNone);
+  }
+
+  /// A position where no tilt is free, of those where fewest are left.
+  [[nodiscard]] std::optional<std::size_t> blocked() {
+    if (near_ != nullptr) return std::nullopt;
+    std::vector<Layer*> doubted;
+    for (Layer& layer : layers_) doubted.push_back(&layer);
+    std::ranges::stable_sort(doubted, {}, [](const Layer* layer) { return layer->open.size() + layer->aside.size(); });
+    for (std::size_t k = 0; k < std::min<std::size_t>(kMostDoubted, doubted.size()); ++k) {
+      if (!has_free(*doubted[k])) return doubted[k]->position;
+    }
+    return std::nullopt;
   }
 
   /// The cheapest way through the layers that is free in each of them.
@@ -188,12 +291,18 @@ class Lattice {
         for (std::size_t l = first; l < last; ++l) is_refused[l] = is_free(layers_[l], (*choice)[l]) ? 0 : 1;
       });
       if (std::ranges::find(is_refused, 1) == is_refused.end()) return choice;
-      if (first_blocked()) return std::nullopt;
+      Layer* narrowest = nullptr;
+      for (std::size_t l = 0; l < layers_.size(); ++l) {
+        const bool is_narrower = narrowest == nullptr || layers_[l].open.size() < narrowest->open.size();
+        if (is_refused[l] != 0 && is_narrower) narrowest = &layers_[l];
+      }
+      look_at_rest(*narrowest);
+      if (narrowest->open.empty()) return std::nullopt;
     }
   }
 
   /// The cheapest way through the layers by tilts that were not refused.
-  [[nodiscard]] std::optional<Choice> cheapest() const {
+  [[nodiscard]] std::optional<Choice> cheapest() {
     std::vector<TiltLayer> layers;
     for (const Layer& layer : layers_) {
       TiltLayer& next = layers.emplace_back();
@@ -212,8 +321,17 @@ class Lattice {
       }
       std::ranges::sort(layers[l].struck);
     }
-    std::optional<Choice> choice = cheapest_choice(layers, space_.task().options.blend_mm);
-    for (std::size_t l = 0; choice && l < choice->size(); ++l) (*choice)[l] = layers_[l].open[(*choice)[l]];
+    const LayerChoices choices = cheapest_choice(layers, space_.task().options.blend_mm);
+    if (!choices.cheapest) return std::nullopt;
+    Choice choice = *choices.cheapest;
+    for (std::size_t l = 0; l < choice.size(); ++l) {
+      choice[l] = layers_[l].open[choice[l]];
+      const std::vector<char>& is_possible = choices.is_possible[l];
+      for (std::size_t k = 0; k < is_possible.size(); ++k) {
+        if (is_possible[k] == 0) layers_[l].aside.push_back(layers_[l].open[k]);
+      }
+      layers_[l].keep([&](std::size_t k) { return is_possible[k] != 0; });
+    }
     return choice;
   }
 
@@ -263,11 +381,12 @@ class Lattice {
 
   const TiltSpace& space_;
   unsigned threads_;
-  std::vector<RefusingPoints>& refusing_;  // at each position
+  std::vector<KnownTilts>& known_;  // at each position
   const TiltSequence* near_;
   double reach_rad_;
   std::size_t first_at_once_;        // as many as lie about a tilt where a coarser lattice has one
-  std::vector<Tilt> nodes_;          // of the lattice, the smallest first; then those that are given
+  std::vector<Tilt> nodes_;          // of the lattice, by columns; then those that are given
+  std::vector<std::size_t> finest_;  // where the finest lattice has each
   Node choices_ = 0;                 // how many are of the lattice
   std::vector<double> changes_rad_;  // the largest from each position to the next
   std::vector<bool> is_layer_;
@@ -278,16 +397,24 @@ class Lattice {
 
 }  // namespace
 
-LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful) {
+LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful,
+                         std::vector<KnownTilts>& known) {
   LatticeResult found;
-  std::vector<RefusingPoints> refusing(space.size());
+  known.resize(space.size());
+  for (KnownTilts& of_position : known) {
+    if (!space.task().may_raise) continue;
+    of_position.unraised = std::move(of_position.states);
+    of_position.states.clear();
+  }
   for (int level = 0, steps = kCoarseSteps; level < kLevels; ++level, steps *= 2) {
-    found = Lattice(space, steps, threads, refusing, nullptr, 0).find(doubtful);
+    // The finest one costs most. It is for a free tilt in a gap of the others, where a position has none without.
+    if (level + 1 == kLevels && (!found.blocked || space.task().may_raise)) break;
+    found = Lattice(space, steps, threads, known, nullptr, 0).find(doubtful);
     if (found.blocked) doubtful = found.blocked;
     if (!found.sequence) continue;
     const double reach_rad = kTube * space.task().options.max_tilt_rad / steps;
     LatticeResult finer =
-        Lattice(space, kFinerPerStep * steps, threads, refusing, &*found.sequence, reach_rad).find(std::nullopt);
+        Lattice(space, kFinerPerStep * steps, threads, known, &*found.sequence, reach_rad).find(std::nullopt);
     if (finer.sequence) found = std::move(finer);
     break;
   }

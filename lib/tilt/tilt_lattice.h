@@ -17,6 +17,14 @@ struct LatticeResult {
   std::optional<std::size_t> blocked;
 };
 
+/// What searches found out about the tilts of a position, so that it is not found out again.
+struct KnownTilts {
+  enum State : char { kUnknown, kFree, kRefused };
+  RefusingPoints refusing;
+  std::vector<State> states;    ///< of the finest lattice's tilts, by column and row; empty: of none
+  std::vector<State> unraised;  ///< the same before the tip might rise
+};
+
 /// A sequence of tilts that is certified free at every position and on every motion between two that follow each other.
 ///
 /// Tilts of a square lattice over all that is allowed, coarse at first, finer about what the coarse one found or where it
@@ -26,11 +34,13 @@ struct LatticeResult {
 /// becomes a layer of its own, a motion that is not is struck out, and the way is sought again.
 /// `doubtful`: a position where no tilt may be free; it is looked at before all others. Where it is not, that is said at
 /// once.
+/// `known`: of each position, empty at first; or of a search in the same space, but that the tip might not rise.
 /// Ensures  the same sequence at any number of threads.
 /// Cost     checks of a tenth to a quarter of the tilts of each layer, of which there are some hundred; where none is
 ///          free of all.
 /// Source   layers of postures: Plakhotnik and Lauwers 2014; only the winner's motions are proved: Dellin and Srinivasa
 ///          2016 (LazySP).
-[[nodiscard]] LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful);
+[[nodiscard]] LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful,
+                                       std::vector<KnownTilts>& known);
 
 }  // namespace gouge

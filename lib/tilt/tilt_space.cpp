@@ -9,6 +9,7 @@
 #include "lib/base/best_first_search.h"
 #include "lib/contact/aims.h"
 #include "lib/contact/contacts.h"
+#include "lib/contact/cutter_sweep.h"
 #include "lib/path/path_info.h"
 #include "lib/tool/evaluate.h"
 
@@ -26,6 +27,11 @@ constexpr int kMostHalvings = 24;
 constexpr double kOnTheSpot_mm = 1e-6;
 constexpr double kMostShare = 0.97;  // of the tolerance, for a motion that is deeper than kMotionAimShare of it
 
+void learn(const Witness& witness, RefusingPoints& refusing) {
+  refusing.insert(refusing.begin(), witness);
+  if (refusing.size() > kMostRefusing) refusing.pop_back();
+}
+
 }  // namespace
 
 Vec3 TiltPosition::axis_for(const Tilt& tilt) const {
@@ -42,7 +48,9 @@ Tilt TiltPosition::tilt_to(const Vec3& axis) const {
 }
 
 TiltSpace::TiltSpace(std::vector<TiltPosition> positions, const TiltTask& task)
-    : positions_(std::move(positions)), task_(task) {}
+    : positions_(std::move(positions)),
+      task_(task),
+      is_cutter_convex_(task.tool != nullptr && is_convex(task.tool->cutting)) {}
 
 CheckOptions TiltSpace::options_for(double tolerance_share) const {
   CheckOptions options = task_.checker->options();
@@ -61,17 +69,37 @@ Pose TiltSpace::kept_pose(std::size_t i, const Tilt& tilt) const {
 double TiltSpace::most_raise_mm() const { return task_.may_raise ? task_.options.max_raise_mm : 0; }
 
 std::optional<Pose> TiltSpace::pose(std::size_t i, const Tilt& tilt) const {
+  const std::optional<double> raised_mm = raise_mm(i, tilt);
+  return raised_mm ? std::optional(raised_pose(i, tilt, *raised_mm)) : std::nullopt;
+}
+
+Pose TiltSpace::raised_pose(std::size_t i, const Tilt& tilt, double raised_mm) const {
   Pose pose = kept_pose(i, tilt);
-  if (!task_.may_raise || !(tilt.norm() > 0)) return pose;
+  if (raised_mm > 0) pose.tip += raised_mm * positions_[i].pivot.normal();
+  return pose;
+}
+
+std::optional<double> TiltSpace::raise_mm(std::size_t i, const Tilt& tilt, RefusingPoints* refusing) const {
+  if (!task_.may_raise || !(tilt.norm() > 0)) return 0;
+  const Pose kept = kept_pose(i, tilt);
+  Pose pose = kept;
   const TiltPosition& at = positions_[i];
   const double aim = at.tolerance_share * task_.checker->options().tolerance_mm;
   double raised_mm = 0;
   for (int k = 0; k < kMostRaises; ++k) {
     const double excess = largest_excess(pose, task_.tool->cutting, task_.checker->scene(), aim, kAccuracy_mm);
-    if (excess <= 0) return pose;
+    if (excess <= 0) return raised_mm;
     raised_mm += excess + kAccuracy_mm;
-    if (raised_mm > task_.options.max_raise_mm) return std::nullopt;
-    pose.tip += (excess + kAccuracy_mm) * at.pivot.normal();
+    if (raised_mm > task_.options.max_raise_mm) break;
+    pose.tip = kept.tip + raised_mm * at.pivot.normal();
+  }
+  if (refusing == nullptr) return std::nullopt;
+  const std::vector<ToolContact> contacts = find_contacts(pose, task_.tool->cutting, task_.checker->scene().parts, aim);
+  const auto deepest = std::ranges::max_element(contacts, {}, &ToolContact::excess_mm);
+  if (deepest != contacts.end()) {
+    Witness witness;
+    witness.point = deepest->point;
+    learn(witness, *refusing);
   }
   return std::nullopt;
 }
@@ -88,25 +116,45 @@ bool TiltSpace::is_refused(const Pose& pose, double deeper_mm, const CheckOption
   return true;
 }
 
+// A tool that rises by so much takes no point farther out of it.
+bool TiltSpace::is_refused_by(RefusingPoints& refusing, std::size_t i, const Tilt& tilt) const {
+  const CheckOptions options = options_for(positions_[i].tolerance_share);
+  const Pose kept = kept_pose(i, tilt);
+  if (is_refused(kept, most_raise_mm(), options, refusing)) return true;
+  return task_.may_raise && tilt.norm() > 0 && stays_too_deep(i, kept, refusing);
+}
+
+// While a convex cutter rises the signed distance of a point is convex: nowhere more than at one of both ends.
+bool TiltSpace::stays_too_deep(std::size_t i, const Pose& kept, const RefusingPoints& refusing) const {
+  if (!is_cutter_convex_) return false;
+  const TiltPosition& at = positions_[i];
+  const double allowed = at.tolerance_share * task_.checker->options().tolerance_mm + kAccuracy_mm + kSurely_mm;
+  const Pose raised{kept.tip + most_raise_mm() * at.pivot.normal(), kept.axis};
+  const CompiledTool& cutter = task_.tool->cutting;
+  return std::ranges::any_of(refusing, [&](const Witness& in) {
+    return in.against == Against::part && signed_distance_mm(cutter, kept, in.point) < -allowed &&
+           signed_distance_mm(cutter, raised, in.point) < -allowed;
+  });
+}
+
 bool TiltSpace::is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusing) const {
   const TiltPosition& at = positions_[i];
   if (tilt.norm() > task_.options.max_tilt_rad - kLimitMargin_rad) return false;
   const auto& cone = task_.options.cone;
   if (cone && angle_between_rad(at.axis_for(tilt), cone->axis) > cone->half_angle_rad - kLimitMargin_rad) return false;
   CheckOptions options = options_for(at.tolerance_share);
-  // A tool that rises by so much takes no point farther out of it.
-  if (refusing != nullptr && is_refused(kept_pose(i, tilt), most_raise_mm(), options, *refusing)) return false;
-  const std::optional<Pose> pose = this->pose(i, tilt);
-  if (!pose) return false;
-  if (refusing != nullptr && task_.may_raise && is_refused(*pose, 0, options, *refusing)) return false;
+  if (refusing != nullptr && is_refused_by(*refusing, i, tilt)) return false;
+  const std::optional<double> raised_mm = raise_mm(i, tilt, refusing);
+  if (!raised_mm) return false;
+  const Pose pose = raised_pose(i, tilt, *raised_mm);
+  if (refusing != nullptr && task_.may_raise && is_refused(pose, 0, options, *refusing)) return false;
   options.near_miss_mm = kAir_mm;
   options.gouge_gap_mm = kAnyGap_mm;
   // From an end of the run, which is outside, clean motions lead to every position of a proven sequence.
-  const MoveVerdict verdict = task_.checker->check(Motion(*pose), at.kind, *task_.tool, options, true);
+  const MoveVerdict verdict = task_.checker->check(Motion(pose), at.kind, *task_.tool, options, true);
   const bool is_of_tool = verdict.witness && verdict.witness->body != Body::head;
   if (refusing != nullptr && verdict.state == MoveState::gouge && is_of_tool) {
-    refusing->insert(refusing->begin(), *verdict.witness);
-    if (refusing->size() > kMostRefusing) refusing->pop_back();
+    learn(*verdict.witness, *refusing);
   }
   return verdict.state == MoveState::clean;
 }

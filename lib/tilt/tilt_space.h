@@ -64,6 +64,13 @@ class TiltSpace {
   /// bit. Nothing where raising does not help.
   [[nodiscard]] std::optional<Pose> pose(std::size_t i, const Tilt& tilt) const;
 
+  /// How far it is raised there; nothing where raising does not help, of which `refusing`, where given, learns.
+  [[nodiscard]] std::optional<double> raise_mm(std::size_t i, const Tilt& tilt,
+                                               RefusingPoints* refusing = nullptr) const;
+
+  /// Whether one of the points shows that the tilt is not free, however the tip is raised.
+  [[nodiscard]] bool is_refused_by(RefusingPoints& refusing, std::size_t i, const Tilt& tilt) const;
+
   /// Whether the tool is certified free there, with a margin for the motions beside it, and within the limits.
   /// `refusing`, where given, is asked first and learns.
   [[nodiscard]] bool is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusing = nullptr) const;
@@ -89,13 +96,18 @@ class TiltSpace {
   [[nodiscard]] CheckOptions options_for(double tolerance_share) const;
   /// The contact kept, and not raised.
   [[nodiscard]] Pose kept_pose(std::size_t i, const Tilt& tilt) const;
+  [[nodiscard]] Pose raised_pose(std::size_t i, const Tilt& tilt, double raised_mm) const;
   [[nodiscard]] double most_raise_mm() const;
   /// Whether a point is deeper in the tool than it may be, and by `deeper_mm` more.
   [[nodiscard]] bool is_refused(const Pose& pose, double deeper_mm, const CheckOptions& options,
                                 RefusingPoints& refusing) const;
 
+  /// Whether a point is deeper in the cutter than it may be, however the tip is raised.
+  [[nodiscard]] bool stays_too_deep(std::size_t i, const Pose& kept, const RefusingPoints& refusing) const;
+
   std::vector<TiltPosition> positions_;
   TiltTask task_;
+  bool is_cutter_convex_ = false;
 };
 
 /// What was last found free at each position of a run, and on the motion from it to the next, so that a sequence that
