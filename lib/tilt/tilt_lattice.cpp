@@ -59,12 +59,23 @@ class Lattice {
   }
 
   /// `doubtful`: a position where no tilt may be free, of which all are looked at first.
-  LatticeResult find(std::optional<std::size_t> doubtful) {
+  /// `needed`: positions that are layers from the first, as a coarser lattice needed them; those that this one has are
+  /// returned in it.
+  LatticeResult find(std::optional<std::size_t> doubtful, std::vector<std::size_t>& needed) {
     if (doubtful) {
       add_layer(*doubtful);
       if (!has_free(layers_.front())) return {std::nullopt, doubtful};
     }
     add_first_layers();
+    for (const std::size_t i : needed) add_layer(i);
+    const LatticeResult result = search();
+    needed.clear();
+    for (const Layer& layer : layers_) needed.push_back(layer.position);
+    return result;
+  }
+
+ private:
+  LatticeResult search() {
     for (int round = 0, strikes = 0; round < kMostRounds && strikes < kMostStrikes; ++round) {
       const std::size_t struck_before = struck_.size();
       const std::optional<Choice> choice = cheapest_free();
@@ -76,7 +87,6 @@ class Lattice {
     return {std::nullopt, std::nullopt};
   }
 
- private:
   using Node = std::uint32_t;
   using Choice = std::vector<Node>;  ///< a tilt of each layer
 
@@ -400,6 +410,7 @@ class Lattice {
 LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful,
                          std::vector<KnownTilts>& known) {
   LatticeResult found;
+  std::vector<std::size_t> needed;
   known.resize(space.size());
   for (KnownTilts& of_position : known) {
     if (!space.task().may_raise) continue;
@@ -409,12 +420,13 @@ LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional
   for (int level = 0, steps = kCoarseSteps; level < kLevels; ++level, steps *= 2) {
     // The finest one costs most. It is for a free tilt in a gap of the others, where a position has none without.
     if (level + 1 == kLevels && (!found.blocked || space.task().may_raise)) break;
-    found = Lattice(space, steps, threads, known, nullptr, 0).find(doubtful);
+    found = Lattice(space, steps, threads, known, nullptr, 0).find(doubtful, needed);
     if (found.blocked) doubtful = found.blocked;
     if (!found.sequence) continue;
     const double reach_rad = kTube * space.task().options.max_tilt_rad / steps;
+    std::vector<std::size_t> of_finer;
     LatticeResult finer =
-        Lattice(space, kFinerPerStep * steps, threads, known, &*found.sequence, reach_rad).find(std::nullopt);
+        Lattice(space, kFinerPerStep * steps, threads, known, &*found.sequence, reach_rad).find(std::nullopt, of_finer);
     if (finer.sequence) found = std::move(finer);
     break;
   }
