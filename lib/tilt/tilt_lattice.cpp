@@ -360,29 +360,27 @@ class Lattice {
 
   /// Whether the sequence is free everywhere. Where not, layers are added or a change between two is struck out.
   [[nodiscard]] bool prove(const TiltSequence& sequence, const Choice& choice) {
-    constexpr char kPosition = 1, kMotion = 2;  // what is refused: the position, or the motion from it to the next
-    std::vector<char> is_refused(space_.size(), 0);
-    for_each_chunk(space_.size(), 8, threads_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        if (!is_layer_[i] && !proofs_.is_free(i, sequence[i])) {
-          is_refused[i] = kPosition;
-        } else if (i + 1 < space_.size() && !proofs_.is_free_after(i, sequence[i], sequence[i + 1])) {
-          is_refused[i] = kMotion;
+    // Of each stretch between two layers: the first position that is refused, itself or the motion from it.
+    std::vector<std::size_t> refused(layers_.size(), kNone);
+    std::vector<char> is_motion(layers_.size(), 0);
+    for_each_chunk(layers_.size() - 1, 1, threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t l = first; l < last; ++l) {
+        for (std::size_t i = layers_[l].position; i < layers_[l + 1].position && refused[l] == kNone; ++i) {
+          is_motion[l] = is_layer_[i] || proofs_.is_free(i, sequence[i]) ? 1 : 0;
+          if (is_motion[l] == 0 || !proofs_.is_free_after(i, sequence[i], sequence[i + 1])) refused[l] = i;
         }
       }
     });
     std::vector<std::size_t> added;
     bool is_proved = true;
-    for (std::size_t l = 1; l < layers_.size(); ++l) {
-      const std::size_t first = layers_[l - 1].position, last = layers_[l].position;
-      std::size_t bad = first;
-      while (bad < last && is_refused[bad] == 0) ++bad;
-      if (bad == last) continue;
+    for (std::size_t l = 0; l + 1 < layers_.size(); ++l) {
+      const std::size_t first = layers_[l].position, last = layers_[l + 1].position;
+      if (refused[l] == kNone) continue;
       is_proved = false;
       if (last == first + 1) {
-        struck_.insert({first, last, choice[l - 1], choice[l]});
+        struck_.insert({first, last, choice[l], choice[l + 1]});
       } else {
-        added.push_back(std::clamp(is_refused[bad] == kPosition ? bad : (first + last) / 2, first + 1, last - 1));
+        added.push_back(std::clamp(is_motion[l] != 0 ? (first + last) / 2 : refused[l], first + 1, last - 1));
       }
     }
     for (const std::size_t i : added) add_layer(i);
