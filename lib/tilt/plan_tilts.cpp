@@ -72,6 +72,7 @@ class RunPlanner {
         return true;
       }
       if (!may_raise || found.blocked) reason = why_not(TiltSpace(positions, task), found);
+      if (found.held_back) return false;  // however the tip is raised
       doubtful = found.blocked;
     }
     is_blocked = doubtful.has_value();
@@ -207,8 +208,20 @@ class RunPlanner {
     return space.may_turn(from, tilts[from], to, tilts[to]) && space.is_free_between(from, tilts[from], to, tilts[to]);
   }
 
+  [[nodiscard]] std::string held_back_reason(const TiltSpace& space, std::size_t i) const {
+    const MoveVerdict verdict = space.verdict(i, Tilt::Zero());
+    const LengthUnit unit = job_.path.unit;
+    const std::string where = space[i].t > 0 ? "on line " : "at the beginning of line ";
+    return where + std::to_string(job_.path.moves[space[i].move].line) +
+           " the tool stays as programmed, and there the " +
+           body_name(verdict.witness ? verdict.witness->body : Body::cutter) + " is " +
+           people_text(verdict.depth_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
+           " too deep";
+  }
+
   [[nodiscard]] std::string why_not(const TiltSpace& space, const LatticeResult& found) const {
     const std::string most = people_text(job_.options.max_tilt_rad / kDegree, 3) + " degrees";
+    if (found.held_back) return held_back_reason(space, *found.held_back);
     if (!found.blocked)
       return "tilts within --max-tilt " + most + " are free at each position, but no way leads between them";
     // What is in the way at the least.

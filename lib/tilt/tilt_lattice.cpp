@@ -64,7 +64,7 @@ class Lattice {
   LatticeResult find(std::optional<std::size_t> doubtful, std::vector<std::size_t>& needed) {
     if (doubtful) {
       add_layer(*doubtful);
-      if (!has_free(layers_.front())) return {std::nullopt, doubtful};
+      if (!has_free(layers_.front())) return {std::nullopt, doubtful, std::nullopt};
     }
     add_first_layers();
     for (const std::size_t i : needed) add_layer(i);
@@ -79,12 +79,12 @@ class Lattice {
     for (int round = 0, strikes = 0; round < kMostRounds && strikes < kMostStrikes; ++round) {
       const std::size_t struck_before = struck_.size();
       const std::optional<Choice> choice = cheapest_free();
-      if (!choice) return {std::nullopt, blocked()};
+      if (!choice) return {std::nullopt, blocked(), std::nullopt};
       const TiltSequence sequence = between_layers(*choice);
-      if (prove(sequence, *choice)) return {sequence, std::nullopt};
+      if (prove(sequence, *choice)) return {sequence, std::nullopt, std::nullopt};
       strikes += struck_.size() > struck_before ? 1 : 0;
     }
-    return {std::nullopt, std::nullopt};
+    return {std::nullopt, std::nullopt, std::nullopt};
   }
 
   using Node = std::uint32_t;
@@ -408,6 +408,11 @@ class Lattice {
 LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful,
                          std::vector<KnownTilts>& known) {
   LatticeResult found;
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    if (!space.holds_back(i)) continue;
+    found.held_back = i;
+    return found;
+  }
   std::vector<std::size_t> needed;
   known.resize(space.size());
   for (KnownTilts& of_position : known) {

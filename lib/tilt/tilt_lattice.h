@@ -15,6 +15,8 @@ struct LatticeResult {
   /// Where there is none: a position at which no tilt that was looked at is free, or none, as they are free everywhere
   /// but no way leads from each to the next.
   std::optional<std::size_t> blocked;
+  /// Where there is none: a position that stays as programmed and lets there be none (TiltSpace::holds_back).
+  std::optional<std::size_t> held_back;
 };
 
 /// What searches found out about the tilts of a position, so that it is not found out again.

@@ -232,6 +232,29 @@ bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, 
   });
 }
 
+/// As programmed, by more than any motion that is certified clean.
+bool TiltSpace::is_gouge(std::size_t i, MoveKind kind) const {
+  CheckOptions options = options_for(1);
+  options.tolerance_mm += options.resolution_mm + kSurely_mm;
+  options.gouge_gap_mm = kAnyGap_mm;
+  const Motion stays(positions_[i].programmed);
+  return task_.checker->check(stays, kind, *task_.tool, options, true).state == MoveState::gouge;
+}
+
+bool TiltSpace::may_stay_programmed(std::size_t i) const {
+  return positions_[i].is_fixed() ? positions_[i].stays_programmed() : is_free(i, Tilt::Zero());
+}
+
+// Programmed motions are not asked again (is_free_between): a gouge of the cutter alone is no matter of tilts.
+bool TiltSpace::holds_back(std::size_t i) const {
+  if (!positions_[i].stays_programmed()) return false;
+  const auto is_open = [&](std::size_t from, std::size_t neighbour) {
+    const TiltPosition& to = positions_[from + 1];
+    return !is_gouge(i, to.kind) || (to.is_reached_clean && may_stay_programmed(neighbour));
+  };
+  return (i > 0 && !is_open(i - 1, i - 1)) || (i + 1 < size() && !is_open(i, i + 1));
+}
+
 MoveVerdict TiltSpace::verdict(std::size_t i, const Tilt& tilt) const {
   const std::optional<Pose> at = pose(i, tilt);
   return task_.checker->measure(at.value_or(positions_[i].programmed), positions_[i].kind, *task_.tool);

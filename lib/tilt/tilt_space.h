@@ -87,6 +87,10 @@ class TiltSpace {
   /// docs/algorithms/tilting.md, "The cut between positions"
   [[nodiscard]] double largest_change_rad(std::size_t i) const;
 
+  /// Whether position i, which stays as programmed, lets no sequence of tilts be free: the tool is too deep there for any
+  /// motion, so its neighbours would have to stay as programmed too, and one of them cannot.
+  [[nodiscard]] bool holds_back(std::size_t i) const;
+
   /// What is in the way of the tool at a tilt, and how deep.
   [[nodiscard]] MoveVerdict verdict(std::size_t i, const Tilt& tilt) const;
 
@@ -94,6 +98,8 @@ class TiltSpace {
   [[nodiscard]] bool stays_within_limits(std::size_t i, const Pose& from, std::size_t k, const Pose& to) const;
   [[nodiscard]] double largest_turn_rad(std::size_t i, std::size_t k) const;
   [[nodiscard]] CheckOptions options_for(double tolerance_share) const;
+  [[nodiscard]] bool is_gouge(std::size_t i, MoveKind kind) const;
+  [[nodiscard]] bool may_stay_programmed(std::size_t i) const;
   /// The contact kept, and not raised.
   [[nodiscard]] Pose kept_pose(std::size_t i, const Tilt& tilt) const;
   [[nodiscard]] Pose raised_pose(std::size_t i, const Tilt& tilt, double raised_mm) const;
