@@ -1,5 +1,5 @@
 // Where a run is given up because an end of it that stays as programmed is too deep, no tilt beside that end is free
-// with a free motion to it; nor is any run given up so that only seems too deep.
+// with a free motion to it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
