@@ -162,9 +162,11 @@ class Lattice {
     return node;
   }
 
-  [[nodiscard]] KnownTilts::State state_of(std::size_t position, Node node) const {
-    const std::vector<KnownTilts::State>& states = known_[position].states;
+  [[nodiscard]] KnownTilts::State state_in(const std::vector<KnownTilts::State>& states, Node node) const {
     return states.empty() || node >= choices_ || finest_[node] == kNone ? KnownTilts::kUnknown : states[finest_[node]];
+  }
+  [[nodiscard]] KnownTilts::State state_of(std::size_t position, Node node) const {
+    return state_in(known_[position].states, node);
   }
 
   /// Where the tip may rise, what was refused before that stays refused if it does not or cannot. `is_raised`: whether
@@ -172,9 +174,8 @@ class Lattice {
   [[nodiscard]] bool stays_refused(std::size_t position, Node node, bool& is_raised) {
     const KnownTilts::State state = state_of(position, node);
     KnownTilts& known = known_[position];
-    if (state != KnownTilts::kUnknown || known.unraised.empty() || finest_[node] == kNone || is_raised)
-      return state == KnownTilts::kRefused;
-    if (known.unraised[finest_[node]] != KnownTilts::kRefused) return false;
+    if (state != KnownTilts::kUnknown || is_raised) return state == KnownTilts::kRefused;
+    if (state_in(known.unraised, node) != KnownTilts::kRefused) return false;
     const std::optional<double> raise_mm = space_.is_refused_by(known.refusing, position, nodes_[node])
                                                ? std::nullopt
                                                : space_.raise_mm(position, nodes_[node], &known.refusing);
@@ -193,8 +194,7 @@ class Lattice {
   /// Whether a tilt is free, which is kept.
   [[nodiscard]] bool look(std::size_t position, Node node) {
     KnownTilts& known = known_[position];
-    const bool was_free = node < choices_ && finest_[node] != kNone && !known.unraised.empty() &&
-                          known.unraised[finest_[node]] == KnownTilts::kFree;
+    const bool was_free = state_in(known.unraised, node) == KnownTilts::kFree;
     const bool is_same = was_free && space_.raise_mm(position, nodes_[node]) == 0.0;
     const bool is_free = is_same || space_.is_free(position, nodes_[node], &known.refusing);
     keep(position, node, is_free);
@@ -241,17 +241,6 @@ class Lattice {
     return false;
   }
 
-  /// Leaves out what is refused, and with it the one at `refused`.
-  void look_at(Layer& layer, const std::vector<std::size_t>& some, std::size_t refused) {
-    std::vector<char> is_refused(layer.open.size(), 0);
-    if (refused != kNone) is_refused[refused] = 1;
-    for (const std::size_t k : some) {
-      layer.is_free[k] = look(layer.position, layer.open[k]) ? 1 : 0;
-      is_refused[k] = layer.is_free[k] == 0 ? 1 : 0;
-    }
-    layer.keep([&](std::size_t k) { return is_refused[k] == 0; });
-  }
-
   /// Leaves out what known points refuse, and some of the others that are refused, and with these the one at `refused`.
   void look_quickly_at(Layer& layer, const std::vector<std::size_t>& some, std::size_t refused) {
     std::vector<char> is_refused(layer.open.size(), 0);
@@ -270,13 +259,12 @@ class Lattice {
     layer.keep([&](std::size_t k) { return is_refused[k] == 0; });
   }
 
-  /// All of it that ways may lead through.
+  /// Keeps what is free of all that ways may lead through.
   void look_at_rest(Layer& layer) {
-    std::vector<std::size_t> rest;
     for (std::size_t k = 0; k < layer.open.size(); ++k) {
-      if (layer.is_free[k] == 0) rest.push_back(k);
+      if (layer.is_free[k] == 0) layer.is_free[k] = look(layer.position, layer.open[k]) ? 1 : 0;
     }
-    look_at(layer, rest, kNone);
+    layer.keep([&](std::size_t k) { return layer.is_free[k] != 0; });
   }
 
   /// A position where no tilt is free, of those where fewest are left.

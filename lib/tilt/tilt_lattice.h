@@ -38,8 +38,8 @@ struct KnownTilts {
 /// once.
 /// `known`: of each position, empty at first; or of a search in the same space, but that the tip might not rise.
 /// Ensures  the same sequence at any number of threads.
-/// Cost     checks of a tenth to a quarter of the tilts of each layer, of which there are some hundred; where none is
-///          free of all.
+/// Cost     checks of about a tenth of the tilts of each layer, of which there are some hundred; where none is free of
+///          all.
 /// Source   layers of postures: Plakhotnik and Lauwers 2014; only the winner's motions are proved: Dellin and Srinivasa
 ///          2016 (LazySP).
 [[nodiscard]] LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful,
