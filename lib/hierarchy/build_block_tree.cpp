@@ -137,12 +137,12 @@ class Builder {
     }
   }
 
-  // All cuts of one depth side by side, from the whole down to the subtrees.
   // How often each triangle is in a cut, about.
   [[nodiscard]] std::size_t cuts_to_subtrees() const {
     return total_ <= kSubtree ? 0 : static_cast<std::size_t>(std::bit_width((total_ - 1) / kSubtree));
   }
 
+  // All cuts of one depth side by side, from the whole down to the subtrees.
   void sort_into_subtrees(Stage& stage) {
     std::vector<Entry> scratch;
     reserve_large(scratch, total_);
