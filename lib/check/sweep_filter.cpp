@@ -23,6 +23,9 @@ constexpr float kSpaceFirst = 12.0F;
 // How often triangles and time are cut, and how many parts are looked at, before the exact search takes over.
 constexpr std::size_t kCuts = 10;
 constexpr std::uint32_t kMostParts = 1200;
+// Where nothing moves, what a bound of whole triangles leaves open are mostly edges of the tool, which smaller triangles
+// do not mend.
+constexpr std::uint32_t kMostStandingParts = 10;
 constexpr std::size_t kMostBlocks = 200;
 constexpr float kProgress = 0.95F;
 constexpr int kFailures = 1;
@@ -276,14 +279,16 @@ class Sweep {
   // point moves, and how far the triangle's corners swing about it. Smaller triangles swing less.
   void refine(const SweepInterval& step, const SweepFrame& frame, std::size_t depth, float short_of, int failures) {
     if (waiting_[depth].empty()) return;
-    if (depth == kCuts || waiting_[depth].size() > kMostBlocks || parts_ >= kMostParts) return give_up(waiting_[depth]);
+    const bool is_standing = !(step.t1 > step.t0);
+    const std::uint32_t most_parts = is_standing ? kMostStandingParts : kMostParts;
+    if (depth == kCuts || waiting_[depth].size() > kMostBlocks || parts_ >= most_parts) return give_up(waiting_[depth]);
     parts_ += static_cast<std::uint32_t>(waiting_[depth].size());
     const float edge_mm = kSmallSwing_mm / std::max(frame.half_turn, 1e-9F);
-    if (!(step.t1 > step.t0) || (piece_.core_r_mm > 0 && !are_short(waiting_[depth], edge_mm))) {
+    if (is_standing || (piece_.core_r_mm > 0 && !are_short(waiting_[depth], edge_mm))) {
       begin(depth + 1);
       short_of_ = short_of;
       for (const TriangleBlock& block : waiting_[depth])
-        look_at_quarters(block, step, frame, step.t1 > step.t0 ? edge_mm : 0, waiting_[depth + 1]);
+        look_at_quarters(block, step, frame, is_standing ? 0 : edge_mm, waiting_[depth + 1]);
       return refine(step, frame, depth + 1, short_of_, failures);
     }
     for (const SweepInterval& half : halved(motions_[step.move], step)) {

@@ -1,8 +1,10 @@
 #include "lib/tilt/smooth_tilts.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "lib/base/parallel.h"
 #include "lib/tilt/tilt_curve.h"
@@ -119,10 +121,33 @@ class Smoother {
     if (!is_free(is_refused)) return is_refused;
     for_each_chunk(space_.size() - 1, kChunk, threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        if (!proofs_.is_free_after(i, tilts[i], tilts[i + 1])) is_refused[i] = kMotion;
+        if (!is_motion_free(i, tilts)) is_refused[i] = kMotion;
       }
     });
     return is_refused;
+  }
+
+  /// Whether nothing is refused. What is, is likely near `about`, where the tilts have changed most.
+  [[nodiscard]] bool is_free_about(std::size_t about, const TiltSequence& tilts) {
+    const auto distance = [about](std::size_t i) { return i > about ? i - about : about - i; };
+    std::vector<std::size_t> outwards(space_.size());
+    std::iota(outwards.begin(), outwards.end(), std::size_t{0});
+    std::ranges::stable_sort(outwards, {}, distance);
+    const auto is_free_everywhere = [&](const auto& is_free_at) {
+      std::atomic<bool> is_refused = false;
+      for_each_chunk(outwards.size(), kChunk, threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last && !is_refused; ++k) {
+          if (!is_free_at(outwards[k])) is_refused = true;
+        }
+      });
+      return !is_refused;
+    };
+    return is_free_everywhere([&](std::size_t i) { return is_position_free(i, tilts); }) &&
+           is_free_everywhere([&](std::size_t i) { return i + 1 == space_.size() || is_motion_free(i, tilts); });
+  }
+
+  [[nodiscard]] bool is_motion_free(std::size_t i, const TiltSequence& tilts) {
+    return proofs_.is_free_after(i, tilts[i], tilts[i + 1]);
   }
 
   [[nodiscard]] bool is_position_free(std::size_t i, const TiltSequence& tilts) {
@@ -178,7 +203,7 @@ class Smoother {
       kept_[i] = kFree;
       const TiltSequence tilts = curve();
       const double now = roughness(tilts, ways_mm_);
-      if (now < least && is_free(refused(tilts))) {
+      if (now < least && is_free_about(i, tilts)) {
         least = now;
       } else {
         kept_[i] = was;
