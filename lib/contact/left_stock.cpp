@@ -14,6 +14,7 @@ constexpr double kBorderShare = 0.02, kMostBorder_mm = 0.1;  // of the cutter's 
 constexpr double kLeastShare = 0.1;   // of the border: what is not decided on a piece so small is not decided
 constexpr double kFirstPiece_mm = 8;  // no piece is longer
 constexpr double kRelativeGap = 0.1, kStockGap_mm = 0.01;
+constexpr double kBeyond_mm = 1e-3;  // where a distance is not asked for itself, but whether it is larger
 
 double longest_mm(const SidedPiece& at) {
   const std::size_t k = longest_edge(at.corners);
@@ -27,6 +28,7 @@ struct Candidate : SearchCandidate {
   SidedPiece at;
   SweepHint finished;
   std::array<SweepHint, std::tuple_size_v<SweepsAfter>> covered, nearest;
+  std::size_t first = 0;  ///< which of them is likely to have a cut near it
 
   [[nodiscard]] std::size_t work() const {
     std::size_t all = finished.work;
@@ -55,7 +57,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
   /// Of a ball about the surface, from either side.
   [[nodiscard]] bool may_be_finished(const Vec3& centre, double radius_mm, SweepHint& hint) const {
     const double near = radius_mm + limits_.finished_mm;
-    return before_.distance(centre, near, near + 1, hint) <= near;
+    return before_.distance(centre, near, near + kBeyond_mm, hint) <= near;
   }
 
   void add(const SidedPiece& at, const SweepHint& finished) {
@@ -115,9 +117,13 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     const Vec3 middle = middle_of(at);
     double radius = 0;
     for (const Vec3& corner : at.corners) radius = std::max(radius, (corner - middle).norm());
-    const double away = away_from_cuts(candidate, middle, threshold - radius);
+    // Of a piece too large to be covered by what is cut at its middle, it is enough whether that is left by more.
+    const double covering = threshold - radius, left = is_found() ? left_->thickness_mm : limits_.allowed_mm;
+    const double enough = covering > 0 ? covering : left;
+    const double away = away_from_cuts(candidate, middle, enough);
+    if (away <= covering) return false;
     candidate.upper_mm = std::min(candidate.upper_mm, away + radius);
-    if (away <= limits_.allowed_mm || (is_found() && away <= left_->thickness_mm)) return true;
+    if (away <= left) return true;
     const Vec3 finished = middle + limits_.finished_mm * at.outward;
     const std::size_t move = before_.covering_move({&finished, 1}, candidate.finished);
     if (move != kNone) left_ = LeftStock{std::min(away, limits_.most_mm), away >= limits_.most_mm, false, middle, move};
@@ -130,18 +136,32 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     const Vec3 up = most_mm * candidate.at.outward;
     const auto& at = candidate.at.corners;
     const std::array<Vec3, 3> corners = {at[0] + up, at[1] + up, at[2] + up};
-    for (std::size_t i = 0; i < after_.size(); ++i) {
-      if (after_[i] != nullptr && after_[i]->covering_move(corners, candidate.covered[i]) != kNone) return true;
+    return is_true_of_any(candidate, [&](std::size_t i) {
+      return after_[i]->covering_move(corners, candidate.covered[i]) != kNone;
+    });
+  }
+
+  /// Of the parts of what is cut now, the likely one first.
+  template <typename Ask>
+  [[nodiscard]] bool is_true_of_any(Candidate& candidate, const Ask& ask) const {
+    for (std::size_t k = 0, i = candidate.first; k < after_.size(); ++k, i = (i + 1) % after_.size()) {
+      if (after_[i] == nullptr || !ask(i)) continue;
+      candidate.first = i;
+      return true;
     }
     return false;
   }
 
-  /// Of a point of the surface from the nearest cut, as far as it is more than `enough_mm`.
+  /// Of a point of the surface from the nearest cut, if that is more than `enough_mm`.
   [[nodiscard]] double away_from_cuts(Candidate& candidate, const Vec3& point, double enough_mm) const {
+    const bool is_enough = is_true_of_any(candidate, [&](std::size_t i) {
+      return after_[i]->distance(point, enough_mm, enough_mm + kBeyond_mm, candidate.nearest[i]) <= enough_mm;
+    });
+    if (is_enough) return enough_mm;
     double least = limits_.most_mm;
-    for (std::size_t i = 0; i < after_.size() && least > enough_mm; ++i) {
-      if (after_[i] == nullptr) continue;
-      least = std::min(least, after_[i]->distance(point, enough_mm, least, candidate.nearest[i]));
+    for (std::size_t i = 0; i < after_.size(); ++i) {
+      if (after_[i] != nullptr)
+        least = std::min(least, after_[i]->distance(point, enough_mm, least, candidate.nearest[i]));
     }
     return std::max(least, 0.0);
   }
