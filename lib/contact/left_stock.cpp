@@ -83,7 +83,9 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     return left_->is_more ? limits_.most_mm + kFirstPiece_mm : left_->thickness_mm * (1 + kRelativeGap) + kStockGap_mm;
   }
 
-  [[nodiscard]] bool is_exhausted() const { return work_ >= limits_.most_work; }
+  [[nodiscard]] bool is_exhausted() const {
+    return work_ >= limits_.most_work || (is_found() && work_ >= work_until_left_ + limits_.most_work_once_left);
+  }
 
   void split(const Candidate& candidate) {
     Candidate next = candidate;
@@ -126,7 +128,9 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     if (away <= left) return true;
     const Vec3 finished = middle + limits_.finished_mm * at.outward;
     const std::size_t move = before_.covering_move({&finished, 1}, candidate.finished);
-    if (move != kNone) left_ = LeftStock{std::min(away, limits_.most_mm), away >= limits_.most_mm, false, middle, move};
+    if (move == kNone) return true;
+    if (!is_found()) work_until_left_ = work_;
+    left_ = LeftStock{std::min(away, limits_.most_mm), away >= limits_.most_mm, false, middle, move};
     return true;
   }
 
@@ -174,7 +178,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
   std::optional<LeftStock> left_;
   double undecided_mm_ = 0;
   Vec3 undecided_ = Vec3::Zero();
-  std::size_t work_ = 0;
+  std::size_t work_ = 0, work_until_left_ = 0;
 };
 
 /// Gives pieces of all triangles that cutters of `before` may finish to a search.

@@ -26,6 +26,7 @@ struct StockLimits {
   double allowed_mm = 0;                    ///< what is no farther from a cut is not left
   double most_mm = 0;                       ///< thicknesses beyond this are not told apart
   std::size_t most_work = kUsualStockWork;  ///< bounds and distances; what is not decided by then stays undecided
+  std::size_t most_work_once_left = kUsualStockWork;  ///< the same for how much is left, once a point is known that is
 };
 
 /// What a path cuts, in two parts; null: nothing.

@@ -8,6 +8,12 @@
 #include "lib/path/path_info.h"
 
 namespace gouge {
+namespace {
+
+// That more than allowed is left refuses a tilt; how much is for the reason given alone.
+constexpr std::size_t kWorkOnceLeft = 50'000;
+
+}  // namespace
 
 CutPath::ReplacedMoves CutPath::replaced_by(const TiltSpace& space) {
   ReplacedMoves replaced;
@@ -89,8 +95,9 @@ std::optional<LeftStock> CutPath::left_by(const TiltSpace& space, const TiltSequ
   for (CutterSweep* const sweep : {&before, &own, &others}) sweep->index();
   const SweepsAfter after = {&own, &others};
   const CheckOptions& options = job_.checker.options();
-  return find_left_stock(job_.checker.scene().parts, before, after,
-                         {options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm});
+  StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm};
+  limits.most_work_once_left = kWorkOnceLeft;
+  return find_left_stock(job_.checker.scene().parts, before, after, limits);
 }
 
 void CutPath::accept(const TiltSpace& space, const TiltSequence& tilts) {
