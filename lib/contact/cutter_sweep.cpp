@@ -18,6 +18,7 @@ constexpr std::uint32_t kLeaf = 4;
 constexpr double kClose_mm = 2e-4;  // to which the nearest instant is found
 constexpr int kMostLooks = 60;      // at one piece of motion, ...
 constexpr int kMostHalvings = 12;   // ... of a cutter that is not convex
+constexpr auto kNothing = [](const auto& /*node*/) { return false; };  // is skipped
 
 }  // namespace
 
@@ -139,9 +140,9 @@ double CutterSweep::away_mm(const Node& node, std::span<const Vec3> points) cons
   return std::sqrt(most);
 }
 
-template <typename Within, typename Look>
-bool CutterSweep::visit(std::uint32_t index, std::span<const Vec3> points, const Within& within, const Look& look,
-                        std::size_t& work) const {
+template <typename Within, typename Skip, typename Look>
+bool CutterSweep::visit(std::uint32_t index, std::span<const Vec3> points, const Within& within, const Skip& skip,
+                        const Look& look, std::size_t& work) const {
   const Node& node = nodes_[index];
   work += 1 + (node.second == 0 ? node.last - node.first : 0);
   if (node.second == 0) {
@@ -158,10 +159,10 @@ bool CutterSweep::visit(std::uint32_t index, std::span<const Vec3> points, const
   }
   const auto is_near = [&](std::uint32_t child, double box_mm) {
     const double within_mm = within();
-    return box_mm <= within_mm && !is_beyond(nodes_[child], points.front(), within_mm);
+    return box_mm <= within_mm && !is_beyond(nodes_[child], points.front(), within_mm) && !skip(nodes_[child]);
   };
-  return (is_near(near, near_mm) && visit(near, points, within, look, work)) ||
-         (is_near(far, far_mm) && visit(far, points, within, look, work));
+  return (is_near(near, near_mm) && visit(near, points, within, skip, look, work)) ||
+         (is_near(far, far_mm) && visit(far, points, within, skip, look, work));
 }
 
 /// How far points are outside the cutter at the instants of one piece of motion: the largest of their distances.
@@ -271,8 +272,8 @@ double CutterSweep::distance(const Vec3& point, double enough_mm, double hopeles
   const std::uint32_t first = hint.piece;
   if (first >= pieces_.size() || !look(first)) {
     visit(
-        0, points, [&] { return std::min(found, hopeless_mm); }, [&](std::uint32_t i) { return i != first && look(i); },
-        hint.work);
+        0, points, [&] { return std::min(found, hopeless_mm); }, kNothing,
+        [&](std::uint32_t i) { return i != first && look(i); }, hint.work);
   }
   return bound;
 }
@@ -286,7 +287,8 @@ std::size_t CutterSweep::covering_move(std::span<const Vec3> points, SweepHint& 
     return instants.found_mm() <= 0;
   };
   const auto inside = [] { return 0.0; };
-  const bool is_found = (hint.piece < pieces_.size() && look(hint.piece)) || visit(0, points, inside, look, hint.work);
+  const bool is_found =
+      (hint.piece < pieces_.size() && look(hint.piece)) || visit(0, points, inside, kNothing, look, hint.work);
   return is_found ? pieces_[hint.piece].move : kNone;
 }
 
@@ -300,12 +302,16 @@ bool CutterSweep::may_reach(const SidedPiece& piece, double lift_mm, double deep
   const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
   double radius = 0;
   for (const Vec3& corner : corners) radius = std::max(radius, (corner - middle).norm());
+  const auto behind = [&](const Pose& pose, const CompiledTool& cutter) {
+    return piece.outward.dot(middle - up - pose.tip - cutter.core.y() * pose.axis);
+  };
+  // The deepest point is one of the cutter, so it is moved no farther than that.
+  const auto are_behind = [&](const Node& node) {
+    return behind(node.middle, *pieces_[node.first].cutter) > radius + node.spread_mm;
+  };
   const auto look = [&](std::uint32_t i) {
     const Piece& motion = pieces_[i];
-    const auto behind = [&](const Pose& pose) {
-      return piece.outward.dot(middle - up - pose.tip - motion.cutter->core.y() * pose.axis);
-    };
-    if (std::min(behind(motion.start), behind(motion.end)) > radius) return false;
+    if (std::min(behind(motion.start, *motion.cutter), behind(motion.end, *motion.cutter)) > radius) return false;
     Instants instants(motion, {&middle, 1});
     instants.search(-deep_mm, radius - deep_mm);
     if (instants.bound_mm() > radius - deep_mm) return false;
@@ -320,7 +326,7 @@ bool CutterSweep::may_reach(const SidedPiece& piece, double lift_mm, double deep
   };
   return (hint.piece < pieces_.size() && look(hint.piece)) ||
          visit(
-             0, {&middle, 1}, [&] { return std::max(0.0, radius - deep_mm); }, look, hint.work);
+             0, {&middle, 1}, [&] { return std::max(0.0, radius - deep_mm); }, are_behind, look, hint.work);
 }
 
 }  // namespace gouge

@@ -84,10 +84,10 @@ class CutterSweep {
   [[nodiscard]] double away_mm(const Node& node, std::span<const Vec3> points) const;
   /// Whether a point is surely more than `within_mm` outside the cutter at all its instants.
   [[nodiscard]] bool is_beyond(const Node& node, const Vec3& point, double within_mm) const;
-  /// Calls `look(piece)` for those that may be no farther from all `points` than `within()`, the nearer half of a node
-  /// first, until it returns true.
-  template <typename Within, typename Look>
-  bool visit(std::uint32_t node, std::span<const Vec3> points, const Within& within, const Look& look,
+  /// Calls `look(piece)` for those that may be no farther from all `points` than `within()` and that no `skip(node)`
+  /// leaves out, the nearer half of a node first, until it returns true.
+  template <typename Within, typename Skip, typename Look>
+  bool visit(std::uint32_t node, std::span<const Vec3> points, const Within& within, const Skip& skip, const Look& look,
              std::size_t& work) const;
 
   std::vector<Piece> pieces_;
