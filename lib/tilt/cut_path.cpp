@@ -11,7 +11,7 @@ namespace gouge {
 namespace {
 
 // That more than allowed is left refuses a tilt; how much is for the reason given alone.
-constexpr std::size_t kWorkOnceLeft = 50'000;
+constexpr std::size_t kWorkOnceLeft = 200'000;
 
 }  // namespace
 
