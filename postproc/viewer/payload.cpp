@@ -2,6 +2,8 @@
 
 #include <zlib.h>
 
+#include <utility>
+
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -25,25 +27,17 @@ Result<std::string> deflated(const std::string& bytes) {
 }  // namespace
 
 nlohmann::ordered_json Payload::add(std::span<const std::uint32_t> numbers, int bytes) {
-  const std::size_t at = planes_.size();
-  planes_.reserve(at + numbers.size() * static_cast<std::size_t>(bytes));
-  for (int plane = 0; plane < bytes; ++plane) {
-    for (const std::uint32_t number : numbers) planes_.push_back(static_cast<char>((number >> (8 * plane)) & 0xFFU));
-  }
-  return {{"at", at}, {"count", numbers.size()}, {"bytes", bytes}};
+  return add(numbers.size(), bytes, [&](std::size_t i) { return numbers[i]; });
 }
 
 nlohmann::ordered_json Payload::add_differences(std::span<const std::uint32_t> numbers, int bytes) {
   const std::uint32_t mask = bytes == 4 ? 0xFFFFFFFFU : (1U << (8 * bytes)) - 1;
   const std::uint32_t half = mask / 2;
-  std::vector<std::uint32_t> folded(numbers.size());
   std::uint32_t last = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const std::uint32_t step = (numbers[i] - last) & mask;
-    folded[i] = step <= half ? 2 * step : 2 * (mask - step) + 1;
-    last = numbers[i];
-  }
-  return add(folded, bytes);
+  return add(numbers.size(), bytes, [&](std::size_t i) {
+    const std::uint32_t step = (numbers[i] - std::exchange(last, numbers[i])) & mask;
+    return step <= half ? 2 * step : 2 * (mask - step) + 1;
+  });
 }
 
 Result<std::string> Payload::text(const nlohmann::ordered_json& json) const {

@@ -18,7 +18,18 @@ namespace gouge {
 /// then, which deflates well. The JSON names each run of planes by the byte at which it begins, its count and its width.
 class Payload {
  public:
-  /// Numbers below 256^bytes as they are. Returns what the JSON says of them.
+  /// `count` numbers below 256^bytes as they are, number(i) of each i in turn. Returns what the JSON says of them.
+  template <typename Number>
+  nlohmann::ordered_json add(std::size_t count, int bytes, const Number& number) {
+    const std::size_t at = planes_.size();
+    planes_.resize(at + count * static_cast<std::size_t>(bytes));
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t value = number(i);
+      for (int plane = 0; plane < bytes; ++plane)
+        planes_[at + static_cast<std::size_t>(plane) * count + i] = static_cast<char>((value >> (8 * plane)) & 0xFFU);
+    }
+    return {{"at", at}, {"count", count}, {"bytes", bytes}};
+  }
   nlohmann::ordered_json add(std::span<const std::uint32_t> numbers, int bytes);
   /// Each as its difference from the one `stride` before it, modulo 256^bytes: small ones are near 0 and near the top, and
   /// are folded (0, -1, 1, -2, ...) to be small.

@@ -64,21 +64,25 @@ std::vector<SurfacePoint> spread_points(const ViewerMesh& mesh, double apart_mm)
 /// Cuts triangles in two to four until no edge near a gouge is longer than it should be.
 class Cutter {
  public:
-  Cutter(const ViewerMesh& mesh, const GougedCells& cells, double finest_mm)
-      : out_{mesh.positions, mesh.normals, mesh.mesh_of, {}, mesh.edges}, cells_(cells), finest_mm_(finest_mm) {
-    out_.triangles.reserve(mesh.triangles.size());
+  Cutter(ViewerMesh& mesh, const GougedCells& cells, double finest_mm)
+      : out_(mesh), most_(mesh.triangles.size() + kMostTriangles), cells_(cells), finest_mm_(finest_mm) {
+    triangles_.reserve(mesh.triangles.size());
   }
 
-  /// False where it comes to too many.
-  bool run(const std::vector<Triangle>& triangles) {
-    for (const Triangle& t : triangles) {
+  /// False where it comes to too many: then nothing is changed.
+  bool run() {
+    const std::size_t vertices = out_.positions.size();
+    for (const Triangle& t : out_.triangles) {
       cut(t, 0);
-      if (out_.triangles.size() > triangles.size() + kMostTriangles) return false;
+      if (triangles_.size() <= most_) continue;
+      out_.positions.resize(vertices);
+      out_.normals.resize(vertices);
+      out_.mesh_of.resize(vertices);
+      return false;
     }
+    out_.triangles = std::move(triangles_);
     return true;
   }
-
-  ViewerMesh out_;
 
  private:
   static constexpr std::uint32_t kWhole = 0xFFFFFFFFU;
@@ -107,8 +111,8 @@ class Cutter {
       m[k] = middle(t[k], t[(k + 1) % 3]);
       cuts += m[k] != kWhole ? 1 : 0;
     }
-    if (cuts == 0) return out_.triangles.push_back(t);
-    if (out_.triangles.size() > kMostTriangles + 4'000'000) return;
+    if (cuts == 0) return triangles_.push_back(t);
+    if (triangles_.size() > most_) return;
     const auto go = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { cut({a, b, c}, depth + 1); };
     if (cuts == 3) {
       for (std::size_t k = 0; k < 3; ++k) go(t[k], m[k], m[(k + 2) % 3]);
@@ -126,6 +130,9 @@ class Cutter {
     go(a, m[(k + 1) % 3], c);
   }
 
+  ViewerMesh& out_;
+  std::vector<Triangle> triangles_;
+  std::size_t most_;
   const GougedCells& cells_;
   double finest_mm_;
   std::unordered_map<std::uint64_t, std::uint32_t> middles_;
@@ -166,10 +173,7 @@ VertexValues refine_surface(ViewerMesh& mesh, const std::vector<AskedValues>& as
     }
   }
   for (double finest_mm = kFinest * size_mm; finest_mm < size_mm; finest_mm *= kCoarser) {
-    Cutter cutter(mesh, cells, finest_mm);
-    if (!cutter.run(mesh.triangles)) continue;
-    mesh = std::move(cutter.out_);
-    break;
+    if (Cutter(mesh, cells, finest_mm).run()) break;
   }
   std::vector<std::uint32_t> near;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {

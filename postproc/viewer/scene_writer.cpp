@@ -45,8 +45,9 @@ std::array<std::uint32_t, 2> octahedral(const Vec3& n, double top) {
 template <class Directions>
 Json write_directions(Payload& payload, const Directions& directions, int bytes) {
   std::array<Numbers, 2> parts;
+  for (Numbers& part : parts) part.reserve(directions.size());
   for (const auto& d : directions) {
-    const auto place = octahedral(d, bytes == 1 ? 254 : 65534);  // even: the six axes are met exactly
+    const auto place = octahedral(d.template cast<double>(), bytes == 1 ? 254 : 65534);  // even: the six axes are met exactly
     for (std::size_t k = 0; k < 2; ++k) parts[k].push_back(place[k]);
   }
   return {payload.add_differences(parts[0], bytes), payload.add_differences(parts[1], bytes)};
@@ -54,16 +55,12 @@ Json write_directions(Payload& payload, const Directions& directions, int bytes)
 
 // How far back the vertex of each corner is from the first that no triangle has named yet; 0: it is that one.
 Json write_corners(Payload& payload, const ViewerMesh& mesh) {
-  Numbers back;
-  back.reserve(3 * mesh.triangles.size());
   std::uint32_t next = 0;
-  for (const auto& t : mesh.triangles) {
-    for (const std::uint32_t corner : t) {
-      back.push_back(next - corner);
-      if (corner == next) ++next;
-    }
-  }
-  return payload.add(back, 4);
+  return payload.add(3 * mesh.triangles.size(), 4, [&](std::size_t i) {
+    const std::uint32_t corner = mesh.triangles[i / 3][i % 3], back = next - corner;
+    if (corner == next) ++next;
+    return back;
+  });
 }
 
 }  // namespace
@@ -81,10 +78,7 @@ Json write_mesh(Payload& payload, const ViewerMesh& mesh) {
     positions.push_back(payload.add_differences(places, 2));
   }
   out["positions"] = positions;
-  std::vector<Vec3> normals;
-  normals.reserve(mesh.normals.size());
-  for (const Eigen::Vector3f& n : mesh.normals) normals.push_back(n.cast<double>());
-  out["normals"] = write_directions(payload, normals, 1);
+  out["normals"] = write_directions(payload, mesh.normals, 1);
   out["corners"] = write_corners(payload, mesh);
   Numbers ends;
   for (const auto& edge : mesh.edges) ends.insert(ends.end(), {edge[0], edge[1]});

@@ -9,6 +9,7 @@ namespace {
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kMostEdges = 300'000;
 constexpr float kSameNormal = 0.9999F;
+constexpr std::size_t kMoreVertices = 200'000;  // along sharp edges, and where the surface is cut finer
 
 }  // namespace
 
@@ -16,9 +17,10 @@ ViewerMesh ViewerMesh::from(const PictureScene& scene) {
   const std::uint32_t faces = scene.face_count();
   ViewerMesh out;
   out.triangles.reserve(faces);
-  out.positions.reserve(scene.vertex_count());  // and a few more along sharp edges
-  out.normals.reserve(scene.vertex_count());
-  out.mesh_of.reserve(scene.vertex_count());
+  const std::size_t vertices = scene.vertex_count() + kMoreVertices;
+  out.positions.reserve(vertices);
+  out.normals.reserve(vertices);
+  out.mesh_of.reserve(vertices);
   // By vertex of the scene the last copy made of it, and by copy the one before.
   std::vector<std::uint32_t> latest(scene.vertex_count(), kNoVertex), before;
   before.reserve(scene.vertex_count());

@@ -191,6 +191,24 @@ TEST(RefineSurface, LeavesNoGapBetweenTriangles) {
   for (const auto& [edge, balance] : edges) ASSERT_EQ(balance, 0);
 }
 
+TEST(RefineSurface, KeepsALargeTriangleAfterMillionsOfSmallOnes) {
+  ViewerMesh mesh;
+  mesh.positions = {Vec3(0, 0, 0), Vec3(0.01, 0, 0), Vec3(0, 0.01, 0), Vec3(0, 0, 5), Vec3(50, 0, 5), Vec3(0, 50, 5)};
+  mesh.normals.assign(mesh.positions.size(), Eigen::Vector3f::UnitZ());
+  mesh.mesh_of.assign(mesh.positions.size(), 0);
+  constexpr std::size_t kSmall = 4'300'000;
+  mesh.triangles.assign(kSmall, {0, 1, 2});
+  mesh.triangles.push_back({3, 4, 5});
+  (void)refine_surface(mesh, {}, {Vec3(15, 15, 5)}, 50);
+  EXPECT_GT(mesh.triangles.size(), kSmall + 1);
+  double area = 0;
+  for (std::size_t t = kSmall; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    area += 0.5 * (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]).norm();
+  }
+  EXPECT_NEAR(area, 1250, 1e-6);
+}
+
 TEST(Viewer, TellsOfEachStepUntilAllAreDone) {
   const SmallScene small;
   std::vector<std::size_t> told;
