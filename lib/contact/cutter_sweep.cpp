@@ -18,7 +18,8 @@ constexpr std::uint32_t kLeaf = 4;
 constexpr double kClose_mm = 2e-4;  // to which the nearest instant is found
 constexpr int kMostLooks = 60;      // at one piece of motion, ...
 constexpr int kMostHalvings = 12;   // ... of a cutter that is not convex
-constexpr auto kNothing = [](const auto& /*node*/) { return false; };  // is skipped
+
+constexpr auto kSkipNothing = [](const auto& /*node*/) { return false; };
 
 }  // namespace
 
@@ -272,7 +273,7 @@ double CutterSweep::distance(const Vec3& point, double enough_mm, double hopeles
   const std::uint32_t first = hint.piece;
   if (first >= pieces_.size() || !look(first)) {
     visit(
-        0, points, [&] { return std::min(found, hopeless_mm); }, kNothing,
+        0, points, [&] { return std::min(found, hopeless_mm); }, kSkipNothing,
         [&](std::uint32_t i) { return i != first && look(i); }, hint.work);
   }
   return bound;
@@ -288,7 +289,7 @@ std::size_t CutterSweep::covering_move(std::span<const Vec3> points, SweepHint& 
   };
   const auto inside = [] { return 0.0; };
   const bool is_found =
-      (hint.piece < pieces_.size() && look(hint.piece)) || visit(0, points, inside, kNothing, look, hint.work);
+      (hint.piece < pieces_.size() && look(hint.piece)) || visit(0, points, inside, kSkipNothing, look, hint.work);
   return is_found ? pieces_[hint.piece].move : kNone;
 }
 

@@ -140,9 +140,8 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     const Vec3 up = most_mm * candidate.at.outward;
     const auto& at = candidate.at.corners;
     const std::array<Vec3, 3> corners = {at[0] + up, at[1] + up, at[2] + up};
-    return is_true_of_any(candidate, [&](std::size_t i) {
-      return after_[i]->covering_move(corners, candidate.covered[i]) != kNone;
-    });
+    return is_true_of_any(
+        candidate, [&](std::size_t i) { return after_[i]->covering_move(corners, candidate.covered[i]) != kNone; });
   }
 
   /// Of the parts of what is cut now, the likely one first.

@@ -136,9 +136,7 @@ std::string uncut_text(const CorrectionFacts& correction, LengthUnit unit) {
 
 std::string thickness_text(const StockRecord& stretch, LengthUnit unit) {
   const std::string thickness = depth_text(stretch.thickness_mm, unit);
-  return stretch.is_undecided ? "perhaps more than " + thickness
-         : stretch.is_more    ? thickness + " or more"
-                              : thickness;
+  return stretch.is_undecided ? "perhaps more than " + thickness : stretch.is_more ? thickness + " or more" : thickness;
 }
 
 std::string stock_text(const CorrectionFacts& correction, LengthUnit unit) {
@@ -146,8 +144,9 @@ std::string stock_text(const CorrectionFacts& correction, LengthUnit unit) {
   const std::size_t stretches = correction.stock.size();
   const StockRecord& most = *std::ranges::max_element(correction.stock, {}, &StockRecord::thickness_mm);
   return (most.is_more || most.is_undecided ? "" : "up to ") + thickness_text(most, unit) +
-         (most.is_undecided ? " of what was finished may be left in " : " of what was finished left in ") + std::to_string(stretches) + (stretches == 1 ? " stretch" : " stretches") +
-         ", " + (stretches == 1 ? "at " : "most at ") + point_text(most.point, unit) + ", lines " +
+         (most.is_undecided ? " of what was finished may be left in " : " of what was finished left in ") +
+         std::to_string(stretches) + (stretches == 1 ? " stretch" : " stretches") + ", " +
+         (stretches == 1 ? "at " : "most at ") + point_text(most.point, unit) + ", lines " +
          std::to_string(most.first_line) + "-" + std::to_string(most.last_line);
 }
 

@@ -47,7 +47,8 @@ Json write_directions(Payload& payload, const Directions& directions, int bytes)
   std::array<Numbers, 2> parts;
   for (Numbers& part : parts) part.reserve(directions.size());
   for (const auto& d : directions) {
-    const auto place = octahedral(d.template cast<double>(), bytes == 1 ? 254 : 65534);  // even: the six axes are met exactly
+    const double top = bytes == 1 ? 254 : 65534;  // even: the six axes are met exactly
+    const auto place = octahedral(d.template cast<double>(), top);
     for (std::size_t k = 0; k < 2; ++k) parts[k].push_back(place[k]);
   }
   return {payload.add_differences(parts[0], bytes), payload.add_differences(parts[1], bytes)};
