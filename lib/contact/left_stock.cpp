@@ -84,7 +84,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
   }
 
   [[nodiscard]] bool is_exhausted() const {
-    return work_ >= limits_.most_work || (is_found() && work_ >= work_until_left_ + limits_.most_work_once_left);
+    return work_ >= limits_.most_work || (is_found() && work_ - work_until_left_ >= limits_.most_work_once_left);
   }
 
   void split(const Candidate& candidate) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "lib/contact/cutter_sweep.h"
@@ -26,7 +27,8 @@ struct StockLimits {
   double allowed_mm = 0;                    ///< what is no farther from a cut is not left
   double most_mm = 0;                       ///< thicknesses beyond this are not told apart
   std::size_t most_work = kUsualStockWork;  ///< bounds and distances; what is not decided by then stays undecided
-  std::size_t most_work_once_left = kUsualStockWork;  ///< the same for how much is left, once a point is known that is
+  /// The same for how much is left, once a point is known that is.
+  std::size_t most_work_once_left = std::numeric_limits<std::size_t>::max();
 };
 
 /// What a path cuts, in two parts; null: nothing.
