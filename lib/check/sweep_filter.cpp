@@ -23,12 +23,12 @@ constexpr float kSpaceFirst = 12.0F;
 // How often triangles and time are cut, and how many parts are looked at, before the exact search takes over.
 constexpr std::size_t kCuts = 10;
 constexpr std::uint32_t kMostParts = 1200;
-// Where nothing moves, what a bound of whole triangles leaves open are mostly edges of the tool, which smaller triangles
-// do not mend.
-constexpr std::uint32_t kMostStandingParts = 10;
 constexpr std::size_t kMostBlocks = 200;
 constexpr float kProgress = 0.95F;
 constexpr int kFailures = 1;
+// Where nothing moves, what a bound of whole triangles leaves open are mostly edges of the tool, which smaller triangles
+// do not mend.
+constexpr std::uint32_t kMostStandingParts = 10;
 // Where a point may be deeper than the deepest known one by all but this share of the gap it is measured.
 constexpr float kWorthMeasuring = 0.75F;
 // The swing of a triangle's corners that is not worth smaller triangles.

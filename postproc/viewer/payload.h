@@ -31,7 +31,7 @@ class Payload {
     return {{"at", at}, {"count", count}, {"bytes", bytes}};
   }
   nlohmann::ordered_json add(std::span<const std::uint32_t> numbers, int bytes);
-  /// Each as its difference from the one `stride` before it, modulo 256^bytes: small ones are near 0 and near the top, and
+  /// Each as its difference from the one before it, modulo 256^bytes: small ones are near 0 and near the top, and
   /// are folded (0, -1, 1, -2, ...) to be small.
   nlohmann::ordered_json add_differences(std::span<const std::uint32_t> numbers, int bytes);
 
