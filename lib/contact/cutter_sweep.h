@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lib/check/motion.h"
+#include "lib/contact/nearest_instant.h"
 #include "lib/tool/compiled_tool.h"
 
 namespace gouge {
@@ -39,7 +40,7 @@ class CutterSweep {
   /// After the last motion. Cost linear.
   void index();
 
-  [[nodiscard]] bool is_empty() const { return pieces_.empty(); }
+  [[nodiscard]] bool is_empty() const { return stretches_.empty(); }
 
   /// From a point to the nearest cutter: not above the truth, and not below it by more than 0.0002 mm, or by what a
   /// turning cutter leaves open, but where the truth is below `enough_mm` or above `hopeless_mm`. Negative inside.
@@ -60,37 +61,27 @@ class CutterSweep {
   [[nodiscard]] double least_radius_mm() const { return least_radius_mm_; }
 
  private:
-  struct Piece {
-    Pose start, end;
-    double angle_rad = 0;
-    double off_mm = 0;  ///< of the motion itself, at the most
-    const CompiledTool* cutter = nullptr;
-    std::size_t move = 0;
-    bool is_convex = true;
-    [[nodiscard]] Pose at(double t) const;
-  };
   struct Node {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
     /// A pose among them; at no instant of them is a point of the cutter farther than spread_mm from where it is there.
     Pose middle;
     double spread_mm = 0;               ///< infinite where they have several cutters
-    std::uint32_t first = 0, last = 0;  ///< pieces
+    std::uint32_t first = 0, last = 0;  ///< stretches
     std::uint32_t second = 0;           ///< its halves are the next node and this one; 0: a leaf
   };
-  class Instants;
 
   std::uint32_t build(std::uint32_t first, std::uint32_t last);
   void surround(Node& node) const;
   [[nodiscard]] double away_mm(const Node& node, std::span<const Vec3> points) const;
   /// Whether a point is surely more than `within_mm` outside the cutter at all its instants.
   [[nodiscard]] bool is_beyond(const Node& node, const Vec3& point, double within_mm) const;
-  /// Calls `look(piece)` for those that may be no farther from all `points` than `within()` and that no `skip(node)`
+  /// Calls `look(stretch)` for those that may be no farther from all `points` than `within()` and that no `skip(node)`
   /// leaves out, the nearer half of a node first, until it returns true.
   template <typename Within, typename Skip, typename Look>
   bool visit(std::uint32_t node, std::span<const Vec3> points, const Within& within, const Skip& skip, const Look& look,
              std::size_t& work) const;
 
-  std::vector<Piece> pieces_;
+  std::vector<CutterStretch> stretches_;
   std::vector<Node> nodes_;
   bool is_convex_ = true;
   double least_radius_mm_ = std::numeric_limits<double>::infinity();

@@ -1,0 +1,135 @@
+#include "lib/contact/nearest_instant.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+namespace {
+
+constexpr int kMostLooks = 40;       // at a convex cutter, which takes two to five
+constexpr int kMostHalvings = 12;    // of a cutter that is not convex
+constexpr double kLeastStep = 0.02;  // of the time that is left: no look is closer to one before
+
+/// As seen with the axes of the first pose, after the turn that takes the axis of the second one onto its axis.
+Vec3 turned_back(const Vec3& v, const Vec3& first, const Vec3& second) {
+  const Vec3 both = first + second;
+  return v - both * (both.dot(v) / (1 + first.dot(second))) + 2 * second.dot(v) * first;
+}
+
+}  // namespace
+
+NearestInstant::NearestInstant(const CutterStretch& stretch, std::span<const Vec3> points) : stretch_(stretch) {
+  for (const Vec3& point : points) add(point);
+}
+
+NearestInstant::NearestInstant(const CutterStretch& stretch, const Vec3& middle, const std::array<Vec3, 3>& corners)
+    : stretch_(stretch), corners_(&corners) {
+  for (const Vec3& corner : corners) radius_mm_ = std::max(radius_mm_, corner.norm());
+  add(middle);
+  slack_mm_ += radius_mm_ * stretch.angle_rad;
+}
+
+// In the cutter's frame u = p - tip is turned back by the turn so far, so the second derivative of where p is there is
+// no more than angle^2 |u| + 2 angle |tip'|, and it is off its chord by no more than an eighth of that.
+void NearestInstant::add(const Vec3& point) {
+  const Vec3 first = point - stretch_.start.tip;
+  Vec3 last = point - stretch_.end.tip;
+  const double angle = stretch_.angle_rad;
+  const double path = (stretch_.end.tip - stretch_.start.tip).norm();
+  const double far = std::max(first.norm(), last.norm());
+  if (angle > 0) last = turned_back(last, stretch_.start.axis, stretch_.end.axis);
+  Way& way = ways_[count_++];
+  const Vec3& axis = stretch_.start.axis;
+  const Vec3 change = last - first;
+  way.z = first.dot(axis);
+  way.z_change = change.dot(axis);
+  way.across = first - way.z * axis;
+  way.across_change = change - way.z_change * axis;
+  speed_mm_ = std::max(speed_mm_, change.norm());
+  slack_mm_ = std::max(slack_mm_, stretch_.off_mm + angle * (angle * far + 2 * path) / 8);
+}
+
+/// Of the way along the chord, at t; kept if it is the least so far.
+NearestInstant::Look NearestInstant::look(double t) {
+  Look most{t, -std::numeric_limits<double>::infinity(), 0, 0};
+  for (std::size_t k = 0; k < count_; ++k) {
+    const Way& way = ways_[k];
+    const Vec3 across = way.across + t * way.across_change;
+    const double r = across.norm();
+    const ToolDistance at = evaluate(*stretch_.cutter, r, way.z + t * way.z_change);
+    if (at.signed_distance_mm <= most.value) continue;
+    // On the axis the mean of the gradients in all directions beside it is one, too.
+    const Vec3 beside = r > 0 ? Vec3(at.normal.x() / r * across) : Vec3(Vec3::Zero());
+    most.value = most.least = at.signed_distance_mm;
+    most.slope = beside.dot(way.across_change) + at.normal.y() * way.z_change;
+    if (corners_ == nullptr) continue;
+    const Vec3 gradient = beside + at.normal.y() * stretch_.start.axis;
+    most.least += std::min({gradient.dot((*corners_)[0]), gradient.dot((*corners_)[1]), gradient.dot((*corners_)[2])});
+  }
+  found_mm_ = std::min(found_mm_, most.value);
+  return most;
+}
+
+void NearestInstant::search(double enough_mm, double hopeless_mm) {
+  enough_mm_ = enough_mm - slack_mm_;
+  hopeless_mm_ = hopeless_mm + slack_mm_;
+  if (stretch_.is_convex) return search_convex();
+  halve(look(0), look(1), 0);
+}
+
+bool NearestInstant::is_settled(double under_mm, double least_mm) const {
+  return found_mm_ <= enough_mm_ || under_mm > hopeless_mm_ || found_mm_ - least_mm < kInstantGap_mm;
+}
+
+// A convex function lies above all of its tangents: above two of them that fall towards one another, their crossing is
+// the least; above one alone, its lower end.
+void NearestInstant::search_convex() {
+  Look falling, rising;
+  bool is_falling = false, is_rising = false;
+  double t = 0.5;
+  bound_mm_ = -std::numeric_limits<double>::infinity();
+  for (int looks = 1;; ++looks) {
+    const Look now = look(t);
+    (now.slope < 0 ? falling : rising) = now;
+    (now.slope < 0 ? is_falling : is_rising) = true;
+    double least = 0, under = 0;  // of the point, and of the triangle about it
+    const double apart = rising.t - falling.t;
+    const double bend = rising.slope - falling.slope;
+    double crossing = 0.5;
+    if (is_falling && is_rising) {
+      crossing = (falling.value - rising.value + rising.slope * apart) / bend;
+      least = falling.value + falling.slope * crossing;
+      under = falling.least + falling.slope * (falling.least - rising.least + rising.slope * apart) / bend;
+    } else {
+      const double rest = is_falling ? 1 - falling.t : -rising.t;
+      least = now.value + now.slope * rest;
+      under = now.least + now.slope * rest;
+    }
+    bound_mm_ = std::max(bound_mm_, under);
+    if (looks == kMostLooks || is_settled(under, least)) return;
+    if (!is_falling || !is_rising) {
+      t = is_falling ? 1 : 0;
+      continue;
+    }
+    // Where it is smooth, the slope is about linear; at a kink, the tangents cross.
+    const double step = looks % 2 != 0 ? crossing / apart : -falling.slope / bend;
+    t = falling.t + std::clamp(step, kLeastStep, 1 - kLeastStep) * apart;
+  }
+}
+
+void NearestInstant::halve(const Look& first, const Look& last, int level) {
+  const double known = std::min(first.value, last.value);
+  const double least = std::min(known, 0.5 * (first.value + last.value - speed_mm_ * (last.t - first.t)));
+  if (level == kMostHalvings || found_mm_ <= enough_mm_ || least - radius_mm_ > hopeless_mm_ ||
+      known - least < kInstantGap_mm) {
+    bound_mm_ = std::min(bound_mm_, least - radius_mm_);
+    return;
+  }
+  const Look middle = look(0.5 * (first.t + last.t));
+  halve(first, middle, level + 1);
+  if (found_mm_ > enough_mm_) halve(middle, last, level + 1);
+}
+
+}  // namespace gouge

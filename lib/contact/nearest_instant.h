@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "lib/geom/pose.h"
+#include "lib/tool/compiled_tool.h"
+
+namespace gouge {
+
+/// To which the distance at the nearest instant is found.
+inline constexpr double kInstantGap_mm = 2e-4;
+
+/// A cutter on a stretch of its motion: tip on a straight line at constant speed, axis on the great circle at constant
+/// rate, from t = 0 to 1.
+struct CutterStretch {
+  Pose start, end;
+  double angle_rad = 0;  ///< between the axes
+  double off_mm = 0;     ///< the tip is no farther from there, where the stretch stands for a curve
+  const CompiledTool* cutter = nullptr;
+  std::size_t move = 0;
+  bool is_convex = true;  ///< the cutter
+};
+
+/// When a cutter comes nearest to some points: the signed distance of the point that is then farthest from it.
+/// Method and proof: docs/algorithms/tilting.md, "Distances over instants".
+class NearestInstant {
+ public:
+  /// Of all of one to three points at once. The stretch must outlive it.
+  NearestInstant(const CutterStretch& stretch, std::span<const Vec3> points);
+  /// Of a point; what is bounded is the least distance of all points of the triangle about it, its corners at
+  /// `corners` from there.
+  NearestInstant(const CutterStretch& stretch, const Vec3& middle, const std::array<Vec3, 3>& corners);
+
+  /// Until an instant is found at which it is `enough_mm` or less, or it is known to be more than `hopeless_mm` at all,
+  /// or the least is known to 0.0002 mm and what the turn leaves open. Cost two to five distances, of a cutter that is
+  /// not convex up to some thousand.
+  void search(double enough_mm, double hopeless_mm);
+
+  /// There is an instant at which it is no more than this.
+  [[nodiscard]] double found_mm() const { return found_mm_ + slack_mm_; }
+  /// At no instant is it less.
+  [[nodiscard]] double bound_mm() const { return std::min(bound_mm_, found_mm_) - slack_mm_; }
+
+ private:
+  /// A point in the cutter's frame, as across + t across_change beside the axis and z + t z_change along it.
+  struct Way {
+    Vec3 across, across_change;
+    double z = 0, z_change = 0;
+  };
+  /// What is never below `least` + slope (t' - t) at any other instant t'.
+  struct Look {
+    double t = 0, value = 0, least = 0, slope = 0;
+  };
+
+  void add(const Vec3& point);
+  [[nodiscard]] Look look(double t);
+  [[nodiscard]] bool is_settled(double under_mm, double least_mm) const;
+  void search_convex();
+  void halve(const Look& first, const Look& last, int level);
+
+  const CutterStretch& stretch_;
+  std::array<Way, 3> ways_;
+  std::size_t count_ = 0;
+  const std::array<Vec3, 3>* corners_ = nullptr;
+  double radius_mm_ = 0;  // of the triangle
+  double speed_mm_ = 0;   // no point runs farther in the cutter's frame
+  double slack_mm_ = 0;
+  double enough_mm_ = 0, hopeless_mm_ = 0;
+  double found_mm_ = std::numeric_limits<double>::infinity(), bound_mm_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace gouge
