@@ -291,6 +291,28 @@ INSTANTIATE_TEST_SUITE_P(
 const std::string kRows = "$$     1.0   0.0   0.0   0.0\n$$     0.0   1.0   0.0   0.0\n$$     0.0   0.0   1.0   5.0\n";
 
 INSTANTIATE_TEST_SUITE_P(
+    BlockSkip, ModalStates,
+    ::testing::Values(
+        ModalCase{"Ended", apt("GOTO/1,0,0\nOPSKIP/ON\nGOTO/2,0,9\nOPSKIP/OFF\nGOTO/3,0,0\nGOTO/4,0,0\nFINI\n"), "7 9"},
+        ModalCase{"NeverEnded", apt("GOTO/1,0,0\nOPSKIP/ON\nGOTO/2,0,9\nGOTO/3,0,0\nFINI\n"), "7 8"},
+        ModalCase{"OffAtTheStart", apt("OPSKIP/OFF\nGOTO/1,0,0\nFINI\n"), "4 6"},
+        ModalCase{"OffBehindATool", "UNITS/MM\nLOADTL/1\nOPSKIP/OFF\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n", ""},
+        ModalCase{"OffWithout", apt("GOTO/1,0,0\nOPSKIP/OFF\nGOTO/2,0,0\nGOTO/3,0,0\nFINI\n"), "4 5 7"},
+        ModalCase{"WithAFeedAlone", apt("OPSKIP/ON\nFEDRAT/100,MMPM\nOPSKIP/OFF\nGOTO/1,0,0\nFINI\n"), ""},
+        ModalCase{"WithATool", apt("OPSKIP/ON\nLOADTL/2\nOPSKIP/OFF\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n"), "8 9"},
+        ModalCase{"WithAnAxis", apt("OPSKIP/ON\nTLAXIS/.6,0,.8\nOPSKIP/OFF\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n"), "8 9"},
+        ModalCase{"OfAnotherWord", apt("OPSKIP/2\nGOTO/1,0,0\nOPSKIP/OFF\nGOTO/2,0,0\nFINI\n"), "6 8"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Program, ModalStates,
+    ::testing::Values(ModalCase{"AfterTheEnd",
+                                apt("FINI\nPARTNO B\nUNITS/MM\nLOADTL/2\nTLAXIS/0,0,1\nGOTO/1,0,0\nGOTO/2,0,0\nFINI\n"),
+                                "10 11"},
+                      ModalCase{"EndAndFini", apt("GOTO/1,0,0\nEND\nFINI\n"), ""}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
     Matrix, ModalStates,
     ::testing::Values(ModalCase{"Whole", "$$ CATIA APT VERSION 1.0\n$$*CATIA0\n$$ A\n" + kRows + "GOTO/0,0,0\nEND\n",
                                 ""},

@@ -20,6 +20,8 @@ bool is_open(const States& s, ModalState state) {
       return s.cutcom.is_centre();
     case ModalState::motion_run:
       return true;
+    case ModalState::block_skip:
+      return s.doubts.has(Doubt::skip);
     case ModalState::between_blocks:
       return s.blocks.is_between();
   }
@@ -49,6 +51,9 @@ void contradict(States& s, ModalState state) {
     case ModalState::described_arc:
     case ModalState::start_tangent:
       return drop_described_curve(s);
+    case ModalState::block_skip:
+      s.skips_more_than_motion = true;
+      return;
     case ModalState::between_blocks:
       return s.blocks.note_frame_between();
     default:

@@ -90,19 +90,17 @@ void take_operation(States& s) {
   s.operation.name(name_text(s.in.first_piece()));
 }
 
-// Another program's tool or name breaks the motion.
+// What follows is another program, or none: nothing that was stated before needs to hold for it.
 void take_fini(States& s) {
   s.has_end = true;
   s.cycle.leave_hole();
-  s.chain.lose_last_pose(Reasons::kAfterEnd);
+  break_motion(s);
+  s.chain.forbid_link();
+  if (!s.doubts.has(Doubt::ended)) s.doubts.set(Doubt::ended, s.in.because(Reasons::kAfterEnd));
 }
 
 void take_free_text(States& s) {
   const std::string_view major = s.in.statement().major;
-  if (s.has_end && starts_with_ignoring_case(major, "PARTNO")) {  // another program
-    break_motion(s);
-    s.chain.forbid_link();
-  }
   if (equals_ignoring_case(major, "OPFEATEND")) s.setup.end_feature();
   // Creo 9 writes REMARK -> where older files have the comment $$->.
   if (!starts_with_ignoring_case(major, "REMARK")) return;

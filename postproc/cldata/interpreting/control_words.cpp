@@ -29,6 +29,18 @@ void take_codes(States& s, char letter) {
 
 }  // namespace
 
+// What stands between ON and OFF is run or not, by a switch of the control. A tool, a frame or a cycle that begins or
+// ends there may hold behind it, or not.
+void take_opskip(States& s) {
+  const bool is_on = s.in.has("ON");
+  const bool is_understood = is_on != s.in.has("OFF");
+  if (!is_understood) s.in.count_unknown();
+  if (!is_understood || !s.skips_more_than_motion) {
+    switch_doubt(s, Doubt::skip, is_on || !is_understood, Reasons::kSkipped);
+    s.skips_more_than_motion = !is_understood;
+  }
+}
+
 // A code that ends a shift need not end the one that began it; those that end cycles and steps end all there
 // are.
 void take_machine_text(States& s, const MachineEffect& effect) {

@@ -30,6 +30,7 @@ void take_cycle(States& s) {
     s.in.count_unknown();
     return distrust(s, Word::cycle);
   }
+  s.feed_units.note(s.in.arguments, s.in.line());
   const std::string_view what = s.in.arguments.front().text;
   if (equals_ignoring_case(what, "INIT") || equals_ignoring_case(what, "CLEAR")) {
     if (s.cycle.is_on()) s.cycle.contradict();  // does it end the one in force? no document says

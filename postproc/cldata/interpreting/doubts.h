@@ -10,6 +10,8 @@ namespace gouge {
 
 /// What can make every position that follows one of nobody knows where; in the order in which reasons are reported.
 enum class Doubt : std::uint8_t {
+  ended,  ///< the program
+  skip,   ///< the control may leave positions out
   block,
   matrix,
   turning,

@@ -166,14 +166,15 @@ void take_mode(States& s) {
   for (const char* word : {"TURN", "LATHE", "WIRE", "EDM"}) {
     if (s.in.has(word)) s.doubts.set(Doubt::mode, s.in.because(Reasons::kTurning));
   }
-  for (const char* word : {"INCR", "INCREMENTAL"}) {
-    if (s.in.has(word)) doubt_frame_word(s);
-  }
-  for (const Argument& argument : s.in.arguments) {
+  const auto leaves_positions_alone = [&](const Argument& argument) {
+    constexpr std::array<std::string_view, 8> kWords = {"MILL", "TURN",  "LATHE",    "WIRE",
+                                                        "EDM",  "ABSOL", "ABSOLUTE", "ABS"};
     const std::optional<LengthUnit> unit = unit_of_word(argument.text);
-    const bool is_other = unit && std::abs(mm_per(*unit) / s.frame.mm_per_unit() - 1) > 1e-9;
-    if (is_other || equals_ignoring_case(argument.text, "METRIC")) doubt_frame_word(s);
-  }
+    return unit ? std::abs(mm_per(*unit) / s.frame.mm_per_unit() - 1) <= 1e-9 : is_one_of(argument.text, kWords);
+  };
+  if (!s.in.arguments.empty() && std::ranges::all_of(s.in.arguments, leaves_positions_alone)) return;
+  s.in.count_unknown();
+  doubt_frame_word(s);
 }
 
 void take_tlaxis(States& s) {
@@ -196,6 +197,7 @@ void take_units(States& s) {
     const std::string what = s.in.arguments.empty() ? std::string("nothing") : quoted_text(s.in.arguments.front().text);
     return s.in.fail("path-statement", s.in.major() + ": " + what + " is not a unit; expected MM or INCHES");
   }
+  s.feed_units.close();
   // The guess of the unit knows of it; before it a reader takes mm.
   const bool is_other = *stated != LengthUnit::mm || std::abs(mm_per(*stated) - s.frame.mm_per_unit()) > 0;
   const bool is_late = s.frame.state_unit(mm_per(*stated)) && s.in.moves() > 0;

@@ -22,6 +22,7 @@ class Interpreter {
   void set_cutter_centre() { states_.cutcom.say_centre(); }
 
   [[nodiscard]] Diagnostics take_errors() { return states_.in.take_errors(); }
+  [[nodiscard]] const FeedUnits& feed_units() const { return states_.feed_units; }
   [[nodiscard]] bool is_hopeless() const { return states_.in.is_hopeless(); }
 
  private:

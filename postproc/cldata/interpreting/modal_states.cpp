@@ -20,6 +20,12 @@ constexpr WordSet kCurves = {Word::circle, Word::movarc, Word::curve, Word::indi
 constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion};
 constexpr WordSet kNewRun = {Word::cutter, Word::tldata,    Word::loadtl,    Word::load,        Word::toolno,
                              Word::turret, Word::operation, Word::tool_path, Word::end_of_path, Word::from};
+// What holds for more than the next motion.
+constexpr WordSet kLasting = {Word::cycle,  Word::tool_path,   Word::end_of_path, Word::units, Word::mode,
+                              Word::multax, Word::tlaxis,      Word::cutcom,      Word::csys,  Word::mcs,
+                              Word::mcsys,  Word::msys,        Word::rotabl,      Word::trans, Word::trntyp,
+                              Word::curve,  Word::auxfun,      Word::prefun,      Word::setup, Word::select,
+                              Word::repeat, Word::unread_frame};
 
 struct ModalRule {
   ModalState state;
@@ -42,6 +48,8 @@ constexpr auto kRules = std::to_array<ModalRule>({
     {ModalState::rapid, ends, {Word::fedrat, Word::tool_path}},
     {ModalState::cutter_centre, ends, {Word::operation}},
     {ModalState::motion_run, ends, kNewRun},
+    {ModalState::block_skip, contradicts, kTools},
+    {ModalState::block_skip, contradicts, kLasting},
     {ModalState::between_blocks, contradicts, {Word::msys}},
     {ModalState::between_blocks, ends, {Word::tool_path}},
 });

@@ -18,6 +18,7 @@ enum class ModalState : std::uint8_t {
   rapid,           ///< RAPID: the next position is reached at rapid
   cutter_centre,   ///< Creo's OUTPUT_ON_CENTER: positions under CUTCOM are the cutter's centre
   motion_run,      ///< always open: positions that one switched-on state could span
+  block_skip,      ///< OPSKIP/ON: what follows is run or not
   between_blocks,  ///< after END-OF-PATH of NX: no TOOL PATH gives a frame, a tool and an axis
 };
 
@@ -30,7 +31,7 @@ enum class ModalEffect : std::uint8_t {
 
 inline constexpr ModalState kModalStates[] = {
     ModalState::cycle,         ModalState::described_arc, ModalState::start_tangent, ModalState::rapid,
-    ModalState::cutter_centre, ModalState::motion_run,    ModalState::between_blocks};
+    ModalState::cutter_centre, ModalState::motion_run,    ModalState::block_skip,    ModalState::between_blocks};
 
 /// What `statement` acts as: its word, or for comments that are statements the word of another dialect that does the
 /// same.

@@ -124,6 +124,7 @@ void take_rapid(States& s) {
 
 void take_fedrat(States& s) {
   distrust_numbers_of_feed(s);
+  s.feed_units.note(s.in.arguments, s.in.line());
   s.feed.take_fedrat(s.frame.mm_per_unit());
 }
 

@@ -40,7 +40,8 @@ struct Reasons {
   static constexpr const char* kNoMsys =
       "positions are in a TOOL PATH without MSYS where others of the file have one: in which frame it does not say";
   static constexpr const char* kAfterEnd =
-      "starts where the program had ended: what lies between, the file does not say";
+      "follows the end of the program: which unit, tool, tool axis and frame hold, the file does not say";
+  static constexpr const char* kSkipped = "left out where the control's block skip is on";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
   static constexpr const char* kTurning = "turning and wire tools are not understood";
   static constexpr const char* kContour = "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)";

@@ -14,6 +14,7 @@
 #include "postproc/cldata/interpreting/cycle_state.h"
 #include "postproc/cldata/interpreting/described_curve.h"
 #include "postproc/cldata/interpreting/doubts.h"
+#include "postproc/cldata/interpreting/feed_units.h"
 #include "postproc/cldata/interpreting/frame_state.h"
 #include "postproc/cldata/interpreting/motion_chain.h"
 #include "postproc/cldata/interpreting/nurbs_state.h"
@@ -98,6 +99,7 @@ struct States {
   Doubts doubts;
   AxisState axes{in, doubts};
   FeedState feed{in};
+  FeedUnits feed_units;
   FrameState frame;
   BlockState blocks;
   CatiaMatrix matrix{in, frame};
@@ -113,6 +115,7 @@ struct States {
   PartProgram program{in};
   Tally offsets_chosen;                    ///< by text for the machine's control
   bool has_end = false;                    ///< END or FINI
+  bool skips_more_than_motion = false;     ///< OPSKIP/ON leaves out what OPSKIP/OFF does not undo
   std::size_t run_begin = 0;               ///< the first move since the last tool or operation
   Word previous_word = Word::comment;      ///< of the statement before, but for comments
   std::size_t previous_statement = kNone;  ///< that word's

@@ -105,6 +105,7 @@ void ToolState::take_flute_length(double mm_per_unit) {
 
 void ToolState::take_diameter_of_toolno(double mm_per_unit) {
   tool_.toolno_diameter_mm = diameter_of_toolno(in_.arguments) * mm_per_unit;
+  if (!tool_.cutter && tool_.toolno_diameter_mm > 0) tool_.diameter_mm = tool_.toolno_diameter_mm;
   tool_.toolno_line = in_.line();
   is_changed_ = true;
 }

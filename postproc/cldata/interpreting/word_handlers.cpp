@@ -46,6 +46,7 @@ constexpr auto kRows = std::to_array<std::pair<Word, WordHandler>>({
     {Word::msys, take_msys},
     {Word::multax, [](States& s) { s.axes.take_multax(); }},
     {Word::nurbs, [](States& s) { s.nurbs.begin(); }},
+    {Word::opskip, take_opskip},
     {Word::ppword, take_ppword},
     {Word::prefun, take_prefun},
     {Word::rapid, take_rapid},

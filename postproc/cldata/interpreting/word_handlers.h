@@ -38,6 +38,7 @@ void take_prefun(States& s);
 void take_auxfun(States& s);
 void take_setup(States& s);
 void take_select(States& s);
+void take_opskip(States& s);
 
 // frame_words.cpp
 void set_frame(States& s, const RigidTransform& to_part);

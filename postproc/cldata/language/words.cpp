@@ -16,7 +16,7 @@ using Entry = std::pair<std::string_view, Word>;
 constexpr auto kHarmless = std::to_array<std::string_view>(
     {"AIR",    "APPLY",  "ARCSLP", "AUTOPS", "BEGIN",  "BOX",    "BREAK", "CLAMP",  "CLEARP", "CLPRNT",
      "CLRSRF", "COOLNT", "DELAY",  "DISPLY", "DWELL",  "FLUSH",  "INTOL", "LEADER", "LINTOL", "MACHIN",
-     "MATERL", "MCHTOL", "NOPOST", "OPSKIP", "OPSTOP", "OUTTOL", "PAINT", "PITCH",  "PPFUN",  "PRINT",
+     "MATERL", "MCHTOL", "NOPOST", "OPSTOP", "OUTTOL", "PAINT", "PITCH",  "PPFUN",  "PRINT",
      "REWIND", "SELCTL", "SEQNO",  "SPINDL", "STOP",   "SWITCH", "TCP",   "TMARK",  "TOLER",  "UNLOAD"});
 // Words of the APT source language.
 constexpr auto kOfPrograms = std::to_array<std::string_view>(
@@ -73,6 +73,7 @@ constexpr auto kOthers = std::to_array<Entry>({
     {"OPFEATEND", Word::free_text},
     {"OPFEATSTART", Word::operation},
     {"OPNAME", Word::operation},
+    {"OPSKIP", Word::opskip},
     {"ORIGIN", Word::trans},
     {"PARTNO", Word::free_text},
     {"POSITN", Word::unread_motion},

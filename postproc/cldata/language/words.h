@@ -47,6 +47,7 @@ enum class Word : std::uint8_t {
   msys,
   multax,
   nurbs,
+  opskip,
   ppword,
   prefun,  // a G of the control
   rapid,

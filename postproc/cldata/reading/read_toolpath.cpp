@@ -216,6 +216,16 @@ std::optional<Diagnostic> note_unit(const UnitGuess& guess, const ReadOptions& o
   return std::nullopt;
 }
 
+std::optional<Diagnostic> find_two_units(const UnitGuess& guess, const FeedUnits& feeds, const std::string& file) {
+  if (guess.source == UnitGuess::Source::stated || guess.source == UnitGuess::Source::option || !feeds.are_two())
+    return std::nullopt;
+  return make_error("path-unit",
+                    "the file states no unit, and its feeds are in two: in mm in line " +
+                        std::to_string(feeds.in_mm()) + ", in inches in line " + std::to_string(feeds.in_inches()) +
+                        "; say which one positions are in: --path-units mm or inch",
+                    file, std::max(feeds.in_mm(), feeds.in_inches()));
+}
+
 // Statements that may be motions and are not understood leave moves, none of which is one of the file's dialect.
 bool has_motion(const Toolpath& path) {
   return std::any_of(path.moves.begin(), path.moves.end(),
@@ -309,6 +319,10 @@ ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const 
   report_last_line(path.source, dialect, outcome.errors);
   if (outcome.errors.empty() && !has_motion(path)) outcome.errors.push_back(no_motion(path, dialect));
   if (!outcome.errors.empty()) return outcome;
+  if (auto error = find_two_units(guess, interpreter.feed_units(), file_name)) {
+    outcome.errors.push_back(std::move(*error));
+    return outcome;
+  }
   if (auto error = note_unit(guess, options, path)) {
     outcome.errors.push_back(std::move(*error));
     return outcome;
