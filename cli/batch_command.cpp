@@ -156,7 +156,7 @@ class Batch {
                                   "anew",
                               arguments_.folder)});
     }
-    if (const auto wrong = find_other_shard()) return fail(err_, {*wrong});
+    if (const auto wrong = find_other_shard()) return fail_to_open(*wrong);
     if (const auto wrong = find_foreign()) return fail(err_, {*wrong}, kExitUsage);
     if (const Outcome begun = store_->begin(identity_); !begun) return fail_to_open(begun.error());
     if (arguments_.is_fresh) remove_work(arguments_.folder);
@@ -166,7 +166,8 @@ class Batch {
 
   int fail_to_open(const Diagnostic& error) {
     is_busy_ = error.code == "store-busy" || error.code == "report-busy";
-    return fail(err_, {error}, error.code == "report-foreign" ? kExitUsage : kExitInternal);
+    const bool is_usage = error.code == "report-foreign" || error.code == "usage";
+    return fail(err_, {error}, is_usage ? kExitUsage : kExitInternal);
   }
 
   // Its results would be dropped.

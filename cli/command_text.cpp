@@ -10,8 +10,8 @@ namespace gouge {
 namespace {
 
 constexpr std::string_view kOfNoResult[] = {
-    "threads", "progress", "quiet",   "verbose",  "report", "json", "csv",       "sarif",        "junit",    "export",
-    "output",  "help",     "project", "reviewer", "color",  "sort", "min-depth", "max-findings", "no-config"};
+    "threads", "progress", "quiet",    "verbose", "report", "json",      "csv",          "sarif",       "junit", "export",
+    "help",    "project",  "reviewer", "color",   "sort",   "min-depth", "max-findings", "certificate", "no-config"};
 
 bool is_plain(char c) {
   constexpr std::string_view kMore = "%+,-./:=@_^";

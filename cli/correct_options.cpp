@@ -1,8 +1,11 @@
 #include "cli/correct_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <numbers>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "cli/length_text.h"
@@ -40,15 +43,31 @@ std::optional<Vec3> direction_of(const std::vector<double>& numbers) {
   return vector.norm() > 1e-6 && vector.norm() < 1e6 ? std::optional<Vec3>(vector.normalized()) : std::nullopt;
 }
 
-Result<BodyStrategies> understand_strategies(const std::vector<std::string>& typed) {
+/// [BODY=]NAME; the body is empty where it is for all.
+struct NamedStrategy {
+  std::string typed, body, name;
+};
+
+NamedStrategy divide(const std::string& typed) {
+  const std::size_t equals = typed.starts_with(kDirection) ? std::string::npos : typed.find('=');
+  if (equals == std::string::npos) return {typed, "", typed};
+  return {typed, typed.substr(0, equals), typed.substr(equals + 1)};
+}
+
+/// What is for one body holds for that, wherever it stands.
+Result<BodyStrategies> understand_strategies(const std::vector<std::string>& all) {
   constexpr std::array kBodies = {Body::cutter, Body::shank, Body::holder, Body::head};
+  std::vector<NamedStrategy> given;
+  for (const std::string& typed : all) given.push_back(divide(typed));
+  std::ranges::stable_partition(given, [](const NamedStrategy& one) { return one.body.empty(); });
   BodyStrategies strategies;
-  for (const std::string& one : typed) {
-    const std::size_t equals = one.starts_with(kDirection) ? std::string::npos : one.find('=');
-    const std::string wanted = equals == std::string::npos ? "" : one.substr(0, equals);
-    const std::string name = equals == std::string::npos ? one : one.substr(equals + 1);
+  std::set<std::string> bodies;
+  for (const auto& [one, wanted, name] : given) {
     bool is_any = false;
-    if (equals == 0) return usage_error("--strategy", one, kExpectedStrategy);
+    if (one.starts_with('=')) return usage_error("--strategy", one, kExpectedStrategy);
+    if (!bodies.insert(wanted).second)
+      return usage_error("--strategy", one,
+                         wanted.empty() ? "one strategy for all bodies" : "one strategy for " + wanted);
     for (const Body body : kBodies) {
       if (!wanted.empty() && wanted != body_name(body)) continue;
       const auto index = static_cast<std::size_t>(body);

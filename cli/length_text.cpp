@@ -1,6 +1,7 @@
 #include "cli/length_text.h"
 
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "lib/base/number_text.h"
@@ -112,9 +113,11 @@ Result<RigidTransform> understand_place(const std::string& option, const std::st
 }
 
 std::optional<std::string> parse_clearance(const std::string& text, CheckOptions& options) {
+  std::set<std::string> given;
   for (const std::string& part : split(text, ',')) {
     const std::size_t equals = part.find('=');
     const std::string body = part.substr(0, equals);
+    if (!given.insert(body).second) return "'" + body + "' is given twice; expected one clearance for each body";
     const auto length = equals == std::string::npos ? std::nullopt : parse_length_mm(part.substr(equals + 1));
     if (!length || *length < 0) {
       return "'" + part + "' is not BODY=LENGTH with a length from 0 to 100 m; expected for example shank=0.5,holder=1";

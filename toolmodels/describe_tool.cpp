@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "lib/base/number_text.h"
@@ -34,6 +35,7 @@ std::string_view word_of(std::string_view key) {
 
 std::string describe_cutter(const Cutter& cutter, LengthUnit unit) {
   std::string text = shape_name(cutter);
+  std::ranges::replace(text, '_', '-');
   Cutter copy = cutter;
   detail::visit_fields(copy, [&](const detail::CutterField& field) {
     const std::string_view word = word_of(field.key);

@@ -9,6 +9,7 @@
 #include "lib/base/word_list.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/report/report_text.h"
+#include "toolmodels/draw_profile.h"
 #include "toolmodels/from_path.h"
 #include "toolmodels/silhouette.h"
 
@@ -27,11 +28,12 @@ std::string names_in(const ToolLibrary& library) {
 }
 
 std::string describe(const ToolAssembly& tool, LengthUnit unit) {
-  std::string text = shape_name(tool.cutter);
-  if (!tool.name.empty()) text = tool.name + " (" + text + ")";
+  std::string text = describe_cutter(tool.cutter, unit);
+  if (!tool.name.empty()) text = tool.name + ": " + text;
+  text += ", stick-out " + length_text(stickout_mm(tool), unit);
   double widest = 0;
   for (const ToolSegment& s : tool.holder) widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
-  if (widest > 0) text += ", holder to D" + length_text(widest, unit);
+  if (widest > 0) text += ", holder to D " + length_text(widest, unit);
   return text;
 }
 
@@ -69,8 +71,9 @@ class Resolver {
     }
     if (is_for_unnamed) {
       unnamed_ = {text, tool};
-    } else {
-      named_[*number] = tool;
+    } else if (!named_.emplace(*number, tool).second) {
+      return usage("--tool '" + text + "': tool " + std::to_string(*number) +
+                   " of the toolpath has one already; expected each number once");
     }
     return std::nullopt;
   }

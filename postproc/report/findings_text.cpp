@@ -91,16 +91,11 @@ std::string verdict_line(const std::string& text, OverallVerdict verdict, bool i
 }
 
 std::string verdict_lines(const ReportModel& model, bool is_coloured) {
-  const Checked now{*model.toolpath, *model.result};
-  const std::string text = headline(now, model.options, overcut_words(model), &model);
-  const OverallVerdict verdict = overall_verdict(model);
-  const CorrectionFacts& correction = model.correction;
-  if (!model.has_correction || correction.result_before == nullptr || correction.toolpath_before == nullptr)
-    return verdict_line(text, verdict, is_coloured);
-  const Checked before{*correction.toolpath_before, *correction.result_before};
-  return "before " +
-         verdict_line(headline(before, model.options, {}, nullptr), overall_verdict(before.result), is_coloured) +
-         "after  " + verdict_line(text, verdict, is_coloured);
+  const auto [now, before] = headlines(model);
+  const std::string line = verdict_line(now, overall_verdict(model), is_coloured);
+  if (before.empty()) return line;
+  return "before " + verdict_line(before, overall_verdict(*model.correction.result_before), is_coloured) + "after  " +
+         line;
 }
 
 std::string counts_line(const StateCounts& n) {
@@ -241,6 +236,15 @@ class FindingsWriter {
 };
 
 }  // namespace
+
+Headlines headlines(const ReportModel& model) {
+  Headlines lines;
+  lines.now = headline({*model.toolpath, *model.result}, model.options, overcut_words(model), &model);
+  const CorrectionFacts& correction = model.correction;
+  if (model.has_correction && correction.result_before != nullptr && correction.toolpath_before != nullptr)
+    lines.before = headline({*correction.toolpath_before, *correction.result_before}, model.options, {}, nullptr);
+  return lines;
+}
 
 std::string summary_text(const ReportModel& model, bool is_coloured) {
   std::string text = line(model.toolpath->file + bodies(model));

@@ -63,14 +63,12 @@ class HtmlReport {
                        : verdict == OverallVerdict::clean         ? "Clean"
                        : verdict == OverallVerdict::gouges        ? "Gouges"
                                                                   : "Not fully checked";
-    // The second line of the summary is the headline; its first word is what the banner says already.
-    const std::string summary = summary_text(model_);
-    const std::size_t first = summary.find('\n') + 1;
-    std::string headline = summary.substr(first, summary.find('\n', first) - first);
-    headline.erase(0, headline.find(": ") + 2);
+    auto [headline, before] = headlines(model_);
+    headline.erase(0, headline.find(": ") + 2);  // the word of the banner
+    if (!before.empty()) before = "<p class=\"soft\">Before the correction: " + xml_escaped(before) + ".</p>\n";
     const std::string guarantee = guarantee_text(model_);
     return std::string("<div class=\"banner ") + verdict_name(verdict) + "\"><strong>" + word + "</strong><div>" +
-           xml_escaped(headline) + "</div></div>\n" + beside_the_verdict() +
+           xml_escaped(headline) + "</div></div>\n" + before + beside_the_verdict() +
            "<p class=\"promise\">The guarantee of this check: " + xml_escaped(guarantee) + ".</p>\n";
   }
 
@@ -264,7 +262,8 @@ class HtmlReport {
     HtmlTable table({{"Tool"}, {"Name"}, {"Shape"}, {"Defined in"}});
     for (std::size_t i = 0; i < model_.tools.size(); ++i) {
       const ToolFacts& tool = model_.tools[i];
-      table.add(html_cell(tool_label(*model_.toolpath, i), "k") + html_cell(tool.name) + html_cell(tool.description) +
+      const std::string label = tool_label(*model_.toolpath, i);
+      table.add(html_cell(label, "k") + html_cell(tool.name == label ? "" : tool.name) + html_cell(tool.description) +
                 html_cell(tool.defined_in.empty() ? "nowhere: its moves are not checked" : tool.defined_in));
     }
     return "<h2>Tools</h2>\n" + table.html();

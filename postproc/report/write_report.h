@@ -18,6 +18,12 @@ namespace gouge {
 /// `path.apt:123: gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42 (7 moves, 118-124), operation ROUGH`
 [[nodiscard]] std::string findings_text(const ReportModel& model, const FindingsView& view = {});
 
+/// "gouges: 4 findings in 126 of 2477 moves, ..." of the result; of a correction also of the path before.
+struct Headlines {
+  std::string now, before;
+};
+[[nodiscard]] Headlines headlines(const ReportModel& model);
+
 /// The summary alone.
 [[nodiscard]] std::string summary_text(const ReportModel& model, bool is_coloured = false);
 

@@ -163,6 +163,18 @@ std::string digest_of(const JobResult& result) {
   return digest.finish();
 }
 
+/// What a row of a job says that its other rows give as well: nobody reads it from there but queries.
+struct StatedAgain {
+  std::string name, verdict;
+  std::int64_t moves = 0, findings = 0;
+  std::string digest;
+  bool operator==(const StatedAgain&) const = default;
+};
+
+StatedAgain stated_again(const JobResult& job) {
+  return {job.name, std::string(job.verdict()), whole(job.moves()), whole(job.gouge_findings()), digest_of(job)};
+}
+
 }  // namespace
 
 void insert_job(Database& database, std::int64_t job, const JobResult& result) {
@@ -181,10 +193,10 @@ void read_jobs(Database& database, const std::map<std::int64_t, std::size_t>& pl
       if (const auto place = places.find(row.integer(0)); place != places.end()) use(row, jobs[place->second]);
     });
   };
-  std::map<const JobResult*, std::string> digests;
+  std::map<const JobResult*, StatedAgain> stated;
   each("SELECT * FROM jobs ORDER BY job", [&](const Row& row, JobResult& job) {
     read_job(row, job);
-    digests[&job] = row.text(20);
+    stated[&job] = {row.text(1), row.text(5), row.integer(7), row.integer(8), row.text(20)};
   });
   each("SELECT * FROM counts", read_count);
   each("SELECT * FROM findings ORDER BY job, finding",
@@ -204,8 +216,8 @@ void read_jobs(Database& database, const std::map<std::int64_t, std::size_t>& pl
     job.outputs.push_back({row.text(2), static_cast<std::uint64_t>(row.integer(3)), row.text(4)});
   });
   for (JobResult& job : jobs) {
-    const auto known = digests.find(&job);
-    job.is_altered = known != digests.end() && known->second != digest_of(job);
+    const auto known = stated.find(&job);
+    job.is_altered = known != stated.end() && !(known->second == stated_again(job));
   }
 }
 

@@ -29,6 +29,12 @@ TEST(LengthText, NothingReachesFartherThanACheck) {
   EXPECT_EQ(options.holder_clearance_mm, CheckOptions{}.holder_clearance_mm);
 }
 
+TEST(LengthText, ABodyHasOneClearance) {
+  CheckOptions options;
+  EXPECT_EQ(parse_clearance("holder=1,shank=2,holder=0", options),
+            "'holder' is given twice; expected one clearance for each body");
+}
+
 TEST(LengthText, AnAngleIsANumber) {
   for (const std::string text : {"inf", "nan", "1e400", "", "45deg"})
     EXPECT_FALSE(parse_place("0,0,0,0,0," + text)) << text;

@@ -51,7 +51,7 @@ TEST_F(ToolImport, ReportsWhatWasUnderstoodAndWhatWasAssumed) {
   EXPECT_EQ(err, "");
   EXPECT_EQ(out,
             "tool  name         cutter               flutes  assembly  holder\n"
-            "-     Bull nose 6  bull_nose D 6 R 1.5  20      50        none\n" +
+            "-     Bull nose 6  bull-nose D 6 R 1.5  20      50        none\n" +
                 out.substr(out.find("1 tool, lengths in mm")));
   EXPECT_NE(out.find("assumed or left out:\n  tool \"Bull nose 6\": no length below the holder is given; drawn up to "
                      "Length 50 mm, without a holder\n"),

@@ -107,6 +107,7 @@ TEST(Batch, BelievesNoStoreThatWasChanged) {
   for (const char* sql :
        {"UPDATE counts SET moves = 0 WHERE job = 0 AND state = 'gouge'", "UPDATE jobs SET status = 0 WHERE job = 0",
         "DELETE FROM findings WHERE job = 0 AND finding = 0", "UPDATE findings SET depth = depth / 2 WHERE job = 0",
+        "UPDATE jobs SET verdict = 'clean' WHERE job = 0", "UPDATE jobs SET findings = 0, moves = 1 WHERE job = 0",
         "UPDATE inputs SET checksum = replace(checksum, 'a', 'b') WHERE job = 0"}) {
     fs::remove_all(folder + "/s");
     fs::copy(folder + "/one", folder + "/s", fs::copy_options::recursive);

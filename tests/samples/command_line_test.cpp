@@ -119,6 +119,17 @@ TEST(CommandLine, ACorrectionReportsHowTheAxisTurns) {
   EXPECT_EQ(silent.out.find("feed time"), std::string::npos) << silent.out;
 }
 
+TEST(CommandLine, AStrategyIsGivenOnceForAllAndOnceForABody) {
+  const SampleFolder sample = open_sample("between_swing");
+  const auto status = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"-o", "corrected.apt"});
+    return run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), options)).exit_status;
+  };
+  EXPECT_EQ(status({"--strategy", "holder=tilt", "--strategy", "holder=axis"}), 2);
+  EXPECT_EQ(status({"--strategy", "auto", "--strategy", "trim"}), 2);
+  EXPECT_EQ(status({"--strategy", "holder=axis", "--strategy", "auto"}), 0);
+}
+
 TEST(CommandLine, AToolpathMayComeAfterTheOptionsThatAreRepeatable) {
   const SampleFolder sample = open_sample("between_rib");
   const Outcome ran =

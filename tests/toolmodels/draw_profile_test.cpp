@@ -103,7 +103,7 @@ TEST(DrawProfile, DimensionsAreWrittenInTheUnitAsked) {
   const ToolAssembly tool =
       test::assembly("t", BullNoseCutter{25.4, 2.54, 50.8}, {{25.4, 25.4, 25.4}}, {{50.8, 76.2, 25.4}});
   const std::vector<std::string> texts = texts_of(*draw_profile(tool, LengthUnit::inch));
-  for (const char* wanted : {"T1 \"t\"", "bull_nose D 1 R 0.1, length 2, assembly 4 in", "cutter 2", "shank 1",
+  for (const char* wanted : {"T1 \"t\"", "bull-nose D 1 R 0.1, length 2, assembly 4 in", "cutter 2", "shank 1",
                              "holder 1", "D 1", "D 2 to 3", "R 0.1", "dimensions in inches"})
     EXPECT_TRUE(has(texts, wanted)) << wanted;
 }

@@ -31,8 +31,8 @@ TEST(ResolveTools, ReportsTheHolderRoundedAndInThePathsUnit) {
     EXPECT_TRUE(resolved.has_value());
     return resolved->facts.at(0).description;
   };
-  EXPECT_EQ(described(LengthUnit::inch), "flat, holder to D1.75 in");
-  EXPECT_EQ(described(LengthUnit::mm), "flat, holder to D44.45 mm");
+  EXPECT_EQ(described(LengthUnit::inch), "flat D 0.5, stick-out 1.5 in, holder to D 1.75 in");
+  EXPECT_EQ(described(LengthUnit::mm), "flat D 12.7, stick-out 38.1 mm, holder to D 44.45 mm");
 }
 
 TEST(ResolveTools, ReportsADifferenceRoundedAndInThePathsUnit) {
@@ -121,6 +121,9 @@ TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {
   ASSERT_FALSE(missing.has_value());
   EXPECT_EQ(missing.error().message, "--tool 'T3': the library has no tool of that name or number; it has T2");
   EXPECT_FALSE(resolve_tools(path, &library, {"x=2"}, "").has_value());
+  const Result<ResolvedTools> twice = resolve_tools(path, &library, {"7=2", "T7=2"}, "");
+  ASSERT_FALSE(twice.has_value());
+  EXPECT_EQ(twice.error().message, "--tool 'T7=2': tool 7 of the toolpath has one already; expected each number once");
 }
 
 TEST(ResolveTools, AnUnknownHolderIsReportedWithTheHoldersThereAre) {
