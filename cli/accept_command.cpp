@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <ctime>
 #include <filesystem>
 #include <ostream>
@@ -57,7 +58,11 @@ bool is_date(const std::string& text) {
   if (text.size() != 10 || text[4] != '-' || text[7] != '-') return false;
   const auto year = parse_integer(text.substr(0, 4)), month = parse_integer(text.substr(5, 2)),
              day = parse_integer(text.substr(8, 2));
-  return year && month && day && *year >= 1900 && *month >= 1 && *month <= 12 && *day >= 1 && *day <= 31;
+  if (!year || !month || !day || *year < 1900 || *month < 1 || *day < 1) return false;
+  using namespace std::chrono;
+  return year_month_day(std::chrono::year(static_cast<int>(*year)), std::chrono::month(static_cast<unsigned>(*month)),
+                        std::chrono::day(static_cast<unsigned>(*day)))
+      .ok();
 }
 
 bool is_blank(const std::string& text) { return text.find_first_not_of(" \t\r\n") == std::string::npos; }

@@ -226,7 +226,7 @@ class JobListReader {
     const auto [other, is_new] = lines_of_.try_emplace(name, line);
     if (!is_new)
       return fail("a second job is called " + name + ", as that of line " + std::to_string(other->second) +
-                      "; expected a \"name\" for each",
+                      "; expected a \"name\" for each, and a job of its own for each of several files called alike",
                   pointer);
     Result<BatchJob> job = make_job(name, command, words, path);
     if (!job) return fail("job " + name + ": " + job.error().message, pointer, "jobs-option");

@@ -9,9 +9,10 @@
 namespace gouge {
 namespace {
 
-constexpr std::string_view kOfNoResult[] = {
-    "threads", "progress", "quiet",    "verbose", "report", "json",      "csv",          "sarif",       "junit", "export",
-    "help",    "project",  "reviewer", "color",   "sort",   "min-depth", "max-findings", "certificate", "no-config"};
+constexpr std::string_view kOfNoResult[] = {"threads",   "progress",     "quiet",       "verbose",  "report",
+                                            "json",      "csv",          "sarif",       "junit",    "export",
+                                            "help",      "project",      "reviewer",    "color",    "sort",
+                                            "min-depth", "max-findings", "certificate", "no-config"};
 
 bool is_plain(char c) {
   constexpr std::string_view kMore = "%+,-./:=@_^";

@@ -72,6 +72,8 @@ void add_config_commands(CLI::App& app) {
 int run_config(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
   std::vector<std::string> line = {"gougecheck"};
   const bool names_command = !words.empty() && (words.front() == "check" || words.front() == "correct");
+  if (!names_command && !words.empty() && !words.front().starts_with('-'))
+    return fail(err, {usage_error("config", words.front(), "check, correct or options")});
   if (!names_command) line.emplace_back("check");
   line.insert(line.end(), words.begin(), words.end());
   const Result<ProjectLine> used = ProjectLine::make(line);

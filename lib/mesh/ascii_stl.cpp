@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
 #include "lib/base/stage.h"
 
 namespace gouge::detail {
@@ -28,7 +29,7 @@ bool equals(std::string_view word, std::string_view lower_case) {
 std::string quoted(std::string_view word) {
   if (word.empty()) return "the end of the file";
   std::string text = "'";
-  for (const char c : word.substr(0, kLongestQuote)) text += (c > ' ' && c <= '~') ? c : '?';
+  text += printable(word.substr(0, kLongestQuote));
   return text + (word.size() > kLongestQuote ? "...'" : "'");
 }
 

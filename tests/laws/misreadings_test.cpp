@@ -217,6 +217,7 @@ INSTANTIATE_TEST_SUITE_P(
         Misreading{"ProgramAfterTheEnd", around("FINI\nPARTNO NEXT\n"), "not-checked"},
         Misreading{"WholeProgramAfterTheEnd", around("FINI\nPARTNO NEXT\nUNITS/MM\nCUTTER/10\nLOADTL/1\n"),
                    "not-checked"},
+        Misreading{"BlockDelete", around("/GOTO/0,0,9\n"), "path-statement"},
         Misreading{"ModeOfMilling", around("MODE/MILL\n"), "clean"},
         Misreading{"ModeOfStepsMisspelt", around("MODE/INCREM\n"), "not-checked"},
         Misreading{"ModeOfNobodyKnowsWhat", around("MODE/FOO\n"), "not-checked"},

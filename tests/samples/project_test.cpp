@@ -167,6 +167,7 @@ TEST(Project, ConfigSaysWhatHoldsAndWhereItComesFrom) {
   EXPECT_TRUE(line_of("max-shift").ends_with("default")) << ran.out;
   EXPECT_TRUE(run_gougecheck(sample.path, {"config", "--no-config"}).out.starts_with("project file: found, not used"));
   EXPECT_EQ(run_gougecheck(sample.path, {"config", "--no-such"}).exit_status, 2);
+  EXPECT_EQ(run_gougecheck(sample.path, {"config", "chek"}).exit_status, 2);
 }
 
 TEST(Project, InitWritesWhatLiesInTheFolderAndNeverOverAFile) {

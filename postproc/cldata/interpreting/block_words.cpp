@@ -101,6 +101,7 @@ void take_fini(States& s) {
 
 void take_free_text(States& s) {
   const std::string_view major = s.in.statement().major;
+  s.has_begin = s.has_begin || equals_ignoring_case(major, "PARTNO");
   if (equals_ignoring_case(major, "OPFEATEND")) s.setup.end_feature();
   // Creo 9 writes REMARK -> where older files have the comment $$->.
   if (!starts_with_ignoring_case(major, "REMARK")) return;

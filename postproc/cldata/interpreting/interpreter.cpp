@@ -50,6 +50,12 @@ void fail_too_long(StatementContext& in) {
 
 void fail_run_on(StatementContext& in, std::string_view hidden) {
   const Statement& statement = in.statement();
+  if (statement.major.empty()) {
+    return in.fail("path-statement",
+                   quoted_text(hidden) +
+                       " stands behind a slash that begins its line (block delete): the control may leave "
+                       "it out; expected the statement without the slash, or not at all");
+  }
   const std::string major(statement.word == Word::comment ? "$$->" : statement.major.substr(0, kLongestShownMajor));
   in.fail("path-statement",
           quoted_text(hidden) + " stands within " + quoted_text(major) +
@@ -132,7 +138,11 @@ void Interpreter::write_notes() {
   const auto note_cut = [&](const char* what) {
     s.in.path.notes.push_back(make_warning("path-cut-short", what, s.in.path.file));
   };
-  if (s.in.dialect.has_end_word && !s.has_end) note_cut("the file ends without END or FINI: it may be cut short");
+  if ((s.in.dialect.has_end_word || s.has_begin) && !s.has_end) {
+    note_cut("the file ends without END or FINI: it may be cut short");
+  } else if (s.feed.is_rapid() && !s.has_end) {
+    note_cut("the file ends with a RAPID that no motion follows: it may be cut short");
+  }
   if (s.blocks.is_open()) note_cut("the last TOOL PATH has no END-OF-PATH: the file may be cut short");
   note_words(s.in.path);
 }

@@ -114,6 +114,7 @@ struct States {
   MotionChain chain{in};
   PartProgram program{in};
   Tally offsets_chosen;                    ///< by text for the machine's control
+  bool has_begin = false;                  ///< PARTNO
   bool has_end = false;                    ///< END or FINI
   bool skips_more_than_motion = false;     ///< OPSKIP/ON leaves out what OPSKIP/OFF does not undo
   std::size_t run_begin = 0;               ///< the first move since the last tool or operation
