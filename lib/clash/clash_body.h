@@ -12,7 +12,7 @@ namespace gouge {
 class ClashBody {
  public:
   /// `is_self_crossing`: triangles of the surface cross or overlap one another (lib/validate finds out). The
-  /// nearest facet does not show the side then; the winding number does, at O(n) a point.
+  /// nearest facet does not show the side then; the winding number does.
   explicit ClashBody(Surface surface, bool is_self_crossing = false)
       : surface_(std::move(surface)), is_self_crossing_(is_self_crossing) {}
 

@@ -15,7 +15,7 @@
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_head.h"
 #include "lib/overcut/swept_tool.h"
-#include "lib/surface/surface.h"
+#include "lib/surface/known_sides.h"
 #include "lib/tool/free_regions.h"
 #include "lib/tool/inscribed_balls.h"
 
@@ -60,9 +60,10 @@ std::optional<KnownOvercut> DepthBound::at(double depth_upper_mm, const Motion& 
   const FreeRegions free = regions_.at(depth_upper_mm);
   const Pose pose = motion.at(0);
   const Vec3 across = pose.axis.unitOrthogonal();
+  KnownSides sides(part);
   const auto is_outside = [&](const FreeRegion& region) {
     const Vec3 deepest = pose.tip + region.deepest.y() * pose.axis + region.deepest.x() * across;
-    return !part.closest_point(deepest)->is_inside;
+    return !sides.closest_point(deepest).is_inside;
   };
   if (free.regions.empty() || !std::all_of(free.regions.begin(), free.regions.end(), is_outside)) return std::nullopt;
   const double deeper = depth_upper_mm + kRegionRounding * (tool_.z_max_mm - tool_.z_min_mm);

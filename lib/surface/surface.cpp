@@ -8,6 +8,7 @@
 #include "lib/hierarchy/closest_triangle.h"
 #include "lib/mesh/mesh_findings.h"
 #include "lib/mesh/winding.h"
+#include "lib/surface/ray_winding.h"
 #include "lib/surface/surface_sign.h"
 
 namespace gouge {
@@ -86,6 +87,17 @@ std::optional<ClosestPoint> Surface::closest_point(const Vec3& point, double wit
 ClosestPoint Surface::closest_point_from(const Vec3& point, std::uint32_t near) const {
   const ClosestTriangle found = closest_triangle_from(tree(), point, near);
   return signed_closest_point(point, found.triangle, found.foot);
+}
+
+bool Surface::winds_around(const Vec3& point) const {
+  // In general position to faces along axes and diagonals.
+  static const std::array<Vec3, 4> kDirections = {
+      Vec3(0.1719, 0.2831, 0.9435).normalized(), Vec3(0.9187, -0.3541, 0.1747).normalized(),
+      Vec3(-0.2413, 0.9391, -0.2446).normalized(), Vec3(-0.5171, -0.4937, -0.6992).normalized()};
+  for (const Vec3& direction : kDirections) {
+    if (const std::optional<int> winding = winding_along(tree(), point, direction)) return *winding != 0;
+  }
+  return is_inside({&mesh(), 1}, point);
 }
 
 ClosestPoint Surface::signed_closest_point(const Vec3& point, std::uint32_t triangle, const TrianglePoint& foot) const {

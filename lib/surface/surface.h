@@ -56,7 +56,8 @@ class Surface {
   ///
   /// Ensures  exact at any distance, on both sides of a solid; of equally near triangles the lowest (closest_triangle.h).
   ///          Of what is no solid every point counts as outside.
-  /// Requires for is_inside: a surface that does not cross itself.
+  /// Requires for is_inside: a surface that does not cross itself, and no shell in the material of another one that
+  ///          faces the same way (KnownSides has no such need).
   /// Cost     about O(log n); O(n) where only the winding number decides the side.
   [[nodiscard]] std::optional<ClosestPoint> closest_point(
       const Vec3& point, double within_mm = std::numeric_limits<double>::infinity()) const;
@@ -64,6 +65,10 @@ class Surface {
   /// The same without a limit, searched from one triangle: quicker where it is about as near as the closest.
   /// Requires a mesh with triangles.
   [[nodiscard]] ClosestPoint closest_point_from(const Vec3& point, std::uint32_t near) const;
+
+  /// Whether a point off the surface lies in the solid, by how often all triangles wind around it. Requires is_solid().
+  /// Cost     about O(log n); O(n) where a few rays meet edges.
+  [[nodiscard]] bool winds_around(const Vec3& point) const;
 
   /// The same once a triangle is known to be nearest, with its foot.
   [[nodiscard]] ClosestPoint signed_closest_point(const Vec3& point, std::uint32_t triangle,

@@ -89,6 +89,16 @@ Deepest look_for_deepest(const Moving& moving, const PlainPart& part, const Deep
   return best;
 }
 
+/// A second closed shell in the material of the part, or across its surface: how often triangles wind around a point is
+/// then what shows the side, and no longer the nearest of them.
+void add_shell(IndexedMesh& part, test::Scatter& random) {
+  const Box3 box = part.box();
+  const double size = random.in(0.05, 0.3) * box.diagonal().norm();
+  IndexedMesh shell = random.is(0.5) ? shapes::box(Vec3::Constant(-size), Vec3::Constant(size)) : shapes::sphere(size);
+  const Vec3 middle = box.center() + Vec3(0.5 * box.sizes().cwiseProduct(random.point(1)));
+  part = shapes::joined(part, shapes::moved(std::move(shell), middle));
+}
+
 class Campaign {
  public:
   void run(std::size_t gouges) {
@@ -113,7 +123,9 @@ class Campaign {
     options.threads = 1;
     std::vector<HeadBody> bodies;
     for (const IndexedMesh& head : job.heads) bodies.push_back(*build_head_body(head));
-    const OwnSetup own(&job.tool, job.scene, options, bodies);
+    Scene scene = job.scene;
+    if (random.is(0.25)) add_shell(scene.parts.front(), random);
+    const OwnSetup own(&job.tool, scene, options, bodies);
     const CheckResult result = gouge::check(job.path, own.setup);
     const reference::Contour bare(job.tool.bare);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
@@ -145,7 +157,7 @@ class Campaign {
       ADD_FAILURE() << text.str();
     };
     const bool is_part = v.witness->against == Against::part;
-    const IndexedMesh& mesh = (is_part ? job.scene.parts : job.scene.fixtures)[v.witness->mesh];
+    const IndexedMesh& mesh = (is_part ? scene.scene->parts : scene.scene->fixtures)[v.witness->mesh];
     const PlainPart part(mesh);
     const Surface& surface = scene.surface(v.witness->against, v.witness->mesh);
     // The search by cells alone: nothing is taken from the depth.

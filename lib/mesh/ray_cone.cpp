@@ -1,0 +1,46 @@
+#include "lib/mesh/ray_cone.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gouge {
+namespace {
+
+// A triple product of corners a, b seen from the origin is off by a few units in the last place of |a| |b|.
+constexpr double kRounding = 1e-12;
+
+}  // namespace
+
+RayCone::RayCone(const std::array<Vec3, 3>& triangle, const Vec3& origin) {
+  std::array<double, 3> length;
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners_[k] = triangle[k] - origin;
+    length[k] = corners_[k].norm();
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    sides_[k] = corners_[k].cross(corners_[(k + 1) % 3]);
+    slack_[k] = kRounding * length[k] * length[(k + 1) % 3];
+  }
+  volume_ = sides_[0].dot(corners_[2]);
+  volume_slack_ = kRounding * length[0] * length[1] * length[2];
+}
+
+RayCrossing RayCone::crossing(const Vec3& direction) const {
+  bool has_left = false, has_right = false, is_doubtful = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double turn = sides_[k].dot(direction);
+    has_left = has_left || turn > slack_[k];
+    has_right = has_right || turn < -slack_[k];
+    is_doubtful = is_doubtful || std::abs(turn) <= slack_[k];
+  }
+  if (has_left && has_right) return RayCrossing::none;  // the line passes beside it
+  const bool is_behind = std::all_of(corners_.begin(), corners_.end(),
+                                     [&](const Vec3& c) { return c.dot(direction) < -kRounding * c.norm(); });
+  if (is_behind) return RayCrossing::none;
+  if (is_doubtful || std::abs(volume_) <= volume_slack_) return RayCrossing::doubtful;
+  const bool is_ahead = has_left == (volume_ > 0);
+  if (!is_ahead) return RayCrossing::none;
+  return has_left ? RayCrossing::out : RayCrossing::in;
+}
+
+}  // namespace gouge
