@@ -209,8 +209,13 @@ class MoveChecker {
     verdict_.clearance_mm = std::max(0.0, options_.near_miss_mm - outcome.value_mm);
     if (verdict_.witness) return;
     const ToolPoint position = locate(outcome);
-    const SearchTarget& target = watched[outcome.at.target];
+    // The surface may be in the tool, no deeper than the tolerance, where the check for gouges did not look on.
+    const SearchTarget all = whole()[outcome.at.target];
+    const ToolDistance in_all = evaluate(*all.tool, position.r, position.z);
+    const SearchTarget& target = in_all.signed_distance_mm < 0 ? all : watched[outcome.at.target];
     verdict_.witness = witness(outcome, target, position, evaluate(*target.tool, position.r, position.z));
+    verdict_.depth_mm = std::max(verdict_.depth_mm, -in_all.signed_distance_mm);
+    verdict_.depth_upper_mm = std::max(verdict_.depth_upper_mm, verdict_.depth_mm);
   }
 
   const Motion& motion_;

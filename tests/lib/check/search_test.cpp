@@ -198,6 +198,21 @@ TEST(Search, ClearancesGrowRoundedAndAnyEntryIsAGouge) {
   EXPECT_EQ(grazing.witness->body, Body::holder);
 }
 
+// What the check for gouges leaves alone as within the tolerance: a near miss says how deep its witness is.
+TEST(Search, ANearMissWithinTheToleranceSaysItsDepth) {
+  CheckOptions options;
+  options.near_miss_mm = 0.5;
+  const Scene scene{{}, {shapes::box(Vec3(-50, -50, -10), Vec3(50, 50, 0))}};
+  const PreparedScene prepared = prepare_scene(scene);
+  const Motion motion(upright(-5, 0, -0.005), upright(5, 0, -0.005));
+  const MoveVerdict v = check_move(motion, MoveKind::feed, tools::flat(10), prepared, options);
+  ASSERT_EQ(v.state, MoveState::near_miss);
+  EXPECT_NEAR(v.depth_mm, 0.005, 1e-9);
+  EXPECT_GE(v.depth_upper_mm, v.depth_mm);
+  EXPECT_EQ(v.clearance_mm, 0);
+  ASSERT_TRUE(v.witness.has_value());
+}
+
 TEST(Search, NearMissShowsTheClosestApproachOfTheHolder) {
   CheckOptions options;
   options.near_miss_mm = 2;
