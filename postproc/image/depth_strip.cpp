@@ -12,6 +12,7 @@ namespace {
 constexpr Colour kNotCheckedFill{226, 229, 233, 1};
 constexpr Colour kNotCertifiedFill{252, 232, 190, 1};
 constexpr Colour kBuriedFill{64, 20, 84, 1};
+constexpr double kWithinTolerance = 0.5;  // opacity of depths of moves that do not gouge
 
 // What one column of the strip shows: one move, or the worst of several.
 constexpr Colour kProvedFill{33, 125, 90, 0.30};
@@ -125,7 +126,7 @@ class Strip {
       if (c.upper_mm > c.depth_mm) page.box({bar.x, upper, bar.width, top - upper}, pale);
       if (!(c.depth_mm > 0)) continue;
       Colour solid = colour;
-      if (!c.is_gouge) solid.opacity = 0.5;
+      if (!c.is_gouge) solid.opacity = kWithinTolerance;
       page.box({bar.x, top, bar.width, area_.bottom() - top}, solid);
     }
     page.line({area_.x, area_.bottom()}, {area_.right(), area_.bottom()}, kInk, 1.5);
@@ -210,6 +211,13 @@ void draw_legend(Page& page, const PictureSet& set, double y) {
   const bool has_head =
       std::ranges::any_of(verdicts, [](const MoveVerdict& v) { return v.witness && v.witness->body == Body::head; });
   if (has_head) entry(body_colour(static_cast<int>(Body::head)), body_name(Body::head));
+  const auto shallow = std::ranges::find_if(
+      verdicts, [](const MoveVerdict& v) { return v.state != MoveState::gouge && v.witness && v.depth_mm > 0; });
+  if (shallow != verdicts.end()) {
+    Colour paler = body_colour(static_cast<int>(shallow->witness->body));
+    paler.opacity = kWithinTolerance;
+    entry(paler, "paler: found within the tolerance");
+  }
   const StateCounts& n = set.input.result->counts;
   const std::string limit =
       short_length_text(set.model.options.tolerance_mm + set.model.options.resolution_mm, set.model.toolpath->unit);

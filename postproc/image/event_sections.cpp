@@ -46,8 +46,10 @@ void add_depth_arrow(Page& page, const SectionPanel& panel, const SectionPlane& 
 void add_panel_scale(Page& page, const SectionPanel& panel, LengthUnit unit) {
   View view;
   view.mm_per_pixel = panel.mm_per_unit / kSupersampling;
-  page.box({panel.area.x + 1, panel.area.bottom() - 31, 190, 30}, {255, 255, 255, 0.85});
-  add_scale_bar(page, {panel.area.x + 14, panel.area.bottom() - 15}, view, unit, 100);
+  constexpr double kWidest = 100, kMargin = 14;
+  const double width = scale_bar_width(view, unit, kWidest) + 2 * kMargin;
+  page.box({panel.area.x + 1, panel.area.bottom() - 31, width, 30}, {255, 255, 255, 0.85});
+  add_scale_bar(page, {panel.area.x + kMargin, panel.area.bottom() - 15}, view, unit, kWidest);
 }
 
 bool has_inside(const PictureSet& set) {

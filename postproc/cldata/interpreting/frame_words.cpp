@@ -170,6 +170,7 @@ void take_mode(States& s) {
     constexpr std::array<std::string_view, 8> kWords = {"MILL", "TURN",  "LATHE",    "WIRE",
                                                         "EDM",  "ABSOL", "ABSOLUTE", "ABS"};
     const std::optional<LengthUnit> unit = unit_of_word(argument.text);
+    if (equals_ignoring_case(argument.text, "METRIC")) return false;  // millimetres, or centimetres
     return unit ? std::abs(mm_per(*unit) / s.frame.mm_per_unit() - 1) <= 1e-9 : is_one_of(argument.text, kWords);
   };
   if (!s.in.arguments.empty() && std::ranges::all_of(s.in.arguments, leaves_positions_alone)) return;

@@ -30,7 +30,7 @@ TEST(ReadApt, AFeedAfterRapidCancelsIt) {
 
 TEST(ReadApt, FeedComesInBothOrdersAndUnits) {
   const Toolpath path = path_of(
-      "FEDRAT/MMPM,250\nGOTO/0,0,1\nFEDRAT/ 10.0,IPM\nGOTO/0,0,2\nFEDRAT/0.1,MMPR\nGOTO/0,0,3\nUNITS/INCHES\n"
+      "UNITS/MM\nFEDRAT/MMPM,250\nGOTO/0,0,1\nFEDRAT/ 10.0,IPM\nGOTO/0,0,2\nFEDRAT/0.1,MMPR\nGOTO/0,0,3\nUNITS/INCHES\n"
       "FEDRAT/2,PERMIN\nGOTO/0,0,4\nRAPID\nGOTO/0,0,5\nFEDRAT/2\nGOTO/0,0,6\n");
   EXPECT_DOUBLE_EQ(path.moves[0].feed_mm, 250);
   EXPECT_DOUBLE_EQ(path.moves[1].feed_mm, 254);
