@@ -14,10 +14,10 @@ using Entry = std::pair<std::string_view, Word>;
 
 // Words that leave positions alone.
 constexpr auto kHarmless = std::to_array<std::string_view>(
-    {"AIR",    "APPLY",  "ARCSLP", "AUTOPS", "BEGIN",  "BOX",    "BREAK", "CLAMP",  "CLEARP", "CLPRNT",
-     "CLRSRF", "COOLNT", "DELAY",  "DISPLY", "DWELL",  "FLUSH",  "INTOL", "LEADER", "LINTOL", "MACHIN",
-     "MATERL", "MCHTOL", "NOPOST", "OPSTOP", "OUTTOL", "PAINT", "PITCH",  "PPFUN",  "PRINT",
-     "REWIND", "SELCTL", "SEQNO",  "SPINDL", "STOP",   "SWITCH", "TCP",   "TMARK",  "TOLER",  "UNLOAD"});
+    {"AIR",    "APPLY",  "ARCSLP", "AUTOPS", "BEGIN",  "BOX",   "BREAK", "CLAMP",  "CLEARP", "CLPRNT",
+     "CLRSRF", "COOLNT", "DELAY",  "DISPLY", "DWELL",  "FLUSH", "INTOL", "LEADER", "LINTOL", "MACHIN",
+     "MATERL", "MCHTOL", "NOPOST", "OPSTOP", "OUTTOL", "PAINT", "PITCH", "PPFUN",  "PRINT",  "REWIND",
+     "SELCTL", "SEQNO",  "SPINDL", "STOP",   "SWITCH", "TCP",   "TMARK", "TOLER",  "UNLOAD"});
 // Words of the APT source language.
 constexpr auto kOfPrograms = std::to_array<std::string_view>(
     {"CALL", "DNTCUT", "DO",    "GO",     "GOBACK", "GODOWN", "GOFWD",  "GOLFT", "GORGT",
