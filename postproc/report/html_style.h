@@ -79,7 +79,8 @@ footer { margin-top: 36px; color: var(--soft); font-size: 13px; border-top: 1px 
   figure, .banner, .numbers, tr { break-inside: avoid; } h2 { break-after: avoid; } a { color: inherit; }
   .filters { display: none; } .wide { overflow: visible; } td { min-width: 0; }
   .findings th button { display: contents; } table { font-size: 11px; } .findings table { font-size: 9.3px; }
-  .findings td, .findings th { padding: 3px 5px 3px 0; } .findings .state { font-size: 9px; padding: 0 6px; }
+  .wide table { font-size: 9.3px; } .wide td { overflow-wrap: break-word; }
+  .findings td, .findings th, .wide td, .wide th { padding: 3px 5px 3px 0; } .findings .state { font-size: 9px; padding: 0 6px; }
 }
 @media (max-width: 640px) { main { margin: 0; padding: 20px 16px; border-radius: 0; } }
 )css";
