@@ -59,7 +59,7 @@ Result<BodyStrategies> understand_strategies(const std::vector<std::string>& all
   constexpr std::array kBodies = {Body::cutter, Body::shank, Body::holder, Body::head};
   std::vector<NamedStrategy> given;
   for (const std::string& typed : all) given.push_back(divide(typed));
-  std::ranges::stable_partition(given, [](const NamedStrategy& one) { return one.body.empty(); });
+  std::stable_partition(given.begin(), given.end(), [](const NamedStrategy& one) { return one.body.empty(); });
   BodyStrategies strategies;
   std::set<std::string> bodies;
   for (const auto& [one, wanted, name] : given) {
