@@ -123,7 +123,9 @@ class Reader {
       else
         holder.segments = read_segments(entry["segments"], pointer + "/segments", who);
       check_holder(holder, pointer, who);
-      holders_.try_emplace(holder.name, library_.holders.size());
+      if (!holders_.try_emplace(holder.name, library_.holders.size()).second)
+        fail("library-duplicate-name", who + " has the name of an earlier one; give every holder a name of its own",
+             pointer + "/name");
       library_.holders.push_back(std::move(holder));
     }
   }

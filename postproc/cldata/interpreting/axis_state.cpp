@@ -13,6 +13,10 @@ constexpr double kAxisLengthError = 1e-3;     // beyond it an axis is refused
 constexpr double kAxisLengthReported = 1e-5;  // 5 decimals are what axes have; below it nothing is reported
 constexpr double kTiltReported = 1e-3;        // sine of the angle to +Z from which an axis counts as tilted
 
+bool is_tilted(const Vec3& axis, const Vec3& upright = Vec3::UnitZ()) {
+  return axis.cross(upright).squaredNorm() > kTiltReported * kTiltReported || axis.dot(upright) < 0;
+}
+
 }  // namespace
 
 void AxisState::take_multax() {
@@ -21,6 +25,8 @@ void AxisState::take_multax() {
   doubts_.set(Doubt::multax, is_known ? nullptr : in_.because(Reasons::kMultax));
   if (!is_known) in_.count_unknown();
   multax_ = !is_off;
+  // Whether a TLAXIS outlives MULTAX/OFF no document says.
+  if (is_off) is_fixed_doubtful_ = is_tilted(fixed_axis_);
   is_last_tilted_ = is_last_tilted_ && *multax_;
 }
 
@@ -33,6 +39,7 @@ void AxisState::take_tlaxis() {
   const std::optional<Vec3> axis = read(0);
   if (!axis) return;
   fixed_axis_ = *axis;
+  is_fixed_doubtful_ = false;
   is_tlaxis_new_ = true;
   if (in_.dialect.is_axis_modal) modal_axis_ = *axis;
 }
@@ -75,10 +82,16 @@ bool AxisState::are_axes_doubtful(std::size_t numbers) const {
 
 // A position without an axis after a tilted one: it may have that one's, or the fixed one.
 bool AxisState::is_doubtful(const Position& position) {
+  if (is_fixed_doubtful_ && position.numbers == 6 && in_.dialect.is_axis_modal) is_fixed_doubtful_ = false;
+  if (is_fixed_doubtful_ && position.numbers != 6) {
+    plain_after_tilt_.add(in_.line());
+    return true;
+  }
   if (in_.dialect.is_axis_modal || multax_ == false) return false;
-  const bool is_known = in_.dialect.has_known_plain_axis && !(multax_ == true && in_.dialect.has_axes_under_multax);
+  // Who writes axes under MULTAX alone has not written this one.
+  const bool is_known = in_.dialect.has_known_plain_axis && !in_.dialect.has_axes_under_multax;
   if (position.numbers == 6) {
-    is_last_tilted_ = position.axis_local.cross(fixed_axis_).squaredNorm() > kTiltReported * kTiltReported;
+    is_last_tilted_ = is_tilted(position.axis_local, fixed_axis_);
   } else if (is_last_tilted_ && !is_known) {
     plain_after_tilt_.add(in_.line());
     return true;

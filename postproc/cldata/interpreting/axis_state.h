@@ -50,6 +50,7 @@ class AxisState {
   bool is_tlaxis_new_ = false;
   bool is_tlaxis_ignored_ = false;
   bool is_last_tilted_ = false;
+  bool is_fixed_doubtful_ = false;  // a tilted TLAXIS, and MULTAX/OFF after it
   Tally plain_after_tilt_;
   std::size_t renormalised_ = 0;
   double worst_length_ = 1;

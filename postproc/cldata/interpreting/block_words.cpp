@@ -44,6 +44,13 @@ bool is_creo_statement(const States& s, std::string_view text) {
   return s.in.dialect.comments == CommentForm::creo && text.starts_with("->");
 }
 
+// What follows is another program, or none: nothing that was stated before needs to hold for it.
+void end_program(States& s) {
+  break_motion(s);
+  s.chain.forbid_link();
+  if (!s.doubts.has(Doubt::ended)) s.doubts.set(Doubt::ended, s.in.because(Reasons::kAfterEnd));
+}
+
 }  // namespace
 
 void take_comment(States& s) {
@@ -90,18 +97,18 @@ void take_operation(States& s) {
   s.operation.name(name_text(s.in.first_piece()));
 }
 
-// What follows is another program, or none: nothing that was stated before needs to hold for it.
 void take_fini(States& s) {
   s.has_end = true;
   s.cycle.leave_hole();
-  break_motion(s);
-  s.chain.forbid_link();
-  if (!s.doubts.has(Doubt::ended)) s.doubts.set(Doubt::ended, s.in.because(Reasons::kAfterEnd));
+  end_program(s);
 }
 
 void take_free_text(States& s) {
   const std::string_view major = s.in.statement().major;
-  s.has_begin = s.has_begin || equals_ignoring_case(major, "PARTNO");
+  if (equals_ignoring_case(major, "PARTNO")) {
+    s.has_begin = true;
+    if (s.in.moves() > 0) end_program(s);
+  }
   if (equals_ignoring_case(major, "OPFEATEND")) s.setup.end_feature();
   // Creo 9 writes REMARK -> where older files have the comment $$->.
   if (!starts_with_ignoring_case(major, "REMARK")) return;

@@ -68,7 +68,12 @@ void take_insert(States& s) {
 
 void take_prefun(States& s) { take_codes(s, 'G'); }
 
-void take_auxfun(States& s) { take_codes(s, 'M'); }
+// More numbers are the position of another line.
+void take_auxfun(States& s) {
+  const NumberCount numbers = count_numbers(s.in.arguments);
+  if (numbers.count >= 3 || numbers.has_negative) return take_unread_motion(s);
+  take_codes(s, 'M');
+}
 
 // SolidWorks CAM begins and ends its setups with SETUP/START,n and SETUP/END,n.
 void take_setup(States& s) {

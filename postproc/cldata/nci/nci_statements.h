@@ -45,6 +45,7 @@ class NciStatements {
   std::size_t queued_ = 0, given_ = 0;
   CutcomSide cutcom_ = CutcomSide::none;
   std::optional<std::string_view> wcs_;
+  bool has_moved_ = false;
 };
 
 }  // namespace gouge

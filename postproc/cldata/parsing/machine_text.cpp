@@ -79,7 +79,32 @@ bool is_name_alone(Tokens tokens) {
   return tokens.empty() || is(tokens.front(), "PGM") || is(tokens.front(), "LBL") || tokens.size() == 1;
 }
 
-bool take_heidenhain(Tokens tokens, MachineEffect& effect) {
+constexpr std::string_view kAddresses = "GMTDHXYZUVWABC";
+
+// Behind the brackets or the value that belong to a word which does nothing.
+std::string_view behind_arguments(std::string_view after) {
+  if (after.starts_with('=')) {
+    const std::string_view value = trim(after.substr(1));
+    return trim(value.substr(std::min(value.find(' '), value.size())));
+  }
+  if (!after.starts_with('(')) return after;
+  bool is_quoted = false;
+  for (std::size_t i = 1; i < after.size(); ++i) {
+    is_quoted = is_quoted != (after[i] == '"');
+    if (after[i] == ')' && !is_quoted) return trim(after.substr(i + 1));
+  }
+  return {};
+}
+
+// What stands in a block behind such a word. A sentence may ("STOP FOR INSPECTION"); an address does something.
+void take_rest(std::string_view rest, std::string_view addresses, MachineEffect& effect) {
+  const std::vector<Token> tokens = machine_tokens(rest);
+  const auto is_address = [&](const Token& t) { return t.is_glued && is_word_of(t, addresses); };
+  effect.is_unknown = effect.is_unknown || std::ranges::any_of(tokens, is_address) ||
+                      (!tokens.empty() && (is(tokens.front(), "CYCL") || is(tokens.front(), "TRANS")));
+}
+
+bool take_heidenhain(Tokens tokens, std::string_view text, MachineEffect& effect) {
   const Token& first = tokens.front();
   const Token second = tokens.size() > 1 ? tokens[1] : Token{};
   const double given = second.number.value_or(tokens.size() > 2 ? tokens[2].number.value_or(-1) : -1);
@@ -91,6 +116,9 @@ bool take_heidenhain(Tokens tokens, MachineEffect& effect) {
     effect.shifts = std::ranges::find(kShifting, number) != kShifting.end();
     const bool is_harmless = std::ranges::find(kHarmless, number) != kHarmless.end();
     effect.moves = is(second, "CALL") || (!effect.chooses_offset && !effect.shifts && !is_harmless);
+    if ((effect.chooses_offset || is_harmless) && !second.letters.empty())
+      take_rest(text.substr(static_cast<std::size_t>(second.letters.data() - text.data()) + second.letters.size()),
+                "GMXYZ", effect);
     return true;
   }
   if (is(first, "PLANE") && !second.letters.empty()) {
@@ -147,6 +175,9 @@ bool take_siemens(Tokens tokens, std::string_view text, MachineEffect& effect) {
   if (is(first, "CYCLE") && first.is_glued) {
     effect.shifts = std::abs(*first.number - 800) < 1;
     effect.moves = !effect.shifts && !(std::abs(*first.number - 832) < 1);
+    if (!effect.moves)
+      take_rest(behind_arguments(trim(after.substr(std::min(after.find_first_not_of("0123456789."), after.size())))),
+                kAddresses, effect);
     return true;
   }
   if (is_one_of(first.letters, kShifts) && !first.is_glued && !is_sentence) {
@@ -157,7 +188,10 @@ bool take_siemens(Tokens tokens, std::string_view text, MachineEffect& effect) {
     effect.moves = true;
     return true;
   }
-  return is_one_of(first.letters, kHarmless) && (after.empty() || after.front() == '(' || after.front() == '=');
+  if (!is_one_of(first.letters, kHarmless)) return false;
+  const std::string_view rest = behind_arguments(after);
+  take_rest(rest, kAddresses, effect);
+  return effect.is_unknown || rest.size() < after.size() || after.empty();
 }
 
 enum class Code { harmless, length, path, moves, shifts, shifts_with_axes, begins_cycle, ends_cycle, offset, unknown };
@@ -301,10 +335,13 @@ void take_addresses(Tokens tokens, bool is_whole, MachineEffect& effect) {
     are_axes_taken = are_axes_taken || takes_axes(*token.number);
     take_code(*token.number, tokens, effect);
   }
+  for (const Token& token : tokens) {
+    if (!is_word_of(token, "M")) continue;
+    const bool is_call =
+        token.is_glued && (std::abs(*token.number - 98) < 0.05 || std::abs(*token.number - 198) < 0.05);
+    if (is_whole || is_call) take_auxiliary(*token.number, effect);
+  }
   if (is_whole) {
-    for (const Token& token : tokens) {
-      if (is_word_of(token, "M")) take_auxiliary(*token.number, effect);
-    }
     const bool has_axis =
         std::ranges::any_of(tokens, [](const Token& t) { return is_linear_axis(t) || is_word_of(t, "ABC"); });
     if (has_axis && !are_axes_taken) move(tokens, effect);
@@ -328,7 +365,7 @@ MachineEffect read_machine_text(std::string_view text, bool may_be_name) {
                                                  (tokens.front().letters.empty() && tokens.front().number));
   if (is_numbered) tokens = tokens.subspan(1);
   if (tokens.empty()) return effect;
-  if (take_path_word(tokens, effect) || take_heidenhain(tokens, effect) || take_siemens(tokens, text, effect))
+  if (take_path_word(tokens, effect) || take_heidenhain(tokens, text, effect) || take_siemens(tokens, text, effect))
     return effect;
   effect = {};
   const bool is_whole = is_block(tokens) && std::ranges::all_of(tokens, [&](const Token& t) {
