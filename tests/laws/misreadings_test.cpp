@@ -251,6 +251,8 @@ INSTANTIATE_TEST_SUITE_P(
                    "not-checked"},
         Misreading{"CreoArcOfTenNumbers", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5, 0, 0, 0\nGOTO / 5, 5, 5\n"),
                    "not-checked"},
+        Misreading{"CreoArcOfAnAngleAndZeros", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5, 270, 0, 0, 0\nGOTO / 5, 5, 5\n"),
+                   "not-checked"},
         Misreading{"CreoCommentWithALoadtl", creo("$$-> MFGNO / ALOADTL / 2\n"), "path-statement"},
         Misreading{"Cycle", holes("CYCLE/DRILL,FEDTO,1,RAPTO,2\n"), "clean"},
         Misreading{"CycleWithNothingBetweenCommas", holes("CYCLE/DRILL,,FEDTO,1,RAPTO,2\n"), "not-checked"},

@@ -27,7 +27,7 @@ constexpr double kMostTurns = 1000;
 // Centre and vector; with the radius; with what NX and CAMplete write behind it. Any other number of them is a comma
 // lost or a number twice, and what stands behind it is read as something else. Readers of records make their own lists.
 bool has_known_form(ArcForm form, std::span<const Argument> arguments) {
-  if (form == ArcForm::nci || form == ArcForm::ncl) return true;
+  if (form == ArcForm::nci) return true;
   constexpr std::array<std::string_view, 7> kWords = {"CENTER", "AXIS",      "RADIUS",          "TIMES",
                                                       "ANGLE",  "CLOCKWISE", "COUNTERCLOCKWISE"};
   std::size_t numbers = 0;
@@ -41,8 +41,14 @@ bool has_known_form(ArcForm form, std::span<const Argument> arguments) {
       if (++i >= arguments.size() || !arguments[i].number) return false;
     }
   }
+  if (form == ArcForm::ncl) return true;
   const bool has_angle = form == ArcForm::with_sweep && numbers == 8;
-  return numbers == 6 || numbers == 7 || numbers == 11 || has_angle;
+  // The first of the four that NX writes behind the radius is a tolerance; an angle there is not read.
+  constexpr std::size_t kTolerance = 7;
+  constexpr double kLargestTolerance = 1;
+  const bool has_tolerances = numbers == 11 && (form == ArcForm::with_sweep || !arguments[kTolerance].number ||
+                                                *arguments[kTolerance].number <= kLargestTolerance);
+  return numbers == 6 || numbers == 7 || has_tolerances || has_angle;
 }
 
 std::optional<Vec3> vector_after(std::span<const Argument> arguments, std::string_view word) {
@@ -120,7 +126,8 @@ ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> argument
   if (!read_sense_word(arguments, statement)) return unreadable_arc(ArcProblems::kBothSenses);
 
   std::optional<double> sweep_deg = number_after(arguments, "ANGLE");
-  if (dialect.arc_form == ArcForm::with_sweep && arguments.size() > 7) sweep_deg = arguments[7].number;
+  if (dialect.arc_form == ArcForm::with_sweep && arguments.size() > 7 && arguments[7].number)
+    sweep_deg = arguments[7].number;
   if (sweep_deg && *sweep_deg < 0) return unreadable_arc(ArcProblems::kForm);
   if (sweep_deg && *sweep_deg > 0) statement.sweep_rad = *sweep_deg * kPi / 180;
   if (has_argument(arguments, "TIMES")) {

@@ -101,7 +101,7 @@ void take_rest(std::string_view rest, std::string_view addresses, MachineEffect&
   const std::vector<Token> tokens = machine_tokens(rest);
   const auto is_address = [&](const Token& t) { return t.is_glued && is_word_of(t, addresses); };
   effect.is_unknown = effect.is_unknown || std::ranges::any_of(tokens, is_address) ||
-                      (!tokens.empty() && (is(tokens.front(), "CYCL") || is(tokens.front(), "TRANS")));
+                      std::ranges::any_of(tokens, [](const Token& t) { return is(t, "CYCL") || is(t, "TRANS"); });
 }
 
 bool take_heidenhain(Tokens tokens, std::string_view text, MachineEffect& effect) {
