@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
-#include "lib/base/printable_text.h"
 #include "lib/base/word_list.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/report/report_text.h"
@@ -144,7 +143,7 @@ class Resolver {
     constexpr double kSame_mm = 1e-3;
     const ToolAssembly* const named = tool.name.empty() ? nullptr : library_->with_name(tool.name);
     if (named != nullptr && named != &known && known.name != tool.name)
-      report_difference(tool, "called " + printable(tool.name), known.name.empty() ? "not" : printable(known.name));
+      report_difference(tool, "called " + tool.name, known.name.empty() ? "not" : known.name);
     const auto [diameter, corner] = nominal_size(known.cutter);
     if (tool.stated_diameter_mm > 0 && std::abs(diameter - tool.stated_diameter_mm) > kSame_mm) {
       return report_difference(tool, size_text(tool.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit));

@@ -9,10 +9,11 @@ namespace gouge {
 namespace {
 
 // Words that begin something new: none of them is written while a cycle drills or before the end of an arc.
-constexpr WordSet kBeginsAnew = {Word::operation, Word::tool_path, Word::end_of_path, Word::from,        Word::gohome,
-                                 Word::units,     Word::mode,      Word::multax,      Word::tlaxis,      Word::cutcom,
-                                 Word::rapid,     Word::csys,      Word::mcs,         Word::mcsys,       Word::msys,
-                                 Word::rotabl,    Word::trans,     Word::trntyp,      Word::unread_frame};
+constexpr WordSet kBeginsAnew = {Word::operation, Word::from, Word::gohome, Word::rapid};
+// The other words of that kind: what they say holds for more than the next motion.
+constexpr WordSet kSetsUp = {Word::tool_path, Word::end_of_path, Word::units, Word::mode,   Word::multax,
+                             Word::tlaxis,    Word::cutcom,      Word::csys,  Word::mcs,    Word::mcsys,
+                             Word::msys,      Word::rotabl,      Word::trans, Word::trntyp, Word::unread_frame};
 constexpr WordSet kTools = {Word::cutter, Word::tldata, Word::loadtl,       Word::load,       Word::toolno,
                             Word::turret, Word::tprint, Word::flute_length, Word::unread_tool};
 constexpr WordSet kCurves = {Word::circle, Word::movarc, Word::curve, Word::indirv,
@@ -20,12 +21,9 @@ constexpr WordSet kCurves = {Word::circle, Word::movarc, Word::curve, Word::indi
 constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion};
 constexpr WordSet kNewRun = {Word::cutter, Word::tldata,    Word::loadtl,    Word::load,        Word::toolno,
                              Word::turret, Word::operation, Word::tool_path, Word::end_of_path, Word::from};
-// What holds for more than the next motion.
-constexpr WordSet kLasting = {Word::cycle,  Word::tool_path,   Word::end_of_path, Word::units, Word::mode,
-                              Word::multax, Word::tlaxis,      Word::cutcom,      Word::csys,  Word::mcs,
-                              Word::mcsys,  Word::msys,        Word::rotabl,      Word::trans, Word::trntyp,
-                              Word::curve,  Word::auxfun,      Word::prefun,      Word::setup, Word::select,
-                              Word::repeat, Word::unread_frame};
+// What may hold for more than the next motion besides.
+constexpr WordSet kMayLast = {Word::cycle, Word::curve,  Word::auxfun, Word::prefun,
+                              Word::setup, Word::select, Word::repeat};
 
 struct ModalRule {
   ModalState state;
@@ -37,11 +35,14 @@ using enum ModalEffect;
 constexpr auto kRules = std::to_array<ModalRule>({
     {ModalState::cycle, contradicts, kTools},
     {ModalState::cycle, contradicts, kBeginsAnew},
+    {ModalState::cycle, contradicts, kSetsUp},
     {ModalState::cycle, contradicts, kCurves},
     {ModalState::described_arc, contradicts, kBeginsAnew},
+    {ModalState::described_arc, contradicts, kSetsUp},
     {ModalState::described_arc, contradicts, kCurves},
     {ModalState::described_arc, contradicts, kNoArcEnd},
     {ModalState::start_tangent, contradicts, kBeginsAnew},
+    {ModalState::start_tangent, contradicts, kSetsUp},
     {ModalState::start_tangent, contradicts, kCurves},
     {ModalState::start_tangent, contradicts, kNoArcEnd},
     {ModalState::start_tangent, contradicts, {Word::go_to, Word::godlta}},
@@ -49,7 +50,8 @@ constexpr auto kRules = std::to_array<ModalRule>({
     {ModalState::cutter_centre, ends, {Word::operation}},
     {ModalState::motion_run, ends, kNewRun},
     {ModalState::block_skip, contradicts, kTools},
-    {ModalState::block_skip, contradicts, kLasting},
+    {ModalState::block_skip, contradicts, kSetsUp},
+    {ModalState::block_skip, contradicts, kMayLast},
     {ModalState::between_blocks, contradicts, {Word::msys}},
     {ModalState::between_blocks, ends, {Word::tool_path}},
 });
