@@ -85,16 +85,20 @@ class ResultReader {
     };
     a.place = given("place");
     a.stl_units = given("stl-units");
-    a.reading = {given("dialect"), given("toolpath-units"), given("cutcom")};
+    a.reading = {given("dialect"), given("toolpath-units"), given("cutcom"), all_given(more, "harmless-word")};
     a.holder = given("holder");
     a.is_extended_up = more.find("extend-up").has_value();
-    const std::optional<JsonField> tools = more.find("tool");
-    if (!tools) return;
-    if (tools->is_text()) {
-      a.tool_names = {tools->text()};
-    } else {
-      for (const JsonField& tool : tools->list()) a.tool_names.push_back(tool.text());
-    }
+    a.tool_names = all_given(more, "tool");
+  }
+
+  // Of an option that may be given several times: a text, or a list of them.
+  static std::vector<std::string> all_given(const JsonField& more, const char* option) {
+    const std::optional<JsonField> value = more.find(option);
+    if (!value) return {};
+    if (value->is_text()) return {value->text()};
+    std::vector<std::string> texts;
+    for (const JsonField& text : value->list()) texts.push_back(text.text());
+    return texts;
   }
 
   void read_finding(const JsonField& event) {

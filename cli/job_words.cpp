@@ -82,7 +82,10 @@ std::string JobWords::located(const std::string& file) const {
   return (std::filesystem::path(folder_) / file).string();
 }
 
-Outcome JobWords::add(const std::string& key, const nlohmann::json& value) {
+std::string option_of_key(const std::string& key) { return key == "harmless_words" ? "harmless-word" : key; }
+
+Outcome JobWords::add(const std::string& given, const nlohmann::json& value) {
+  const std::string key = option_of_key(given);
   const CLI::Option* option = option_table(command_).get_option_no_throw("--" + key);
   if (option == nullptr || key == "help") return unknown(key);
   if (const auto reason = rules_->why_not(*option)) return wrong("\"" + key + "\" " + *reason);

@@ -32,6 +32,10 @@ struct WordRules {
 /// The table of options of "check" or "correct", as files set them.
 [[nodiscard]] const CLI::App& option_table(const std::string& command);
 
+/// The long name of the option that `key` of a file sets: its own, but for `harmless_words`, the list of
+/// --harmless-word.
+[[nodiscard]] std::string option_of_key(const std::string& key);
+
 /// The options of `check` or `correct` as the values of a job list or a project file give them.
 class JobWords {
  public:

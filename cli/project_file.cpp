@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 // What may come from a file that nobody named: inputs, and what the verdict says beside itself. No outputs, nothing that
 // overwrites, accepts or silences.
-constexpr std::array<std::string_view, 38> kAllowed = {
+constexpr std::array<std::string_view, 39> kAllowed = {
     "--part",          "--fixture",       "--allow-overlap",  "--head",
     "--place",         "--stl-units",     "--tools",          "--tool",
     "--holder",        "--dialect",       "--path-units",     "--cutcom",
@@ -32,7 +32,7 @@ constexpr std::array<std::string_view, 38> kAllowed = {
     "--strategy",      "--max-shift",     "--max-side-shift", "--rapid-clearance",
     "--max-tilt",      "--tilt",          "--axis-cone",      "--max-turn",
     "--max-turn-step", "--blend",         "--allow-multax",   "--max-rotary-speed",
-    "--project",       "--reviewer"};
+    "--project",       "--reviewer",      "--harmless-word"};
 
 bool is_allowed(const CLI::Option& option) {
   return !option.get_lnames().empty() &&
@@ -160,8 +160,9 @@ Result<ProjectFile> read_project_file(const std::string& name, const std::string
   ProjectFile project;
   project.input = describe_input("project", name, bytes);
   const std::vector<std::string> keys = project_keys();
-  for (const auto& [key, value] : json->root.items()) {
-    const std::size_t line = json->lines.at("/" + key);
+  for (const auto& [given, value] : json->root.items()) {
+    const std::string key = option_of_key(given);
+    const std::size_t line = json->lines.at("/" + given);
     const bool is_of_check = option_table("check").get_option_no_throw("--" + key) != nullptr;
     const bool is_known = is_of_check || option_table("correct").get_option_no_throw("--" + key) != nullptr;
     if (!is_known) {

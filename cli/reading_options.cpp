@@ -1,11 +1,30 @@
 #include "cli/reading_options.h"
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "cli/length_text.h"
 #include "lib/base/byte_size.h"
+#include "postproc/cldata/language/text.h"
+#include "postproc/cldata/language/words.h"
 
 namespace gouge {
+
+namespace {
+
+// What is read must not be switched off by a word in a project file.
+std::optional<Diagnostic> why_not_harmless(const std::string& word) {
+  const Word known = find_word(word);
+  if ((known != Word::unknown && known != Word::harmless) || is_minor_word(word))
+    return usage_error("--harmless-word", word, "a word of your own: this one is read, and what it says holds");
+  const bool is_word = !word.empty() && word.find_first_of(" \t\r\n/,;$()") == std::string::npos &&
+                       !is_digit(word.front()) && std::string("+-.").find(word.front()) == std::string::npos;
+  if (!is_word)
+    return usage_error("--harmless-word", word, "the word that a statement begins with, such as MYWORD of MYWORD/5");
+  return std::nullopt;
+}
+
+}  // namespace
 
 void add_reading_options(CLI::App& command, ReadingArguments& arguments) {
   command
@@ -19,6 +38,12 @@ void add_reading_options(CLI::App& command, ReadingArguments& arguments) {
                   "centre: positions under CUTCOM are the cutter centre, with no offset dialled in (default: these "
                   "moves are not checked)")
       ->check(CLI::IsMember({"centre"}));
+  command
+      .add_option("--harmless-word", arguments.harmless_words,
+                  "Word of your own that moves and changes nothing: statements that begin with it are passed over "
+                  "(repeatable)")
+      ->type_name("WORD")
+      ->allow_extra_args(false);
 }
 
 Result<ReadOptions> understand(const ReadingArguments& arguments) {
@@ -29,6 +54,10 @@ Result<ReadOptions> understand(const ReadingArguments& arguments) {
   }
   options.unit = unit_called(arguments.units);
   options.is_cutcom_centre = arguments.cutcom == "centre";
+  for (const std::string& word : arguments.harmless_words) {
+    if (auto error = why_not_harmless(word)) return *error;
+    options.harmless_words.push_back(word);
+  }
   return options;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "lib/base/files.h"
 #include "lib/base/result.h"
@@ -16,11 +17,12 @@ namespace gouge {
 /// What a command line says about how its toolpath is to be read, as typed. Empty: as the file says.
 struct ReadingArguments {
   std::string dialect, units, cutcom;
+  std::vector<std::string> harmless_words;
 };
 
 void add_reading_options(CLI::App& command, ReadingArguments& arguments);
 
-/// Errors (code usage): a dialect that is not known.
+/// Errors (code usage): a dialect that is not known, a harmless word that is none or that is read.
 [[nodiscard]] Result<ReadOptions> understand(const ReadingArguments& arguments);
 
 /// --max-input of a command, in bytes: no file it reads may have more.

@@ -63,7 +63,7 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
   const auto rewrite = [&](const std::vector<gouge::PathChange>& changes) -> gouge::Result<gouge::Toolpath> {
     gouge::Result<std::string> bytes = gouge::write_corrected(path, changes);
     if (!bytes) return bytes.error();
-    return PathAccess::from_bytes(path.file, std::move(*bytes), path.dialect).content().path;
+    return PathAccess::from_bytes(path.file, std::move(*bytes), path.dialect, path.harmless_words).content().path;
   };
   gouge::LawfulCorrection corrected = value_or_raise(gouge::correct_lawfully(path, before, setup, options, rewrite));
   CheckedPath after = checked;

@@ -92,8 +92,10 @@ struct Path::Content {
 /// For those who make paths of other paths.
 struct PathAccess {
   [[nodiscard]] static Path from(gouge::Toolpath path, bool is_from_memory);
-  /// The bytes of a file called `name`, in `dialect` where it is known.
-  [[nodiscard]] static Path from_bytes(const std::string& name, std::string bytes, const std::string& dialect = {});
+  /// The bytes of a file called `name`, in `dialect` where it is known; `harmless_words` as in
+  /// ReadOptions.
+  [[nodiscard]] static Path from_bytes(const std::string& name, std::string bytes, const std::string& dialect = {},
+                                       const std::vector<std::string>& harmless_words = {});
 };
 
 }  // namespace gougecheck

@@ -90,9 +90,11 @@ Path Path::read(const std::string& file) {
   return PathAccess::from_bytes(file, value_or_raise(gouge::read_file(file)));
 }
 
-Path PathAccess::from_bytes(const std::string& name, std::string bytes, const std::string& dialect) {
+Path PathAccess::from_bytes(const std::string& name, std::string bytes, const std::string& dialect,
+                            const std::vector<std::string>& harmless_words) {
   gouge::ReadOptions options;
   options.dialect = gouge::dialect_called(dialect);
+  options.harmless_words = harmless_words;
   gouge::ReadOutcome outcome = gouge::read_toolpath(name, std::move(bytes), options);
   if (!outcome.toolpath) raise(outcome.errors.front());
   require_path_reach(*outcome.toolpath);

@@ -109,6 +109,7 @@ struct Toolpath {
   Moves moves;
   PagedVector<PathArc> arcs;                                ///< of moves whose curve_kind is arc
   std::vector<PathSpline> splines;                          ///< of moves whose curve_kind is spline
+  std::vector<std::string> harmless_words;                  ///< the user says that they move and change nothing
   std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; reported to the user
   Diagnostics notes;  ///< warnings and notes of reading; errors make reading fail instead
 

@@ -223,7 +223,7 @@ INSTANTIATE_TEST_SUITE_P(
         Misreading{"InsertBehindACycleThatDoesNothing", around("INSERT/CYCLE832(0.01) G91\n"), "not-checked"},
         Misreading{"InsertOfACycleThatDoesNothing", around("INSERT/CYCLE832(0.01)\n"), "clean"},
         Misreading{"InsertOfAMessageWithBrackets", around("INSERT/MSG(\"DRILL (X)\")\n"), "clean"},
-        Misreading{"InsertOfASentence", around("INSERT/STOP FOR INSPECTION\n"), "clean"},
+        Misreading{"InsertOfASentence", around("INSERT/STOP FOR INSPECTION\n"), "not-checked"},
         Misreading{"InsertOfACallInASentence", around("INSERT/STOP M98 P1000\n"), "not-checked"},
         Misreading{"InsertOfHeidenhainTolerance", around("INSERT/CYCL DEF 32.1 T0.05\n"), "clean"},
         Misreading{"AuxfunWithAPosition", around("AUXFUN/20,50,-5\n"), "not-checked"},

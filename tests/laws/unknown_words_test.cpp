@@ -76,14 +76,18 @@ INSTANTIATE_TEST_SUITE_P(
                       Wording{"ToolnoOfAnotherMill", apt("TOOLNO/1,MILL,1,0,40\nGOTO/0,0,30\n")},
                       Wording{"Compensation", around("TLCOMP/LEFT\n")}, Wording{"Steps", around("INCREM\n")},
                       Wording{"Tilt", around("HEADTILT/30\n")}, Wording{"Axis", around("BAXIS/45\n")},
-                      Wording{"ShiftOfZ", around("ZSHIFT/5\n")}, Wording{"Feature", around("FEATURE/12\n"), "clean"}),
+                      Wording{"ShiftOfZ", around("ZSHIFT/5\n")}, Wording{"Feature", around("FEATURE/12\n")},
+                      Wording{"Alone", around("QUILL\n")}, Wording{"AfterAllPositions", apt("GOTO/0,0,30\nQUILL\n")},
+                      Wording{"BeforeAllPositions", apt("QUILL\nGOTO/0,0,30\n")},
+                      Wording{"BeforeTheProgram", "WRITTEN BY A SYSTEM\nPARTNO A\n" + around(""), "clean"},
+                      Wording{"BetweenProgramAndPositions", "PARTNO A\nSYSTEM/2\n" + around("")}),
     kName);
 
 INSTANTIATE_TEST_SUITE_P(Machine, UnknownWord,
                          ::testing::Values(Wording{"CallOfOkuma", nx("INSERT/CALL O1000\nGOTO/10,0,30\n")},
                                            Wording{"CallOfALetter", nx("INSERT/CALL L1\nGOTO/10,0,30\n")},
                                            Wording{"CallInASentence",
-                                                   nx("INSERT/CALL THE OPERATOR AT ONCE\nGOTO/10,0,30\n"), "clean"},
+                                                   nx("INSERT/CALL THE OPERATOR AT ONCE\nGOTO/10,0,30\n")},
                                            Wording{"Extcall", nx("INSERT/EXTCALL ABC\nGOTO/10,0,30\n")},
                                            Wording{"Modin", nx("INSERT/MODIN O1\nGOTO/10,0,30\n")},
                                            Wording{"Pcall", nx("INSERT/PCALL ABC\nGOTO/10,0,30\n")},
@@ -94,6 +98,80 @@ INSTANTIATE_TEST_SUITE_P(Machine, UnknownWord,
                                            Wording{"LengthOfTheTip", nx("INSERT/G234 H2\nGOTO/10,0,30\n")},
                                            Wording{"Coolant", nx("INSERT/M8\nGOTO/10,0,30\n"), "clean"}),
                          kName);
+
+std::string block_of_nx(const std::string& before, const std::string& within) {
+  return "TOOL PATH/A,TOOL,B\nTLDATA/MILL,10,0,50,0,0\nMSYS/0,0,0,1,0,0,0,1,0\nGOTO/0,0,30\nEND-OF-PATH\n" + before +
+         "TOOL PATH/C,TOOL,B\nTLDATA/MILL,10,0,50,0,0\nMSYS/0,0,0,1,0,0,0,1,0\n" + within +
+         "GOTO/10,0,30\nGOTO/20,0,30\nEND-OF-PATH\n";
+}
+
+/// The lines of the moves that are checked.
+std::string checked_lines(const std::string& text) {
+  std::string lines;
+  for (const Move& move : read_as(text, "").moves) {
+    if (move.not_checked_reason.empty()) lines += std::to_string(move.line) + " ";
+  }
+  return lines;
+}
+
+// A block states its frame, its tool and its axis; nothing else of a file states all of them.
+TEST(UnknownWordBefore, IsOverWhereABlockStatesAllAgain) {
+  EXPECT_EQ(checked_lines(block_of_nx("", "")), "4 9 10 ");
+  EXPECT_EQ(checked_lines(block_of_nx("SHOP_TIME/5\n", "")), "4 10 11 ");
+  EXPECT_EQ(checked_lines(block_of_nx("", "SHOP_TIME/5\n")), "4 ");
+  EXPECT_EQ(checked_lines("UNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,30\nSHOP_TIME/5\nGOTO/1,0,30\nCUTTER/10\nLOADTL/1\n"
+                          "MULTAX/OFF\nGOTO/2,0,30\nGOTO/3,0,30\nFINI\n"),
+            "4 ");
+}
+
+// What CAM systems write, in the forms of their documents.
+INSTANTIATE_TEST_SUITE_P(
+    Harmless, UnknownWord,
+    ::testing::Values(
+        Wording{"Coolant", around("COOLNT/ON\nCOOLNT/FLOOD\nCOOLNT/MIST,HIGH\nCOOLNT/THRU\nCOOLNT/OFF\n"), "clean"},
+        Wording{"Spindle", around("SPINDL/2000,RPM,CLW\nSPINDL/RPM,-500,CCLW\nSPINDL/70,SFM,CLW,MAXRPM,3000\n"
+                                  "SPINDL/ORIENT,90\nSPINDL/OFF\n"),
+                "clean"},
+        Wording{"Stops", around("OPSTOP\nSTOP\nDELAY/2.5\nDELAY/REV,10\nDWELL/2\nREWIND/0\nTMARK/1\n"), "clean"},
+        Wording{"Tolerances", around("INTOL/0.01\nOUTTOL/0.02\nTOLER/0.01\nMCHTOL/0.05\nLINTOL/ON\n"), "clean"},
+        Wording{"Planes", around("CLRSRF/0,0,1,50\nCLEARP/XYPLAN,60\nHOMEPT/0,0,-100\n"), "clean"},
+        Wording{"Post", around("MACHIN/MILL,1\nMACHIN/UNCX01, 1\nSEQNO/10,INCR,5\nLEADER/20\nDISPLY/ON\n"), "clean"},
+        Wording{"Loading", around("LOADTL/1,LENGTH,50,OSETNO,3\nLOAD/TOOL,1,ADJUST,2\nTOOLNO/1,10\nSELECT/TOOL,4\n"),
+                "clean"},
+        Wording{"LoadingOfAName", around("LOAD/TOOL,1,'BALL 10',NEXTTL,5\n"), "clean"},
+        Wording{"Feed", around("FEDRAT/500,MMPM\nFEDRAT/INVERS,AUTO\nFEDRAT/INVERS,OFF\nFEDRAT/0.2,MMPR\n"), "clean"},
+        Wording{"PathPoint", around("CSI_SET_PATH_PARAM/TOOL_BREAK=ON\nCSI_PATH_TOLERANCE/0.01\n"), "clean"},
+        Wording{"TipProgramming", around("TCP/ON\nRTCP/ON\n"), "clean"}),
+    kName);
+
+// A word in its place that is not known, or one that belongs to a statement which was joined to it.
+INSTANTIATE_TEST_SUITE_P(
+    Argument, UnknownWord,
+    ::testing::Values(
+        Wording{"Coolant", around("COOLNT/ON,BLURB\n")}, Wording{"Spindle", around("SPINDL/1000,CLW,TILT\n")},
+        Wording{"Feed", around("FEDRAT/500,MMPF\n")}, Wording{"Loading", around("LOADTL/1,SETOOL,0,0,5\n")},
+        Wording{"Tracking", around("LOAD/TOOL,1,TRACKING,2\n")}, Wording{"Unit", around("UNITS/MM,FEET\n")},
+        Wording{"CompensationOff", around("CUTCOM/LEFT\nCUTCOM/OFF,BLURB\n")},
+        Wording{"PostOff", around("MACHIN/POST,1,OFF\n")}, Wording{"TipProgrammingOff", around("TCP/OFF\n")},
+        Wording{"Function", around("PPFUN/CYCLE800\n")}, Wording{"FunctionOfCodes", around("PPFUN/G43,H2\n")},
+        Wording{"InsertBehindADollar", around("COOLNT/ON,$\nINSERT/G92 Z0\n")},
+        Wording{"InsertBehindALooseDollar", around("MACHIN/POST $\nINSERT G68 R30\n")},
+        Wording{"HeadBehindADollar", around("COOLNT/ON $\nHEAD/2\n")},
+        Wording{"RetractOnTheLine", around("FEDRAT/500,MMPM RETRCT\n")},
+        Wording{"RetractBehindASemicolon", around("COOLNT/ON;RETRCT\n")},
+        Wording{"OtherModeOfNx", around("SET/MODE,INCR\n")}, Wording{"CodeOfTheControl", around("PREFUN/52\n")},
+        Wording{"CodeOfTheShop", around("AUXFUN/250\n")}, Wording{"Letters", around("LETTER/5,TEXT\n")},
+        Wording{"Skip", around("DELETE\n")}, Wording{"SkipOn", around("DELETE/ON\n")}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Point, UnknownWord,
+    ::testing::Values(Wording{"Centre", around("$$ BALL CENTRE OUTPUT\n")},
+                      Wording{"CentreInAMessage", around("PPRINT/TOOL REFERENCE POINT: CENTER\n")},
+                      Wording{"Contact", nx("$$ contact data\nGOTO/10,0,30\n")},
+                      Wording{"Centreline", nx("$$ centerline data\nGOTO/10,0,30\n"), "clean"},
+                      Wording{"CentreOfTheTable", around("$$ CENTER DRILL BALL BEARING\n"), "clean"}),
+    kName);
 
 const std::string kThrough = "GOTO/-70,0,-10\n", kOut = "GOTO/70,0,-10\n", kOver = "GOTO/-70,0,10\n";
 

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
 #include "postproc/cldata/interpreting/emit.h"
+#include "postproc/cldata/interpreting/misreading.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/nccs/nccs_words.h"
@@ -40,9 +42,49 @@ void take_catia_row(States& s, std::string_view text) {
   set_frame(s, *frame);
 }
 
+bool has_slash(const StatementContext& in) {
+  const std::string_view all = in.path.source, major = in.statement().major;
+  const auto after = static_cast<std::size_t>(major.data() - all.data()) + major.size();
+  return trim(all.substr(after, all.find('\n', after) - after)).starts_with('/');
+}
+
 bool is_creo_statement(const States& s, std::string_view text) {
   return s.in.dialect.comments == CommentForm::creo && text.starts_with("->");
 }
+
+// "BALL CENTER OUTPUT", "TOOL OUTPUT POINT : CENTER", "contact data": which point of the tool positions are.
+bool names_other_point(std::string_view text) {
+  constexpr std::array<std::string_view, 2> kCentre = {"CENTER", "CENTRE"};
+  constexpr std::array<std::string_view, 2> kBall = {"BALL", "SPHERE"};
+  constexpr std::array<std::string_view, 2> kPoint = {"OUTPUT", "REFERENCE"};
+  constexpr std::array<std::string_view, 3> kContact = {"DATA", "POINT", "POINTS"};
+  std::array<std::string_view, 3> last;  // words, the last one at the end
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    if (end == at) {
+      ++at;
+      continue;
+    }
+    last = {last[1], last[2], text.substr(at, end - at)};
+    at = end;
+    const bool is_centre = is_one_of(last[2], kCentre);
+    if (is_centre && is_one_of(last[1], kBall)) return true;
+    if ((is_centre || equals_ignoring_case(last[2], "CONTACT")) && equals_ignoring_case(last[1], "POINT") &&
+        is_one_of(last[0], kPoint))
+      return true;
+    if (equals_ignoring_case(last[1], "CONTACT") && is_one_of(last[2], kContact)) return true;
+  }
+  return false;
+}
+
+void note_point(States& s, std::string_view text) {
+  if (starts_with_ignoring_case(text, "centerline data")) s.doubts.clear(Doubt::tip);
+  if (names_other_point(text))
+    s.doubts.set(Doubt::tip, s.in.named(Reasons::kTipElsewhere, s.in.statement().major, s.in.line()));
+}
+
+}  // namespace
 
 // What follows is another program, or none: nothing that was stated before needs to hold for it.
 void end_program(States& s) {
@@ -50,8 +92,6 @@ void end_program(States& s) {
   s.chain.forbid_link();
   if (!s.doubts.has(Doubt::ended)) s.doubts.set(Doubt::ended, s.in.because(Reasons::kAfterEnd));
 }
-
-}  // namespace
 
 void take_comment(States& s) {
   const std::string_view text = trim(s.in.first_piece());
@@ -66,6 +106,8 @@ void take_comment(States& s) {
   } else if (is_catia && starts_with_ignoring_case(text, "OPERATION NAME")) {
     const std::size_t colon = text.find(':');
     if (colon != std::string_view::npos) s.operation.name(name_text(text.substr(colon + 1)));
+  } else {
+    note_point(s, text);
   }
 }
 
@@ -82,6 +124,8 @@ void take_tool_path(States& s) {
   s.feed.begin_block();
   s.cycle.begin_block();
   s.blocks.open();
+  s.is_unknown_in_block = false;
+  s.doubts.clear(Doubt::tip);
   s.doubts.set(Doubt::block, s.blocks.take_frame_between() ? Reasons::kMsysOutside : nullptr);
 }
 
@@ -107,13 +151,18 @@ void take_free_text(States& s) {
   const std::string_view major = s.in.statement().major;
   if (equals_ignoring_case(major, "PARTNO")) {
     s.has_begin = true;
-    if (s.in.moves() > 0) end_program(s);
+    if (s.in.moves() > 0) {
+      end_program(s);
+    } else {
+      s.doubts.clear(Doubt::unknown);  // what stands before a program is no part of it
+    }
   }
   if (equals_ignoring_case(major, "OPFEATEND")) s.setup.end_feature();
+  if (equals_ignoring_case(major, "LETTER") && has_slash(s.in)) return take_unknown_statement(s);  // mills letters
   // Creo 9 writes REMARK -> where older files have the comment $$->.
   if (!starts_with_ignoring_case(major, "REMARK")) return;
   const std::string_view text = trim(s.in.first_piece());
-  if (is_creo_statement(s, text)) take_creo_comment(s, trim(text.substr(2)));
+  is_creo_statement(s, text) ? take_creo_comment(s, trim(text.substr(2))) : note_point(s, text);
 }
 
 void take_pprint(States& s) {
@@ -121,6 +170,7 @@ void take_pprint(States& s) {
     emit_unread(s);
     return s.in.count_unknown();
   }
+  note_point(s, s.in.first_piece());
   if (!s.in.dialect.names_operations) s.operation.name(name_text(s.in.first_piece()));
 }
 

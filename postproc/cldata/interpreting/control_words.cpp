@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/interpreting/emit.h"
@@ -8,6 +10,7 @@
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/parsing/machine_text.h"
+#include "postproc/cldata/parsing/tool_name.h"
 
 // Statements that carry text or codes for the machine's control, and choices of the setup: what of them may
 // move the tool or change where positions are.
@@ -17,14 +20,19 @@ namespace {
 
 bool is_zero(const Argument& argument) { return argument.number && std::abs(*argument.number) <= 0; }
 
-// PREFUN/g and AUXFUN/m are a G and an M of the control.
+// PREFUN/g and AUXFUN/m are a G and an M of the control; the addresses behind them belong to the same block.
 void take_codes(States& s, char letter) {
+  constexpr std::array<std::string_view, 3> kWhen = {"NOW", "NEXT", "ON"};
+  std::string block;
   for (const Argument& argument : s.in.arguments) {
-    const std::string code = argument.number ? letter + exact_text(*argument.number) : std::string(argument.text);
-    MachineEffect effect = read_machine_text(code, false);
-    effect.is_unknown = effect.is_unknown && argument.number.has_value();
-    take_machine_text(s, effect);
+    if (is_one_of(argument.text, kWhen)) continue;
+    const bool is_letter_alone = argument.text.size() == 1 && is_letter(argument.text[0]);
+    const bool is_value = argument.number && !block.empty() && is_letter(block.back());
+    if (argument.number && !is_value) block += letter;
+    block += argument.number ? exact_text(*argument.number) : std::string(argument.text);
+    if (!is_letter_alone) block += ' ';
   }
+  take_machine_text(s, read_machine_text(block));
 }
 
 }  // namespace
@@ -45,7 +53,8 @@ void take_opskip(States& s) {
 // are.
 void take_machine_text(States& s, const MachineEffect& effect) {
   const bool is_other_unit = effect.unit && std::abs(mm_per(*effect.unit) - s.frame.mm_per_unit()) > 0;
-  const bool moves = effect.moves || effect.changes_tool || effect.is_unknown;
+  if (effect.is_unknown) return take_unknown_statement(s);
+  const bool moves = effect.moves || effect.changes_tool;
   const bool shifts = effect.shifts || is_other_unit;
   if (effect.chooses_offset) s.offsets_chosen.add(s.in.line());
   if (moves || shifts || effect.changes_length || effect.begins_cycle || effect.begins_steps) s.in.count_unknown();
@@ -58,12 +67,25 @@ void take_machine_text(States& s, const MachineEffect& effect) {
   if (effect.begins_cycle) doubt(Doubt::machine_cycle, Reasons::kMachineCycle);
   if (effect.ends_steps) s.doubts.clear(Doubt::machine_steps);
   if (effect.begins_steps) doubt(Doubt::machine_steps, Reasons::kMachineSteps);
+  if (effect.ends_program) end_program(s);
 }
 
-// SolidWorks CAM names tools, setups and stock here, Mastercam writes comments into its manual entries.
+// SolidWorks CAM names tools, setups and stock here: a tool right before its CUTTER.
 void take_insert(States& s) {
-  s.tool.take_insert(s.in.first_piece());
-  take_machine_text(s, read_machine_text(s.in.first_piece(), s.in.dialect.inserts_are_names));
+  const std::string_view text = s.in.first_piece();
+  s.tool.take_insert(text);
+  const MachineEffect effect = read_machine_text(text);
+  if (!s.in.dialect.inserts_are_names || !effect.is_unknown) return take_machine_text(s, effect);
+  if (!is_setup_text(text)) s.pending = PendingInsert{s.in.index(), is_tool_name(text)};
+}
+
+// What stood before the word `next` was a name, or text that is not understood.
+void settle_insert(States& s, Word next) {
+  if (!s.pending || next == Word::comment) return;
+  const PendingInsert pending = *std::exchange(s.pending, std::nullopt);
+  if (pending.is_name && next == Word::cutter) return;
+  s.in.count_unknown("INSERT");
+  doubt_all(s, "INSERT", pending.statement);
 }
 
 void take_prefun(States& s) { take_codes(s, 'G'); }
@@ -71,7 +93,7 @@ void take_prefun(States& s) { take_codes(s, 'G'); }
 // More numbers are the position of another line.
 void take_auxfun(States& s) {
   const NumberCount numbers = count_numbers(s.in.arguments);
-  if (numbers.count >= 3 || numbers.has_negative) return take_unread_motion(s);
+  if (numbers.count >= 3 || numbers.negative > 0) return take_unknown_statement(s);
   take_codes(s, 'M');
 }
 
@@ -81,7 +103,7 @@ void take_setup(States& s) {
   const bool is_mark =
       arguments.size() <= 2 && !arguments.empty() &&
       (equals_ignoring_case(arguments.front().text, "START") || equals_ignoring_case(arguments.front().text, "END"));
-  if (is_mark || std::none_of(arguments.begin(), arguments.end(), may_be_number)) return;
+  if (is_mark || arguments.empty()) return;
   if (std::all_of(arguments.begin(), arguments.end(), is_zero)) return;
   s.in.count_unknown();
   s.doubts.set(Doubt::setup, s.in.because(Reasons::kSetup));

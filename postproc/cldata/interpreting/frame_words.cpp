@@ -84,6 +84,7 @@ void take_msys(States& s) {
   s.blocks.require_frames();
   if (!s.blocks.is_open()) return;
   s.doubts.clear(Doubt::block);
+  if (!s.is_unknown_in_block) s.doubts.clear(Doubt::unknown);  // the block states tool, axis and frame
   s.blocks.note_frame(s.in.moves());
 }
 

@@ -68,8 +68,9 @@ void note_words(Toolpath& path) {
   for (const auto& entry : path.words_not_understood) count += entry.second;
   path.notes.push_back(make_warning("path-words",
                                     count_text(count, "statement") +
-                                        " with words that are not understood, taken to move nothing where no "
-                                        "move is not checked for them; path info lists them",
+                                        " with words or arguments that are not understood: path info lists them; a "
+                                        "word of your own that moves and changes nothing is declared with "
+                                        "--harmless-word",
                                     path.file));
 }
 
@@ -103,7 +104,9 @@ void Interpreter::take(const Statement& statement) {
   if (has_arguments(statement.word)) split_arguments(statement, s.in.arguments);
   if (refuse()) return;
   apply_modal_states(s, acting_word(statement, s.in.dialect.comments));
+  settle_insert(s, statement.word);
   handler_of(statement.word)(s);
+  distrust_arguments(s);
   distrust_cut_short(s);
   if (is_comment) return;
   s.previous_word = statement.word;
@@ -113,6 +116,7 @@ void Interpreter::take(const Statement& statement) {
 // What the file never ended is decided, then what is reported once is.
 void Interpreter::finish() {
   States& s = states_;
+  settle_insert(s, Word::fini);
   s.program.refuse_assignments();
   if (s.nurbs.is_open()) end_nurbs(s);
   if (s.curve.is_open()) drop_described_curve(s);
@@ -125,6 +129,8 @@ void Interpreter::write_notes() {
   States& s = states_;
   s.axes.write_length_note();
   s.cutcom.write_note();
+  s.in.report(Severity::note, "path-harmless-words", s.in.declared(), "statement",
+              " of words that were declared harmless: taken to move and change nothing");
   s.in.report(Severity::note, "path-machine-text", s.offsets_chosen, "text",
               " for the machine's control that choose a work offset: taken as the one that positions are meant for");
   s.setup.write_note();
@@ -151,6 +157,7 @@ MotionRecords read_motion_records(const Toolpath& path) {
   Toolpath again;
   again.file = path.file;
   again.source = path.source;
+  again.harmless_words = path.harmless_words;
   MotionRecords records;
   records.of_move.reserve(path.moves.size());
   const Dialect dialect = dialect_called(path.dialect).value_or(Dialect{});

@@ -45,19 +45,6 @@ Word intended_word(std::string_view text) {
   return find_intended_word(squeezed);
 }
 
-// "Z: -50": the letter of an axis, then something else and a number.
-bool is_axis_alone(std::string_view text) {
-  constexpr std::string_view kAxes = "XYZxyz";
-  return text.size() > 1 && kAxes.find(text[0]) != std::string_view::npos && !is_letter(text[1]) && text[1] != '_' &&
-         text.find_first_of("0123456789") != std::string_view::npos && text.find('/') == std::string_view::npos;
-}
-
-// "DOWN-50.": a word and a negative number at it, and nothing else.
-bool is_step_alone(std::string_view text) {
-  const auto letters = static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_letter) - text.begin());
-  return letters > 0 && letters < text.size() && text[letters] == '-' && parse_number(trim(text.substr(letters)));
-}
-
 // Between these a line of numbers is a position, or part of one.
 bool is_among_positions(Word word) {
   static constexpr WordSet kWords = {Word::go_to, Word::godlta, Word::from,    Word::circle, Word::movarc,
@@ -89,10 +76,6 @@ bool moves_tool(Word word) {
   return kWords.has(word);
 }
 
-bool has_effect(const MachineEffect& e) {
-  return e.moves || e.shifts || e.changes_length || e.begins_cycle || e.begins_steps || e.changes_tool || e.unit;
-}
-
 void distrust_moves(States& s, std::size_t statement) {
   Moves& moves = s.in.path.moves;
   for (std::size_t i = moves.size(); i-- > 0 && moves[i].statement == statement;) {
@@ -101,11 +84,13 @@ void distrust_moves(States& s, std::size_t statement) {
 }
 
 // The beginning of a statement is missing, or the `$` that would make this part of the one before it.
-void take_rest_of_statement(States& s, bool is_position) {
+void distrust_beginning(States& s) {
   if (s.previous_statement != kNone) distrust_moves(s, s.previous_statement);
   distrust(s, s.previous_word);
-  emit_unread(s);
-  if (!is_position) s.doubts.set(Doubt::unread_frame, s.in.because(Reasons::kUnreadFrame));
+}
+
+bool has_numbers_alone(std::string_view text) {
+  return text.find_first_not_of("0123456789+-.,()eEdD \t\r") == std::string_view::npos;
 }
 
 // Of the curve that is being read, or was last.
@@ -122,28 +107,14 @@ bool may_be_number(const Argument& argument) {
 bool take_misread(States& s, std::string_view text) {
   text = without_label(text);
   if (begins_with_number(text)) {
-    take_rest_of_statement(s, is_among_positions(s.previous_word));
-    return true;
-  }
-  if (is_axis_alone(text) || is_step_alone(text)) {
+    distrust_beginning(s);
+    if (!is_among_positions(s.previous_word) || !has_numbers_alone(text)) return false;
     emit_unread(s);
     return true;
   }
-  if (is_minor_word(text.substr(0, text.find_first_of(" \t,")))) {
-    take_rest_of_statement(s, false);
-    return true;
-  }
-  const std::size_t slash = text.find('/');
-  const bool is_block = slash == std::string_view::npos;
-  MachineEffect effect = read_machine_text(is_block ? text : text.substr(slash + 1), !is_block);
-  effect.is_unknown = false;
-  if (has_effect(effect)) take_machine_text(s, effect);
-  const Word word = intended_word(text);
-  distrust(s, word);
-  if (moves_tool(word) && !effect.moves) emit_unread(s);
-  if (s.in.statement().major.empty() && !has_effect(effect) && word == Word::unknown && !text.empty())
-    take_rest_of_statement(s, false);  // "/LEFT" without its word
-  return has_effect(effect) || word != Word::unknown;
+  const bool goes_on = is_minor_word(text.substr(0, text.find_first_of(" \t,"))) || s.in.statement().major.empty();
+  goes_on ? distrust_beginning(s) : distrust(s, intended_word(text));
+  return false;
 }
 
 void distrust(States& s, Word word) {
@@ -169,7 +140,7 @@ void distrust(States& s, Word word) {
 
 void distrust_numbers_of_feed(States& s) {
   const NumberCount numbers = count_numbers(s.in.arguments);
-  const std::size_t most = numbers.has_negative ? 2 : 3;
+  const std::size_t most = numbers.negative > 0 ? 2 : 3;
   if (s.in.statement().is_decoded || numbers.count <= most) return;
   s.in.count_unknown();
   emit_unread(s);

@@ -17,9 +17,16 @@ void distrust(States& s, Word word);
 void distrust_numbers_of_feed(States& s);
 /// A statement that ends with a comma, or has a word alone that says nothing so.
 void distrust_cut_short(States& s);
-/// A line of numbers, a word that something was glued to or that is misspelt, or a block of a control that does
-/// something: then true.
+/// What a statement that is not understood says of those before it and of the word that it was meant to be: a line of
+/// numbers, a word that something was glued to or that is misspelt. True where it can only be more positions of the
+/// statement before it, so that the next one is certain again.
 [[nodiscard]] bool take_misread(States& s, std::string_view text);
+/// Nothing that the file stated before `statement`, whose word is `major`, is certain any more: see Doubt::unknown.
+void doubt_all(States& s, std::string_view major, std::size_t statement);
+/// The statement being taken is not understood at all.
+void take_unknown_statement(States& s);
+/// So is it where the reader of its word does not know one of its arguments.
+void distrust_arguments(States& s);
 
 /// What text for the machine's control may have done.
 void take_machine_text(States& s, const MachineEffect& effect);

@@ -3,6 +3,8 @@
 #include <mutex>
 #include <set>
 
+#include "postproc/cldata/language/text.h"
+
 namespace gouge {
 namespace {
 
@@ -22,11 +24,8 @@ std::string word_as_reported(std::string_view major) {
   if (major.empty()) return "(no word)";
   const char c = major.front();
   if ((c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.') return "(line of numbers)";
-  std::string word;
-  for (const char letter : major.substr(0, kLongestMajor)) {
-    const bool is_plain = letter >= ' ' && letter < '\x7f';
-    word += !is_plain ? '?' : letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-  }
+  std::string word = shown_text(major, kLongestMajor);
+  for (char& letter : word) letter = letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
   return word;
 }
 

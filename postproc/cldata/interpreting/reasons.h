@@ -53,6 +53,10 @@ struct Reasons {
   static constexpr const char* kPlainAxis =
       "a position without a tool axis after a tilted one: the file does not say which axis it has";
   static constexpr const char* kAfterUnread = "starts at an unknown position after a statement that is not understood";
+  static constexpr const char* kAfterUnknown =
+      "follows a statement that is not understood: it may move or change the tool, or shift what follows";
+  static constexpr const char* kTipElsewhere =
+      "a comment says that positions are another point of the tool than its tip";
   static constexpr const char* kUnreadFrame =
       "positions follow a statement that is not understood and may turn or shift them";
   static constexpr const char* kUnreadTool = "follows a statement that is not understood and may change the tool";

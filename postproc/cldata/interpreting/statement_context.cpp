@@ -56,8 +56,8 @@ bool StatementContext::check_all_numbers(std::string_view expected) {
   return false;
 }
 
-void StatementContext::count_unknown() {
-  std::string word = word_as_reported(statement_->major);
+void StatementContext::count_unknown(std::string_view major) {
+  std::string word = word_as_reported(major);
   auto& words = path.words_not_understood;
   if (words.size() >= kUnknownWordsListed && !words.contains(word)) word = kOtherWords;
   ++words[word];

@@ -50,7 +50,11 @@ class StatementContext {
   [[nodiscard]] const char* named(const char* reason, std::string_view word, std::size_t line = 0) {
     return reasons_.name(reason, word, line);
   }
-  void count_unknown();
+  void count_unknown() { count_unknown(statement_->major); }
+  void count_unknown(std::string_view major);
+  /// The statement is taken as harmless because the user declared its word so.
+  void count_declared() { declared_.add(line()); }
+  [[nodiscard]] const Tally& declared() const { return declared_; }
   /// How often something was seen in the file: `noun` in the number that was counted, then `rest`. Nothing where it
   /// never was.
   void report(Severity severity, const char* code, const Tally& seen, std::string_view noun, std::string_view rest);
@@ -83,6 +87,7 @@ class StatementContext {
   Diagnostics errors_;
   std::size_t errors_not_listed_ = 0;
   bool is_hopeless_ = false;
+  Tally declared_;
 };
 
 }  // namespace gouge

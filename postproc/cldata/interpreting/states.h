@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -86,6 +87,12 @@ class OperationState {
   std::size_t index_ = kNone;
 };
 
+/// Text for the control that SolidWorks CAM may have written as the name of the tool that follows.
+struct PendingInsert {
+  std::size_t statement;
+  bool is_name;
+};
+
 /// All that a statement may look at or change. Each state says in its own file what holds where the file never ends it.
 struct States {
   /// `motion_records` may be null; else it gets one entry for each move.
@@ -114,6 +121,8 @@ struct States {
   MotionChain chain{in};
   PartProgram program{in};
   Tally offsets_chosen;                    ///< by text for the machine's control
+  bool is_unknown_in_block = false;        ///< a statement that is not understood stands in the block that is open
+  std::optional<PendingInsert> pending;    ///< text that is the name of a tool if a CUTTER follows
   bool has_begin = false;                  ///< PARTNO
   bool has_end = false;                    ///< END or FINI
   bool skips_more_than_motion = false;     ///< OPSKIP/ON leaves out what OPSKIP/OFF does not undo

@@ -34,6 +34,7 @@ void take_load(States& s);
 
 // control_words.cpp
 void take_insert(States& s);
+void settle_insert(States& s, Word next);
 void take_prefun(States& s);
 void take_auxfun(States& s);
 void take_setup(States& s);
@@ -60,6 +61,7 @@ void take_tool_path(States& s);
 void take_end_of_path(States& s);
 void take_operation(States& s);
 void take_fini(States& s);
+void end_program(States& s);
 void take_free_text(States& s);
 void take_pprint(States& s);
 void take_ppword(States& s);

@@ -86,7 +86,7 @@ NumberCount count_numbers(std::span<const Argument> arguments) {
   for (const Argument& argument : arguments) {
     if (!argument.number) continue;
     ++numbers.count;
-    numbers.has_negative = numbers.has_negative || *argument.number < 0;
+    if (*argument.number < 0) ++numbers.negative;
   }
   return numbers;
 }

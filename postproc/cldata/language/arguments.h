@@ -29,10 +29,10 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
 
 struct NumberCount {
   std::size_t count = 0;
-  bool has_negative = false;
+  std::size_t negative = 0;
 };
 
-/// How many of the arguments are numbers, and whether one of them is below 0.
+/// How many of the arguments are numbers, and how many of these are below 0.
 [[nodiscard]] NumberCount count_numbers(std::span<const Argument> arguments);
 
 /// True where nothing stands between two commas, or digits, signs and points are no number: what was lost there nobody

@@ -128,7 +128,6 @@ constexpr std::array<Dialect, 13> kDialects = {{
      .has_end_word = false,
      .has_known_plain_axis = true,
      .names_operations = true,
-     .inserts_are_names = true,
      .arc_form = ArcForm::nci,
      .cycle_form = CycleForm::unknown,
      .feed_in_cycle = FeedInCycle::anywhere,

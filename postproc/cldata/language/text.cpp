@@ -35,6 +35,8 @@ std::string printable(std::string_view text, std::size_t longest) {
 
 }  // namespace
 
+std::string shown_text(std::string_view text, std::size_t longest) { return printable(text, longest); }
+
 std::string_view trim(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);

@@ -22,6 +22,10 @@ namespace gouge {
 /// What some editors put before UTF-8 text; no part of it.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
+/// `text` in UTF-8 without control characters, cut behind a letter that reaches `longest` bytes; bytes that are no UTF-8
+/// are taken as Latin-1.
+[[nodiscard]] std::string shown_text(std::string_view text, std::size_t longest);
+
 [[nodiscard]] std::string_view trim(std::string_view text);
 
 /// How many spaces stand right before `bytes[at]`.

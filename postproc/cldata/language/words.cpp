@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "postproc/cldata/language/harmless_words.h"
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
@@ -12,12 +13,6 @@ namespace {
 
 using Entry = std::pair<std::string_view, Word>;
 
-// Words that leave positions alone.
-constexpr auto kHarmless = std::to_array<std::string_view>(
-    {"AIR",    "APPLY",  "ARCSLP", "AUTOPS", "BEGIN",  "BOX",   "BREAK", "CLAMP",  "CLEARP", "CLPRNT",
-     "CLRSRF", "COOLNT", "DELAY",  "DISPLY", "DWELL",  "FLUSH", "INTOL", "LEADER", "LINTOL", "MACHIN",
-     "MATERL", "MCHTOL", "NOPOST", "OPSTOP", "OUTTOL", "PAINT", "PITCH", "PPFUN",  "PRINT",  "REWIND",
-     "SELCTL", "SEQNO",  "SPINDL", "STOP",   "SWITCH", "TCP",   "TMARK", "TOLER",  "UNLOAD"});
 // Words of the APT source language.
 constexpr auto kOfPrograms = std::to_array<std::string_view>(
     {"CALL", "DNTCUT", "DO",    "GO",     "GOBACK", "GODOWN", "GOFWD",  "GOLFT", "GORGT",
@@ -35,14 +30,14 @@ constexpr auto kOthers = std::to_array<Entry>({
     {"CIRCLE", Word::circle},
     {"CNTRL", Word::cntrl},
     {"COPY", Word::repeat},
-    {"CSI_PATH_TOLERANCE", Word::harmless},
-    {"CSI_SET_EXTENSION_LENGTH", Word::harmless},
+    {"CSI_INSERT_CUSTOM_GCODE", Word::insert},
     {"CSI_SET_FLUTE_LENGTH", Word::flute_length},
     {"CSI_TOOL_PATH", Word::operation},
     {"CSYS", Word::csys},
     {"CUTCOM", Word::cutcom},
     {"CUTTER", Word::cutter},
     {"CYCLE", Word::cycle},
+    {"DELETE", Word::opskip},
     {"END", Word::fini},
     {"END-OF-PATH", Word::end_of_path},
     {"FEDRAT", Word::fedrat},
@@ -66,7 +61,6 @@ constexpr auto kOthers = std::to_array<Entry>({
     {"MCSYS", Word::mcsys},
     {"MODE", Word::mode},
     {"MOVARC", Word::movarc},
-    {"MOVE_ATTRIB", Word::harmless},
     {"MSYS", Word::msys},
     {"MULTAX", Word::multax},
     {"NURBS", Word::nurbs},
@@ -106,16 +100,15 @@ constexpr auto kOthers = std::to_array<Entry>({
     {"ZERO", Word::setup},
 });
 
-constexpr std::size_t kWordCount = kHarmless.size() + kOfPrograms.size() + kOfFrames.size() + kOthers.size();
+constexpr std::size_t kWordCount = kOfPrograms.size() + kOfFrames.size() + kOthers.size();
 
-// All of them, sorted.
+// All of them but the harmless ones, sorted.
 constexpr std::array<Entry, kWordCount> kWords = [] {
   std::array<Entry, kWordCount> all;
   std::size_t count = 0;
   const auto add = [&](std::span<const std::string_view> names, Word word) {
     for (const std::string_view name : names) all[count++] = {name, word};
   };
-  add(kHarmless, Word::harmless);
   add(kOfPrograms, Word::part_program);
   add(kOfFrames, Word::unread_frame);
   std::copy(kOthers.begin(), kOthers.end(), all.begin() + count);
@@ -209,8 +202,8 @@ Word find_word(std::string_view major) {
   const auto* const it = std::lower_bound(kWords.begin(), kWords.end(), major, [](const Entry& e, std::string_view m) {
     return compare_ignoring_case(e.first, m) < 0;
   });
-  if (it == kWords.end() || compare_ignoring_case(it->first, major) != 0) return Word::unknown;
-  return it->second;
+  if (it != kWords.end() && compare_ignoring_case(it->first, major) == 0) return it->second;
+  return find_harmless_word(major) == nullptr ? Word::unknown : Word::harmless;
 }
 
 std::size_t free_text_word_length(std::string_view line) {

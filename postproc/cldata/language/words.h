@@ -12,7 +12,7 @@ namespace gouge {
 enum class Word : std::uint8_t {
   comment,       // $$ ...
   unknown,       // counted and reported
-  harmless,      // known to leave positions alone
+  harmless,      // leaves positions alone where its arguments are known: harmless_words.h
   free_text,     // PARTNO, REMARK, LETTER: text, not arguments
   pprint,        // text that names operations in some dialects
   insert,        // text that names tools in SolidWorks CAM

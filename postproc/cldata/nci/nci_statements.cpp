@@ -1,5 +1,7 @@
 #include "postproc/cldata/nci/nci_statements.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -25,6 +27,13 @@ CutcomSide side_of(double compensation) {
   const auto is = [&](double value) { return std::abs(compensation - value) < kIdentityError; };
   if (is(kCompOff) || is(kCompOffAtEnd)) return CutcomSide::none;
   return is(kCompLeft) ? CutcomSide::left : is(kCompRight) ? CutcomSide::right : CutcomSide::unknown;
+}
+
+// What describes tools, stock and toolpaths to a post-processor, in the chapter "The NCI File".
+bool is_harmless_nci_code(int code) {
+  constexpr std::array<int, 9> kCodes = {1011, 1012, 1013, 1016, 1017, 1020, 1050, 1051, 1052};
+  constexpr int kFirstOfPath = 10000, kLastOfTool = 29999;
+  return std::ranges::find(kCodes, code) != kCodes.end() || (code >= kFirstOfPath && code <= kLastOfTool);
 }
 
 Argument number(double value) { return {{}, value}; }
@@ -136,7 +145,10 @@ void NciStatements::take_pair() {
     add(Word::loadtl, "LOADTL");
     decoded().push_back(fields[kToolField]);
   } else {
-    add(code < NciCode::kToolFirst ? Word::unread_motion : Word::harmless, "NCI other code");
+    add(code < NciCode::kToolFirst      ? Word::unread_motion
+        : is_harmless_nci_code(code) ? Word::harmless
+                                     : Word::unknown,
+        "NCI other code");
   }
 }
 

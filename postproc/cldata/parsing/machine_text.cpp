@@ -1,15 +1,14 @@
 #include "postproc/cldata/parsing/machine_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
+#include "postproc/cldata/parsing/control_list.h"
 #include "postproc/cldata/parsing/machine_tokens.h"
 
 namespace gouge {
@@ -20,26 +19,23 @@ using Tokens = std::span<const Token>;
 
 bool is(const Token& token, std::string_view word) { return equals_ignoring_case(token.letters, word); }
 
-bool is_word_of(const Token& token, std::string_view letters) {
-  return token.letters.size() == 1 && token.number &&
-         letters.find(static_cast<char>(token.letters[0] & ~0x20)) != std::string_view::npos;
+// One letter and its number.
+bool is_address(const Token& t) { return t.letters.size() == 1 && t.number.has_value(); }
+
+bool is_address_of(const Token& t, std::string_view letters) {
+  return is_address(t) && letters.find(static_cast<char>(t.letters[0] & ~0x20)) != std::string_view::npos;
 }
 
-bool is_linear_axis(const Token& t) {
-  const bool is_step = t.letters.size() == 2 && (t.letters[0] == 'I' || t.letters[0] == 'i') && t.number;  // Heidenhain
-  return is_word_of(is_step ? Token{t.letters.substr(1), t.number} : t, "XYZUVW");
+// Heidenhain's IX+5 steps along X.
+Token without_step(const Token& t) {
+  const bool is_step = t.letters.size() == 2 && (t.letters[0] == 'I' || t.letters[0] == 'i') && t.number;
+  return is_step ? Token{t.letters.substr(1), t.number, t.is_glued, t.other} : t;
 }
+
+bool is_axis(const Token& t) { return is_address_of(without_step(t), "XYZUVWABC"); }
 
 bool turns_something(const Token& t) {
-  const bool is_step = t.letters.size() == 2 && (t.letters[0] == 'I' || t.letters[0] == 'i');
-  return is_word_of(is_step ? Token{t.letters.substr(1), t.number} : t, "ABC") && std::abs(*t.number) > 0;
-}
-
-bool has_position(Tokens tokens) {
-  return std::ranges::any_of(tokens, [](const Token& t) {
-    return is_linear_axis(t) || is_word_of(t, "ABCIJK") || turns_something(t) ||
-           (t.number && (is(t, "PR") || is(t, "PA")));
-  });
+  return is_address_of(without_step(t), "ABC") && std::abs(*t.number) > 0;
 }
 
 void move(Tokens tokens, MachineEffect& effect) {
@@ -47,42 +43,167 @@ void move(Tokens tokens, MachineEffect& effect) {
   effect.shifts = effect.shifts || std::ranges::any_of(tokens, turns_something);
 }
 
-// Words that may stand in a block beside its addresses.
-constexpr std::array<std::string_view, 8> kBesideAddresses = {"FMAX", "F", "MAX", "RL", "RR", "AUTO", "FAUTO", "DR"};
+void take_meaning(ControlMeaning meaning, Tokens tokens, bool has_axes, MachineEffect& effect) {
+  using enum ControlMeaning;
+  switch (meaning) {
+    case harmless:
+      return;
+    case length:
+      effect.changes_length = true;
+      return;
+    case path:
+      if (has_axes) move(tokens, effect);
+      return;
+    case moves:
+      return move(tokens, effect);
+    case shifts:
+      effect.shifts = true;
+      return;
+    case shifts_with_axes: {
+      // With an S alone it limits the spindle's speed.
+      const bool has_speed = std::ranges::any_of(tokens, [](const Token& t) { return is_address_of(t, "S"); });
+      effect.shifts = effect.shifts || has_axes || !has_speed;
+      return;
+    }
+    case begins_cycle:
+      effect.begins_cycle = true;
+      return;
+    case ends_cycle:
+      effect.ends_cycle = true;
+      return;
+    case offset:
+      effect.chooses_offset = true;
+      return;
+    case begins_steps:
+      effect.begins_steps = true;
+      return;
+    case ends_steps:
+      effect.begins_steps = false;
+      effect.ends_steps = true;
+      return;
+    case inch:
+      effect.unit = LengthUnit::inch;
+      return;
+    case mm:
+      effect.unit = LengthUnit::mm;
+      return;
+    case changes_tool:
+      effect.changes_tool = true;
+      return;
+    case ends_program:
+      effect.ends_program = true;
+      return;
+  }
+}
 
-// A block of addresses, and nothing that makes it a sentence.
-bool is_block(Tokens tokens) {
-  return std::ranges::all_of(tokens, [](const Token& t) {
-    const bool is_address = !t.letters.empty() && t.letters.size() <= 2 && t.number;
-    return is_address || (t.letters.size() == 1 && !t.number) || is_one_of(t.letters, kBesideAddresses);
+bool has_meaning(Tokens codes, std::initializer_list<ControlMeaning> meanings) {
+  return std::ranges::any_of(codes, [&](const Token& code) {
+    const auto rows = find_control_code(static_cast<char>(code.letters[0] & ~0x20), *code.number);
+    return std::ranges::any_of(rows, [&](const ControlCode* row) {
+      return std::ranges::find(meanings, row->meaning) != meanings.end();
+    });
   });
 }
 
-// Heidenhain: "L Z-50 FMAX", "CC X+0 Y+0", "APPR LCT X+10".
-bool take_path_word(Tokens tokens, MachineEffect& effect) {
+// The numbers of axes beside these are no position to go to.
+bool takes_axes(Tokens codes) {
+  return has_meaning(codes, {ControlMeaning::shifts, ControlMeaning::shifts_with_axes});
+}
+
+// A block of addresses: every code must be in the list, and every other address be known or belong to a code.
+void take_addresses(Tokens tokens, MachineEffect& effect) {
+  constexpr std::string_view kAlways = "NSFTDH";
+  std::vector<Token> codes;
+  std::string allowed(kAlways);
+  for (const Token& t : tokens) {
+    if (!is_address_of(t, "GM")) continue;
+    codes.push_back(t);
+    const auto rows = find_control_code(static_cast<char>(t.letters[0] & ~0x20), *t.number);
+    if (rows.empty()) effect.is_unknown = true;
+    for (const ControlCode* row : rows) allowed += row->addresses;
+  }
+  const auto is_taken = [&](const Token& t) { return is_address_of(without_step(t), allowed); };
+  bool has_axes = false;
+  for (const Token& t : tokens) {
+    const bool is_code = is_address_of(t, "GM");
+    const bool is_place = !is_code && !is_taken(t) && (is_axis(t) || (!codes.empty() && is_address_of(t, "IJK")));
+    has_axes = has_axes || is_place;
+    if (!is_code && !is_place && !is_taken(t)) effect.is_unknown = true;
+    if (is_address_of(t, "DH") && !is_address_of(t, allowed.substr(kAlways.size()))) effect.changes_length = true;
+    if (is_address_of(t, "T")) effect.changes_tool = true;
+  }
+  for (const Token& code : codes) {
+    for (const ControlCode* row : find_control_code(static_cast<char>(code.letters[0] & ~0x20), *code.number))
+      take_meaning(row->meaning, tokens, has_axes, effect);
+  }
+  if (has_axes && !takes_axes(codes)) move(tokens, effect);
+}
+
+MachineEffect unknown() {
+  MachineEffect effect;
+  effect.is_unknown = true;
+  return effect;
+}
+
+bool are_addresses(Tokens tokens) {
+  return std::ranges::all_of(tokens, [](const Token& t) { return is_address(t) || is_axis(t); });
+}
+
+MachineEffect read_addresses(Tokens tokens) {
+  if (!are_addresses(tokens)) return unknown();
+  MachineEffect effect;
+  take_addresses(tokens, effect);
+  return effect;
+}
+
+// Heidenhain: "L Z-50 FMAX", "CC X+0 Y+0".
+std::optional<MachineEffect> read_path_word(Tokens tokens) {
   constexpr std::array<std::string_view, 14> kPathWords = {"L",  "C",   "CC",  "CR", "CT", "CP",  "LP",
                                                            "LN", "CTP", "RND", "FL", "FC", "FLT", "FCT"};
+  constexpr std::array<std::string_view, 5> kBeside = {"FMAX", "F", "MAX", "AUTO", "FAUTO"};
   const Token& first = tokens.front();
-  const Tokens rest = tokens.subspan(1);
-  if ((is(first, "APPR") || is(first, "DEP")) && !rest.empty()) {
-    move(rest, effect);
-    return true;
+  if (first.number || !is_one_of(first.letters, kPathWords)) return std::nullopt;
+  std::vector<Token> rest;
+  for (const Token& t : tokens.subspan(1)) {
+    const bool is_uncompensated = is_address_of(t, "R") && std::abs(*t.number) <= 0;
+    if (!is_one_of(t.letters, kBeside) && !is_uncompensated) rest.push_back(t);
   }
-  if (first.number || !is_one_of(first.letters, kPathWords) || !is_block(rest)) return false;
-  if (has_position(rest)) move(rest, effect);
-  return true;
+  if (!are_addresses(rest)) return unknown();
+  MachineEffect effect;
+  take_addresses(rest, effect);
+  if (!is(first, "L") && !effect.moves) effect.is_unknown = true;
+  return effect;
 }
 
-// What a call names: PGM and LBL of Heidenhain with theirs, else one word; more make a sentence (CALL THE OPERATOR
-// NOW).
-bool is_name_alone(Tokens tokens) {
-  return tokens.empty() || is(tokens.front(), "PGM") || is(tokens.front(), "LBL") || tokens.size() == 1;
+std::optional<MachineEffect> read_phrase(Tokens tokens) {
+  const auto is_begun = [&](const ControlPhrase& p) {
+    return is(tokens[0], p.first) && (p.second.empty() || (tokens.size() > 1 && is(tokens[1], p.second)));
+  };
+  if (std::ranges::none_of(control_phrases(), is_begun)) return std::nullopt;
+  for (const ControlPhrase& phrase : control_phrases()) {
+    if (!is_begun(phrase)) continue;
+    const Tokens rest = tokens.subspan(phrase.second.empty() ? 1 : 2);
+    const Token number = rest.empty() ? Token{} : rest.front();
+    const bool is_number = number.letters.empty() && number.number.has_value();
+    if (phrase.number >= 0 && (!is_number || std::abs(std::floor(*number.number) - phrase.number) > 0)) continue;
+    if (phrase.number == ControlPhrase::kNoNumber && is_number) continue;
+    const bool is_whole = std::ranges::all_of(rest, [&](const Token& t) {
+      constexpr std::string_view kMarks = ":-=~.";
+      return t.letters.empty() ? t.number || kMarks.find(t.other) != std::string_view::npos
+                               : is_among_words(t.letters, phrase.rest);
+    });
+    if (!is_whole) continue;
+    MachineEffect effect;
+    take_meaning(phrase.meaning, rest, false, effect);
+    return effect;
+  }
+  MachineEffect effect = unknown();
+  effect.changes_tool = is(tokens[0], "TOOL");
+  return effect;
 }
 
-constexpr std::string_view kAddresses = "GMTDHXYZUVWABC";
-
-// Behind the brackets or the value that belong to a word which does nothing.
-std::string_view behind_arguments(std::string_view after) {
+// Behind the brackets or the value of a word; nothing where they are not closed.
+std::optional<std::string_view> behind_values(std::string_view after) {
   if (after.starts_with('=')) {
     const std::string_view value = trim(after.substr(1));
     return trim(value.substr(std::min(value.find(' '), value.size())));
@@ -93,290 +214,86 @@ std::string_view behind_arguments(std::string_view after) {
     is_quoted = is_quoted != (after[i] == '"');
     if (after[i] == ')' && !is_quoted) return trim(after.substr(i + 1));
   }
-  return {};
+  return std::nullopt;
 }
 
-// What stands in a block behind such a word. A sentence may ("STOP FOR INSPECTION"); an address does something.
-void take_rest(std::string_view rest, std::string_view addresses, MachineEffect& effect) {
-  const std::vector<Token> tokens = machine_tokens(rest);
-  const auto is_address = [&](const Token& t) { return t.is_glued && is_word_of(t, addresses); };
-  effect.is_unknown = effect.is_unknown || std::ranges::any_of(tokens, is_address) ||
-                      std::ranges::any_of(tokens, [](const Token& t) { return is(t, "CYCL") || is(t, "TRANS"); });
-}
-
-bool take_heidenhain(Tokens tokens, std::string_view text, MachineEffect& effect) {
-  const Token& first = tokens.front();
-  const Token second = tokens.size() > 1 ? tokens[1] : Token{};
-  const double given = second.number.value_or(tokens.size() > 2 ? tokens[2].number.value_or(-1) : -1);
-  const auto number = static_cast<int>(std::clamp(given, -1.0, 10000.0));
-  if (is(first, "CYCL")) {
-    constexpr std::array<int, 6> kShifting = {7, 8, 10, 11, 19, 26};
-    constexpr std::array<int, 4> kHarmless = {9, 13, 32, 14};
-    effect.chooses_offset = number == 247;
-    effect.shifts = std::ranges::find(kShifting, number) != kShifting.end();
-    const bool is_harmless = std::ranges::find(kHarmless, number) != kHarmless.end();
-    effect.moves = is(second, "CALL") || (!effect.chooses_offset && !effect.shifts && !is_harmless);
-    if ((effect.chooses_offset || is_harmless) && !second.letters.empty())
-      take_rest(text.substr(static_cast<std::size_t>(second.letters.data() - text.data()) + second.letters.size()),
-                "GMXYZ", effect);
-    return true;
-  }
-  if (is(first, "PLANE") && !second.letters.empty()) {
-    constexpr std::array<std::string_view, 8> kPlanes = {"SPATIAL", "PROJECTED", "EULER", "VECTOR",
-                                                         "POINTS",  "RELATIVE",  "AXIAL", "RESET"};
-    effect.shifts = is_one_of(second.letters, kPlanes);
-    return effect.shifts;
-  }
-  if (is(first, "FUNCTION")) {
-    effect.shifts = is(second, "RESET");
-    return true;
-  }
-  if (is(first, "TOOL") && is(second, "CALL")) {
-    effect.changes_tool = tokens.size() < 3 || !is(tokens[2], "S");
-    return true;
-  }
-  if ((is(first, "CALL") && is_name_alone(tokens.subspan(1))) || (is(first, "SEL") && is(second, "PGM"))) {
-    effect.moves = true;
-    return true;
-  }
-  return is(first, "BLK") || is(first, "LBL") || (is(first, "TOOL") && is(second, "DEF"));
-}
-
-bool take_siemens(Tokens tokens, std::string_view text, MachineEffect& effect) {
-  constexpr std::array<std::string_view, 22> kShifts = {
-      "TRANS",   "ATRANS",   "ROT",    "AROT",   "ROTS",  "AROTS",   "CROTS", "SCALE",   "ASCALE",  "MIRROR", "AMIRROR",
-      "TRAFOOF", "TRANSMIT", "TRACYL", "TRAANG", "TOROT", "TOFRAME", "PAROT", "TOROTOF", "PAROTOF", "RTRANS", "TRACON"};
-  constexpr std::array<std::string_view, 6> kCycles = {"CYCLE", "POCKET", "SLOT", "HOLES", "LONGHOLE", "POSITION"};
-  constexpr std::array<std::string_view, 29> kHarmless = {
-      "TRAORI",  "MSG",     "STOPRE", "SOFT",   "BRISK",    "FFWON",     "FFWOF",  "ORIWKS", "ORIMKS", "ORIAXES",
-      "ORIVECT", "COMPCAD", "COMPON", "COMPOF", "COMPCURV", "COMPSURF",  "UPATH",  "SPATH",  "CFC",    "CFTCP",
-      "CFIN",    "FGROUP",  "SPOS",   "LIMS",   "SETMS",    "WORKPIECE", "DIAMOF", "STOP",   "NORM"};
-  const Token& first = tokens.front();
-  const Token second = tokens.size() > 1 ? tokens[1] : Token{};
-  const std::string_view after =
-      trim(text.substr(static_cast<std::size_t>(first.letters.data() - text.data()) + first.letters.size()));
-  // Before other words ("ROT AND CLAMP THE PART") they begin a sentence.
-  const bool is_sentence = second.letters.size() > 1 && !second.number && !is(second, "DATUM") && !is(second, "RPL");
-  // Okuma's CALL and MODIN, Siemens's EXTCALL, PCALL and REPEAT: a subprogram, or blocks that stand elsewhere.
-  constexpr std::array<std::string_view, 7> kCalls = {"CALL",  "EXTCALL", "ICALL",  "MODIN",
-                                                      "PCALL", "REPEAT",  "REPEATB"};
-  if (is_one_of(first.letters, kCalls) && !first.is_glued && tokens.size() <= 3) {
-    effect.moves = true;
-    return true;
-  }
-  if (is(first, "SUPA") && tokens.size() > 1 && !is_sentence) {
-    effect.moves = true;
-    return true;
-  }
-  if (is(first, "MCALL")) {
+// A word of the list, and behind it what its row allows.
+std::optional<MachineEffect> read_word(std::string_view text) {
+  std::size_t length = 0;
+  while (length < text.size() && (is_letter(text[length]) || is_digit(text[length]) || text[length] == '_')) ++length;
+  const std::string_view after = trim(text.substr(length));
+  if (equals_ignoring_case(text.substr(0, length), "MCALL")) {
+    MachineEffect effect;
     (after.empty() ? effect.ends_cycle : effect.begins_cycle) = true;
-    return true;
+    return effect;
   }
-  if (is(first, "CYCLE") && first.is_glued) {
-    effect.shifts = std::abs(*first.number - 800) < 1;
-    effect.moves = !effect.shifts && !(std::abs(*first.number - 832) < 1);
-    if (!effect.moves)
-      take_rest(behind_arguments(trim(after.substr(std::min(after.find_first_not_of("0123456789."), after.size())))),
-                kAddresses, effect);
-    return true;
-  }
-  if (is_one_of(first.letters, kShifts) && !first.is_glued && !is_sentence) {
-    effect.shifts = true;
-    return true;
-  }
-  if (is_one_of(first.letters, kCycles) && (first.is_glued || after.starts_with('('))) {
-    effect.moves = true;
-    return true;
-  }
-  if (!is_one_of(first.letters, kHarmless)) return false;
-  const std::string_view rest = behind_arguments(after);
-  take_rest(rest, kAddresses, effect);
-  return effect.is_unknown || rest.size() < after.size() || after.empty();
+  const ControlWord* const word = find_control_word(text.substr(0, length));
+  if (word == nullptr) return std::nullopt;
+  std::optional<std::string_view> rest = after;
+  if (word->form == ControlForm::message) rest = after.starts_with('(') ? behind_values(after) : std::nullopt;
+  if (word->form == ControlForm::values) rest = behind_values(after);
+  if (!rest || (word->form == ControlForm::alone && !after.empty())) return unknown();
+  const std::vector<Token> tokens = machine_tokens(*rest);
+  return tokens.empty() ? MachineEffect{} : read_addresses(tokens);
 }
 
-enum class Code { harmless, length, path, moves, shifts, shifts_with_axes, begins_cycle, ends_cycle, offset, unknown };
-
-struct CodeRange {
-  int first, last;  // ten times the number of G
-  Code code;
-};
-
-// What a number of G does on Fanuc, Haas, LinuxCNC and Siemens controls; of two meanings the one that
-// matters.
-constexpr auto kCodes = std::to_array<CodeRange>({
-    {0, 30, Code::path},
-    {40, 40, Code::harmless},
-    {50, 63, Code::path},
-    {70, 70, Code::shifts},
-    {71, 71, Code::shifts},
-    {80, 90, Code::harmless},
-    {100, 100, Code::shifts},
-    {110, 110, Code::harmless},
-    {120, 120, Code::path},
-    {121, 121, Code::shifts},
-    {130, 130, Code::path},
-    {131, 131, Code::harmless},
-    {150, 150, Code::harmless},
-    {160, 160, Code::shifts},
-    {170, 190, Code::harmless},
-    {200, 210, Code::harmless},
-    {220, 260, Code::harmless},
-    {270, 319, Code::moves},
-    {320, 339, Code::path},
-    {400, 400, Code::harmless},
-    {401, 429, Code::shifts},
-    {430, 449, Code::length},
-    {490, 490, Code::length},
-    {500, 500, Code::shifts_with_axes},
-    {501, 501, Code::harmless},
-    {510, 529, Code::shifts},
-    {530, 531, Code::moves},
-    {540, 541, Code::offset},
-    {542, 542, Code::shifts},
-    {550, 599, Code::offset},
-    {600, 649, Code::harmless},
-    {650, 650, Code::moves},
-    {660, 661, Code::begins_cycle},
-    {670, 670, Code::ends_cycle},
-    {680, 689, Code::shifts},
-    {690, 691, Code::harmless},
-    {700, 710, Code::harmless},
-    {730, 769, Code::begins_cycle},
-    {800, 800, Code::ends_cycle},
-    {810, 899, Code::begins_cycle},
-    {900, 910, Code::harmless},
-    {920, 929, Code::shifts_with_axes},
-    {930, 990, Code::harmless},
-    {1070, 1071, Code::shifts},
-    {1120, 1120, Code::shifts},
-    {1130, 1130, Code::harmless},
-    {1530, 1530, Code::moves},
-    {1540, 1549, Code::offset},
-    {1870, 1870, Code::harmless},
-    {2340, 2340, Code::length},
-    {2540, 2540, Code::shifts},
-    {2550, 2550, Code::harmless},
-    {5000, 5000, Code::offset},
-    {5050, 5990, Code::offset},
-    {7000, 7100, Code::harmless},
-});
-
-Code code_of(double number) {
-  const auto tenfold = static_cast<int>(std::lround(std::clamp(number, -1.0, 10000.0) * 10));
-  for (const CodeRange& range : kCodes) {
-    if (tenfold >= range.first && tenfold <= range.last) return range.code;
+// Comments in brackets that are functions of an Osai control: (UAO,2), (MIR,X), (ERP).
+bool has_function_in_brackets(std::string_view text) {
+  constexpr std::size_t kLetters = 3;
+  for (std::size_t open = text.find('('); open != std::string_view::npos; open = text.find('(', open + 1)) {
+    const std::string_view inner = trim(text.substr(open + 1));
+    const auto letters = static_cast<std::size_t>(std::ranges::find_if_not(inner, is_letter) - inner.begin());
+    const std::string_view after = trim(inner.substr(letters));
+    if (letters == kLetters && (after.starts_with(',') || after.starts_with(')'))) return true;
   }
-  return Code::unknown;
+  return false;
 }
 
-void take_code(double number, Tokens tokens, MachineEffect& effect) {
-  const bool has_axes = has_position(tokens);
-  const auto is_code = [&](double code) { return std::abs(number - code) < 0.05; };
-  if (is_code(20) || is_code(70) || is_code(700)) effect.unit = LengthUnit::inch;
-  if (is_code(21) || is_code(71) || is_code(710)) effect.unit = LengthUnit::mm;
-  if (is_code(91)) effect.begins_steps = true;
-  if (is_code(90)) {
-    effect.begins_steps = false;
-    effect.ends_steps = true;
-  }
-  const Code code = code_of(number);
-  if (code == Code::moves || (code == Code::path && has_axes)) move(tokens, effect);
-  // G92 with an S alone limits the spindle's speed, G50 alone ends scaling.
-  const auto has_no_speed = [&] {
-    return std::ranges::none_of(tokens, [](const Token& t) { return is_word_of(t, "S"); });
-  };
-  const bool shifts_axes = code == Code::shifts_with_axes && (has_axes || (number > 90 && has_no_speed()));
-  effect.shifts = effect.shifts || code == Code::shifts || shifts_axes;
-  effect.changes_length = effect.changes_length || code == Code::length;
-  effect.begins_cycle = effect.begins_cycle || code == Code::begins_cycle;
-  effect.ends_cycle = effect.ends_cycle || code == Code::ends_cycle;
-  effect.chooses_offset = effect.chooses_offset || code == Code::offset;
-  effect.is_unknown = effect.is_unknown || code == Code::unknown;
+// Behind a semicolon stands a comment, or on other controls the next block.
+bool may_be_block(std::string_view comment) {
+  constexpr std::string_view kOfMacros = "#=[]<>";
+  if (comment.find_first_of(kOfMacros) != std::string_view::npos) return true;
+  const std::vector<Token> tokens = machine_tokens(comment);
+  return !tokens.empty() && is_address(tokens.front()) && tokens.front().is_glued;
 }
 
-// The numbers of axes beside these are no position to go to.
-bool takes_axes(double number) {
-  constexpr std::array<double, 12> kTakers = {4, 10, 51, 51.1, 52, 65, 66, 68, 68.2, 68.3, 92, 5.1};
-  return std::ranges::any_of(kTakers, [&](double code) { return std::abs(number - code) < 0.05; });
+// Quotes and percent signs around it, and what lets the control leave it out.
+std::string_view without_marks(std::string_view text) {
+  text = trim(text);
+  while (!text.empty() && std::string_view("/%'\"").find(text.front()) != std::string_view::npos)
+    text = trim(text.substr(1));
+  while (!text.empty() && std::string_view("%'\"").find(text.back()) != std::string_view::npos)
+    text = trim(text.substr(0, text.size() - 1));
+  return text;
 }
 
-void take_auxiliary(double number, MachineEffect& effect) {
-  constexpr std::array<double, 6> kCalls = {89, 97, 98, 99, 140, 198};
-  const auto is_code = [&](double code) { return std::abs(number - code) < 0.05; };
-  effect.moves = effect.moves || std::ranges::any_of(kCalls, is_code);
-  effect.shifts = effect.shifts || is_code(129);
-  effect.changes_tool = effect.changes_tool || is_code(6);
-}
-
-// "MOVE THE CLAMP": words, not addresses, and no macro.
-bool is_sentence(Tokens tokens) {
-  constexpr std::array<std::string_view, 4> kJumps = {"GOTO", "GOTOF", "GOTOB", "WHILE"};
-  if (is_one_of(tokens.front().letters, kJumps)) return false;
-  const bool has_macro = std::ranges::any_of(tokens, [](const Token& t) {
-    return t.other != '\0' && std::string_view("#[]=*<>{}$").find(t.other) != std::string_view::npos;
-  });
-  return !has_macro && tokens.size() > 1 && std::ranges::any_of(tokens, [](const Token& t) {
-    return t.letters.size() > 1 && (!t.number || t.letters.size() > 2) && !is_one_of(t.letters, kBesideAddresses);
-  });
-}
-
-// Where nothing else stands beside it the name of a subprogram, whose arguments in brackets look like a
-// comment.
-bool is_call(Tokens tokens) {
-  const Token& first = tokens.front();
-  return tokens.size() == 1 && (first.letters.size() > 2 || (is(first, "L") && first.is_glued));
-}
-
-void take_addresses(Tokens tokens, bool is_whole, MachineEffect& effect) {
-  bool has_code = false, are_axes_taken = false;
-  for (const Token& token : tokens) {
-    if (!is_word_of(token, "G")) continue;
-    has_code = true;
-    are_axes_taken = are_axes_taken || takes_axes(*token.number);
-    take_code(*token.number, tokens, effect);
-  }
-  for (const Token& token : tokens) {
-    if (!is_word_of(token, "M")) continue;
-    const bool is_call =
-        token.is_glued && (std::abs(*token.number - 98) < 0.05 || std::abs(*token.number - 198) < 0.05);
-    if (is_whole || is_call) take_auxiliary(*token.number, effect);
-  }
-  if (is_whole) {
-    const bool has_axis =
-        std::ranges::any_of(tokens, [](const Token& t) { return is_linear_axis(t) || is_word_of(t, "ABC"); });
-    if (has_axis && !are_axes_taken) move(tokens, effect);
-  }
-  const bool is_odd = !is_whole || (!has_code && is_call(tokens));
-  effect.is_unknown = effect.is_unknown || (is_odd && !is_sentence(tokens));
-}
+// O1234 alone names the program.
+bool is_program_name(Tokens tokens) { return tokens.size() == 1 && is_address_of(tokens.front(), "ON"); }
 
 }  // namespace
 
-MachineEffect read_machine_text(std::string_view text, bool may_be_name) {
-  MachineEffect effect;
-  text = trim(text);
-  while (!text.empty() && (text.front() == '/' || text.front() == '%' || text.front() == '\'' || text.front() == '"'))
-    text = trim(text.substr(1));
-  while (!text.empty() && (text.back() == '\'' || text.back() == '%' || text.back() == '"'))
-    text = trim(text.substr(0, text.size() - 1));
+MachineEffect read_machine_text(std::string_view text) {
+  text = without_marks(text);
+  if (const std::size_t semicolon = text.find(';'); semicolon != std::string_view::npos) {
+    if (may_be_block(text.substr(semicolon + 1))) return unknown();
+    text = trim(text.substr(0, semicolon));
+  }
   const std::vector<Token> all = machine_tokens(text);
   Tokens tokens(all);
-  const bool is_numbered = tokens.size() > 1 && (is_word_of(tokens.front(), "N") ||
+  if (tokens.empty()) return has_function_in_brackets(text) ? unknown() : MachineEffect{};
+  if (is_program_name(tokens)) return {};
+  const bool is_numbered = tokens.size() > 1 && (is_address_of(tokens.front(), "N") ||
                                                  (tokens.front().letters.empty() && tokens.front().number));
-  if (is_numbered) tokens = tokens.subspan(1);
-  if (tokens.empty()) return effect;
-  if (take_path_word(tokens, effect) || take_heidenhain(tokens, text, effect) || take_siemens(tokens, text, effect))
-    return effect;
-  effect = {};
-  const bool is_whole = is_block(tokens) && std::ranges::all_of(tokens, [&](const Token& t) {
-                          return !may_be_name || t.is_glued || !t.number;
-                        });
-  if (is_whole || !may_be_name) take_addresses(tokens, is_whole, effect);
-  // The number of a tool length or an offset, whichever code it belongs to.
-  const bool has_offset = std::ranges::any_of(tokens, [](const Token& t) { return is_word_of(t, "DH"); });
-  if (is_whole && !may_be_name && has_offset) effect.changes_length = true;
-  if (may_be_name) effect.is_unknown = false;
-  return effect;
+  if (is_numbered) {
+    tokens = tokens.subspan(1);
+    const std::string_view next = tokens.front().letters;
+    if (!next.empty()) text = text.substr(static_cast<std::size_t>(next.data() - text.data()));
+  }
+  if (const auto effect = read_word(text)) return *effect;
+  if (has_function_in_brackets(text)) return unknown();
+  if (const auto effect = read_phrase(tokens)) return *effect;
+  if (const auto effect = read_path_word(tokens)) return *effect;
+  return read_addresses(tokens);
 }
 
 }  // namespace gouge

@@ -6,8 +6,8 @@
 #include "lib/base/units.h"
 
 // What text for a machine's control does that a CL file carries as it stands (INSERT, PREFUN, manual
-// entries): G-code, Heidenhain and Siemens words, macros. Nothing of it is run; it is only distinguished by what
-// it may do to the motion that follows.
+// entries): G-code, Heidenhain and Siemens words, macros. Nothing of it is run. It is harmless only if every one of its
+// words is in the list of control_list.h.
 
 namespace gouge {
 
@@ -22,14 +22,13 @@ struct MachineEffect {
   bool changes_tool = false;       ///< M6, TOOL CALL
   bool changes_length = false;     ///< of the tool, in the control: G43, G44, G49
   bool chooses_offset = false;     ///< G54 and the like
-  bool is_unknown = false;         ///< words of a control, a macro or a call that are not known
+  bool ends_program = false;       ///< M2, M30
+  bool is_unknown = false;         ///< a word that is not in the list: it may do anything
   std::optional<LengthUnit> unit;  ///< of the numbers that follow (G20, G21, G70, G71)
 };
 
-/// Reads one block. Comments in brackets or after a semicolon, block numbers and words that only switch
-/// something (M8, S, F, T) do nothing. Sentences do nothing either: no control runs them. Where
-/// `may_be_name`, as names of tools stand in the same place, only whole blocks of address words and known
-/// words count.
-[[nodiscard]] MachineEffect read_machine_text(std::string_view text, bool may_be_name);
+/// Reads one block. Block numbers, program names and comments do nothing: those in brackets but for the functions of an
+/// Osai control, and those behind a semicolon that are no block.
+[[nodiscard]] MachineEffect read_machine_text(std::string_view text);
 
 }  // namespace gouge

@@ -35,9 +35,9 @@ bool is_block_of_control(std::string_view token, std::string_view text) {
   constexpr std::string_view kAxes = "XYZxyz";
   const bool is_place = token.size() > 1 && kAxes.find(token[0]) != std::string_view::npos &&
                         (token[1] == '-' || (is_digit(token[1]) && text.substr(token.size()).starts_with('.')));
-  if (is_place) return read_machine_text(token, true).moves;
+  if (is_place) return read_machine_text(token).moves;
   return token.size() > 1 && (token[0] == 'G' || token[0] == 'g') && is_digit(token[1]) &&
-         read_machine_text(text, false).moves;
+         read_machine_text(text).moves;
 }
 
 // Whether the word at the end of `token` begins a statement with what comes after it.

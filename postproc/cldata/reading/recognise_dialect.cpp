@@ -14,7 +14,12 @@ namespace {
 constexpr std::size_t kDialectLines = 400;
 constexpr std::size_t kBytesOfLineLookedAt = 200;
 
-enum class Where { line_start, in_comment };
+enum class Where {
+  line_start,
+  in_comment,
+  at_start,        // in one of the first two lines: Autodesk's post states the mode there, behind a MACHIN
+  without_partno,  // where none stands: NX writes no PARTNO
+};
 
 struct Mark {
   std::string_view text;  // in capitals, without blanks
@@ -39,12 +44,12 @@ constexpr std::array<Mark, 21> kMarks = {{
     {"CSI_SET_EXTENSION_LENGTH/", DialectKind::solidworks_cam},
     {"MOVARC/CENTER", DialectKind::mori},
     {"MOVARC/", DialectKind::autodesk},
-    {"MODE/MILL", DialectKind::autodesk},
+    {"MODE/MILL", DialectKind::autodesk, Where::at_start},
     {"OPNAME/", DialectKind::mori},
-    {"TLDATA/", DialectKind::nx_clsf},
-    {"END-OF-PATH", DialectKind::nx_clsf},
-    {"PAINT/", DialectKind::nx_clsf},
-    {"MSYS/", DialectKind::nx_clsf},
+    {"TLDATA/", DialectKind::nx_clsf, Where::without_partno},
+    {"END-OF-PATH", DialectKind::nx_clsf, Where::without_partno},
+    {"PAINT/", DialectKind::nx_clsf, Where::without_partno},
+    {"MSYS/", DialectKind::nx_clsf, Where::without_partno},
 }};
 
 std::string squeezed(std::string_view line) {
@@ -56,24 +61,33 @@ std::string squeezed(std::string_view line) {
 }
 
 bool has_mark(const std::string& line, const Mark& mark) {
-  if (mark.where == Where::line_start) return line.starts_with(mark.text);
+  if (mark.where != Where::in_comment) return line.starts_with(mark.text);
   const bool is_comment = line.starts_with("$$") || line.starts_with("REMARK");
   return is_comment && line.find(mark.text) != std::string::npos;
 }
 
 struct FirstLines {
-  std::size_t best_mark = kMarks.size();
+  std::array<std::size_t, kMarks.size()> first_line{};  // of each mark, counted from 1; 0: none
+  std::size_t partno = 0;                               // its first line
   std::size_t gotos = 0, others = 0;
 };
+
+bool counts(const FirstLines& found, std::size_t mark) {
+  const std::size_t line = found.first_line[mark];
+  if (kMarks[mark].where == Where::at_start) return line > 0 && line <= 2;
+  if (kMarks[mark].where == Where::without_partno) return line > 0 && found.partno == 0;
+  return line > 0;
+}
 
 FirstLines look_at(std::string_view bytes) {
   FirstLines found;
   for (std::size_t at = 0, lines = 0; at < bytes.size() && lines < kDialectLines; ++lines) {
     const std::size_t end = bytes.find('\n', at);
     const std::string line = squeezed(bytes.substr(at, end - at));
-    for (std::size_t i = 0; i < found.best_mark; ++i) {
-      if (has_mark(line, kMarks[i])) found.best_mark = i;
+    for (std::size_t i = 0; i < kMarks.size(); ++i) {
+      if (found.first_line[i] == 0 && has_mark(line, kMarks[i])) found.first_line[i] = lines + 1;
     }
+    if (found.partno == 0 && line.starts_with("PARTNO")) found.partno = lines + 1;
     if (line.starts_with("GOTO/")) {
       ++found.gotos;
     } else if (!line.empty()) {
@@ -91,7 +105,9 @@ Dialect recognise_dialect(std::string_view bytes) {
   if (is_nccs_binary(bytes)) return dialect_of(DialectKind::nccs_binary);
   if (is_nci(bytes)) return dialect_of(DialectKind::nci);
   const FirstLines found = look_at(bytes);
-  if (found.best_mark < kMarks.size()) return dialect_of(kMarks[found.best_mark].kind);
+  for (std::size_t i = 0; i < kMarks.size(); ++i) {
+    if (counts(found, i)) return dialect_of(kMarks[i].kind);
+  }
   return dialect_of(found.gotos > 0 && found.others == 0 ? DialectKind::goto_list : DialectKind::apt);
 }
 

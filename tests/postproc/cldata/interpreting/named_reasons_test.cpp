@@ -33,7 +33,8 @@ std::string reason_after(const std::string& statements) {
 // A reason that a whole file may have says which statement is behind it.
 TEST(NamedReasons, OfAllThatFollowsAStatement) {
   EXPECT_EQ(reason_after("FOO/1,2,3,4,5,6,7,8,9"),
-            "positions follow a statement that is not understood and may turn or shift them: FOO in line 3");
+            "follows a statement that is not understood: it may move or change the tool, or shift what follows: FOO in "
+            "line 3");
   EXPECT_EQ(reason_after("TRACUT/LAST"),
             "positions follow a statement that is not understood and may turn or shift them: TRACUT in line 3");
   EXPECT_EQ(reason_after("TRANS/1,2,3"),

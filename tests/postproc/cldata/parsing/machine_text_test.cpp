@@ -4,20 +4,24 @@
 
 #include <string>
 
+#include "postproc/cldata/parsing/tool_name.h"
+
 namespace gouge {
 namespace {
 
-/// The effects of a text as letters: moves, shifts, cycle, steps, tool, offset, unknown.
-std::string effects(std::string_view text, bool may_be_name = false) {
-  const MachineEffect e = read_machine_text(text, may_be_name);
+/// The effects of a text as letters: moves, shifts, length, cycle, steps, tool, offset, end, unknown.
+std::string effects(std::string_view text) {
+  const MachineEffect e = read_machine_text(text);
   std::string letters;
+  if (e.is_unknown) return "?";
   if (e.moves) letters += 'm';
   if (e.shifts) letters += 's';
+  if (e.changes_length) letters += 'l';
   if (e.begins_cycle) letters += 'c';
   if (e.begins_steps) letters += 'i';
   if (e.changes_tool) letters += 't';
   if (e.chooses_offset) letters += 'o';
-  if (e.is_unknown) letters += '?';
+  if (e.ends_program) letters += 'e';
   return letters;
 }
 
@@ -33,41 +37,87 @@ TEST(MachineText, ReportsWhatGCodeDoes) {
   EXPECT_EQ(effects("G91 G28 Z0 G90"), "m");
   EXPECT_EQ(effects("G91 G28 Z0"), "mi");
   EXPECT_EQ(effects("G81 Z-5. R2. F100"), "mc") << "it drills here, too";
+  EXPECT_EQ(effects("G43 H2"), "l");
   EXPECT_EQ(effects("T5 M6"), "t");
   EXPECT_EQ(effects("G0 A90."), "ms");
   EXPECT_EQ(effects("G0 A0."), "m");
-  EXPECT_EQ(effects("G777"), "?");
+  EXPECT_EQ(effects("M30"), "e");
 }
 
-TEST(MachineText, ReportsWhatOtherControlsDo) {
+TEST(MachineText, TakesABlockForHarmlessWhereEveryWordIsInTheList) {
+  for (const char* text : {"M8", "N5 G17 G40 G80 G90", "M03 S12000", "G4 X2.5", "G04 P1000", "G5.1 Q1", "G05 P10000",
+                           "G187 P1 E0.01", "G64 P0.01", "G96 S200", "M19 R90", "M41", "%", "O1234", "G642", ""})
+    EXPECT_EQ(effects(text), "") << text;
+}
+
+TEST(MachineText, TakesNoBlockForHarmlessWithAWordThatIsNotInTheList) {
+  for (const char* text : {"G777", "G6.2", "G11", "M98 P1000", "M200", "M50", "G65 P9810 Z-50.", "#100=-12", "L1234 P3",
+                           "MYPROG P2", "G1 AP=30 RP=20", "AP=30 RP=20", "COPY X10 Y0 Q3 P30", "ED30", "EC30",
+                           "VZOFZ=-12", "GOTO 100", "IF[#1EQ0]GOTO10", "IF Q1 EQU 0 GOTO LBL 1", "G1 Z[-50]",
+                           "M8 G777", "G4 X2 W5 M99", "TRAILER", "G5 P10000 L2"})
+    EXPECT_EQ(effects(text), "?") << text;
+}
+
+TEST(MachineText, ReportsWhatSiemensWordsDo) {
+  for (const char* text : {"CYCLE832(0.01,1,1)", "CYCLE832(0.01) M8", "SPOS=0", "TRAORI", "TRAORI(1)", "STOPRE", "SOFT",
+                           "MSG(\"DRILL (X)\")", "N20 ORIWKS", "WORKPIECE(,,,\"BOX\",112,0,-20,-80,0,0,100,60)"})
+    EXPECT_EQ(effects(text), "") << text;
+  for (const char* text : {"ATRANS Z-50", "TRANS", "TRAFOOF", "CYCLE800(1)", "POCKET3(50,0,2)", "MYSUB(1,2)", "MIRROR X0",
+                           "MSG(\"X\") TRANS X1", "STOPRE X", "SUPA Z0", "CALL BLOCK A TO B"})
+    EXPECT_EQ(effects(text), "?") << text;
+  EXPECT_EQ(effects("MSG(\"X\") G91"), "i");
+  EXPECT_EQ(effects("TRAORI Z-10"), "m");
+  EXPECT_EQ(effects("MCALL CYCLE81(10,0,1,-50)"), "c");
+  EXPECT_TRUE(read_machine_text("MCALL").ends_cycle);
+}
+
+TEST(MachineText, ReportsWhatHeidenhainWordsDo) {
   EXPECT_EQ(effects("L X+10 R0 FMAX M3"), "m");
-  EXPECT_EQ(effects("L M5"), "");
-  EXPECT_EQ(effects("CYCL DEF 7.0"), "s");
-  EXPECT_EQ(effects("CYCL DEF 247 Q339=+1"), "o");
-  EXPECT_EQ(effects("CYCL DEF 200 Q200=2"), "m");
-  EXPECT_EQ(effects("CYCL DEF 5000000000"), "m") << "more than an int holds";
-  EXPECT_EQ(effects("TOOL CALL 5 Z S2000"), "t");
-  EXPECT_EQ(effects("TOOL CALL S3000"), "");
-  EXPECT_EQ(effects("ATRANS Z-50"), "s");
-  EXPECT_EQ(effects("TRANS"), "s");
-  EXPECT_EQ(effects("CYCLE832(0.01,1,1)"), "");
-  EXPECT_EQ(effects("POCKET3(50,0,2)"), "m");
-  EXPECT_EQ(effects("MYSUB(1,2)"), "?");
-  EXPECT_EQ(effects("SPOS=0"), "");
+  EXPECT_EQ(effects("12 L IZ-50 R0 F MAX"), "m");
+  EXPECT_EQ(effects("CYCL DEF 247 DATUM SETTING ~ Q339=+1"), "o");
+  for (const char* text : {"L M5", "TOOL CALL S3000", "TOOL DEF 5", "CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T0.05",
+                           "CYCL DEF 32.2 HSC-MODE:1 TA0.5", "CYCL DEF 9.1 V.ZEIT 2", "STOP M8", "LBL 1",
+                           "BLK FORM 0.1 Z X+0 Y+0 Z-20", "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS", "M128"})
+    EXPECT_EQ(effects(text), "") << text;
+  for (const char* text :
+       {"CYCL DEF 7.0", "CYCL DEF 7.0 DATUM SHIFT", "CYCL DEF 200 Q200=2", "CYCL DEF 5000000000", "CYCL CALL M3",
+        "TOOL CALL 5 Z S2000", "TOOL DEF 5 L+12", "TRANS MIRROR AXIS X", "TRANS ROTATION ROT+30", "PRESET CORR Z-12",
+        "FUNCTION CORRDATA TCS #1", "FUNCTION MODE TURN", "FUNCTION RESET TCPM", "M140 MB MAX", "L X+10 RL",
+        "TCH PROBE 410 DATUM", "POLARKIN AXES X Z C MODE:KEEP", "FN 9: IF +Q1 EQU +0 GOTO LBL 1", "CALL LBL 2 REP 3",
+        "PLANE SPATIAL SPA+0 SPB+30 SPC+0", "C X+5", "STOP G92 Z[1]"})
+    EXPECT_EQ(effects(text), "?") << text;
+  EXPECT_EQ(effects("M129"), "s");
 }
 
-TEST(MachineText, TakesSentencesForText) {
-  EXPECT_EQ(effects("ROT AND CLAMP THE PART"), "");
-  EXPECT_EQ(effects("PUT STOP AT X0 Y0"), "");
+TEST(MachineText, TakesCommentsForComments) {
   EXPECT_EQ(effects("(G92 Z0)"), "");
-  EXPECT_EQ(effects("M8 ; Z-50"), "");
+  EXPECT_EQ(effects("M8 (COOLANT ON, Z-50)"), "");
+  EXPECT_EQ(effects("M8 ; next tool"), "");
+  EXPECT_EQ(effects("; change the clamp"), "");
+  EXPECT_EQ(effects("M8 ; Z-50"), "?") << "elsewhere the next block";
+  EXPECT_EQ(effects("; #100=5"), "?");
+  for (const char* function : {"(UAO,2)", "(MIR,X)", "(RPT,3)", "(ERP)", "( CLS , SUB )"})
+    EXPECT_EQ(effects(function), "?") << function << " of an Osai control";
 }
 
-TEST(MachineText, TakesNamesOfToolsForNames) {
-  for (const char* name : {"D10 R2", "C 12 X 90DEG", "T1 D10 R0.5", "M6 X 1.0 TAP", "SPOT DRILL", "1/4-20 TAP"})
-    EXPECT_EQ(effects(name, true), "") << name;
-  EXPECT_EQ(effects("G92 Z0", true), "s");
-  EXPECT_EQ(effects("Z-50.", true), "m");
+TEST(MachineText, TakesNoSentenceForHarmless) {
+  for (const char* text : {"ROT AND CLAMP THE PART", "PUT STOP AT X0 Y0", "CALL THE OPERATOR AT ONCE"})
+    EXPECT_EQ(effects(text), "?") << text;
+}
+
+TEST(ToolName, HasADimensionOrAKindOfTool) {
+  for (const char* name : {"[HOLDER=C40-M20EM3] 20MM CRB 2FL 38 LOC", "12MM X 60DEG HSS CENTERDRILL", "SPOTDRILL",
+                           "T1 D10 R0.5", "M6 X 1.0 TAP", "1/2\" END MILL", "4.0mm JOBBER DRILL", "FRESA 10"})
+    EXPECT_TRUE(is_tool_name(name)) << name;
+  for (const char* name : {"TRANS MIRROR AXIS X", "#100=-12", "10MM #1=5", "GOTO 100", "VZOFZ=-12", "PRESET CORR Z-12"})
+    EXPECT_FALSE(is_tool_name(name)) << name;
+}
+
+TEST(SetupText, IsStockOrAStopWithAMessage) {
+  for (const char* text : {"Stock Size X95. Y150. Z120.", "STOP  change fixture", "STOP  Insert holdings"})
+    EXPECT_TRUE(is_setup_text(text)) << text;
+  for (const char* text : {"STOP", "STOP G92 Z0", "Stock Size X95. TRANS", "STOP #1=A", "Stock"})
+    EXPECT_FALSE(is_setup_text(text)) << text;
 }
 
 }  // namespace

@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "postproc/cldata/interpreting/interpreter.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/path_of.h"
@@ -112,14 +117,45 @@ TEST(Frames, TransAndOriginMakeTheirMovesNotChecked) {
   EXPECT_TRUE(path_of("TRANS/0,0,0\nGOTO/1,2,3\n").moves[0].not_checked_reason.empty());
 }
 
-TEST(Unknown, AWordWithNumbersIsAMoveThatIsNotChecked) {
-  const Toolpath path = path_of("UNITS/MM\nGOTO/1,2,3\nMOVETO/4,5,6\nGOTO/7,8,9\nGOTO/8,8,9\n");
-  ASSERT_EQ(path.moves.size(), 4u);
-  EXPECT_FALSE(path.moves[1].not_checked_reason.empty());
-  EXPECT_FALSE(path.moves[2].not_checked_reason.empty()) << "its start is not known";
-  EXPECT_FALSE(path.moves[2].has_start);
-  EXPECT_TRUE(path.moves[3].not_checked_reason.empty());
-  EXPECT_EQ(path.words_not_understood.at("MOVETO"), 1u);
+TEST(Unknown, AWordIsAMoveThatIsNotCheckedAndSoIsAllThatFollows) {
+  for (const std::string word : {"MOVETO/4,5,6", "FLIP", "WHEEL/2"}) {
+    const Toolpath path = path_of("UNITS/MM\nGOTO/1,2,3\n" + word + "\nGOTO/7,8,9\nGOTO/8,8,9\n");
+    ASSERT_EQ(path.moves.size(), 4u) << word;
+    EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
+    EXPECT_FALSE(path.moves[2].has_start);
+    for (std::size_t i = 1; i < 4; ++i) EXPECT_FALSE(path.moves[i].not_checked_reason.empty()) << word << i;
+    EXPECT_EQ(path.words_not_understood.size(), 1u);
+  }
+}
+
+TEST(Unknown, AWordIsNamedAsItStands) {
+  const Toolpath path = path_of("UNITS/MM\nGOTO/1,2,3\n\xe5\x88\x87\xe5\x89\x8a\nGOTO/7,8,9\n");
+  EXPECT_EQ(path.words_not_understood.at("\xe5\x88\x87\xe5\x89\x8a"), 1u);
+  EXPECT_NE(path.moves[1].not_checked_reason.find("\xe5\x88\x87\xe5\x89\x8a"), std::string_view::npos);
+}
+
+Toolpath path_with(const std::string& text, std::vector<std::string> harmless_words) {
+  ReadOptions options;
+  options.harmless_words = std::move(harmless_words);
+  ReadOutcome outcome = read_toolpath("a", text, options);
+  return outcome.toolpath ? std::move(*outcome.toolpath) : Toolpath{};
+}
+
+TEST(Unknown, AWordThatWasDeclaredHarmlessIsPassedOverAndCounted) {
+  const std::string text = "UNITS/MM\nGOTO/1,2,3\nwheel/2,-5,7\n\xe5\x88\x87\nGOTO/7,8,9\n";
+  const Toolpath path = path_with(text, {"WHEEL", "\xe5\x88\x87"});
+  ASSERT_EQ(path.moves.size(), 2u);
+  EXPECT_TRUE(path.moves[1].not_checked_reason.empty());
+  EXPECT_TRUE(path.words_not_understood.empty());
+  const auto is_note = [](const Diagnostic& note) { return note.code == "path-harmless-words" && note.line == 3; };
+  EXPECT_TRUE(std::ranges::any_of(path.notes, is_note));
+  EXPECT_EQ(read_motion_records(path).of_move.size(), 2u) << "writers read it in the same way";
+  EXPECT_EQ(path_with(text, {"WHEEL"}).moves.size(), 3u) << "the other word is none";
+}
+
+TEST(Unknown, AWordThatWasDeclaredHarmlessHidesNoStatement) {
+  const Toolpath path = path_with("UNITS/MM\nGOTO/1,2,3\nWHEEL/2 INSERT G92 Z0\nGOTO/7,8,9\n", {"WHEEL"});
+  EXPECT_FALSE(path.moves.back().not_checked_reason.empty());
 }
 
 TEST(Unknown, AWordWithAMatrixMakesAllThatFollowsNotChecked) {
