@@ -84,6 +84,8 @@ std::string JobWords::located(const std::string& file) const {
 
 std::string option_of_key(const std::string& key) { return key == "harmless_words" ? "harmless-word" : key; }
 
+std::string key_of_option(const std::string& name) { return name == "harmless-word" ? "harmless_words" : name; }
+
 Outcome JobWords::add(const std::string& given, const nlohmann::json& value) {
   const std::string key = option_of_key(given);
   const CLI::Option* option = option_table(command_).get_option_no_throw("--" + key);

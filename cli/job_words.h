@@ -35,6 +35,8 @@ struct WordRules {
 /// The long name of the option that `key` of a file sets: its own, but for `harmless_words`, the list of
 /// --harmless-word.
 [[nodiscard]] std::string option_of_key(const std::string& key);
+/// The other way round.
+[[nodiscard]] std::string key_of_option(const std::string& name);
 
 /// The options of `check` or `correct` as the values of a job list or a project file give them.
 class JobWords {

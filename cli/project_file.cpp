@@ -131,7 +131,7 @@ std::vector<std::string> project_keys() {
   for (const char* command : {"check", "correct"}) {
     for (const CLI::Option* option : option_table(command).get_options()) {
       if (!is_allowed(*option)) continue;
-      const std::string& key = option->get_lnames().front();
+      const std::string key = key_of_option(option->get_lnames().front());
       if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
     }
   }
@@ -179,7 +179,7 @@ Result<ProjectFile> read_project_file(const std::string& name, const std::string
     if (!words.words().empty()) project.options.push_back({key, words.words(), line});
   }
   std::ranges::sort(project.options, {},
-                    [&](const ProjectOption& option) { return std::ranges::find(keys, option.key) - keys.begin(); });
+                    [&](const ProjectOption& option) { return std::ranges::find(keys, key_of_option(option.key)) - keys.begin(); });
   return project;
 }
 

@@ -55,6 +55,12 @@ TEST(ParseErrors, AValueThatCannotBeIsReportedWithWhatCan) {
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--threads", "-1"}),
             "--threads '-1': expected a whole number of 0 or more; see gougecheck check --help");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--cutcom", "left"}), "--cutcom 'left': expected centre");
+  for (const char* word : {"GOTO", "goto", "UNITS", "INSERT", "OFF"})
+    EXPECT_EQ(said({"path", "info", "a.apt", "--harmless-word", word}),
+              "--harmless-word '" + std::string(word) +
+                  "': expected a word of your own: this one is read, and what it says holds");
+  EXPECT_EQ(said({"path", "info", "a.apt", "--harmless-word", "WHEEL/5"}),
+            "--harmless-word 'WHEEL/5': expected the word that a statement begins with, such as MYWORD of MYWORD/5");
   EXPECT_EQ(said({"tool", "import", "a.json", "-o", "b.json", "--stickout", "-3"}),
             "--stickout '-3': expected a number above 0");
   for (const char* speed : {"0", "-5", "fast", "1e999", "600deg"}) {

@@ -60,6 +60,12 @@ TEST(ProjectFile, NamesNoStandardInput) {
   EXPECT_EQ(project.error().message, "\"part\" is -; expected a file: a project file cannot name standard input");
 }
 
+TEST(ProjectFile, ListsTheHarmlessWords) {
+  const Result<ProjectFile> project = read_project_file("g.json", "", R"({"harmless_words": ["WHEEL", "切削"]})");
+  ASSERT_TRUE(project.has_value());
+  EXPECT_EQ(project->options[0].words, (std::vector<std::string>{"--harmless-word=WHEEL", "--harmless-word=切削"}));
+}
+
 TEST(ProjectFile, AbsolutePathsStay) {
   const Result<ProjectFile> project = read_project_file("g.json", "../", R"({"fixture": ["/a.stl", "b.stl"]})");
   ASSERT_TRUE(project.has_value());

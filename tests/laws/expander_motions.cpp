@@ -87,9 +87,8 @@ void StatementExpander::move_to(const Pose& to) {
   if (!now_.is_frame_said && now_.has_frames) return doubt("a section without its frame");
   if (now_.is_compensated && !now_.is_cutter_centre) return doubt("a compensated position");
   if (!now_.lost_word.empty()) return doubt(now_.lost_word);
-  for (const std::string* why : {&now_.tool_doubt, &now_.cutter_doubt, &now_.multax_doubt}) {
-    if (!why->empty()) return doubt(*why);
-  }
+  if (!now_.unknown_word.empty()) return doubt(now_.unknown_word);
+  if (!now_.tool_doubt.empty()) return doubt(now_.tool_doubt);
   if (now_.diameter_mm && *now_.diameter_mm < 0) return doubt("a tool whose cutter nothing defines");
   const bool is_on_arc = now_.arc.has_value();
   if (now_.cycle) {

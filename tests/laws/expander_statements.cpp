@@ -31,6 +31,7 @@ bool StatementExpander::numbers(const Arguments& arguments, std::vector<double>&
 void StatementExpander::step(const LooseStatement& statement) {
   line_ = statement.line;
   if (statement.is_comment) return comment(statement);
+  if (statement.word == "PARTNO" && out_.motions.empty()) now_.unknown_word.clear();
   if (statement.is_text) return;
   if (statement.is_cut_off) return doubt("the file ends within a statement");
   if (is_meaningful(statement.word) || statement.word.starts_with("TLON,") || statement.word.starts_with("$$->"))
@@ -58,32 +59,9 @@ void StatementExpander::step(const LooseStatement& statement) {
     return word(meant);
   }
   if (statement.word.empty() || !((statement.word[0] >= 'A' && statement.word[0] <= 'Z'))) return wordless(statement);
-  const std::string_view hidden = meaning_hidden_in(statement.word);
-  // Where the tool goes home nothing is swept, where it does not the next position is: that holds both.
-  const bool holds_both = (hidden == "GOHOME" && statement.arguments.empty()) || hidden == "END-OF-PATH";
-  if (hidden == "CUTCOM" && now_.is_cutter_centre) return;
-  if (hidden.size() <= 4 && statement.arguments.empty() && hidden != "GOTO" && hidden != "FROM") return;
-  if (hidden == "MODE" && !is_one_letter_away(squeezed(statement.rest), "TURN")) return;
-  if ((hidden == "CUTTER" || hidden == "TLDATA") && is_one_letter_away(statement.word, hidden)) {
-    now_.cutter_doubt = "'" + statement.word + "' may be " + std::string(hidden);
-    return;
-  }
-  if (hidden == "MULTAX" && is_one_letter_away(statement.word, hidden)) {
-    now_.multax_doubt = "'" + statement.word + "' may be MULTAX";
-    return;
-  }
-  if ((hidden == "LOADTL" || hidden == "LOAD" || hidden == "TOOLNO") && is_one_letter_away(statement.word, hidden)) {
-    now_.tool_doubt = "'" + statement.word + "' may be " + std::string(hidden);
-    return;
-  }
-  if (hidden == "CYCLE" && is_one_letter_away(statement.word, hidden)) {
-    now_.cycle = OpenCycle{line_, std::nullopt, std::nullopt, "'" + statement.word + "' may be CYCLE", 0};
-    return;
-  }
-  if (!hidden.empty() && !(holds_both && is_one_letter_away(statement.word, hidden)))
-    return doubt("'" + statement.word + "' may be " + std::string(hidden));
-  if (count_numbers(statement.arguments) >= 3) return doubt("'" + statement.word + "' may be a motion");
-  if (!meaning_within(squeezed(statement.rest)).empty()) return doubt("a statement within one of " + statement.word);
+  // A word that is in no list may mean anything, but for what stands before a program.
+  now_.unknown_word = "'" + statement.word + "' is no word that is known";
+  if (!out_.motions.empty()) doubt(now_.unknown_word);
 }
 
 // What another line has lost, or the rest of a text.

@@ -26,7 +26,6 @@ void StatementExpander::unit(const Arguments& arguments) {
 }
 
 void StatementExpander::multax(const Arguments& arguments) {
-  now_.multax_doubt.clear();
   const std::string text = arguments.size() == 1 ? arguments.front().text : arguments.empty() ? "ON" : "?";
   if (text == "ON")
     now_.multax = Multax::on;
@@ -129,7 +128,6 @@ void StatementExpander::cutter(const std::vector<double>& values, double diamete
 }
 
 void StatementExpander::tool_data(const LooseStatement& s) {
-  now_.cutter_doubt.clear();
   Arguments arguments = s.arguments;
   std::vector<double> v;
   if (s.word == "CUTTER") {

@@ -95,13 +95,6 @@ std::string_view meaning_within(std::string_view text) {
   return {};
 }
 
-std::string_view meaning_hidden_in(std::string_view text) {
-  for (const std::string_view word : kMeaningful) {
-    if (is_one_letter_away(text, word) || text.starts_with(word)) return word;
-  }
-  return meaning_within(text);
-}
-
 std::string_view meaning_before_blank(std::string_view text) {
   std::string_view found;
   for (const std::string_view word : kMeaningful) {

@@ -20,9 +20,6 @@ namespace gouge::laws {
 /// One letter added, lost, changed, or two of them the wrong way round; or the same.
 [[nodiscard]] bool is_one_letter_away(std::string_view a, std::string_view b);
 
-/// The meaningful word that `text` holds somewhere, or is one letter away from; empty: none.
-[[nodiscard]] std::string_view meaning_hidden_in(std::string_view text);
-
 /// The meaningful word that stands somewhere in `text`; empty: none.
 [[nodiscard]] std::string_view meaning_within(std::string_view text);
 

@@ -59,7 +59,7 @@ struct MotionReading {
   std::optional<int> tool;
   std::string tool_name;                   ///< NX: of the block
   std::string lost_word;                   ///< a line that may have switched something; empty: none
-  std::string cutter_doubt, multax_doubt;  ///< why they may have changed; empty: they have not
+  std::string unknown_word;                ///< before any motion; empty: none
   std::string tool_doubt;                  ///< why nobody knows which tool is in; empty: it is known
   std::optional<double> diameter_mm;
   std::optional<double> stated_diameter;  ///< of `$$-> CUTTER`, in the unit of the file

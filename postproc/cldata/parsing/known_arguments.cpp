@@ -20,6 +20,7 @@ struct KnownArguments {
 constexpr auto kRows = std::to_array<KnownArguments>({
     {Word::cutcom,
      "ON OFF LEFT RIGHT LENGTH ADJUST XYPLAN YZPLAN ZXPLAN XAXIS YAXIS ZAXIS NORMDS NORMAL PLUS MINUS 3DC", 6},
+    {Word::end_of_path, "", 0},
     {Word::fedrat,
      "MMPM MMPR IPM IPR FPM FPR PERMIN PERREV INVERS TPI AUTO ON OFF CONST LOCK UNLOCK MAXIPM MAXMPM SCALE MPM UPM UPR "
      "NEXT NOW RPM SFM SMM",
