@@ -167,7 +167,8 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   if (!arguments.stl_units.empty()) model.more_options.push_back({"stl-units", arguments.stl_units});
   if (!arguments.reading.dialect.empty()) model.more_options.push_back({"dialect", arguments.reading.dialect});
   if (!arguments.reading.cutcom.empty()) model.more_options.push_back({"cutcom", arguments.reading.cutcom});
-  for (const std::string& word : arguments.reading.harmless_words) model.more_options.push_back({"harmless-word", word});
+  for (const std::string& word : arguments.reading.harmless_words)
+    model.more_options.push_back({"harmless-word", word});
   if (!arguments.reading.units.empty()) model.more_options.push_back({"toolpath-units", arguments.reading.units});
   if (!arguments.holder.empty()) model.more_options.push_back({"holder", arguments.holder});
   if (arguments.is_extended_up) model.more_options.push_back({"extend-up", "yes"});

@@ -178,8 +178,9 @@ Result<ProjectFile> read_project_file(const std::string& name, const std::string
       return make_error(added.error().code, added.error().message, name, line);
     if (!words.words().empty()) project.options.push_back({key, words.words(), line});
   }
-  std::ranges::sort(project.options, {},
-                    [&](const ProjectOption& option) { return std::ranges::find(keys, key_of_option(option.key)) - keys.begin(); });
+  std::ranges::sort(project.options, {}, [&](const ProjectOption& option) {
+    return std::ranges::find(keys, key_of_option(option.key)) - keys.begin();
+  });
   return project;
 }
 

@@ -12,11 +12,6 @@ bool is_all_numbers(const std::vector<LooseArgument>& arguments) {
   return std::all_of(arguments.begin(), arguments.end(), [](const LooseArgument& a) { return a.number.has_value(); });
 }
 
-std::size_t count_numbers(const std::vector<LooseArgument>& arguments) {
-  return static_cast<std::size_t>(
-      std::count_if(arguments.begin(), arguments.end(), [](const LooseArgument& a) { return a.number.has_value(); }));
-}
-
 }  // namespace
 
 bool StatementExpander::numbers(const Arguments& arguments, std::vector<double>& values) {
@@ -59,6 +54,10 @@ void StatementExpander::step(const LooseStatement& statement) {
     return word(meant);
   }
   if (statement.word.empty() || !((statement.word[0] >= 'A' && statement.word[0] <= 'Z'))) return wordless(statement);
+  // Without its slash, a blank behind it ends a word that leaves the cutter where it is.
+  const std::string_view whole = statement.whole;
+  const std::size_t begin = std::min(whole.find_first_not_of(" \t"), whole.size());
+  if (is_passive(whole.substr(begin, whole.find_first_of(" \t,\r\n", begin) - begin))) return;
   // A word that is in no list may mean anything, but for what stands before a program.
   now_.unknown_word = "'" + statement.word + "' is no word that is known";
   if (!out_.motions.empty()) doubt(now_.unknown_word);

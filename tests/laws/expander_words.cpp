@@ -13,7 +13,8 @@ constexpr std::array<std::string_view, 37> kMeaningful{
     "INDIRV", "TLON",   "NURBS",  "KNOT",   "CNTRL",  "TRANS",  "END-OF-PATH", "ORIGIN", "TOOLPATH", "ROTABL",
     "TRNTYP", "MODE",   "TRACUT", "COPY",   "SPLINE", "HELIX",  "TURRET"};
 
-constexpr std::array<std::string_view, 42> kPassive{"RAPID",
+constexpr std::array<std::string_view, 43> kPassive{"RAPID",
+                                                    "PRINT",
                                                     "FEDRAT",
                                                     "SPINDL",
                                                     "COOLNT",

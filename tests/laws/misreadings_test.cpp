@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Misreading{"SynonymOfNoWord", around("SYN/A,B\n"), "clean"},
                       Misreading{"Control", around("INSERT/G00 Z-10.\n"), "not-checked"},
                       Misreading{"ControlWithoutBlanks", around("INSERT N10G1X5\n"), "not-checked"},
-                      Misreading{"ControlThatMovesNothing", around("INSERT/G17 G54 X\nINSERT/Stock X0 Y0\n"), "clean"},
+                      Misreading{"ControlThatMovesNothing", around("INSERT/G17 G54\nINSERT/G40 M8\n"), "clean"},
                       Misreading{"TabInToolPath",
                                  "TOOL\tPATH/A,TOOL,B\nTLDATA/MILL,10,0,50,0,0\nGOTO/0,0,5,0,1,0\nEND-OF-PATH\n"
                                  "TOOL  PATH/A,TOOL,C\nTLDATA/MILL,10,0,50,0,0\nGOTO/53,0,-5\nEND-OF-PATH\n",

@@ -57,10 +57,10 @@ struct MotionReading {
   std::size_t positions_without_cutcom = 0;
   bool was_compensated = false;  ///< somewhere before
   std::optional<int> tool;
-  std::string tool_name;                   ///< NX: of the block
-  std::string lost_word;                   ///< a line that may have switched something; empty: none
-  std::string unknown_word;                ///< before any motion; empty: none
-  std::string tool_doubt;                  ///< why nobody knows which tool is in; empty: it is known
+  std::string tool_name;     ///< NX: of the block
+  std::string lost_word;     ///< a line that may have switched something; empty: none
+  std::string unknown_word;  ///< before any motion; empty: none
+  std::string tool_doubt;    ///< why nobody knows which tool is in; empty: it is known
   std::optional<double> diameter_mm;
   std::optional<double> stated_diameter;  ///< of `$$-> CUTTER`, in the unit of the file
   bool is_cutter_new = false;             ///< nothing was cut with it yet

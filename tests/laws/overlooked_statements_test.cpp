@@ -148,9 +148,9 @@ INSTANTIATE_TEST_SUITE_P(
         Overlooked{"CycleAlone", around("CYCLE/\n")}, Overlooked{"LoadingAlone", around("LOADTL/\n")},
         Overlooked{"LoadingOfAnother", around("LOAD/TOL,2\n")}, Overlooked{"ShiftAlone", before("TRANS/\n")},
         Overlooked{"TurnAlone", before("ROTABL/\n")}, Overlooked{"TurnWithoutAnAngle", before("ROTHED/AAXIS,ATANGL\n")},
-        Overlooked{"WordLikeMode", around("MODEL/A\n")},
-        Overlooked{"OtherWord", around("FEATURE/12\n")}, Overlooked{"NegativeNumber", around("ZSTEP/-50\n")},
-        Overlooked{"UnknownShift", before("DATUM/0,0,-50\n")}, Overlooked{"Move", around("MOVE/50.\n")},
+        Overlooked{"WordLikeMode", around("MODEL/A\n")}, Overlooked{"OtherWord", around("FEATURE/12\n")},
+        Overlooked{"NegativeNumber", around("ZSTEP/-50\n")}, Overlooked{"UnknownShift", before("DATUM/0,0,-50\n")},
+        Overlooked{"Move", around("MOVE/50.\n")},
         Overlooked{"UnknownAtTheEnd", at_the_end("BLURB/1,0,0,0,1,0,0,0,1\n")},
         Overlooked{"CopyAtTheEnd", at_the_end("COPY/1,TRANSL,0,0,-50,1\nFINI\n")}),
     kName);
@@ -255,8 +255,8 @@ INSTANTIATE_TEST_SUITE_P(
         Overlooked{"Smoothing", around("INSERT/G5.1 Q1\nINSERT/G05 P10000\n"), "clean"},
         Overlooked{"Comment", around("INSERT/(CHECK Z-50. G92 X0)\nINSERT/; next tool\n"), "clean"},
         Overlooked{"Message", around("INSERT/MSG(\"TOOL 5\")\nINSERT/STOPRE\nINSERT/CYCLE832(0.01,1,1)\n"), "clean"},
-        Overlooked{"TextOfSolidWorks",
-                   solidworks("INSERT/STOP  change fixture\nINSERT/Stock Size X95. Y150. Z120.\n"), "clean"},
+        Overlooked{"TextOfSolidWorks", solidworks("INSERT/STOP  change fixture\nINSERT/Stock Size X95. Y150. Z120.\n"),
+                   "clean"},
         Overlooked{"HeidenhainSwitch", around("INSERT/L M8\nINSERT/CYCL DEF 32.1 T0.01\n"), "clean"},
         Overlooked{"Empty", around("INSERT\nINSERT/\n"), "clean"},
         Overlooked{"ToolNames",
@@ -266,23 +266,22 @@ INSTANTIATE_TEST_SUITE_P(
                    "clean"}),
     kName);
 
-INSTANTIATE_TEST_SUITE_P(InsertElsewhere, Overlook,
-                         ::testing::Values(Overlooked{"SolidWorksPreset", solidworks("INSERT/G92 Z0\n")},
-                                           Overlooked{"SolidWorksLine", solidworks("INSERT/G1 Z-50.\n")},
-                                           Overlooked{"SolidWorksModal", solidworks("INSERT/Z-50.\n")},
-                                           Overlooked{"SolidWorksMacro", solidworks("INSERT/#100=-12\n")},
-                                           Overlooked{"SolidWorksMirror", solidworks("INSERT/TRANS MIRROR AXIS X\n")},
-                                           Overlooked{"SolidWorksNameWithoutACutter",
-                                                      solidworks("INSERT/20MM CRB 2FL\nGOTO/5.,0,5.\n")},
-                                           Overlooked{"SolidWorksMacroBeforeACutter",
-                                                      solidworks("INSERT/#1=10MM\nCUTTER/10.,0,5.,0,0,0,40.\n")},
-                                           Overlooked{"NciEntry", nci("1006\nG92 Z0\n")},
-                                           Overlooked{"NciComment", nci("1005\n(ROUGHING OF X)\n"), "clean"},
-                                           Overlooked{"NciMacro", nci("1005\n#100=-12\n")},
-                                           Overlooked{"NciCode", nci("1030\n1 2 3\n")},
-                                           Overlooked{"NciStock", nci("1020\n0 0 0 10. 10. 10.\n"), "clean"},
-                                           Overlooked{"NciUnharmed", nci(""), "clean"}),
-                         kName);
+INSTANTIATE_TEST_SUITE_P(
+    InsertElsewhere, Overlook,
+    ::testing::Values(Overlooked{"SolidWorksPreset", solidworks("INSERT/G92 Z0\n")},
+                      Overlooked{"SolidWorksLine", solidworks("INSERT/G1 Z-50.\n")},
+                      Overlooked{"SolidWorksModal", solidworks("INSERT/Z-50.\n")},
+                      Overlooked{"SolidWorksMacro", solidworks("INSERT/#100=-12\n")},
+                      Overlooked{"SolidWorksMirror", solidworks("INSERT/TRANS MIRROR AXIS X\n")},
+                      Overlooked{"SolidWorksNameWithoutACutter", solidworks("INSERT/20MM CRB 2FL\nGOTO/5.,0,5.\n")},
+                      Overlooked{"SolidWorksMacroBeforeACutter",
+                                 solidworks("INSERT/#1=10MM\nCUTTER/10.,0,5.,0,0,0,40.\n")},
+                      Overlooked{"NciEntry", nci("1006\nG92 Z0\n")},
+                      Overlooked{"NciComment", nci("1005\n(ROUGHING OF X)\n"), "clean"},
+                      Overlooked{"NciMacro", nci("1005\n#100=-12\n")}, Overlooked{"NciCode", nci("1030\n1 2 3\n")},
+                      Overlooked{"NciStock", nci("1020\n0 0 0 10. 10. 10.\n"), "clean"},
+                      Overlooked{"NciUnharmed", nci(""), "clean"}),
+    kName);
 
 TEST_P(Overlook, IsNeverTakenForClean) { EXPECT_EQ(outcome(GetParam().text), GetParam().outcome); }
 
@@ -296,8 +295,7 @@ TEST(WorkOffset, IsReported) {
 
 // The position after a motion of unknown end stands alone, and from there on all is known again.
 TEST(MotionOfUnknownEnd, MakesOneMoveMoreNotChecked) {
-  for (const std::string statement :
-       {"20. 0. -25.\n", "G1 Z-50.\n", "INSERT/G53 Z0\n", "INSERT/L Z-50 FMAX\n"}) {
+  for (const std::string statement : {"20. 0. -25.\n", "G1 Z-50.\n", "INSERT/G53 Z0\n", "INSERT/L Z-50 FMAX\n"}) {
     const ReadOutcome read = read_toolpath("a.apt", around("FEDRAT/100,MMPM\n" + statement));
     ASSERT_TRUE(read.toolpath) << statement;
     std::vector<bool> is_checked;

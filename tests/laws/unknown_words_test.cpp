@@ -129,8 +129,9 @@ INSTANTIATE_TEST_SUITE_P(
     Harmless, UnknownWord,
     ::testing::Values(
         Wording{"Coolant", around("COOLNT/ON\nCOOLNT/FLOOD\nCOOLNT/MIST,HIGH\nCOOLNT/THRU\nCOOLNT/OFF\n"), "clean"},
-        Wording{"Spindle", around("SPINDL/2000,RPM,CLW\nSPINDL/RPM,-500,CCLW\nSPINDL/70,SFM,CLW,MAXRPM,3000\n"
-                                  "SPINDL/ORIENT,90\nSPINDL/OFF\n"),
+        Wording{"Spindle",
+                around("SPINDL/2000,RPM,CLW\nSPINDL/RPM,-500,CCLW\nSPINDL/70,SFM,CLW,MAXRPM,3000\n"
+                       "SPINDL/ORIENT,90\nSPINDL/OFF\n"),
                 "clean"},
         Wording{"Stops", around("OPSTOP\nSTOP\nDELAY/2.5\nDELAY/REV,10\nDWELL/2\nREWIND/0\nTMARK/1\n"), "clean"},
         Wording{"Tolerances", around("INTOL/0.01\nOUTTOL/0.02\nTOLER/0.01\nMCHTOL/0.05\nLINTOL/ON\n"), "clean"},
@@ -164,14 +165,14 @@ INSTANTIATE_TEST_SUITE_P(
         Wording{"Skip", around("DELETE\n")}, Wording{"SkipOn", around("DELETE/ON\n")}),
     kName);
 
-INSTANTIATE_TEST_SUITE_P(
-    Point, UnknownWord,
-    ::testing::Values(Wording{"Centre", around("$$ BALL CENTRE OUTPUT\n")},
-                      Wording{"CentreInAMessage", around("PPRINT/TOOL REFERENCE POINT: CENTER\n")},
-                      Wording{"Contact", nx("$$ contact data\nGOTO/10,0,30\n")},
-                      Wording{"Centreline", nx("$$ centerline data\nGOTO/10,0,30\n"), "clean"},
-                      Wording{"CentreOfTheTable", around("$$ CENTER DRILL BALL BEARING\n"), "clean"}),
-    kName);
+INSTANTIATE_TEST_SUITE_P(Point, UnknownWord,
+                         ::testing::Values(Wording{"Centre", around("$$ BALL CENTRE OUTPUT\n")},
+                                           Wording{"CentreInAMessage", around("PPRINT/TOOL REFERENCE POINT: CENTER\n")},
+                                           Wording{"Contact", nx("$$ contact data\nGOTO/10,0,30\n")},
+                                           Wording{"Centreline", nx("$$ centerline data\nGOTO/10,0,30\n"), "clean"},
+                                           Wording{"CentreOfTheTable", around("$$ CENTER DRILL BALL BEARING\n"),
+                                                   "clean"}),
+                         kName);
 
 const std::string kThrough = "GOTO/-70,0,-10\n", kOut = "GOTO/70,0,-10\n", kOver = "GOTO/-70,0,10\n";
 

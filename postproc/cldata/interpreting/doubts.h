@@ -12,12 +12,12 @@ namespace gouge {
 enum class Doubt : std::uint8_t {
   ended,  ///< the program
   skip,   ///< the control may leave positions out
-  unknown,  ///< a statement that is not understood, until a block of its own states all again
   block,
   matrix,
   turning,
   contour,
-  tip,  ///< positions are another point of the tool than its tip
+  tip,      ///< positions are another point of the tool than its tip
+  unknown,  ///< a statement that is not understood, until a block of its own states all again
   adjust,
   spline,
   unread_frame,

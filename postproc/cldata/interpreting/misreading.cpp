@@ -84,9 +84,10 @@ void distrust_moves(States& s, std::size_t statement) {
 }
 
 // The beginning of a statement is missing, or the `$` that would make this part of the one before it.
-void distrust_beginning(States& s) {
+void distrust_beginning(States& s, bool is_position) {
   if (s.previous_statement != kNone) distrust_moves(s, s.previous_statement);
   distrust(s, s.previous_word);
+  if (!is_position) s.doubts.set(Doubt::unread_frame, s.in.because(Reasons::kUnreadFrame));
 }
 
 bool has_numbers_alone(std::string_view text) {
@@ -107,13 +108,13 @@ bool may_be_number(const Argument& argument) {
 bool take_misread(States& s, std::string_view text) {
   text = without_label(text);
   if (begins_with_number(text)) {
-    distrust_beginning(s);
-    if (!is_among_positions(s.previous_word) || !has_numbers_alone(text)) return false;
-    emit_unread(s);
-    return true;
+    const bool is_position = is_among_positions(s.previous_word) && has_numbers_alone(text);
+    distrust_beginning(s, is_position);
+    if (is_position) emit_unread(s);
+    return is_position;
   }
   const bool goes_on = is_minor_word(text.substr(0, text.find_first_of(" \t,"))) || s.in.statement().major.empty();
-  goes_on ? distrust_beginning(s) : distrust(s, intended_word(text));
+  goes_on ? distrust_beginning(s, false) : distrust(s, intended_word(text));
   return false;
 }
 

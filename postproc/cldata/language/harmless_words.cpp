@@ -21,14 +21,20 @@ constexpr auto kHarmlessWords = std::to_array<HarmlessWord>({
     {"BOX", "", 6, Sign::any, Others::none, "NCCS"},
     {"BREAK", "ON OFF", 0, Sign::none, Others::none, "IBM, ICAM"},
     {"CHECK", "XAXIS YAXIS ZAXIS AAXIS BAXIS CAXIS LENGTH ON OFF TO", 6, Sign::any, Others::none, "IBM, VERICUT"},
-    {"CLAMP", "ON OFF AUTO LOCK UNLOCK XAXIS YAXIS ZAXIS AAXIS BAXIS CAXIS", 1, Sign::none, Others::none, "IBM, ICAM, VERICUT"},
-    {"CLEARP", "ON OFF XYPLAN YZPLAN ZXPLAN XAXIS YAXIS ZAXIS PLANE", 4, Sign::any, Others::none, "IBM, ICAM, Frenetec"},
+    {"CLAMP", "ON OFF AUTO LOCK UNLOCK XAXIS YAXIS ZAXIS AAXIS BAXIS CAXIS", 1, Sign::none, Others::none,
+     "IBM, ICAM, VERICUT"},
+    {"CLEARP", "ON OFF XYPLAN YZPLAN ZXPLAN XAXIS YAXIS ZAXIS PLANE", 4, Sign::any, Others::none,
+     "IBM, ICAM, Frenetec"},
     {"CLPRNT", "ON OFF", 0, Sign::none, Others::none, "APT, VERICUT"},
-    {"CLRSRF", "ON OFF START XYPLAN YZPLAN ZXPLAN XAXIS YAXIS ZAXIS PLANE", 8, Sign::any, Others::none, "IBM, ICAM, Frenetec"},
-    {"COOLNT", "ON OFF FLOOD MIST TAP TAPKUL THRU AIR TOOL SPINDL LOW MEDIUM MED HIGH AUTO ALL NOMORE BOTH FLOOD1 FLOOD2 CUSTOM1 CUSTOM2 CUSTOM3", 2, Sign::none, Others::none, "PTC, ICAM, Autodesk, IBM"},
+    {"CLRSRF", "ON OFF START XYPLAN YZPLAN ZXPLAN XAXIS YAXIS ZAXIS PLANE", 8, Sign::any, Others::none,
+     "IBM, ICAM, Frenetec"},
+    {"COOLNT",
+     "ON OFF FLOOD MIST TAP TAPKUL THRU AIR TOOL SPINDL LOW MEDIUM MED HIGH AUTO ALL NOMORE BOTH FLOOD1 FLOOD2 CUSTOM1 CUSTOM2 CUSTOM3",
+     2, Sign::none, Others::none, "PTC, ICAM, Autodesk, IBM"},
     {"CSI_PATH_TOLERANCE", "", 1, Sign::none, Others::none, "Autodesk"},
     {"CSI_SET_EXTENSION_LENGTH", "", 1, Sign::none, Others::none, "CAMWorks"},
-    {"CSI_SET_PATH_PARAM", "TOOL_BREAK=ON TOOL_BREAK=OFF CSI_FORCE_TOOL_CHANGE=1", 0, Sign::none, Others::none, "Autodesk"},
+    {"CSI_SET_PATH_PARAM", "TOOL_BREAK=ON TOOL_BREAK=OFF CSI_FORCE_TOOL_CHANGE=1", 0, Sign::none, Others::none,
+     "Autodesk"},
     {"DELAY", "REV REVS SEC SECONDS ON OFF", 2, Sign::none, Others::none, "PTC, IBM, Autodesk"},
     {"DISPLY", "ON OFF ALL AUTO", 2, Sign::none, Others::names, "IBM, ICAM, VERICUT"},
     {"DMIS", "ON OFF", 0, Sign::none, Others::none, "PTC"},
@@ -36,7 +42,7 @@ constexpr auto kHarmlessWords = std::to_array<HarmlessWord>({
     {"DWELL", "REV REVS SEC SECONDS ON OFF", 2, Sign::none, Others::none, "IBM, Frenetec"},
     {"FLUSH", "ON OFF", 1, Sign::none, Others::none, "PTC"},
     {"HOMEPT", "XAXIS YAXIS ZAXIS", 6, Sign::any, Others::none, "ICAM"},
-    {"INTOL", "", 3, Sign::none, Others::none, "Dassault, VERICUT"},
+    {"INTOL", "", 2, Sign::none, Others::none, "Dassault, VERICUT"},
     {"ISN", "", 2, Sign::none, Others::none, "VERICUT"},
     {"ISTOP", "", 0, Sign::none, Others::none, "IBM"},
     {"LEADER", "ON OFF CM FEET INCHES", 1, Sign::none, Others::none, "IBM, ICAM, VERICUT"},
@@ -52,7 +58,7 @@ constexpr auto kHarmlessWords = std::to_array<HarmlessWord>({
     {"NOPOST", "", 0, Sign::none, Others::none, "APT"},
     {"OPERATION", "END", 0, Sign::none, Others::none, "Autodesk"},
     {"OPSTOP", "", 0, Sign::none, Others::none, "IBM, ICAM, Autodesk"},
-    {"OUTTOL", "", 3, Sign::none, Others::none, "Dassault, VERICUT"},
+    {"OUTTOL", "", 2, Sign::none, Others::none, "Dassault, VERICUT"},
     {"PAINT", "COLOR SPEED PATH TOOL NOMORE FULL ARROW DASH SOLID", 2, Sign::none, Others::none, "Siemens, VERICUT"},
     {"PITCH", "", 1, Sign::none, Others::none, "IBM, VERICUT"},
     {"PLOT", "ON OFF", 2, Sign::none, Others::none, "IBM, VERICUT"},
@@ -66,13 +72,15 @@ constexpr auto kHarmlessWords = std::to_array<HarmlessWord>({
     {"SEQNO", "ON OFF INCR START NEXT AUTO NOW NOMORE", 4, Sign::none, Others::none, "IBM, ICAM, VERICUT"},
     {"SET", "MODE ABSOL", 0, Sign::none, Others::required, "Siemens"},
     {"SLOWDN", "ON OFF", 2, Sign::none, Others::none, "IBM, VERICUT"},
-    {"SPINDL", "ON OFF CLW CCLW RPM SFM SMM RANGE MAXRPM LOW MEDIUM HIGH MED LOCK ORIENT NEUTRL AUTO RADIUS MAX XAXIS YAXIS ZAXIS", 4, Sign::one, Others::none, "Dassault, ICAM, Autodesk, IBM"},
+    {"SPINDL",
+     "ON OFF CLW CCLW RPM SFM SMM RANGE MAXRPM LOW MEDIUM HIGH MED LOCK ORIENT NEUTRL AUTO RADIUS MAX XAXIS YAXIS ZAXIS",
+     3, Sign::one, Others::none, "Dassault, ICAM, Autodesk, IBM"},
     {"START", "OPERATION 'OPERATION'", 0, Sign::none, Others::required, "Autodesk"},
     {"STOP", "", 0, Sign::none, Others::none, "IBM, ICAM, Autodesk"},
     {"TCP", "ON", 0, Sign::none, Others::required, "ICAM"},
     {"TCPM", "ON", 0, Sign::none, Others::required, "Heidenhain"},
     {"TMARK", "ON OFF AUTO", 1, Sign::none, Others::none, "IBM, ICAM, VERICUT"},
-    {"TOLER", "", 3, Sign::none, Others::none, "VERICUT"},
+    {"TOLER", "", 2, Sign::none, Others::none, "VERICUT"},
     {"UNLOAD", "TOOL ALL AUTO", 1, Sign::none, Others::none, "IBM, ICAM"},
 });
 static_assert(std::ranges::is_sorted(kHarmlessWords, {}, &HarmlessWord::word));
@@ -96,10 +104,22 @@ bool is_name(std::string_view text) {
          !is_minor_word(text);
 }
 
+// The position of a line whose line end was lost.
+bool has_three_numbers_in_a_row(std::span<const Argument> arguments) {
+  constexpr std::size_t kPosition = 3;
+  std::size_t run = 0;
+  return std::ranges::any_of(arguments, [&](const Argument& argument) {
+    run = argument.number ? run + 1 : 0;
+    return run >= kPosition;
+  });
+}
+
 bool fits(const HarmlessWord& row, std::span<const Argument> arguments) {
   const NumberCount numbers = count_numbers(arguments);
   if (numbers.count > row.most_numbers) return false;
-  if (numbers.negative > (row.sign == Sign::any ? numbers.count : row.sign == Sign::one ? 1 : 0)) return false;
+  const bool may_be_negative = row.sign == Sign::any || (row.sign == Sign::one && numbers.count == 1);
+  if (numbers.negative > 0 && !may_be_negative) return false;
+  if (row.sign != Sign::any && has_three_numbers_in_a_row(arguments)) return false;
   std::size_t names = 0;
   bool has_minor = false;
   for (const Argument& argument : arguments) {

@@ -13,7 +13,8 @@
 namespace gouge {
 
 struct HarmlessWord {
-  enum class Sign : std::uint8_t { none, one, any };  ///< how many of its numbers may be below 0
+  /// Which of its numbers may be below 0: none, the only one, or any. Three in a row only where any may be.
+  enum class Sign : std::uint8_t { none, one, any };
   enum class Others : std::uint8_t {
     none,      ///< only the words of `minors`
     names,     ///< names as well: up to kMostNames words that no dialect knows

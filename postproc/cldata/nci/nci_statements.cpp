@@ -145,7 +145,7 @@ void NciStatements::take_pair() {
     add(Word::loadtl, "LOADTL");
     decoded().push_back(fields[kToolField]);
   } else {
-    add(code < NciCode::kToolFirst      ? Word::unread_motion
+    add(code < NciCode::kToolFirst   ? Word::unread_motion
         : is_harmless_nci_code(code) ? Word::harmless
                                      : Word::unknown,
         "NCI other code");

@@ -104,21 +104,21 @@ constexpr auto kCodes = std::to_array<ControlCode>({
 });
 
 constexpr auto kWords = std::to_array<ControlWord>({
-    {"BRISK", ControlForm::alone, kSiemens},       {"CFC", ControlForm::alone, kSiemens},
-    {"CFIN", ControlForm::alone, kSiemens},        {"CFTCP", ControlForm::alone, kSiemens},
-    {"COMPCAD", ControlForm::alone, kSiemens},     {"COMPCURV", ControlForm::alone, kSiemens},
-    {"COMPOF", ControlForm::alone, kSiemens},      {"COMPON", ControlForm::alone, kSiemens},
-    {"COMPSURF", ControlForm::alone, kSiemens},    {"CYCLE832", ControlForm::values, kSiemens},
-    {"FFWOF", ControlForm::alone, kSiemens},       {"FFWON", ControlForm::alone, kSiemens},
-    {"FGROUP", ControlForm::values, kSiemens},     {"FIFOCTRL", ControlForm::alone, kSiemens},
-    {"LIMS", ControlForm::values, kSiemens},       {"MSG", ControlForm::message, kSiemens},
-    {"ORIAXES", ControlForm::alone, kSiemens},     {"ORIMKS", ControlForm::alone, kSiemens},
-    {"ORIVECT", ControlForm::alone, kSiemens},     {"ORIWKS", ControlForm::alone, kSiemens},
-    {"SETMS", ControlForm::values, kSiemens},      {"SOFT", ControlForm::alone, kSiemens},
-    {"SPATH", ControlForm::alone, kSiemens},       {"SPOS", ControlForm::values, kSiemens},
-    {"STARTFIFO", ControlForm::alone, kSiemens},   {"STOP", ControlForm::addresses, kHeidenhain},
-    {"STOPFIFO", ControlForm::alone, kSiemens},    {"STOPRE", ControlForm::alone, kSiemens},
-    {"TRAORI", ControlForm::values, kSiemens},     {"UPATH", ControlForm::alone, kSiemens},
+    {"BRISK", ControlForm::alone, kSiemens},      {"CFC", ControlForm::alone, kSiemens},
+    {"CFIN", ControlForm::alone, kSiemens},       {"CFTCP", ControlForm::alone, kSiemens},
+    {"COMPCAD", ControlForm::alone, kSiemens},    {"COMPCURV", ControlForm::alone, kSiemens},
+    {"COMPOF", ControlForm::alone, kSiemens},     {"COMPON", ControlForm::alone, kSiemens},
+    {"COMPSURF", ControlForm::alone, kSiemens},   {"CYCLE832", ControlForm::values, kSiemens},
+    {"FFWOF", ControlForm::alone, kSiemens},      {"FFWON", ControlForm::alone, kSiemens},
+    {"FGROUP", ControlForm::values, kSiemens},    {"FIFOCTRL", ControlForm::alone, kSiemens},
+    {"LIMS", ControlForm::values, kSiemens},      {"MSG", ControlForm::message, kSiemens},
+    {"ORIAXES", ControlForm::alone, kSiemens},    {"ORIMKS", ControlForm::alone, kSiemens},
+    {"ORIVECT", ControlForm::alone, kSiemens},    {"ORIWKS", ControlForm::alone, kSiemens},
+    {"SETMS", ControlForm::values, kSiemens},     {"SOFT", ControlForm::alone, kSiemens},
+    {"SPATH", ControlForm::alone, kSiemens},      {"SPOS", ControlForm::values, kSiemens},
+    {"STARTFIFO", ControlForm::alone, kSiemens},  {"STOP", ControlForm::addresses, kHeidenhain},
+    {"STOPFIFO", ControlForm::alone, kSiemens},   {"STOPRE", ControlForm::alone, kSiemens},
+    {"TRAORI", ControlForm::values, kSiemens},    {"UPATH", ControlForm::alone, kSiemens},
     {"WORKPIECE", ControlForm::values, kSiemens},
 });
 
@@ -143,7 +143,8 @@ std::vector<const ControlCode*> find_control_code(char letter, double number) {
   const bool is_tenth = std::abs(number * 10 - tenfold) < 1e-6;
   for (const ControlCode& row : kCodes) {
     const bool is_whole = row.letter == 'G' || tenfold % 10 == 0;
-    if (row.letter == letter && is_tenth && is_whole && tenfold >= row.first && tenfold <= row.last) rows.push_back(&row);
+    if (row.letter == letter && is_tenth && is_whole && tenfold >= row.first && tenfold <= row.last)
+      rows.push_back(&row);
   }
   return rows;
 }

@@ -30,7 +30,7 @@ enum class ControlMeaning : std::uint8_t {
 };
 
 struct ControlCode {
-  char letter;  ///< G or M
+  char letter;      ///< G or M
   int first, last;  ///< ten times the number
   ControlMeaning meaning;
   std::string_view addresses;  ///< letters that belong to it beside N, S and F

@@ -27,7 +27,8 @@ constexpr auto kRows = std::to_array<KnownArguments>({
      3},
     {Word::load, "TOOL ADJUST LENGTH MANUAL AUTO HOLDER OSETNO NEXTTL", 5},
     {Word::loadtl,
-     "TOOL LENGTH ADJUST OSETNO MANUAL AUTO IN NEXT NOW CLW CCLW SMALL MEDIUM LARGE LOW HIGH MILL DRILL TURN NEXTTL", 6},
+     "TOOL LENGTH ADJUST OSETNO MANUAL AUTO IN NEXT NOW CLW CCLW SMALL MEDIUM LARGE LOW HIGH MILL DRILL TURN NEXTTL",
+     6},
     {Word::opskip, "ON OFF ALL", 1},
     {Word::select, "TOOL NEXT HEAD", 2},
     {Word::toolno, "MILL DRILL TURN LENGTH OSETNO MANUAL ADJUST AUTO", 8},
@@ -40,6 +41,11 @@ bool are_known_arguments(Word word, std::span<const Argument> arguments) {
     return std::ranges::all_of(arguments, [](const Argument& a) { return unit_of_word(a.text).has_value(); });
   const auto* const row = std::ranges::find(kRows, word, &KnownArguments::word);
   if (row == kRows.end()) return true;
+  // Whatever else is selected shifts what follows: its reader doubts that.
+  if (word == Word::select && !has_argument(arguments.first(std::min(arguments.size(), std::size_t{1})), "TOOL"))
+    return true;
+  // Its positions are not checked whatever else is said of a turning tool.
+  if (word == Word::toolno && has_argument(arguments, "TURN")) return true;
   std::size_t numbers = 0;
   bool is_quoted = false;
   for (const Argument& argument : arguments) {

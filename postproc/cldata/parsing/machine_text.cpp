@@ -34,9 +34,7 @@ Token without_step(const Token& t) {
 
 bool is_axis(const Token& t) { return is_address_of(without_step(t), "XYZUVWABC"); }
 
-bool turns_something(const Token& t) {
-  return is_address_of(without_step(t), "ABC") && std::abs(*t.number) > 0;
-}
+bool turns_something(const Token& t) { return is_address_of(without_step(t), "ABC") && std::abs(*t.number) > 0; }
 
 void move(Tokens tokens, MachineEffect& effect) {
   effect.moves = true;
@@ -99,16 +97,13 @@ void take_meaning(ControlMeaning meaning, Tokens tokens, bool has_axes, MachineE
 bool has_meaning(Tokens codes, std::initializer_list<ControlMeaning> meanings) {
   return std::ranges::any_of(codes, [&](const Token& code) {
     const auto rows = find_control_code(static_cast<char>(code.letters[0] & ~0x20), *code.number);
-    return std::ranges::any_of(rows, [&](const ControlCode* row) {
-      return std::ranges::find(meanings, row->meaning) != meanings.end();
-    });
+    return std::ranges::any_of(
+        rows, [&](const ControlCode* row) { return std::ranges::find(meanings, row->meaning) != meanings.end(); });
   });
 }
 
 // The numbers of axes beside these are no position to go to.
-bool takes_axes(Tokens codes) {
-  return has_meaning(codes, {ControlMeaning::shifts, ControlMeaning::shifts_with_axes});
-}
+bool takes_axes(Tokens codes) { return has_meaning(codes, {ControlMeaning::shifts, ControlMeaning::shifts_with_axes}); }
 
 // A block of addresses: every code must be in the list, and every other address be known or belong to a code.
 void take_addresses(Tokens tokens, MachineEffect& effect) {

@@ -18,10 +18,10 @@ namespace gouge {
 /// What the user says about a file; nothing: recognized by its content.
 struct ReadOptions {
   std::optional<Dialect> dialect;
-  std::optional<LengthUnit> unit;  ///< of a file that states none
-  bool is_cutcom_centre = false;   ///< positions under CUTCOM are the cutter's centre
+  std::optional<LengthUnit> unit;           ///< of a file that states none
+  bool is_cutcom_centre = false;            ///< positions under CUTCOM are the cutter's centre
   std::vector<std::string> harmless_words;  ///< of the user's own: they move and change nothing
-  std::string unnamed_tool;        ///< name of the tool of moves for which the file names none; empty: they have none
+  std::string unnamed_tool;  ///< name of the tool of moves for which the file names none; empty: they have none
 };
 
 /// Either a toolpath or at least one error. At most 20 errors are listed, then one that counts the rest.

@@ -33,7 +33,9 @@ TEST(HarmlessWords, HaveTheArgumentsOfTheirRows) {
 
 TEST(HarmlessWords, HaveAsManyNegativeNumbersAsTheirRowsSay) {
   EXPECT_TRUE(is_harmless_statement("SPINDL", "RPM,-500,CLW"));
-  EXPECT_FALSE(is_harmless_statement("SPINDL", "-500,-2"));
+  EXPECT_FALSE(is_harmless_statement("SPINDL", "-500,2"));
+  EXPECT_FALSE(is_harmless_statement("SPINDL", "CLW,0,0,5"));
+  EXPECT_TRUE(is_harmless_statement("SPINDL", "70,SFM,CLW,MAXRPM,3000,RANGE,2"));
   EXPECT_FALSE(is_harmless_statement("DELAY", "-2"));
   EXPECT_TRUE(is_harmless_statement("BOX", "-1,-2,-3,4,5,6"));
 }

@@ -51,10 +51,30 @@ TEST(MachineText, TakesABlockForHarmlessWhereEveryWordIsInTheList) {
 }
 
 TEST(MachineText, TakesNoBlockForHarmlessWithAWordThatIsNotInTheList) {
-  for (const char* text : {"G777", "G6.2", "G11", "M98 P1000", "M200", "M50", "G65 P9810 Z-50.", "#100=-12", "L1234 P3",
-                           "MYPROG P2", "G1 AP=30 RP=20", "AP=30 RP=20", "COPY X10 Y0 Q3 P30", "ED30", "EC30",
-                           "VZOFZ=-12", "GOTO 100", "IF[#1EQ0]GOTO10", "IF Q1 EQU 0 GOTO LBL 1", "G1 Z[-50]",
-                           "M8 G777", "G4 X2 W5 M99", "TRAILER", "G5 P10000 L2"})
+  for (const char* text : {"G777",
+                           "G6.2",
+                           "G11",
+                           "M98 P1000",
+                           "M200",
+                           "M50",
+                           "G65 P9810 Z-50.",
+                           "#100=-12",
+                           "L1234 P3",
+                           "MYPROG P2",
+                           "G1 AP=30 RP=20",
+                           "AP=30 RP=20",
+                           "COPY X10 Y0 Q3 P30",
+                           "ED30",
+                           "EC30",
+                           "VZOFZ=-12",
+                           "GOTO 100",
+                           "IF[#1EQ0]GOTO10",
+                           "IF Q1 EQU 0 GOTO LBL 1",
+                           "G1 Z[-50]",
+                           "M8 G777",
+                           "G4 X2 W5 M99",
+                           "TRAILER",
+                           "G5 P10000 L2"})
     EXPECT_EQ(effects(text), "?") << text;
 }
 
@@ -62,8 +82,8 @@ TEST(MachineText, ReportsWhatSiemensWordsDo) {
   for (const char* text : {"CYCLE832(0.01,1,1)", "CYCLE832(0.01) M8", "SPOS=0", "TRAORI", "TRAORI(1)", "STOPRE", "SOFT",
                            "MSG(\"DRILL (X)\")", "N20 ORIWKS", "WORKPIECE(,,,\"BOX\",112,0,-20,-80,0,0,100,60)"})
     EXPECT_EQ(effects(text), "") << text;
-  for (const char* text : {"ATRANS Z-50", "TRANS", "TRAFOOF", "CYCLE800(1)", "POCKET3(50,0,2)", "MYSUB(1,2)", "MIRROR X0",
-                           "MSG(\"X\") TRANS X1", "STOPRE X", "SUPA Z0", "CALL BLOCK A TO B"})
+  for (const char* text : {"ATRANS Z-50", "TRANS", "TRAFOOF", "CYCLE800(1)", "POCKET3(50,0,2)", "MYSUB(1,2)",
+                           "MIRROR X0", "MSG(\"X\") TRANS X1", "STOPRE X", "SUPA Z0", "CALL BLOCK A TO B"})
     EXPECT_EQ(effects(text), "?") << text;
   EXPECT_EQ(effects("MSG(\"X\") G91"), "i");
   EXPECT_EQ(effects("TRAORI Z-10"), "m");
@@ -79,12 +99,27 @@ TEST(MachineText, ReportsWhatHeidenhainWordsDo) {
                            "CYCL DEF 32.2 HSC-MODE:1 TA0.5", "CYCL DEF 9.1 V.ZEIT 2", "STOP M8", "LBL 1",
                            "BLK FORM 0.1 Z X+0 Y+0 Z-20", "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS", "M128"})
     EXPECT_EQ(effects(text), "") << text;
-  for (const char* text :
-       {"CYCL DEF 7.0", "CYCL DEF 7.0 DATUM SHIFT", "CYCL DEF 200 Q200=2", "CYCL DEF 5000000000", "CYCL CALL M3",
-        "TOOL CALL 5 Z S2000", "TOOL DEF 5 L+12", "TRANS MIRROR AXIS X", "TRANS ROTATION ROT+30", "PRESET CORR Z-12",
-        "FUNCTION CORRDATA TCS #1", "FUNCTION MODE TURN", "FUNCTION RESET TCPM", "M140 MB MAX", "L X+10 RL",
-        "TCH PROBE 410 DATUM", "POLARKIN AXES X Z C MODE:KEEP", "FN 9: IF +Q1 EQU +0 GOTO LBL 1", "CALL LBL 2 REP 3",
-        "PLANE SPATIAL SPA+0 SPB+30 SPC+0", "C X+5", "STOP G92 Z[1]"})
+  for (const char* text : {"CYCL DEF 7.0",
+                           "CYCL DEF 7.0 DATUM SHIFT",
+                           "CYCL DEF 200 Q200=2",
+                           "CYCL DEF 5000000000",
+                           "CYCL CALL M3",
+                           "TOOL CALL 5 Z S2000",
+                           "TOOL DEF 5 L+12",
+                           "TRANS MIRROR AXIS X",
+                           "TRANS ROTATION ROT+30",
+                           "PRESET CORR Z-12",
+                           "FUNCTION CORRDATA TCS #1",
+                           "FUNCTION MODE TURN",
+                           "FUNCTION RESET TCPM",
+                           "M140 MB MAX",
+                           "L X+10 RL",
+                           "TCH PROBE 410 DATUM",
+                           "POLARKIN AXES X Z C MODE:KEEP",
+                           "FN 9: IF +Q1 EQU +0 GOTO LBL 1",
+                           "CALL LBL 2 REP 3",
+                           "PLANE SPATIAL SPA+0 SPB+30 SPC+0",
+                           "STOP G92 Z[1]"})
     EXPECT_EQ(effects(text), "?") << text;
   EXPECT_EQ(effects("M129"), "s");
 }
