@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(
         Reading{"Plain", "GOTO/1,0,9\n", 2}, Reading{"Continued", "GOTO/1,0,$\n9\n", 2},
         Reading{"ContinuationLost", "GOTO/1,0,9,\n0,0,1\n", 0}, Reading{"WithoutASlash", "GOTO 1,0,9\n", 2},
         Reading{"Glued", "GODLTA-5\n", 2}, Reading{"Misspelt", "GODLT/-5\n", 0},
-        Reading{"OfAnotherWord", "MYWORD/1,2\n", 1}, Reading{"OfAnotherWordWithThreeNumbers", "MYWORD/1,2,3\n", 0},
+        Reading{"OfAnotherWord", "MYWORD/1,2\n", 0}, Reading{"OfAnotherWordWithThreeNumbers", "MYWORD/1,2,3\n", 0},
         Reading{"WithinAnotherStatement", "COOLNT/ONGOTO/1,0,9\n", 0}, Reading{"Text", "PPRINT GOTO/1,0,9\n", 1},
         Reading{"LineWithoutAWord", "-5\n", 0}, Reading{"FeedAndSpindle", "FEDRAT/9,MMPM\nSPINDL/5,RPM\n", 1},
         Reading{"Hole", kDrill + kHole + "CYCLE/OFF\n", 6}, Reading{"CycleNeverEnded", kDrill + kHole + kHole, 0},

@@ -83,6 +83,7 @@ constexpr auto kOthers = std::to_array<Entry>({
     {"SELECT", Word::select},
     {"SETUP", Word::setup},
     {"SPLINE", Word::curve},
+    {"SWITCH", Word::turret},  // the point of a turning tool
     {"SYN", Word::syn},
     {"THREAD", Word::curve},
     {"TITLES", Word::free_text},

@@ -33,9 +33,20 @@ bool strip_line(std::string_view& text, bool is_comment) {
   return true;
 }
 
+// APT reads no blanks: CUT COM/LEFT is a CUTCOM. Nor does it know letters beyond ASCII, as the blank that does not
+// break is one.
+Word word_without_blanks(std::string_view words) {
+  if (words.size() > kLongestMajor) return Word::unknown;
+  std::string squeezed;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(squeezed),
+               [](char c) { return !is_blank(c) && static_cast<unsigned char>(c) < 0x80; });
+  return find_word(squeezed);
+}
+
 bool begins_with_word(std::string_view text) {
   return free_text_word_length(text) > 0 ||
-         find_word(text.substr(0, length_of(text, is_word_character))) != Word::unknown;
+         find_word(text.substr(0, length_of(text, is_word_character))) != Word::unknown ||
+         word_without_blanks(text.substr(0, text.find('/'))) != Word::unknown;
 }
 
 // Length of a sequence number or label before a word that is known: "N10 ", "20 ", "LAB1) ".
@@ -66,16 +77,6 @@ std::string_view take_major(std::string_view& text) {
   }
   text = text.substr(cut);
   return major;
-}
-
-// APT reads no blanks: CUT COM/LEFT is a CUTCOM. Nor does it know letters beyond ASCII, as the blank that does not
-// break is one.
-Word word_without_blanks(std::string_view words) {
-  if (words.size() > kLongestMajor) return Word::unknown;
-  std::string squeezed;
-  std::copy_if(words.begin(), words.end(), std::back_inserter(squeezed),
-               [](char c) { return !is_blank(c) && static_cast<unsigned char>(c) < 0x80; });
-  return find_word(squeezed);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ struct TextFormat {
   std::string_view circle = {};  ///< {center} {right} {left} {plus_z} {radius} {turn} {sense} {d} {r}
   bool has_tlon = false;         ///< circles are CATIA's TLON
 
-  std::string_view tool_name = {};             ///< {name}
+  std::string_view tool_name = {};             ///< {name}, {certain_name}: one that is read as a name
   std::string_view cutter = "CUTTER/{seven}";  ///< {seven} {d}
   std::string_view cutter_separator = ", ";
   bool has_no_corner = false;                   ///< e and f of a straight cutter are 0

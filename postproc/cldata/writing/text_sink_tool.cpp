@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "postproc/cldata/parsing/tool_name.h"
 #include "postproc/cldata/writing/text_sink.h"
 
 // The tools of a written file: CUTTER, TLDATA and the words for their numbers in each dialect.
@@ -10,6 +11,12 @@ namespace {
 
 bool is_straight(const CutterStatement& cutter) {
   return !(std::abs(cutter.alpha_deg) > 0) && !(std::abs(cutter.beta_deg) > 0);
+}
+
+// Other text than the name of a tool would be text for the control.
+std::string certain_name(const std::string& name, const std::string& size) {
+  if (is_tool_name(name)) return name;
+  return is_tool_name(name + " " + size) ? name + " " + size : size;
 }
 
 }  // namespace
@@ -54,7 +61,9 @@ void TextSink::write_tool(const PathTool& tool) {
       options_.dialect.cutter_form == CutterForm::diameter_alone && tool.stated_diameter_mm > 0;
   const double diameter_mm = tool.cutter ? tool.cutter->d_mm : is_diameter_stated ? tool.stated_diameter_mm : 0;
   const std::string d = fixed_text(scaled(diameter_mm), 6);
-  if (!tool.name.empty()) fill(format_.tool_name, {{"name", tool.name}});
+  const char* const unit = options_.unit == LengthUnit::mm ? "MM" : "IN";
+  if (!tool.name.empty() && (tool.cutter || !options_.dialect.inserts_are_names))
+    fill(format_.tool_name, {{"name", tool.name}, {"certain_name", certain_name(tool.name, d + unit)}});
   if (tool.cutter || is_diameter_stated)
     fill(format_.cutter, {{"seven", tool.cutter ? seven(*tool.cutter) : ""}, {"d", d}});
   if (tool.number) {

@@ -263,7 +263,7 @@ TEST(NccsFrame, WhatMayShiftOrTurnMakesWhatFollowsNotChecked) {
       {14, {}, "GOHOME", true},
       {1058, {3.0}, "DWELL/3", true},
       {1030, {kOn}, "COOLNT/ON", true},
-      {1234, {1.0, 2.0}, "STRANGE/1,2", true},
+      {1234, {1.0, 2.0}, "STRANGE/1,2", false},
       {1234, {1.0, 2.0, 3.0}, "STRANGE/1,2,3", false},
       {1234, std::vector<NccsFile::Argument>(9, 1.0), "STRANGE/1,1,1,1,1,1,1,1,1", false}};
   for (const FrameCase& c : cases) {
