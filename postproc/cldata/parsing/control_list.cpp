@@ -142,7 +142,10 @@ std::vector<const ControlCode*> find_control_code(char letter, double number) {
   const auto tenfold = static_cast<int>(std::lround(std::clamp(number, -1.0, 10000.0) * 10));
   const bool is_tenth = std::abs(number * 10 - tenfold) < 1e-6;
   for (const ControlCode& row : kCodes) {
-    const bool is_whole = row.letter == 'G' || tenfold % 10 == 0;
+    // A range of several numbers that do little is one of whole ones: G1.5 is none of G0 to G3.
+    const bool does_little = row.meaning == harmless || row.meaning == path || row.meaning == offset;
+    const bool has_tenths = row.letter == 'G' && (!does_little || row.first / 10 == row.last / 10);
+    const bool is_whole = tenfold % 10 == 0 || has_tenths;
     if (row.letter == letter && is_tenth && is_whole && tenfold >= row.first && tenfold <= row.last)
       rows.push_back(&row);
   }

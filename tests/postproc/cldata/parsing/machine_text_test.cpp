@@ -38,6 +38,7 @@ TEST(MachineText, ReportsWhatGCodeDoes) {
   EXPECT_EQ(effects("G91 G28 Z0"), "mi");
   EXPECT_EQ(effects("G81 Z-5. R2. F100"), "mc") << "it drills here, too";
   EXPECT_EQ(effects("G43 H2"), "l");
+  EXPECT_EQ(effects("G43.4 H2"), "l");
   EXPECT_EQ(effects("T5 M6"), "t");
   EXPECT_EQ(effects("G0 A90."), "ms");
   EXPECT_EQ(effects("G0 A0."), "m");
@@ -52,6 +53,7 @@ TEST(MachineText, TakesABlockForHarmlessWhereEveryWordIsInTheList) {
 
 TEST(MachineText, TakesNoBlockForHarmlessWithAWordThatIsNotInTheList) {
   for (const char* text : {"G777",
+                           "G1.5",
                            "G6.2",
                            "G11",
                            "M98 P1000",
