@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -11,9 +12,11 @@ namespace gouge {
 namespace {
 
 constexpr double kEndless = 1e300;
-constexpr double kSupportSlack = 1e-12;     // of the size
-constexpr double kHorizontal = 1e-9;        // |n.r| below this: the plane is horizontal
-constexpr double kNearlyHorizontal = 1e-6;  // below this a foot may be bounded by a horizontal plane
+constexpr double kSupportSlack = 1e-12;          // of the size
+constexpr double kHorizontal = 1e-9;             // |n.r| below this: the plane is horizontal
+constexpr std::size_t kMostOfAnyContour = 1000;  // elements, of which every pair is looked at
+constexpr int kHalvings = 40;                    // of an element, to where it comes before a plane
+constexpr double kNearlyHorizontal = 1e-6;       // below this a foot may be bounded by a horizontal plane
 
 // The tangent planes of one element: all have a normal between n0 and n1 and touch the circle about `center`
 // (radius 0 for a vertex, and for a segment, whose two normals are one).
@@ -41,7 +44,16 @@ class Support {
       if (!elements_[i].is_reflex) elements_[i].support = range(i);
   }
 
+  /// Of a contour that turns back in height: by a look at every pair of elements.
+  void set_all_of_any_contour() {
+    for (std::size_t i = 0; i < elements_.size(); ++i)
+      if (!elements_[i].is_reflex) elements_[i].support = range_of_any_contour(i);
+  }
+
  private:
+  struct Heights {
+    double low, high;
+  };
   Planes planes(std::size_t i) const {
     const BoundaryElement& e = elements_[i];
     if (e.kind == ElementKind::segment) return {e.normal, e.normal, e.a, 0};
@@ -104,16 +116,116 @@ class Support {
     return earlier ? earlier : first_ahead(s.second, begin, planes);
   }
 
+  enum class End { a, b };
+
+  // The height up to which an element stays behind the planes, from that end of it on; the end's own where it comes
+  // before them at once. By halving: what is found is proved, though it may not be all.
+  double behind_until(const BoundaryElement& e, const Planes& planes, End from) const {
+    BoundaryElement part = e;
+    const Vec2& start = from == End::a ? part.a : part.b;
+    Vec2& end = from == End::a ? part.b : part.a;
+    double behind = 0, ahead = 1;
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = 0.5 * (behind + ahead);
+      end = point_at(e, from == End::a ? middle : 1 - middle);
+      (is_behind(part, planes) ? behind : ahead) = middle;
+    }
+    return behind > 0 ? point_at(e, from == End::a ? behind : 1 - behind).y() : start.y();
+  }
+
+  // From a to b, of an arc of less than half a circle by its angle.
+  static Vec2 point_at(const BoundaryElement& e, double share) {
+    if (e.kind != ElementKind::arc) return e.a + share * (e.b - e.a);
+    const Vec2 u = e.a - e.center, v = e.b - e.center;
+    const double angle = share * std::atan2(cross(u, v), u.dot(v));
+    return e.center + Eigen::Rotation2Dd(angle) * u;
+  }
+
   SupportRange range(std::size_t i) const {
     const Planes own = planes(i);
     if (own.n0.x() < kHorizontal && own.n1.x() < kHorizontal && own.n0.dot(own.n1) > 0)
       return own.n0.y() < 0 ? below_step(i) : above_step(i);
     SupportRange claim{-kEndless, kEndless, 0};
-    if (const auto j = last_ahead(0, i, own)) claim.z_lo_mm = elements_[*j].b.y();
-    if (const auto j = first_ahead(0, i + 1, own)) claim.z_hi_mm = elements_[*j].a.y();
+    if (const auto j = last_ahead(0, i, own)) claim.z_lo_mm = behind_until(elements_[*j], own, End::b);
+    if (const auto j = first_ahead(0, i + 1, own)) claim.z_hi_mm = behind_until(elements_[*j], own, End::a);
     if (own.n0.x() < kNearlyHorizontal && own.n0.y() < 0) claim.r_min_mm = radius_below(i);
     if (own.n1.x() < kNearlyHorizontal && own.n1.y() > 0) claim.r_min_mm = std::max(claim.r_min_mm, radius_above(i));
     return claim;
+  }
+
+  // The planes whose normals do not point to the axis; nothing where all do.
+  static std::optional<Planes> outward(Planes planes) {
+    if (planes.n0.x() < 0 && planes.n1.x() < 0) return std::nullopt;
+    if (planes.n0.x() < 0) planes.n0 = Vec2(0, -1);
+    if (planes.n1.x() < 0) planes.n1 = Vec2(0, 1);
+    return planes;
+  }
+
+  // A triangle about an arc: its ends, and where the tangents there meet; of other elements the ends alone.
+  static std::array<Vec2, 3> corners_about(const BoundaryElement& e) {
+    if (e.kind != ElementKind::arc) return {e.a, e.b, e.b};
+    const Vec2 middle = 0.5 * (e.a + e.b) - e.center;
+    return {e.a, e.b, Vec2(e.center + e.radius_mm * e.radius_mm / middle.squaredNorm() * middle)};
+  }
+
+  // An arc may reach over its ends only where it has a pole.
+  static Heights heights_of(const BoundaryElement& e) {
+    const bool has_pole = e.kind == ElementKind::arc && (e.a.x() < e.center.x()) != (e.b.x() < e.center.x());
+    const bool is_low = has_pole && 0.5 * (e.a + e.b).y() < e.center.y();
+    const double low = std::min(e.a.y(), e.b.y()), high = std::max(e.a.y(), e.b.y());
+    return {is_low ? e.center.y() - e.radius_mm : low, has_pole && !is_low ? e.center.y() + e.radius_mm : high};
+  }
+
+  // A solid holds nothing at a height that is farther from the axis than all of its contour there: so nothing more is
+  // asked than that all of the contour at the heights of the range is behind the planes.
+  SupportRange range_of_any_contour(std::size_t i) const {
+    const std::optional<Planes> own = outward(planes(i));
+    if (!own) return {};
+    const double begin = (own->center + own->radius_mm * own->n0).y(),
+                 end = (own->center + own->radius_mm * own->n1).y();
+    const bool is_segment = elements_[i].kind == ElementKind::segment;
+    const Heights at = is_segment ? heights_of(elements_[i]) : Heights{std::min(begin, end), std::max(begin, end)};
+    SupportRange claim{-kEndless, kEndless, 0};
+    for (std::size_t j = 0; j < elements_.size(); ++j) {
+      const BoundaryElement& e = elements_[j];
+      if (j == i || (e.is_reflex ? is_triangle_behind(e, *own) : is_behind(e, *own))) continue;
+      const Heights ahead = heights_of(e);
+      if (ahead.high <= at.low + slack_) {
+        claim.z_lo_mm = std::max(claim.z_lo_mm, ahead.high);
+      } else if (ahead.low >= at.high - slack_) {
+        claim.z_hi_mm = std::min(claim.z_hi_mm, ahead.low);
+      } else {
+        return {};
+      }
+    }
+    if (own->n0.x() < kNearlyHorizontal && own->n0.y() < 0) claim.r_min_mm = widest_beside(i, at.low, -1);
+    if (own->n1.x() < kNearlyHorizontal && own->n1.y() > 0)
+      claim.r_min_mm = std::max(claim.r_min_mm, widest_beside(i, at.high, 1));
+    return claim;
+  }
+
+  bool is_triangle_behind(const BoundaryElement& e, const Planes& planes) const {
+    const std::array<Vec2, 3> corners = corners_about(e);
+    return std::ranges::all_of(corners, [&](const Vec2& p) { return planes.reach(p) <= slack_; });
+  }
+
+  // How far from the axis the contour but for element i is just above a height, or just below it; no less than that.
+  double widest_beside(std::size_t i, double z, int up) const {
+    double widest = 0;
+    for (std::size_t j = 0; j < elements_.size(); ++j) {
+      if (j == i) continue;
+      const BoundaryElement& e = elements_[j];
+      const Heights of = heights_of(e);
+      const bool is_beside =
+          up > 0 ? of.low <= z + slack_ && of.high > z + slack_ : of.high >= z - slack_ && of.low < z - slack_;
+      if (!is_beside) continue;
+      const std::array<Vec2, 3> corners = corners_about(e);
+      double radius = std::max({corners[0].x(), corners[1].x(), corners[2].x()});
+      if (e.kind == ElementKind::segment)
+        radius = e.a.x() + std::clamp((z - e.a.y()) / (e.b.y() - e.a.y()), 0.0, 1.0) * (e.b.x() - e.a.x()) + slack_;
+      widest = std::max(widest, radius);
+    }
+    return widest;
   }
 
   // Radius of the solid just below the height at which element i begins: 0 when nothing is below.
@@ -208,12 +320,9 @@ bool has_same_planes(const std::vector<BoundaryElement>& p, std::size_t i, const
          is_same(p[i + 1], q[j + 1]);
 }
 
-}  // namespace
-
-void set_support_ranges(const Profile& profile, std::vector<BoundaryElement>& elements) {
-  if (is_single_valued(profile)) return Support(profile, elements).set_all();
-  // A solid is never deeper than a larger one, so what bounds the tool with its underside filled up to the
-  // lowest rim bounds the tool.
+// Of a contour of many elements that turns back in height: what holds for the tool with its underside filled. A solid is
+// never deeper than a larger one.
+void set_ranges_of_filled(const Profile& profile, std::vector<BoundaryElement>& elements) {
   const std::optional<Profile> filled = with_filled_underside(profile);
   if (!filled) return;
   std::vector<BoundaryElement> outer = make_elements(*filled);
@@ -226,6 +335,14 @@ void set_support_ranges(const Profile& profile, std::vector<BoundaryElement>& el
     elements[i].support = outer[k].support;
     j = k + 1;
   }
+}
+
+}  // namespace
+
+void set_support_ranges(const Profile& profile, std::vector<BoundaryElement>& elements) {
+  if (is_single_valued(profile)) return Support(profile, elements).set_all();
+  if (elements.size() <= kMostOfAnyContour) return Support(profile, elements).set_all_of_any_contour();
+  set_ranges_of_filled(profile, elements);
 }
 
 }  // namespace gouge

@@ -115,8 +115,9 @@ class PieceBounder {
       }
     }
     result.largest_mm += bulge_;
-    const double r = plane.range.r_min_mm > 0 ? smallest_r(hull_) - bulge_ : 0.0;
-    const bool is_valid = supports(plane, z_lo_ - bulge_, z_hi_ + bulge_, result.largest_mm, r, reach_mm_);
+    if (smallest_r_ < 0) smallest_r_ = smallest_r(hull_);
+    const double r = std::max(0.0, smallest_r_ - bulge_);
+    const bool is_valid = supports(tool_, plane, {z_lo_ - bulge_, z_hi_ + bulge_, result.largest_mm, r}, reach_mm_);
     return is_valid ? result : around(plane.foot);
   }
 
@@ -237,6 +238,7 @@ class PieceBounder {
   Hull hull_;
   Vec3 center_ = Vec3::Zero();
   double radius_ = 0, bulge_ = 0, z_lo_ = 0, z_hi_ = 0;
+  mutable double smallest_r_ = -1;  // of the hull; negative: not asked yet
 };
 
 }  // namespace

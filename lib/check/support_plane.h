@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "lib/geom/vec.h"
 #include "lib/tool/compiled_tool.h"
 #include "lib/tool/evaluate.h"
@@ -23,6 +25,7 @@ struct SupportPlane {
   Vec3 foot = Vec3::Zero();  ///< the boundary point it touches
   double offset_mm = 0;
   SupportRange range;
+  std::uint32_t element = 0;  ///< the boundary element it touches
 
   /// How far q lies behind the plane (positive on the tool's side).
   [[nodiscard]] double depth_mm(const Vec3& q) const { return offset_mm - normal.dot(q); }
@@ -33,10 +36,17 @@ struct SupportPlane {
 /// The plane mirrored in the tool axis: just as tangent, on the other side.
 [[nodiscard]] SupportPlane mirrored(const SupportPlane& plane);
 
-/// Whether the plane bounds the tool over a set: z of the set in [z_lo, z_hi], its largest depth behind the
-/// plane, its smallest distance from the tool axis. `margin_mm` asks for the bound up to that far outside as
-/// well.
-[[nodiscard]] bool supports(const SupportPlane& plane, double z_lo_mm, double z_hi_mm, double largest_depth_mm,
-                            double smallest_r_mm, double margin_mm);
+/// A set in tool coordinates, as far as `supports` needs to know it.
+struct SupportedSet {
+  double z_lo_mm = 0, z_hi_mm = 0;
+  double largest_depth_mm = 0;  ///< behind the plane
+  double smallest_r_mm = 0;     ///< distance from the tool axis
+};
+
+/// Whether a plane of the tool bounds its depth over a set. `margin_mm` asks for the bound up to that far outside as
+/// well. Of a horizontal face the contour between the face and the set is asked.
+/// Cost     constant; of a horizontal face linear in the elements of the tool.
+[[nodiscard]] bool supports(const CompiledTool& tool, const SupportPlane& plane, const SupportedSet& set,
+                            double margin_mm);
 
 }  // namespace gouge

@@ -11,6 +11,7 @@ namespace gouge {
 [[nodiscard]] inline bool is_bounded_by_tangent(const CompiledTool& tool, const ToolDistance& here, double r, double z,
                                                 double radius_mm) {
   const SupportRange& support = tool.elements[here.element].support;
+  if (here.normal.x() < 0) return false;
   return std::min(z, here.foot.y()) - radius_mm >= support.z_lo_mm &&
          std::max(z, here.foot.y()) + radius_mm <= support.z_hi_mm && r - radius_mm >= support.r_min_mm && r > 0;
 }

@@ -97,9 +97,15 @@ TEST(ManyPointsSupport, RangesAreThoseOfALookAtEveryElement) {
       std::size_t first = i, last = i;
       while (first > 0 && !is_ahead(elements[first - 1].a)) --first;
       while (last + 1 < elements.size() && !is_ahead(elements[last + 1].b)) ++last;
-      EXPECT_EQ(e.support.z_lo_mm, first == 0 ? -1e300 : elements[first].a.y()) << drawn.name << " " << i;
-      EXPECT_EQ(e.support.z_hi_mm, last + 1 == elements.size() ? 1e300 : elements[last].b.y())
-          << drawn.name << " " << i;
+      // Within the first element that is not all behind: where it crosses the plane.
+      const auto crossing = [&](const Vec2& behind, const Vec2& ahead) {
+        const double from = std::min(0.0, e.normal.dot(behind - e.a)), to = e.normal.dot(ahead - e.a);
+        return behind.y() + from / (from - to) * (ahead.y() - behind.y());
+      };
+      const double low = first == 0 ? -1e300 : crossing(elements[first - 1].b, elements[first - 1].a);
+      const double high = last + 1 == elements.size() ? 1e300 : crossing(elements[last + 1].a, elements[last + 1].b);
+      EXPECT_NEAR(e.support.z_lo_mm, low, 1e-7) << drawn.name << " " << i;
+      EXPECT_NEAR(e.support.z_hi_mm, high, 1e-7) << drawn.name << " " << i;
     }
   }
 }

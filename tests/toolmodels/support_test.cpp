@@ -21,6 +21,7 @@ using test::Scatter;
 
 struct TangentPlane {
   Vec3 foot, normal;
+  double out = 0;  // how far the normal points away from the axis
 };
 
 Vec3 lifted(const Vec2& v, double angle) { return {v.x() * std::cos(angle), v.x() * std::sin(angle), v.y()}; }
@@ -49,7 +50,7 @@ TangentPlane random_plane(Scatter& random, const CompiledTool& tool, std::size_t
     const Vec2 mix = (1 - t) * before + t * after;
     normal = mix.norm() > 1e-6 ? Vec2(mix.normalized()) : e.normal;
   }
-  return {lifted(foot, angle), lifted(normal, angle)};
+  return {lifted(foot, angle), lifted(normal, angle), normal.x()};
 }
 
 using Hull = std::array<Vec3, 6>;
@@ -64,6 +65,7 @@ Hull random_hull(Scatter& random, const TangentPlane& plane, double size) {
 double radius(const Vec3& q) { return std::sqrt(q.x() * q.x() + q.y() * q.y()); }
 
 bool is_claimed(const Hull& hull, const TangentPlane& plane, const SupportRange& range) {
+  if (plane.out < -1e-12) return false;
   for (const Vec3& q : hull) {
     const double behind = plane.normal.dot(plane.foot - q);
     const double projected = (q + behind * plane.normal).z();
@@ -189,20 +191,45 @@ TEST(SupportRange, ReflexCornersAndUndercutsClaimNothing) {
     if (e.is_reflex) {
       EXPECT_GT(e.support.z_lo_mm, e.support.z_hi_mm);
     }
-  // A hollow bottom: within the hollow nothing is claimed, and neither at its rim.
+  // A hollow bottom: within the hollow nothing is claimed.
   Profile hollow;
   const Vec2 points[] = {{0, 3}, {4, 0}, {5, 0}, {5, 20}, {0, 20}};
   for (int i = 0; i < 4; ++i) hollow.elements.push_back(make_segment(Body::cutter, points[i], points[i + 1]));
   for (const BoundaryElement& e : compile_tool("hollow", hollow).elements) {
-    const bool is_of_hollow = e.a.x() <= 4 && e.a.y() < 10 && e.b.x() <= 4;
+    const bool is_of_hollow = e.a.x() < 4 && e.a.y() < 10 && e.b.x() <= 4;
     EXPECT_EQ(e.support.z_lo_mm > e.support.z_hi_mm, is_of_hollow) << e.a.transpose();
   }
-  // An undercut seen along the axis above the underside claims nothing anywhere.
+  // An undercut seen along the axis above the underside: its inner wall, whose normals point to the axis, claims nothing.
   Profile undercut;
   const Vec2 around[] = {{0, 0}, {5, 0}, {5, 10}, {8, 10}, {8, 8}, {10, 8}, {10, 20}, {0, 20}};
   for (int i = 0; i < 7; ++i) undercut.elements.push_back(make_segment(Body::cutter, around[i], around[i + 1]));
+  for (const BoundaryElement& e : compile_tool("undercut", undercut).elements) {
+    if (e.kind == ElementKind::segment && e.normal.x() < -0.5) {
+      EXPECT_GT(e.support.z_lo_mm, e.support.z_hi_mm) << e.a.transpose();
+    }
+  }
+  bool claims_wall = false;
   for (const BoundaryElement& e : compile_tool("undercut", undercut).elements)
-    EXPECT_GT(e.support.z_lo_mm, e.support.z_hi_mm);
+    claims_wall = claims_wall || (e.a.x() >= 10 && e.b.x() >= 10 && e.support.z_lo_mm <= 8 && e.support.z_hi_mm >= 20);
+  EXPECT_TRUE(claims_wall);
+}
+
+// A neck or a lip that turns back in height, as many tools of points have: its outside is bounded by planes like any
+// other's.
+TEST(SupportRange, ContoursThatTurnBackInHeightClaimWhatHolds) {
+  Scatter random(9);
+  const std::vector<std::vector<Vec2>> contours{
+      {{0, 0}, {5, 0}, {5, 10}, {8, 10}, {8, 8}, {10, 8}, {10, 20}, {0, 20}},
+      {{0, 2}, {3, 0}, {6, 1}, {6, 6}, {2, 9}, {4, 7}, {7, 12}, {3, 12}, {3, 16}, {9, 14}, {9, 30}, {0, 30}},
+      {{0, 0}, {4, 0}, {9, 5}, {7, 9}, {8, 6}, {5, 4.5}, {3, 12}, {12, 12}, {12, 25}, {0, 25}}};
+  for (std::size_t c = 0; c < contours.size(); ++c) {
+    Profile profile;
+    for (std::size_t i = 0; i + 1 < contours[c].size(); ++i)
+      profile.elements.push_back(make_segment(Body::cutter, contours[c][i], contours[c][i + 1]));
+    if (!verify_profile(profile).empty()) continue;
+    const std::size_t claims = try_claims(random, compile_tool("contour " + std::to_string(c), profile), 40000);
+    EXPECT_GT(claims, 300U) << c;
+  }
 }
 
 }  // namespace

@@ -104,6 +104,47 @@ TEST(Bounds, APieceAboutTheCentreOfAnArcIsNeverDeeperThanItsBound) {
   }
 }
 
+ProfilePoint corner_at(double r, double z) { return {ProfilePoint::SegmentShape::straight, r, z, 0}; }
+ProfilePoint bulge_to(double r, double z, double radius) { return {ProfilePoint::SegmentShape::convex, r, z, radius}; }
+
+/// Faces over a shank that narrows, hollow undersides, and contours that turn back in height.
+std::vector<ToolVariants> tools_with_pockets() {
+  std::vector<ToolVariants> made = tools::shapes();
+  for (const Cutter& cutter : std::vector<Cutter>{
+           TaperedCutter{10.8, 5.4, 4.8, 13}, AptCutter{6, 1.4, 0, 0, -4.5, 0, 16}, AptCutter{24, 0, 0, 0, -25, -5, 15},
+           ProfileCutter{{corner_at(0, 0), corner_at(1.2, 0), bulge_to(4.5, 1.5, 3.1), bulge_to(1.6, 5.1, 7.7),
+                          bulge_to(5, 6.1, 4.6), corner_at(5, 7.3)}}}) {
+    ToolAssembly tool = tools::assembly(cutter, 6);
+    tool.shank = {{14, 10.8, 7}, {10, 12, 10}};
+    tool.holder = {{47, 28, 28}, {17, 46, 20}};
+    made.push_back(tools::variants(tool));
+  }
+  return made;
+}
+
+TEST(Bounds, APieceBesideFacesHollowsAndLipsIsNeverDeeperThanItsBound) {
+  Scatter scatter(23);
+  const std::vector<ToolVariants> all = tools_with_pockets();
+  std::size_t tight = 0, positive = 0;
+  for (std::size_t i = 0; i < 40000; ++i) {
+    const CompiledTool& tool = all[i % all.size()].bare;
+    const BoundaryElement& e = tool.elements[scatter.next() % tool.elements.size()];
+    Case c = random_case(scatter);
+    const double size = std::pow(10, scatter.in(-2.5, 1)), share = scatter.in(0, 1);
+    const Vec2 on = e.a + share * (e.b - e.a);
+    const Vec3 about = c.motion.start().tip + Vec3(on.x(), 0, on.y()) + scatter.point(0.3 * size);
+    for (Vec3& corner : c.piece) corner = about + scatter.point(size);
+    const ToolInterval whole(c.motion, whole_segment(c.motion, 0));
+    const PieceBound bound = bound_piece(tool, c.piece, whole, c.reach, -1e300);
+    const double most = sampled(tool, c, whole);
+    ASSERT_LE(most, std::max(0.0, bound.upper_mm) + 1e-9) << "case " << i << " " << tool.name;
+    if (most > 0.1) ++positive;
+    if (most > 0.1 && bound.upper_mm < 1.5 * most) ++tight;
+  }
+  EXPECT_GT(positive, 5000U);
+  EXPECT_GT(tight, positive / 10);
+}
+
 TEST(Bounds, AFlatOnItsFloorNeedsOneLook) {
   const ToolVariants flat = tools::flat();
   const std::array<Vec3, 3> floor{Vec3(-3, -3, 0), Vec3(3, -2, 0), Vec3(0, 3, 0)};

@@ -225,5 +225,56 @@ TEST(Search, NearMissShowsTheClosestApproachOfTheHolder) {
   EXPECT_EQ(v.depth_mm, 0);
 }
 
+ToolVariants narrowing_below_its_holder() {
+  ToolAssembly tool = tools::assembly(TaperedCutter{10.8, 5.4, 4.8, 13});
+  tool.shank = {{14, 10.8, 7}};
+  tool.holder = {{47, 28, 28}};
+  return tools::variants(tool);
+}
+
+// The face of the holder is 20 mm over the tip. A shank that is wider farther down does not keep its plane from bounding
+// what lies outside of the shank.
+TEST(Search, AHolderFaceOverANarrowingShankThatGrazesIsDecidedSoon) {
+  const IndexedMesh block = shapes::box(Vec3(9, -40, -10), Vec3(60, 40, 50));
+  std::uint64_t bounds = 0;
+  const double z = 50 - 20 - 0.004;
+  const MoveVerdict v =
+      check(Motion(upright(0, -5, z), upright(0, 5, z)), narrowing_below_its_holder(), {block}, &bounds);
+  EXPECT_EQ(v.state, MoveState::clean);
+  EXPECT_LT(bounds, 5'000U);
+}
+
+// Half as deep as the holder is high, all along its middle: there the planes of both its faces bound together.
+TEST(Search, AWallThroughTheWholeHolderIsMeasuredSoon) {
+  const IndexedMesh wall = shapes::box(Vec3(9, -40, -10), Vec3(10, 40, 90));
+  std::uint64_t bounds = 0;
+  CheckOptions options;
+  options.tolerance_mm = 0.01;
+  const Motion motion(upright(0, -5, 0), upright(0, 5, 0));
+  const ToolVariants tool = narrowing_below_its_holder();
+  const MoveVerdict v = check(motion, tool, {wall}, &bounds, options);
+  expect_guarantee(v, motion, tool, options);
+  EXPECT_EQ(v.state, MoveState::gouge);
+  EXPECT_LT(bounds, 20'000U);
+}
+
+// The corner of a tool with a hollow underside on a plane, the axis tilted: outside of the rim it is as round as any.
+TEST(Search, AHollowToolOnAPlaneIsDecidedSoonAtTolerance0) {
+  const ToolVariants tool = tools::variants(tools::assembly(AptCutter{6, 1.4, 0, 0, -4.5, 0, 16}, 6));
+  const IndexedMesh block = shapes::box(Vec3(-60, -60, -10), Vec3(60, 60, 0));
+  const Vec3 axis(std::sin(0.3), 0, std::cos(0.3));
+  CheckOptions options;
+  options.tolerance_mm = 0;
+  const auto depth_at = [&](double z) { return check(Motion({Vec3(0, 0, z), axis}), tool, {block}).depth_mm; };
+  double high = 2, low = 0;
+  for (int k = 0; k < 30; ++k) (depth_at(0.5 * (low + high)) > 0.0005 ? low : high) = 0.5 * (low + high);
+  const Motion motion({Vec3(-2, 0, high), axis}, {Vec3(2, 0.5, high), axis});
+  std::uint64_t bounds = 0;
+  const MoveVerdict v = check(motion, tool, {block}, &bounds, options);
+  expect_guarantee(v, motion, tool, options);
+  EXPECT_NE(v.state, MoveState::not_certified);
+  EXPECT_LT(bounds, 20'000U);
+}
+
 }  // namespace
 }  // namespace gouge
