@@ -47,8 +47,8 @@ class HostileNames : public testing::Test {
                                           "GOTO/5,5,-1\nGOTO/5,5,\x1B[2J\nCYCLE/" + kNasty + "\nGOTO/6,6,-2\nFINI\n");
     write_text(folder_ + "/" + plain_,
                "TOOL PATH/" + kNastyText + ",TOOL," + kNastyText + "\nTLDATA/MILL,10.,0.,40.,0.,0.\nPPRINT/" +
-                   kNastyText + "\nWORD" + kNastyText +
-                   "/1\nGOTO/0.,0.,50.,0.,0.,1.\nGOTO/5.,5.,-1.\nGOTO/9.,5.,-1.\nEND-OF-PATH\n");
+                   kNastyText + "\nGOTO/0.,0.,50.,0.,0.,1.\nGOTO/5.,5.,-1.\nWORD" + kNastyText +
+                   "/1\nGOTO/9.,5.,-1.\nEND-OF-PATH\n");
     write_text(folder_ + "/" + part_, stl());
     write_text(folder_ + "/" + tools_, library("1"));
     write_text(folder_ + "/bad" + tools_, library("\"" + std::string(kNastyJson) + "\""));
