@@ -45,10 +45,10 @@ class HostileNames : public testing::Test {
                                           kNasty + "\nWORD" + kNasty + "/1\nTOOL PATH/" + kNasty + ",TOOL," + kNasty +
                                           "\nLOADTL/1\nRAPID\nGOTO/0,0,50\nFEDRAT/100\n" +
                                           "GOTO/5,5,-1\nGOTO/5,5,\x1B[2J\nCYCLE/" + kNasty + "\nGOTO/6,6,-2\nFINI\n");
-    write_text(folder_ + "/" + plain_,
-               "TOOL PATH/" + kNastyText + ",TOOL," + kNastyText + "\nTLDATA/MILL,10.,0.,40.,0.,0.\nPPRINT/" +
-                   kNastyText + "\nGOTO/0.,0.,50.,0.,0.,1.\nGOTO/5.,5.,-1.\nWORD" + kNastyText +
-                   "/1\nGOTO/9.,5.,-1.\nEND-OF-PATH\n");
+    write_text(folder_ + "/" + plain_, "TOOL PATH/" + kNastyText + ",TOOL," + kNastyText +
+                                           "\nTLDATA/MILL,10.,0.,40.,0.,0.\nPPRINT/" + kNastyText +
+                                           "\nGOTO/0.,0.,50.,0.,0.,1.\nGOTO/5.,5.,-1.\nWORD" + kNastyText +
+                                           "/1\nGOTO/9.,5.,-1.\nEND-OF-PATH\n");
     write_text(folder_ + "/" + part_, stl());
     write_text(folder_ + "/" + tools_, library("1"));
     write_text(folder_ + "/bad" + tools_, library("\"" + std::string(kNastyJson) + "\""));
