@@ -10,7 +10,6 @@
 #include "cli/job.h"
 #include "cli/length_text.h"
 #include "cli/outputs.h"
-#include "cli/path_misfit.h"
 #include "cli/print_diagnostics.h"
 #include "cli/setup_notes.h"
 #include "cli/stickouts.h"
@@ -114,13 +113,11 @@ int run_check(const CheckArguments& check_arguments, const JobContext& context) 
   if (check_arguments.finds_cures)
     cures = find_cures(job.toolpath, result, job.setup(scene), cure_options, progress.call());
   progress.begin("summing up the result");
-  ReportModel model = job.report(arguments, job.toolpath, result, scene);
+  ReportModel model = job.report(arguments, job.toolpath, result);
   if (check_arguments.finds_stickout) model.stickout_options = *stickout;
   model.stickouts = std::move(stickouts);
   if (check_arguments.finds_cures) model.cure_options = cure_options;
   model.cures = std::move(cures);
-  const PathFit fit = find_path_fit(job.toolpath, result.verdicts, job.tools(), scene, options->check.threads);
-  if (const auto misfit = describe_misfit(job.toolpath, fit)) model.notes.push_back(*misfit);
   baseline->apply(model);
   MadeCertificate certificate;
   if (!arguments.certificate_file.empty()) {
@@ -129,6 +126,7 @@ int run_check(const CheckArguments& check_arguments, const JobContext& context) 
   }
   progress.end();
   print_notes(err, model.notes, arguments);
+  if (arguments.is_quiet) print(err, open_warnings(result.assumptions));
   if (!certificate.not_proved.empty() && !arguments.is_quiet) print(err, {describe_unproved(job, certificate)});
   if (arguments.is_verbose) {
     err << "spent: " << result.evaluations << " bounds in " << result.verdicts.size() << " moves\n";

@@ -38,6 +38,9 @@ class ResultReader {
     result_.verdict = root_.at("verdict").text();
     result_.exit_status = root_.at("exit_status").count();
     result_.has_baseline = !root_.at("baseline").is_null();
+    if (const auto facts = root_.find("assumptions")) {
+      for (const JsonField& fact : facts->list()) read_fact(fact);
+    }
     for (const JsonField& input : root_.at("inputs").list()) read_input(input);
     read_options(root_.at("options"));
     const JsonField totals = root_.at("totals");
@@ -50,6 +53,16 @@ class ResultReader {
   }
 
  private:
+  void read_fact(const JsonField& fact) {
+    const std::string state = fact.at("state").text();
+    const std::string name = fact.at("fact").text();
+    if (fact.at("is_open").flag()) {
+      result_.open_facts.push_back(name);
+    } else if (state == basis_name(Basis::contradicted) || state == basis_name(Basis::unknown)) {
+      result_.hidden_facts.push_back(name + " (" + state + ")");
+    }
+  }
+
   void read_input(const JsonField& input) {
     JobArguments& a = result_.arguments;
     const std::string role = input.at("role").text();
@@ -190,7 +203,8 @@ void compare_findings(const ClaimedResult& result, std::vector<std::string>& all
 /// What the totals cannot mean. Which gouges were accepted is not looked at.
 std::optional<std::string> find_wrong_verdict(const ClaimedResult& result) {
   const auto total = [&](const char* state) { return result.totals.at(state); };
-  const bool is_open = total("not_checked") > result.left_out_as_asked || total("not_certified") > 0;
+  const bool is_open =
+      total("not_checked") > result.left_out_as_asked || total("not_certified") > 0 || !result.open_facts.empty();
   const bool may_be_accepted = result.has_baseline && total("buried") == 0;
   std::string expected = is_open ? "not-fully-checked" : "clean";
   if (total("gouge") + total("buried") > 0 && !(may_be_accepted && is_open && result.verdict == expected))
@@ -249,6 +263,7 @@ std::vector<std::string> find_contradictions(const ClaimedResult& result) {
                     std::to_string(counted.at(k)));
   }
   compare_findings(result, all);
+  for (const std::string& fact : result.hidden_facts) all.push_back("it does not count as open the fact " + fact);
   if (auto wrong = find_wrong_verdict(result)) all.push_back(std::move(*wrong));
   return all;
 }

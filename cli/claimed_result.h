@@ -21,7 +21,9 @@ struct ClaimedResult {
   std::string program;  ///< name and version
   std::string verdict;  ///< its word
   std::size_t exit_status = 0;
-  bool has_baseline = false;  ///< some gouges may be accepted
+  bool has_baseline = false;              ///< some gouges may be accepted
+  std::vector<std::string> open_facts;    ///< assumptions that it calls open
+  std::vector<std::string> hidden_facts;  ///< contradicted or unknown ones that it does not
   double mm_per_unit = 1;
   std::size_t moves = 0, left_out_as_asked = 0;  ///< as it says, whatever the toolpath has
   std::map<std::size_t, MoveClaim> claims;       ///< of every move that is not clean

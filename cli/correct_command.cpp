@@ -9,11 +9,11 @@
 #include "cli/axis_facts.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
-#include "cli/path_misfit.h"
 #include "cli/print_diagnostics.h"
 #include "cli/setup_notes.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
+#include "lib/certify/placement.h"
 #include "lib/correct/correct_path.h"
 #include "postproc/cldata/rewriting/list_written.h"
 #include "postproc/cldata/rewriting/record_texts.h"
@@ -145,11 +145,9 @@ class CorrectRun {
     note_setup(job_, arguments_.job, scene);
     const CheckSetup setup = job_.setup(scene);
     const CheckResult before = check(job_.toolpath, setup, progress_.call());
-    progress_.begin("comparing path and part");
-    const PathFit fit = find_path_fit(job_.toolpath, before.verdicts, setup.tools, scene, job_.options.check.threads);
-    const std::optional<Diagnostic> misfit = describe_misfit(job_.toolpath, fit);
     progress_.end();
-    if (misfit && is_beyond_correction(fit) && !arguments_.job.is_forced) return refuse(*misfit);
+    const std::optional<std::string> misfit = describe_misfit(job_.toolpath, before.fit);
+    if (misfit && is_beyond_correction(before.fit) && !arguments_.job.is_forced) return refuse(*misfit);
     CorrectOptions correct = correct_;
     const RewritableMoves rewritable = rewritable_moves(job_.toolpath);
     correct.rewritable = &rewritable;
@@ -169,7 +167,7 @@ class CorrectRun {
     const Toolpath& path = corrected->after.path;
     const CheckResult& after = corrected->after.result;
     progress_.begin("summing up the result");
-    ReportModel model = job_.report(arguments_.job, path, after, scene);
+    ReportModel model = job_.report(arguments_.job, path, after);
     model.has_correction = true;
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before, path);
     model.correction.output_bytes = text;
@@ -177,9 +175,9 @@ class CorrectRun {
     for (OptionText& limit : limits_in_force(arguments_)) model.more_options.push_back(std::move(limit));
     add_not_tilted(correction.not_tilted, model.notes);
     add_left_stock(model.correction, model.notes);
-    if (misfit) model.notes.push_back(*misfit);
     progress_.end();
     print_notes(err_, model.notes, arguments_.job);
+    if (arguments_.job.is_quiet) print(err_, open_warnings(after.assumptions));
     const bool is_written = outputs_.write(job_, scene, model, progress_, context_.out, err_);
     if (arguments_.job.is_verbose) print_peak_memory(err_);
     if (!is_written) return kExitInternal;
@@ -207,9 +205,9 @@ class CorrectRun {
   }
 
   // Moving thousands of positions out of a part that lies elsewhere makes nothing of use.
-  int refuse(const Diagnostic& misfit) {
-    const std::string message = misfit.message + "; nothing was written; --force corrects all the same";
-    return fail(err_, {make_error(misfit.code, message, misfit.file)}, kExitGouges);
+  int refuse(const std::string& misfit) {
+    const std::string message = misfit + "; nothing was written; --force corrects all the same";
+    return fail(err_, {make_error("path-misfit", message, job_.toolpath.file)}, kExitGouges);
   }
 
   const CorrectArguments& arguments_;

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "cli/identity.h"
-#include "cli/misplaced.h"
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/files.h"
 #include "lib/check/reach.h"
@@ -28,7 +27,7 @@ class JobLoader {
     const bool has_path = read_path();
     read_scene(scenes);
     if (has_path && errors_.empty()) read_tools();
-    if (errors_.empty()) note_misplaced();
+    if (errors_.empty()) assume_inputs();
     loaded.errors = errors_;
     if (errors_.empty()) loaded.job = std::move(job_);
     return loaded;
@@ -92,6 +91,7 @@ class JobLoader {
     if (!is_any_defined) return errors_.push_back(no_tool());
     add_notes(resolved->notes);
     job_.tool_facts = std::move(resolved->facts);
+    job_.basis.inputs = std::move(resolved->assumptions);
     job_.assemblies = std::move(resolved->assemblies);
     identify_tools();
     for (const auto& assembly : job_.assemblies) {
@@ -112,12 +112,22 @@ class JobLoader {
     }
   }
 
-  void note_misplaced() {
-    double tool_mm = 0;
-    for (const auto& form : job_.variants) {
-      if (form) tool_mm = std::max(tool_mm, form->bare.r_max_mm + form->bare.z_max_mm);
+  // What is stated on the command line or in the project file, and what the files are.
+  void assume_inputs() {
+    SetupBasis& basis = job_.basis;
+    for (const MeshFacts* mesh : meshes()) basis.inputs.push_back(mesh->solid);
+    if (!arguments_.stl_units.empty()) basis.mesh_unit = stl_unit();
+    basis.place = arguments_.place;
+    basis.vouched = job_.options.vouched;
+    basis.is_strict = arguments_.is_strict;
+  }
+
+  [[nodiscard]] std::vector<const MeshFacts*> meshes() const {
+    std::vector<const MeshFacts*> all;
+    for (const auto* facts : {&job_.files->parts, &job_.files->fixtures, &job_.files->head_facts}) {
+      for (const MeshFacts& mesh : *facts) all.push_back(&mesh);
     }
-    if (const auto warning = find_misplaced(job_.toolpath, job_.scene(), tool_mm, stl_unit())) add_notes({*warning});
+    return all;
   }
 
   [[nodiscard]] Diagnostic no_tool() const {
@@ -152,10 +162,11 @@ ToolAssembly Job::without_end(const ToolAssembly& tool) const {
   return extended_up(tool, reach_mm(toolpath, scene()) + compile_tool("", *profile).r_max_mm);
 }
 
-CheckSetup Job::setup(const PreparedScene& prepared) const { return {tools(), heads(), prepared, options.check}; }
+CheckSetup Job::setup(const PreparedScene& prepared) const {
+  return {tools(), heads(), prepared, options.check, nullptr, basis};
+}
 
-ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,
-                        const PreparedScene& prepared) const {
+ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result) const {
   ReportModel model;
   model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   model.sign_off = {options.date, arguments.command, arguments.project, arguments.reviewer};
@@ -175,6 +186,8 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   for (const std::string& name : arguments.allowed_overlaps) model.more_options.push_back({"allow-overlap", name});
   for (const std::string& head : arguments.heads) model.more_options.push_back({"head", head});
   for (const std::string& name : arguments.tool_names) model.more_options.push_back({"tool", name});
+  for (const std::string& fact : arguments.assumed) model.more_options.push_back({"assume", fact});
+  if (arguments.is_strict) model.more_options.push_back({"strict", "yes"});
   model.toolpath = &path;
   model.result = &result;
   model.parts = files->parts;
@@ -184,13 +197,8 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   model.notes = notes;
   if (arguments.project_file)
     model.notes.push_back(make_note(kProjectFile, arguments.project_file->summary, arguments.project_file->input.name));
-  model.closeness = measure_closeness(path, tools(), prepared, result.verdicts, options.check.threads);
-  const bool is_known = std::ranges::any_of(notes, [](const Diagnostic& note) { return note.code == kSceneMisplaced; });
-  if (is_known) return model;
-  const auto apart = model.closeness ? find_apart(path, *model.closeness) : std::nullopt;
-  if (apart) model.notes.push_back(*apart);
-  const auto too_large = find_too_large(path, scene(), result.verdicts, stl_unit(arguments));
-  if (too_large) model.notes.push_back(*too_large);
+  const Diagnostics open = open_warnings(result.assumptions);
+  model.notes.insert(model.notes.end(), open.begin(), open.end());
   return model;
 }
 
@@ -209,6 +217,8 @@ Result<Toolpath> read_again(const Job& job, const std::string& file, std::string
   reading.dialect = dialect_called(job.toolpath.dialect);
   ReadOutcome outcome = read_toolpath(file, std::move(bytes), reading);
   if (!outcome.toolpath) return outcome.errors.front();
+  // The dialect was given here; how that of the first file is known is what counts.
+  copy_facts(Subject::dialect, job.toolpath.assumptions, outcome.toolpath->assumptions);
   return std::move(*outcome.toolpath);
 }
 

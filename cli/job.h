@@ -23,6 +23,7 @@ struct Job {
   std::vector<std::optional<ToolVariants>> variants;    ///< of these
   std::vector<InputFile> inputs;
   std::vector<ToolFacts> tool_facts;
+  SetupBasis basis;  ///< how the inputs are known
   Diagnostics notes;
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< of the work on it
 
@@ -42,9 +43,9 @@ struct Job {
   [[nodiscard]] CheckSetup setup(const PreparedScene& prepared) const;
   /// As asked for, else the toolpath's.
   [[nodiscard]] LengthUnit stl_unit(const JobArguments& arguments) const;
-  /// The report of `result`, which must outlive it, like the job. `scene` is that of the job, with its trees.
-  [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,
-                                   const PreparedScene& prepared) const;
+  /// The report of `result`, which must outlive it, like the job.
+  [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path,
+                                   const CheckResult& result) const;
 };
 
 struct LoadedJob {

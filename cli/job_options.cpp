@@ -53,6 +53,17 @@ void add_input_options(CLI::App& command, JobArguments& a, bool needs_part) {
                    "Let the top body of every tool go on without end, so that nothing hides above it");
 }
 
+void add_assumption_options(CLI::App& command, JobArguments& a) {
+  command
+      .add_option(
+          "--assume", a.assumed,
+          "State a fact that the inputs leave open (repeatable): " + subject_names() + "; tool=T3 for one of several")
+      ->type_name("FACT[=OBJECT]")
+      ->allow_extra_args(false);
+  command.add_flag("--strict", a.is_strict,
+                   "Allow no defaults: call a path clean only where every fact is established");
+}
+
 void add_check_options(CLI::App& command, JobArguments& a) {
   command.option_defaults()->group("Check");
   command.add_option("--tolerance", a.tolerance, "Depth a move may have, against parts and fixtures alike")
@@ -72,6 +83,7 @@ void add_check_options(CLI::App& command, JobArguments& a) {
   command.add_option("--rapid", a.rapid, "How rapid moves run")
       ->check(CLI::IsMember({"straight", "dogleg", "skip"}))
       ->capture_default_str();
+  add_assumption_options(command, a);
   add_threads_option(command, a.threads);
 }
 
@@ -158,6 +170,11 @@ Result<JobOptions> understand(const JobArguments& a) {
           "N=NAME, as --tool " + options.reading.unnamed_tool + " is already for moves that name no tool");
     }
     options.reading.unnamed_tool = name;
+  }
+  for (const std::string& text : a.assumed) {
+    const std::optional<Vouched> vouched = parse_vouched(text);
+    if (!vouched) return usage_error("--assume", text, "one of " + subject_names() + ", or such as tool=T3");
+    options.vouched.push_back(*vouched);
   }
   const struct {
     const char* name;

@@ -48,6 +48,8 @@ struct JobArguments : Verbosity {
   /// foreign files in the report's folder; of `correct` also a path that does not fit the part
   bool is_forced = false;
   bool is_extended_up = false;
+  std::vector<std::string> assumed;  ///< --assume
+  bool is_strict = false;
   std::string project, reviewer;  ///< of the head of the report
   std::string command;            ///< the command line, to be typed again (command_text.h)
 };
@@ -57,6 +59,7 @@ struct JobOptions {
   ReadOptions reading;
   CheckOptions check;
   RigidTransform place;
+  std::vector<Vouched> vouched;
   ProgressMode progress = ProgressMode::automatic;
   std::string date;  ///< of the report
 };

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 // What may come from a file that nobody named: inputs, and what the verdict says beside itself. No outputs, nothing that
 // overwrites, accepts or silences.
-constexpr std::array<std::string_view, 39> kAllowed = {
+constexpr std::array<std::string_view, 41> kAllowed = {
     "--part",          "--fixture",       "--allow-overlap",  "--head",
     "--place",         "--stl-units",     "--tools",          "--tool",
     "--holder",        "--dialect",       "--path-units",     "--cutcom",
@@ -32,7 +32,8 @@ constexpr std::array<std::string_view, 39> kAllowed = {
     "--strategy",      "--max-shift",     "--max-side-shift", "--rapid-clearance",
     "--max-tilt",      "--tilt",          "--axis-cone",      "--max-turn",
     "--max-turn-step", "--blend",         "--allow-multax",   "--max-rotary-speed",
-    "--project",       "--reviewer",      "--harmless-word"};
+    "--project",       "--reviewer",      "--harmless-word",  "--assume",
+    "--strict"};
 
 bool is_allowed(const CLI::Option& option) {
   return !option.get_lnames().empty() &&

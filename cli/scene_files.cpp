@@ -5,6 +5,7 @@
 
 #include "lib/base/parallel.h"
 #include "lib/base/view_file.h"
+#include "lib/certify/assess.h"
 #include "lib/check/mesh_reach.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/validate_mesh.h"
@@ -94,6 +95,7 @@ class SceneLoader {
     fact.vertices = loaded.mesh.vertices.size();
     fact.dropped = loaded.findings.degenerate_triangles.count;
     fact.is_closed = loaded.findings.is_watertight();
+    fact.solid = assume_solid(name, loaded.findings);
     for (const Diagnostic& d : loaded.notes) {
       if (d.severity == Severity::warning) fact.meaning += (fact.meaning.empty() ? "" : "; ") + d.message;
     }

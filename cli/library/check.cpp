@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include <gougecheck/check.h>
@@ -63,7 +64,12 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
   const auto rewrite = [&](const std::vector<gouge::PathChange>& changes) -> gouge::Result<gouge::Toolpath> {
     gouge::Result<std::string> bytes = gouge::write_corrected(path, changes);
     if (!bytes) return bytes.error();
-    return PathAccess::from_bytes(path.file, std::move(*bytes), path.dialect, path.harmless_words).content().path;
+    gouge::ReadOptions as_before{.dialect = gouge::dialect_called(path.dialect), .harmless_words = path.harmless_words};
+    if (!path.is_unit_stated) as_before.unit = path.unit;
+    gouge::Toolpath again = PathAccess::from_bytes(path.file, std::move(*bytes), as_before).content().path;
+    for (const gouge::Subject fact : {gouge::Subject::dialect, gouge::Subject::path_unit})
+      gouge::copy_facts(fact, path.assumptions, again.assumptions);
+    return again;
   };
   gouge::LawfulCorrection corrected = value_or_raise(gouge::correct_lawfully(path, before, setup, options, rewrite));
   CheckedPath after = checked;
@@ -85,7 +91,7 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
 
 /// A correction rewrites the statements of a file: those of a path from memory are made here.
 Path with_statements(const Path& path) {
-  return path.content().is_from_memory ? PathAccess::from_bytes(path.name(), path.text(), "apt") : path;
+  return path.content().is_from_memory ? PathAccess::from_bytes(path.name(), path.text(), {.dialect = gouge::dialect_called("apt")}) : path;
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/number_text.h"
-#include "lib/check/closeness.h"
 #include "lib/check/finest_resolution.h"
 #include "lib/check/reach.h"
 #include "toolmodels/compile_tool.h"
@@ -64,6 +63,36 @@ gouge::ToolFacts facts_of(const gouge::ToolAssembly& tool) {
   return facts;
 }
 
+/// Vouched facts and strictness as asked for, and whether each mesh is solid.
+gouge::SetupBasis basis_of(const Scene& scene, const PathTools& tools, const CheckOptions& options) {
+  gouge::SetupBasis basis;
+  basis.inputs = tools.assumptions;
+  basis.is_strict = options.strict;
+  for (const std::string& text : options.assume) {
+    const std::optional<gouge::Vouched> vouched = gouge::parse_vouched(text);
+    if (!vouched)
+      raise(gouge::make_error(
+          "usage", "assume '" + text + "': expected one of " + gouge::subject_names() + ", or such as tool=T3"));
+    basis.vouched.push_back(*vouched);
+  }
+  bool are_units_known = true;
+  for (const auto& meshes : {scene.parts(), scene.fixtures()}) {
+    for (const Mesh& mesh : meshes) {
+      basis.inputs.push_back(gouge::assume_solid(mesh.name(), mesh.content().findings));
+      are_units_known = are_units_known && !mesh.content().has_unknown_unit;
+    }
+  }
+  if (are_units_known) basis.mesh_unit = gouge::LengthUnit::mm;
+  return basis;
+}
+
+CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathTools> tools,
+                      const CheckOptions& options) {
+  gouge::SetupBasis basis = basis_of(scene, *tools, options);
+  Scene taken = scene_in(scene, path.content().path.unit);
+  return {std::move(path), std::move(taken), std::move(tools), to_check_options(options), std::move(basis)};
+}
+
 }  // namespace
 
 std::vector<const gouge::ToolVariants*> PathTools::pointers() const {
@@ -107,7 +136,8 @@ CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, cons
   auto tools = std::make_shared<PathTools>();
   tools->variants.assign(toolpath.tools.size(), compile(assembly, understood));
   tools->facts.assign(toolpath.tools.size(), facts_of(assembly));
-  return {std::move(named), scene, std::move(tools), understood};
+  tools->assumptions = value_or_raise(gouge::resolve_given(toolpath, assembly)).assumptions;
+  return completed(std::move(named), scene, std::move(tools), options);
 }
 
 CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& library, const CheckOptions& options) {
@@ -127,12 +157,13 @@ CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& lib
   }
   tools->facts = std::move(resolved.facts);
   tools->notes = std::move(resolved.notes);
+  tools->assumptions = std::move(resolved.assumptions);
   tools->file = library.content().file;
-  return {path, scene, std::move(tools), understood};
+  return completed(path, scene, std::move(tools), options);
 }
 
 gouge::CheckSetup CheckedPath::setup() const {
-  return {tools->pointers(), no_heads(), scene.content().index->prepared(options.threads), options};
+  return {tools->pointers(), no_heads(), scene.content().index->prepared(options.threads), options, nullptr, basis};
 }
 
 gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
@@ -152,8 +183,8 @@ gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
   }
   model.tools = tools->facts;
   model.notes.insert(model.notes.end(), tools->notes.begin(), tools->notes.end());
-  model.closeness =
-      gouge::measure_closeness(toolpath, tools->pointers(), setup().scene, result.verdicts, options.threads);
+  const gouge::Diagnostics open = gouge::open_warnings(result.assumptions);
+  model.notes.insert(model.notes.end(), open.begin(), open.end());
   return model;
 }
 

@@ -14,7 +14,8 @@ struct PathTools {
   std::vector<std::optional<gouge::ToolVariants>> variants;  // one per Toolpath::tools; empty: no definition
   std::vector<gouge::ToolFacts> facts;
   gouge::Diagnostics notes;
-  std::string file;  // of the library; empty: from memory
+  gouge::Assumptions assumptions;  // of the tools and their holders
+  std::string file;                // of the library; empty: from memory
 
   [[nodiscard]] std::vector<const gouge::ToolVariants*> pointers() const;
 };
@@ -25,6 +26,7 @@ struct CheckedPath {
   Scene scene;
   std::shared_ptr<const PathTools> tools;
   gouge::CheckOptions options;
+  gouge::SetupBasis basis;
 
   /// Both must outlive the result, and `heads`, which are none.
   [[nodiscard]] gouge::CheckSetup setup() const;

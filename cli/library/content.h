@@ -14,6 +14,7 @@
 #include "lib/check/prepared_scene.h"
 #include "lib/mesh/mesh_findings.h"
 #include "lib/path/toolpath.h"
+#include "postproc/cldata/reading/read_toolpath.h"
 #include "toolmodels/tool_library.h"
 
 // What the public classes hold, for the sources of this module. A Result becomes a value or an Error here, and nowhere
@@ -64,13 +65,32 @@ struct Mesh::Content {
   SceneIndex index;  // of the mesh as the only part
   gouge::MeshFindings findings;
   gouge::Diagnostics notes;
-  std::string file;  // empty: from memory
+  std::string file;               // empty: from memory
+  bool has_unknown_unit = false;  // of a file read without a unit: a check takes that of its path
+  mutable std::once_flag inch_once;
+  mutable std::shared_ptr<const Content> in_inches;  // the same file read in inches
+};
+
+/// For those who make meshes of other meshes.
+struct MeshAccess {
+  /// Returns a mesh of unknown unit taken in `unit`, mm or inch; the same mesh where its unit is known.
+  [[nodiscard]] static Mesh in(const Mesh& mesh, gouge::LengthUnit unit);
 };
 
 struct Scene::Content {
   std::vector<Mesh> parts, fixtures;
   std::shared_ptr<const SceneIndex> index;
+
+  /// True where a file of it was read without a unit.
+  [[nodiscard]] bool has_unknown_unit() const;
+
+  mutable std::once_flag inch_once;
+  mutable std::optional<Scene> in_inches;  // the same with its files read in inches
 };
+
+/// Returns the scene with its meshes of unknown unit taken in `unit`: the same scene for mm, and where there are none.
+/// Cost     A copy of those meshes, made once for each of them.
+[[nodiscard]] Scene scene_in(const Scene& scene, gouge::LengthUnit unit);
 
 struct Tool::Content {
   gouge::ToolAssembly assembly;
@@ -92,10 +112,9 @@ struct Path::Content {
 /// For those who make paths of other paths.
 struct PathAccess {
   [[nodiscard]] static Path from(gouge::Toolpath path, bool is_from_memory);
-  /// The bytes of a file called `name`, in `dialect` where it is known; `harmless_words` as in
-  /// ReadOptions.
-  [[nodiscard]] static Path from_bytes(const std::string& name, std::string bytes, const std::string& dialect = {},
-                                       const std::vector<std::string>& harmless_words = {});
+  /// The bytes of a file called `name`, read as `options` say.
+  [[nodiscard]] static Path from_bytes(const std::string& name, std::string bytes,
+                                       const gouge::ReadOptions& options = {});
 };
 
 }  // namespace gougecheck

@@ -43,6 +43,22 @@ void require_mesh_reach(const gouge::IndexedMesh& mesh) {
   if (const auto error = gouge::find_too_far(mesh, "mesh", kAdvice)) raise(*error);
 }
 
+// What was left out when the mesh was made shows in the mesh no more.
+std::shared_ptr<Mesh::Content> scaled(const Mesh::Content& given, double factor) {
+  gouge::IndexedMesh mesh = given.mesh();
+  for (gouge::Vec3& vertex : mesh.vertices) vertex *= factor;
+  require_mesh_reach(mesh);
+  gouge::MeshFindings findings = gouge::find_mesh_findings(mesh);
+  findings.degenerate_triangles = given.findings.degenerate_triangles;
+  findings.collinear_triangles = given.findings.collinear_triangles;
+  findings.opposite_normals = given.findings.opposite_normals;
+  auto content = std::make_shared<Mesh::Content>(std::move(mesh));
+  content->notes = gouge::describe(findings, given.mesh().name);
+  content->findings = std::move(findings);
+  content->file = given.file;
+  return content;
+}
+
 }  // namespace
 
 Mesh::Mesh(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
@@ -58,7 +74,7 @@ Mesh::Mesh(std::span<const Vec3> vertices, std::span<const Triangle> faces, std:
 }
 
 Mesh Mesh::read_stl(const std::string& file, const std::string& unit) {
-  const auto known = gouge::unit_called(unit);
+  const auto known = unit.empty() ? gouge::LengthUnit::mm : gouge::unit_called(unit);
   if (!known) raise(gouge::make_error("usage", "unit '" + unit + "': expected um, mm, cm, m or inch", file));
   gouge::LoadedMesh loaded = value_or_raise(gouge::load_mesh(file, {*known, {}}));
   require_mesh_reach(loaded.mesh);
@@ -66,7 +82,31 @@ Mesh Mesh::read_stl(const std::string& file, const std::string& unit) {
   content->findings = std::move(loaded.findings);
   content->notes = std::move(loaded.notes);
   content->file = file;
+  content->has_unknown_unit = unit.empty();
   return Mesh(std::move(content));
+}
+
+Mesh MeshAccess::in(const Mesh& mesh, gouge::LengthUnit unit) {
+  const Mesh::Content& content = mesh.content();
+  if (!content.has_unknown_unit || unit == gouge::LengthUnit::mm) return mesh;
+  std::call_once(content.inch_once, [&] { content.in_inches = scaled(content, gouge::mm_per(unit)); });
+  return Mesh(content.in_inches);
+}
+
+Scene scene_in(const Scene& scene, gouge::LengthUnit unit) {
+  const Scene::Content& content = scene.content();
+  if (!content.has_unknown_unit() || unit == gouge::LengthUnit::mm) return scene;
+  std::call_once(content.inch_once, [&] {
+    const auto taken = [unit](const std::vector<Mesh>& meshes) {
+      std::vector<Mesh> all;
+      for (const Mesh& mesh : meshes) all.push_back(MeshAccess::in(mesh, unit));
+      return all;
+    };
+    const std::vector<Mesh> parts = taken(content.parts);
+    const bool is_one_part = parts.size() == 1 && content.fixtures.empty();
+    content.in_inches = is_one_part ? Scene(parts.front()) : Scene(parts, taken(content.fixtures));
+  });
+  return *content.in_inches;
 }
 
 std::span<const Vec3> Mesh::vertices() const {
@@ -83,7 +123,10 @@ std::vector<Note> Mesh::notes() const { return to_notes(content_->notes); }
 
 Scene::Scene(const Mesh& part) {
   const std::shared_ptr<const Mesh::Content> mesh = part.content_;
-  content_ = std::make_shared<Content>(Content{{part}, {}, std::shared_ptr<const SceneIndex>(mesh, &mesh->index)});
+  auto content = std::make_shared<Content>();
+  content->parts = {part};
+  content->index = std::shared_ptr<const SceneIndex>(mesh, &mesh->index);
+  content_ = std::move(content);
 }
 
 Scene::Scene(std::vector<Mesh> parts, std::vector<Mesh> fixtures) {
@@ -92,8 +135,16 @@ Scene::Scene(std::vector<Mesh> parts, std::vector<Mesh> fixtures) {
   for (const Mesh& fixture : fixtures) scene.fixtures.push_back(fixture.content().mesh());
   if (parts.empty() && fixtures.empty())
     raise(gouge::make_error("usage", "a scene without meshes: expected at least one part or fixture"));
-  auto index = std::make_shared<const SceneIndex>(std::move(scene));
-  content_ = std::make_shared<Content>(Content{std::move(parts), std::move(fixtures), std::move(index)});
+  auto content = std::make_shared<Content>();
+  content->parts = std::move(parts);
+  content->fixtures = std::move(fixtures);
+  content->index = std::make_shared<const SceneIndex>(std::move(scene));
+  content_ = std::move(content);
+}
+
+bool Scene::Content::has_unknown_unit() const {
+  const auto is_unknown = [](const Mesh& mesh) { return mesh.content().has_unknown_unit; };
+  return std::ranges::any_of(parts, is_unknown) || std::ranges::any_of(fixtures, is_unknown);
 }
 
 std::span<const Mesh> Scene::parts() const { return content_->parts; }

@@ -67,6 +67,10 @@ Path::Path(std::span<const Vec3> tips, std::span<const Vec3> axes, std::span<con
   path.file = std::move(name);
   path.dialect = "apt";
   path.is_unit_stated = true;
+  path.assumptions = {{.subject = gouge::Subject::path_unit,
+                       .basis = gouge::Basis::stated,
+                       .value = "mm",
+                       .evidence = "paths from memory are in mm"}};
   path.tools.emplace_back().name = "tool";
   path.moves.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -86,15 +90,14 @@ Path::Path(std::span<const Vec3> tips, std::span<const Vec3> axes, std::span<con
   content_ = PathAccess::from(std::move(path), true).content_;
 }
 
-Path Path::read(const std::string& file) {
-  return PathAccess::from_bytes(file, value_or_raise(gouge::read_file(file)));
+Path Path::read(const std::string& file, const std::string& unit) {
+  const auto known = gouge::unit_called(unit);
+  const bool is_of_path = known == gouge::LengthUnit::mm || known == gouge::LengthUnit::inch;
+  if (!unit.empty() && !is_of_path) raise(gouge::make_error("usage", "unit '" + unit + "': expected mm or inch", file));
+  return PathAccess::from_bytes(file, value_or_raise(gouge::read_file(file)), {.unit = known});
 }
 
-Path PathAccess::from_bytes(const std::string& name, std::string bytes, const std::string& dialect,
-                            const std::vector<std::string>& harmless_words) {
-  gouge::ReadOptions options;
-  options.dialect = gouge::dialect_called(dialect);
-  options.harmless_words = harmless_words;
+Path PathAccess::from_bytes(const std::string& name, std::string bytes, const gouge::ReadOptions& options) {
   gouge::ReadOutcome outcome = gouge::read_toolpath(name, std::move(bytes), options);
   if (!outcome.toolpath) raise(outcome.errors.front());
   require_path_reach(*outcome.toolpath);
@@ -120,7 +123,16 @@ std::span<const Vec3> Path::tips() const { return content_->tips; }
 std::span<const Vec3> Path::axes() const { return content_->axes; }
 std::span<const MoveKind> Path::kinds() const { return content_->kinds; }
 std::span<const std::uint32_t> Path::lines() const { return content_->lines; }
-std::vector<Note> Path::notes() const { return to_notes(content_->path.notes); }
+
+std::vector<Note> Path::notes() const {
+  gouge::Diagnostics all = content_->path.notes;
+  gouge::Assumptions facts = content_->path.assumptions;
+  gouge::settle(facts, {}, false);
+  const gouge::Diagnostics open = gouge::open_warnings(facts);
+  all.insert(all.end(), open.begin(), open.end());
+  return to_notes(all);
+}
+
 std::string Path::text() const {
   return content_->is_from_memory ? apt_text(content_->path) : std::string(content_->path.source.view());
 }

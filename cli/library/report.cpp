@@ -116,6 +116,15 @@ std::string Report::reason(std::size_t move) const {
   return move < size() ? gouge::reason_text(content_->result.verdicts[move].reason) : std::string();
 }
 
+std::vector<Assumption> Report::assumptions() const {
+  std::vector<Assumption> all;
+  for (const gouge::Assumption& fact : content_->result.assumptions) {
+    all.push_back({gouge::subject_name(fact.subject), fact.object, gouge::basis_name(fact.basis), fact.is_open,
+                   fact.value, fact.evidence, fact.remedy});
+  }
+  return all;
+}
+
 std::vector<Note> Report::notes() const { return to_notes(content_->checked.model(content_->result).notes); }
 std::string Report::text() const { return gouge::findings_text(content_->checked.model(content_->result)); }
 

@@ -11,8 +11,9 @@ const char* const kOptions =
     "\n\npart: a Mesh, a list of them, or a Scene, which then has the fixtures. tool: a Tool, or a ToolLibrary for a "
     "path that calls several. tolerance: depth a move may have; resolution: the certified gap; stock_to_leave, "
     "shank_clearance, holder_clearance: grow that body; near_miss: report what comes nearer, 0: nothing; all in mm. "
-    "rapids: 'straight', 'dogleg' or 'skip'. threads: 0 for all; the result is the same at any number. The GIL is "
-    "released.";
+    "rapids: 'straight', 'dogleg' or 'skip'. threads: 0 for all; the result is the same at any number. assume: facts to "
+    "take as stated, such as 'path-unit', 'placement', 'tool=T3'; strict: clean only where no fact is taken by default. "
+    "The GIL is released.";
 
 Rapids rapids_called(const std::string& name) {
   constexpr const char* kNames[] = {"straight", "dogleg", "skip"};
@@ -64,16 +65,17 @@ Asked asked(const py::object& path, const py::object& part, const py::object& to
 }
 
 CheckOptions options_of(double tolerance, double resolution, double stock_to_leave, double shank_clearance,
-                        double holder_clearance, double near_miss, const std::string& rapids, unsigned threads) {
-  return {tolerance,        resolution, stock_to_leave,        shank_clearance,
-          holder_clearance, near_miss,  rapids_called(rapids), threads};
+                        double holder_clearance, double near_miss, const std::string& rapids, unsigned threads,
+                        const std::vector<std::string>& assume, bool strict) {
+  return {tolerance, resolution, stock_to_leave, shank_clearance, holder_clearance, near_miss, rapids_called(rapids),
+          threads,   assume,     strict};
 }
 
 Report run_check(const py::object& path, const py::object& part, const py::object& tool, const py::object& fixtures,
                  double tolerance, double resolution, double stock, double shank, double holder, double near,
-                 const std::string& rapids, unsigned threads) {
-  const Asked a =
-      asked(path, part, tool, fixtures, options_of(tolerance, resolution, stock, shank, holder, near, rapids, threads));
+                 const std::string& rapids, unsigned threads, const std::vector<std::string>& assume, bool strict) {
+  const Asked a = asked(path, part, tool, fixtures,
+                        options_of(tolerance, resolution, stock, shank, holder, near, rapids, threads, assume, strict));
   const py::gil_scoped_release release;
   return a.tool != nullptr ? check(a.path, a.scene, *a.tool, a.options) : check(a.path, a.scene, *a.library, a.options);
 }
@@ -82,9 +84,10 @@ Correction run_correct(const py::object& path, const py::object& part, const py:
                        const py::object& fixtures, const std::string& strategy, double max_shift,
                        const std::optional<double>& max_side_shift, double max_tilt, double rapid_clearance,
                        double tolerance, double resolution, double stock, double shank, double holder,
-                       const std::string& rapids, unsigned threads) {
-  const Asked a =
-      asked(path, part, tool, fixtures, options_of(tolerance, resolution, stock, shank, holder, 0, rapids, threads));
+                       const std::string& rapids, unsigned threads, const std::vector<std::string>& assume,
+                       bool strict) {
+  const Asked a = asked(path, part, tool, fixtures,
+                        options_of(tolerance, resolution, stock, shank, holder, 0, rapids, threads, assume, strict));
   const CorrectOptions how{strategy, max_shift, max_side_shift, max_tilt, rapid_clearance};
   const py::gil_scoped_release release;
   return a.tool != nullptr ? correct(a.path, a.scene, *a.tool, a.options, how)
@@ -128,7 +131,8 @@ void bind_checks(py::module_& module) {
   module.def("check", &run_check, py::arg("path"), py::arg("part"), py::arg("tool"), py::kw_only(),
              py::arg("fixtures") = py::tuple(), py::arg("tolerance") = 0.01, py::arg("resolution") = 0.001,
              py::arg("stock_to_leave") = 0.0, py::arg("shank_clearance") = 0.0, py::arg("holder_clearance") = 0.0,
-             py::arg("near_miss") = 0.0, py::arg("rapids") = "straight", py::arg("threads") = 0, check_doc.c_str());
+             py::arg("near_miss") = 0.0, py::arg("rapids") = "straight", py::arg("threads") = 0,
+             py::arg("assume") = std::vector<std::string>(), py::arg("strict") = false, check_doc.c_str());
   bind_corrections(module);
   static const std::string correct_doc =
       std::string(
@@ -142,7 +146,8 @@ void bind_checks(py::module_& module) {
              py::arg("max_side_shift") = py::none(), py::arg("max_tilt") = 30.0, py::arg("rapid_clearance") = 1.0,
              py::arg("tolerance") = 0.01, py::arg("resolution") = 0.001, py::arg("stock_to_leave") = 0.0,
              py::arg("shank_clearance") = 0.0, py::arg("holder_clearance") = 0.0, py::arg("rapids") = "straight",
-             py::arg("threads") = 0, correct_doc.c_str());
+             py::arg("threads") = 0, py::arg("assume") = std::vector<std::string>(), py::arg("strict") = false,
+             correct_doc.c_str());
 }
 
 }  // namespace gougecheck::python

@@ -57,8 +57,9 @@ void bind_meshes(py::module_& module) {
             const py::gil_scoped_release release;
             return Mesh::read_stl(name, unit);
           },
-          py::arg("file"), py::arg("unit") = "mm",
-          "A mesh from a binary or ASCII STL file. unit: um, mm, cm, m or inch, what its numbers are.")
+          py::arg("file"), py::arg("unit") = "",
+          "A mesh from a binary or ASCII STL file. unit: um, mm, cm, m or inch, what its numbers are; '': a check takes "
+          "that of its path, and all else takes mm.")
       .def_property_readonly(
           "vertices", [](const py::object& self) { return view(self.cast<const Mesh&>().vertices(), self); },
           "float64 (n, 3), mm, after joining; a read-only view.")
@@ -159,13 +160,14 @@ void bind_paths(py::module_& module) {
       });
   module.def(
       "read_toolpath",
-      [](const py::object& file) {
+      [](const py::object& file, const std::string& unit) {
         const std::string name = path_text(file);
         const py::gil_scoped_release release;
-        return Path::read(name);
+        return Path::read(name, unit);
       },
-      py::arg("file"),
-      "A Path from CL data: APT, NX CLSF, CATIA, Creo, NCCS, Mastercam NCI and more, recognised by its content.");
+      py::arg("file"), py::arg("unit") = "",
+      "A Path from CL data: APT, NX CLSF, CATIA, Creo, NCCS, Mastercam NCI and more, recognised by its content. unit: mm "
+      "or inch, of a file that states none.");
 }
 
 }  // namespace gougecheck::python

@@ -23,6 +23,19 @@ void add_view(py::class_<Report>& report, const char* name, std::span<const T> (
 }  // namespace
 
 void bind_reports(py::module_& module) {
+  py::class_<Assumption>(module, "Assumption",
+                         "A fact that a verdict rests on beside the motion and the surfaces, and how it is known.")
+      .def_readonly("fact", &Assumption::fact, "'path-unit', 'tool', 'placement', ...")
+      .def_readonly("object", &Assumption::object, "Which of several: 'T3', 'part.stl'; else ''.")
+      .def_readonly("state", &Assumption::state, "'stated', 'derived', 'default', 'contradicted' or 'unknown'.")
+      .def_readonly("is_open", &Assumption::is_open, "The verdict is not clean because of it.")
+      .def_readonly("value", &Assumption::value, "What was taken.")
+      .def_readonly("evidence", &Assumption::evidence, "Why, or what speaks against it.")
+      .def_readonly("remedy", &Assumption::remedy, "How to establish it.")
+      .def("__repr__", [](const Assumption& self) {
+        return "<gougecheck.Assumption " + self.fact + (self.object.empty() ? "" : " " + self.object) + ": " +
+               self.value + " (" + self.state + ")>";
+      });
   auto report = py::class_<Report>(
       module, "Report",
       "What a check says, one entry a move, as a structure of arrays: read-only views that keep the report alive. For "
@@ -59,7 +72,9 @@ void bind_reports(py::module_& module) {
       .def_property_readonly(
           "verdict", [](const Report& self) { return verdict_name(self.verdict()); },
           "'clean', 'gouges' or 'not-fully-checked'.")
-      .def_property_readonly("is_clean", &Report::is_clean, "Every move is proved clean.")
+      .def_property_readonly("is_clean", &Report::is_clean,
+                             "Every move is proved clean, and no fact that this rests on is open.")
+      .def_property_readonly("assumptions", &Report::assumptions, "The facts that the verdict rests on: Assumption.")
       .def_property_readonly("worst_depth", &Report::worst_depth, "mm, of all moves; 0 where none is deep.")
       .def(
           "count", [](const Report& self, int state) { return self.count(static_cast<State>(state)); },

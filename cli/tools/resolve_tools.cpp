@@ -16,6 +16,9 @@
 namespace gouge {
 namespace {
 
+constexpr double kSameSize_mm = 1e-3;
+constexpr double kReach_mm = 5e-3;
+
 std::string name_of(const PathTool& tool) {
   if (tool.number) return "T" + std::to_string(*tool.number);
   return tool.name.empty() ? "the tool" : "tool \"" + tool.name + "\"";
@@ -78,6 +81,8 @@ class Resolver {
     return std::nullopt;
   }
 
+  void take_every(const ToolAssembly& tool) { every_ = &tool; }
+
   std::optional<Diagnostic> take_holder(const std::string& name) {
     if (library_ == nullptr) return usage("--holder '" + name + "' needs a library: give --tools LIB.json");
     const std::vector<ToolSegment>* segments = library_->holder_called(name);
@@ -91,16 +96,85 @@ class Resolver {
   }
 
   Result<ResolvedTools> run() {
-    for (const PathTool& tool : path_.tools) {
+    const std::vector<bool> is_used = used_tools();
+    for (std::size_t i = 0; i < path_.tools.size(); ++i) {
+      const PathTool& tool = path_.tools[i];
       ToolFacts facts;
       facts.name = tool.number ? "T" + std::to_string(*tool.number) : tool.name;
+      contradiction_.clear();
+      basis_ = Basis::stated;
       if (const auto error = resolve(tool, facts)) return *error;
+      if (is_used[i]) assume(tool, facts, result_.assemblies.back().has_value());
       result_.facts.push_back(std::move(facts));
     }
+    assume_names(is_used);
     return std::move(result_);
   }
 
  private:
+  [[nodiscard]] std::vector<bool> used_tools() const {
+    std::vector<bool> is_used(path_.tools.size(), false);
+    for (const Move& move : path_.moves) {
+      if (move.tool != kNone) is_used[move.tool] = true;
+    }
+    return is_used;
+  }
+
+  void assume(const PathTool& tool, const ToolFacts& facts, bool is_defined) {
+    const std::string object = facts.name.empty() ? "unnamed" : facts.name;
+    Assumption of_tool{.subject = Subject::tool, .object = object, .basis = basis_, .value = facts.description};
+    of_tool.code = "tool-differs";
+    of_tool.file = path_.file;
+    of_tool.line = tool.line;
+    of_tool.evidence = facts.defined_in;
+    of_tool.remedy = "correct the library or --tool, or state that it is right with --assume tool=" + object;
+    if (!is_defined) {
+      of_tool.basis = Basis::unknown;
+      of_tool.code = "tool-undefined";
+      of_tool.value = "not defined";
+      of_tool.evidence = name_of(tool) +
+                         " is defined neither in a library nor by CUTTER or TLDATA: its moves are not "
+                         "checked";
+      of_tool.remedy = "give --tools LIB.json with its number";
+    } else if (!contradiction_.empty()) {
+      of_tool.basis = Basis::contradicted;
+      of_tool.evidence = contradiction_;
+    }
+    result_.assumptions.push_back(std::move(of_tool));
+    if (is_defined) assume_holder(tool, facts, object);
+  }
+
+  void assume_holder(const PathTool& tool, const ToolFacts& facts, const std::string& object) {
+    Assumption of_holder{.subject = Subject::holder, .object = object, .basis = Basis::stated};
+    of_holder.code = "tool-no-holder";
+    of_holder.file = path_.file;
+    of_holder.line = tool.line;
+    of_holder.value = facts.has_holder ? "given" : "none";
+    of_holder.evidence = facts.has_holder ? library_->file : name_of(tool) + " has no holder, so none is checked";
+    of_holder.remedy = "give one in the library or with --holder, or state with --assume holder that none is needed";
+    if (!facts.has_holder) of_holder.basis = Basis::by_default;
+    result_.assumptions.push_back(std::move(of_holder));
+  }
+
+  // A number that was mistyped names no tool of the path, and the tool that was meant comes from elsewhere.
+  void assume_names(const std::vector<bool>& is_used) {
+    std::vector<std::string> loaded, named;
+    for (std::size_t i = 0; i < path_.tools.size(); ++i) {
+      const auto& number = path_.tools[i].number;
+      if (!number || !is_used[i]) continue;
+      if (named_.contains(*number)) return;
+      loaded.push_back("T" + std::to_string(*number));
+    }
+    if (named_.empty() || loaded.empty()) return;
+    for (const auto& entry : named_) named.push_back("T" + std::to_string(entry.first));
+    Assumption fact{.subject = Subject::tool, .object = listed(named), .basis = Basis::contradicted, .value = "unused"};
+    fact.code = "tool-not-loaded";
+    fact.file = path_.file;
+    fact.evidence = "--tool names " + listed(named, " and ") + ", and the toolpath loads " + listed(loaded, " and ");
+    fact.remedy = "name a tool that it loads, or leave --tool out";
+    result_.assumptions.push_back(std::move(fact));
+  }
+
   [[nodiscard]] Diagnostic at(Diagnostic diagnostic, const PathTool& tool) const {
     if (diagnostic.file.empty()) {
       diagnostic.file = path_.file;
@@ -113,6 +187,7 @@ class Resolver {
     std::optional<ToolAssembly> assembly;
     if (const ToolAssembly* known = in_library(tool)) {
       facts.defined_in = library_->file;
+      basis_ = is_named(tool) ? Basis::stated : Basis::derived;
       assembly = *known;
       if (assembly->holder.empty()) assembly->holder = holder_;
       compare(tool, *known);
@@ -138,56 +213,60 @@ class Resolver {
                                          path_.file, tool.line));
   }
 
-  // The library wins, but a smaller tool than the file's would hide gouges, so it is reported.
+  // The library's tool is checked. Where it is smaller than the file's, a gouge of the file's would be missed; where it
+  // is larger, none is.
   void compare(const PathTool& tool, const ToolAssembly& known) {
-    constexpr double kSame_mm = 1e-3;
     const ToolAssembly* const named = tool.name.empty() ? nullptr : library_->with_name(tool.name);
     if (named != nullptr && named != &known && known.name != tool.name)
-      report_difference(tool, "called " + tool.name, known.name.empty() ? "not" : known.name);
+      report_difference(tool, "called " + tool.name, known.name.empty() ? "not" : known.name, true);
     const auto [diameter, corner] = nominal_size(known.cutter);
-    if (tool.stated_diameter_mm > 0 && std::abs(diameter - tool.stated_diameter_mm) > kSame_mm) {
-      return report_difference(tool, size_text(tool.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit));
+    if (tool.stated_diameter_mm > 0 && std::abs(diameter - tool.stated_diameter_mm) > kSameSize_mm) {
+      return report_difference(tool, size_text(tool.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit),
+                               diameter < tool.stated_diameter_mm);
     }
     if (!tool.cutter || tool.cutter->given == 0) return;
     const double given_corner = tool.cutter->given > 1 ? tool.cutter->r_mm : corner;
-    if (std::abs(diameter - tool.cutter->d_mm) <= kSame_mm && std::abs(corner - given_corner) <= kSame_mm)
+    if (std::abs(diameter - tool.cutter->d_mm) <= kSameSize_mm && std::abs(corner - given_corner) <= kSameSize_mm)
       return compare_outlines(tool, known);
+    const bool is_round = tool.cutter->given > 1;
+    const bool is_smaller =
+        diameter < tool.cutter->d_mm - kSameSize_mm || (is_round && reach_mm(tool, known) > kReach_mm);
     report_difference(tool, size_text(tool.cutter->d_mm, given_corner, path_.unit),
-                      size_text(diameter, corner, path_.unit));
+                      size_text(diameter, corner, path_.unit), is_smaller);
+  }
+
+  // How far the file's tool reaches out of the library's.
+  [[nodiscard]] double reach_mm(const PathTool& tool, const ToolAssembly& known) const {
+    const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
+    return made ? reach_beyond_mm(made->tool.cutter, known.cutter) : 0;
   }
 
   // Of the same size, but of another taper or tip.
   void compare_outlines(const PathTool& tool, const ToolAssembly& known) {
-    constexpr double kReach_mm = 5e-3;
     constexpr int kWhole = 7;
     const CutterStatement& c = *tool.cutter;
     const bool is_plain = !(std::abs(c.alpha_deg) > 0) && !(std::abs(c.beta_deg) > 0);
     const bool has_angles = dialect_called(path_.dialect).value_or(Dialect{}).has_tool_angles;
     if (c.given < kWhole || (is_plain && !has_angles)) return;
-    const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
-    const double reach = made ? reach_beyond_mm(made->tool.cutter, known.cutter) : 0;
+    const double reach = reach_mm(tool, known);
     if (reach <= kReach_mm) return;
     const std::string length =
         exact_text(std::round(reach / mm_per(path_.unit) * 1e4) / 1e4) + " " + unit_name(path_.unit);
-    const std::string message = name_of(tool) + " reaches up to " + length +
-                                " farther from its axis by the toolpath than by the library, which is what is checked";
-    result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
+    contradict(name_of(tool) + " reaches up to " + length +
+               " farther from its axis by the toolpath than by the library, which is what is checked");
   }
 
-  void report_difference(const PathTool& tool, const std::string& given, const std::string& known) {
+  void report_difference(const PathTool& tool, const std::string& given, const std::string& known, bool is_smaller) {
     const std::string message =
         name_of(tool) + " is " + given + " by the toolpath but " + known + " by the library, which is what is checked";
+    if (is_smaller) return contradict(message);
     result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
   }
 
+  void contradict(const std::string& what) { contradiction_ += (contradiction_.empty() ? "" : "; ") + what; }
+
   void report(const PathTool& tool, const std::optional<ToolAssembly>& assembly, ToolFacts& facts) {
-    if (!assembly) {
-      const std::string message = name_of(tool) +
-                                  " is defined neither in a library nor by CUTTER or TLDATA: its moves are not "
-                                  "checked; give --tools LIB.json with its number";
-      result_.notes.push_back(make_warning("tool-undefined", message, path_.file, tool.line));
-      return;
-    }
+    if (!assembly) return;
     facts.description = describe(*assembly, path_.unit);
     facts.has_holder = !assembly->holder.empty();
     if (facts.has_holder) return;
@@ -196,8 +275,15 @@ class Resolver {
     result_.notes.push_back(make_note("tool-no-holder", message, path_.file, tool.line));
   }
 
+  [[nodiscard]] bool is_named(const PathTool& tool) const {
+    if (every_ != nullptr) return true;
+    if (tool.number) return named_.contains(*tool.number);
+    return !tool.name.empty() && tool.name == unnamed_.first;
+  }
+
   [[nodiscard]] const ToolAssembly* in_library(const PathTool& tool) const {
     if (library_ == nullptr) return nullptr;
+    if (every_ != nullptr) return every_;
     const auto named = tool.number ? named_.find(*tool.number) : named_.end();
     if (named != named_.end()) return named->second;
     const ToolAssembly* by_number = tool.number ? library_->with_number(*tool.number) : nullptr;
@@ -210,7 +296,10 @@ class Resolver {
   const ToolLibrary* library_;
   std::map<int, const ToolAssembly*> named_;
   std::pair<std::string, const ToolAssembly*> unnamed_;  // what moves without a tool are called and get
+  const ToolAssembly* every_ = nullptr;                  // what all tools of the path are; null: each has its own
   std::vector<ToolSegment> holder_;
+  Basis basis_ = Basis::stated;  // of the tool being resolved, as is ...
+  std::string contradiction_;    // ... what speaks against it
   ResolvedTools result_;
 };
 
@@ -225,6 +314,15 @@ Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* lib
   if (!holder.empty()) {
     if (const auto error = resolver.take_holder(holder)) return *error;
   }
+  return resolver.run();
+}
+
+Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool) {
+  ToolLibrary library;
+  library.file = "memory";
+  library.tools = {tool};
+  Resolver resolver(path, &library);
+  resolver.take_every(library.tools.front());
   return resolver.run();
 }
 

@@ -7,11 +7,17 @@
 
 namespace gouge {
 
-CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress) {
+CheckResult check_moves(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress) {
   CheckResult result = check_path(path, setup.tools, setup.scene, setup.options, progress, setup.kept);
   check_heads(path, setup.heads, setup.scene, setup.options, result, progress, setup.kept);
   summarise(path, result);  // the overcut asks for the worst move of each event
   measure_overcuts(path, setup.tools, setup.scene, setup.options, result, setup.heads, progress, setup.kept);
+  return result;
+}
+
+CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress) {
+  CheckResult result = check_moves(path, setup, progress);
+  assess(path, setup, result);
   return result;
 }
 

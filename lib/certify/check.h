@@ -4,9 +4,10 @@
 
 #include "lib/base/kept_work.h"
 #include "lib/base/parallel.h"
+#include "lib/certify/assess.h"
 #include "lib/check/check_options.h"
+#include "lib/check/check_result.h"
 #include "lib/check/prepared_scene.h"
-#include "lib/check/verdict.h"
 #include "lib/head/head_body.h"
 #include "lib/path/toolpath.h"
 
@@ -22,17 +23,23 @@ struct CheckSetup {
   const PreparedScene& scene;              ///< parts and fixtures
   const CheckOptions& options;
   KeptWork* kept = nullptr;  ///< of an earlier run of the very same check, or null
+  SetupBasis basis = {};     ///< how the inputs are known
 };
 
 /// Checks every move of a path: tools and heads, against parts and fixtures, from outside and from inside, and how far
-/// below the surface the gouges reach.
+/// below the surface the gouges reach. Lists what the verdict rests on.
 ///
 /// Ensures  (1) the whole of CheckResult: one verdict a move, in order, with the overcut of a gouge; events and counts.
 ///          (2) a move is clean only if every body of the tool and every head is proved outside of all solids during it
 ///          and no deeper than tolerance + resolution, and buried only if one is proved inside. A move that is refused,
 ///          left out or beyond the budget is not checked or not certified, with the reason.
-///          (3) the same result, bit for bit, at any number of threads.
-/// Cost     that of check_path, check_heads and measure_overcuts.
+///          (3) the assumptions of the path, of `setup.basis` and of the check itself, settled (lib/path/assumption.h).
+///          (4) the same result, bit for bit, at any number of threads.
+/// Cost     that of check_path, check_heads, measure_overcuts and assess.
 [[nodiscard]] CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress = {});
+
+/// Checks the moves alone: (1), (2) and (4) of check, for searches that try many paths. Its result has no assumptions,
+/// so no report may be made of it.
+[[nodiscard]] CheckResult check_moves(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress = {});
 
 }  // namespace gouge

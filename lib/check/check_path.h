@@ -5,8 +5,8 @@
 #include "lib/base/kept_work.h"
 #include "lib/base/parallel.h"
 #include "lib/check/check_options.h"
+#include "lib/check/check_result.h"
 #include "lib/check/prepared_scene.h"
-#include "lib/check/verdict.h"
 #include "lib/path/toolpath.h"
 
 namespace gouge {

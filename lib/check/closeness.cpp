@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "lib/base/number_text.h"
 #include "lib/base/parallel.h"
 #include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
@@ -75,6 +76,12 @@ std::optional<double> if_near(double distance) {
 }
 
 }  // namespace
+
+std::string positions_examined(const Closeness& closeness) {
+  const std::string positions = count_text(closeness.positions, "cutting position");
+  if (closeness.positions == closeness.cuts) return positions;
+  return positions + " examined (of " + std::to_string(closeness.cuts) + ")";
+}
 
 std::optional<Closeness> measure_closeness(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                            const PreparedScene& scene, const MoveVerdicts& verdicts, unsigned threads) {

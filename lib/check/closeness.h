@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lib/check/prepared_scene.h"
@@ -24,6 +25,9 @@ struct Closeness {
   std::optional<double> median_mm;  ///< half of the positions are as near
   double apart_mm = 0;  ///< proved: at none of the positions looked at is the tool nearer; nothing of the others
 };
+
+/// Returns "37 cutting positions" or "400 cutting positions examined (of 2425)".
+[[nodiscard]] std::string positions_examined(const Closeness& closeness);
 
 /// Shape    as check_path, `verdicts` its result on the same path. Nothing where there is no part or no cut.
 /// Ensures  the same result at any number of threads; distances to a hundredth of a millimetre.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lib/check/verdict.h"
+#include "lib/check/check_result.h"
 #include "lib/path/toolpath.h"
 
 namespace gouge {

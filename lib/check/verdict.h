@@ -69,16 +69,4 @@ struct StateCounts {
   std::size_t skipped = 0;  ///< of not_checked: rapids left out because the user asked for it
 };
 
-/// The verdict on a whole path. verdicts.size() == toolpath.moves.size(); every move has one state.
-struct CheckResult {
-  MoveVerdicts verdicts;
-  std::vector<Event> events;  ///< in path order
-  StateCounts counts;
-  double worst_depth_mm = 0;
-  std::size_t worst_move = static_cast<std::size_t>(-1);
-  double worst_overcut_mm = 0;    ///< largest overcut of a gouge; 0 where none was measured
-  double largest_gap_mm = 0;      ///< largest depth_upper - depth over gouging moves
-  std::uint64_t evaluations = 0;  ///< bounds computed; the same on every run
-};
-
 }  // namespace gouge

@@ -55,6 +55,13 @@ std::vector<Uncorrected> list_remaining(const Toolpath& path, const CheckResult&
   return remaining;
 }
 
+// Part and path lie to each other as before: a path that was lifted from the part does not show otherwise, and one that
+// did not fit does not fit now.
+void keep_place(const CheckResult& before, CheckResult& after) {
+  for (const Subject fact : {Subject::mesh_unit, Subject::placement})
+    copy_facts(fact, before.assumptions, after.assumptions);
+}
+
 }  // namespace
 
 Correction correct_path(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
@@ -74,13 +81,15 @@ Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckR
     std::string reason = kLeftForLaws;
     if (changed) {
       ChangedPath after{std::move(*changed), {}};
-      after.result = check(after.path, setup, progress);
+      after.result = check_moves(after.path, setup, progress);
       worse = find_worse({&toolpath, &result}, correction.changes, {&after.path, &after.result},
                          setup.options.resolution_mm);
       if (worse.empty()) {
         correction.uncorrected = list_remaining(toolpath, result, correction, after.result);
         if (progress) progress("measuring what is left", 0, 1);
         correction.stock = measure_stock(toolpath, correction, after.path, setup, correct);
+        assess(after.path, setup, after.result);
+        keep_place(result, after.result);
         return LawfulCorrection{std::move(correction), std::move(after)};
       }
       if (correction.changes.empty()) {

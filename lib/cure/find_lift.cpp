@@ -123,7 +123,7 @@ class LiftSearch {
   /// The same by check(), which knows the path to each move.
   [[nodiscard]] std::optional<Block> find_block_for_sure(std::size_t k) const {
     const LiftedMoves moved = at(k);
-    const CheckResult result = check(moved.path, setup_);
+    const CheckResult result = check_moves(moved.path, setup_);
     std::optional<Block> worst;
     for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
       if (!is_lifted_free(result.verdicts[i])) take_worse(worst, block_of(origin_of(moved, i), result.verdicts[i]));

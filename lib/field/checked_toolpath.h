@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lib/check/check_options.h"
+#include "lib/check/check_result.h"
 #include "lib/check/prepared_scene.h"
-#include "lib/check/verdict.h"
 #include "lib/head/head_body.h"
 #include "lib/path/toolpath.h"
 

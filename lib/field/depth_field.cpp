@@ -22,17 +22,17 @@ constexpr double kSpread = 0.5;  // of a node's radius: farther apart they are a
 constexpr double kUnseenShare = 0.01;
 
 /// How closely the instants of a move must be picked.
-struct Closeness {
+struct PoseCloseness {
   double step_mm = 0;    ///< so close that what the tool leaves between two of them goes unseen
   double unseen_mm = 0;  ///< a depth that does
   double lever_mm = 0;   ///< where it gouges, the tool turns about its tip with this one
 };
 
-Closeness closeness_of(const Motion& motion, const CompiledTool& tool, const MoveVerdict& verdict) {
+PoseCloseness closeness_of(const Motion& motion, const CompiledTool& tool, const MoveVerdict& verdict) {
   // A holder is wide, but what moves slowly across the part is mostly the cutter, and its curvature counts.
   const double reach = std::clamp(tool.core_depth_mm, 0.1, std::max(tool.r_max_mm, 0.1));
   const std::optional<Witness>& witness = verdict.witness;
-  Closeness out;
+  PoseCloseness out;
   out.lever_mm = witness ? (witness->point - motion.at(witness->t).tip).norm() : tool.z_max_mm - tool.z_min_mm;
   out.unseen_mm = kUnseenShare * std::max(verdict.depth_mm, 1e-3);
   out.step_mm = std::max(std::sqrt(8 * reach * out.unseen_mm), 0.02 * reach);
@@ -42,7 +42,7 @@ Closeness closeness_of(const Motion& motion, const CompiledTool& tool, const Mov
 /// Poses one after the other, less those that show nothing their neighbours do not.
 class PoseList {
  public:
-  void add(const DepthField::FieldPose& pose, bool is_worst, const Closeness& closeness) {
+  void add(const DepthField::FieldPose& pose, bool is_worst, const PoseCloseness& closeness) {
     if (!poses_.empty() && is_same(poses_.back(), pose)) {
       poses_.back().last_move = pose.last_move;
       may_go_ = may_go_ && !is_worst;
@@ -64,7 +64,7 @@ class PoseList {
   }
 
   // Whether the last pose lies on the way from the one before it to `c`, and these are close enough.
-  [[nodiscard]] bool is_between(const DepthField::FieldPose& c, const Closeness& of_c) const {
+  [[nodiscard]] bool is_between(const DepthField::FieldPose& c, const PoseCloseness& of_c) const {
     const DepthField::FieldPose &a = poses_[poses_.size() - 2], &b = poses_.back();
     const bool is_one_run =
         a.tool == b.tool && b.tool == c.tool && b.first_move <= a.last_move + 1 && c.first_move <= b.last_move + 1;
@@ -82,8 +82,8 @@ class PoseList {
   }
 
   std::vector<DepthField::FieldPose> poses_;
-  Closeness closeness_;  ///< of the last pose
-  bool may_go_ = false;  ///< it
+  PoseCloseness closeness_;  ///< of the last pose
+  bool may_go_ = false;      ///< it
 };
 
 /// What there is among the points asked about.
@@ -179,7 +179,7 @@ DepthField::DepthField(const CheckedToolpath& input, std::size_t most_poses)
     return closeness_of(motion, variants_of(move)->against_part, input.result->verdicts[move]);
   };
   const auto wanted = [&](const Motion& motion, std::size_t move) {
-    const Closeness close = closeness(motion, move);
+    const PoseCloseness close = closeness(motion, move);
     const double travel = path_length_mm(motion) + std::abs(motion.angle_rad()) * close.lever_mm;
     return static_cast<std::size_t>(std::clamp(std::ceil(travel / close.step_mm), 1.0, kMostSteps));
   };

@@ -10,8 +10,8 @@
 #include "lib/base/kept_work.h"
 #include "lib/base/paged_memory.h"
 #include "lib/base/parallel.h"
+#include "lib/check/check_result.h"
 #include "lib/check/prepared_scene.h"
-#include "lib/check/verdict.h"
 #include "lib/head/head_body.h"
 #include "lib/head/head_search.h"
 

@@ -15,6 +15,7 @@
 #include "lib/geom/pose.h"
 #include "lib/geom/rigid_transform.h"
 #include "lib/path/apt_cutter.h"
+#include "lib/path/assumption.h"
 #include "lib/path/curve.h"
 #include "lib/path/feed.h"
 #include "lib/path/source_text.h"
@@ -111,7 +112,9 @@ struct Toolpath {
   std::vector<PathSpline> splines;                          ///< of moves whose curve_kind is spline
   std::vector<std::string> harmless_words;                  ///< the user says that they move and change nothing
   std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; reported to the user
-  Diagnostics notes;  ///< warnings and notes of reading; errors make reading fail instead
+  Diagnostics notes;              ///< warnings and notes of reading; errors make reading fail instead
+  Assumptions assumptions;        ///< unit, dialect, completeness, statements and frame of a file that was read
+  bool has_turned_frame = false;  ///< the file's X, Y and Z are not the part's in some of its moves
 
   /// Where a move starts: whoever takes moves out of a path changes where those behind them start.
   /// Requires moves[move].has_start and move > 0.

@@ -82,7 +82,7 @@ class ToolSearch {
     if (Outcome made = candidate(0); !made) return made.error();
     const bool has_bodies = !candidates_.at(0)->longer.bodies.bare.elements.empty();
     if (!has_bodies && setup_.heads.empty()) return std::optional<ToolStickout>();
-    const CheckResult bodies = has_bodies ? check(path_, candidates_.at(0)->setup, progress_) : CheckResult();
+    const CheckResult bodies = has_bodies ? check_moves(path_, candidates_.at(0)->setup, progress_) : CheckResult();
     const CheckResult& before = has_bodies ? bodies : result;
     std::vector<std::size_t> hit;
     for (const std::size_t i : moves_) {
@@ -172,7 +172,7 @@ class ToolSearch {
   Result<std::vector<std::size_t>> hit_at(std::size_t k) {
     if (const auto known = hits_.find(k); known != hits_.end()) return known->second;
     if (Outcome made = candidate(k); !made) return made.error();
-    const CheckResult all = check(path_, candidates_.at(k)->setup, progress_);
+    const CheckResult all = check_moves(path_, candidates_.at(k)->setup, progress_);
     std::vector<std::size_t> hit;
     for (const std::size_t i : moves_) {
       const MoveVerdict& verdict = all.verdicts[i];

@@ -102,8 +102,8 @@ void add_path_key(Page& page, const PictureSet& set, double x, double y) {
   };
   entry(kCheckedPath, {"path of the tip", "while it cuts:", "checked"});
   if (n.not_checked + n.not_certified > 0) entry(kUncheckedPath, {"not checked", "or not certified"});
-  if (!set.model.closeness) return;
-  const Closeness& c = *set.model.closeness;
+  if (!set.model.result->closeness) return;
+  const Closeness& c = *set.model.result->closeness;
   const LengthUnit unit = set.model.toolpath->unit;
   y += 18;
   for (const std::string& words :

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lib/check/verdict.h"
+#include "lib/check/check_result.h"
 #include "lib/path/toolpath.h"
 #include "postproc/image/colour_scale.h"
 #include "postproc/image/raster.h"

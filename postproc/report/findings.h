@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/check/verdict.h"
+#include "lib/check/check_result.h"
 #include "lib/geom/vec.h"
 #include "postproc/report/report_model.h"
 

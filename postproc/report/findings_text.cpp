@@ -50,6 +50,21 @@ std::string overcut_words(const ReportModel& model) {
   return is_noteworthy ? ", overcut " + overcut_range_text(model) : std::string();
 }
 
+// Moves and facts that keep a verdict without gouges from being clean.
+std::string what_is_open(const CheckResult& result) {
+  const StateCounts& n = result.counts;
+  const std::size_t moves = n.not_checked - n.skipped + n.not_certified;
+  const auto facts = static_cast<std::size_t>(std::ranges::count_if(result.assumptions, &Assumption::is_open));
+  std::string text;
+  if (moves > 0)
+    text = std::to_string(moves) + " of " + count_text(result.verdicts.size(), "move") +
+           " could not be checked or certified";
+  if (facts > 0)
+    text += (text.empty() ? "" : ", and ") + count_text(facts, "fact") + " that the verdict rests on " +
+            (facts == 1 ? "is" : "are") + " not established";
+  return text;
+}
+
 // `accepting`: the model whose baseline counts; null: none does.
 std::string headline(const Checked& checked, const CheckOptions& limits, const std::string& overcut,
                      const ReportModel* accepting) {
@@ -64,8 +79,7 @@ std::string headline(const Checked& checked, const CheckOptions& limits, const s
       return "clean: no gouge in " + count_text(result.verdicts.size(), "move");
     case OverallVerdict::not_fully_checked:
       return std::string("not fully checked: no ") + (n.gouge > 0 ? "other " : "") + "gouge found, but " +
-             std::to_string(n.not_checked - n.skipped + n.not_certified) + of_moves +
-             " could not be checked or certified" + (n.gouge > 0 ? "; " + accepted_words(*accepting) : "");
+             what_is_open(result) + (n.gouge > 0 ? "; " + accepted_words(*accepting) : "");
     case OverallVerdict::gouges:
       break;
   }
@@ -249,12 +263,13 @@ Headlines headlines(const ReportModel& model) {
 std::string summary_text(const ReportModel& model, bool is_coloured) {
   std::string text = line(model.toolpath->file + bodies(model));
   text += verdict_lines(model, is_coloured);
+  for (const std::string& fact : open_facts(*model.result)) text += line("not established: " + fact);
   for (const std::string& reservation : reservations(model)) text += line("note: " + reservation);
   text += line("moves: " + counts_line(model.result->counts));
   const std::string overcut = overcut_gaps_text(model);
   if (!overcut.empty()) text += line("overcut: " + overcut);
   text += baseline_lines(model);
-  if (model.closeness) text += line("closest approach to the part: " + closeness_text(model));
+  if (model.result->closeness) text += line("closest approach to the part: " + closeness_text(model));
   text += stickout_lines(model);
   if (model.has_correction) text += correction_lines(model);
   return text + line("guarantee: " + guarantee_text(model));

@@ -16,10 +16,17 @@ InputFile describe_input(std::string role, std::string name, std::string_view by
   return {std::move(role), std::move(name), bytes.size(), "sha256:" + sha256_of(bytes)};
 }
 
+namespace {
+
+// Moves that could not be checked or certified, but for rapids left out on request.
+bool has_open_moves(const StateCounts& n) { return n.not_checked > n.skipped || n.not_certified > 0; }
+
+}  // namespace
+
 OverallVerdict overall_verdict(const CheckResult& result) {
   const StateCounts& n = result.counts;
   if (n.gouge + n.buried > 0) return OverallVerdict::gouges;
-  return n.not_checked > n.skipped || n.not_certified > 0 ? OverallVerdict::not_fully_checked : OverallVerdict::clean;
+  return has_open_moves(n) || has_open(result.assumptions) ? OverallVerdict::not_fully_checked : OverallVerdict::clean;
 }
 
 OverallVerdict overall_verdict(const ReportModel& model) {
@@ -32,7 +39,7 @@ OverallVerdict overall_verdict(const ReportModel& model) {
   }
   const StateCounts& n = model.result->counts;
   if (n.buried > 0 || n.gouge != model.baseline.accepted_moves) return verdict;
-  const bool is_open = n.not_checked > n.skipped || n.not_certified > 0;
+  const bool is_open = has_open_moves(n) || has_open(model.result->assumptions);
   return is_open ? OverallVerdict::not_fully_checked : OverallVerdict::accepted_gouges;
 }
 
@@ -55,18 +62,31 @@ std::string guarantee_text(const ReportModel& model) {
   const StateCounts& n = model.result->counts;
   const std::size_t left_out = n.not_checked + n.not_certified;
   const std::size_t covered = model.result->verdicts.size() - left_out;
-  if (left_out == 0) return limit;
+  const std::string facts = assumptions_text(model.result->assumptions);
+  const std::string basis = facts.empty() ? "" : "; it rests on " + facts;
+  if (left_out == 0) return limit + basis;
   const std::string not_covered = count_text(left_out, "move") + " not checked or not certified";
   if (covered == 0) return "none: it does not cover the " + not_covered;
   return "in the " + count_text(covered, "move") + " that " + (covered == 1 ? "is" : "are") + " certified, " + limit +
-         "; it does not cover the " + not_covered;
+         "; it does not cover the " + not_covered + basis;
+}
+
+std::vector<std::string> open_facts(const CheckResult& result) {
+  std::vector<std::string> all;
+  for (const Assumption& fact : result.assumptions) {
+    if (!fact.is_open) continue;
+    const std::string object = fact.object.empty() ? "" : " " + fact.object;
+    all.push_back(std::string(subject_name(fact.subject)) + object + " (" + basis_name(fact.basis) +
+                  "): " + fact.evidence + "; " + fact.remedy);
+  }
+  return all;
 }
 
 std::vector<std::string> reservations(const ReportModel& model) {
   constexpr std::size_t kNamed = 5;
   std::vector<std::string> all;
   for (const Diagnostic& note : model.notes) {
-    if (note.code == kSceneMisplaced || note.code == kProjectFile) all.push_back(note.message);
+    if (note.code == kProjectFile) all.push_back(note.message);
   }
   // "Clean" is what is left of the path, not the part.
   if (std::string uncut = uncut_text(model.correction, model.toolpath->unit); !uncut.empty())
@@ -94,17 +114,11 @@ std::string closeness_words(const std::optional<double>& distance_mm, LengthUnit
   return "within " + fixed_text(reported, decimals) + " " + unit_name(unit);
 }
 
-std::string positions_looked_at(const Closeness& closeness) {
-  const std::string positions = count_text(closeness.positions, "cutting position");
-  if (closeness.positions == closeness.cuts) return positions;
-  return positions + " examined (of " + std::to_string(closeness.cuts) + ")";
-}
-
 std::string closeness_text(const ReportModel& model) {
-  if (!model.closeness) return {};
-  const Closeness& c = *model.closeness;
+  if (!model.result->closeness) return {};
+  const Closeness& c = *model.result->closeness;
   const LengthUnit unit = model.toolpath->unit;
-  return closeness_words(c.nearest_mm, unit) + "; half of the " + positions_looked_at(c) + " are " +
+  return closeness_words(c.nearest_mm, unit) + "; half of the " + positions_examined(c) + " are " +
          closeness_words(c.median_mm, unit);
 }
 

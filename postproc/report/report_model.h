@@ -11,8 +11,7 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/units.h"
 #include "lib/check/check_options.h"
-#include "lib/check/closeness.h"
-#include "lib/check/verdict.h"
+#include "lib/check/check_result.h"
 #include "lib/cure/find_cures.h"
 #include "lib/geom/vec.h"
 #include "lib/path/axis_quality.h"
@@ -44,7 +43,8 @@ struct MeshFacts {
   std::size_t triangles = 0, vertices = 0;
   std::size_t dropped = 0;  ///< degenerate triangles of the file that have no area
   bool is_closed = false;
-  std::string meaning;  ///< what that means for the result, a sentence; may be empty
+  std::string meaning;    ///< what that means for the result, a sentence; may be empty
+  Assumption solid = {};  ///< whether it bounds a solid
 };
 
 /// One entry per Toolpath::tools, in its order.
@@ -170,12 +170,12 @@ struct ReportModel {
   std::optional<CureOptions> cure_options;  ///< none: not asked
   std::vector<FindingCures> cures;          ///< by event, in their order
   BaselineFacts baseline;
-  std::optional<Closeness> closeness;  ///< none: not looked at, or nothing to look at
 };
 
 enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 
-/// Gouges and buried tools come first, then anything not checked that was not left out on request.
+/// Gouges and buried tools come first, then anything not checked that was not left out on request, and assumptions that
+/// are open.
 [[nodiscard]] OverallVerdict overall_verdict(const CheckResult& result);
 /// The same where gouges may be accepted: those that are come last of all that is not clean.
 [[nodiscard]] OverallVerdict overall_verdict(const ReportModel& model);
@@ -188,8 +188,8 @@ enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 /// most 3 times that into a solid", in the toolpath's unit, with what it does not cover when something was not checked.
 [[nodiscard]] std::string guarantee_text(const ReportModel& model);
 
-/// Code of the warning that path and parts may not belong together.
-inline constexpr const char* kSceneMisplaced = "scene-misplaced";
+/// Returns one sentence for each assumption that keeps the verdict from being clean: which, why, and what to do.
+[[nodiscard]] std::vector<std::string> open_facts(const CheckResult& result);
 
 /// What a reader of the verdict must know beside it, a sentence each: that the path may not belong to the part, that
 /// tools have no holder.
@@ -198,9 +198,6 @@ inline constexpr const char* kSceneMisplaced = "scene-misplaced";
 /// A distance of Closeness, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm", "not within 20
 /// mm".
 [[nodiscard]] std::string closeness_words(const std::optional<double>& distance_mm, LengthUnit unit);
-
-/// "37 cutting positions", "400 cutting positions looked at (of 2425)".
-[[nodiscard]] std::string positions_looked_at(const Closeness& closeness);
 
 /// "seen nearest, the tool is touching; half of the 400 cutting positions looked at (of 2425) are within 0.83 mm".
 /// Empty without closeness.

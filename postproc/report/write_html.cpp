@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "lib/base/number_text.h"
+#include "postproc/report/assumption_report.h"
 #include "postproc/report/axis_html.h"
 #include "postproc/report/axis_text.h"
 #include "postproc/report/baseline_text.h"
@@ -39,8 +40,8 @@ class HtmlReport {
            title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
            against() + sign_off_facts(model_) + banner() + numbers() + sign_off_lines(model_) + overview() + changes() +
            axis_section(model_) + summaries_html(model_) + findings_html(model_, pictures_) + stickouts() +
-           open_queries() + close_ups() + inputs() + tools() + options() + notes() + "<footer>" + kProgramName + " " +
-           kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
+           open_queries() + close_ups() + assumptions_html(*model_.result) + inputs() + tools() + options() + notes() +
+           "<footer>" + kProgramName + " " + kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
   }
 
  private:
@@ -74,6 +75,8 @@ class HtmlReport {
 
   [[nodiscard]] std::string beside_the_verdict() const {
     std::string out;
+    for (const std::string& fact : open_facts(*model_.result))
+      out += "<p class=\"but\">Not established: " + xml_escaped(fact) + ".</p>\n";
     for (const std::string& reservation : reservations(model_))
       out += "<p class=\"but\">Note: " + xml_escaped(reservation) + ".</p>\n";
     out += acceptances();

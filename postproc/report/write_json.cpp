@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/path/motion_key.h"
+#include "postproc/report/assumption_report.h"
 #include "postproc/report/correction_json.h"
 #include "postproc/report/cure_text.h"
 #include "postproc/report/findings.h"
@@ -33,6 +34,7 @@ class JsonReport {
     out["verdict"] = verdict_name(verdict);
     out["exit_status"] = static_cast<int>(exit_status(verdict));
     out["promise"] = guarantee_text(model_);
+    out["assumptions"] = assumptions_json(*model_.result);
     out["unit"] = unit_name(unit_);
     out["inputs"] = inputs();
     out["options"] = options();
@@ -254,8 +256,8 @@ class JsonReport {
   }
 
   [[nodiscard]] Json closeness() const {
-    if (!model_.closeness) return nullptr;
-    const Closeness& c = *model_.closeness;
+    if (!model_.result->closeness) return nullptr;
+    const Closeness& c = *model_.result->closeness;
     const auto distance = [&](const std::optional<double>& mm) { return mm ? length(*mm) : Json(nullptr); };
     return {{"cuts", c.cuts},
             {"positions", c.positions},

@@ -106,6 +106,15 @@ JunitCase case_of(const ReportModel& model, const Case& one) {
   return made;
 }
 
+// A test of its own: facts concern the whole path, not an operation.
+JunitCase open_case(const CheckResult& result) {
+  JunitCase made;
+  made.name = "assumptions";
+  for (const std::string& fact : open_facts(result))
+    made.error_message += (made.error_message.empty() ? "" : "; ") + fact;
+  return made;
+}
+
 // Build servers show it, but it fails no test.
 std::string beside_the_verdict(const ReportModel& model) {
   std::string text;
@@ -176,6 +185,7 @@ JunitSuite junit_suite_of(const ReportModel& model) {
                    {},
                    beside_the_verdict(model)};
   for (const Case& one : cases_of(model)) suite.cases.push_back(case_of(model, one));
+  if (has_open(model.result->assumptions)) suite.cases.push_back(open_case(*model.result));
   return suite;
 }
 

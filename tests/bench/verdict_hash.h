@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "lib/check/verdict.h"
+#include "lib/check/check_result.h"
 
 namespace gouge::bench {
 

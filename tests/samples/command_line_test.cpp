@@ -187,8 +187,14 @@ TEST(CommandLine, AToolThatDiffersFromTheLibraryIsReported) {
   const SampleFolder sample = open_sample("needles");
   write_text(sample.path + "/d99.apt", "UNITS/MM\nCUTTER/99\nLOADTL/1\nGOTO/0,0,50\n");
   const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "d99.apt", {}));
-  EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
+  EXPECT_EQ(ran.exit_status, 4) << ran.out << ran.err;
   EXPECT_NE(ran.err.find("warning: T1 is D 99"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.out.find("not established: tool T1 (contradicted)"), std::string::npos) << ran.out;
+  const Outcome stated = run_gougecheck(
+      sample.path, sample.arguments("check", "d99.apt", {"--assume", "tool=T1", "--assume", "placement"}));
+  EXPECT_EQ(stated.exit_status, 0) << stated.out << stated.err;
+  const Outcome quiet = run_gougecheck(sample.path, sample.arguments("check", "d99.apt", {"-q"}));
+  EXPECT_NE(quiet.err.find("warning: T1 is D 99"), std::string::npos) << "open facts are never lost";
 }
 
 TEST(CommandLine, AToolWithoutADefinitionBesideOthersIsStatus4) {
@@ -216,8 +222,9 @@ TEST(CommandLine, AToolNameAloneIsForMovesThatNameNoTool) {
   EXPECT_NE(with.out.find("list.txt:2: gouge: 3.000 mm cutter"), std::string::npos) << with.out;
   EXPECT_NE(with.err.find("2 moves for which the file names no tool: \"flat D10\" as asked"), std::string::npos)
       << with.err;
-  const Outcome corrected =
-      run_gougecheck(sample.path, sample.arguments("correct", "list.txt", {"--tool", "flat D10", "-o", "lifted.txt"}));
+  const Outcome corrected = run_gougecheck(
+      sample.path,
+      sample.arguments("correct", "list.txt", {"--tool", "flat D10", "--path-units", "mm", "-o", "lifted.txt"}));
   EXPECT_EQ(corrected.exit_status, 0) << corrected.out << corrected.err;
   const Outcome unknown = run_gougecheck(sample.path, sample.arguments("check", "list.txt", {"--tool", "ball D3"}));
   EXPECT_EQ(unknown.exit_status, 2);

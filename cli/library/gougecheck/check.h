@@ -25,12 +25,16 @@ struct CheckOptions {
   double near_miss = 0;         ///< report what comes nearer than this; 0: not asked
   Rapids rapids = Rapids::straight;
   unsigned threads = 0;  ///< 0: all; the result is the same at any number
+  /// Facts to take as stated: "path-unit", "placement", "tool=T3", ... (docs/guide/assumptions.md).
+  std::vector<std::string> assume = {};
+  bool strict = false;  ///< clean only where no fact is taken by default
 };
 
 /// Checks the whole motion of every move against the whole surface of every triangle.
 ///
-/// Ensures  no gouge deeper than tolerance + resolution is missed; every gouge has a witness; clean is proved.
-/// Throws   Error: a length that is negative or no number; tool-ambiguous: one tool for a path that calls several.
+/// Ensures  no gouge deeper than tolerance + resolution is missed; every gouge has a witness; clean is proved, and no fact
+///          that it rests on is contradicted or unknown. Meshes that were read without a unit are taken in the path's.
+/// Throws   Error: a length that is negative or no number, a fact of another name; tool-ambiguous: one tool for a path that calls several.
 /// Thread safe, as everything here is.
 [[nodiscard]] GOUGECHECK_EXPORT Report check(const Path& path, const Scene& scene, const Tool& tool,
                                              const CheckOptions& options = {});

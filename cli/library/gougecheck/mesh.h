@@ -18,9 +18,9 @@ class GOUGECHECK_EXPORT Mesh {
   /// Throws   Error: an index beyond the vertices, a coordinate that is no number or beyond 100 m, no triangle left.
   Mesh(std::span<const Vec3> vertices, std::span<const Triangle> faces, std::string name = "mesh");
 
-  /// `unit`: um, mm, cm, m or inch.
+  /// `unit`: um, mm, cm, m or inch. Empty: not known; a check then takes that of its path, and all else takes mm.
   /// Throws   Error: those of docs/errors.md for STL files.
-  [[nodiscard]] static Mesh read_stl(const std::string& file, const std::string& unit = "mm");
+  [[nodiscard]] static Mesh read_stl(const std::string& file, const std::string& unit = "");
 
   /// After joining; valid as long as a copy of the mesh lives.
   [[nodiscard]] std::span<const Vec3> vertices() const;
@@ -39,6 +39,7 @@ class GOUGECHECK_EXPORT Mesh {
 
  private:
   friend class Scene;
+  friend struct MeshAccess;
   explicit Mesh(std::shared_ptr<const Content> content);
   std::shared_ptr<const Content> content_;
 };

@@ -22,7 +22,8 @@ enum class State : std::uint8_t {
 
 enum class Body : std::uint8_t { cutter, shank, holder, head };
 
-/// Of a whole path: gouges where a move gouges or is buried; clean where every move is clean or near.
+/// Of a whole path: gouges where a move gouges or is buried; clean where every move is clean or near and no fact that this
+/// rests on is open.
 enum class Verdict : std::uint8_t { clean, gouges, not_fully_checked };
 
 /// What a check says: one entry a move, in order, as a structure of arrays. For every move depth <= true depth <=
@@ -53,6 +54,8 @@ class GOUGECHECK_EXPORT Report {
   [[nodiscard]] std::span<const double> overcut() const;
   /// Why a move is not checked, not certified or buried; else empty, or what else is to be said.
   [[nodiscard]] std::string reason(std::size_t move) const;
+  /// Returns the facts that the verdict rests on. It is clean only if none of them is open.
+  [[nodiscard]] std::vector<Assumption> assumptions() const;
   /// What the verdict does not cover, and what was noticed of the inputs.
   [[nodiscard]] std::vector<Note> notes() const;
 

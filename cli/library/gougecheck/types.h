@@ -32,6 +32,18 @@ struct Note {
   std::string text;  ///< "file:line: warning: ... [code]"
 };
 
+/// A fact that a verdict rests on beside the motion and the surfaces, and how it is known. docs/guide/assumptions.md has
+/// the table of facts.
+struct Assumption {
+  std::string fact;      ///< "path-unit", "tool", "placement", ...
+  std::string object;    ///< which of several: "T3", "part.stl"; else empty
+  std::string state;     ///< "stated", "derived", "default", "contradicted" or "unknown"
+  bool is_open = false;  ///< the verdict is not clean because of it
+  std::string value;     ///< what was taken
+  std::string evidence;  ///< why, or what speaks against it
+  std::string remedy;    ///< how to establish it
+};
+
 /// Every error of this library: input that cannot be used. what() is one line: file, line, what was found, what was
 /// expected.
 class GOUGECHECK_EXPORT Error : public std::runtime_error {

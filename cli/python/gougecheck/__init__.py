@@ -12,8 +12,8 @@ checks the whole motion of every move against the whole surface of every triangl
 import enum
 
 from gougecheck._core import (
-    Change, Correction, Depths, Error, Mesh, Note, Path, Penetration, Report, Scene, Tool, ToolLibrary, Uncorrected,
-    __version__, check, correct, depth, penetration, read_toolpath, state_name)
+    Assumption, Change, Correction, Depths, Error, Mesh, Note, Path, Penetration, Report, Scene, Tool, ToolLibrary,
+    Uncorrected, __version__, check, correct, depth, penetration, read_toolpath, state_name)
 
 
 class State(enum.IntEnum):
@@ -37,6 +37,6 @@ class Body(enum.IntEnum):
 
 
 __all__ = [
-    "Body", "Change", "Correction", "Depths", "Error", "Mesh", "Note", "Path", "Penetration", "Report", "Scene",
+    "Assumption", "Body", "Change", "Correction", "Depths", "Error", "Mesh", "Note", "Path", "Penetration", "Report", "Scene",
     "State", "Tool", "ToolLibrary", "Uncorrected", "__version__", "check", "correct", "depth", "penetration",
     "read_toolpath", "state_name"]

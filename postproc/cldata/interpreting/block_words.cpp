@@ -132,6 +132,7 @@ void take_tool_path(States& s) {
 void take_end_of_path(States& s) {
   if (s.blocks.number() == 0) doubt_moves(s, 0, s.in.moves(), Reasons::kNoToolPath);
   s.blocks.end();
+  s.end_line = s.in.line();
   s.doubts.set(Doubt::block, Reasons::kBetweenBlocks);
   break_motion(s);
 }
@@ -142,7 +143,7 @@ void take_operation(States& s) {
 }
 
 void take_fini(States& s) {
-  s.has_end = true;
+  s.end_line = s.in.line();
   s.cycle.leave_hole();
   end_program(s);
 }

@@ -24,6 +24,9 @@ bool FrameState::set(const RigidTransform& to_part) {
                         (to_part.shift - to_part_.shift).cwiseAbs().maxCoeff();
   to_part_ = to_part;
   is_recorded_ = false;
+  const bool is_turned = !to_part.rotation.isIdentity(kIdentityError);
+  has_turned_ = has_turned_ || is_turned;
+  if (is_turned || to_part.shift.norm() > kIdentityError) line_ = in_.line();
   return change > kIdentityError;
 }
 

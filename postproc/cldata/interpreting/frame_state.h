@@ -25,6 +25,10 @@ class FrameState {
   /// Ensures  the result shows whether that is another frame.
   bool set(const RigidTransform& to_part);
   void begin_block();
+  /// The line of the last frame that is not the part's own; 0: none.
+  [[nodiscard]] std::size_t line() const { return line_; }
+  /// True where a frame of the file turns X, Y and Z.
+  [[nodiscard]] bool has_turned() const { return has_turned_; }
 
   /// A tip at argument `first`, in mm and in the frame; nothing after an error.
   [[nodiscard]] std::optional<Vec3> read_tip(std::size_t first);
@@ -42,6 +46,8 @@ class FrameState {
   bool is_unit_stated_ = false;
   RigidTransform to_part_;
   bool is_recorded_ = false;
+  std::size_t line_ = 0;
+  bool has_turned_ = false;
   Tally csys_;
 };
 

@@ -62,18 +62,6 @@ void fail_run_on(StatementContext& in, std::string_view hidden) {
               "; expected one statement a line: a line end is missing, or a $ continues a statement that has ended");
 }
 
-void note_words(Toolpath& path) {
-  if (path.words_not_understood.empty()) return;
-  std::size_t count = 0;
-  for (const auto& entry : path.words_not_understood) count += entry.second;
-  path.notes.push_back(make_warning("path-words",
-                                    count_text(count, "statement") +
-                                        " with words or arguments that are not understood: path info lists them; a "
-                                        "word of your own that moves and changes nothing is declared with "
-                                        "--harmless-word",
-                                    path.file));
-}
-
 }  // namespace
 
 // What is no statement of CL data.
@@ -141,16 +129,26 @@ void Interpreter::write_notes() {
   s.axes.write_plain_note();
   s.frame.write_note();
   s.tool.write_note();
-  const auto note_cut = [&](const char* what) {
-    s.in.path.notes.push_back(make_warning("path-cut-short", what, s.in.path.file));
-  };
-  if ((s.in.dialect.has_end_word || s.has_begin) && !s.has_end) {
-    note_cut("the file ends without END or FINI: it may be cut short");
-  } else if (s.feed.is_rapid() && !s.has_end) {
-    note_cut("the file ends with a RAPID that no motion follows: it may be cut short");
+  gather_facts();
+}
+
+void Interpreter::gather_facts() {
+  const States& s = states_;
+  facts_.end_line = s.end_line;
+  const bool is_ended = s.end_line > 0;
+  const bool needs_end = s.in.dialect.has_end_word || s.has_begin || s.in.dialect.form == FileForm::nci_lines;
+  if (s.blocks.is_open()) {
+    facts_.cut_short = "the last TOOL PATH has no END-OF-PATH, so the file may be cut short";
+  } else if (needs_end && !is_ended) {
+    facts_.cut_short = s.in.dialect.form == FileForm::nci_lines
+                           ? "the file ends without a line 1003, so it may be cut short"
+                           : "the file ends without END or FINI, so it may be cut short";
+  } else if (s.feed.is_rapid() && !is_ended) {
+    facts_.cut_short = "the file ends with a RAPID that no motion follows, so it may be cut short";
   }
-  if (s.blocks.is_open()) note_cut("the last TOOL PATH has no END-OF-PATH: the file may be cut short");
-  note_words(s.in.path);
+  facts_.frame_line = s.frame.line();
+  facts_.has_turned_frame = s.frame.has_turned();
+  facts_.offset_line = s.offsets_chosen.first_line;
 }
 
 MotionRecords read_motion_records(const Toolpath& path) {

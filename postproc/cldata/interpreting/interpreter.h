@@ -1,5 +1,6 @@
 #pragma once
 
+#include "postproc/cldata/interpreting/file_facts.h"
 #include "postproc/cldata/interpreting/states.h"
 
 // Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath; the writer runs it
@@ -23,13 +24,17 @@ class Interpreter {
 
   [[nodiscard]] Diagnostics take_errors() { return states_.in.take_errors(); }
   [[nodiscard]] const FeedUnits& feed_units() const { return states_.feed_units; }
+  /// What the file establishes about itself. Requires finish().
+  [[nodiscard]] const FileFacts& facts() const { return facts_; }
   [[nodiscard]] bool is_hopeless() const { return states_.in.is_hopeless(); }
 
  private:
   [[nodiscard]] bool refuse();
   void write_notes();
+  void gather_facts();
 
   States states_;
+  FileFacts facts_;
 };
 
 }  // namespace gouge

@@ -124,7 +124,7 @@ struct States {
   bool is_unknown_in_block = false;        ///< a statement that is not understood stands in the block that is open
   std::optional<PendingInsert> pending;    ///< text that is the name of a tool if a CUTTER follows
   bool has_begin = false;                  ///< PARTNO
-  bool has_end = false;                    ///< END or FINI
+  std::size_t end_line = 0;                ///< of the last END, FINI or END-OF-PATH; 0: none
   bool skips_more_than_motion = false;     ///< OPSKIP/ON leaves out what OPSKIP/OFF does not undo
   std::size_t run_begin = 0;               ///< the first move since the last tool or operation
   Word previous_word = Word::comment;      ///< of the statement before, but for comments

@@ -51,7 +51,6 @@ constexpr std::array<Dialect, 13> kDialects = {{
      .id = "apt-catia",
      .title = "CATIA V5 APT source",
      .comments = CommentForm::catia,
-     .is_mm_unless_stated = true,
      .names_operations = true,
      .cycle_form = CycleForm::catia,
      .feed_in_cycle = FeedInCycle::nowhere},

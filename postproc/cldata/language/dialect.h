@@ -72,7 +72,6 @@ struct Dialect {
   CommentForm comments = CommentForm::none;
   bool has_end_word = true;  ///< ends with END or FINI, so that a file without is cut short
   bool is_fallback = false;  ///< what a file without the marks of any dialect is taken for
-  bool is_mm_unless_stated = false;
 
   // Positions.
   bool is_axis_modal = false;             ///< one without axis keeps the last one; else it means +Z or TLAXIS

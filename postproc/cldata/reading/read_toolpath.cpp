@@ -10,69 +10,16 @@
 #include "lib/base/stage.h"
 #include "lib/base/units.h"
 #include "postproc/cldata/interpreting/interpreter.h"
-#include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/language/text.h"
-#include "postproc/cldata/language/unit_words.h"
 #include "postproc/cldata/lexing/statement_reader.h"
+#include "postproc/cldata/reading/assume_file.h"
 #include "postproc/cldata/reading/foreign_file.h"
 #include "postproc/cldata/reading/recognise_dialect.h"
+#include "postproc/cldata/reading/unit_guess.h"
 
 namespace gouge {
 namespace {
-
-/// The unit a file's positions start in, and why.
-struct UnitGuess {
-  LengthUnit unit = LengthUnit::mm;
-  enum class Source {
-    stated,     ///< by UNITS or UNIT before the first position
-    option,     ///< by the user
-    feed_word,  ///< suggested by a word of FEDRAT or CYCLE (MMPM, IPM)
-    dialect,    ///< the dialect's writer gives no unit and means mm
-    assumed     ///< nothing says
-  } source = Source::assumed;
-};
-
-constexpr std::size_t kStatementsLookedAt = 20000;
-
-bool is_position(Word word) {
-  return word == Word::go_to || word == Word::from || word == Word::gohome || word == Word::tlon;
-}
-
-bool names_unit(Word word) { return word == Word::units || word == Word::fedrat || word == Word::cycle; }
-
-UnitGuess otherwise(UnitGuess guess, const Dialect& dialect) {
-  if (guess.source == UnitGuess::Source::assumed && dialect.is_mm_unless_stated)
-    guess.source = UnitGuess::Source::dialect;
-  return guess;
-}
-
-/// UNITS or UNIT where the file states it before its first position, else what the feed words of FEDRAT and
-/// CYCLE suggest, else what the dialect means, else mm.
-UnitGuess find_unit(std::string_view bytes, const Dialect& dialect) {
-  UnitGuess guess;
-  StatementReader reader(bytes, dialect.form);
-  Statement statement;
-  std::vector<Argument> arguments;
-  bool has_position = false;
-  for (std::size_t i = 0; i < kStatementsLookedAt && reader.next(statement); ++i) {
-    if (is_position(statement.word)) {
-      has_position = true;
-      if (guess.source != UnitGuess::Source::assumed) return guess;
-    }
-    if (!names_unit(statement.word)) continue;
-    split_arguments(statement, arguments);
-    for (const Argument& argument : arguments) {
-      if (statement.word == Word::units) {
-        const auto unit = unit_of_word(argument.text);
-        if (unit && !has_position) return {*unit, UnitGuess::Source::stated};
-      } else if (guess.source == UnitGuess::Source::assumed) {
-        if (const auto unit = unit_of_feed_word(argument.text)) guess = {*unit, UnitGuess::Source::feed_word};
-      }
-    }
-  }
-  return otherwise(guess, dialect);
-}
 
 constexpr std::size_t kShortestPosition = std::string_view("GOTO/1,1,1").size();
 constexpr std::size_t kLongestFile = (std::size_t{1} << 32U) - 2;  // whose bytes a SmallIndex counts
@@ -190,30 +137,13 @@ std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_v
                     file, line_of(bytes, control));
 }
 
-std::optional<Diagnostic> note_unit(const UnitGuess& guess, const ReadOptions& options, Toolpath& path) {
+std::optional<Diagnostic> find_other_unit(const UnitGuess& guess, const ReadOptions& options, const std::string& file) {
+  if (guess.source != UnitGuess::Source::stated || !options.unit || *options.unit == guess.unit) return std::nullopt;
   const std::string unit = guess.unit == LengthUnit::inch ? "inches" : "mm";
-  const std::string taken = "the file states no unit; taken as " + unit;
-  switch (guess.source) {
-    case UnitGuess::Source::stated:
-      if (!options.unit || *options.unit == guess.unit) return std::nullopt;
-      return make_error("path-unit",
-                        "the file states " + unit +
-                            ", the command line another unit; expected --path-units only for files that state none",
-                        path.file);
-    case UnitGuess::Source::option:
-      path.notes.push_back(make_note("path-unit", taken + " as asked", path.file));
-      break;
-    case UnitGuess::Source::feed_word:
-      path.notes.push_back(make_note("path-unit", taken + " from the feed words (MMPM, IPM)", path.file));
-      break;
-    case UnitGuess::Source::dialect:
-      path.notes.push_back(make_note("path-unit", taken + ", which CATIA writes unless it says otherwise", path.file));
-      break;
-    case UnitGuess::Source::assumed:
-      path.notes.push_back(
-          make_warning("path-unit", taken + " for want of evidence; say --path-units mm or inch", path.file));
-  }
-  return std::nullopt;
+  return make_error("path-unit",
+                    "the file states " + unit +
+                        ", the command line another unit; expected --path-units only for files that state none",
+                    file, guess.line);
 }
 
 std::optional<Diagnostic> find_two_units(const UnitGuess& guess, const FeedUnits& feeds, const std::string& file) {
@@ -253,7 +183,7 @@ Diagnostic no_motion(const Toolpath& path, const Dialect& dialect) {
 UnitGuess unit_of(std::string_view bytes, const Dialect& dialect, const ReadOptions& options) {
   const UnitGuess guess = find_unit(bytes, dialect);
   if (guess.source == UnitGuess::Source::stated || !options.unit) return guess;
-  return {*options.unit, UnitGuess::Source::option};
+  return {*options.unit, UnitGuess::Source::option, {}, 0};
 }
 
 // Bare lists of positions name no tool at all; others not before their first tool change.
@@ -324,10 +254,13 @@ ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const 
     outcome.errors.push_back(std::move(*error));
     return outcome;
   }
-  if (auto error = note_unit(guess, options, path)) {
+  if (auto error = find_other_unit(guess, options, file_name)) {
     outcome.errors.push_back(std::move(*error));
     return outcome;
   }
+  const FileFacts& facts = interpreter.facts();
+  path.assumptions = assume_file(path, guess, dialect, options.dialect.has_value(), facts);
+  path.has_turned_frame = facts.has_turned_frame;
   if (!options.unnamed_tool.empty()) name_unnamed_tool(options.unnamed_tool, path);
   outcome.toolpath = std::move(path);
   return outcome;

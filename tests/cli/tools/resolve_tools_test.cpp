@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "postproc/cldata/reading/read_toolpath.h"
 
 namespace gouge {
@@ -67,6 +69,9 @@ std::vector<std::string> differences(const std::string& text) {
   const Result<ResolvedTools> resolved = resolve_tools(*read.toolpath, &library, {}, "");
   EXPECT_TRUE(resolved.has_value());
   if (!resolved) return reported;
+  Assumptions facts = resolved->assumptions;
+  settle(facts, {}, false);
+  for (const Diagnostic& warning : open_warnings(facts)) reported.push_back(to_text(warning));
   for (const Diagnostic& note : resolved->notes) {
     if (note.code == "tool-differs") reported.push_back(to_text(note));
   }
@@ -77,13 +82,17 @@ TEST(ResolveTools, TheDiameterThatCreoStatesIsComparedWithTheLibrary) {
   const std::string head = "$$* Pro/CLfile\nUNITS / MM\n", motion = "GOTO / 56, 0, -5\nGOTO / 56, 10, -5\n";
   const std::string first = head + "LOADTL / 1\n$$-> CUTTER / 10.000000\n" + motion;
   EXPECT_EQ(differences(first + "FINI\n").size(), 0U);
-  EXPECT_EQ(differences(head + "LOADTL / 1\n$$-> CUTTER / 20.0\n" + motion + "FINI\n"),
-            (std::vector<std::string>{"test.ncl:4: warning: T1 is D 20 mm by the toolpath but D 10 mm by the library, "
-                                      "which is what is checked [tool-differs]"}));
+  EXPECT_EQ(
+      differences(head + "LOADTL / 1\n$$-> CUTTER / 20.0\n" + motion + "FINI\n"),
+      (std::vector<std::string>{"test.ncl:4: warning: T1 is D 20 mm by the toolpath but D 10 mm by the library, "
+                                "which is what is checked; correct the library or --tool, or state that it is right "
+                                "with --assume tool=T1 [tool-differs]"}));
   EXPECT_EQ(differences("$$* Pro/CLfile\n$$-> CUTTER / 20.0\nUNITS / MM\nLOADTL / 1\n" + motion + "FINI\n").size(), 1U);
-  EXPECT_EQ(differences(first + "$$-> FEATNO / 2\n$$-> CUTTER / 20.0\n" + motion + "FINI\n"),
-            (std::vector<std::string>{"test.ncl:8: warning: T1 is D 20 mm by the toolpath but D 10 mm by the library, "
-                                      "which is what is checked [tool-differs]"}));
+  EXPECT_EQ(
+      differences(first + "$$-> FEATNO / 2\n$$-> CUTTER / 20.0\n" + motion + "FINI\n"),
+      (std::vector<std::string>{"test.ncl:8: warning: T1 is D 20 mm by the toolpath but D 10 mm by the library, "
+                                "which is what is checked; correct the library or --tool, or state that it is right "
+                                "with --assume tool=T1 [tool-differs]"}));
   EXPECT_EQ(differences(first + "$$-> FEATNO / 2\nLOADTL / 2\n$$-> CUTTER / 20.0\n" + motion +
                         "$$-> FEATNO / 3\nLOADTL / 1\n" + motion + "FINI\n")
                 .size(),
@@ -98,8 +107,49 @@ TEST(ResolveTools, AToolOfTheSameSizeThatReachesFartherOutIsReported) {
     EXPECT_EQ(reported(same).size(), 0U) << same;
   EXPECT_EQ(reported("10,0,5,0,30,0,28").size(), 0U) << "a cone within the flat cutter";
   EXPECT_EQ(reported("10,0,5,0,0,20,28"),
-            (std::vector<std::string>{"test.ncl:2: warning: T1 reaches up to 10.1912 mm farther from its axis by the "
-                                      "toolpath than by the library, which is what is checked [tool-differs]"}));
+            (std::vector<std::string>{
+                "test.ncl:2: warning: T1 reaches up to 10.1912 mm farther from its axis by the "
+                "toolpath than by the library, which is what is checked; correct the library or --tool, "
+                "or state that it is right with --assume tool=T1 [tool-differs]"}));
+}
+
+TEST(ResolveTools, ALargerToolOfTheLibraryIsReportedAndContradictsNothing) {
+  const std::string path = "UNITS/MM\nCUTTER/8\nLOADTL/1\nGOTO/0,0,5\nFINI\n";
+  EXPECT_EQ(differences(path),
+            (std::vector<std::string>{"test.ncl:2: warning: T1 is D 8 R 0 mm by the toolpath but D 10 R 0 mm by the "
+                                      "library, which is what is checked [tool-differs]"}));
+}
+
+TEST(ResolveTools, ABallOfTheSameDiameterIsSmallerThanAFlatCutter) {
+  ToolLibrary library;
+  ToolAssembly tool;
+  tool.number = 1;
+  tool.cutter = BallCutter{10, 30};
+  library.tools.push_back(tool);
+  const ReadOutcome read = read_toolpath("t.apt", "UNITS/MM\nCUTTER/10,0\nLOADTL/1\nGOTO/0,0,5\nFINI\n");
+  ASSERT_TRUE(read.toolpath.has_value());
+  const Result<ResolvedTools> resolved = resolve_tools(*read.toolpath, &library, {}, "");
+  ASSERT_TRUE(resolved.has_value());
+  EXPECT_EQ(resolved->assumptions.front().basis, Basis::contradicted);
+  library.tools.front().cutter = FlatCutter{10, 30};
+  EXPECT_EQ(resolve_tools(*read.toolpath, &library, {}, "")->assumptions.front().basis, Basis::derived);
+  EXPECT_EQ(resolve_tools(*read.toolpath, &library, {"1=1"}, "")->assumptions.front().basis, Basis::stated);
+}
+
+TEST(ResolveTools, AToolNameForNumbersThatThePathDoesNotLoadIsContradicted) {
+  const ToolLibrary library = library_with_holder();
+  const ReadOutcome read = read_toolpath("t.apt", "UNITS/MM\nCUTTER/10\nLOADTL/5\nGOTO/0,0,5\nFINI\n");
+  ASSERT_TRUE(read.toolpath.has_value());
+  const auto contradicted = [&](const std::vector<std::string>& names) {
+    const Result<ResolvedTools> resolved = resolve_tools(*read.toolpath, &library, names, "");
+    return resolved && std::ranges::any_of(resolved->assumptions, [](const Assumption& fact) {
+             return fact.code == "tool-not-loaded" && fact.basis == Basis::contradicted;
+           });
+  };
+  EXPECT_TRUE(contradicted({"15=2"}));
+  EXPECT_FALSE(contradicted({"5=2"}));
+  EXPECT_FALSE(contradicted({"5=2", "15=2"})) << "one list of names may serve many toolpaths";
+  EXPECT_FALSE(contradicted({}));
 }
 
 TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {

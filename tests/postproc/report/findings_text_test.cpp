@@ -136,13 +136,34 @@ TEST(FindingsText, SaysCleanOnlyWhenEverythingWasChecked) {
 TEST(FindingsText, SaysBesideTheVerdictWhatItDoesNotCover) {
   SmallReport report;
   EXPECT_TRUE(reservations(report.model).empty());
-  report.model.notes.push_back(make_warning(kSceneMisplaced, "the part is far away", "path.apt"));
   for (ToolFacts& tool : report.model.tools) tool.has_holder = false;
   const std::vector<std::string> lines = lines_of(summary_text(report.model));
-  EXPECT_EQ(lines[2], "note: the part is far away");
-  EXPECT_EQ(lines[3], "note: ball D10, long, \"thin\" have no holder, so none is checked");
+  EXPECT_EQ(lines[2], "note: ball D10, long, \"thin\" have no holder, so none is checked");
   report.model.tools.assign(7, ToolFacts{"T1", "tools.json", "", false});
-  EXPECT_EQ(reservations(report.model)[1], "T1, T1, T1, T1, T1 and 2 more have no holder, so none is checked");
+  EXPECT_EQ(reservations(report.model)[0], "T1, T1, T1, T1, T1 and 2 more have no holder, so none is checked");
+}
+
+TEST(FindingsText, AnOpenFactKeepsAPathOfCleanMovesFromBeingClean) {
+  SmallReport report;
+  report.result.events.clear();
+  report.result.counts = {8, 0, 0, 0, 0, 0, 0};
+  report.result.assumptions = {{.subject = Subject::path_unit,
+                                .basis = Basis::unknown,
+                                .value = "mm",
+                                .evidence = "no unit",
+                                .remedy = "give --path-units"},
+                               {.subject = Subject::tool, .object = "T1", .basis = Basis::stated, .value = "ball"}};
+  settle(report.result.assumptions, {}, false);
+  EXPECT_EQ(overall_verdict(report.model), OverallVerdict::not_fully_checked);
+  const std::vector<std::string> lines = lines_of(summary_text(report.model));
+  EXPECT_EQ(lines[1], "not fully checked: no gouge found, but 1 fact that the verdict rests on is not established");
+  EXPECT_EQ(lines[2], "not established: path-unit (unknown): no unit; give --path-units");
+  EXPECT_NE(lines.back().find("; it rests on path-unit mm (unknown), tool T1 ball (stated)"), std::string::npos);
+  EXPECT_NE(write_junit(report.model).find("<error message=\"path-unit (unknown): no unit; give --path-units\""),
+            std::string::npos);
+  EXPECT_NE(write_json(report.model).find("\"state\": \"unknown\""), std::string::npos);
+  settle(report.result.assumptions, {{Subject::path_unit, {}}}, false);
+  EXPECT_EQ(overall_verdict(report.model), OverallVerdict::clean);
 }
 
 TEST(FindingsText, SaysWhichDepthsAreKnownLessCloselyThanAsked) {
@@ -185,7 +206,7 @@ TEST(FindingsText, SaysWhichOvercutsAreLowerBounds) {
 TEST(FindingsText, SaysHowNearTheToolComesToThePart) {
   SmallReport report;
   const auto text = [&](std::optional<double> nearest, std::optional<double> median) {
-    report.model.closeness = Closeness{2425, 400, nearest, median, 0};
+    report.result.closeness = Closeness{2425, 400, nearest, median, 0};
     EXPECT_NE(summary_text(report.model).find("\nclosest approach to the part: " + closeness_text(report.model) + "\n"),
               std::string::npos);
     return closeness_text(report.model);
@@ -195,9 +216,9 @@ TEST(FindingsText, SaysHowNearTheToolComesToThePart) {
             "within 0.84 mm; half of the 400 cutting positions examined (of 2425) are within 4.20 mm");
   EXPECT_EQ(text({}, {}),
             "not within 20 mm; half of the 400 cutting positions examined (of 2425) are not within 20 mm");
-  report.model.closeness = Closeness{37, 37, 1.0, 2.0, 1.0};
+  report.result.closeness = Closeness{37, 37, 1.0, 2.0, 1.0};
   EXPECT_EQ(closeness_text(report.model), "within 1.00 mm; half of the 37 cutting positions are within 2.00 mm");
-  report.model.closeness.reset();
+  report.result.closeness.reset();
   EXPECT_EQ(closeness_text(report.model), "");
 }
 

@@ -1,0 +1,134 @@
+#include "lib/certify/assess.h"
+
+#include <algorithm>
+
+#include "lib/base/number_text.h"
+#include "lib/certify/check.h"
+#include "lib/certify/placement.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kTouch_mm = 0.01;
+constexpr double kSameAxis = 1e-9;
+
+double reach_of_tools_mm(const std::vector<const ToolVariants*>& tools) {
+  double reach_mm = 0;
+  for (const ToolVariants* tool : tools) {
+    if (tool != nullptr) reach_mm = std::max(reach_mm, tool->bare.r_max_mm + tool->bare.z_max_mm);
+  }
+  return reach_mm;
+}
+
+LengthUnit unit_of_meshes(const Toolpath& path, const SetupBasis& basis) { return basis.mesh_unit.value_or(path.unit); }
+
+Assumption mesh_unit_fact(const Toolpath& path, const CheckSetup& setup, const CheckResult& result) {
+  const SetupBasis& basis = setup.basis;
+  const LengthUnit unit = unit_of_meshes(path, basis);
+  Assumption fact{.subject = Subject::mesh_unit, .value = std::string(facts_of(unit).option)};
+  fact.code = "mesh-unit";
+  fact.file = path.file;
+  fact.remedy = "state the unit with --stl-units";
+  if (basis.mesh_unit) {
+    fact.basis = Basis::stated;
+    fact.evidence = "stated by the user";
+  } else if (auto size = find_other_size(path, *setup.scene.scene, result.verdicts, unit)) {
+    fact.basis = Basis::contradicted;
+    fact.code = "scene-misplaced";
+    fact.evidence = std::move(*size);
+  } else {
+    fact.evidence = "STL files state no unit; that of the toolpath was taken";
+  }
+  return fact;
+}
+
+std::optional<std::string> find_misplacement(const Toolpath& path, const CheckSetup& setup, const CheckResult& result) {
+  if (auto gap = find_gap(path, *setup.scene.scene, reach_of_tools_mm(setup.tools))) return gap;
+  if (!result.closeness) return std::nullopt;
+  return find_apart(*result.closeness);
+}
+
+Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const CheckResult& result) {
+  Assumption fact{.subject = Subject::placement};
+  fact.value = setup.basis.place.empty() ? "as the files are" : setup.basis.place + " (mm, degrees)";
+  fact.code = "scene-misplaced";
+  fact.file = path.file;
+  fact.remedy = "check units, --place and the sign of the axis, or state that it is right with --assume placement";
+  if (auto misplaced = find_misplacement(path, setup, result)) {
+    fact.basis = Basis::contradicted;
+    fact.evidence = std::move(*misplaced);
+  } else if (auto misfit = describe_misfit(path, result.fit)) {
+    fact.basis = Basis::contradicted;
+    fact.code = "path-misfit";
+    fact.evidence = std::move(*misfit);
+    fact.remedy = "state that it is right with --assume placement";
+  } else if (!setup.basis.place.empty()) {
+    fact.basis = Basis::stated;
+    fact.evidence = "stated by the user";
+  } else if (result.closeness && result.closeness->median_mm && *result.closeness->median_mm <= kTouch_mm) {
+    fact.basis = Basis::derived;
+    fact.evidence = "half of " + positions_examined(*result.closeness) + " touch the part";
+  } else {
+    fact.evidence = "nothing contradicts it";
+  }
+  return fact;
+}
+
+std::size_t count_turns(const Toolpath& path) {
+  std::size_t turns = 0;
+  for (std::size_t i = 1; i < path.moves.size(); ++i) {
+    if (!path.moves[i].has_start) continue;
+    if ((path.moves[i].end.axis - path.start_of(i).axis).norm() > kSameAxis) ++turns;
+  }
+  return turns;
+}
+
+Assumption motion_law_fact(const Toolpath& path) {
+  Assumption fact{.subject = Subject::motion_law, .value = "great circle", .code = "motion-law"};
+  fact.file = path.file;
+  fact.remedy = "state that the machine keeps to it with --assume motion-law";
+  const std::size_t turns = count_turns(path);
+  if (turns == 0) {
+    fact.basis = Basis::derived;
+    fact.value = "fixed tool axis";
+    fact.evidence = "the tool axis turns in no move";
+  } else {
+    fact.evidence = "the tool axis turns in " + count_text(turns, "move") +
+                    "; CL data means the great circle between two positions";
+  }
+  return fact;
+}
+
+}  // namespace
+
+Assumption assume_solid(const std::string& name, const MeshFindings& findings) {
+  Assumption fact{.subject = Subject::solid, .object = name, .code = "mesh-not-solid"};
+  fact.file = name;
+  fact.remedy = "repair it with gougecheck mesh --repair, or state with --assume solid that no tool lies inside it";
+  if (findings.is_solid()) {
+    fact.basis = Basis::derived;
+    fact.value = "closed";
+    fact.evidence = "closed, oriented outwards";
+  } else {
+    fact.value = "not closed";
+    fact.evidence = "the surface does not bound a solid, so a tool wholly inside it is not found";
+  }
+  return fact;
+}
+
+void assess(const Toolpath& path, const CheckSetup& setup, CheckResult& result) {
+  const unsigned threads = setup.options.threads;
+  result.closeness = measure_closeness(path, setup.tools, setup.scene, result.verdicts, threads);
+  result.fit = find_path_fit(path, result.verdicts, setup.tools, setup.scene, threads);
+  Assumptions facts = path.assumptions;
+  facts.push_back(motion_law_fact(path));
+  facts.insert(facts.end(), setup.basis.inputs.begin(), setup.basis.inputs.end());
+  if (!setup.scene.scene->parts.empty()) {
+    facts.push_back(mesh_unit_fact(path, setup, result));
+    facts.push_back(placement_fact(path, setup, result));
+  }
+  settle(facts, setup.basis.vouched, setup.basis.is_strict);
+  result.assumptions = std::move(facts);
+}
+
+}  // namespace gouge

@@ -1,0 +1,96 @@
+#include "lib/certify/placement.h"
+
+#include <cmath>
+
+#include "lib/base/number_text.h"
+#include "lib/check/scene_reach.h"
+
+namespace gouge {
+namespace {
+
+// Units that would make the part about as large as the path; nothing where none does.
+std::string unit_hint(double times_smaller, LengthUnit unit) {
+  std::string words;
+  for (const UnitFacts* fitting : units_that_fit(times_smaller, unit))
+    words += (words.empty() ? "" : " or ") + std::string("--stl-units ") + std::string(fitting->option);
+  return words.empty() ? words : "; with " + words + " it would be about as large as the path";
+}
+
+std::string percent(double share) { return std::to_string(static_cast<int>(std::floor(100 * share + 1e-9))) + " %"; }
+
+std::string percent(std::size_t some, std::size_t all) {
+  return percent(all == 0 ? 0.0 : static_cast<double>(some) / static_cast<double>(all));
+}
+
+std::string misfit_finding(const PathFit& fit) {
+  const std::string positions = std::to_string(fit.positions) + " cutting positions";
+  if (fit.kind == PathFit::Kind::too_deep) {
+    return percent(fit.deep, fit.positions) + " of the " + positions +
+           " are as deep in it as the cutter's radius, or the tool is inside it";
+  }
+  if (fit.kind == PathFit::Kind::apart) return "the tool hardly touches it where it cuts";
+  return percent(fit.gouging, fit.positions) + " of the " + positions + " gouge it by far more than they touch it";
+}
+
+struct CutCount {
+  std::size_t cuts = 0, deep = 0;
+};
+
+CutCount count_cuts(const Toolpath& path, const MoveVerdicts& verdicts) {
+  CutCount count;
+  for (std::size_t i = 0; i < path.moves.size() && i < verdicts.size(); ++i) {
+    if (path.moves[i].kind == MoveKind::rapid) continue;
+    ++count.cuts;
+    count.deep += verdicts[i].state == MoveState::gouge || verdicts[i].state == MoveState::buried ? 1U : 0U;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::optional<std::string> find_gap(const Toolpath& path, const Scene& scene, double tool_mm) {
+  const std::optional<PartsBesidePath> parts = compare_parts(path, scene);
+  if (!parts || parts->gap_mm <= tool_mm) return std::nullopt;
+  return "no move comes nearer than " + fixed_text(parts->gap_mm - tool_mm, 0) + " mm to the part";
+}
+
+std::optional<std::string> find_other_size(const Toolpath& path, const Scene& scene, const MoveVerdicts& verdicts,
+                                           LengthUnit unit) {
+  const std::optional<PartsBesidePath> parts = compare_parts(path, scene);
+  if (!parts) return std::nullopt;
+  const std::string hint = unit_hint(parts->times_smaller, unit);
+  if (parts->is_far_smaller())
+    return "the part is " + people_text(parts->times_smaller, 0) + " times smaller than the path" + hint;
+  if (!parts->is_far_larger() || hint.empty()) return std::nullopt;
+  const CutCount count = count_cuts(path, verdicts);
+  if (2 * count.deep <= count.cuts) return std::nullopt;
+  return "the part is " + people_text(1 / parts->times_smaller, 0) + " times larger than the path, and " +
+         std::to_string(count.deep) + " of " + std::to_string(count.cuts) + " cuts are in it" + hint;
+}
+
+std::optional<std::string> find_apart(const Closeness& closeness) {
+  constexpr std::size_t kMinPositions = 10;
+  constexpr double kApart_mm = 2;  // beyond the stock to leave
+  const double nearest_mm = closeness.nearest_mm.value_or(Closeness::kFar_mm);
+  if (closeness.positions < kMinPositions || nearest_mm <= kApart_mm) return std::nullopt;
+  // Rounded down: it must hold for each of them.
+  return "at none of " + positions_examined(closeness) + " is the tool nearer than " +
+         fixed_text(std::floor(closeness.apart_mm * 10) / 10, 1) + " mm to the part";
+}
+
+std::optional<std::string> describe_misfit(const Toolpath& path, const PathFit& fit) {
+  if (fit.kind == PathFit::Kind::fits) return std::nullopt;
+  std::string message =
+      "the path does not fit the part: " + misfit_finding(fit) + "; check units, placement, axis sign";
+  if (!fit.explanation) return message;
+  message += ": with " + fit.explanation->text + " " + percent(fit.explanation->share) +
+             (fit.explanation->is_of_all ? " of the positions touch the part"
+                                         : " of the positions it concerns touch the part");
+  return path.has_turned_frame ? message + " (in part coordinates, which the file's frame turns)" : message;
+}
+
+bool is_beyond_correction(const PathFit& fit) {
+  return fit.kind == PathFit::Kind::too_deep || fit.kind == PathFit::Kind::mistaken;
+}
+
+}  // namespace gouge

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace gouge {
+
+/// What the statements of a file establish about the file as a whole. Lines are counted from 1; 0: nowhere.
+struct FileFacts {
+  std::size_t end_line = 0;       ///< of the last mark that ends a program or a block
+  std::string cut_short;          ///< why the file may be cut short, a sentence; empty: nothing suggests it
+  std::size_t frame_line = 0;     ///< of the last frame that is not the part's own
+  bool has_turned_frame = false;  ///< one of its frames turns X, Y and Z
+  std::size_t offset_line = 0;    ///< of the first text for the control that chooses a work offset
+};
+
+}  // namespace gouge

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "lib/path/assumption.h"
+#include "lib/path/toolpath.h"
+#include "postproc/cldata/interpreting/file_facts.h"
+#include "postproc/cldata/reading/unit_guess.h"
+
+namespace gouge {
+
+/// Returns what a verdict on `path` rests on as far as its file decides: unit, dialect, completeness, statements and
+/// frame. Requires a path that was read whole. `is_dialect_given`: the user names it.
+[[nodiscard]] Assumptions assume_file(const Toolpath& path, const UnitGuess& unit, const Dialect& dialect,
+                                      bool is_dialect_given, const FileFacts& facts);
+
+}  // namespace gouge

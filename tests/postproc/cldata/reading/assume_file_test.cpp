@@ -1,0 +1,81 @@
+#include "postproc/cldata/reading/assume_file.h"
+
+#include <gtest/gtest.h>
+
+#include "postproc/cldata/reading/read_toolpath.h"
+
+// What a file establishes about itself.
+
+namespace gouge {
+namespace {
+
+Assumption fact_in(const std::string& text, Subject subject, const ReadOptions& options = {}) {
+  const ReadOutcome read = read_toolpath("t.apt", text, options);
+  EXPECT_TRUE(read.toolpath.has_value()) << text;
+  if (!read.toolpath) return {};
+  for (const Assumption& fact : read.toolpath->assumptions) {
+    if (fact.subject == subject) return fact;
+  }
+  ADD_FAILURE() << "no fact called " << subject_name(subject);
+  return {};
+}
+
+TEST(AssumeFile, TheUnitIsStatedDerivedOrUnknownAndNeverADefault) {
+  const Assumption stated = fact_in("UNITS/MM\nGOTO/1,2,3\nFINI\n", Subject::path_unit);
+  EXPECT_EQ(stated.basis, Basis::stated);
+  EXPECT_EQ(stated.evidence, "UNITS/MM");
+  EXPECT_EQ(stated.line, 1u);
+  const Assumption derived = fact_in("GOTO/1,2,3\nFEDRAT/10,IPM\nGOTO/1,2,4\nFINI\n", Subject::path_unit);
+  EXPECT_EQ(derived.basis, Basis::derived);
+  EXPECT_EQ(derived.value, "inch");
+  EXPECT_EQ(derived.line, 2u);
+  for (const char* silent :
+       {"GOTO/1,2,3\nFINI\n", "SPINDL/300,SFM\nGOTO/1,2,3\nFINI\n", "FEDRAT/10,PERMIN\nGOTO/1,2,3\nFINI\n",
+        "$$ all lengths are inches\nGOTO/1,2,3\nFINI\n", "PPRINT/INCHES\nGOTO/1,2,3\nFINI\n",
+        "$$ CATIA APT VERSION 1.0\nGOTO/1,2,3\nEND\n", "GOTO/1,2,3\nUNITS/INCHES\nGOTO/1,2,4\nFINI\n"}) {
+    const Assumption unknown = fact_in(silent, Subject::path_unit);
+    EXPECT_EQ(unknown.basis, Basis::unknown) << silent;
+    EXPECT_EQ(unknown.remedy, "give --path-units mm or --path-units inch");
+  }
+  ReadOptions inch;
+  inch.unit = LengthUnit::inch;
+  EXPECT_EQ(fact_in("GOTO/1,2,3\nFINI\n", Subject::path_unit, inch).basis, Basis::stated);
+}
+
+TEST(AssumeFile, AFileIsWholeWithItsEndMarkAndUnknownWithoutOneItShouldHave) {
+  const auto basis = [](const std::string& text) { return fact_in(text, Subject::completeness).basis; };
+  EXPECT_EQ(basis("PARTNO A\nUNITS/MM\nGOTO/1,2,3\nFINI\n"), Basis::derived);
+  EXPECT_EQ(basis("PARTNO A\nUNITS/MM\nGOTO/1,2,3\n"), Basis::unknown);
+  EXPECT_EQ(basis("$$ CATIA APT VERSION 1.0\nGOTO/1,2,3\n"), Basis::unknown);
+  EXPECT_EQ(basis("OPFEATSTART/A\nGOTO/1,2,3\n"), Basis::unknown) << "CLT";
+  EXPECT_EQ(basis("MODE/MILL\nGOTO/1,2,3\n"), Basis::unknown) << "Autodesk";
+  EXPECT_EQ(basis("MCSYS/ NUM,1,POINT,0,0,0,VECTOR,1,0,0,VECTOR,0,1,0\nGOTO/1,2,3\n"), Basis::unknown) << "Mori";
+  EXPECT_EQ(basis("TRNTYP/WORLD,0,0,0\nGOTO/1,2,3\n"), Basis::unknown) << "SolidWorks";
+  EXPECT_EQ(basis("TOOL PATH/A,TOOL,B\nGOTO/1,2,3\nEND-OF-PATH\n"), Basis::derived);
+  EXPECT_EQ(basis("TOOL PATH/A,TOOL,B\nGOTO/1,2,3\nEND-OF-PATH\nTOOL PATH/C,TOOL,B\nGOTO/1,2,4\n"), Basis::unknown);
+  EXPECT_EQ(basis("GOTO/1,2,3\nRAPID\n"), Basis::unknown);
+  EXPECT_EQ(basis("GOTO/1,2,3\nGOTO/1,2,4\n"), Basis::by_default) << "a list of positions has no end mark";
+}
+
+TEST(AssumeFile, WordsThatAreNotUnderstoodAreNamed) {
+  EXPECT_EQ(fact_in("UNITS/MM\nCOOLNT/ON\nGOTO/1,2,3\nFINI\n", Subject::statements).basis, Basis::derived);
+  const Assumption unknown = fact_in("UNITS/MM\nGOTO/1,2,3\nFROBNI\nFROBNI\nFINI\n", Subject::statements);
+  EXPECT_EQ(unknown.basis, Basis::unknown);
+  EXPECT_EQ(unknown.evidence, "2 statements with words that are not understood: FROBNI");
+}
+
+TEST(AssumeFile, TheFrameAndTheDialectNameWhereTheyComeFrom) {
+  const std::string nx = "TOOL PATH/A,TOOL,B\nMSYS/0,0,5,1,0,0,0,0,1\nGOTO/1,2,3\nEND-OF-PATH\n";
+  EXPECT_EQ(fact_in(nx, Subject::frame).basis, Basis::derived);
+  EXPECT_EQ(fact_in(nx, Subject::frame).line, 2u);
+  EXPECT_TRUE(read_toolpath("a", nx).toolpath->has_turned_frame);
+  EXPECT_EQ(fact_in("GOTO/1,2,3\n", Subject::frame).basis, Basis::by_default);
+  EXPECT_EQ(fact_in(nx, Subject::dialect).basis, Basis::derived);
+  EXPECT_EQ(fact_in("PARTNO A\nGOTO/1,2,3\nFINI\n", Subject::dialect).basis, Basis::by_default);
+  ReadOptions given;
+  given.dialect = dialect_called("apt");
+  EXPECT_EQ(fact_in("PARTNO A\nGOTO/1,2,3\nFINI\n", Subject::dialect, given).basis, Basis::stated);
+}
+
+}  // namespace
+}  // namespace gouge
