@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -97,6 +98,24 @@ Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& b
   return variants;
 }
 
+// The contour moved away from the axis, and closed at both ends.
+Profile moved_out(const Profile& body, double farther_mm) {
+  Profile wide;
+  if (body.elements.empty()) return wide;
+  const Vec2 out(farther_mm, 0);
+  const Body kind = body.elements.front().body;
+  const Vec2 tip = body.elements.front().a, top = body.elements.back().b;
+  wide.elements.push_back(make_segment(kind, tip, tip + out));
+  for (ProfileElement element : body.elements) {
+    element.a += out;
+    element.b += out;
+    element.center += out;
+    wide.elements.push_back(element);
+  }
+  wide.elements.push_back(make_segment(kind, top + out, top));
+  return wide;
+}
+
 }  // namespace
 
 CompiledTool compile_tool(const std::string& name, const Profile& profile) {
@@ -114,10 +133,18 @@ CompiledTool compile_tool(const std::string& name, const Profile& profile) {
 }
 
 Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm, double shank_clearance_mm,
-                                        double holder_clearance_mm) {
-  const Result<BodyProfiles> bodies = make_body_profiles(tool);
+                                        double holder_clearance_mm, bool has_wide) {
+  Result<BodyProfiles> bodies = make_body_profiles(tool);
   if (!bodies) return bodies.error();
-  return variants_of(tool, *bodies, stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm);
+  Result<ToolVariants> variants =
+      variants_of(tool, *bodies, stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm);
+  if (!variants || !has_wide || bodies->front().elements.empty()) return variants;
+  const double farther_mm = 2 * variants->cutting.r_max_mm;
+  for (Profile& body : *bodies) body = moved_out(body, farther_mm);
+  Result<ToolVariants> wide = variants_of(tool, *bodies, stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm);
+  if (!wide) return wide.error();
+  variants->wide = std::make_shared<const ToolVariants>(std::move(*wide));
+  return variants;
 }
 
 Result<ToolVariants> make_non_cutting_variants(const ToolAssembly& tool, double shank_clearance_mm,

@@ -23,10 +23,13 @@ namespace gouge {
 
 /// All variants a check needs. Growth is rounded: the body's solid of revolution plus a ball.
 ///
+/// Ensures   with `has_wide` also ToolVariants::wide: of every body the solid of revolution of its contour moved out by
+///           the diameter of the cutter, which holds every place the body takes that far beside the axis.
 /// Requires  the three lengths are finite and >= 0.
 /// Errors    those of make_body_profiles, and of unite.
 [[nodiscard]] Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm,
-                                                      double shank_clearance_mm, double holder_clearance_mm);
+                                                      double shank_clearance_mm, double holder_clearance_mm,
+                                                      bool has_wide = false);
 
 /// The same of shank and holder alone, as if the tool had no cutter: no elements where it has neither.
 /// Errors    as make_tool_variants.

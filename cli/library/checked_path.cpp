@@ -114,9 +114,9 @@ gouge::CheckOptions to_check_options(const CheckOptions& options) {
   return result;
 }
 
-gouge::ToolVariants compile(const gouge::ToolAssembly& tool, const gouge::CheckOptions& options) {
+gouge::ToolVariants compile(const gouge::ToolAssembly& tool, const gouge::CheckOptions& options, bool has_wide) {
   return value_or_raise(gouge::make_tool_variants(tool, options.stock_to_leave_mm, options.shank_clearance_mm,
-                                                  options.holder_clearance_mm));
+                                                  options.holder_clearance_mm, has_wide));
 }
 
 CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, const CheckOptions& options) {
@@ -134,7 +134,8 @@ CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, cons
   const gouge::ToolAssembly& assembly = tool.content().assembly;
   const gouge::CheckOptions understood = to_check_options(options);
   auto tools = std::make_shared<PathTools>();
-  tools->variants.assign(toolpath.tools.size(), compile(assembly, understood));
+  const bool has_wide = std::ranges::any_of(toolpath.moves, &gouge::Move::needs_wide_tool);
+  tools->variants.assign(toolpath.tools.size(), compile(assembly, understood, has_wide));
   tools->facts.assign(toolpath.tools.size(), facts_of(assembly));
   tools->assumptions = value_or_raise(gouge::resolve_given(toolpath, assembly)).assumptions;
   return completed(std::move(named), scene, std::move(tools), options);
@@ -147,7 +148,8 @@ CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& lib
   auto tools = std::make_shared<PathTools>();
   for (const auto& assembly : resolved.assemblies) {
     tools->variants.emplace_back();
-    if (assembly) tools->variants.back() = compile(*assembly, understood);
+    const std::size_t index = tools->variants.size() - 1;
+    if (assembly) tools->variants.back() = compile(*assembly, understood, needs_wide_tool(toolpath, index));
   }
   if (std::ranges::none_of(tools->variants, [](const auto& form) { return form.has_value(); })) {
     raise(gouge::make_error("no-tool",

@@ -39,7 +39,8 @@ struct CheckedPath {
 [[nodiscard]] gouge::CheckOptions to_check_options(const CheckOptions& options);
 
 /// Compiled for `options`. Errors: those of make_tool_variants.
-[[nodiscard]] gouge::ToolVariants compile(const gouge::ToolAssembly& tool, const gouge::CheckOptions& options);
+[[nodiscard]] gouge::ToolVariants compile(const gouge::ToolAssembly& tool, const gouge::CheckOptions& options,
+                                          bool has_wide = false);
 
 /// Every move with this tool. Errors: tool-ambiguous, where the path calls several.
 [[nodiscard]] CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, const CheckOptions& options);

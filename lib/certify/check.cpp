@@ -1,5 +1,7 @@
 #include "lib/certify/check.h"
 
+#include <string>
+
 #include "lib/check/check_path.h"
 #include "lib/check/summarise.h"
 #include "lib/head/check_heads.h"
@@ -7,9 +9,31 @@
 
 namespace gouge {
 
+namespace {
+// A motion that only holds what its statement may mean proves nothing where it meets something, and nothing of bodies
+// that were not made wider.
+void settle_covers(const Toolpath& path, bool has_heads, CheckResult& result) {
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
+    MoveVerdict& verdict = result.verdicts[i];
+    if (!move.is_covered() || verdict.state == MoveState::not_checked) continue;
+    const bool is_proved = verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
+    if (is_proved && !(has_heads && move.needs_wide_tool())) {
+      MoveVerdict clean;
+      clean.depth_upper_mm = verdict.depth_upper_mm;
+      verdict = clean;
+    } else {
+      verdict = not_checked({Reason::Kind::of_path, Body::cutter, 0, std::string(move.not_checked_reason)});
+    }
+  }
+}
+
+}  // namespace
+
 CheckResult check_moves(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress) {
   CheckResult result = check_path(path, setup.tools, setup.scene, setup.options, progress, setup.kept);
   check_heads(path, setup.heads, setup.scene, setup.options, result, progress, setup.kept);
+  settle_covers(path, !setup.heads.empty(), result);
   summarise(path, result);  // the overcut asks for the worst move of each event
   measure_overcuts(path, setup.tools, setup.scene, setup.options, result, setup.heads, progress, setup.kept);
   return result;

@@ -31,7 +31,7 @@ class PathChecker {
     batch.kinds.reserve(last - first);
     for (std::size_t i = first; i < last; ++i) {
       const Move& move = toolpath_.moves[i];
-      if (!batch.moves.empty() && toolpath_.moves[batch.moves.back()].tool != move.tool) check(batch, verdicts, bounds);
+      if (!batch.moves.empty() && !has_same_tool(batch.moves.back(), i)) check(batch, verdicts, bounds);
       if (Reason reason = why_not(i); !reason.is(Reason::Kind::none)) {
         verdicts[i] = not_checked(std::move(reason));
         continue;
@@ -61,12 +61,26 @@ class PathChecker {
   [[nodiscard]] Reason why_not(std::size_t index) const {
     using enum Reason::Kind;
     const Move& move = toolpath_.moves[index];
-    if (!move.not_checked_reason.empty()) return {of_path, Body::cutter, 0, std::string(move.not_checked_reason)};
+    const auto of_file = [&] { return Reason{of_path, Body::cutter, 0, std::string(move.not_checked_reason)}; };
+    if (!move.not_checked_reason.empty() && !move.is_covered()) return of_file();
     if (move.tool == kNone) return {no_tool};
     if (move.tool >= tools_.size() || tools_[move.tool] == nullptr) return {tool_undefined};
+    if (move.needs_wide_tool() && tools_[move.tool]->wide == nullptr) return of_file();
     if (index == 0 && move.has_start) return {no_start};
     if (!has_its_curve(move)) return {no_curve};
     return {move.kind == MoveKind::rapid && options_.rapid == RapidMode::skip ? rapid_skipped : none};
+  }
+
+  [[nodiscard]] bool has_same_tool(std::size_t a, std::size_t b) const {
+    const Move &first = toolpath_.moves[a], &second = toolpath_.moves[b];
+    return first.tool == second.tool && first.needs_wide_tool() == second.needs_wide_tool();
+  }
+
+  // Requires why_not(index) to be none.
+  [[nodiscard]] const ToolVariants& tool_of(std::size_t index) const {
+    const Move& move = toolpath_.moves[index];
+    const ToolVariants& tool = *tools_[move.tool];
+    return move.needs_wide_tool() ? *tool.wide : tool;
   }
 
   [[nodiscard]] bool has_its_curve(const Move& move) const {
@@ -79,7 +93,7 @@ class PathChecker {
     const std::size_t count = batch.moves.size();
     std::vector<MoveVerdict> found(count);
     std::vector<std::uint64_t> spent(count, 0);
-    const ToolVariants& tool = *tools_[toolpath_.moves[batch.moves.front()].tool];
+    const ToolVariants& tool = tool_of(batch.moves.front());
     check_moves(batch.motions, batch.kinds, tool, scene_, options_, found, spent);
     for (std::size_t k = 0; k < count; ++k) {
       tighten(batch.motions[k], batch.kinds[k], tool, found[k], spent[k]);

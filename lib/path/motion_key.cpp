@@ -43,6 +43,7 @@ std::string motion_key(const Toolpath& path, std::size_t index) {
   text.add(move.has_start);
   text.add(move.is_linked);
   text.add(move.not_checked_reason);
+  if (move.is_covered()) text.add(static_cast<double>(move.cover));
   if (index > 0 && (move.has_start || move.is_linked)) text.add(path.start_of(index));
   text.add(move.end);
   if (move.curve_kind == CurveKind::arc) {

@@ -63,12 +63,21 @@ struct Operation {
   std::size_t line = 0;
 };
 
+/// What a check of a motion that has a not_checked_reason still proves, where it finds the motion clean.
+enum class Cover : std::uint8_t {
+  none,    ///< nothing
+  motion,  ///< the motion holds every motion that its statement may mean
+  wide     ///< the same with a tool that is wider by its own diameter (ToolVariants::wide): the tip may be beside the
+           ///< motion, across the tool axis, no farther than that
+};
+
 /// One motion to one position, from the end of the move before it (Toolpath::start_of). A path holds millions, so it
 /// is kept small.
 struct Move {
   Pose end;
-  double feed_mm = 0;                      ///< per minute or revolution, as `feed_unit` says; 0: no number is known
-  std::string_view not_checked_reason;     ///< not empty: why this motion cannot be checked; text that is never freed
+  double feed_mm = 0;  ///< per minute or revolution, as `feed_unit` says; 0: no number is known
+  /// Not empty: why this motion cannot be checked, or may only be found clean (`cover`); text that is never freed.
+  std::string_view not_checked_reason;
   SmallIndex line;                         ///< where its statement begins, counted from 1
   SmallIndex statement = kNone;            ///< index into Toolpath::statements
   SmallIndex tool = kNone;                 ///< index into Toolpath::tools; kNone: no tool named yet
@@ -82,7 +91,10 @@ struct Move {
   /// Of a position alone: the tool was at the end of the move before, and the file changes neither tool nor frame
   /// between both. How it gets here the file does not say.
   bool is_linked = false;
+  Cover cover = Cover::none;  ///< of a motion with a not_checked_reason
 
+  [[nodiscard]] bool is_covered() const { return cover != Cover::none && !not_checked_reason.empty(); }
+  [[nodiscard]] bool needs_wide_tool() const { return cover == Cover::wide && !not_checked_reason.empty(); }
   [[nodiscard]] Feed feed() const { return {feed_mm, feed_unit}; }
   void set_feed(const Feed& feed) {
     feed_mm = feed.mm;
@@ -120,5 +132,8 @@ struct Toolpath {
   /// Requires moves[move].has_start and move > 0.
   [[nodiscard]] const Pose& start_of(std::size_t move) const { return moves[move - 1].end; }
 };
+
+/// True where a motion of that tool needs ToolVariants::wide.
+[[nodiscard]] bool needs_wide_tool(const Toolpath& path, std::size_t tool);
 
 }  // namespace gouge

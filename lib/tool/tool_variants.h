@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "lib/tool/compiled_tool.h"
 #include "lib/tool/sure_depth.h"
 
@@ -16,6 +18,9 @@ struct ToolVariants {
   CompiledTool cutting;                    ///< the cutter alone, offset by stock to leave: what touches the part
   CompiledTool non_cutting;                ///< shank and holder as offset above: for near misses. May be empty.
   SureDepths part_depths, fixture_depths;  ///< of the variants against_part and against_fixture
+  /// The tool with every body wider by the diameter of the cutter: all places it takes where its tip is up to a diameter
+  /// beside a motion. Null: not made.
+  std::shared_ptr<const ToolVariants> wide;
 
   /// find_sure_depth, the lesser one of the variants that are asked for. Computed once for each depth given.
   [[nodiscard]] SureDepth sure_depth(bool has_parts, bool has_fixtures, double given_mm) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "lib/base/number_text.h"
@@ -47,6 +48,11 @@ void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& s
     open_.push_back({in_.moves(), arc, other_doubt});
   }
   fit(arc, start.tip, move);
+  const bool turns = start.axis.cross(move.end.axis).norm() > kSameArcAxis;
+  if (turns && move.not_checked_reason == ArcProblems::kTiny) {
+    move.cover = Cover::none;
+    move.curve_kind = CurveKind::none;
+  }
 }
 
 // Newer posts of Autodesk turn a clockwise arc's vector round; older ones leave it, so that its stated angle shows
@@ -84,11 +90,31 @@ void ArcSenses::fit(const ArcStatement& arc, const Vec3& start, Move& move) {
     worst_radius_error_mm_ = std::max(worst_radius_error_mm_, fit.radius_error_mm);
   }
   move.not_checked_reason = fit.problem;
-  if (!fit.problem.empty()) return;
+  if (fit.problem == ArcProblems::kTiny) return cover_by_circle(arc, start, move);
+  // What else it may be is one turn more: emit() adds that.
+  if (fit.problem == ArcProblems::kTimes) move.cover = Cover::motion;
+  if (!fit.problem.empty() && fit.problem != ArcProblems::kTimes) return;
   move.curve_kind = CurveKind::arc;
   move.curve = in_.path.arcs.size();
   in_.make_room(in_.path.arcs);
   in_.path.arcs.push_back(fit.arc);
+}
+
+// From the start to the end and once round: both ways round lie on it, and the full circle, where the tool keeps its
+// axis and the arc its plane and its radius.
+void ArcSenses::cover_by_circle(ArcStatement arc, const Vec3& start, Move& move) {
+  constexpr double kFlat_mm = 5e-4;
+  const Vec3 way = move.end.tip - start;
+  arc.sense = ArcSense::right_handed;
+  const ArcFit fit = fit_arc(arc, start, move.end.tip);
+  const bool is_read = fit.problem.empty() || fit.problem == ArcProblems::kTiny;
+  if (!is_read || fit.radius_error_mm > kFlat_mm || std::abs(way.dot(arc.axis)) > kFlat_mm || arc.turns > 1) return;
+  move.cover = Cover::motion;
+  move.curve_kind = CurveKind::arc;
+  move.curve = in_.path.arcs.size();
+  in_.make_room(in_.path.arcs);
+  in_.path.arcs.push_back(fit.arc);
+  in_.path.arcs.back().sweep_rad += 2 * std::numbers::pi;
 }
 
 // A line before or after an arc usually touches it, and so shows which way round the arc runs.
@@ -122,12 +148,12 @@ void ArcSenses::close() {
   if (open_.empty()) return;
   if (in_.dialect.arc_rule == ArcRule::by_vector_or_against) {
     // One clockwise arc with its vector turned round, and none without, shows which posts wrote the file.
-    if (turned_vectors_ > 0 && reversed_arcs_ == 0) close_as(ArcSense::right_handed);
+    turned_vectors_ > 0 && reversed_arcs_ == 0 ? close_as(ArcSense::right_handed) : cover_both_senses();
     return;
   }
   const bool is_right = right_votes_ >= kFewestVotes && right_votes_ >= kClearVotes * left_votes_;
   const bool is_left = left_votes_ >= kFewestVotes && left_votes_ >= kClearVotes * right_votes_;
-  if (!is_right && !is_left) return;
+  if (!is_right && !is_left) return cover_both_senses();
   close_as(is_right ? ArcSense::right_handed : ArcSense::left_handed);
   const std::size_t votes = is_right ? right_votes_ : left_votes_;
   in_.path.notes.push_back(make_note(
@@ -137,6 +163,16 @@ void ArcSenses::close() {
           " about their vector, as at " + std::to_string(votes) + " of " + std::to_string(right_votes_ + left_votes_) +
           " points where a line touches an arc it goes on smoothly",
       in_.path.file));
+}
+
+void ArcSenses::cover_both_senses() {
+  constexpr double kSameAxis = 1e-9;
+  for (const OpenArc& open : open_) {
+    Move& move = in_.path.moves[open.move];
+    const bool is_covered = move.not_checked_reason == ArcProblems::kSense && open.not_checked_reason.empty() &&
+                            in_.path.start_of(open.move).axis.cross(move.end.axis).norm() <= kSameAxis;
+    if (is_covered) cover_by_circle(open.arc, in_.path.start_of(open.move).tip, move);
+  }
 }
 
 void ArcSenses::close_as(ArcSense sense) {

@@ -40,6 +40,8 @@ class ArcSenses {
   void fit(const ArcStatement& arc, const Vec3& start, Move& move);
   void vote(const ArcStatement& arc, const Vec3& tip, const Vec3& direction);
   void close_as(ArcSense sense);
+  void cover_both_senses();
+  void cover_by_circle(ArcStatement arc, const Vec3& start, Move& move);
 
   StatementContext& in_;
   std::vector<OpenArc> open_;                           // whose sense the rest of the file must show

@@ -1,5 +1,6 @@
 #include "postproc/cldata/interpreting/axis_state.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -25,9 +26,24 @@ void AxisState::take_multax() {
   doubts_.set(Doubt::multax, is_known ? nullptr : in_.because(Reasons::kMultax));
   if (!is_known) in_.count_unknown();
   multax_ = !is_off;
+  if (!is_off) {
+    locked_axis_.reset();
+    return;
+  }
   // Whether a TLAXIS outlives MULTAX/OFF no document says.
-  if (is_off) is_fixed_doubtful_ = is_tilted(fixed_axis_);
-  is_last_tilted_ = is_last_tilted_ && *multax_;
+  is_fixed_doubtful_ = is_tilted(fixed_axis_);
+  if (in_.dialect.locks_axis) lock_axis();
+}
+
+// Dassault, Syntax of Generated APT Instructions: the axis stays that of the last position with five axes, and no
+// TLAXIS is written.
+void AxisState::lock_axis() {
+  if (is_lock_lost_) {
+    is_fixed_doubtful_ = true;
+  } else if (last_axis_) {
+    locked_axis_ = last_axis_;
+    is_fixed_doubtful_ = is_tlaxis_new_ && is_tilted(*last_axis_, fixed_axis_);
+  }
 }
 
 void AxisState::take_tlaxis() {
@@ -39,14 +55,27 @@ void AxisState::take_tlaxis() {
   const std::optional<Vec3> axis = read(0);
   if (!axis) return;
   fixed_axis_ = *axis;
+  locked_axis_.reset();
+  is_lock_lost_ = false;
   is_fixed_doubtful_ = false;
-  is_tlaxis_new_ = true;
+  is_last_tilted_ = false;
+  is_tlaxis_new_ = has_tlaxis_ = true;
   if (in_.dialect.is_axis_modal) modal_axis_ = *axis;
 }
 
 void AxisState::note_position(const Vec3& axis_local) {
   if (in_.dialect.is_axis_modal) modal_axis_ = axis_local;
   is_tlaxis_new_ = false;
+}
+
+// Whether a locked axis turns with the frame no document says.
+void AxisState::note_frame(bool says_axis) {
+  const bool is_lost = last_axis_ && !says_axis;
+  if (locked_axis_) is_fixed_doubtful_ = is_lost;
+  if (says_axis) is_last_tilted_ = false;
+  locked_axis_.reset();
+  last_axis_.reset();
+  is_lock_lost_ = is_lost;
 }
 
 bool AxisState::are_axes_unit() const {
@@ -70,14 +99,38 @@ std::size_t AxisState::numbers_per_point() {
     return multax_.has_value() || in_.dialect.has_points_without_axis || count > 6 ? 3 : 6;
   }
   if (is_list && !is_multax_on() && count > 6 && count % 3 == 0) return 3;
+  if (is_list && may_have_normals()) return 3;
   in_.fail("path-count", in_.major() + " has " + std::to_string(count) + " numbers; " + kPositionForm);
   return 0;
 }
 
 // Two positions, the second of which happens to lie at a distance of 1 from the origin, look like a position and
 // its axis. Where MULTAX/OFF says so, or a writer known to state MULTAX has not, nobody can tell.
-bool AxisState::are_axes_doubtful(std::size_t numbers) const {
-  return numbers == 6 && !in_.statement().has_axes && !in_.dialect.is_axis_modal && needs_multax();
+const char* AxisState::two_readings(std::size_t numbers) const {
+  if (in_.statement().has_axes || in_.dialect.is_axis_modal) return nullptr;
+  if (may_have_normals()) return Reasons::kNineNumbers;
+  if (numbers != 6) return nullptr;
+  return needs_multax() || has_lists_ ? Reasons::kSixNumbers : nullptr;
+}
+
+// Position, axis and the normal of the surface; or three positions.
+bool AxisState::may_have_normals() const {
+  constexpr std::size_t kNumbers = 9;
+  const std::size_t count = in_.arguments.size();
+  if (count == 0 || count % kNumbers != 0 || in_.statement().is_decoded) return false;
+  for (std::size_t i = 3; i < count; i += kNumbers) {
+    if (std::abs(in_.vector(i).norm() - 1) > kAxisLengthError) return false;
+  }
+  return true;
+}
+
+std::pair<std::size_t, std::size_t> AxisState::note_list(std::size_t numbers) {
+  const bool is_told = multax_.has_value() || in_.dialect.has_known_plain_axis || in_.dialect.is_axis_modal;
+  if (is_told || in_.statement().is_decoded) return {0, 0};
+  if (numbers == 6 && first_axis_ == kNone) first_axis_ = in_.moves();
+  if (numbers != 3 || in_.arguments.size() <= numbers) return {0, 0};
+  has_lists_ = true;
+  return {std::min(std::exchange(first_axis_, kNone), in_.moves()), in_.moves()};
 }
 
 // A position without an axis after a tilted one: it may have that one's, or the fixed one.
@@ -87,16 +140,22 @@ bool AxisState::is_doubtful(const Position& position) {
     plain_after_tilt_.add(in_.line());
     return true;
   }
-  if (in_.dialect.is_axis_modal || multax_ == false) return false;
-  // Who writes axes under MULTAX alone has not written this one.
-  const bool is_known = in_.dialect.has_known_plain_axis && !in_.dialect.has_axes_under_multax;
+  if (in_.dialect.is_axis_modal) return false;
   if (position.numbers == 6) {
+    if (locked_axis_ && is_tilted(position.axis_local, *locked_axis_)) is_fixed_doubtful_ = true;
+    last_axis_ = position.axis_local;
+    is_lock_lost_ = false;
+    // A fixed axis, and another vector behind the position: its axis, or the normal of the surface.
+    if (has_tlaxis_ && !is_multax_on() && is_tilted(position.axis_local, fixed_axis_)) return true;
     is_last_tilted_ = is_tilted(position.axis_local, fixed_axis_);
-  } else if (is_last_tilted_ && !is_known) {
-    plain_after_tilt_.add(in_.line());
-    return true;
+    return false;
   }
-  return false;
+  // MULTAX/OFF says it where the dialect does; who writes axes under MULTAX alone has not written this one.
+  const bool is_off = multax_ == false;
+  const bool is_known = in_.dialect.has_known_plain_axis && (is_off || !in_.dialect.has_axes_under_multax);
+  if (!is_last_tilted_ || is_known || locked_axis_) return false;
+  plain_after_tilt_.add(in_.line());
+  return true;
 }
 
 std::optional<Vec3> AxisState::read(std::size_t first) {

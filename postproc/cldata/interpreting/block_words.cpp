@@ -27,8 +27,11 @@ void take_creo_comment(States& s, std::string_view text) {
     break_motion(s);  // between sequences the machine goes home
   } else if (starts_with_ignoring_case(text, "CUTCOM_GEOMETRY_TYPE")) {
     const bool is_on_centre = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER");
+    const bool is_on_profile = starts_with_ignoring_case(rest, "OUTPUT_ON_PROFILE");
+    const bool is_understood = is_on_centre || is_on_profile || rest.empty();
     s.doubts.set(Doubt::contour,
-                 is_on_centre ? nullptr : s.in.named(Reasons::kContour, "CUTCOM_GEOMETRY_TYPE", s.in.line()));
+                 is_understood ? nullptr : s.in.named(Reasons::kContour, "CUTCOM_GEOMETRY_TYPE", s.in.line()));
+    is_on_profile ? s.cutcom.begin_contour() : s.cutcom.end_contour();
     if (is_on_centre) s.cutcom.begin_centre();
   } else if (starts_with_ignoring_case(text, "CUTTER")) {
     s.tool.take_diameter(rest, s.frame.mm_per_unit());
@@ -79,7 +82,10 @@ bool names_other_point(std::string_view text) {
 }
 
 void note_point(States& s, std::string_view text) {
-  if (starts_with_ignoring_case(text, "centerline data")) s.doubts.clear(Doubt::tip);
+  if (starts_with_ignoring_case(text, "centerline data")) {
+    s.doubts.clear(Doubt::tip);
+    if (s.blocks.is_open()) s.cutcom.begin_centre();
+  }
   if (names_other_point(text))
     s.doubts.set(Doubt::tip, s.in.named(Reasons::kTipElsewhere, s.in.statement().major, s.in.line()));
 }
@@ -120,7 +126,9 @@ void take_tool_path(States& s) {
   s.tool.begin_block(cut == std::string_view::npos ? std::string() : name_text(text.substr(cut + 6)));
   break_motion(s);
   s.axes.begin_block();
+  s.cutcom.end_centre();
   s.frame.begin_block();
+  s.doubts.clear(Doubt::skew);
   s.feed.begin_block();
   s.cycle.begin_block();
   s.blocks.open();

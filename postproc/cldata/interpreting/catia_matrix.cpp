@@ -1,5 +1,8 @@
 #include "postproc/cldata/interpreting/catia_matrix.h"
 
+#include <algorithm>
+#include <span>
+
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
@@ -14,6 +17,7 @@ bool CatiaMatrix::is_row(std::string_view text) {
 void CatiaMatrix::begin() {
   if (row_ >= 0) fail();
   row_ = 0;
+  rounding_ = 0;
 }
 
 void CatiaMatrix::pass_statement(bool needs_frame) {
@@ -50,6 +54,8 @@ std::optional<RigidTransform> CatiaMatrix::take_row(std::string_view text) {
   }
   const auto first = static_cast<std::size_t>(row_ - 2) * 4;
   for (std::size_t i = 0; i < 4; ++i) rows_[first + i] = *in_.arguments[i].number;
+  const double rounding = rounding_of(std::span<const Argument>(in_.arguments).first(3));
+  if (rounding > 0) rounding_ = rounding_ > 0 ? std::min(rounding_, rounding) : rounding;
   if (row_ != 4) return std::nullopt;
   row_ = -1;
   return finish();
@@ -57,7 +63,7 @@ std::optional<RigidTransform> CatiaMatrix::take_row(std::string_view text) {
 
 std::optional<RigidTransform> CatiaMatrix::finish() {
   const auto column = [&](std::size_t c) { return Vec3(rows_[c], rows_[c + 4], rows_[c + 8]); };
-  std::optional<RigidTransform> frame = frame_.make(column(3), column(0), column(1), "$$*CATIA0");
+  std::optional<RigidTransform> frame = frame_.make(column(3), column(0), column(1), column(2), rounding_, "$$*CATIA0");
   if (!frame || column(2).dot(frame->rotation.col(2)) >= 0) return frame;
   in_.fail("path-frame", "$$*CATIA0: the matrix mirrors; expected a right-handed axis system");
   return std::nullopt;

@@ -33,6 +33,7 @@ class CatiaMatrix {
   int row_ = -1;              // lines seen since $$*CATIA0; -1: none
   bool is_nameless_ = false;  // the first line after it looks like a row
   std::array<double, 12> rows_{};
+  double rounding_ = 0;  // of the components of its axes
 };
 
 }  // namespace gouge

@@ -43,10 +43,16 @@ void take_opskip(States& s) {
   const bool is_on = s.in.has("ON");
   const bool is_understood = is_on != s.in.has("OFF");
   if (!is_understood) s.in.count_unknown();
-  if (!is_understood || !s.skips_more_than_motion) {
-    switch_doubt(s, Doubt::skip, is_on || !is_understood, Reasons::kSkipped);
-    s.skips_more_than_motion = !is_understood;
-  }
+  if (is_understood && s.skips_more_than_motion) return;
+  const bool was_on = s.doubts.has(Doubt::skip);
+  switch_doubt(s, Doubt::skip, is_on || !is_understood, Reasons::kSkipped);
+  s.skips_more_than_motion = !is_understood;
+  if (!is_on && was_on) s.is_behind_skip = s.in.moves() > s.skip_begin;
+  if (!is_on || was_on) return;
+  s.skip_reason = s.doubts.reason();
+  s.skip_begin = s.in.moves();
+  s.skip_start.reset();
+  if (s.chain.is_start_certain()) s.skip_start = s.chain.last_pose();
 }
 
 // A code that ends a shift need not end the one that began it; those that end cycles and steps end all there
@@ -105,6 +111,9 @@ void take_setup(States& s) {
       (equals_ignoring_case(arguments.front().text, "START") || equals_ignoring_case(arguments.front().text, "END"));
   if (is_mark || arguments.empty()) return;
   if (std::all_of(arguments.begin(), arguments.end(), is_zero)) return;
+  const bool is_offset = s.in.dialect.operations_are_blocks && equals_ignoring_case(s.in.statement().major, "ZERO") &&
+                         s.in.has_numbers_alone(1) && *arguments.front().number > 0;
+  if (is_offset) return s.offsets_chosen.add(s.in.line());
   s.in.count_unknown();
   s.doubts.set(Doubt::setup, s.in.because(Reasons::kSetup));
 }

@@ -1,5 +1,9 @@
+#include <cmath>
+#include <span>
+
 #include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
+#include "postproc/cldata/language/text.h"
 
 // Curves, which the positions behind them end.
 
@@ -8,11 +12,93 @@ namespace gouge {
 // CIRCLE and MOVARC describe the arc to the next position; a list of positions runs on along it.
 void take_arc(States& s) { s.curve.describe(read_arc(s.in.dialect, s.in.arguments, s.frame.mm_per_unit())); }
 
+namespace {
+
+// An arc or a helix whose statement holds its end, in the frame of positions.
+void emit_curve_to(States& s, const ArcStatement& arc, const Vec3& tip_local) {
+  Position position;
+  position.form = PositionForm::curve;
+  position.tip_local = tip_local;
+  position.axis_local = s.frame.to_local(*s.chain.last_pose()).axis;
+  s.curve.describe_whole(arc);
+  emit(s, position);
+  s.curve.end_arc();
+}
+
+bool are_numbers_alone(const StatementContext& in, std::size_t count) {
+  return in.has_numbers_alone(count) && !has_damaged_argument(in.arguments);
+}
+
+}  // namespace
+
+// ARC/center,axis,radius,end of VERICUT. Which way round it runs no page says.
+void take_arc_record(States& s) {
+  constexpr std::size_t kNumbers = 10, kEnd = 7;
+  if (!are_numbers_alone(s.in, kNumbers) || !s.chain.last_pose() || s.chain.unknown_start() != nullptr)
+    return take_unread_motion(s);
+  const std::optional<Vec3> end = s.frame.read_tip(kEnd);
+  if (!end) return;
+  Dialect dialect = dialect_of(DialectKind::apt);
+  ArcStatement arc = read_arc(dialect, std::span<const Argument>(s.in.arguments).first(kEnd), s.frame.mm_per_unit());
+  arc.sense = ArcSense::unknown;
+  emit_curve_to(s, arc, *end);
+}
+
+// ARCSLP/rise of DMG Mori, before the arc that rises so far.
+void take_arc_slope(States& s) {
+  s.arc_slope_mm.reset();
+  if (!s.in.has_numbers_alone(1)) return take_harmless(s);
+  s.arc_slope_mm = *s.in.arguments.front().number * s.frame.mm_per_unit();
+}
+
+// HELICAL/center,axis,radius,rise,angle of CATIA, with its own end. A helix of whole turns ends where it does whichever
+// way round it runs; any other is not read.
+void take_helical(States& s) {
+  constexpr std::size_t kNumbers = 9, kRadius = 6, kRise = 7, kAngle = 8;
+  constexpr double kTurn_deg = 360, kWhole_deg = 1e-6, kMostTurns = 1000;
+  const bool is_start_known = s.chain.is_start_certain() && s.doubts.reason() == nullptr;
+  const double turns = are_numbers_alone(s.in, kNumbers) ? std::abs(*s.in.arguments[kAngle].number) / kTurn_deg : 0;
+  const bool is_whole =
+      std::round(turns) >= 1 && turns <= kMostTurns && std::abs(turns - std::round(turns)) <= kWhole_deg;
+  if (!is_start_known || !is_whole) return take_unread_curve(s);
+  ArcStatement arc = read_arc(dialect_of(DialectKind::apt),
+                              std::span<const Argument>(s.in.arguments).first(kRadius + 1), s.frame.mm_per_unit());
+  arc.sense = *s.in.arguments[kAngle].number > 0 ? ArcSense::right_handed : ArcSense::left_handed;
+  arc.turns = static_cast<int>(std::round(turns));
+  const double rise = *s.in.arguments[kRise].number * s.frame.mm_per_unit();
+  emit_curve_to(s, arc, s.frame.to_local(*s.chain.last_pose()).tip + rise * arc.axis);
+  emit_turned_round(s);
+}
+
 // With ON, until it is switched off.
 void take_unread_curve(States& s) {
   const bool is_on = s.in.has("ON");
   if (is_on || s.in.has("OFF")) return switch_doubt(s, Doubt::spline, is_on, Reasons::kCurve);
   s.curve.describe(unreadable_arc(s.in.because(Reasons::kCurve)));
+}
+
+// The curve is in words of one control, with numbers that begin no statement of CL data. What stands within it, and
+// behind one that never ends, is not checked.
+bool take_control_nurbs(States& s) {
+  const Statement& statement = s.in.statement();
+  if (statement.is_decoded || statement.pieces.empty()) return false;
+  constexpr std::string_view kBegin = "BEGIN", kNurbs = "NURBS";
+  // Its equal signs keep the word and what follows it together.
+  const bool is_whole = starts_with_ignoring_case(statement.major, kBegin) && statement.major.size() > kBegin.size();
+  const std::string_view text = trim(is_whole ? statement.major.substr(kBegin.size()) : statement.pieces.front());
+  const bool is_nurbs = starts_with_ignoring_case(text, kNurbs);
+  if (is_nurbs && (is_whole || equals_ignoring_case(statement.major, kBegin))) {
+    emit_unread(s, s.in.because(Reasons::kCurve));
+    s.doubts.set(Doubt::control_curve, s.in.because(Reasons::kCurve));
+    return true;
+  }
+  if (!s.doubts.has(Doubt::control_curve)) return false;
+  if (is_nurbs && equals_ignoring_case(statement.major, "END")) {
+    s.doubts.clear(Doubt::control_curve);
+    s.chain.lose_last_pose(Reasons::kAfterUnread);
+    return true;
+  }
+  return statement.word == Word::unknown;
 }
 
 void take_tlon(States& s) {

@@ -1,23 +1,45 @@
 #include "postproc/cldata/interpreting/cutter_compensation.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/interpreting/reasons.h"
+#include "postproc/cldata/language/text.h"
 
 namespace gouge {
+namespace {
+
+constexpr double kSameAxis = 1e-9;  // sine of an angle
+
+bool is_in_xy(const Argument& argument) {
+  constexpr std::array<std::string_view, 5> kWords = {"LEFT", "RIGHT", "ON", "XYPLAN", "OSETNO"};
+  return argument.number || is_one_of(argument.text, kWords);
+}
+
+}  // namespace
 
 void CutterCompensation::begin() {
   statements_.add(in_.line());
   side_ = in_.has("LEFT") ? CutcomSide::left : in_.has("RIGHT") ? CutcomSide::right : CutcomSide::unknown;
+  is_across_axis_ = is_across_axis_ && std::ranges::all_of(in_.arguments, is_in_xy);
   was_ever_on_ = was_ever_on_ || is_on();
+}
+
+Cover CutterCompensation::cover(const Move& move, const std::optional<Pose>& start, const Vec3& plane_normal) const {
+  const auto is_across = [&](const Vec3& axis) { return axis.cross(plane_normal).norm() <= kSameAxis; };
+  const bool is_covered = is_across_axis_ && is_across(move.end.axis) && (!start || is_across(start->axis)) &&
+                          move.curve_kind != CurveKind::spline;
+  return is_covered ? Cover::wide : Cover::none;
 }
 
 bool CutterCompensation::end() { return std::exchange(side_, CutcomSide::none) == CutcomSide::none && !is_centre_; }
 
 // The path of the program's positions is known all the same.
 std::string_view CutterCompensation::reason() const {
-  if (is_on()) return Reasons::kCutcom;
+  if (is_on()) return is_contour_ ? Reasons::kContour : Reasons::kCutcom;
   return was_on_ ? Reasons::kAfterCutcom : "";
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -23,23 +24,30 @@ class CutterCompensation {
   void say_centre() { is_centre_ = is_centre_said_ = true; }
   void begin_centre() { is_centre_ = true; }
   void end_centre() { is_centre_ = is_centre_said_; }
+  /// Positions are the contour, whatever CUTCOM says.
+  void begin_contour() { is_contour_ = true; }
+  void end_contour() { is_contour_ = false; }
   [[nodiscard]] bool is_centre() const { return is_centre_; }
 
   [[nodiscard]] CutcomSide side() const { return side_; }
   /// Why the next motion is not checked; empty where CUTCOM does not keep it from being so.
   [[nodiscard]] std::string_view reason() const;
+  /// Of the motion to `move`, which reason() keeps from being checked: the tip is beside it, across `plane_normal`, where
+  /// the control offsets it in that plane.
+  [[nodiscard]] Cover cover(const Move& move, const std::optional<Pose>& start, const Vec3& plane_normal) const;
   void note_position();
   void break_motion() { was_on_ = false; }
   void write_note() const;
 
  private:
   /// On, and nothing says that positions are the cutter's centre.
-  [[nodiscard]] bool is_on() const { return side_ != CutcomSide::none && !is_centre_; }
+  [[nodiscard]] bool is_on() const { return is_contour_ || (side_ != CutcomSide::none && !is_centre_); }
 
   StatementContext& in_;
   CutcomSide side_ = CutcomSide::none;
-  bool is_centre_said_ = false, is_centre_ = false;
-  bool was_on_ = false;  // at the last position
+  bool is_centre_said_ = false, is_centre_ = false, is_contour_ = false;
+  bool is_across_axis_ = true;  // all that CUTCOM says is a side, a register and the plane XY
+  bool was_on_ = false;         // at the last position
   bool was_ever_on_ = false;
   std::size_t run_begin_ = 0;
   Tally statements_;

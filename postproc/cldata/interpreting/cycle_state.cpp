@@ -46,6 +46,16 @@ void CycleState::take_changed_words() {
   if (changed) in_.arguments = *changed;
 }
 
+void CycleState::set_countersink(std::optional<double> depth_mm) {
+  if (!depth_mm) {
+    drill_.reset();
+    why_ = in_.because(Reasons::kCycle);
+    return;
+  }
+  drill_->bottom_mm = -*depth_mm;
+  drill_->csink_mm = 0;
+}
+
 void CycleState::begin_unknown() {
   is_on_ = true;
   drill_.reset();

@@ -46,6 +46,8 @@ class CycleState {
   [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> doubt();
   void note_stray_end() { never_begun_.add(in_.line()); }
 
+  /// How deep the tool goes for DrillCycle::csink_mm; nothing: not known, so that the cycle is not understood.
+  void set_countersink(std::optional<double> depth_mm);
   [[nodiscard]] bool is_on() const { return is_on_; }
   [[nodiscard]] bool has_holes() const { return first_positions_ != kNone; }
   [[nodiscard]] bool is_doubtful() const { return is_on_ && is_contradicted_; }

@@ -39,7 +39,12 @@ void take_cycle(States& s) {
   // Whether the control or the post-processor makes the moves.
   if (s.in.dialect.cycle_form == CycleForm::ncl && equals_ignoring_case(what, "AUTO")) return;
   const bool is_end = equals_ignoring_case(what, "OFF") || equals_ignoring_case(what, "NOMORE");
-  if (!is_end || s.in.arguments.size() > 1) return s.cycle.begin(s.frame.mm_per_unit());
+  if (!is_end || s.in.arguments.size() > 1) {
+    s.cycle.begin(s.frame.mm_per_unit());
+    const auto& drill = s.cycle.drill();
+    if (drill && drill->csink_mm > 0) s.cycle.set_countersink(s.tool.countersink_depth(drill->csink_mm));
+    return;
+  }
   if (!s.cycle.end()) doubt_moves_before_stray_end(s);
   s.cycle.bound_holes();
 }

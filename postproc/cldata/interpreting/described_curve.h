@@ -32,6 +32,11 @@ class DescribedCurve {
     arc_ = arc;
     end_tangent();
   }
+  /// Of one statement that holds its end.
+  void describe_whole(const ArcStatement& arc) {
+    describe_end(arc);
+    statement_ = kNone;
+  }
   void end_tangent() {
     tangent_.reset();
     has_tangent_ = false;

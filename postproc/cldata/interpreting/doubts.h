@@ -20,8 +20,10 @@ enum class Doubt : std::uint8_t {
   unknown,  ///< a statement that is not understood, until a block of its own states all again
   adjust,
   spline,
+  control_curve,  ///< in words of one control
   unread_frame,
   mcs,
+  skew,  ///< the axes of the frame are no unit vectors at right angles
   csys,
   trans,
   origin,
@@ -46,6 +48,10 @@ class Doubts {
   void set(Doubt doubt, const char* reason) { reasons_[static_cast<std::size_t>(doubt)] = reason; }
   void clear(Doubt doubt) { set(doubt, nullptr); }
   [[nodiscard]] bool has(Doubt doubt) const { return reasons_[static_cast<std::size_t>(doubt)] != nullptr; }
+  /// True where that doubt is in force and no other.
+  [[nodiscard]] bool is_alone(Doubt doubt) const {
+    return has(doubt) && std::ranges::count_if(reasons_, [](const char* reason) { return reason != nullptr; }) == 1;
+  }
   /// The reason to report, or null.
   [[nodiscard]] const char* reason() const {
     const auto* const first =

@@ -1,6 +1,14 @@
 #include "postproc/cldata/interpreting/emit.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "postproc/cldata/interpreting/further_readings.h"
 
 namespace gouge {
 namespace {
@@ -49,6 +57,24 @@ void push(States& s, const Move& move) {
   s.in.path.moves.push_back(move);
 }
 
+// Of the numbers that state a position, in mm; 0 where it has none, or they are whole ones.
+double rounding_mm(const States& s, const Position& position) {
+  constexpr std::size_t kCoordinates = 3;
+  const std::span<const Argument> all(s.in.arguments);
+  if (position.numbers == 0 || position.first_argument + kCoordinates > all.size()) return 0;
+  return rounding_of_points(all.subspan(position.first_argument, kCoordinates)) * s.frame.mm_per_unit();
+}
+
+// Its end lies so far along its axis; or, as a slope per turn, so far for its sweep.
+bool rises_so_far(const States& s, double slope_mm, const Move& move) {
+  constexpr double kSame_mm = 1e-3;
+  if (move.curve_kind != CurveKind::arc) return true;
+  const PathArc& arc = s.in.path.arcs[move.curve];
+  const double rise = std::abs((move.end.tip - s.chain.last_pose()->tip).dot(arc.axis));
+  const double of_turns = std::abs(slope_mm * arc.sweep_rad) / (2 * std::numbers::pi);
+  return std::abs(rise - std::abs(slope_mm)) <= kSame_mm || std::abs(rise - of_turns) <= kSame_mm;
+}
+
 void attach_curve(States& s, const Position& position, Move& move) {
   if (!move.has_start) {
     move.not_checked_reason = ArcProblems::kStart;
@@ -56,11 +82,16 @@ void attach_curve(States& s, const Position& position, Move& move) {
     ArcStatement arc = *s.curve.arc();
     arc.center = s.frame.to_part().point(arc.center);
     arc.axis = s.frame.to_part().direction(arc.axis);
+    arc.rounding_mm = std::max(arc.rounding_mm, rounding_mm(s, position));
     s.senses.attach(arc, position, *s.chain.last_pose(), s.cutcom.reason(), move);
+    if (s.arc_slope_mm && !rises_so_far(s, *s.arc_slope_mm, move)) move.not_checked_reason = ArcProblems::kSlope;
   } else {
     s.nurbs.attach(*s.chain.last_pose(), move);
   }
 }
+
+// The positions that the control may leave out are where the program runs them.
+bool is_skipped(const States& s) { return s.doubts.is_alone(Doubt::skip) && !s.skips_more_than_motion; }
 
 // Under a cycle that should have ended: a hole or a position of a motion.
 void emit_doubtful(States& s, const Position& position) {
@@ -85,6 +116,7 @@ void emit(States& s, const Position& position) {
 
   const bool is_arc = !is_cycle && (s.curve.arc() || position.form == PositionForm::curve);
   const bool is_rapid = s.feed.is_rapid() || is_from || position.form == PositionForm::gohome;
+  if (!is_cycle) settle_retract(s, position);
   Move move = make_move(s, position,
                         is_cycle   ? MoveKind::cycle
                         : is_arc   ? MoveKind::arc
@@ -92,12 +124,23 @@ void emit(States& s, const Position& position) {
                                    : MoveKind::feed);
   if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = s.cycle.why();
   if (move.not_checked_reason.empty() && is_arc) attach_curve(s, position, move);
+  s.arc_slope_mm.reset();
+  const bool has_part_of_turn = move.not_checked_reason == ArcProblems::kTimes;
   append(s, move, position);
+  if (has_part_of_turn) emit_one_turn_more(s, position);
+  emit_from_before_skip(s, position);
+  emit_from_retract(s, position);
+  emit_from_open_places(s, position);
   if (is_cycle) {
     s.chain.lose_start(Reasons::kAfterCycle);
     s.cycle.count_hole();
   }
   s.chain.note_from(is_from);
+}
+
+void push_move(States& s, const Move& move, const Position& position) {
+  record(s, move, position);
+  push(s, move);
 }
 
 Move make_move(States& s, const Position& position, MoveKind kind) {
@@ -112,19 +155,35 @@ Move make_move(States& s, const Position& position, MoveKind kind) {
   const bool is_at_rapid = kind == MoveKind::rapid || (kind == MoveKind::arc && s.feed.is_rapid());
   move.set_feed(is_at_rapid ? Feed{0, FeedUnit::rapid} : s.feed.feed());
   move.has_start = s.chain.is_start_certain();
-  for (const char* reason : {s.doubts.reason(), s.chain.last_doubt(), s.chain.unknown_start()}) {
+  const char* const doubt = is_skipped(s) ? nullptr : s.doubts.reason();
+  for (const char* reason : {doubt, s.chain.last_doubt(), s.chain.unknown_start()}) {
     if (reason != nullptr && move.not_checked_reason.empty()) move.not_checked_reason = reason;
   }
   return move;
 }
 
 void append(States& s, Move move, const Position& position) {
-  if (move.not_checked_reason.empty() && position.doubt != nullptr) move.not_checked_reason = position.doubt;
-  if (move.not_checked_reason.empty()) move.not_checked_reason = s.cutcom.reason();
+  if (move.not_checked_reason.empty() && position.doubt != nullptr) {
+    move.not_checked_reason = position.doubt;
+    move.cover = position.cover;
+  }
+  if (move.not_checked_reason.empty() && is_skipped(s)) {
+    move.not_checked_reason = s.doubts.reason();
+    move.cover = Cover::motion;
+  }
+  if (move.not_checked_reason.empty() && s.movnrb.is_on) {
+    move.not_checked_reason = Reasons::kMovnrb;
+    move.cover = Cover::motion;
+  }
+  const std::string_view compensated = s.cutcom.reason();
+  if (!compensated.empty() && (move.not_checked_reason.empty() || move.cover == Cover::motion)) {
+    move.not_checked_reason = compensated;
+    move.cover = s.cutcom.cover(move, s.chain.last_pose(), s.frame.to_part().rotation.col(2));
+  }
   record(s, move, position);
   s.axes.note_position(position.axis_local);
   s.senses.note_motion(move, s.chain.last_pose());
-  s.chain.advance(move, s.doubts.reason());
+  s.chain.advance(move, is_skipped(s) ? nullptr : s.doubts.reason());
   s.cycle.leave_hole();
   s.cutcom.note_position();
   s.feed.end_rapid();
@@ -162,6 +221,8 @@ void emit_unread(States& s, const char* reason, std::size_t statement) {
 
 void break_motion(States& s) {
   s.chain.break_off();
+  s.open_places.clear();
+  s.retracted.reset();
   s.cycle.leave_hole();
   s.cutcom.break_motion();
   s.senses.break_motion();

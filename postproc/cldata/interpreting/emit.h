@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 
 #include "postproc/cldata/interpreting/motion_records.h"
@@ -17,6 +18,15 @@ void emit(States& s, const Position& position);
 /// is that of `statement`, or of the one being taken.
 void emit_unread(States& s, const char* reason, std::size_t statement);
 inline void emit_unread(States& s, const char* reason = Reasons::kUnread) { emit_unread(s, reason, s.in.index()); }
+/// The last move has further readings: another way from `start` over `ends`, in part coordinates, of which the last is
+/// where it ends. It is checked in all of them, and only where all are clean it is clean; else it is not checked, for
+/// `reason`.
+void emit_other_way(States& s, const Position& position, const Pose& start, std::span<const Pose> ends,
+                    const char* reason);
+/// A further reading of the positions that follow: along `curve` from where the tool stands, where it then still stands.
+void emit_curve_reading(States& s, const Move& curve);
+/// The last move, an arc, may run the other way round as well.
+void emit_turned_round(States& s);
 /// Nothing is swept from the last position to the next.
 void break_motion(States& s);
 
@@ -36,6 +46,8 @@ void end_nurbs(States& s);
 // What emit() is made of.
 [[nodiscard]] Move make_move(States& s, const Position& position, MoveKind kind);
 void append(States& s, Move move, const Position& position);
+/// A move with its record, which changes no state.
+void push_move(States& s, const Move& move, const Position& position);
 void emit_hole(States& s, const Position& position, const DrillCycle& cycle);
 
 }  // namespace gouge

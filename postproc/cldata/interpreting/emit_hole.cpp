@@ -1,3 +1,9 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "postproc/cldata/interpreting/emit.h"
 
 namespace gouge {
@@ -36,11 +42,110 @@ void emit_step(States& s, const Position& position, const Vec3& tip_local, bool 
   append(s, move, step);
 }
 
+// First up and across, or straight, or first across.
+void emit_rise(States& s, const Position& position, double height, double clearance_mm) {
+  const Pose start = *s.chain.last_pose();
+  const Vec3 axis = position.axis_local;
+  const auto at = [&](double mm) {
+    return s.frame.to_part().pose({Vec3(position.tip_local + mm * axis), position.axis_local});
+  };
+  Position open = position;
+  open.doubt = Reasons::kHigherHole;
+  open.cover = Cover::motion;
+  emit_step(s, open, s.frame.to_local(start).tip + (clearance_mm - height) * axis, true);
+  emit_step(s, open, position.tip_local + clearance_mm * axis, true);
+  const Pose above = at(clearance_mm);
+  const std::array<Pose, 2> across = {at(height), above};
+  emit_other_way(s, step_to(open, position.tip_local), start, {&above, 1}, Reasons::kHigherHole);
+  emit_other_way(s, step_to(open, position.tip_local), start, across, Reasons::kHigherHole);
+}
+
+// Heights above the position at which the tool may be between holes.
+std::vector<double> levels_of(const DrillCycle& cycle, double position_z_mm) {
+  std::vector<double> levels = cycle.levels_mm;
+  for (const double plane_mm : cycle.planes_mm) {
+    if (plane_mm > position_z_mm) levels.push_back(plane_mm - position_z_mm);
+  }
+  return levels;
+}
+
+// From where it is the tool goes across, or straight to any of the levels.
+bool emit_bounds_from(States& s, const Position& position, const std::vector<Pose>& places, double top_mm) {
+  const Pose start = *s.chain.last_pose();
+  const Vec3 here = s.frame.to_local(start).tip;
+  const double height = (here - position.tip_local).dot(position.axis_local);
+  const Vec3 across = position.tip_local + height * position.axis_local;
+  if ((across - here).norm() <= kSameHolePoint_mm) return true;
+  if (height < top_mm) return false;
+  emit_step(s, position, across, true);
+  const Pose end = s.in.path.moves.back().end;
+  for (const Pose& place : places) {
+    const std::array<Pose, 2> ends = {place, end};
+    emit_other_way(s, position, start, ends, position.doubt);
+  }
+  return true;
+}
+
+// From one hole to the next at any of the levels, which must be as high as before.
+bool emit_bounds_between(States& s, const Position& position, const std::vector<Pose>& from,
+                         const std::vector<Pose>& places, double top_mm) {
+  const Vec3 up = s.frame.to_part().direction(position.axis_local);
+  if (from.size() != places.size()) return false;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (std::abs((from[i].tip - places[i].tip).dot(up)) > kSameHolePoint_mm) return false;
+  }
+  emit_step(s, position, position.tip_local + top_mm * position.axis_local, true);
+  const Pose end = s.in.path.moves.back().end;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const std::array<Pose, 2> ends = {places[i], end};
+    emit_other_way(s, position, from[i], ends, position.doubt);
+  }
+  return true;
+}
+
+// The column that holds the hole whichever of its ends the position is, and all ways to it.
+void emit_bounds(States& s, const Position& own, const DrillCycle& cycle) {
+  Position position = step_to(own, own.tip_local);
+  position.doubt = Reasons::kHoleBounds;
+  position.cover = Cover::motion;
+  const std::vector<double> levels = levels_of(cycle, own.tip_local.z());
+  const double top_mm = *std::ranges::max_element(levels);
+  std::vector<Pose> places;
+  for (const double mm : levels)
+    places.push_back(s.frame.to_part().pose({Vec3(own.tip_local + mm * own.axis_local), own.axis_local}));
+  const std::vector<Pose> from = std::exchange(s.open_places, {});
+  const bool is_upright = own.axis_local.cross(Vec3::UnitZ()).norm() <= kSameHoleAxis && own.axis_local.z() > 0;
+  bool is_read = is_upright && own.doubt == nullptr;
+  if (is_read && s.chain.last_pose()) {
+    const bool is_start_read =
+        s.chain.is_start_certain() &&
+        s.frame.to_local(*s.chain.last_pose()).axis.cross(own.axis_local).norm() <= kSameHoleAxis;
+    is_read = is_start_read && (from.empty() ? emit_bounds_from(s, position, places, top_mm)
+                                             : emit_bounds_between(s, position, from, places, top_mm));
+  }
+  if (!is_read) position.cover = Cover::none;
+  const auto at = [&](double mm) { return Vec3(own.tip_local + mm * own.axis_local); };
+  emit_step(s, position, at(top_mm), true);
+  emit_step(s, position, at(cycle.bottom_mm), false);
+  emit_step(s, position, at(top_mm), true);
+  s.cycle.note_hole(s.frame.to_part().pose({own.tip_local, own.axis_local}));
+  if (is_read) {
+    s.open_places = std::move(places);
+  } else {
+    s.chain.lose_start(Reasons::kAfterCycle);
+  }
+}
+
 }  // namespace
 
 // To a height above the next position before going down to it: at the height the tool has, or first up to the
 // clearance where that is higher. A tool that must turn goes there straight, turning.
-void emit_hole(States& s, const Position& position, const DrillCycle& cycle) {
+void emit_hole(States& s, const Position& own, const DrillCycle& cycle) {
+  Position position = own;
+  if (std::exchange(s.is_behind_skip, false) && position.doubt == nullptr) position.doubt = s.skip_reason;
+  if (std::exchange(s.retracted, std::nullopt) && position.doubt == nullptr) position.doubt = Reasons::kAfterRetract;
+  if (cycle.is_bounding) return emit_bounds(s, position, cycle);
+  if (!std::exchange(s.open_places, {}).empty() && position.doubt == nullptr) position.doubt = Reasons::kHoleBounds;
   const Vec3& axis = position.axis_local;
   const std::size_t before = s.in.moves();
   const auto above = [&](double height_mm) { return Vec3(position.tip_local + height_mm * axis); };
@@ -49,6 +154,8 @@ void emit_hole(States& s, const Position& position, const DrillCycle& cycle) {
     const double height = (here.tip - position.tip_local).dot(axis);
     if (here.axis.cross(axis).norm() > kSameHoleAxis) {
       emit_step(s, position, above(cycle.retract_mm), true);
+    } else if (height < cycle.clearance_mm && (here.tip - above(height)).norm() > kSameHolePoint_mm) {
+      emit_rise(s, position, height, cycle.clearance_mm);
     } else if (height < cycle.clearance_mm) {
       emit_step(s, position, here.tip + (cycle.clearance_mm - height) * axis, true);
     } else {

@@ -43,7 +43,11 @@ std::optional<Vec3> FrameState::read_tip(std::size_t first) {
   return std::nullopt;
 }
 
-std::optional<RigidTransform> FrameState::make(const Vec3& origin, const Vec3& x, const Vec3& y, const char* what) {
+// Each component of a unit vector is off by `rounding`: its length by sqrt(3) of it, the product of two by twice that,
+// and what the cross product of both differs from a third by no more than six times `rounding`.
+std::optional<RigidTransform> FrameState::make(const Vec3& origin, const Vec3& x, const Vec3& y,
+                                               const std::optional<Vec3>& z, double rounding, const char* what) {
+  constexpr double kOfLength = 1.74, kOfProduct = 3.48, kOfThird = 6;
   const bool is_frame = std::abs(x.norm() - 1) <= kFrameError && std::abs(y.norm() - 1) <= kFrameError &&
                         std::abs(x.dot(y)) <= kFrameError;
   if (!is_frame) {
@@ -58,6 +62,10 @@ std::optional<RigidTransform> FrameState::make(const Vec3& origin, const Vec3& x
   frame.rotation.col(1) = unit_z.cross(unit_x);
   frame.rotation.col(2) = unit_z;
   frame.shift = origin * mm_per_unit_;
+  is_skewed_ = std::abs(x.norm() - 1) > kOfLength * rounding + kIdentityError ||
+               std::abs(y.norm() - 1) > kOfLength * rounding + kIdentityError ||
+               std::abs(x.dot(y)) > kOfProduct * rounding + kIdentityError ||
+               (z && (*z - unit_z).norm() > kOfThird * rounding + kIdentityError);
   return frame;
 }
 

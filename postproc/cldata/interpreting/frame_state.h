@@ -32,8 +32,12 @@ class FrameState {
 
   /// A tip at argument `first`, in mm and in the frame; nothing after an error.
   [[nodiscard]] std::optional<Vec3> read_tip(std::size_t first);
-  /// Numbers at `origin`, `x` and `y` as a frame; nothing after an error, which names `what`.
-  [[nodiscard]] std::optional<RigidTransform> make(const Vec3& origin, const Vec3& x, const Vec3& y, const char* what);
+  /// Numbers at `origin`, `x` and `y`, and `z` where the file has it, as a frame; nothing after an error, which names
+  /// `what`. `rounding` is how far each component of an axis may be off.
+  [[nodiscard]] std::optional<RigidTransform> make(const Vec3& origin, const Vec3& x, const Vec3& y,
+                                                   const std::optional<Vec3>& z, double rounding, const char* what);
+  /// Axes of the last make() were off unit length or right angles by more than rounding: positions may be scaled.
+  [[nodiscard]] bool is_skewed() const { return is_skewed_; }
   /// CSYS, which is not applied: Creo writes positions in the machine's coordinate system.
   void note_csys() { csys_.add(in_.line()); }
   void write_note() const;
@@ -48,6 +52,7 @@ class FrameState {
   bool is_recorded_ = false;
   std::size_t line_ = 0;
   bool has_turned_ = false;
+  bool is_skewed_ = false;
   Tally csys_;
 };
 

@@ -29,6 +29,14 @@ bool is_all_zero(std::span<const Argument> arguments) {
   return std::ranges::all_of(arguments, [](const Argument& a) { return a.number && std::abs(*a.number) <= 0; });
 }
 
+// CATIA: the origin, the X axis and the Z axis of the system, here those of the positions as they are.
+bool is_same_system(std::span<const Argument> arguments) {
+  constexpr std::array<double, 9> kSame = {0, 0, 0, 1, 0, 0, 0, 0, 1};
+  return std::ranges::equal(arguments, kSame, [](const Argument& a, double expected) {
+    return a.number && std::abs(*a.number - expected) <= kIdentityError;
+  });
+}
+
 // Rows of three components of an axis and one of the origin.
 bool is_rigid_by_rows(const StatementContext& in) {
   if (!in.has_numbers_alone(12)) return false;
@@ -63,14 +71,21 @@ std::optional<std::array<Vec3, 3>> read_mcsys(std::span<const Argument> argument
 
 // Under another frame the machine has turned its table or head: nothing is known of the path there. A block and a
 // section have one frame, which stands before their positions.
-void set_frame(States& s, const RigidTransform& to_part) {
+void set_frame(States& s, const RigidTransform& to_part, bool says_axis) {
   const bool has_blocks = s.blocks.is_open() || s.in.dialect.operations_are_blocks;
-  if (s.frame.set(to_part)) {
+  const bool is_changed = s.frame.set(to_part);
+  if (is_changed || says_axis) s.axes.note_frame(says_axis);
+  if (is_changed) {
+    ++s.frame_changes;
+    s.clear_plane_mm.reset();
+  }
+  if (is_changed) {
     break_motion(s);
     s.chain.forbid_link();
     if (has_blocks && s.blocks.has_positions(s.in.moves())) doubt_frame_word(s);
   }
   s.doubts.clear(Doubt::setup);  // the file says where it is
+  s.doubts.set(Doubt::skew, s.frame.is_skewed() ? s.in.because(Reasons::kSkewed) : nullptr);
 }
 
 void take_msys(States& s) {
@@ -78,7 +93,9 @@ void take_msys(States& s) {
     return s.in.fail("path-frame", "MSYS has " + std::to_string(s.in.arguments.size()) +
                                        " arguments; expected 9 numbers: the origin, the X axis and the Y axis");
   }
-  const std::optional<RigidTransform> frame = s.frame.make(s.in.vector(0), s.in.vector(3), s.in.vector(6), "MSYS");
+  const double rounding = rounding_of(std::span<const Argument>(s.in.arguments).subspan(3));
+  const std::optional<RigidTransform> frame =
+      s.frame.make(s.in.vector(0), s.in.vector(3), s.in.vector(6), std::nullopt, rounding, "MSYS");
   if (!frame) return;
   set_frame(s, *frame);
   s.blocks.require_frames();
@@ -89,7 +106,7 @@ void take_msys(States& s) {
 }
 
 void take_csys(States& s) {
-  if (s.in.dialect.is_in_world) return;
+  if (s.in.dialect.is_in_world && s.is_world_stated) return;
   s.doubts.set(Doubt::csys, is_identity(s.in.arguments) ? nullptr : s.in.because(Reasons::kCsys));
 }
 
@@ -110,7 +127,9 @@ void take_mcs(States& s) {
     return s.in.fail("path-frame", "MCS has " + std::to_string(s.in.arguments.size()) +
                                        " arguments; expected 12 numbers: the X, Y and Z axes and the origin");
   }
-  const std::optional<RigidTransform> frame = s.frame.make(s.in.vector(9), s.in.vector(0), s.in.vector(3), "MCS");
+  const double rounding = rounding_of(std::span<const Argument>(s.in.arguments).first(9));
+  const std::optional<RigidTransform> frame =
+      s.frame.make(s.in.vector(9), s.in.vector(0), s.in.vector(3), s.in.vector(6), rounding, "MCS");
   if (!frame) return;
   if ((s.in.vector(6) - frame->rotation.col(2)).norm() > kFrameError)
     return s.in.fail("path-frame",
@@ -128,8 +147,11 @@ void take_mcsys(States& s) {
   const std::optional<std::array<Vec3, 3>> vectors = read_mcsys(s.in.arguments);
   s.doubts.set(Doubt::mcs, vectors ? nullptr : s.in.because(Reasons::kMcsys));
   if (!vectors) return;
-  const std::optional<RigidTransform> frame = s.frame.make((*vectors)[0], (*vectors)[1], (*vectors)[2], "MCSYS");
-  if (frame) set_frame(s, *frame);
+  constexpr std::size_t kBehindOrigin = 6;
+  const double rounding = rounding_of(std::span<const Argument>(s.in.arguments).subspan(kBehindOrigin));
+  const std::optional<RigidTransform> frame =
+      s.frame.make((*vectors)[0], (*vectors)[1], (*vectors)[2], std::nullopt, rounding, "MCSYS");
+  if (frame) set_frame(s, *frame, true);
 }
 
 // But for CAMWorks CLT angles may be absolute or relative, and of one of several tables, so nothing undoes them.
@@ -151,6 +173,8 @@ void take_trntyp(States& s) {
   const bool is_world = !all.empty() && equals_ignoring_case(all.front().text, "WORLD") &&
                         (all.size() == 1 || is_all_zero(all.subspan(1)));
   s.doubts.set(Doubt::trntyp, is_world ? nullptr : s.in.because(Reasons::kTrntyp));
+  s.is_world_stated = is_world;
+  if (is_world && s.in.dialect.is_in_world) s.doubts.clear(Doubt::csys);
 }
 
 // TRANS and ORIGIN shift what a post-processor writes. Whether the part shifts with it no file shows. Zeros undo
@@ -158,7 +182,8 @@ void take_trntyp(States& s) {
 void take_trans(States& s) {
   if (s.in.arguments.empty()) return;
   const bool is_origin = equals_ignoring_case(s.in.statement().major, "ORIGIN");
-  switch_doubt(s, is_origin ? Doubt::origin : Doubt::trans, !is_all_zero(s.in.arguments), Reasons::kTrans);
+  const bool is_none = is_all_zero(s.in.arguments) || (is_origin && is_same_system(s.in.arguments));
+  switch_doubt(s, is_origin ? Doubt::origin : Doubt::trans, !is_none, Reasons::kTrans);
 }
 
 // A lathe's or a wire's program has its positions in another plane.

@@ -29,9 +29,9 @@ bool is_within_curve(Word word) { return word == Word::cntrl || word == Word::kn
 
 // Of words that say where the tool is, or that nothing follows.
 bool needs_frame(Word word) {
-  static constexpr WordSet kWords = {Word::go_to,  Word::from,          Word::godlta, Word::gohome,
-                                     Word::indirv, Word::circle,        Word::movarc, Word::nurbs,
-                                     Word::tlon,   Word::unread_motion, Word::fini};
+  static constexpr WordSet kWords = {Word::go_to,  Word::from,       Word::godlta,  Word::gohome, Word::indirv,
+                                     Word::circle, Word::movarc,     Word::nurbs,   Word::tlon,   Word::unread_motion,
+                                     Word::fini,   Word::arc_record, Word::helical, Word::copy};
   return kWords.has(word);
 }
 
@@ -85,7 +85,7 @@ void Interpreter::take(const Statement& statement) {
   s.in.begin(statement);
   if (statement.is_unterminated) return s.in.fail("path-unterminated", cut_short_text(s.in.dialect.form));
   if (starts_with_ignoring_case(statement.major, "IF(")) return s.in.refuse_part_program(statement.major);
-  if (s.program.take_assignment()) return;
+  if (take_control_nurbs(s) || s.program.take_assignment()) return;
   const bool is_comment = statement.word == Word::comment;
   if (!is_comment) s.matrix.pass_statement(needs_frame(statement.word));
   if (s.nurbs.is_open() && !is_within_curve(statement.word)) end_nurbs(s);
@@ -96,6 +96,7 @@ void Interpreter::take(const Statement& statement) {
   handler_of(statement.word)(s);
   distrust_arguments(s);
   distrust_cut_short(s);
+  distrust_last_line(s);
   if (is_comment) return;
   s.previous_word = statement.word;
   s.previous_statement = s.in.index();
@@ -106,6 +107,11 @@ void Interpreter::finish() {
   States& s = states_;
   settle_insert(s, Word::fini);
   s.program.refuse_assignments();
+  distrust_last_axis(s);
+  // The OPSKIP/OFF that is missing may have stood anywhere.
+  if (s.doubts.has(Doubt::skip)) {
+    for (std::size_t i = s.skip_begin; i < s.in.moves(); ++i) s.in.path.moves[i].cover = Cover::none;
+  }
   if (s.nurbs.is_open()) end_nurbs(s);
   if (s.curve.is_open()) drop_described_curve(s);
   if (s.cycle.is_left_open()) doubt_cycle(s);

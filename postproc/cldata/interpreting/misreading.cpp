@@ -64,15 +64,16 @@ bool is_cut_short(const Statement& statement, std::size_t arguments) {
   constexpr std::size_t kNumbersOfCutter = 7;
   if (statement.is_decoded || !changes_motion(statement.word) || statement.pieces.empty()) return false;
   if (arguments == 0 && needs_arguments(statement.word)) return true;
+  if (statement.word != Word::cycle && has_blank_in_number(statement)) return true;
   if (statement.word == Word::cutter && arguments == kNumbersOfCutter) return false;
   return statement.pieces.back().ends_with(',');
 }
 
 bool moves_tool(Word word) {
-  static constexpr WordSet kWords = {Word::go_to,         Word::godlta, Word::from,   Word::gohome,
-                                     Word::unread_motion, Word::circle, Word::movarc, Word::curve,
-                                     Word::tlon,          Word::nurbs,  Word::cntrl,  Word::knot,
-                                     Word::indirv,        Word::retrct, Word::repeat, Word::auxfun};
+  static constexpr WordSet kWords = {Word::go_to,  Word::godlta,     Word::from,    Word::gohome, Word::unread_motion,
+                                     Word::circle, Word::movarc,     Word::curve,   Word::tlon,   Word::nurbs,
+                                     Word::cntrl,  Word::knot,       Word::indirv,  Word::retrct, Word::repeat,
+                                     Word::auxfun, Word::arc_record, Word::helical, Word::copy};
   return kWords.has(word);
 }
 
@@ -92,6 +93,18 @@ void distrust_beginning(States& s, bool is_position) {
 
 bool has_numbers_alone(std::string_view text) {
   return text.find_first_not_of("0123456789+-.,()eEdD \t\r") == std::string_view::npos;
+}
+
+// A position is whole where its last number has as many decimals, two or more, as that of the position before it.
+bool is_last_number_whole(const States& s) {
+  constexpr std::size_t kFewest = 2;
+  const auto& last = s.last_positions;
+  const auto decimals = [](std::string_view text) {
+    const std::size_t point = text.find('.');
+    return point == std::string_view::npos ? 0 : text.size() - point - 1;
+  };
+  return last.statement == s.in.index() && last.numbers == last.numbers_before &&
+         decimals(last.last_number) >= kFewest && decimals(last.last_number) == decimals(last.number_before);
 }
 
 // Of the curve that is being read, or was last.
@@ -145,6 +158,23 @@ void distrust_numbers_of_feed(States& s) {
   if (s.in.statement().is_decoded || numbers.count <= most) return;
   s.in.count_unknown();
   emit_unread(s);
+}
+
+void distrust_last_line(States& s) {
+  const std::string_view bytes = s.in.path.source;
+  const Statement& statement = s.in.statement();
+  if (statement.is_decoded || statement.last_byte != bytes.size() || bytes.ends_with('\n') || bytes.ends_with('\r'))
+    return;
+  if (!moves_tool(statement.word) || is_last_number_whole(s)) return;
+  distrust_moves(s, s.in.index());
+}
+
+void distrust_last_axis(States& s) {
+  const auto& last = s.last_positions;
+  const bool is_at_end = last.statement != kNone && last.statement + 1 == s.in.path.statements.size();
+  const bool lacks_axis = last.numbers == 3 && last.numbers_before == 6 && !last.has_plain;
+  const bool is_usual = s.in.dialect.is_axis_modal || s.in.dialect.has_known_plain_axis;
+  if (is_at_end && lacks_axis && !is_usual) distrust_moves(s, last.statement);
 }
 
 void distrust_cut_short(States& s) {

@@ -15,8 +15,12 @@ namespace gouge {
 void distrust(States& s, Word word);
 /// A feed rate with what may be its unit's number, and behind them what may be a position.
 void distrust_numbers_of_feed(States& s);
-/// A statement that ends with a comma, or has a word alone that says nothing so.
+/// A statement that ends with a comma, has blanks within what may be one number, or a word alone that says nothing so.
 void distrust_cut_short(States& s);
+/// A statement at the end of a file that has no line end there: it may be the beginning of a longer one.
+void distrust_last_line(States& s);
+/// At the end of the file: its last position lacks the axis that those before it have.
+void distrust_last_axis(States& s);
 /// What a statement that is not understood says of those before it and of the word that it was meant to be: a line of
 /// numbers, a word that something was glued to or that is misspelt. True where it can only be more positions of the
 /// statement before it, so that the next one is certain again.

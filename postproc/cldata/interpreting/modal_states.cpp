@@ -16,14 +16,14 @@ constexpr WordSet kSetsUp = {Word::tool_path, Word::end_of_path, Word::units, Wo
                              Word::msys,      Word::rotabl,      Word::trans, Word::trntyp, Word::unread_frame};
 constexpr WordSet kTools = {Word::cutter, Word::tldata, Word::loadtl,       Word::load,       Word::toolno,
                             Word::turret, Word::tprint, Word::flute_length, Word::unread_tool};
-constexpr WordSet kCurves = {Word::circle, Word::movarc, Word::curve, Word::indirv,
-                             Word::tlon,   Word::nurbs,  Word::cntrl};
+constexpr WordSet kCurves = {Word::circle,  Word::movarc, Word::curve, Word::indirv, Word::arc_record,
+                             Word::helical, Word::movnrb, Word::tlon,  Word::nurbs,  Word::cntrl};
 constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion};
 constexpr WordSet kNewRun = {Word::cutter, Word::tldata,    Word::loadtl,    Word::load,        Word::toolno,
                              Word::turret, Word::operation, Word::tool_path, Word::end_of_path, Word::from};
 // What may hold for more than the next motion besides.
-constexpr WordSet kMayLast = {Word::cycle, Word::curve,  Word::auxfun, Word::prefun,
-                              Word::setup, Word::select, Word::repeat};
+constexpr WordSet kMayLast = {Word::cycle,  Word::curve, Word::auxfun, Word::prefun,     Word::setup,
+                              Word::select, Word::index, Word::copy,   Word::arc_record, Word::repeat};
 
 struct ModalRule {
   ModalState state;

@@ -23,6 +23,8 @@ class MotionChain {
   [[nodiscard]] bool was_from() const { return was_from_; }
 
   void lose_start(const char* reason) { unknown_start_ = reason; }
+  /// The next motion starts at last_pose() after all.
+  void find_start() { unknown_start_ = nullptr; }
   /// Where there is one.
   void lose_last_pose(const char* reason) {
     if (last_pose_) unknown_start_ = reason;

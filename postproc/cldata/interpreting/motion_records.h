@@ -56,6 +56,7 @@ struct Position {
   std::size_t point = 0, points = 1, first_argument = 0, numbers = 0;
   PositionForm form = PositionForm::go_to;
   const char* doubt = nullptr;  ///< why it cannot be checked, whatever the state it is read in
+  Cover cover = Cover::none;    ///< of a motion with a doubt
 };
 
 inline constexpr const char* kPositionForm = "expected x,y,z or x,y,z,i,j,k";

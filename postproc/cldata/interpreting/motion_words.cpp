@@ -3,6 +3,7 @@
 #include <string>
 
 #include "postproc/cldata/interpreting/emit.h"
+#include "postproc/cldata/interpreting/frame_state.h"
 #include "postproc/cldata/interpreting/misreading.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
@@ -22,8 +23,14 @@ void take_positions(States& s, PositionForm form) {
   if (!s.in.check_all_numbers(kPositionForm)) return;
   const std::size_t numbers = s.axes.numbers_per_point();
   if (numbers == 0) return;
-  if (s.axes.are_axes_doubtful(numbers)) return emit_unread(s, Reasons::kSixNumbers);
+  if (const char* reason = s.axes.two_readings(numbers)) return emit_unread(s, reason);
+  const auto [first, last] = s.axes.note_list(numbers);
+  if (first < last) doubt_moves(s, first, last, Reasons::kSixNumbers);
   const std::size_t points = s.in.arguments.size() / numbers;
+  const auto before = s.last_positions;
+  s.last_positions = {s.in.index(),       numbers,
+                      before.numbers,     s.in.arguments.back().text,
+                      before.last_number, before.has_plain || before.numbers == 3};
   if (s.in.statement().is_continuation) s.curve.resume();
   if (s.curve.arc() && points > 1 && !s.in.dialect.lists_run_along_arc) s.curve.spoil(ArcProblems::kForm);
   bool is_going_on = false;
@@ -71,10 +78,11 @@ void take_goto(States& s) { take_positions(s, PositionForm::go_to); }
 void take_from(States& s) { take_positions(s, PositionForm::from); }
 
 void take_godlta(States& s) {
-  constexpr const char* kExpected = "expected dx,dy,dz or one distance along the tool axis";
+  constexpr const char* kExpected = "expected dx,dy,dz, also with i,j,k, or one distance along the tool axis";
   if (!s.in.check_all_numbers(kExpected)) return;
   const std::size_t count = s.in.arguments.size();
-  if (count != 1 && count != 3) {
+  const bool has_axis = count == 6;
+  if (count != 1 && count != 3 && !has_axis) {
     return s.in.fail("path-count", "GODLTA has " + std::to_string(count) + " numbers; " + kExpected);
   }
   if (!s.chain.last_pose()) {
@@ -87,6 +95,14 @@ void take_godlta(States& s) {
   Position position;
   position.form = PositionForm::godlta;
   position.axis_local = s.axes.is_new() ? s.axes.implied() : here.axis;
+  if (has_axis) {
+    const std::optional<Vec3> axis = s.axes.read(3);
+    if (!axis) return;
+    position.axis_local = *axis;
+    position.numbers = 6;
+    if (s.axes.is_doubtful(position)) position.doubt = Reasons::kPlainAxis;
+    position.numbers = 0;
+  }
   if (count == 1) {
     position.tip_local = here.tip + position.axis_local * (*s.in.arguments[0].number * s.frame.mm_per_unit());
   } else {
@@ -107,6 +123,38 @@ void take_gohome(States& s) {
   s.feed.end_rapid();
   break_motion(s);
   s.chain.forbid_link();
+}
+
+// CLEARP/XYPLAN,z or CLEARP/0,0,1,z; of any other form nothing is known.
+void take_clear_plane(States& s) {
+  take_harmless(s);
+  const std::vector<Argument>& arguments = s.in.arguments;
+  s.clear_plane_mm.reset();
+  std::optional<double> height;
+  if (arguments.size() == 2 && equals_ignoring_case(arguments[0].text, "XYPLAN")) height = arguments[1].number;
+  if (s.in.has_numbers_alone(4) && (s.in.vector(0) - Vec3::UnitZ()).norm() <= kIdentityError)
+    height = arguments[3].number;
+  if (height) s.clear_plane_mm = *height * s.frame.mm_per_unit();
+}
+
+// Up to the plane of CLEARP where it is known; else the tool is somewhere above.
+void take_retract(States& s) {
+  constexpr double kSameAxis = 1e-9;
+  const bool is_known = s.in.arguments.empty() && s.clear_plane_mm && s.chain.is_start_certain() &&
+                        s.doubts.reason() == nullptr && s.cutcom.reason().empty() && !s.cycle.is_on() &&
+                        !s.cycle.is_doubtful() && !s.curve.is_open();
+  const Pose here = is_known ? s.frame.to_local(*s.chain.last_pose()) : Pose{};
+  if (!is_known || here.axis.cross(Vec3::UnitZ()).norm() > kSameAxis || here.axis.z() < 0 ||
+      here.tip.z() > *s.clear_plane_mm)
+    return s.chain.lose_start(Reasons::kAfterRetract);
+  Position position;
+  position.form = PositionForm::unread;
+  position.tip_local = {here.tip.x(), here.tip.y(), *s.clear_plane_mm};
+  position.axis_local = here.axis;
+  position.doubt = Reasons::kRetractPath;
+  position.cover = Cover::motion;
+  append(s, make_move(s, position, MoveKind::rapid), position);
+  s.retracted = s.chain.last_pose();
 }
 
 // It has no numbers: a position may stand here.

@@ -18,6 +18,7 @@ void NurbsState::begin() {
   line_ = in_.line();
   knots_.clear();
   control_local_.clear();
+  is_turning_ = false;
   // Degree 3 is what a NURBS without arguments has.
   is_understood_ = in_.arguments.empty();
 }
@@ -50,9 +51,12 @@ void NurbsState::take_control_point() {
   position.form = PositionForm::curve;
   position.tip_local = *tip;
   position.axis_local = *axis;
+  is_turning_ = is_turning_ || (end_ && end_->axis_local.cross(*axis).norm() > kSameKnotAxis) ||
+                (end_ && end_->axis_local.dot(*axis) < 0);
   in_.make_room(control_local_);
   control_local_.push_back(*tip);
   end_ = position;
+  axes_.note_position(*axis);
 }
 
 std::optional<Position> NurbsState::end() {
@@ -63,7 +67,7 @@ std::optional<Position> NurbsState::end() {
 
 void NurbsState::attach(const Pose& start, Move& move) {
   move.not_checked_reason = Reasons::kSpline;
-  const bool is_turning = start.axis.cross(move.end.axis).norm() > kSameKnotAxis;
+  const bool is_turning = is_turning_ || start.axis.cross(move.end.axis).norm() > kSameKnotAxis;
   if (!is_understood_ || is_turning || knots_.empty() || std::abs(knots_.back() - 1) > 0) return;
   std::vector<Vec3> control;
   control.reserve(control_local_.size() + 1);

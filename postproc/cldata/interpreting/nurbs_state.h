@@ -37,6 +37,7 @@ class NurbsState {
   std::optional<Position> end_;
   std::vector<double> knots_;
   std::vector<Vec3> control_local_;
+  bool is_turning_ = false;  // the axes of its control points differ
   bool is_understood_ = false;
 };
 

@@ -12,12 +12,13 @@ struct Row {
 };
 
 // All others are not_understood.
-constexpr std::array<Row, 11> kKinds = {{{Reasons::kCutcom, ReasonKind::compensated},
+constexpr std::array<Row, 12> kKinds = {{{Reasons::kCutcom, ReasonKind::compensated},
                                          {Reasons::kAfterCutcom, ReasonKind::compensated},
                                          {Reasons::kAfterRetract, ReasonKind::after_retract},
                                          {Reasons::kRetractPlane, ReasonKind::around_hole},
                                          {Reasons::kAfterCycle, ReasonKind::around_hole},
                                          {Reasons::kSixNumbers, ReasonKind::unread},
+                                         {Reasons::kNineNumbers, ReasonKind::unread},
                                          {Reasons::kStepFromUnread, ReasonKind::unread},
                                          {Reasons::kNoArcEnd, ReasonKind::unread},
                                          {Reasons::kNoTlon, ReasonKind::unread},

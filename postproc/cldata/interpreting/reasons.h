@@ -9,6 +9,8 @@ namespace gouge {
 /// (NamedReasons).
 struct Reasons {
   static constexpr const char* kCurve = "a curve that is not understood";
+  static constexpr const char* kMovnrb =
+      "a NURBS (MOVNRB) and positions on it: which of both the control runs the file does not say";
   static constexpr const char* kSpline = "a NURBS whose knots, points or axis are not those of a cubic curve";
   static constexpr const char* kCycle = "a cycle whose words are not understood";
   static constexpr const char* kCutcom = "compensated by CUTCOM: the positions need not be the cutter centre";
@@ -43,10 +45,22 @@ struct Reasons {
       "follows the end of the program: which unit, tool, tool axis and frame hold, the file does not say";
   static constexpr const char* kSkipped = "left out where the control's block skip is on";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
+  static constexpr const char* kUnloadedCutter =
+      "another cutter of the loaded tool, and no loading since: it may be that of the next tool";
+  static constexpr const char* kReadyTool =
+      "a tool number behind the loading of another tool: it may be loaded, or only made ready";
+  static constexpr const char* kRetractPath =
+      "the path up to the plane of CLEARP: whether RETRCT goes there, and at once, the file does not say";
+  static constexpr const char* kHoleBounds =
+      "a drilling cycle whose position may be the top of the hole or its bottom, and its clearance a height or a plane";
+  static constexpr const char* kHigherHole =
+      "a hole that lies higher than the tool is: whether it rises before it goes there, the file does not say";
   static constexpr const char* kTurning = "turning and wire tools are not understood";
   static constexpr const char* kContour = "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)";
   static constexpr const char* kUnread = "a statement that is not understood may have moved the tool";
   static constexpr const char* kSixNumbers = "six numbers without MULTAX/ON: two positions, or one and its tool axis";
+  static constexpr const char* kNineNumbers =
+      "nine numbers: a position with its tool axis and a normal, or three positions";
   static constexpr const char* kStepFromUnread = "GODLTA goes on from a position that is not known";
   static constexpr const char* kNccsGoesOn =
       "a position on the circle of the one before it: round or straight, the file does not say";
@@ -69,6 +83,8 @@ struct Reasons {
   static constexpr const char* kMachineSteps =
       "follows text for the machine's control that makes positions steps (G91)";
   static constexpr const char* kSetup = "follows a setup or selection that may shift or turn positions";
+  static constexpr const char* kSkewed =
+      "positions are in a frame whose axes are scaled or not at right angles: where it puts them the file does not say";
   static constexpr const char* kTrans = "positions are shifted by a TRANS or ORIGIN that is not applied";
   static constexpr const char* kCsys = "positions are in a coordinate system (CSYS) that is not applied";
   static constexpr const char* kMcsys = "positions are in a coordinate system (MCSYS) that is not understood";

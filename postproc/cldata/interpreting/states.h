@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lib/base/units.h"
 #include "postproc/cldata/interpreting/arc_senses.h"
@@ -93,6 +95,24 @@ struct PendingInsert {
   bool is_name;
 };
 
+/// Moves that COPY may repeat.
+struct IndexedMoves {
+  std::size_t begin = 0, end = kNone;  ///< kNone: not ended
+  std::size_t frames = 0;              ///< States::frame_changes at its beginning
+};
+inline constexpr std::size_t kMostCopied = 1000000;  ///< by one COPY
+
+/// MOVNRB of Creo: a NURBS of its own statements.
+struct MovnrbState {
+  std::size_t order = 0;
+  bool is_five_axis = false;  ///< or of a form that is not read
+  std::vector<double> knots;
+  std::vector<Vec3> control_local;
+  bool is_on = false;       ///< positions on it follow
+  std::size_t begin = 0;    ///< the move along it
+  Vec3 end = Vec3::Zero();  ///< of it, in part coordinates
+};
+
 /// All that a statement may look at or change. Each state says in its own file what holds where the file never ends it.
 struct States {
   /// `motion_records` may be null; else it gets one entry for each move.
@@ -120,11 +140,29 @@ struct States {
   OperationState operation{in};
   MotionChain chain{in};
   PartProgram program{in};
-  Tally offsets_chosen;                    ///< by text for the machine's control
-  bool is_unknown_in_block = false;        ///< a statement that is not understood stands in the block that is open
-  std::optional<PendingInsert> pending;    ///< text that is the name of a tool if a CUTTER follows
-  bool has_begin = false;                  ///< PARTNO
-  std::size_t end_line = 0;                ///< of the last END, FINI or END-OF-PATH; 0: none
+  Tally offsets_chosen;                  ///< by text for the machine's control
+  bool is_unknown_in_block = false;      ///< a statement that is not understood stands in the block that is open
+  std::optional<PendingInsert> pending;  ///< text that is the name of a tool if a CUTTER follows
+  bool is_world_stated = false;          ///< TRNTYP/WORLD
+  bool has_begin = false;                ///< PARTNO
+  std::size_t end_line = 0;              ///< of the last END, FINI or END-OF-PATH; 0: none
+  struct LastPositions {                 ///< of the last statement with positions, and the one before it
+    std::size_t statement = kNone;
+    std::size_t numbers = 0, numbers_before = 0;  ///< of one position
+    std::string_view last_number, number_before;  ///< as written
+    bool has_plain = false;                       ///< one without axis stands before the last
+  } last_positions;
+  MovnrbState movnrb;
+  std::map<int, IndexedMoves> indexed;  ///< by the number of INDEX
+  std::size_t frame_changes = 0;
+  std::optional<double> arc_slope_mm;      ///< ARCSLP: how far the next arc rises
+  std::optional<Pose> skip_start;          ///< before OPSKIP/ON, where it is known
+  const char* skip_reason = nullptr;       ///< of the last OPSKIP/ON
+  std::size_t skip_begin = 0;              ///< the first move behind it
+  bool is_behind_skip = false;             ///< no position since OPSKIP/OFF, and some between both
+  std::optional<double> clear_plane_mm;    ///< CLEARP: Z of a plane across the axis, in the frame in force
+  std::vector<Pose> open_places;           ///< behind a hole: the tool may be at any of them
+  std::optional<Pose> retracted;           ///< by RETRCT, and no position since
   bool skips_more_than_motion = false;     ///< OPSKIP/ON leaves out what OPSKIP/OFF does not undo
   std::size_t run_begin = 0;               ///< the first move since the last tool or operation
   Word previous_word = Word::comment;      ///< of the statement before, but for comments

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -22,6 +23,18 @@ double diameter_of_toolno(const std::vector<Argument>& arguments) {
   if (arguments.size() == 2) return arguments[1].number.value_or(0);
   const bool is_mill = arguments.size() > kOfMill && equals_ignoring_case(arguments[1].text, "MILL");
   return is_mill ? arguments[kOfMill].number.value_or(0) : 0;
+}
+
+std::array<double, 7> key_of(const CutterStatement& c) {
+  return {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
+}
+
+// Of a taper TOOLNO has the largest diameter, or that of the tip.
+bool is_diameter_of(const CutterStatement& cutter, double stated_mm) {
+  constexpr double kSameDiameter = 0.01;  // of it: files round them
+  const double taper_mm = 2 * cutter.h_mm * std::tan(cutter.beta_deg * std::numbers::pi / 180);
+  const auto is_near = [&](double mm) { return std::abs(mm / stated_mm - 1) <= kSameDiameter; };
+  return is_near(cutter.d_mm) || (taper_mm > 0 && is_near(cutter.d_mm + taper_mm));
 }
 
 }  // namespace
@@ -117,6 +130,14 @@ void ToolState::take_name(std::string_view text) {
 
 void ToolState::take_insert(std::string_view text) { last_insert_ = name_text(text); }
 
+std::optional<double> ToolState::countersink_depth(double diameter_mm) const {
+  constexpr double kRounding_mm = 1e-3;
+  if (!tool_.cutter || !(tool_.cutter->alpha_deg > 0) || tool_.cutter->r_mm > 0 ||
+      diameter_mm > tool_.cutter->d_mm + kRounding_mm)
+    return std::nullopt;
+  return diameter_mm / 2 * std::tan(tool_.cutter->alpha_deg * std::numbers::pi / 180);
+}
+
 void ToolState::change_number(int number) {
   doubts_.clear(Doubt::loading);
   if (tool_.number == number) return;
@@ -144,18 +165,25 @@ void ToolState::begin_block(const std::string& name) {
     tool_.line = in_.line();
   }
   is_changed_ = true;
+  is_used_ = false;
+  is_loaded_ = true;
   doubts_.clear(Doubt::cutter);
   doubts_.clear(Doubt::loading);
+}
+
+// Another cutter under the number of the loaded tool: in the spindle, or for the next loading.
+bool ToolState::is_cutter_unloaded() const {
+  if (!is_loaded_ || index_ == kNone || !tool_.cutter) return false;
+  const PathTool& last = in_.path.tools[index_];
+  if (!last.cutter || last.number != tool_.number) return false;
+  return key_of(*last.cutter) != key_of(*tool_.cutter);
 }
 
 std::size_t ToolState::find_or_add() {
   Key key;
   key.number = tool_.number;
   if (in_.dialect.has_named_tools) key.name = tool_.name;
-  if (tool_.cutter) {
-    const CutterStatement& c = *tool_.cutter;
-    key.cutter = {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
-  }
+  if (tool_.cutter) key.cutter = key_of(*tool_.cutter);
   key.diameter_mm = tool_.diameter_mm;
   std::vector<PathTool>& tools = in_.path.tools;
   const auto [it, is_new] = index_of_key_.try_emplace(std::move(key), tools.size());
@@ -177,11 +205,12 @@ std::size_t ToolState::find_or_add() {
 // motion.
 bool ToolState::resolve() {
   tool_.is_fresh = false;
+  const bool was_used = std::exchange(is_used_, true);
   if (!is_changed_) return false;
   is_changed_ = false;
-  constexpr double kSameDiameter = 0.01;  // of it: files round them
-  if (tool_.cutter && tool_.toolno_diameter_mm > 0 &&
-      std::abs(tool_.cutter->d_mm / tool_.toolno_diameter_mm - 1) > kSameDiameter)
+  if (was_used && is_cutter_unloaded())
+    doubts_.set(Doubt::loading, in_.named(Reasons::kUnloadedCutter, "CUTTER", tool_.line));
+  if (tool_.cutter && tool_.toolno_diameter_mm > 0 && !is_diameter_of(*tool_.cutter, tool_.toolno_diameter_mm))
     doubts_.set(Doubt::loading, in_.named(Reasons::kUnreadTool, "TOOLNO", tool_.toolno_line));
   const bool is_known = tool_.number || tool_.cutter || (in_.dialect.has_named_tools && !tool_.name.empty());
   const std::size_t index = is_known ? find_or_add() : kNone;

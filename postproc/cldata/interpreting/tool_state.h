@@ -32,11 +32,18 @@ class ToolState {
   /// Ensures  a tool that was not described since the last motion is the one last seen under that number, or one the
   ///          file says nothing about: never the one before it.
   void change_number(int number);
+  /// The tool of that number is in the spindle: LOADTL, LOAD/TOOL.
+  void note_load() { is_loaded_ = true, is_used_ = false; }
+  /// A number that is only made ready, or is that of another tool: behind the loading of one, while which positions were
+  /// read.
+  [[nodiscard]] bool may_be_ready_only(int number) const { return is_loaded_ && tool_.number != number; }
   void begin_block(const std::string& name);
   /// It may be another cutter from here on.
   void forget_cutter();
 
   [[nodiscard]] const std::optional<int>& number() const { return tool_.number; }
+  /// How deep the tip of a pointed tool is where its cone is `diameter_mm` wide; nothing of any other tool.
+  [[nodiscard]] std::optional<double> countersink_depth(double diameter_mm) const;
   /// At a motion: true where the tool is another one than before. index() is then its own.
   [[nodiscard]] bool resolve();
   /// In Toolpath::tools; kNone: no tool named yet.
@@ -63,12 +70,15 @@ class ToolState {
     auto operator<=>(const Key&) const = default;
   };
   void set_cutter(const CutterOutcome& outcome);
+  [[nodiscard]] bool is_cutter_unloaded() const;
   [[nodiscard]] std::size_t find_or_add();
 
   StatementContext& in_;
   Doubts& doubts_;
   Tool tool_;
   bool is_changed_ = false;  // since the last motion
+  bool is_loaded_ = false;   // a tool was loaded, or its block begun
+  bool is_used_ = false;     // by a motion since then
   std::size_t index_ = kNone;
   std::map<Key, std::size_t> index_of_key_;
   std::map<int, std::size_t> index_of_number_;  // the last one seen under a number

@@ -38,7 +38,11 @@ void take_tool_number(States& s) {
                                            " is not a tool number; expected a whole number");
   }
   if (!is_turning && s.tool.number() != *number) s.doubts.clear(Doubt::turning);
+  const bool is_loading = s.in.statement().word != Word::toolno;
+  const bool may_be_ready_only = !is_loading && s.tool.may_be_ready_only(*number);
   change_number(s, *number);
+  if (is_loading) s.tool.note_load();
+  if (may_be_ready_only) s.doubts.set(Doubt::loading, s.in.because(Reasons::kReadyTool));
   // Behind LOADTL/n stands a register.
   if (s.in.statement().word == Word::toolno) s.tool.take_diameter_of_toolno(s.frame.mm_per_unit());
 }
@@ -56,6 +60,7 @@ void take_load(States& s) {
   const std::optional<int> number = arguments.size() > 1 ? whole_number(arguments[1]) : std::nullopt;
   if (!number) return s.in.fail("path-statement", "LOAD/TOOL without a tool number; expected LOAD/TOOL,number");
   change_number(s, *number);
+  s.tool.note_load();
 }
 
 }  // namespace gouge

@@ -133,7 +133,12 @@ void take_unread_motion(States& s) {
   emit_unread(s);
 }
 
+// hyperMILL frames its programs with two subprograms of the machine.
 void take_repeat(States& s) {
+  constexpr std::array<std::string_view, 2> kFrames = {"START_PROG", "END_PROG"};
+  const bool is_frame = equals_ignoring_case(s.in.statement().major, "CALSUB") && s.in.arguments.size() == 1 &&
+                        is_one_of(s.in.arguments.front().text, kFrames);
+  if (is_frame) return;
   take_unread_motion(s);
   doubt_frame(s);
 }

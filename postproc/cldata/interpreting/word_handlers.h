@@ -17,6 +17,8 @@ void take_from(States& s);
 void take_godlta(States& s);
 void take_gohome(States& s);
 void take_rapid(States& s);
+void take_retract(States& s);
+void take_clear_plane(States& s);
 void take_fedrat(States& s);
 void take_cutcom(States& s);
 
@@ -24,6 +26,18 @@ void take_cutcom(States& s);
 void take_arc(States& s);
 void take_unread_curve(States& s);
 void take_tlon(States& s);
+void take_arc_record(States& s);
+void take_arc_slope(States& s);
+void take_helical(States& s);
+/// CATIA's BEGIN NURBS_.. to END NURBS: true where the statement is part of it, and taken.
+[[nodiscard]] bool take_control_nurbs(States& s);
+
+// nurbs_words.cpp
+void take_movnrb(States& s);
+
+// copy_words.cpp
+void take_index(States& s);
+void take_copy(States& s);
 
 // cycle_words.cpp
 void take_cycle(States& s);
@@ -42,7 +56,7 @@ void take_select(States& s);
 void take_opskip(States& s);
 
 // frame_words.cpp
-void set_frame(States& s, const RigidTransform& to_part);
+void set_frame(States& s, const RigidTransform& to_part, bool says_axis = false);
 void note_creo_csys(States& s);
 void take_csys(States& s);
 void take_camera(States& s);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -35,6 +36,20 @@ std::optional<double> number_of(std::string_view text) {
   copy[exponent] = 'E';
   return parse_number(copy);
 }
+
+// Digits behind the point, less what an exponent moves it; nothing where the number is a whole one.
+std::optional<int> decimals_of(std::string_view text) {
+  const std::size_t end = std::min(text.find_first_of("eEdD"), text.size());
+  const std::size_t point = std::min(text.find('.'), end);
+  const int decimals = static_cast<int>(end - std::min(point + 1, end));
+  const std::optional<double> exponent =
+      end < text.size() ? parse_number(text.substr(end + 1)) : std::optional<double>(0);
+  if (!exponent || std::abs(*exponent) > 300) return std::nullopt;
+  const int moved = decimals - static_cast<int>(*exponent);
+  return moved > 0 ? std::optional<int>(moved) : std::nullopt;
+}
+
+bool begins_number(char c) { return is_digit(c) || c == '.'; }
 
 }  // namespace
 
@@ -89,6 +104,47 @@ NumberCount count_numbers(std::span<const Argument> arguments) {
     if (*argument.number < 0) ++numbers.negative;
   }
   return numbers;
+}
+
+double rounding_of(std::span<const Argument> arguments) {
+  int most = 0;
+  for (const Argument& argument : arguments) {
+    if (argument.number) most = std::max(most, decimals_of(argument.text).value_or(0));
+  }
+  return most == 0 ? 0 : 0.5 * std::pow(10.0, -most);
+}
+
+double rounding_of_points(std::span<const Argument> arguments) {
+  constexpr int kUnpadded = 4;
+  int most = 0;
+  for (const Argument& argument : arguments) {
+    if (!argument.number) continue;
+    const int written = decimals_of(argument.text).value_or(0);
+    const std::string_view unpadded = argument.text.substr(0, argument.text.find_last_not_of('0') + 1);
+    most = std::max({most, std::min(written, kUnpadded), decimals_of(unpadded).value_or(0)});
+  }
+  return most == 0 ? 0 : 0.5 * std::pow(10.0, -most);
+}
+
+// Between two numbers with a comma elsewhere, or in a statement that names a tool or its sizes, of which each may stand
+// alone.
+bool has_blank_in_number(const Statement& statement) {
+  if (statement.is_decoded) return false;
+  static constexpr WordSet kOfTools = {Word::cutter, Word::load, Word::loadtl, Word::toolno, Word::tldata};
+  const auto has_comma = [](std::string_view piece) { return piece.find(',') != std::string_view::npos; };
+  if (!kOfTools.has(statement.word) && std::ranges::none_of(statement.pieces, has_comma)) return false;
+  for (const std::string_view piece : statement.pieces) {
+    for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
+      if (!is_blank(piece[i]) || is_blank(piece[i + 1]) || !begins_number(piece[i + 1])) continue;
+      const std::string_view before = trim(piece.substr(0, i));
+      if (before.empty() || !begins_number(before.back())) continue;
+      const std::size_t first = before.find_last_of(" \t,()/") + 1, last = piece.find_first_of(" \t,()/", i + 1);
+      const std::string joined =
+          std::string(before.substr(first)) + std::string(piece.substr(i + 1, std::min(last, piece.size()) - i - 1));
+      if (number_of(joined)) return true;
+    }
+  }
+  return false;
 }
 
 bool has_damaged_argument(std::span<const Argument> arguments) {

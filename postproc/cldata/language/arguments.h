@@ -35,6 +35,16 @@ struct NumberCount {
 /// How many of the arguments are numbers, and how many of these are below 0.
 [[nodiscard]] NumberCount count_numbers(std::span<const Argument> arguments);
 
+/// Half a unit in the last place that any of `arguments` is written to: how far rounding puts a number off. Numbers that
+/// a file does not write as text have none: 0.
+[[nodiscard]] double rounding_of(std::span<const Argument> arguments);
+
+/// The same of coordinates, which some writers pad with zeros behind four decimals.
+[[nodiscard]] double rounding_of_points(std::span<const Argument> arguments);
+
+/// True where nothing but blanks separates two numbers of `statement`: they may be one number with blanks within.
+[[nodiscard]] bool has_blank_in_number(const Statement& statement);
+
 /// True where nothing stands between two commas, or digits, signs and points are no number: what was lost there nobody
 /// knows.
 [[nodiscard]] bool has_damaged_argument(std::span<const Argument> arguments);

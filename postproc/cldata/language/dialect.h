@@ -76,6 +76,7 @@ struct Dialect {
   // Positions.
   bool is_axis_modal = false;             ///< one without axis keeps the last one; else it means +Z or TLAXIS
   bool has_known_plain_axis = false;      ///< verified that one without axis means +Z whatever came before
+  bool locks_axis = false;                ///< under MULTAX/OFF one without axis has the axis of the last one with it
   bool states_multax = false;             ///< MULTAX stands before the first axis
   bool has_axes_under_multax = false;     ///< every position has one under MULTAX, and none without it
   bool has_points_at_multax_off = false;  ///< six numbers under MULTAX/OFF are two positions, whatever they look like
@@ -101,7 +102,8 @@ struct Dialect {
   ArcForm arc_form = ArcForm::apt;
   ArcSense arc_sense = ArcSense::unknown;  ///< about the vector
   ArcRule arc_rule = ArcRule::by_vector;
-  bool has_z_alone = false;  ///< writes no tool axis, and circles about +Z only
+  bool has_flat_circles = false;  ///< CIRCLE may leave its vector out: a circle across Z that runs either way
+  bool has_z_alone = false;       ///< writes no tool axis, and circles about +Z only
   CycleForm cycle_form = CycleForm::any;
   FeedInCycle feed_in_cycle = FeedInCycle::before_first_hole;
 

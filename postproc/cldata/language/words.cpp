@@ -15,21 +15,24 @@ using Entry = std::pair<std::string_view, Word>;
 
 // Words of the APT source language.
 constexpr auto kOfPrograms = std::to_array<std::string_view>(
-    {"CALL", "DNTCUT", "DO",    "GO",     "GOBACK", "GODOWN", "GOFWD",  "GOLFT", "GORGT",
-     "GOUP", "IF",     "INDEX", "INDIRP", "JUMPTO", "LOOPND", "LOOPST", "MACRO", "POCKET",
-     "PSIS", "RESERV", "TLLFT", "TLOFPS", "TLONPS", "TLRGT",  "TRANTO", "ZSURF"});
+    {"CALL",   "DNTCUT", "DO",     "GO",     "GOBACK", "GODOWN", "GOFWD", "GOLFT",  "GORGT",
+     "GOUP",   "IF",     "INDIRP", "JUMPTO", "LOOPND", "LOOPST", "MACRO", "POCKET", "PSIS",
+     "RESERV", "TLLFT",  "TLOFPS", "TLONPS", "TLRGT",  "TRANTO", "ZSURF"});
 // Words that may turn or shift what follows.
 constexpr auto kOfFrames = std::to_array<std::string_view>(
     {"COORD", "COUPLE", "DEFSUB", "ENDSUB", "MIRROR", "REFSYS", "REVERS", "SCALE", "TRACUT", "WORKPL"});
 
 constexpr auto kOthers = std::to_array<Entry>({
+    {"ARC", Word::arc_record},
+    {"ARCSLP", Word::arc_slope},
     {"AUXFUN", Word::auxfun},
     {"BSPLIN", Word::curve},
     {"CALSUB", Word::repeat},
     {"CAMERA", Word::camera},
     {"CIRCLE", Word::circle},
+    {"CLEARP", Word::clear_plane},
     {"CNTRL", Word::cntrl},
-    {"COPY", Word::repeat},
+    {"COPY", Word::copy},
     {"CSI_INSERT_CUSTOM_GCODE", Word::insert},
     {"CSI_SET_FLUTE_LENGTH", Word::flute_length},
     {"CSI_TOOL_PATH", Word::operation},
@@ -47,10 +50,12 @@ constexpr auto kOthers = std::to_array<Entry>({
     {"GODLTA", Word::godlta},
     {"GOHOME", Word::gohome},
     {"GOTO", Word::go_to},
+    {"HELICAL", Word::helical},
     {"HELIX", Word::curve},
     {"HOME", Word::unread_motion},
     {"INCLUD", Word::unread_motion},
     {"INCLUDE", Word::unread_motion},
+    {"INDEX", Word::index},
     {"INDIRV", Word::indirv},
     {"INSERT", Word::insert},
     {"KNOT", Word::knot},
@@ -61,6 +66,7 @@ constexpr auto kOthers = std::to_array<Entry>({
     {"MCSYS", Word::mcsys},
     {"MODE", Word::mode},
     {"MOVARC", Word::movarc},
+    {"MOVNRB", Word::movnrb},
     {"MSYS", Word::msys},
     {"MULTAX", Word::multax},
     {"NURBS", Word::nurbs},
@@ -82,6 +88,7 @@ constexpr auto kOthers = std::to_array<Entry>({
     {"ROTHED", Word::rotabl},
     {"SELECT", Word::select},
     {"SETUP", Word::setup},
+    {"SKIP", Word::opskip},
     {"SPLINE", Word::curve},
     {"SWITCH", Word::turret},  // the point of a turning tool
     {"SYN", Word::syn},
@@ -180,9 +187,10 @@ Word find_word_at_end(std::string_view token) {
 }
 
 bool changes_motion(Word word) {
-  static constexpr WordSet kOthers = {Word::comment,      Word::unknown, Word::harmless, Word::free_text,
-                                      Word::pprint,       Word::insert,  Word::tprint,   Word::operation,
-                                      Word::part_program, Word::fedrat,  Word::fini,     Word::flute_length};
+  static constexpr WordSet kOthers = {Word::comment,     Word::unknown,   Word::harmless,    Word::free_text,
+                                      Word::clear_plane, Word::arc_slope, Word::index,       Word::pprint,
+                                      Word::insert,      Word::tprint,    Word::operation,   Word::part_program,
+                                      Word::fedrat,      Word::fini,      Word::flute_length};
   return !kOthers.has(word);
 }
 

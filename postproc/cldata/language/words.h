@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <string_view>
@@ -20,11 +22,15 @@ enum class Word : std::uint8_t {
   operation,     // CSI_TOOL_PATH, OPNAME, OPFEATSTART: text that names an operation
   part_program,  // geometry and drive words of the APT source language
   curve,         // words after which the next positions are not reached on straight lines
+  arc_record,    // ARC of VERICUT: an arc with its end
+  arc_slope,     // ARCSLP: how far the next arc rises
   auxfun,        // an M of the control
   camera,
   circle,
+  clear_plane,  // CLEARP
   csys,
   cntrl,
+  copy,  // repeats the positions of INDEX
   cutcom,
   cutter,
   cycle,
@@ -36,6 +42,8 @@ enum class Word : std::uint8_t {
   godlta,
   gohome,
   go_to,
+  helical,  // a helix of CATIA with its end
+  index,    // begins or ends positions that COPY repeats
   indirv,
   knot,
   load,
@@ -44,6 +52,7 @@ enum class Word : std::uint8_t {
   mcsys,
   mode,
   movarc,
+  movnrb,  // a NURBS of Creo
   msys,
   multax,
   nurbs,
@@ -75,17 +84,16 @@ enum class Word : std::uint8_t {
 class WordSet {
  public:
   constexpr WordSet(std::initializer_list<Word> words) {
-    for (const Word word : words) bits_ |= bit(word);
+    for (const Word word : words) bits_[index(word)] |= bit(word);
   }
-  [[nodiscard]] constexpr bool has(Word word) const { return (bits_ & bit(word)) != 0; }
+  [[nodiscard]] constexpr bool has(Word word) const { return (bits_[index(word)] & bit(word)) != 0; }
 
  private:
-  static constexpr std::uint64_t bit(Word word) {
-    static_assert(static_cast<unsigned>(Word::unread_tool) < 64, "the last of the words");
-    return std::uint64_t{1} << static_cast<unsigned>(word);
-  }
+  static constexpr unsigned kBits = 64;
+  static constexpr std::size_t index(Word word) { return static_cast<unsigned>(word) / kBits; }
+  static constexpr std::uint64_t bit(Word word) { return std::uint64_t{1} << (static_cast<unsigned>(word) % kBits); }
 
-  std::uint64_t bits_ = 0;
+  std::array<std::uint64_t, 2> bits_{};
 };
 
 /// The word a statement begins with; upper or lower case.

@@ -79,10 +79,39 @@ std::string_view take_major(std::string_view& text) {
   return major;
 }
 
+constexpr std::size_t kColumns = 72, kCard = 80;
+
+std::string_view first_line(std::string_view bytes) {
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  const std::string_view line = bytes.substr(0, bytes.find('\n'));
+  return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
+}
+
+// A sequence number: digits up to column 80, with blanks or letters of a name before them.
+bool is_sequence(std::string_view columns) {
+  const std::string_view text = trim(columns);
+  const std::size_t letters = length_of(text, is_letter);
+  return columns.size() == kCard - kColumns && !text.empty() && is_digit(columns.back()) && letters < text.size() &&
+         length_of(text.substr(letters), is_digit) == text.size() - letters;
+}
+
+bool is_card(std::string_view line) {
+  return line.size() == kCard && !trim(line.substr(0, kColumns)).empty() && is_sequence(line.substr(kColumns));
+}
+
+// "PT     1" and "CIR    1" of CATIA.
+bool is_point_number(std::string_view columns) {
+  const std::string_view text = trim(columns);
+  const std::size_t word = starts_with_ignoring_case(text, "PT") ? 2 : starts_with_ignoring_case(text, "CIR") ? 3 : 0;
+  const std::string_view number = trim(text.substr(word));
+  return word > 0 && columns.size() <= kCard - kColumns && !is_blank(columns.front()) && !number.empty() &&
+         length_of(number, is_digit) == number.size();
+}
+
 }  // namespace
 
 Lexer::Lexer(std::string_view bytes, std::size_t first_byte, std::size_t line)
-    : bytes_(bytes), at_(first_byte), line_(line) {
+    : bytes_(bytes), at_(first_byte), line_(line), has_cards_(is_card(first_line(bytes))) {
   if (at_ == 0 && bytes_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
 }
 
@@ -91,7 +120,14 @@ std::string_view Lexer::take_line() {
   const std::string_view text = bytes_.substr(at_, end - at_);
   at_ = end == std::string_view::npos ? bytes_.size() : end + 1;
   ++line_;
-  return trim(text);
+  return trim(text.size() > kColumns ? without_columns(text) : text);
+}
+
+std::string_view Lexer::without_columns(std::string_view line) const {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  if (line.size() <= kColumns) return line;
+  const bool is_numbered = (has_cards_ && is_card(line)) || is_point_number(line.substr(kColumns));
+  return is_numbered ? line.substr(0, kColumns) : line;
 }
 
 void Lexer::take_pieces(Statement& statement, std::string_view text) {

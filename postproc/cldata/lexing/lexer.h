@@ -7,7 +7,7 @@
 
 // Bytes to logical statements. A `$` ends a line and continues the statement on the next one; `$$` begins a
 // comment, except that the text of PPRINT and its like is taken as it stands. Sequence numbers and labels before a
-// word that is known are no part of it. Bytes are not decoded.
+// word that is known are no part of it, nor are the numbers of points and of cards in columns 73 to 80. Bytes are not decoded.
 
 namespace gouge {
 
@@ -21,6 +21,7 @@ class Lexer {
 
  private:
   [[nodiscard]] std::string_view take_line();
+  [[nodiscard]] std::string_view without_columns(std::string_view line) const;
   void take_pieces(Statement& statement, std::string_view text);
   void take_words(Statement& statement, std::string_view text);
   [[nodiscard]] Word word_of(std::string_view major);
@@ -28,6 +29,7 @@ class Lexer {
   std::string_view bytes_;
   std::size_t at_;
   std::size_t line_;
+  bool has_cards_ = false;       // lines are card images
   std::string_view last_major_;  // statements repeat the word of the one before them
   Word last_word_ = Word::unknown;
 };

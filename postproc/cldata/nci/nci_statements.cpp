@@ -12,13 +12,15 @@ constexpr std::size_t kToolField = 3;
 constexpr double kCompOff = 40, kCompLeft = 41, kCompRight = 42, kCompOffAtEnd = 140;
 constexpr double kIdentityError = 1e-9;
 
-// Numbers behind the nine would be those of an origin.
+// Behind the nine numbers of a matrix stand those of an origin, and the number of the plane.
 bool is_identity(const std::vector<Argument>& fields) {
-  constexpr std::size_t kNumbers = 9;
-  if (fields.size() < kNumbers) return false;
+  constexpr std::size_t kMatrix = 9, kOrigin = 12;
+  if (fields.size() < kMatrix || fields.size() > kOrigin + 1) return false;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const double expected = i < kNumbers && i % 4 == 0 ? 1 : 0;
-    if (!fields[i].number || std::abs(*fields[i].number - expected) > kIdentityError) return false;
+    if (!fields[i].number) return false;
+    if (i == kOrigin) return *fields[i].number >= 0 && std::floor(*fields[i].number) >= *fields[i].number;
+    const double expected = i < kMatrix && i % 4 == 0 ? 1 : 0;
+    if (std::abs(*fields[i].number - expected) > kIdentityError) return false;
   }
   return true;
 }
@@ -103,9 +105,12 @@ void NciStatements::take_motion() {
   for (Eigen::Index i = 0; i < 3; ++i) decoded().push_back(number(motion.axis[i]));
 }
 
-// The tool plane turns positions in a way that no public reference describes.
+// The tool plane turns positions in a way that no public reference describes. The plane of the part says that lines of
+// three axes have the axis +Z, whatever stands before it.
 void NciStatements::take_plane() {
-  add(is_identity(read_fields()) ? Word::harmless : Word::unread_frame, "NCI 1014 (tool plane)");
+  if (!is_identity(read_fields())) return add(Word::unread_frame, "NCI 1014 (tool plane)");
+  add(Word::tlaxis, "NCI 1014 (tool plane)");
+  for (Eigen::Index i = 0; i < 3; ++i) decoded().push_back(number(Vec3::UnitZ()[i]));
 }
 
 void NciStatements::take_pair() {
@@ -132,7 +137,7 @@ void NciStatements::take_pair() {
     case NciCode::kSubEnd:
       return add(Word::unread_frame, "NCI 1018 (subprogram)");
     case NciCode::kWcs: {
-      const bool is_same = wcs_ ? *wcs_ == pair_.parameters : !has_moved_;
+      const bool is_same = wcs_ ? *wcs_ == pair_.parameters : !has_moved_ && is_identity(read_fields());
       wcs_ = pair_.parameters;
       return add(is_same ? Word::harmless : Word::unread_frame, "NCI 1027 (coordinate system)");
     }

@@ -13,9 +13,12 @@ namespace gouge {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// Coordinates of 4 decimals of an inch put start and end of one arc up to 0.007 mm off each other's circle;
-// real files stay below 0.01 mm.
-constexpr double kRadiusError_mm = 0.02;
+// Points whose numbers are off by `rounding` are off each other's circle by no more than six times that. Coordinates of
+// 4 decimals of an inch give 0.008 mm.
+constexpr double kRadiusError = 6;
+constexpr double kLeastRadiusError_mm = 1e-3;
+constexpr double kEndsError_mm = 0.008;  // of positions that were rounded in inches, whatever decimals they have now
+constexpr double kNearFull_mm = 0.02;    // an arc that ends so near before its start may be meant as a full circle
 constexpr double kAxisLengthError = 1e-3;
 constexpr double kSamePoint_mm = 1e-9;
 constexpr double kTinyChord_mm = 2e-3;   // rounding could make of an arc this short a full circle
@@ -96,7 +99,41 @@ bool read_sense_word(std::span<const Argument> arguments, ArcStatement& statemen
   return !(is_right && is_left);
 }
 
+// Of the centre, or of the radius where that is in whole numbers; the vector has decimals of its own. Records hold
+// numbers of no known decimals.
+double rounding_of_circle(const Dialect& dialect, std::span<const Argument> arguments) {
+  if (dialect.form == FileForm::nccs_records) return kEndsError_mm / kRadiusError;
+  constexpr std::size_t kCenter = 3;
+  const std::size_t first = arguments.front().number ? 0 : 1;  // behind CENTER
+  const double center = rounding_of_points(arguments.subspan(first, std::min(kCenter, arguments.size() - first)));
+  const bool has_radius = arguments.size() > 2 * kCenter && arguments[2 * kCenter].number;
+  return center > 0 || !has_radius ? center : rounding_of_points(arguments.subspan(2 * kCenter, 1));
+}
+
 double positive(double angle) { return angle <= 0 ? angle + 2 * kPi : angle; }
+
+// PTC: x,y,z,r, without the vector that tells which way round.
+bool is_flat_circle(std::span<const Argument> arguments) {
+  constexpr std::size_t kNumbers = 4;
+  return arguments.size() == kNumbers && find_word_argument(arguments) == nullptr;
+}
+
+ArcStatement flat_arc(const Dialect& dialect, std::span<const Argument> arguments, double mm_per_unit) {
+  ArcStatement statement;
+  statement.center = Vec3(*arguments[0].number, *arguments[1].number, *arguments[2].number) * mm_per_unit;
+  statement.radius_mm = *arguments[3].number * mm_per_unit;
+  statement.rounding_mm = rounding_of_circle(dialect, arguments) * mm_per_unit;
+  return statement;
+}
+
+// Start and end differ by no more than coordinates are rounded, and the stated radius from both by no more than they do.
+bool fits_radius(const ArcStatement& statement, double start_mm, double end_mm) {
+  const double rounding_mm = std::clamp(kRadiusError * statement.rounding_mm, kLeastRadiusError_mm, kEndsError_mm);
+  const double ends_mm = std::abs(start_mm - end_mm);
+  const double stated = statement.radius_mm.value_or(start_mm);
+  const double stated_mm = std::max(std::abs(start_mm - stated), std::abs(end_mm - stated));
+  return ends_mm <= kEndsError_mm && stated_mm <= std::max(rounding_mm, 2 * ends_mm);
+}
 
 }  // namespace
 
@@ -108,8 +145,11 @@ ArcStatement unreadable_arc(std::string_view problem) {
 
 ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> arguments, double mm_per_unit) {
   ArcStatement statement;
-  if (has_repeated_word(arguments) || has_damaged_argument(arguments) || !has_known_form(dialect.arc_form, arguments))
+  const bool is_flat = dialect.has_flat_circles && is_flat_circle(arguments);
+  if (has_repeated_word(arguments) || has_damaged_argument(arguments) ||
+      !(is_flat || has_known_form(dialect.arc_form, arguments)))
     return unreadable_arc(ArcProblems::kForm);
+  if (is_flat) return flat_arc(dialect, arguments, mm_per_unit);
   if (!read_circle(arguments, statement)) return unreadable_arc(ArcProblems::kForm);
   if (dialect.arc_form == ArcForm::nci && has_argument(arguments, "ZXPLAN"))
     return unreadable_arc(ArcProblems::kXzPlane);
@@ -118,6 +158,7 @@ ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> argument
   statement.axis /= length;
   statement.center *= mm_per_unit;
   if (statement.radius_mm) *statement.radius_mm *= mm_per_unit;
+  statement.rounding_mm = rounding_of_circle(dialect, arguments) * mm_per_unit;
   statement.sense = dialect.arc_sense;
   const bool has_word = has_argument(arguments, "CLOCKWISE") || has_argument(arguments, "COUNTERCLOCKWISE");
   const bool has_sense =
@@ -166,6 +207,7 @@ std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, doub
   tlon.radius_mm = *arguments[5].number * mm_per_unit;
   tlon.end = vector_at(size - 3);
   tlon.is_beyond_half = is_second;
+  tlon.rounding_mm = rounding_of_points(arguments) * mm_per_unit;
   return tlon;
 }
 
@@ -179,6 +221,7 @@ ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start, const std
   statement.center = tlon.center;
   statement.axis = radial.cross(direction).normalized();
   statement.radius_mm = tlon.radius_mm;
+  statement.rounding_mm = tlon.rounding_mm;
   statement.sense = ArcSense::right_handed;
   const ArcFit fit = fit_arc(statement, start, tlon.end);
   if (!fit.problem.empty()) return statement;
@@ -203,7 +246,7 @@ ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end
   const double r0 = a.norm(), r1 = b.norm();
   const double stated = statement.radius_mm.value_or(r0);
   fit.radius_error_mm = std::max({std::abs(r0 - r1), std::abs(r0 - stated), std::abs(r1 - stated)});
-  if (!(fit.radius_error_mm <= kRadiusError_mm)) fit.problem = ArcProblems::kRadius;
+  if (!fits_radius(statement, r0, r1)) fit.problem = ArcProblems::kRadius;
   if (!(std::min(r0, r1) > kSamePoint_mm)) fit.problem = ArcProblems::kPoint;
   if (statement.sense == ArcSense::unknown) fit.problem = ArcProblems::kSense;
   if (!fit.problem.empty()) return fit;
@@ -214,14 +257,15 @@ ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end
   double sweep = 2 * kPi;
   if (!is_full) sweep = positive(sign * std::atan2(statement.axis.dot(a.cross(b)), a.dot(b)));
   const double tiny = statement.turns > 1 ? kTurnsChord_mm : kTinyChord_mm;
-  const bool is_tiny = !is_full && chord <= std::min(tiny, 0.1 * r0);
+  const double nearest = sweep > kPi && statement.turns == 1 ? kNearFull_mm : tiny;
+  const bool is_tiny = !is_full && chord <= std::min(nearest, 0.1 * r0);
   if (statement.turns > 1) {
     if (!is_full && !is_tiny) fit.problem = ArcProblems::kTimes;
-    if (sweep < kPi) sweep += 2 * kPi;
+    if ((is_full || is_tiny) && sweep < kPi) sweep += 2 * kPi;
     sweep += 2 * kPi * (statement.turns - 1);
   } else if (statement.sweep_rad) {
     sweep += 2 * kPi * std::round((*statement.sweep_rad - sweep) / (2 * kPi));
-    const double allowed = kAngleError_rad + 2 * kRadiusError_mm / r0;
+    const double allowed = kAngleError_rad + 2 * kNearFull_mm / r0;
     if (std::abs(sweep - *statement.sweep_rad) > allowed || *statement.sweep_rad > 2 * kPi * kMostTurns) {
       fit.problem = ArcProblems::kAngle;
     }

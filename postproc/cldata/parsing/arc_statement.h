@@ -25,6 +25,7 @@ struct ArcProblems {
   static constexpr const char* kTimes =
       "TIMES on an arc that does not end above its start: whether its part of a turn counts as one the file does not "
       "say";
+  static constexpr const char* kSlope = "the arc does not rise as far as its ARCSLP states";
   static constexpr const char* kTangent = "the arc's start direction (INDIRV) does not touch its circle";
   static constexpr const char* kHalf = "the arc's length and its ON,INTOF word contradict each other";
   static constexpr const char* kXzPlane =
@@ -40,6 +41,7 @@ struct ArcStatement {
   std::optional<double> radius_mm;
   std::optional<double> sweep_rad;  ///< stated, without sign
   int turns = 1;                    ///< TIMES
+  double rounding_mm = 0;           ///< how far each of its numbers, and of those of its ends, may be off
   ArcSense sense = ArcSense::unknown;
   std::string_view problem;  ///< one of ArcProblems: then the rest says nothing; empty: none
 };
@@ -55,6 +57,7 @@ struct ArcStatement {
 struct TlonStatement {
   Vec3 center = Vec3::Zero(), end = Vec3::Zero();
   double radius_mm = 0;
+  double rounding_mm = 0;       ///< how far each number may be off
   bool is_beyond_half = false;  ///< ON,2,INTOF: the second crossing of the line
 };
 
@@ -75,7 +78,8 @@ struct ArcFit {
 };
 
 /// Ensures  the sweep ends at `end` exactly; start = end is a full circle.
-/// Errors   problem: kForm and its like from the statement; kRadius beyond 0.02 mm, kPoint, kTiny, kAngle,
+/// Errors   problem: kForm and its like from the statement; kRadius where start and end differ by more than 0.008 mm, or the stated radius from them by more than they do
+///          and 0.001 mm, or six times the rounding of the numbers, kPoint, kTiny, kAngle,
 ///          kTimes, and kSense when the sense is unknown.
 [[nodiscard]] ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end);
 

@@ -55,6 +55,23 @@ std::string check_radius(double d, double r) {
   return "corner radius " + exact_text(r) + " is larger than half the diameter " + exact_text(d);
 }
 
+// A corner circle about `e` would reach out farther than the diameter has the cutter; where e may be the diameter of the
+// tip, that is no contradiction.
+bool reaches_beyond(double d, double r, double e, bool has_tip_diameter) {
+  const bool is_tip_diameter = has_tip_diameter && std::abs(e - (d - 2 * r)) <= 2 * kRadiusRounding;
+  return !is_tip_diameter && e + r > d / 2 + 2 * kRadiusRounding;
+}
+
+CutterOutcome contradictory(double d, double r, double e) {
+  return {std::nullopt,
+          0,
+          {},
+          "CUTTER whose third number " + exact_text(e) + " has the corner circle reach beyond half the diameter " +
+              exact_text(d) + " (corner radius " + exact_text(r) +
+              ") contradicts itself: define the tool in the tool library",
+          false};
+}
+
 CutterOutcome wrong(std::string error) { return {std::nullopt, 0, std::move(error), {}, false}; }
 
 }  // namespace
@@ -80,6 +97,7 @@ CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_uni
   cutter.given = static_cast<int>(count);
   if (is_plain) {
     if (std::string error = check_radius(v[0], v[1]); !error.empty()) return wrong(std::move(error));
+    if (count == 7 && reaches_beyond(v[0], v[1], v[2], has_tip_diameter)) return contradictory(v[0], v[1], v[2]);
     cutter.r_mm = std::min(cutter.r_mm, cutter.d_mm / 2);
     cutter.e_mm = cutter.d_mm / 2 - cutter.r_mm;
     cutter.f_mm = cutter.r_mm;

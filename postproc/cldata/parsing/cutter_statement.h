@@ -22,7 +22,7 @@ struct CutterOutcome {
 };
 
 /// CUTTER/d | d,r | d,r,e,f,alpha,beta,h. Where alpha = beta = 0, e and f follow from d and r, because CAM
-/// systems disagree about what they write there;
+/// systems disagree about what they write there; an e whose corner circle would reach beyond d/2 contradicts d and r;
 /// with `has_tip_diameter` (Dialect) also where they are not, because e is then the diameter of the tip. A corner
 /// radius beyond d/2 by rounding only is taken as d/2.
 [[nodiscard]] CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_unit,

@@ -75,6 +75,32 @@ DrillCycle make(double clearance, double bottom, const Retract& retract) {
   return cycle;
 }
 
+bool is_unit_of_feed(std::string_view word) {
+  return is_one_of(word, std::array<std::string_view, 6>{"MMPM", "MMPR", "IPM", "IPR", "PERMIN", "PERREV"});
+}
+
+bool is_numbers_alone(Arguments arguments) {
+  return std::ranges::all_of(arguments, [](const Argument& a) { return a.number.has_value(); });
+}
+
+// Cycles that go down in steps, for whose depth one number more may stand.
+bool is_pecking(Arguments arguments) {
+  return is_one_of(arguments.front().text, std::array<std::string_view, 2>{"DEEP", "BRKCHP"}) && arguments.size() == 4;
+}
+
+// IBM's and Creo's fixed form: kind, depth, feed and its unit in either order, and the clearance; for a tap the pitch
+// before it, for pecks their depth behind it.
+bool is_fixed_form(Arguments arguments) {
+  constexpr std::size_t kFewest = 5;
+  if (arguments.size() < kFewest || arguments.size() > kFewest + 1 || !arguments[1].number) return false;
+  const bool is_unit_first = is_unit_of_feed(arguments[2].text) && arguments[3].number;
+  const bool is_feed_first = arguments[2].number && is_unit_of_feed(arguments[3].text);
+  if (!is_unit_first && !is_feed_first) return false;
+  const std::string_view kind = arguments.front().text;
+  const bool has_more = is_one_of(kind, kTapping) || is_one_of(kind, std::array<std::string_view, 2>{"DEEP", "BRKCHP"});
+  return is_numbers_alone(arguments.subspan(4)) && (arguments.size() == kFewest || has_more);
+}
+
 // A height's word with a letter wrong, or its number run into it: what it said is lost.
 bool is_damaged_height(const Argument& argument) {
   if (argument.number || argument.text.empty()) return false;
@@ -100,7 +126,8 @@ bool contradicts_itself(CycleForm form, Arguments arguments) {
   }
   if (has_damaged_argument(arguments) || std::ranges::any_of(arguments, is_damaged_height)) return true;
   // Their numbers have positions, not words, or are read one by one.
-  if (form == CycleForm::clt || form == CycleForm::ncl) return false;
+  if (form == CycleForm::clt || form == CycleForm::ncl || form == CycleForm::unknown || is_fixed_form(arguments))
+    return false;
   for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
     const bool is_height = is_one_of(arguments[i].text, kHeights);
     if (is_height && arguments[i + 1].number && arguments[i + 2].number) return true;
@@ -116,12 +143,12 @@ struct CycleWord {
 
 // Words that say no more than is read of them, or how the feed, the pecks and the dwell are: nothing of where the tool
 // goes. THRU, TIP, TOP or OFFSET of other post-processors would move the bottom or the tool.
-constexpr auto kCycleWords =
-    std::to_array<CycleWord>({{"FEDTO", 1, 1},   {"DEPTH", 1, 1},  {"RAPTO", 1, 1}, {"CLEAR", 1, 1},   {"RTRCTO", 0, 1},
-                              {"RETURN", 0, 1},  {"AUTO", 0, 0},   {"STEP", 0, 3},  {"1STPECK", 1, 1}, {"STPECK", 1, 1},
-                              {"SUBPECK", 1, 1}, {"PECK", 1, 2},   {"INCR", 1, 2},  {"DWELL", 0, 1},   {"REV", 0, 1},
-                              {"FEDRAT", 0, 1},  {"MMPM", 0, 1},   {"IPM", 0, 1},   {"MMPR", 0, 1},    {"IPR", 0, 1},
-                              {"PERMIN", 0, 1},  {"PERREV", 0, 1}, {"TPI", 1, 1},   {"RPM", 0, 1},     {"DRAG", 0, 0}});
+constexpr auto kCycleWords = std::to_array<CycleWord>(
+    {{"FEDTO", 1, 1}, {"DEPTH", 1, 1}, {"RAPTO", 1, 1},   {"CLEAR", 1, 1},  {"RTRCTO", 0, 1},  {"RETURN", 0, 1},
+     {"AUTO", 0, 0},  {"STEP", 0, 3},  {"1STPECK", 1, 1}, {"STPECK", 1, 1}, {"SUBPECK", 1, 1}, {"PECK", 1, 2},
+     {"INCR", 1, 2},  {"DWELL", 0, 1}, {"REV", 0, 1},     {"FEDRAT", 0, 1}, {"MMPM", 0, 1},    {"IPM", 0, 1},
+     {"MMPR", 0, 1},  {"IPR", 0, 1},   {"PERMIN", 0, 1},  {"PERREV", 0, 1}, {"TPI", 1, 1},     {"RPM", 0, 1},
+     {"DRAG", 0, 0},  {"TIMES", 1, 1}, {"ON", 0, 0},      {"CSINK", 1, 1}});
 
 // CAMWorks CLT: the numbers have positions behind these words.
 constexpr auto kCltWords = std::to_array<CycleWord>({{"G98", 1, 1},
@@ -161,7 +188,9 @@ std::size_t numbers_after(Arguments arguments, std::size_t at) {
 // beside the first (DRILL,DEEP); CATIA's default table writes its two numbers without words.
 bool has_only_known_words(CycleForm form, Arguments arguments) {
   std::size_t at = 1;
-  if (form == CycleForm::catia && arguments.size() > 1 && arguments[1].number) return arguments.size() == 3;
+  if (is_fixed_form(arguments)) return true;
+  if (form == CycleForm::catia && arguments.size() > 1 && arguments[1].number)
+    return arguments.size() == 3 || (is_pecking(arguments) && is_numbers_alone(arguments.subspan(1)));
   const std::span<const CycleWord> words = cycle_words(form);
   while (at < arguments.size()) {
     const std::size_t count = numbers_after(arguments, at);
@@ -174,13 +203,46 @@ bool has_only_known_words(CycleForm form, Arguments arguments) {
   return true;
 }
 
+// A depth below the position whatever its sign; the clearance is the last number but for the step of pecks.
+std::optional<DrillCycle> read_fixed(Arguments arguments) {
+  const bool is_tap = is_one_of(arguments.front().text, kTapping);
+  const double clearance = is_tap ? *arguments.back().number : *arguments[4].number;
+  if (clearance < 0) return std::nullopt;
+  return make(clearance, -std::abs(*arguments[1].number), read_retract(arguments, {}));
+}
+
+// Autodesk's post: kind, depth, unit, feed, clearance, then words. Its kernel gives the bottom of the hole and the
+// clearance as a plane; the standard has the top and a height above it.
+std::optional<DrillCycle> read_bounds(Arguments arguments) {
+  constexpr std::size_t kFixed = 5;
+  if (arguments.size() < kFixed || !arguments[1].number || !is_unit_of_feed(arguments[2].text)) return std::nullopt;
+  if (!arguments[3].number || !arguments[4].number || *arguments[1].number < 0) return std::nullopt;
+  const double depth = *arguments[1].number, clearance = *arguments[4].number;
+  double lower = 0;
+  for (std::size_t i = kFixed; i < arguments.size(); i += 2) {
+    constexpr std::array<std::string_view, 5> kWithNumber = {"RAPTO", "DWELL", "STEP", "INCR", "TPI"};
+    if (!is_one_of(arguments[i].text, kWithNumber) || i + 1 >= arguments.size() || !arguments[i + 1].number)
+      return std::nullopt;
+    if (equals_ignoring_case(arguments[i].text, "RAPTO")) lower = *arguments[i + 1].number;
+  }
+  if (clearance < 0 || lower < 0) return std::nullopt;
+  DrillCycle cycle = make(depth + clearance + lower, -depth, {});
+  cycle.is_bounding = true;
+  cycle.is_retract_stated = true;
+  cycle.levels_mm = {clearance, lower, depth + clearance, depth + lower, depth + clearance + lower};
+  cycle.planes_mm = {clearance, clearance - lower};
+  return cycle;
+}
+
 // FEDTO is a height (negative below the position), RAPTO, or CLEAR in its place, and RTRCTO are heights above it.
 std::optional<DrillCycle> read_nx(Arguments arguments) {
   if (has_argument(arguments, "RAPTO") && has_argument(arguments, "CLEAR")) return std::nullopt;
-  const std::optional<double> bottom = number_after(arguments, "FEDTO");
+  const std::optional<double> bottom = number_after(arguments, "FEDTO"), csink = number_after(arguments, "CSINK");
   const std::optional<double> clearance = after_either(arguments, "RAPTO", "CLEAR");
-  if (!bottom || !clearance) return std::nullopt;
-  return make(*clearance, *bottom, read_retract(arguments, "RTRCTO"));
+  if (!(bottom || csink) || (bottom && csink) || !clearance || (csink && !(*csink > 0))) return std::nullopt;
+  DrillCycle cycle = make(*clearance, bottom.value_or(0), read_retract(arguments, "RTRCTO"));
+  cycle.csink_mm = csink.value_or(0);
+  return cycle;
 }
 
 // FEDTO is a depth below the position; CAMplete leaves a RAPTO of 0 out, and its CLEAR is no height above it.
@@ -232,9 +294,13 @@ std::optional<DrillCycle> read_generic(Arguments arguments) {
   const std::optional<double> clearance = after_either(arguments, "RAPTO", "CLEAR");
   if (!depth || !clearance) return std::nullopt;
   const std::optional<double> rapto = number_after(arguments, "RAPTO"), clear = number_after(arguments, "CLEAR");
-  if (rapto && clear && std::abs(*rapto - *clear) > 0) return std::nullopt;
   const bool has_rtrcto = has_argument(arguments, "RTRCTO");
-  return make(*clearance, -std::abs(*depth), has_rtrcto ? read_retract(arguments, "RTRCTO") : read_return(arguments));
+  const Retract retract = has_rtrcto ? read_retract(arguments, "RTRCTO") : read_return(arguments);
+  // ISO 4343 has both: which of them begins the feed matters to no path, where the tool rises above both.
+  const double highest = std::max(*clearance, clear.value_or(*clearance));
+  const bool differ = rapto && clear && std::abs(*rapto - *clear) > 0;
+  if (differ && !(retract.height && *retract.height >= highest)) return std::nullopt;
+  return make(highest, -std::abs(*depth), retract);
 }
 
 // NCCS: the cycles whose tool goes straight down and up, as its post-processor makes them. BORE9 and SHIFT move
@@ -267,6 +333,8 @@ std::optional<DrillCycle> read_nccs(Arguments arguments) {
 }
 
 std::optional<DrillCycle> read_heights(CycleForm form, Arguments arguments) {
+  const bool may_be_fixed = form == CycleForm::any || form == CycleForm::creo;
+  if (is_fixed_form(arguments)) return may_be_fixed ? read_fixed(arguments) : std::nullopt;
   switch (form) {
     case CycleForm::any:
       return read_generic(arguments);
@@ -290,47 +358,7 @@ std::optional<DrillCycle> read_heights(CycleForm form, Arguments arguments) {
   return std::nullopt;
 }
 
-// The words of NX with one value each: a number, or AUTO.
-constexpr std::array<std::string_view, 14> kNxValues = {"FEDTO", "RAPTO", "CLEAR", "RTRCTO", "STEP", "DWELL", "MMPM",
-                                                        "MMPR",  "IPM",   "IPR",   "CAM",    "INCR", "CSINK", "TPI"};
-
-bool is_height_above(std::string_view word) {
-  return equals_ignoring_case(word, "RAPTO") || equals_ignoring_case(word, "CLEAR");
-}
-
-bool is_feed_unit(std::string_view word) {
-  return is_one_of(word, std::array<std::string_view, 5>{"MMPM", "MMPR", "IPM", "IPR", "TPI"});
-}
-
-// Which of two words stands in the other's place.
-bool replaces(std::string_view word, std::string_view other) {
-  return equals_ignoring_case(word, other) || (is_height_above(word) && is_height_above(other)) ||
-         (is_feed_unit(word) && is_feed_unit(other));
-}
-
 }  // namespace
-
-std::optional<std::vector<Argument>> changed_cycle(Arguments cycle, Arguments changes) {
-  std::vector<Argument> changed(cycle.begin(), cycle.end());
-  for (std::size_t i = 0; i < changes.size(); i += 2) {
-    const std::string_view word = changes[i].text;
-    const bool has_value =
-        i + 1 < changes.size() && (changes[i + 1].number || equals_ignoring_case(changes[i + 1].text, "AUTO"));
-    if (!is_one_of(word, kNxValues) || !has_value) return std::nullopt;
-    for (std::size_t before = 0; before < i; before += 2) {
-      if (replaces(word, changes[before].text)) return std::nullopt;
-    }
-    const auto old = std::ranges::find_if(changed, [&](const Argument& a) { return replaces(word, a.text); });
-    if (old != changed.end()) {
-      const bool had_value =
-          old + 1 != changed.end() && ((old + 1)->number || equals_ignoring_case((old + 1)->text, "AUTO"));
-      changed.erase(old, old + (had_value ? 2 : 1));
-    }
-    changed.push_back(changes[i]);
-    changed.push_back(changes[i + 1]);
-  }
-  return changed;
-}
 
 std::optional<DrillCycle> read_cycle(CycleForm form, std::span<const Argument> arguments, double mm_per_unit) {
   if (arguments.empty()) return std::nullopt;
@@ -339,9 +367,14 @@ std::optional<DrillCycle> read_cycle(CycleForm form, std::span<const Argument> a
   for (const Argument& argument : arguments) {
     if (is_one_of(argument.text, kSideways)) return std::nullopt;
   }
-  if (contradicts_itself(form, arguments) || !has_only_known_words(form, arguments)) return std::nullopt;
-  std::optional<DrillCycle> cycle = read_heights(form, arguments);
-  if (!cycle) return std::nullopt;
+  if (contradicts_itself(form, arguments)) return std::nullopt;
+  const bool is_bounding = form == CycleForm::unknown;
+  if (!is_bounding && !has_only_known_words(form, arguments)) return std::nullopt;
+  std::optional<DrillCycle> cycle = is_bounding ? read_bounds(arguments) : read_heights(form, arguments);
+  if (!cycle || (cycle->csink_mm > 0 && form != CycleForm::nx)) return std::nullopt;
+  cycle->csink_mm *= mm_per_unit;
+  for (double& mm : cycle->levels_mm) mm *= mm_per_unit;
+  for (double& mm : cycle->planes_mm) mm *= mm_per_unit;
   cycle->feed = read_cycle_feed(arguments, mm_per_unit);
   cycle->is_tapping = is_one_of(type, kTapping) || has_argument(arguments, "TAP");
   cycle->is_fed_out = cycle->is_tapping || is_one_of(type, kFedOut);

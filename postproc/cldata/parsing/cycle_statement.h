@@ -23,6 +23,13 @@ struct DrillCycle {
   bool is_fed_out = false;        ///< up again at the feed, not at rapid
   bool is_tapping = false;        ///< the spindle turns back on the path up
   bool is_retract_stated = true;  ///< false: taken as the clearance, because the statement says nothing of it
+  double csink_mm = 0;            ///< NX: the diameter at which a pointed tool stops, in place of the bottom; else 0
+  /// The position is the top of the hole or its bottom, and the clearance a height above it or a plane of the frame: what
+  /// is read are the bottom of the one and the top of the other.
+  bool is_bounding = false;
+  std::vector<double>
+      levels_mm;  ///< where is_bounding: heights above the position at which the tool may be between holes
+  std::vector<double> planes_mm;  ///< the same as planes of the frame
   bool is_retract_known = true;   ///< false: a plane the statement names without its height, no lower than retract_mm
 };
 

@@ -31,7 +31,8 @@ constexpr auto kRows = std::to_array<KnownArguments>({
      6},
     {Word::opskip, "ON OFF ALL", 1},
     {Word::select, "TOOL NEXT HEAD", 2},
-    {Word::toolno, "MILL DRILL TURN LENGTH OSETNO MANUAL ADJUST AUTO", 8},
+    {Word::toolno,
+     "MILL DRILL TURN LENGTH OSETNO MANUAL ADJUST AUTO MMPM MMPR IPM IPR RPM SFM SMM CLW CCLW ON OFF NOTE", 12},
 });
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "postproc/cldata/interpreting/interpreter.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/language/text.h"
+#include "postproc/cldata/language/words.h"
 #include "postproc/cldata/lexing/statement_reader.h"
 #include "postproc/cldata/reading/assume_file.h"
 #include "postproc/cldata/reading/foreign_file.h"
@@ -87,6 +88,29 @@ std::size_t find_break(std::string_view bytes) {
   return bytes.size();
 }
 
+// What begins a statement: a word and what follows it.
+bool begins_statement(std::string_view text) {
+  text = trim(text.substr(0, text.find('\n')));
+  const auto letters = static_cast<std::size_t>(std::ranges::find_if_not(text, is_letter) - text.begin());
+  return letters > 0 && find_word(text.substr(0, letters)) != Word::unknown;
+}
+
+// Where a character that separates lines in Unicode (NEL, LS, PS) stands within a line, or the end. Byte 133 alone is
+// NEL of one code page and a character of others: only before a statement does it count.
+std::size_t find_separator(std::string_view bytes) {
+  constexpr char kNel = '\x85', kLs = '\xa8', kPs = '\xa9';
+  for (std::size_t at = bytes.find_first_of("\x85\xa8\xa9"); at != std::string_view::npos;
+       at = bytes.find_first_of("\x85\xa8\xa9", at + 1)) {
+    const bool is_nel = bytes[at] == kNel && at > 0 && bytes[at - 1] == '\xc2';
+    const bool is_separator = (bytes[at] == kLs || bytes[at] == kPs) && bytes.substr(0, at).ends_with("\xe2\x80");
+    const std::string_view rest = bytes.substr(at + 1);
+    const bool is_within = !trim(rest.substr(0, rest.find('\n'))).empty();
+    const bool is_alone = bytes[at] == kNel && !is_nel && begins_statement(rest);
+    if (((is_nel || is_separator) && is_within) || is_alone) return at;
+  }
+  return bytes.size();
+}
+
 std::size_t line_of(std::string_view bytes, std::size_t at) {
   const std::string_view before = bytes.substr(0, at);
   return static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
@@ -121,6 +145,12 @@ std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_v
     if (auto sentence = describe_foreign(bytes)) return make_error("path-not-cl-data", std::move(*sentence), file);
   }
   if (dialect.form == FileForm::nccs_records) return std::nullopt;
+  if (const std::size_t at = find_separator(bytes); at < bytes.size()) {
+    return make_error("path-line-end",
+                      "a line separator of Unicode (NEL, LS or PS) stands within this line; expected lines that end "
+                      "with LF or CR LF: save the file so",
+                      file, line_of(bytes, at));
+  }
   const std::size_t control = find_control(bytes);
   const std::size_t amid = control == bytes.size() ? find_break(bytes) : control;
   if (amid == bytes.size()) return std::nullopt;

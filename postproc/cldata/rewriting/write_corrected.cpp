@@ -26,6 +26,7 @@ class CorrectedWriter {
         goto_text_(path, read_),
         arc_text_(path, read_),
         is_axis_modal_(dialect_called(path.dialect).value_or(Dialect{}).is_axis_modal),
+        is_axis_left_(!dialect_called(path.dialect).value_or(Dialect{}).has_known_plain_axis),
         has_no_axes_(!is_axis_modal_ &&
                      std::ranges::none_of(records_, [](const MotionRecord& r) { return r.numbers == 6; })),
         changes_(path.moves.size(), changes),
@@ -56,6 +57,10 @@ class CorrectedWriter {
   [[nodiscard]] bool is_axis_kept(const MotionRecord& record) const {
     return record.numbers == 6 || (record.form == PositionForm::curve && is_axis_usual_ && !is_axis_modal_);
   }
+  // The axis that was written last is what a position without one would be read with, or may be.
+  [[nodiscard]] bool keeps_axis(const MotionRecord& record) const {
+    return is_axis_modal_ || (is_axis_left_ && (record.is_multax_off || has_no_axes_));
+  }
   [[nodiscard]] std::string rapid_line(const MotionRecord& record) const;
   [[nodiscard]] std::string insertions(std::size_t move);
   [[nodiscard]] std::string in_place(std::size_t first, std::size_t last);
@@ -68,7 +73,8 @@ class CorrectedWriter {
   GotoText goto_text_;
   ArcText arc_text_;
   bool is_axis_modal_;
-  bool has_no_axes_;  // no position of the file has one, and none keeps that of another
+  bool is_axis_left_;  // a position without axis behind MULTAX/OFF has, or may have, that of the one before
+  bool has_no_axes_;   // no position of the file has one, and none keeps that of another
   ChangeTable changes_;
   ReplacedStatements replaced_;
   std::vector<std::string> inserted_arcs_;  // what describes those of the move being written; nothing: straight
@@ -175,7 +181,7 @@ bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const
       record.form == PositionForm::godlta || (record.form == PositionForm::cycle && record.numbers == 0);
   if (is_step) return first > 0 && changes_.has_new_end(first - 1);
   if (record.form == PositionForm::unread) return false;
-  const bool relies_on_axis = is_axis_modal_ && (record.numbers == 3 || record.form == PositionForm::curve);
+  const bool relies_on_axis = keeps_axis(record) && (record.numbers == 3 || record.form == PositionForm::curve);
   return relies_on_axis && !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
 }
 
@@ -184,7 +190,7 @@ bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const
 WrittenPosition CorrectedWriter::written(const MotionRecord& record, const Pose& local, bool is_axis_kept) {
   WrittenPosition position;
   position.tip = local.tip / record.frame->mm_per_unit;
-  const Vec3& implied = is_axis_modal_ ? axis_written_ : record.implied_axis_local;
+  const Vec3& implied = keeps_axis(record) ? axis_written_ : record.implied_axis_local;
   if (is_axis_kept || !goto_text_.is_same_axis(local.axis, implied)) position.axis = local.axis;
   axis_written_ = local.axis;
   return position;
@@ -248,6 +254,7 @@ std::string CorrectedWriter::in_place(std::size_t first, std::size_t last) {
 std::string CorrectedWriter::one_by_one(std::size_t first, std::size_t last) {
   std::string text;
   for (std::size_t i = first; i < last; ++i) {
+    if (i > first && records_[i].form == PositionForm::unread) continue;  // another reading of the one before
     text += insertions(i);
     const WrittenPosition position = written(records_[i], local_end(i), is_axis_kept(records_[i]));
     text += framed(records_[i], position, goto_text_.fresh(position));
@@ -270,7 +277,7 @@ std::optional<Diagnostic> CorrectedWriter::find_stuck(std::size_t first, std::si
   const bool is_curve =
       record.form == PositionForm::curve && !changes_.is_straightened(first) && !changes_.has_new_arc(first);
   const bool relies_on_axis =
-      is_axis_modal_ && record.numbers == 3 && !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
+      keeps_axis(record) && record.numbers == 3 && !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
   const bool is_cycle = record.form == PositionForm::cycle && (record.numbers == 0 || relies_on_axis);
   if (!is_curve && !is_cycle) return std::nullopt;
   return make_error("write-arc",

@@ -177,17 +177,22 @@ TEST(ReadCycles, TheToolGoesAcrossBeforeItGoesDownAndUpBeforeItGoesAcross) {
   const Toolpath path = path_of(
       "TRNTYP/WORLD,0,0,0\nGOTO/0,0,9.\nCYCLE/DRILL,FEDTO,2.,MMPM,1.,RAPTO,1.,RTRCTO,1.\n"
       "GOTO/5.,0,0\nGOTO/7.,0,4.\nCYCLE/OFF\nGOTO/0,0,9.\nFINI\n");
-  ASSERT_EQ(path.moves.size(), 10U);
+  ASSERT_EQ(path.moves.size(), 15U);
   expect_vector(path.moves[1].end.tip, 5, 0, 9);
   expect_vector(path.moves[2].end.tip, 5, 0, 1);
   expect_vector(path.moves[5].end.tip, 5, 0, 5);
   expect_vector(path.moves[6].end.tip, 7, 0, 5);
   for (std::size_t i = 1; i < 5; ++i) EXPECT_EQ(path.moves[i].line, 4U);
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
-    ASSERT_TRUE(path.moves[i].has_start);
-    EXPECT_EQ(path.start_of(i).tip, path.moves[i - 1].end.tip);
-    EXPECT_TRUE(path.moves[i].not_checked_reason.empty());
+    const bool is_on_the_way_up = i >= 5 && i < 12;  // first up and across, straight, or first across
+    EXPECT_EQ(path.moves[i].is_covered(), is_on_the_way_up);
+    EXPECT_EQ(path.moves[i].not_checked_reason.empty(), !is_on_the_way_up);
   }
+  EXPECT_FALSE(path.moves[7].has_start);
+  expect_vector(path.moves[8].end.tip, 7, 0, 5);
+  EXPECT_FALSE(path.moves[9].has_start);
+  expect_vector(path.moves[10].end.tip, 7, 0, 1);
+  expect_vector(path.moves[11].end.tip, 7, 0, 5);
 }
 
 TEST(ReadCycles, WhatCouldMeanTwoThingsIsNotChecked) {

@@ -124,9 +124,9 @@ TEST(ReadApt, SelectOnlyAnnouncesATool) {
   EXPECT_EQ(path.tools.at(0).number, 3);
 }
 
-TEST(ReadApt, AnArcOfNoKnownSenseHasAnEndAndIsNotChecked) {
+TEST(ReadApt, AnArcOfNoKnownSenseHasAnEndAndIsCoveredByItsCircle) {
   const Toolpath path = path_of("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/0,1,0\nGOTO/0,2,0\n");
-  EXPECT_TRUE(path.arcs.empty());
+  EXPECT_TRUE(path.moves[1].is_covered());
   EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
   EXPECT_EQ(path.moves[1].not_checked_reason, "nothing in the file states which way round its arcs run");
   ASSERT_TRUE(path.moves[2].has_start);

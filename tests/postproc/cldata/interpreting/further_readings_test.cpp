@@ -1,0 +1,201 @@
+// Statements with more than one reading: what is checked of each of them, and what is left unchecked.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "tests/postproc/cldata/path_of.h"
+
+namespace gouge {
+namespace {
+
+std::string apt(const std::string& text) { return "UNITS/MM\nCUTTER/10\nLOADTL/1\n" + text; }
+
+std::string catia(const std::string& text) {
+  return "$$ CATIA APT VERSION 1.0\nMULTAX/ON\nCUTTER/10\nLOADTL/1\n" + text + "END\n";
+}
+
+std::string nx(const std::string& text) {
+  return "TOOL PATH/A,TOOL,T\nTLDATA/MILL,10.,0.,50.,0.,0.\nFEDRAT/MMPM,100.\n" + text + "END-OF-PATH\n";
+}
+
+std::size_t unchecked(const Toolpath& path) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(path.moves, [](const Move& move) { return !move.not_checked_reason.empty(); }));
+}
+
+std::size_t covered(const Toolpath& path) {
+  return static_cast<std::size_t>(std::ranges::count_if(path.moves, &Move::is_covered));
+}
+
+TEST(LockedAxis, OfCatiaIsThatOfTheLastPositionWithFiveAxes) {
+  const Toolpath path = path_of(catia("GOTO/0,0,50,0.6,0,0.8\nMULTAX/OFF\nGOTO/0,0,5\nGOTO/9,0,5\n"));
+  ASSERT_EQ(path.moves.size(), 3U);
+  EXPECT_EQ(unchecked(path), 0U);
+  expect_vector(path.moves[2].end.axis, 0.6, 0, 0.8);
+}
+
+TEST(LockedAxis, OfCatiaEndsWithMultaxOn) {
+  const Toolpath path = path_of(
+      catia("FROM/0,0,50,0.6,0,0.8\nMULTAX/OFF\nGOTO/0,0,5\nMULTAX/ON\nGOTO/9,0,5,0,0,1\nMULTAX/OFF\nGOTO/9,0,4\n"));
+  ASSERT_EQ(path.moves.size(), 4U);
+  expect_vector(path.moves[1].end.axis, 0.6, 0, 0.8);
+  expect_vector(path.moves[3].end.axis, 0, 0, 1);
+}
+
+TEST(LockedAxis, IsNotKnownBehindAnotherFrame) {
+  const std::string turned = "$$*CATIA0\n$$ A\n$$ 0. -1. 0. 0.\n$$ 1. 0. 0. 0.\n$$ 0. 0. 1. 0.\n";
+  const Toolpath path = path_of(catia("GOTO/0,0,50,0.6,0,0.8\nMULTAX/OFF\nGOTO/0,0,5\n" + turned + "GOTO/9,0,5\n"));
+  ASSERT_EQ(path.moves.size(), 3U);
+  EXPECT_TRUE(path.moves[1].not_checked_reason.empty());
+  EXPECT_FALSE(path.moves[2].not_checked_reason.empty());
+}
+
+TEST(LockedAxis, IsNotKnownInAFileOfNoDialect) {
+  const Toolpath path = path_of(apt("MULTAX/ON\nGOTO/0,0,50,0.6,0,0.8\nMULTAX/OFF\nGOTO/0,0,5\nFINI\n"));
+  EXPECT_EQ(unchecked(path), 1U);
+  const Toolpath upright = path_of(apt("MULTAX/ON\nGOTO/0,0,50,0,0,1\nMULTAX/OFF\nGOTO/0,0,5\nFINI\n"));
+  EXPECT_EQ(unchecked(upright), 0U);
+}
+
+TEST(Nurbs, KeepsTheAxisOfItsControlPoints) {
+  const std::string begin =
+      "GOTO/0.,0.,9.\nNURBS/\nKNOT/1.\nCNTRL/1.,0.,9.,0.6,0.,0.8\nCNTRL/2.,0.,9.\nCNTRL/3.,0.,9.\n";
+  const Toolpath path = path_of(nx(begin + "GOTO/4.,0.,9.\n"));
+  ASSERT_EQ(path.moves.size(), 3U);
+  EXPECT_FALSE(path.moves[1].not_checked_reason.empty());  // its axis turns
+  expect_vector(path.moves[2].end.axis, 0.6, 0, 0.8);
+}
+
+TEST(Nurbs, OfAControlIsNotCheckedToItsEnd) {
+  const std::string curve = "BEGIN NURBS_SIEMENS(D=3,F=100);\nN0,XT=0.,YT=0.,ZT=9.,$\nXH=0.,YH=0.,ZH=10.;\n";
+  const Toolpath ended =
+      path_of(catia("GOTO/0,0,9,0,0,1\n" + curve + "END NURBS;\nGOTO/1,0,9,0,0,1\nGOTO/2,0,9,0,0,1\n"));
+  ASSERT_EQ(ended.moves.size(), 4U);
+  EXPECT_EQ(unchecked(ended), 2U);
+  const Toolpath open = path_of(catia("GOTO/0,0,9,0,0,1\n" + curve + "GOTO/1,0,9,0,0,1\nGOTO/2,0,9,0,0,1\n"));
+  EXPECT_EQ(unchecked(open), 3U);
+}
+
+TEST(Frame, OfScaledAxesIsNotChecked) {
+  const auto unchecked_in = [](const std::string& x) {
+    return unchecked(path_of(nx("MSYS/0.,0.,0.," + x + ",0.,1.0000000,0.\nGOTO/0.,0.,9.\n")));
+  };
+  EXPECT_EQ(unchecked_in("1.0000000,0.,0."), 0U);
+  EXPECT_EQ(unchecked_in("1.0000100,0.,0."), 1U);
+  EXPECT_EQ(unchecked_in("1.0000000,0.0001000,0."), 1U);
+}
+
+TEST(Arc, HasARadiusWithinTheRoundingOfItsNumbers) {
+  const auto unchecked_at = [](const std::string& radius) {
+    return unchecked(path_of(nx("GOTO/0.0000,0.0000,9.0000\nCIRCLE/5.0000,0.0000,9.0000,0.,0.,1.," + radius +
+                                ",0.06,0.5,10.,0.\nGOTO/10.0000,0.0000,9.0000\n")));
+  };
+  EXPECT_EQ(unchecked_at("5.0001"), 0U);
+  EXPECT_EQ(unchecked_at("5.0030"), 1U);
+}
+
+TEST(Arc, OfNoSenseIsCoveredByItsCircle) {
+  const Toolpath path = path_of(apt("GOTO/0,0,9\nCIRCLE/5,0,9,0,0,1,5\nGOTO/10,0,9\nFINI\n"));
+  ASSERT_EQ(path.moves.size(), 2U);
+  EXPECT_TRUE(path.moves[1].is_covered());
+  EXPECT_NEAR(path.arcs[path.moves[1].curve].sweep_rad, 3 * std::numbers::pi, 1e-12);
+}
+
+TEST(Arc, OfPartOfATurnAndTimesIsCheckedBothWays) {
+  const Toolpath path = path_of(
+      nx("GOTO/0.,0.,9.\nCIRCLE/5.,0.,9.,0.,0.,-1.,5.,0.06,0.5,10.,0.,TIMES,2\nGOTO/10.,0.,1.\nGOTO/20.,0.,1.\n"));
+  ASSERT_EQ(path.moves.size(), 5U);
+  EXPECT_EQ(covered(path), 3U);
+  EXPECT_NEAR(path.arcs[path.moves[1].curve].sweep_rad, -3 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR(path.arcs[path.moves[3].curve].sweep_rad, -5 * std::numbers::pi, 1e-9);
+  EXPECT_TRUE(path.moves[4].has_start);
+  EXPECT_TRUE(path.moves[4].not_checked_reason.empty());
+}
+
+TEST(BlockSkip, IsCheckedRunAndLeftOut) {
+  const Toolpath path = path_of(apt("GOTO/0,0,9\nOPSKIP/ON\nGOTO/0,0,20\nOPSKIP/OFF\nGOTO/9,0,20\nGOTO/9,0,9\nFINI\n"));
+  ASSERT_EQ(path.moves.size(), 6U);
+  EXPECT_EQ(covered(path), 4U);
+  expect_vector(path.moves[3].end.tip, 0, 0, 9);  // before the skip
+  EXPECT_FALSE(path.moves[3].has_start);
+  expect_vector(path.moves[4].end.tip, 9, 0, 20);
+  EXPECT_TRUE(path.moves[5].not_checked_reason.empty());
+}
+
+TEST(Cutcom, IsCoveredByAWideToolAcrossTheAxisAlone) {
+  const Toolpath path = path_of(apt("GOTO/0,0,9\nCUTCOM/LEFT\nGOTO/9,0,9\nCUTCOM/OFF\nGOTO/9,9,9\nGOTO/0,9,9\nFINI\n"));
+  ASSERT_EQ(path.moves.size(), 4U);
+  EXPECT_EQ(std::ranges::count_if(path.moves, &Move::needs_wide_tool), 2);
+  const Toolpath other = path_of(apt("GOTO/0,0,9\nCUTCOM/LEFT,YZPLAN\nGOTO/9,0,9\nCUTCOM/OFF\nFINI\n"));
+  EXPECT_EQ(covered(other), 0U);
+}
+
+TEST(Retract, GoesToTheClearancePlaneThatTheFileStates) {
+  const Toolpath path = path_of(apt("CLEARP/XYPLAN,50\nGOTO/0,0,9\nRETRCT\nGOTO/9,0,9\nGOTO/9,0,1\nFINI\n"));
+  ASSERT_EQ(path.moves.size(), 7U);
+  expect_vector(path.moves[1].end.tip, 0, 0, 50);
+  EXPECT_EQ(covered(path), 5U);
+  EXPECT_TRUE(path.moves[6].not_checked_reason.empty());
+}
+
+TEST(Copy, RepeatsTheMovesOfItsIndex) {
+  const Toolpath path =
+      path_of(apt("GOTO/0,0,9\nINDEX/1\nGOTO/1,0,9\nGOTO/2,0,9\nINDEX/1,NOMORE\nCOPY/1,TRANSL,0,10,0,2\nFINI\n"));
+  ASSERT_EQ(path.moves.size(), 7U);
+  EXPECT_EQ(unchecked(path), 0U);
+  expect_vector(path.moves[6].end.tip, 2, 20, 9);
+}
+
+TEST(Tool, NumberBehindALoadingMayBeReadyOnly) {
+  EXPECT_EQ(unchecked(path_of(apt("GOTO/0,0,9\nTOOLNO/4\nGOTO/9,0,9\nLOADTL/4\nGOTO/0,0,9\nFINI\n"))), 2U);
+  EXPECT_EQ(unchecked(path_of(apt("GOTO/0,0,9\nCUTTER/6\nGOTO/9,0,9\nLOADTL/4\nGOTO/0,0,9\nFINI\n"))), 1U);
+  EXPECT_EQ(unchecked(path_of(apt("GOTO/0,0,9\nCUTTER/6\nTOOLNO/4\nLOADTL/4\nGOTO/9,0,9\nFINI\n"))), 0U);
+}
+
+TEST(Numbers, WithABlankWithinNameNoTool) {
+  EXPECT_EQ(unchecked(path_of("UNITS/MM\nCUTTER/2 0\nLOADTL/1\nGOTO/0,0,9\nFINI\n")), 1U);
+  EXPECT_EQ(unchecked(path_of("UNITS/MM\nCUTTER/20\nTOOLNO/1 2\nGOTO/0,0,9\nFINI\n")), 1U);
+}
+
+TEST(Numbers, OfPositionAxisAndNormalAreNoThreePositions) {
+  EXPECT_EQ(unchecked(path_of(apt("GOTO/0,0,9,0.6,0,0.8,0,0,1\nFINI\n"))), 1U);
+  EXPECT_EQ(unchecked(path_of(apt("GOTO/0,0,9,5,0,9,9,0,9\nFINI\n"))), 0U);
+  EXPECT_EQ(unchecked(path_of(apt("GOTO/0,0,9,0,0,1\nGOTO/0,0,9,5,0,9,9,0,9\nFINI\n"))), 1U);
+}
+
+TEST(LastLine, WithoutAnEndIsWholeWhereItsDecimalsShowIt) {
+  EXPECT_EQ(unchecked(path_of(apt("GOTO/0.000,0.000,9.000\nGOTO/9.000,0.000,8.500"))), 0U);
+  EXPECT_EQ(unchecked(path_of(apt("GOTO/0.000,0.000,9.000\nGOTO/9.000,0.000,8.5"))), 1U);
+  EXPECT_EQ(unchecked(path_of(apt("GOTO/0,0,9\nGOTO/9,0,-1"))), 1U);
+  EXPECT_EQ(unchecked(path_of(apt("GOTO/0,0,9\nGOTO/9,0,-1\n"))), 0U);
+}
+
+TEST(Cycle, WhosePositionMayBeEitherEndOfTheHoleIsAColumn) {
+  const std::string begin = "MODE/MILL\nUNITS/MM\nMULTAX/OFF\nCUTTER/8\nLOADTL/1\nRAPID\nGOTO/0,0,60\n";
+  const Toolpath path = path_of(begin +
+                                "CYCLE/DRILL, 20, MMPM, 100, 3, RAPTO, 1\nGOTO/0,0,0\nGOTO/30,0,0\nCYCLE/OFF\n"
+                                "RAPID\nGOTO/30,0,60\nEND\n");
+  double lowest = 0;
+  for (const Move& move : path.moves) lowest = std::min(lowest, move.end.tip.z());
+  EXPECT_NEAR(lowest, -20, 1e-9);
+  EXPECT_EQ(covered(path), unchecked(path));
+  EXPECT_EQ(covered(path) + 1, path.moves.size());
+}
+
+TEST(Cards, HaveNumbersInTheirLastColumns) {
+  const auto card = [](std::string text, const std::string& number) {
+    text.resize(72, ' ');
+    return text + number + "\n";
+  };
+  const Toolpath path =
+      path_of(card("PARTNO A", "00000010") + card("UNITS/MM", "00000020") + card("CUTTER/10", "00000030") +
+              card("LOADTL/1", "00000040") + card("GOTO/1,2,3", "00000050") + card("FINI", "00000060"));
+  ASSERT_EQ(path.moves.size(), 1U);
+  EXPECT_EQ(unchecked(path), 0U);
+  expect_vector(path.moves[0].end.tip, 1, 2, 3);
+}
+
+}  // namespace
+}  // namespace gouge
