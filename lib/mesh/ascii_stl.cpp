@@ -58,19 +58,27 @@ class Words {
   // The rest of the line is a name, which may be anything; only a facet may stand behind it, since some
   // writers use no line ends at all.
   void skip_name() {
-    while (at_ < text_.size() && !is_line_end(text_[at_])) {
-      if (is_blank(text_[at_]) &&
-          (equals(text_.substr(at_ + 1, 13), "facet normal ") || equals(text_.substr(at_ + 1, 12), "facet outer "))) {
-        return;
-      }
-      ++at_;
-    }
+    for (; at_ < text_.size() && !is_line_end(text_[at_]); ++at_)
+      if (is_blank(text_[at_]) && is_facet_at(at_ + 1)) return;
   }
 
   [[nodiscard]] std::size_t line() const { return line_; }
   [[nodiscard]] std::size_t bytes_read() const { return at_; }
 
  private:
+  // Whether a facet begins there, and no name that has its words: it goes on to the loop, behind the three numbers of
+  // a normal if it has one.
+  [[nodiscard]] bool is_facet_at(std::size_t at) const {
+    if (!equals(text_.substr(at, 6), "facet ")) return false;
+    Words words(text_.substr(at + 6));
+    std::string_view word = words.next();
+    if (equals(word, "normal")) {
+      for (int k = 0; k < 3; ++k) words.next();
+      word = words.next();
+    }
+    return equals(word, "outer") && equals(words.next(), "loop");
+  }
+
   // Blanks, line ends, and lines that begin with '#', as some writers put them above the solid.
   void skip_space() {
     for (; at_ < text_.size(); ++at_) {
@@ -136,7 +144,7 @@ class AsciiParser {
       is_in_solid_ = true;
       return true;
     }
-    if (equals(word, "endsolid")) {
+    if (equals(word, "endsolid") || is_end_of(word, "solid")) {
       words_.skip_name();
       is_in_solid_ = false;
       return true;
@@ -145,13 +153,13 @@ class AsciiParser {
     return fail("expected 'facet' or 'endsolid', found " + quoted(word));
   }
 
+  // Three vertices between 'facet' and 'endfacet' are a triangle. Some writers leave out words between them, which
+  // say nothing of their own, or write 'end facet'.
   bool parse_facet() {
-    std::optional<Vec3> normal = Vec3(0, 0, 0);  // a facet may have none: it is never needed
-    if (!equals(words_.peek(), "outer")) {
-      if (!expect("normal")) return false;
-      normal = parse_normal();
-    }
-    if (!normal || !expect("outer") || !expect("loop")) return false;
+    Vec3 normal = Vec3(0, 0, 0);  // a facet may have none: it is never needed
+    if (!is_loop(words_.peek()) && !parse_normal(normal)) return false;
+    skip("outer");
+    if (!equals(words_.peek(), "vertex") && !expect("loop")) return false;
     std::array<Vec3, 3> triangle;
     for (int k = 0; k < 3; ++k) {
       if (!expect_vertex(k) || !parse_vertex(triangle[static_cast<std::size_t>(k)])) return false;
@@ -159,23 +167,53 @@ class AsciiParser {
     if (equals(words_.peek(), "vertex")) {
       return fail("a fourth vertex in " + facet() + "; expected triangles only: export it triangulated");
     }
-    if (!expect("endloop") || !expect("endfacet")) return false;
+    if (!parse_ends()) return false;
     soup_.triangles.push_back(triangle);
-    count_normal(soup_, soup_.triangles.size() - 1, triangle, *normal);
+    count_normal(soup_, soup_.triangles.size() - 1, triangle, normal);
     return true;
   }
 
+  static bool is_loop(std::string_view word) {
+    return equals(word, "outer") || equals(word, "loop") || equals(word, "vertex");
+  }
+
+  bool skip(std::string_view word) {
+    if (!equals(words_.peek(), word)) return false;
+    words_.next();
+    return true;
+  }
+
+  // Whether `word`, which was read, and the next one are "end" and `what`; the next one is then read too.
+  bool is_end_of(std::string_view word, std::string_view what) { return equals(word, "end") && skip(what); }
+
+  // 'endloop' and 'endfacet', of which one may be missing, and both where another facet or the end of the solid follows.
+  bool parse_ends() {
+    for (bool has_end_of_loop = false;;) {
+      Words ahead = words_;
+      std::string_view word = ahead.next();
+      if (word.empty()) return cut_off();
+      const bool is_apart = equals(word, "end");
+      if (is_apart) word = ahead.next();
+      const auto ends = [&](std::string_view joined) { return equals(word, is_apart ? joined.substr(3) : joined); };
+      if (ends("endsolid") || (!is_apart && (equals(word, "facet") || equals(word, "solid")))) return true;
+      const bool is_end_of_facet = ends("endfacet");
+      if (!is_end_of_facet && (has_end_of_loop || !ends("endloop")))
+        return expect(has_end_of_loop ? "endfacet" : "endloop");
+      words_ = ahead;
+      if (is_end_of_facet) return true;
+      has_end_of_loop = true;
+    }
+  }
+
   // Writers put "nan" and the like here for triangles without area; a normal is never needed.
-  std::optional<Vec3> parse_normal() {
-    Vec3 normal;
+  bool parse_normal(Vec3& normal) {
+    if (!skip("normal") && !parse_number(words_.peek())) return expect("normal");
     for (int k = 0; k < 3; ++k) {
-      if (equals(words_.peek(), "outer") || words_.peek().empty()) {
-        fail("the normal of " + facet() + " has " + std::to_string(k) + " numbers; expected 3");
-        return std::nullopt;
-      }
+      if (is_loop(words_.peek()) || words_.peek().empty())
+        return fail("the normal of " + facet() + " has " + std::to_string(k) + " numbers; expected 3");
       normal[k] = parse_number(words_.next()).value_or(0.0);
     }
-    return normal;
+    return true;
   }
 
   bool expect_vertex(int k) {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +10,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/mesh/ascii_stl.h"
+#include "lib/mesh/binary_stl.h"
 
 namespace gouge {
 namespace {
@@ -79,9 +78,6 @@ std::optional<std::string> describe_foreign_mesh(std::string_view bytes, bool is
   return std::nullopt;
 }
 
-constexpr std::size_t kHeaderSize = 84;
-constexpr std::size_t kTriangleSize = TriangleList::kRecordSize;
-
 bool is_text(std::string_view bytes) {
   return std::all_of(bytes.begin(), bytes.end(), [](char c) {
     return (c >= ' ' && c != '\x7f') || c == '\t' || c == '\n' || c == '\r' || c == '\f' ||
@@ -89,55 +85,41 @@ bool is_text(std::string_view bytes) {
   });
 }
 
-// Anything wrong with the size of a binary file: the error, or a note about tolerated bytes.
-Outcome check_size(std::string_view bytes, TriangleSoup& soup) {
-  const std::size_t stated = TriangleList::word_at(bytes, 80);
-  const std::size_t body = bytes.size() - kHeaderSize;
-  if (stated == 0 && body < kTriangleSize) {
-    return make_error("stl-no-triangles", "the binary STL holds no triangle; expected at least one", soup.name);
-  }
-  if (body / kTriangleSize < stated) {
-    return make_error("stl-truncated",
-                      "the header states " + count_text(stated, "triangle") + " (" +
-                          std::to_string(kHeaderSize + kTriangleSize * stated) + " bytes) but the file holds " +
-                          std::to_string(body / kTriangleSize) + " whole (" + std::to_string(bytes.size()) +
-                          " bytes); it is cut off or not an STL, export or copy it again",
-                      soup.name);
-  }
-  const std::string_view extra = bytes.substr(kHeaderSize + kTriangleSize * stated);
-  if (extra.empty()) return Done{};
-  const bool is_padding = std::all_of(extra.begin(), extra.end(), [](char c) { return c == '\0'; });
-  if (extra.size() >= kTriangleSize && !is_padding) {
-    return make_error("stl-trailing-data",
-                      "the header states " + count_text(stated, "triangle") + " but " +
-                          count_text(extra.size(), "byte") +
-                          " follow them; expected the file to end there, export it again",
-                      soup.name);
-  }
-  soup.notes.push_back(make_note("stl-trailing-bytes",
-                                 count_text(extra.size(), "byte") + " after the last triangle ignored", soup.name));
-  return Done{};
+bool is_plain_ascii(char c) { return (c >= ' ' && c <= '~') || c == '\t' || c == '\n' || c == '\r'; }
+
+// Whether every second of the first bytes, from `first`, is a character and the others are zero.
+bool alternates(std::string_view bytes, std::size_t first) {
+  constexpr std::size_t kBytesLookedAt = 16;
+  if (bytes.size() < kBytesLookedAt) return false;
+  for (std::size_t at = 0; at < kBytesLookedAt; at += 2)
+    if (!is_plain_ascii(bytes[at + first]) || bytes[at + 1 - first] != '\0') return false;
+  return true;
 }
 
-Result<TriangleSoup> parse_binary_stl(std::string_view bytes, const std::string& name,
-                                      std::shared_ptr<const void> keep) {
-  TriangleSoup soup;
-  soup.name = name;
-  soup.format = StlFormat::binary;
-  if (const Outcome size = check_size(bytes, soup); !size) return size.error();
-  const std::size_t count = TriangleList::word_at(bytes, 80);
-  soup.triangles = TriangleList(bytes.substr(kHeaderSize, kTriangleSize * count), std::move(keep));
-  for (std::size_t i = 0; i < count; ++i) {
-    const TrianglePoints triangle = soup.triangles[i];
-    const auto& [a, b, c] = triangle;
-    if (!a.allFinite() || !b.allFinite() || !c.allFinite()) {
-      return make_error("stl-bad-number",
-                        "triangle " + std::to_string(i + 1) + " of " + std::to_string(count) +
-                            " has a coordinate that is infinite or not a number; expected finite coordinates",
-                        name);
-    }
-    detail::count_normal(soup, i, triangle, TriangleList::vector_at(bytes, kHeaderSize + kTriangleSize * i));
+// The text of a file in UTF-16, with any other letter as '?', which only a name may hold. Nothing for any other file.
+std::optional<std::string> ascii_of_utf16(std::string_view bytes) {
+  const bool is_big = bytes.starts_with("\xfe\xff") || alternates(bytes, 1);
+  const bool is_little = bytes.starts_with("\xff\xfe") || alternates(bytes, 0);
+  if (is_big == is_little) return std::nullopt;
+  std::string text;
+  text.reserve(bytes.size() / 2);
+  for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
+    const char high = bytes[is_big ? at : at + 1];
+    const char low = bytes[is_big ? at + 1 : at];
+    const bool is_mark = at == 0 && (high == '\xfe' && low == '\xff');
+    if (!is_mark) text += high == '\0' && static_cast<unsigned char>(low) < 0x80 ? low : '?';
   }
+  if (bytes.size() % 2 != 0) text += '?';
+  return text;
+}
+
+Result<TriangleSoup> parse_utf16_stl(std::string_view text, const std::string& name, const ProgressCall& progress) {
+  if (!detail::looks_like_ascii_stl(text)) {
+    return make_error("stl-not-stl", "the file is UTF-16 text but not ASCII STL; expected it to begin with 'solid'",
+                      name);
+  }
+  Result<TriangleSoup> soup = detail::parse_ascii_stl(text, name, progress);
+  if (soup) soup->notes.push_back(make_note("stl-utf16", "the file is UTF-16 text; read as ASCII", name));
   return soup;
 }
 
@@ -148,10 +130,8 @@ Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name, 
   if (bytes.empty()) {
     return make_error("stl-empty", "the file is empty (0 bytes); expected a binary or ASCII STL", name);
   }
-  const bool has_header = bytes.size() >= kHeaderSize;
-  if (has_header && bytes.size() == kHeaderSize + kTriangleSize * TriangleList::word_at(bytes, 80)) {
-    return parse_binary_stl(bytes, name, std::move(keep));
-  }
+  if (detail::has_binary_stl_size(bytes)) return detail::parse_binary_stl(bytes, name, std::move(keep));
+  if (const std::optional<std::string> text = ascii_of_utf16(bytes)) return parse_utf16_stl(*text, name, progress);
   if (detail::looks_like_ascii_stl(bytes)) return detail::parse_ascii_stl(bytes, name, progress);
   const bool is_plain = is_text(bytes.substr(0, 4096));
   if (const auto foreign = describe_foreign_mesh(bytes, is_plain))
@@ -159,13 +139,13 @@ Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name, 
   if (is_plain) {
     return make_error("stl-not-stl", "the file is text but not ASCII STL; expected it to begin with 'solid'", name);
   }
-  if (!has_header) {
+  if (!detail::has_binary_stl_header(bytes)) {
     return make_error("stl-truncated",
                       "the file has " + count_text(bytes.size(), "byte") +
                           "; a binary STL has at least 84 and an ASCII one begins with 'solid'",
                       name);
   }
-  return parse_binary_stl(bytes, name, std::move(keep));
+  return detail::parse_binary_stl(bytes, name, std::move(keep));
 }
 
 }  // namespace gouge

@@ -59,6 +59,88 @@ TEST(ReadStl, ZeroPaddingIsNoGeometryButOtherBytesMightBe) {
             "export it again [stl-trailing-data]");
 }
 
+// The facets of a mesh with the normals that belong to them, and with an attribute and bytes behind each.
+std::string spread_stl(const IndexedMesh& mesh, const std::vector<std::uint16_t>& attributes,
+                       const std::vector<std::size_t>& bytes_behind, bool has_normals = true) {
+  const std::string plain = binary_stl_bytes(mesh, LengthUnit::mm);
+  std::string bytes = plain.substr(0, 84);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::string facet = plain.substr(84 + 50 * t, 48);
+    if (!has_normals) facet.replace(0, 12, 12, '\0');
+    bytes += facet;
+    const std::uint16_t attribute = attributes[t % attributes.size()];
+    bytes += {static_cast<char>(attribute & 0xffU), static_cast<char>(attribute >> 8U)};
+    bytes.append(bytes_behind[t % bytes_behind.size()], '\x11');
+  }
+  return bytes;
+}
+
+const char* const kUncertain = "part.stl: error: the header states 12 triangles (684 bytes) but the file has ";
+
+void expect_cube(const std::string& bytes, const std::string& code) {
+  const auto soup = parse_stl(bytes, "part.stl");
+  ASSERT_TRUE(soup.has_value()) << to_text(soup.error());
+  ASSERT_EQ(soup->triangles.size(), 12U);
+  const IndexedMesh cube = shapes::cube();
+  for (std::size_t t = 0; t < 12; ++t)
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(soup->triangles[t][k], cube.corner(t, k)) << t;
+  ASSERT_EQ(soup->notes.size(), code.empty() ? 0U : 1U);
+  if (!code.empty()) EXPECT_EQ(soup->notes[0].code, code);
+}
+
+TEST(ReadStl, BytesBehindEachFacetAreSkippedWhereTheirCountsAddUpToTheFile) {
+  for (const bool has_normals : {true, false}) {
+    expect_cube(spread_stl(shapes::cube(), {2}, {2}, has_normals), "stl-attribute-bytes");
+    expect_cube(spread_stl(shapes::cube(), {4}, {4}, has_normals), "stl-attribute-bytes");
+    expect_cube(spread_stl(shapes::cube(), {300}, {300}, has_normals), "stl-attribute-bytes");
+    expect_cube(spread_stl(shapes::cube(), {0, 7, 1}, {0, 7, 1}, has_normals), "stl-attribute-bytes");
+  }
+  const std::string bytes = spread_stl(shapes::cube(), {2}, {2});
+  EXPECT_EQ(to_text(parse_stl(bytes, "part.stl")->notes[0]),
+            "part.stl: note: 24 bytes behind the triangles ignored, as their attribute byte counts state "
+            "[stl-attribute-bytes]");
+}
+
+TEST(ReadStl, ShiftedFacetsAreNeverRead) {
+  const IndexedMesh cube = shapes::cube();
+  // More or fewer bytes than the counts state, or bytes without a count.
+  EXPECT_EQ(
+      error_of(spread_stl(cube, {3}, {2})),
+      std::string(kUncertain) +
+          "708, and the others may lie between the triangles, so that their places are uncertain; export it again "
+          "without attributes [stl-facet-bytes]");
+  EXPECT_NE(error_of(spread_stl(cube, {0}, {1})).find("[stl-facet-bytes]"), std::string::npos);
+  EXPECT_NE(error_of(spread_stl(cube, {0}, {4}, false)).find("[stl-facet-bytes]"), std::string::npos);
+  EXPECT_NE(error_of(spread_stl(cube, {2}, {2}) + "\n").find("[stl-facet-bytes]"), std::string::npos);
+  const std::string cut = spread_stl(cube, {2}, {2});
+  for (std::size_t size = 684; size < cut.size(); ++size)
+    EXPECT_NE(error_of(std::string_view(cut).substr(0, size)).find("[stl-facet-bytes]"), std::string::npos) << size;
+}
+
+TEST(ReadStl, AttributesThatAreColoursAreNoCounts) {
+  expect_cube(spread_stl(shapes::cube(), {0x8123, 0xffff, 31}, {0}), "");
+  IndexedMesh open = shapes::cube();
+  open.triangles.pop_back();
+  for (const bool has_normals : {true, false})
+    EXPECT_TRUE(parse_stl(std::string_view(spread_stl(open, {0x8123}, {0}, has_normals)), "part.stl").has_value());
+  // With bytes at the end, whatever the attributes add up to.
+  for (const std::size_t tail : {1U, 2U, 12U, 49U})
+    for (const std::uint16_t attribute : {std::uint16_t{0x8123}, static_cast<std::uint16_t>(tail), std::uint16_t{1}})
+      expect_cube(spread_stl(shapes::cube(), {attribute}, {0}) + std::string(tail, 'x'), "stl-trailing-bytes");
+  // One facet whose attribute is the number of bytes at the end: the counts add up, and the facets behind it would be
+  // shifted.
+  const std::vector<std::uint16_t> first = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  expect_cube(spread_stl(shapes::cube(), first, {0}, false) + std::string(1, '\0'), "stl-trailing-bytes");
+}
+
+TEST(ReadStl, ASurfaceThatIsOpenAndHasNoNormalsConfirmsNoReading) {
+  IndexedMesh open = shapes::cube();
+  open.triangles.pop_back();
+  EXPECT_NE(error_of(spread_stl(open, {2}, {2}, false)).find("[stl-facet-bytes]"), std::string::npos);
+  const std::string with_normals = spread_stl(open, {2}, {2});
+  EXPECT_EQ(parse_stl(with_normals, "part.stl")->triangles.size(), 11U);
+}
+
 TEST(ReadStl, TruncatedBinarySaysHowManyOfHowMany) {
   const std::string two = shapes::binary_stl("x", 2, {kTriangle, kTriangle});
   EXPECT_EQ(error_of(std::string_view(two).substr(0, two.size() - 1)),
@@ -206,6 +288,79 @@ TEST(ReadStl, AsciiOutOfPlaceIsReportedWithTheLine) {
   EXPECT_EQ(error_of("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 1 1\0"
                      "2\n"),
             "part.stl:4: error: the file ends inside facet 1; it is cut off, export or copy it again [stl-truncated]");
+}
+
+TEST(ReadStl, WordsThatSayNothingOfTheirOwnMayBeMissingOrApart) {
+  const std::string good = shapes::ascii_stl(shapes::tetrahedron());
+  const auto everywhere = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+    return text;
+  };
+  const auto expected = parse_stl(good, "part.stl");
+  for (const std::string& text :
+       {everywhere("endsolid", "end solid"), everywhere("endsolid", "END Solid"), everywhere("endfacet", "end facet"),
+        everywhere("endloop", "End Loop"), everywhere("endloop", ""), everywhere("endfacet", ""),
+        everywhere("endloop\n  endfacet", ""), everywhere("outer loop", "loop"), everywhere("outer loop", ""),
+        everywhere("outer", "outer\n"), everywhere("loop\n      vertex", "vertex"), everywhere("normal 0 0 0", "0 0 0"),
+        everywhere("solid test\n  facet", "facet")}) {
+    const auto soup = parse_stl(text, "part.stl");
+    ASSERT_TRUE(soup.has_value()) << to_text(soup.error()) << text;
+    ASSERT_EQ(soup->triangles.size(), 4U) << text;
+    for (std::size_t t = 0; t < 4; ++t) EXPECT_EQ(soup->triangles[t], expected->triangles[t]);
+    EXPECT_TRUE(soup->notes.empty()) << text;
+  }
+}
+
+TEST(ReadStl, MissingWordsMakeNoTriangleOfOtherNumbersOfVertices) {
+  const std::string good = shapes::ascii_stl(shapes::tetrahedron());
+  EXPECT_EQ(error_of(replaced(good, "endloop", "end loops")),
+            "part.stl:7: error: expected 'endloop' in facet 1, found 'end' [stl-syntax]");
+  EXPECT_EQ(error_of("solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\nendsolid"),
+            "part.stl:5: error: facet 1 has 2 vertices; expected 3: found 'endfacet' where 'vertex' should be "
+            "[stl-syntax]");
+  EXPECT_EQ(error_of("solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0"),
+            "part.stl:5: error: the file ends inside facet 1; it is cut off, export or copy it again [stl-truncated]");
+  EXPECT_EQ(error_of("solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1\nfacet\n"),
+            "part.stl:6: error: facet 1: expected a finite number as z of a vertex, found 'facet' [stl-bad-number]");
+}
+
+TEST(ReadStl, ANameMayHoldTheWordsOfAFacet) {
+  for (const char* name : {"facet normal", "facet normal part", "facet normal 1 0 0 part", "facet normal 1 0 0",
+                           "facet outer", "facet outer ring", "a facet normal 3", "facet", "endsolid facet normal 1"}) {
+    const std::string text = shapes::ascii_stl(shapes::tetrahedron(), name);
+    const auto soup = parse_stl(text, "part.stl");
+    ASSERT_TRUE(soup.has_value()) << name << ": " << to_text(soup.error());
+    EXPECT_EQ(soup->triangles.size(), 4U) << name;
+  }
+}
+
+TEST(ReadStl, TextInUtf16IsReadWithANote) {
+  const std::string ascii = shapes::ascii_stl(shapes::tetrahedron());
+  const auto utf16 = [&](bool is_big, const std::string& mark) {
+    std::string bytes = mark;
+    for (const char c : ascii) bytes += is_big ? std::string{'\0', c} : std::string{c, '\0'};
+    return bytes;
+  };
+  for (const std::string& bytes :
+       {utf16(false, "\xff\xfe"), utf16(true, "\xfe\xff"), utf16(false, ""), utf16(true, "")}) {
+    const auto soup = parse_stl(bytes, "part.stl");
+    ASSERT_TRUE(soup.has_value()) << to_text(soup.error());
+    EXPECT_EQ(soup->format, StlFormat::ascii);
+    EXPECT_EQ(soup->triangles.size(), 4U);
+    EXPECT_EQ(soup->triangles[0][1], parse_stl(ascii, "part.stl")->triangles[0][1]);
+    ASSERT_EQ(soup->notes.size(), 1U);
+    EXPECT_EQ(to_text(soup->notes[0]), "part.stl: note: the file is UTF-16 text; read as ASCII [stl-utf16]");
+  }
+  EXPECT_EQ(error_of(std::string("\xff\xfeG\0O\0T\0O\0", 10)),
+            "part.stl: error: the file is UTF-16 text but not ASCII STL; expected it to begin with 'solid' "
+            "[stl-not-stl]");
+  const std::string whole = utf16(false, "\xff\xfe");
+  for (std::size_t n = 0; n < whole.size() - 2 * std::string("endsolid test\n").size(); ++n) {
+    const auto soup = parse_stl(std::string_view(whole).substr(0, n), "part.stl");
+    EXPECT_TRUE(!soup || soup->notes.size() == 2) << n << " bytes of " << whole.size();
+  }
 }
 
 TEST(ReadStl, MissingEndsolidIsAWarning) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "lib/base/result.h"
+#include "lib/mesh/triangle_soup.h"
+
+// The binary half of parse_stl; callers outside this module use read_stl.h.
+
+namespace gouge::detail {
+
+/// Whether the file is long enough for the header and the number of its facets.
+[[nodiscard]] bool has_binary_stl_header(std::string_view bytes);
+
+/// Whether the file has exactly the size that its header states: 84 bytes and 50 for each facet.
+[[nodiscard]] bool has_binary_stl_size(std::string_view bytes);
+
+/// The triangles of a binary STL. A file that is longer than its header states is read where the places of its facets
+/// are certain. The further bytes may follow the last facet, or each facet as its attribute byte count states. The
+/// first is certain where no attribute is set and the bytes are too few for one behind each facet. Otherwise exactly
+/// one of the two readings must be confirmed: each of its edges has a partner, or its stored normals match its corners.
+///
+/// Requires has_binary_stl_header.
+/// Errors   stl-no-triangles, stl-truncated, stl-trailing-data, stl-facet-bytes, stl-bad-number.
+/// Cost     O(bytes); where a reading must be confirmed, that of build_mesh and find_mesh_findings twice.
+[[nodiscard]] Result<TriangleSoup> parse_binary_stl(std::string_view bytes, const std::string& name,
+                                                    std::shared_ptr<const void> keep);
+
+}  // namespace gouge::detail
