@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "cli/identity.h"
+#include "cli/length_rule.h"
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/files.h"
 #include "lib/check/reach.h"
@@ -11,6 +12,7 @@
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "postproc/report/report_text.h"
 #include "toolmodels/compile_tool.h"
+#include "toolmodels/import/read_any_tools.h"
 
 namespace gouge {
 namespace {
@@ -48,6 +50,8 @@ class JobLoader {
     if (!outcome.toolpath) return false;
     job_.toolpath = std::move(*outcome.toolpath);
     add_notes(job_.toolpath.notes);
+    if (job_.toolpath.unit == LengthUnit::inch && !arguments_.lengths_in_mm.empty())
+      job_.notes.push_back(describe_lengths_in_mm(arguments_.lengths_in_mm, "the toolpath"));
     for (const Move& move : job_.toolpath.moves) {
       if (is_within_reach(move.end.tip)) continue;
       errors_.push_back(
@@ -78,9 +82,11 @@ class JobLoader {
       const Result<std::string> bytes = read_file(arguments_.tools_file, arguments_.input.most_bytes);
       if (!bytes) return errors_.push_back(bytes.error());
       job_.inputs.push_back(describe_input("tools", arguments_.tools_file, *bytes));
-      Result<ToolLibrary> read = read_tool_library(arguments_.tools_file, *bytes);
+      Result<ReadTools> read = read_any_tools(arguments_.tools_file, *bytes, arguments_.input.most_bytes);
       if (!read) return errors_.push_back(read.error());
-      library = std::move(*read);
+      for (const BesideFile& beside : read->besides)
+        job_.inputs.push_back(describe_input("tool-file", beside.path, beside.bytes));
+      library = std::move(read->library);
       add_notes(library->notes);
     }
     Result<ResolvedTools> resolved =
@@ -174,7 +180,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   if (arguments.project_file) model.inputs.push_back(arguments.project_file->input);
   model.options = options.check;
   model.placement = placement_identity(options.place, stl_unit(arguments));
-  if (!arguments.place.empty()) model.more_options.push_back({"place", arguments.place});
+  if (!arguments.place.empty()) model.more_options.push_back({"place", with_units(arguments.place)});
   if (!arguments.stl_units.empty()) model.more_options.push_back({"stl-units", arguments.stl_units});
   if (!arguments.reading.dialect.empty()) model.more_options.push_back({"dialect", arguments.reading.dialect});
   if (!arguments.reading.cutcom.empty()) model.more_options.push_back({"cutcom", arguments.reading.cutcom});

@@ -14,6 +14,7 @@
 #include "postproc/image/font.h"
 #include "postproc/image/render_drawing.h"
 #include "toolmodels/draw_profile.h"
+#include "toolmodels/import/read_any_tools.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge {
@@ -100,8 +101,9 @@ int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& er
   }
   const Result<std::string> bytes = read_file(arguments.tools_file, arguments.input.most_bytes);
   if (!bytes) return fail(err, {bytes.error()});
-  const Result<ToolLibrary> library = read_tool_library(arguments.tools_file, *bytes);
-  if (!library) return fail(err, {library.error()});
+  const Result<ReadTools> read = read_any_tools(arguments.tools_file, *bytes, arguments.input.most_bytes);
+  if (!read) return fail(err, {read.error()});
+  const ToolLibrary* const library = &read->library;
   print(err, library->notes);
   const Result<Tools> tools = choose(*library, arguments.tool);
   if (!tools) return fail(err, {tools.error()});

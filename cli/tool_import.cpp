@@ -1,9 +1,9 @@
 #include "cli/tool_import.h"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <ostream>
 
+#include "cli/length_text.h"
 #include "cli/output_file.h"
 #include "cli/overwriting.h"
 #include "cli/print_diagnostics.h"
@@ -11,7 +11,9 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "lib/base/printable_text.h"
+#include "toolmodels/import/beside_file.h"
 #include "toolmodels/import/import_tools.h"
+#include "toolmodels/import/read_any_tools.h"
 
 namespace gouge {
 namespace {
@@ -21,27 +23,14 @@ Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& argument
   if (arguments.tools_file.empty()) return make_error("usage", "--holder needs --tools, the library that holder is in");
   const Result<std::string> bytes = read_file(arguments.tools_file, arguments.input.most_bytes);
   if (!bytes) return bytes.error();
-  const Result<ToolLibrary> library = read_tool_library(arguments.tools_file, *bytes);
-  if (!library) return library.error();
+  const Result<ReadTools> read = read_any_tools(arguments.tools_file, *bytes, arguments.input.most_bytes);
+  if (!read) return read.error();
+  const ToolLibrary* const library = &read->library;
   const std::vector<ToolSegment>* holder = library->holder_called(arguments.holder);
   if (holder == nullptr)
     return make_error("usage", "--holder '" + arguments.holder + "': " + arguments.tools_file +
                                    " has no holder of that name; it has " + library->holder_names());
   return *holder;
-}
-
-// FreeCAD keeps the bits of a library beside it, or in the folder Bit beside the library's own. What is read goes to
-// `inputs`.
-Result<std::string> read_beside(const std::filesystem::path& folder, const std::string& name, const InputLimit& limit,
-                                std::vector<InputOption>& inputs) {
-  const std::string beside = (folder / name).string();
-  const std::string bit = (folder / ".." / "Bit" / name).lexically_normal().string();
-  inputs.push_back({"a file of the library", beside});
-  Result<std::string> bytes = read_file(beside, limit.most_bytes);
-  if (bytes || bytes.error().code != "file-not-found") return bytes;
-  inputs.back().file = bit;
-  Result<std::string> found = read_file(bit, limit.most_bytes);
-  return found ? found : bytes;
 }
 
 std::optional<ImportFormat> format_called(const std::string& name) {
@@ -81,9 +70,8 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
   command.add_option("--holder", arguments.holder, "Holder for tools that have none; a name in --tools")
       ->type_name("NAME");
   command.add_option("--tools", arguments.tools_file, "Tool library (JSON) with that holder")->type_name("FILE");
-  command
-      .add_option("--stickout", arguments.stickout_mm, "Millimetres from tip to holder, where the file does not say")
-      ->check(CLI::PositiveNumber);
+  command.add_option("--stickout", arguments.stickout, "From tip to holder, where the file does not say")
+      ->type_name("LENGTH");
   command.add_option("--unit", arguments.unit, "Unit of a file that does not say its own (NX)")
       ->check(CLI::IsMember({"mm", "inch"}));
   add_input_limit(command, arguments.input);
@@ -104,10 +92,18 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   if (!bytes) return fail(err, {bytes.error()});
   ImportOptions options;
   options.holder = *holder;
-  if (arguments.stickout_mm > 0) options.stickout_mm = arguments.stickout_mm;
+  if (!arguments.stickout.empty()) {
+    const Result<double> stickout = understand_length("--stickout", arguments.stickout, Least::above_zero);
+    if (!stickout) return fail(err, {stickout.error()});
+    options.stickout_mm = *stickout;
+  }
   options.unit = unit_called(arguments.unit);
-  const std::filesystem::path folder = std::filesystem::path(arguments.file).parent_path();
-  options.read_beside = [&](const std::string& name) { return read_beside(folder, name, arguments.input, inputs); };
+  options.read_beside = [&](const std::string& name) -> Result<std::string> {
+    Result<BesideFile> beside = read_beside(arguments.file, name, arguments.input.most_bytes);
+    if (!beside) return beside.error();
+    inputs.push_back({"a file of the library", beside->path});
+    return std::move(beside->bytes);
+  };
   const Result<ImportedTools> made = import_tools(arguments.file, *bytes, format_called(arguments.format), options);
   if (!made) return fail(err, {made.error()});
   if (const auto error = find_overwriting(inputs, outputs)) return fail(err, {*error});

@@ -67,6 +67,15 @@ Outcome check_extensions(const ToolAssembly& tool) {
   return Done{};
 }
 
+// As wide as it ends.
+void go_on(Profile& cutter, double length_mm) {
+  if (!(length_mm > 0)) return;
+  const Vec2 top = cutter.elements.back().a;
+  const Vec2 end(top.x(), top.y() + length_mm);
+  cutter.elements.back() = make_segment(Body::cutter, top, end);
+  cutter.elements.push_back(make_segment(Body::cutter, end, Vec2(0, end.y())));
+}
+
 /// Their diameter at the top; 0 of flutes that have no profile.
 double flutes_width_mm(const Cutter& cutter) {
   const Result<Profile> flutes = make_cutter_profile(cutter);
@@ -142,7 +151,8 @@ double stickout_mm(const ToolAssembly& tool) {
 
 double height_mm(const ToolAssembly& tool) {
   const std::vector<PositionedSegment> placed = position_segments(tool);
-  return placed.empty() ? length_mm(tool.cutter) : placed.back().z_mm + placed.back().segment.length_mm;
+  return placed.empty() ? length_mm(tool.cutter) + tool.cutter_goes_on_mm
+                        : placed.back().z_mm + placed.back().segment.length_mm;
 }
 
 Result<BodyProfiles> make_body_profiles(const ToolAssembly& tool) {
@@ -154,6 +164,7 @@ Result<BodyProfiles> make_body_profiles(const ToolAssembly& tool) {
   if (Outcome good = check_stickout(tool); !good) return good.error();
   const std::vector<PositionedSegment> placed = position_segments(tool);
   BodyProfiles bodies;
+  go_on(*cutter, tool.cutter_goes_on_mm);
   bodies[0] = std::move(*cutter);
   bodies[1] = stack(Body::shank, placed);
   bodies[2] = stack(Body::holder, placed);
@@ -191,13 +202,11 @@ ToolAssembly extended_up(const ToolAssembly& tool, double top_mm) {
   const double height = height_mm(tool);
   if (height >= top_mm) return longer;
   const std::vector<PositionedSegment> placed = position_segments(tool);
-  double width = 0;
-  if (!placed.empty()) {
-    width = placed.back().segment.upper_diameter_mm;
-  } else {
-    width = flutes_width_mm(tool.cutter);
+  if (placed.empty()) {
+    if (flutes_width_mm(tool.cutter) > 0) longer.cutter_goes_on_mm = top_mm - height;
+    return longer;
   }
-  if (!(width > 0)) return longer;
+  const double width = placed.back().segment.upper_diameter_mm;
   const ToolSegment more{width, width, top_mm - height};
   if (!tool.holder.empty())
     longer.holder.push_back(more);

@@ -37,6 +37,8 @@ struct ToolAssembly {
   /// left out. 0: they stand on the shank's end.
   double stickout_mm = 0;
   double gauge_length_mm = 0;  ///< tip to gauge line; reported, not checked. 0: not given
+  /// How far the cutter goes on above its flutes, as wide as they end: set by extended_up alone, in no library file.
+  double cutter_goes_on_mm = 0;
 };
 
 /// Per body its own closed contour at its position; index by Body. No elements: the tool has no such body.
@@ -69,7 +71,7 @@ struct PositionedSegment {
 [[nodiscard]] double height_mm(const ToolAssembly& tool);
 
 /// The tool with its top body going on, as wide as it ends, until `height_mm` above the tip (when it is not
-/// that high already). A tool of flutes alone gets a shank.
+/// that high already). Of a tool of flutes alone that is the cutter.
 ///
 /// Ensures  With height >= the largest distance of a point of the scene from any tip, plus the tool's largest
 ///          radius, depths are those of the tool that goes on without end: no point comes nearer to the new

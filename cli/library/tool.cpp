@@ -7,6 +7,7 @@
 #include "cli/library/content.h"
 #include "lib/base/files.h"
 #include "lib/base/word_list.h"
+#include "toolmodels/import/read_any_tools.h"
 
 namespace gougecheck {
 namespace {
@@ -86,7 +87,8 @@ ToolLibrary::ToolLibrary(std::shared_ptr<const Content> content) : content_(std:
 
 ToolLibrary ToolLibrary::read(const std::string& file) {
   const std::string bytes = value_or_raise(gouge::read_file(file));
-  return ToolLibrary(std::make_shared<Content>(Content{value_or_raise(gouge::read_tool_library(file, bytes)), file}));
+  gouge::ReadTools read = value_or_raise(gouge::read_any_tools(file, bytes, gouge::kMaxInputBytes));
+  return ToolLibrary(std::make_shared<Content>(Content{std::move(read.library), file}));
 }
 
 ToolLibrary ToolLibrary::from_json(std::string_view json, const std::string& name) {

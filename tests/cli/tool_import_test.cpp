@@ -61,7 +61,7 @@ TEST_F(ToolImport, ReportsWhatWasUnderstoodAndWhatWasAssumed) {
 
 TEST_F(ToolImport, TheHolderIsTakenFromALibraryOfOurs) {
   arguments.holder = "ER16";
-  arguments.stickout_mm = 30;
+  arguments.stickout = "30";
   EXPECT_EQ(run("freecad/bull_6.fctb"), kExitClean);
   const Result<ToolLibrary> library = read_tool_library("new.json", *read_file(path("new.json")));
   ASSERT_TRUE(library.has_value());

@@ -123,6 +123,22 @@ TEST(Assembly, WhatDoesNotCutIsTheToolWithoutItsCutter) {
   EXPECT_TRUE(make_non_cutting_variants(flutes, 0, 0)->bare.elements.empty());
 }
 
+TEST(Assembly, ExtendedUpAToolOfFlutesAloneIsACutterAllTheWay) {
+  for (const Cutter& cutter :
+       {Cutter(FlatCutter{10, 30}), Cutter(BallCutter{8, 4}), Cutter(TaperedCutter{6, 1, 5, 20})}) {
+    ToolAssembly flutes;
+    flutes.cutter = cutter;
+    const ToolAssembly longer = extended_up(flutes, 200);
+    ASSERT_EQ(error_of(longer), "none");
+    EXPECT_DOUBLE_EQ(height_mm(longer), 200);
+    const BodyProfiles bodies = *make_body_profiles(longer);
+    EXPECT_TRUE(verify_profile(bodies[0]).empty());
+    EXPECT_TRUE(bodies[1].elements.empty() && bodies[2].elements.empty());
+    EXPECT_DOUBLE_EQ(bodies[0].elements.back().a.y(), 200);
+    EXPECT_DOUBLE_EQ(bodies[0].elements.back().a.x(), make_body_profiles(flutes)->at(0).elements.back().a.x());
+  }
+}
+
 TEST(Assembly, ExtendedUpIsAsIfItHadNoEnd) {
   test::Scatter random(5);
   std::vector<ToolAssembly> tools = test::sample_tools();

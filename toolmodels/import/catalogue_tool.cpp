@@ -60,6 +60,22 @@ Dimensions with_taper(Dimensions d) {
   return d;
 }
 
+// A drill whose format has no flute length has flutes up to the end of the tool, or to the holder. That is the largest
+// tool it can be, unless something wider stands on the flutes.
+Dimensions with_flutes(const CatalogueTool& tool, bool has_holder, const ImportOptions& options, Diagnostics& notes) {
+  Dimensions d = tool.dimensions;
+  const bool is_open = tool.shape == CatalogueShape::drill && !d[flute_length] && tool.shaft.empty();
+  const double width = d.value_or(diameter, 0) + kSameShape_mm;
+  if (!is_open || d.value_or(shank_diameter, 0) > width || d.value_or(shoulder_diameter, 0) > width) return d;
+  Diagnostics ignored;
+  const Result<Stickout> stickout = find_stickout(tool, options, has_holder, ignored);
+  if (!stickout || !(stickout->length_mm > 0)) return d;
+  d.set(flute_length, stickout->length_mm, "assumed flute length");
+  notes.push_back(make_warning("import-guess", "no flute length is given; the flutes are taken to reach up to " +
+                                                   stickout->text + ", the whole length of the drill"));
+  return d;
+}
+
 class ShankBuilder {
  public:
   ShankBuilder(const CatalogueTool& tool, const CatalogueCutter& cutter, Diagnostics& notes)
@@ -129,7 +145,9 @@ class ShankBuilder {
 
 }  // namespace
 
-Result<ToolAssembly> make_catalogue_tool(const CatalogueTool& tool, const ImportOptions& options, Diagnostics& notes) {
+Result<ToolAssembly> make_catalogue_tool(const CatalogueTool& given, const ImportOptions& options, Diagnostics& notes) {
+  CatalogueTool tool = given;
+  tool.dimensions = with_flutes(given, !given.holder.empty() || !options.holder.empty(), options, notes);
   ToolAssembly made;
   made.number = tool.number;
   made.name = tool.name;

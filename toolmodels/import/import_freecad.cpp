@@ -31,6 +31,20 @@ std::optional<CatalogueShape> freecad_shape(const std::string& word) {
   return std::nullopt;
 }
 
+// Of two shapes with the dimensions of one file, the one that contains the other. Nothing where neither does.
+std::optional<CatalogueShape> larger_shape(CatalogueShape a, CatalogueShape b) {
+  using enum CatalogueShape;
+  // Each contains those behind it: the cylinder of the flutes, one with rounded corners, one with a round end.
+  static constexpr CatalogueShape kMills[] = {full, flat, bull_nose, ball};
+  const auto rank = [](CatalogueShape shape) { return std::find(std::begin(kMills), std::end(kMills), shape); };
+  if (rank(a) != std::end(kMills) && rank(b) != std::end(kMills)) return rank(a) < rank(b) ? a : b;
+  const auto is_cylinder = [](CatalogueShape shape) { return shape == full || shape == flat; };
+  const auto is_pointed = [](CatalogueShape shape) { return shape == drill || shape == chamfer; };
+  if (is_cylinder(a) && is_pointed(b)) return a;
+  if (is_cylinder(b) && is_pointed(a)) return b;
+  return std::nullopt;
+}
+
 // FreeCAD's angles of tapers and edges are INCLUDED angles, the catalogue's are half of them.
 struct Parameter {
   Dimension dimension;
@@ -85,12 +99,7 @@ class BitImporter {
     if (tool_.name.empty()) tool_.name = clean_text(stem(file_));
     tool_.file = file_;
     who_ = tool_label(tool_.number, tool_.name);
-    std::string type = detail::text_of(json_.root, "shape-type");
-    if (type.empty()) type = stem(detail::text_of(json_.root, "shape"));
-    const std::optional<CatalogueShape> shape = freecad_shape(plain_word(type));
-    if (!shape)
-      return report(make_warning("import-shape", "not imported: shape " + (type.empty() ? "not named" : type)));
-    tool_.shape = *shape;
+    if (!read_shape()) return;
     const auto parameters = json_.root.find("parameter");
     if (parameters == json_.root.end() || !parameters->is_object())
       return report(make_error("import-field", "has no \"parameter\"; it needs them"));
@@ -100,6 +109,31 @@ class BitImporter {
   }
 
  private:
+  // "shape-type" and the name of the file in "shape" both say the shape.
+  bool read_shape() {
+    std::string type = detail::text_of(json_.root, "shape-type");
+    const std::string file_name = stem(detail::text_of(json_.root, "shape"));
+    if (type.empty()) type = file_name;
+    const std::optional<CatalogueShape> by_type = freecad_shape(plain_word(type));
+    const std::optional<CatalogueShape> by_file = freecad_shape(plain_word(file_name));
+    if (!by_type) {
+      report(make_warning("import-shape", "not imported: shape " + (type.empty() ? "not named" : type)));
+      return false;
+    }
+    tool_.shape = *by_type;
+    if (!by_file || *by_file == *by_type) return true;
+    const std::string contradiction = "\"shape\" is " + file_name + " but \"shape-type\" is " + type;
+    const std::optional<CatalogueShape> larger = larger_shape(*by_type, *by_file);
+    if (!larger) {
+      report(make_error("import-field", contradiction + "; correct the one that is wrong"));
+      return false;
+    }
+    tool_.shape = *larger;
+    report(make_warning("import-contradiction", contradiction + "; built as " + (larger == by_type ? type : file_name) +
+                                                    ", which is the larger tool"));
+    return true;
+  }
+
   Outcome read_parameters(const Json& parameters) {
     std::optional<double> flat_radius, neck_height;
     for (const auto& [key, value] : parameters.items()) {
@@ -172,10 +206,6 @@ class BitImporter {
   bool has_mm_ = false, has_inch_ = false;
 };
 
-bool is_bit(const Json& root) {
-  return root.is_object() && root.contains("parameter") && (root.contains("shape") || root.contains("shape-type"));
-}
-
 // A library may not send us anywhere but down its own folder.
 bool stays_below(const std::string& path) {
   return !path.empty() && path.front() != '/' && path.find('\\') == std::string::npos &&
@@ -198,7 +228,7 @@ void read_listed(Collector& collector, const Json& entry, const std::string& who
   if (!bytes) return collector.report(who, bytes.error(), line);
   const Result<JsonFile> bit = parse_json(path, *bytes, detail::imported_kind("a FreeCAD tool bit"));
   if (!bit) return collector.report(who, bit.error(), line);
-  if (!is_bit(bit->root))
+  if (!detail::is_freecad_bit(bit->root))
     return collector.report(who, make_error("import-format", "this is no FreeCAD tool bit", path), line);
   BitImporter(collector, *bit, path).read(number);
 }
@@ -209,15 +239,16 @@ Result<ImportedTools> import_freecad(const std::string& file, std::string_view b
   const Result<JsonFile> json = parse_json(file, bytes, detail::imported_kind("a FreeCAD tool bit or library"));
   if (!json) return json.error();
   Collector collector(file, options);
-  if (is_bit(json->root)) {
+  if (detail::is_freecad_bit(json->root)) {
     BitImporter(collector, *json, file).read(std::nullopt);
     return collector.finish();
   }
+  if (!detail::is_freecad_library(json->root))
+    return make_error("import-format",
+                      "expected a FreeCAD tool bit (with \"shape\" and \"parameter\") or a library (with a list "
+                      "\"tools\" of files, each a \"path\")",
+                      file);
   const auto tools = json->root.find("tools");
-  if (tools == json->root.end() || !tools->is_array())
-    return make_error(
-        "import-format",
-        "expected a FreeCAD tool bit (with \"shape\" and \"parameter\") or a library (with a list \"tools\")", file);
   for (std::size_t i = 0; i < tools->size(); ++i)
     read_listed(collector, (*tools)[i], "tool at position " + std::to_string(i + 1),
                 json->lines.at("/tools/" + std::to_string(i)));

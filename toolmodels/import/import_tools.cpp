@@ -7,8 +7,6 @@
 namespace gouge {
 namespace {
 
-bool has_key(const nlohmann::json& root, const char* key) { return root.is_object() && root.contains(key); }
-
 // A holder_database.dat may begin with a FORMAT that no class stands before.
 bool has_class_line(std::string_view text) {
   for (const std::string_view word : {"#CLASS", "FORMAT LIBRF"}) {
@@ -18,20 +16,11 @@ bool has_class_line(std::string_view text) {
   return false;
 }
 
-std::string_view without_mark(std::string_view bytes) {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  return trim_blanks(bytes);
-}
-
-bool is_json(std::string_view bytes) {
-  return without_mark(bytes).starts_with('{') || without_mark(bytes).starts_with('[');
-}
-
 std::optional<ImportFormat> format_of(const nlohmann::json& root) {
-  if (has_key(root, "data")) return ImportFormat::fusion;
-  if (has_key(root, "parameter")) return ImportFormat::freecad;
+  if (detail::is_fusion_library(root)) return ImportFormat::fusion;
+  if (detail::is_freecad_bit(root)) return ImportFormat::freecad;
   // Our own library has "tools" too, but always says its "units".
-  if (has_key(root, "tools") && !has_key(root, "units")) return ImportFormat::freecad;
+  if (detail::is_freecad_library(root) && !root.contains("units")) return ImportFormat::freecad;
   return std::nullopt;
 }
 
@@ -41,7 +30,7 @@ JsonKind any_library() { return detail::imported_kind("a tool library of Fusion 
 
 std::optional<ImportFormat> recognise_format(std::string_view bytes) {
   if (is_zip(bytes)) return ImportFormat::fusion;
-  if (!is_json(bytes)) return has_class_line(bytes) ? std::optional(ImportFormat::nx) : std::nullopt;
+  if (!detail::is_json(bytes)) return has_class_line(bytes) ? std::optional(ImportFormat::nx) : std::nullopt;
   const Result<JsonFile> json = parse_json({}, bytes, any_library());
   return json ? format_of(json->root) : std::nullopt;
 }
@@ -49,7 +38,7 @@ std::optional<ImportFormat> recognise_format(std::string_view bytes) {
 Result<ImportedTools> import_tools(const std::string& file, std::string_view bytes, std::optional<ImportFormat> format,
                                    const ImportOptions& options) {
   if (!format) format = recognise_format(bytes);
-  if (!format && is_json(bytes)) {
+  if (!format && detail::is_json(bytes)) {
     const Result<JsonFile> json = parse_json(file, bytes, any_library());
     if (!json) return json.error();
   }

@@ -1,6 +1,23 @@
 #include "toolmodels/import/json_entry.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 namespace gouge::detail {
+
+namespace {
+
+// Whether `key` is a list that is empty or has an object with one of `members`.
+bool has_list_with(const nlohmann::json& root, const char* key, std::initializer_list<const char*> members) {
+  const auto list = root.find(key);
+  if (list == root.end() || !list->is_array()) return false;
+  return list->empty() || std::any_of(list->begin(), list->end(), [&](const nlohmann::json& entry) {
+           return std::any_of(members.begin(), members.end(),
+                              [&](const char* member) { return entry.is_object() && entry.contains(member); });
+         });
+}
+
+}  // namespace
 
 JsonKind imported_kind(const std::string& what) { return {"import-syntax", "import-duplicate-key", what}; }
 
@@ -28,5 +45,23 @@ Result<std::optional<Quantity>> quantity_of(const nlohmann::json& value, const s
   if (quantity->unit == QuantityUnit::none && !angle) quantity->value *= mm_per(unit);
   return quantity;
 }
+
+std::string_view without_mark(std::string_view bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  return trim_blanks(bytes);
+}
+
+bool is_json(std::string_view bytes) {
+  const std::string_view text = without_mark(bytes);
+  return text.starts_with('{') || text.starts_with('[');
+}
+
+bool is_freecad_bit(const nlohmann::json& root) {
+  return root.is_object() && root.contains("parameter") && (root.contains("shape") || root.contains("shape-type"));
+}
+
+bool is_freecad_library(const nlohmann::json& root) { return has_list_with(root, "tools", {"path"}); }
+
+bool is_fusion_library(const nlohmann::json& root) { return has_list_with(root, "data", {"geometry", "segments"}); }
 
 }  // namespace gouge::detail

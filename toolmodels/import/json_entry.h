@@ -28,4 +28,19 @@ namespace gouge::detail {
 [[nodiscard]] Result<std::optional<Quantity>> quantity_of(const nlohmann::json& value, const std::string& key,
                                                           LengthUnit unit, bool angle);
 
+/// The text of a file without byte order mark and without blanks around it.
+[[nodiscard]] std::string_view without_mark(std::string_view bytes);
+
+/// Whether the text of a file begins as JSON of an object or a list does.
+[[nodiscard]] bool is_json(std::string_view bytes);
+
+/// Whether a JSON file is a FreeCAD tool bit: it has "parameter" and a shape.
+[[nodiscard]] bool is_freecad_bit(const nlohmann::json& root);
+
+/// Whether a JSON file is a FreeCAD library: a list "tools" that is empty or has an entry with a "path".
+[[nodiscard]] bool is_freecad_library(const nlohmann::json& root);
+
+/// Whether a JSON file is a Fusion library: a list "data" that is empty or has an entry with a "geometry" or "segments".
+[[nodiscard]] bool is_fusion_library(const nlohmann::json& root);
+
 }  // namespace gouge::detail

@@ -166,6 +166,92 @@ TEST(ImportFreecad, AVBitOfNoDiameterIsLeftOutWithTheReason) {
       << test::all_notes(made);
 }
 
+TEST(ImportFreecad, ADrillWithoutFluteLengthHasFlutesUpToItsEnd) {
+  const ImportedTools made = import_bit("Drill", R"("Diameter":"6.8 mm","Length":"74 mm","TipAngle":"118 deg")");
+  ASSERT_EQ(made.library.tools.size(), 1u) << all_notes(made);
+  const auto& drill = std::get<DrillCutter>(made.library.tools[0].cutter);
+  EXPECT_EQ(drill.diameter_mm, 6.8);
+  EXPECT_EQ(drill.point_angle_deg, 118);
+  EXPECT_EQ(drill.length_mm, 74);
+  EXPECT_TRUE(made.library.tools[0].shank.empty());
+  EXPECT_NE(all_notes(made).find("b.fctb: warning: tool \"x\": no flute length is given; the flutes are taken to reach "
+                                 "up to Length 74 mm, the whole length of the drill [import-guess]"),
+            std::string::npos)
+      << all_notes(made);
+}
+
+TEST(ImportFreecad, FlutesThatAreTakenToReachUpEndAtTheHolder) {
+  ImportOptions options;
+  options.holder = {{28, 28, 40}};
+  options.stickout_mm = 50;
+  const ImportedTools made = import_bit(
+      "Drill", R"("Diameter":"6.8 mm","Length":"74 mm","TipAngle":"118 deg","ShankDiameter":"6 mm")", options);
+  ASSERT_EQ(made.library.tools.size(), 1u) << all_notes(made);
+  EXPECT_EQ(std::get<DrillCutter>(made.library.tools[0].cutter).length_mm, 50);
+}
+
+TEST(ImportFreecad, NoFlutesAreGuessedWhereSomethingWiderStandsOnThem) {
+  for (const char* more : {R"(,"ShankDiameter":"10 mm")", R"(,"NeckDiameter":"7 mm")"}) {
+    const ImportedTools made =
+        import_bit("Drill", std::string(R"("Diameter":"6.8 mm","Length":"74 mm","TipAngle":"118 deg")") + more);
+    EXPECT_TRUE(made.library.tools.empty()) << more;
+    EXPECT_NE(notes_of(made, "import-field").find("the file gives no flute length"), std::string::npos)
+        << all_notes(made);
+  }
+  EXPECT_TRUE(import_bit("Endmill", R"("Diameter":"6 mm","Length":"50 mm")").library.tools.empty());
+  EXPECT_TRUE(import_bit("Drill", R"("Diameter":"6 mm","TipAngle":"118 deg")").library.tools.empty()) << "no length";
+}
+
+// A bit whose two words for the shape are these.
+ImportedTools import_two_shapes(const std::string& shape, const std::string& type) {
+  const Result<ImportedTools> made = import_freecad(
+      "b.fctb",
+      R"({"name":"x","shape":")" + shape + R"(","shape-type":")" + type +
+          R"(","parameter":{"Diameter":"6 mm","CornerRadius":"1 mm","CuttingEdgeHeight":"20 mm","Length":"50 mm",)" +
+          R"("TipAngle":"118 deg","CuttingEdgeAngle":"60 deg","TipDiameter":"0 mm","NeckDiameter":"4 mm","NeckHeight":"5 mm"}})",
+      {});
+  EXPECT_TRUE(made.has_value());
+  return made ? *made : ImportedTools{};
+}
+
+TEST(ImportFreecad, OfTwoShapesThatContradictEachOtherTheLargerIsBuilt) {
+  const struct {
+    const char *shape, *type, *built;
+  } cases[] = {{"drill.fcstd", "Endmill", "flat"},         {"endmill.fcstd", "Drill", "flat"},
+               {"Shape/ballend.fcstd", "Endmill", "flat"}, {"bullnose.fcstd", "Ballend", "bull_nose"},
+               {"v-bit.fcstd", "Endmill", "flat"},         {"tap.fcstd", "Bullnose", "flat"}};
+  for (const auto& [shape, type, built] : cases) {
+    const ImportedTools made = import_two_shapes(shape, type);
+    ASSERT_EQ(made.library.tools.size(), 1u) << shape << "\n" << all_notes(made);
+    EXPECT_EQ(shape_name(made.library.tools[0].cutter), built) << shape;
+    EXPECT_NE(notes_of(made, "import-contradiction").find("which is the larger tool"), std::string::npos)
+        << all_notes(made);
+  }
+  EXPECT_NE(
+      notes_of(import_two_shapes("drill.fcstd", "Endmill"), "import-contradiction")
+          .find("b.fctb: warning: tool \"x\": \"shape\" is drill but \"shape-type\" is Endmill; built as Endmill, "
+                "which is the larger tool"),
+      std::string::npos);
+}
+
+TEST(ImportFreecad, OfTwoShapesWithoutALargerOneNoneIsBuilt) {
+  for (const auto& [shape, type] : {std::pair("dovetail.fcstd", "Endmill"), {"drill.fcstd", "Ballend"}}) {
+    const ImportedTools made = import_two_shapes(shape, type);
+    EXPECT_TRUE(made.library.tools.empty());
+    EXPECT_NE(notes_of(made, "import-field").find("; correct the one that is wrong"), std::string::npos)
+        << all_notes(made);
+  }
+}
+
+TEST(ImportFreecad, TwoWordsOfOneShapeDoNotContradictEachOther) {
+  for (const auto& [shape, type] :
+       {std::pair("reamer.fcstd", "Endmill"), {"my_own_shape.fcstd", "Endmill"}, {"torus.fcstd", "Bullnose"}}) {
+    const ImportedTools made = import_two_shapes(shape, type);
+    EXPECT_EQ(made.library.tools.size(), 1u) << shape;
+    EXPECT_EQ(notes_of(made, "import-contradiction"), "") << shape;
+  }
+}
+
 TEST(ImportFreecad, ARoundTripLosesNothing) {
   test::expect_round_trip(import_library(beside()).library);
   const ImportedTools inches = import_bit(
@@ -175,9 +261,27 @@ TEST(ImportFreecad, ARoundTripLosesNothing) {
 }
 
 TEST(ImportFreecad, AFileOfAnotherKindIsRefused) {
-  const Result<ImportedTools> made = import_freecad("b.json", R"({"x":1})", {});
-  ASSERT_FALSE(made.has_value());
-  EXPECT_EQ(made.error().code, "import-format");
+  for (const char* other : {R"({"x":1})", R"({"tools":[{"name":"flat","diameter":6}]})", R"({"tools":{"path":"a"}})"}) {
+    const Result<ImportedTools> made = import_freecad("b.json", other, {});
+    ASSERT_FALSE(made.has_value()) << other;
+    EXPECT_EQ(made.error().code, "import-format");
+  }
+}
+
+TEST(ImportTools, JsonOfOtherProgramsIsNoLibraryOfAnyOfThese) {
+  for (const char* other : {R"({"name":"Mine","version":1,"tools":[{"key":"e6","type":"endmill","diameter":6}]})",
+                            R"({"tools":["em6"]})", R"({"data":{"tools":[]}})", R"({"data":[{"id":1,"diameter":6}]})",
+                            R"({"parameter":{"Diameter":"6 mm"}})", R"({"1":{"shape":"Cylindrical","diameter":4}})"}) {
+    EXPECT_FALSE(recognise_format(other).has_value()) << other;
+    const Result<ImportedTools> made = import_tools("t.json", other, std::nullopt, {});
+    ASSERT_FALSE(made.has_value()) << other;
+    EXPECT_EQ(
+        to_text(made.error()),
+        "t.json: error: this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or library, nor "
+        "an NX tool_database.dat or holder_database.dat; say which with --format [import-format]");
+  }
+  EXPECT_EQ(recognise_format(R"({"tools":[{"nr":1,"path":"a.fctb"}]})"), ImportFormat::freecad);
+  EXPECT_EQ(recognise_format(R"({"data":[{"type":"holder","segments":[]}]})"), ImportFormat::fusion);
 }
 
 }  // namespace

@@ -1,0 +1,131 @@
+#include "toolmodels/import/read_any_tools.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "tests/toolmodels/import/import_helpers.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMostBytes = 1'000'000;
+
+std::string bit(const std::string& name, const std::string& diameter) {
+  return R"({"name":")" + name + R"(","shape-type":"Endmill","parameter":{"Diameter":")" + diameter +
+         R"(","CuttingEdgeHeight":"18 mm","Length":"50 mm","ShankDiameter":"6 mm"}})";
+}
+
+/// Folders like those of FreeCAD, below one of the test's own.
+class ToolFolders : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "gouge_tool_folders_" + std::to_string(::getpid());
+    fs::remove_all(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    fs::create_directories(fs::path(at(name)).parent_path());
+    ASSERT_TRUE(write_file(at(name), text).has_value());
+  }
+  [[nodiscard]] std::string at(const std::string& name) const { return folder_ + "/" + name; }
+  [[nodiscard]] Result<ReadTools> read(const std::string& name) const {
+    return read_any_tools(at(name), *read_file(at(name)), kMostBytes);
+  }
+
+ private:
+  std::string folder_;
+};
+
+TEST_F(ToolFolders, BitsAreFoundInFoldersOfAnyCase) {
+  write("tools/LIBRARY/Mill.fctl", R"({"tools":[{"nr":1,"path":"em6.fctb"},{"nr":2,"path":"sub/EM8.fctb"}]})");
+  write("tools/bIT/EM6.FCTB", bit("EM 6", "6 mm"));
+  write("tools/bIT/Sub/em8.fctb", bit("EM 8", "8 mm"));
+  const Result<ReadTools> tools = read("tools/LIBRARY/Mill.fctl");
+  ASSERT_TRUE(tools.has_value()) << to_text(tools.error());
+  ASSERT_EQ(tools->library.tools.size(), 2u);
+  EXPECT_EQ(tools->library.with_number(2)->name, "EM 8");
+  ASSERT_EQ(tools->besides.size(), 2u);
+  EXPECT_EQ(tools->besides[0].path, at("tools/bIT/EM6.FCTB"));
+}
+
+TEST_F(ToolFolders, AFileOfExactlyThatNameGoesBeforeOneOfAnotherCase) {
+  write("Library/Mill.fctl", R"({"tools":[{"nr":1,"path":"em6.fctb"}]})");
+  write("bit/em6.fctb", bit("lower", "6 mm"));
+  write("Bit/em6.fctb", bit("upper", "6 mm"));
+  EXPECT_EQ(read("Library/Mill.fctl")->library.tools.at(0).name, "upper");
+}
+
+TEST_F(ToolFolders, FilesThatDifferInCaseAloneAreNotChosenFrom) {
+  write("Library/Mill.fctl", R"({"tools":[{"nr":1,"path":"em6.fctb"},{"nr":2,"path":"em8.fctb"}]})");
+  write("Library/EM6.fctb", bit("one", "6 mm"));
+  write("Library/Em6.fctb", bit("other", "7 mm"));
+  write("Library/em8.fctb", bit("EM 8", "8 mm"));
+  const Result<ReadTools> tools = read("Library/Mill.fctl");
+  ASSERT_TRUE(tools.has_value());
+  EXPECT_EQ(tools->library.tools.size(), 1u);
+  bool is_reported = false;
+  for (const Diagnostic& note : tools->library.notes) {
+    if (note.code != "import-beside") continue;
+    is_reported = true;
+    EXPECT_EQ(note.severity, Severity::warning);
+    EXPECT_NE(
+        note.message.find("'EM6.fctb' and 'Em6.fctb' differ from it in case alone; rename one of them; it is left out"),
+        std::string::npos)
+        << note.message;
+  }
+  EXPECT_TRUE(is_reported);
+}
+
+TEST_F(ToolFolders, ABitThatIsNowhereIsReportedWithBothPlaces) {
+  write("Library/Mill.fctl", R"({"tools":[{"nr":1,"path":"em6.fctb"}]})");
+  const Result<BesideFile> beside = read_beside(at("Library/Mill.fctl"), "em6.fctb", kMostBytes);
+  ASSERT_FALSE(beside.has_value());
+  EXPECT_EQ(to_text(beside.error()),
+            at("Library/em6.fctb") + ": error: there is no such file, nor " + at("Bit/em6.fctb") + " [file-not-found]");
+  EXPECT_EQ(read("Library/Mill.fctl").error().code, "library-empty");
+}
+
+TEST(ReadAnyTools, LibrariesOfOtherProgramsAreReadWithTheirWarnings) {
+  const Result<ReadTools> fusion = read_any_tools("shop.tools", test::corpus("fusion-mill.tools"), kMostBytes);
+  ASSERT_TRUE(fusion.has_value()) << to_text(fusion.error());
+  const ImportedTools imported = *import_fusion("shop.tools", test::corpus("fusion-mill.tools"), {});
+  EXPECT_EQ(write_tool_library(fusion->library), write_tool_library(imported.library));
+  EXPECT_EQ(fusion->library.notes.size(), imported.notes.size());
+  EXPECT_FALSE(has_error(fusion->library.notes)) << "a tool that is left out is a warning";
+  const Result<ReadTools> one = read_any_tools("b.fctb", bit("EM 6", "6 mm"), kMostBytes);
+  ASSERT_TRUE(one.has_value()) << to_text(one.error());
+  EXPECT_EQ(one->library.tools.size(), 1u);
+}
+
+TEST(ReadAnyTools, OurOwnLibraryIsReadAsEver) {
+  const std::string ours =
+      R"({"units":"mm","tools":[{"number":1,"cutter":{"shape":"ball","diameter":8,"length":20}}]})";
+  EXPECT_EQ(read_any_tools("t.json", ours, kMostBytes)->library.tools.size(), 1u);
+  EXPECT_EQ(read_any_tools("t.json", R"({"tools":[{"number":1,"cutter":{}}]})", kMostBytes).error().code,
+            "library-field");
+  EXPECT_EQ(read_any_tools("t.json", R"({"units":"mm","tools":[)", kMostBytes).error().code, "library-syntax");
+}
+
+TEST(ReadAnyTools, AnyOtherFileIsRefusedWithWhatWasExpected) {
+  const std::string expected =
+      "expected a tool library of gougecheck (JSON), Fusion (.json or .tools), FreeCAD (.fctl or .fctb) or NX "
+      "(tool_database.dat)";
+  const auto error = [](const std::string& bytes) { return to_text(read_any_tools("t", bytes, kMostBytes).error()); };
+  EXPECT_EQ(error(""), "t: error: the file is empty; " + expected + " [library-foreign]");
+  EXPECT_EQ(error("<?xml version='1.0'?><tools/>"), "t: error: the file is XML or HTML; " + expected +
+                                                        ", so export the tools as one of these [library-foreign]");
+  EXPECT_EQ(error("GOTO/1,2,3\n"), "t: error: the file is no tool library; " + expected + " [library-foreign]");
+  EXPECT_EQ(error(R"({"tools":[{"key":"flat","diameter":6}]})"),
+            "t: error: the JSON in this file is no tool library; " + expected + " [library-foreign]");
+  EXPECT_NE(
+      error("#CLASS MILL\nFORMAT LIBRF DIA FLEN\nDATA | a | 6 | 20\n").find("gougecheck tool import t -o LIB.json"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace gouge

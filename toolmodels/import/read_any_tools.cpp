@@ -1,0 +1,110 @@
+#include "toolmodels/import/read_any_tools.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "toolmodels/import/import_tools.h"
+#include "toolmodels/import/json_entry.h"
+
+namespace gouge {
+namespace {
+
+struct Beginning {
+  std::string_view text, sentence;
+};
+
+constexpr const char* kExpected =
+    "expected a tool library of gougecheck (JSON), Fusion (.json or .tools), FreeCAD (.fctl or .fctb) or NX "
+    "(tool_database.dat)";
+
+constexpr std::array<Beginning, 9> kBeginnings = {{
+    {"SQLite format 3", "is a database (SQLite)"},
+    {"<", "is XML or HTML"},
+    {"ISO-10303-21", "is a STEP file"},
+    {"%PDF", "is a PDF document"},
+    {"\x89PNG", "is a picture (PNG)"},
+    {"\xff\xd8\xff", "is a picture (JPEG)"},
+    {"\x1f\x8b", "is compressed (gzip)"},
+    {"solid", "is a mesh (STL)"},
+    {"\xd0\xcf\x11\xe0", "is an old file of Office"},
+}};
+
+// What a file is that is neither JSON nor in a format that can be imported, and what to do.
+std::string describe_foreign(std::string_view bytes) {
+  const std::string_view text = detail::without_mark(bytes);
+  if (text.empty()) return std::string("the file is empty; ") + kExpected;
+  for (const auto& [beginning, sentence] : kBeginnings) {
+    if (text.starts_with(beginning))
+      return "the file " + std::string(sentence) + "; " + kExpected + ", so export the tools as one of these";
+  }
+  return std::string("the file is no tool library; ") + kExpected;
+}
+
+// Ours has "tools", each with a "cutter", or says its "units".
+bool is_ours(const nlohmann::json& root) {
+  if (!root.is_object()) return false;
+  if (root.contains("units")) return true;
+  const auto tools = root.find("tools");
+  if (tools == root.end() || !tools->is_array()) return false;
+  return tools->empty() || std::any_of(tools->begin(), tools->end(), [](const nlohmann::json& tool) {
+           return tool.is_object() && tool.contains("cutter");
+         });
+}
+
+std::string with_remedy(const Diagnostic& diagnostic, const std::string& file) {
+  const bool needs_option = diagnostic.message.find("--stickout") != std::string::npos ||
+                            diagnostic.message.find("--unit") != std::string::npos;
+  return diagnostic.message + (needs_option ? " to gougecheck tool import " + file + " -o LIB.json" : "");
+}
+
+Result<ReadTools> read_imported(const std::string& file, std::string_view bytes, ImportFormat format,
+                                std::uint64_t most_bytes) {
+  ReadTools read;
+  ImportOptions options;
+  options.read_beside = [&](const std::string& name) -> Result<std::string> {
+    Result<BesideFile> beside = read_beside(file, name, most_bytes);
+    if (!beside) return beside.error();
+    read.besides.push_back(std::move(*beside));
+    return read.besides.back().bytes;
+  };
+  Result<ImportedTools> made = import_tools(file, bytes, format, options);
+  if (!made) {
+    Diagnostic error = made.error();
+    error.message = with_remedy(error, file);
+    return error;
+  }
+  read.library = std::move(made->library);
+  if (read.library.tools.empty()) {
+    const auto first = std::ranges::find(made->notes, Severity::error, &Diagnostic::severity);
+    const std::string reason =
+        first == made->notes.end() || first->code == "import-empty" ? std::string() : ": " + with_remedy(*first, file);
+    return make_error("library-empty", "no tool of this file can be used" + reason, file);
+  }
+  for (Diagnostic& note : made->notes) {
+    note.message = with_remedy(note, file);
+    if (note.severity == Severity::error) {
+      note.severity = Severity::warning;
+      note.message += "; it is left out";
+    }
+    read.library.notes.push_back(std::move(note));
+  }
+  return read;
+}
+
+}  // namespace
+
+Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t most_bytes) {
+  if (const std::optional<ImportFormat> format = recognise_format(bytes))
+    return read_imported(file, bytes, *format, most_bytes);
+  if (!detail::is_json(bytes)) return make_error("library-foreign", describe_foreign(bytes), file);
+  const Result<JsonFile> json = parse_json(file, bytes, {"library-syntax", "library-duplicate-key", "a tool library"});
+  if (json && !is_ours(json->root))
+    return make_error("library-foreign", std::string("the JSON in this file is no tool library; ") + kExpected, file);
+  Result<ToolLibrary> library = read_tool_library(file, bytes);
+  if (!library) return library.error();
+  return ReadTools{std::move(*library), {}};
+}
+
+}  // namespace gouge

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/base/result.h"
+#include "toolmodels/import/beside_file.h"
+#include "toolmodels/tool_library.h"
+
+namespace gouge {
+
+struct ReadTools {
+  ToolLibrary library;              ///< its notes are those of the importer, where one read it
+  std::vector<BesideFile> besides;  ///< files that the library names and that were read for it
+};
+
+/// Reads a tool library of this project or, by its importer, one of another program. What the importer reports is in
+/// the notes of the library; a tool that it leaves out is a warning there.
+///
+/// Errors   those of read_tool_library and import_tools; library-foreign: a file of another kind, which the message
+///          names with what to do; library-empty: no tool of the file can be imported, with the first reason.
+[[nodiscard]] Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes,
+                                               std::uint64_t most_bytes);
+
+}  // namespace gouge
