@@ -1,6 +1,7 @@
 #include <gougecheck/check.h>
 #include <pybind11/stl.h>
 
+#include "cli/python/arguments.h"
 #include "cli/python/arrays.h"
 #include "cli/python/bindings.h"
 
@@ -23,17 +24,6 @@ Rapids rapids_called(const std::string& name) {
   throw py::value_error("rapids: expected 'straight', 'dogleg' or 'skip', got '" + name + "'");
 }
 
-std::vector<Mesh> meshes_of(const py::object& object, const std::string& expected) {
-  if (py::isinstance<Mesh>(object)) return {object.cast<Mesh>()};
-  if (!py::isinstance<py::sequence>(object)) throw py::type_error(expected);
-  std::vector<Mesh> meshes;
-  for (const py::handle& item : object) {
-    if (!py::isinstance<Mesh>(item)) throw py::type_error(expected);
-    meshes.push_back(item.cast<Mesh>());
-  }
-  return meshes;
-}
-
 /// The arguments that check and correct share.
 struct Asked {
   const Path& path;
@@ -50,45 +40,58 @@ Scene scene_of(const py::object& part, const py::object& fixtures) {
     return part.cast<Scene>();
   }
   if (py::isinstance<Mesh>(part) && !has_fixtures) return part.cast<Mesh>();
-  std::vector<Mesh> parts = meshes_of(part, "part: expected a Mesh, a list of Mesh or a Scene");
-  return Scene(std::move(parts),
-               meshes_of(fixtures.is_none() ? py::tuple() : fixtures, "fixtures: expected a list of Mesh"));
+  std::vector<Mesh> parts = meshes_of(part, "part", "a Mesh, a list of Mesh or a Scene");
+  return Scene(std::move(parts), has_fixtures ? meshes_of(fixtures, "fixtures") : std::vector<Mesh>());
 }
 
 Asked asked(const py::object& path, const py::object& part, const py::object& tool, const py::object& fixtures,
             const CheckOptions& options) {
-  if (!py::isinstance<Path>(path)) throw py::type_error("path: expected a Path; read_toolpath(file) makes one");
+  const Path& its_path = bound<Path>(path, "path", "a Path (read_toolpath(file) makes one)");
   const bool is_tool = py::isinstance<Tool>(tool);
-  if (!is_tool && !py::isinstance<ToolLibrary>(tool)) throw py::type_error("tool: expected a Tool or a ToolLibrary");
-  return {path.cast<const Path&>(), scene_of(part, fixtures), is_tool ? tool.cast<const Tool*>() : nullptr,
-          is_tool ? nullptr : tool.cast<const ToolLibrary*>(), options};
+  const ToolLibrary* library = is_tool ? nullptr : &bound<ToolLibrary>(tool, "tool", "a Tool or a ToolLibrary");
+  return {its_path, scene_of(part, fixtures), is_tool ? tool.cast<const Tool*>() : nullptr, library, options};
 }
 
-CheckOptions options_of(double tolerance, double resolution, double stock_to_leave, double shank_clearance,
-                        double holder_clearance, double near_miss, const std::string& rapids, unsigned threads,
-                        const std::vector<std::string>& assume, bool strict) {
-  return {tolerance, resolution, stock_to_leave, shank_clearance, holder_clearance, near_miss, rapids_called(rapids),
-          threads,   assume,     strict};
+// What check and correct share, but for near_miss.
+CheckOptions take_options(Keywords& keywords) {
+  const CheckOptions defaults;
+  CheckOptions options;
+  options.tolerance = keywords.number("tolerance", defaults.tolerance);
+  options.resolution = keywords.number("resolution", defaults.resolution);
+  options.stock_to_leave = keywords.number("stock_to_leave", defaults.stock_to_leave);
+  options.shank_clearance = keywords.number("shank_clearance", defaults.shank_clearance);
+  options.holder_clearance = keywords.number("holder_clearance", defaults.holder_clearance);
+  options.rapids = rapids_called(keywords.text("rapids", "straight"));
+  options.threads = keywords.count("threads", defaults.threads);
+  options.assume = keywords.texts("assume");
+  options.strict = keywords.flag("strict", defaults.strict);
+  return options;
 }
 
-Report run_check(const py::object& path, const py::object& part, const py::object& tool, const py::object& fixtures,
-                 double tolerance, double resolution, double stock, double shank, double holder, double near,
-                 const std::string& rapids, unsigned threads, const std::vector<std::string>& assume, bool strict) {
-  const Asked a = asked(path, part, tool, fixtures,
-                        options_of(tolerance, resolution, stock, shank, holder, near, rapids, threads, assume, strict));
+Report run_check(const py::object& path, const py::object& part, const py::object& tool, const py::kwargs& given) {
+  Keywords keywords("check", given);
+  const py::object fixtures = keywords.object("fixtures");
+  CheckOptions options = take_options(keywords);
+  options.near_miss = keywords.number("near_miss", options.near_miss);
+  keywords.finish();
+  const Asked a = asked(path, part, tool, fixtures, options);
   const py::gil_scoped_release release;
   return a.tool != nullptr ? check(a.path, a.scene, *a.tool, a.options) : check(a.path, a.scene, *a.library, a.options);
 }
 
 Correction run_correct(const py::object& path, const py::object& part, const py::object& tool,
-                       const py::object& fixtures, const std::string& strategy, double max_shift,
-                       const std::optional<double>& max_side_shift, double max_tilt, double rapid_clearance,
-                       double tolerance, double resolution, double stock, double shank, double holder,
-                       const std::string& rapids, unsigned threads, const std::vector<std::string>& assume,
-                       bool strict) {
-  const Asked a = asked(path, part, tool, fixtures,
-                        options_of(tolerance, resolution, stock, shank, holder, 0, rapids, threads, assume, strict));
-  const CorrectOptions how{strategy, max_shift, max_side_shift, max_tilt, rapid_clearance};
+                       const py::kwargs& given) {
+  Keywords keywords("correct", given);
+  const py::object fixtures = keywords.object("fixtures");
+  CorrectOptions how;
+  how.strategy = keywords.text("strategy", how.strategy);
+  how.max_shift = keywords.number("max_shift", how.max_shift);
+  how.max_side_shift = keywords.number_or_none("max_side_shift");
+  how.max_tilt = keywords.number("max_tilt", how.max_tilt);
+  how.rapid_clearance = keywords.number("rapid_clearance", how.rapid_clearance);
+  const CheckOptions options = take_options(keywords);
+  keywords.finish();
+  const Asked a = asked(path, part, tool, fixtures, options);
   const py::gil_scoped_release release;
   return a.tool != nullptr ? correct(a.path, a.scene, *a.tool, a.options, how)
                            : correct(a.path, a.scene, *a.library, a.options, how);
@@ -128,11 +131,7 @@ void bind_checks(py::module_& module) {
           "Checks the whole motion of every move against the whole surface of every triangle: no gouge deeper "
           "than tolerance + resolution is missed, every gouge has a witness, and clean is proved.") +
       kOptions;
-  module.def("check", &run_check, py::arg("path"), py::arg("part"), py::arg("tool"), py::kw_only(),
-             py::arg("fixtures") = py::tuple(), py::arg("tolerance") = 0.01, py::arg("resolution") = 0.001,
-             py::arg("stock_to_leave") = 0.0, py::arg("shank_clearance") = 0.0, py::arg("holder_clearance") = 0.0,
-             py::arg("near_miss") = 0.0, py::arg("rapids") = "straight", py::arg("threads") = 0,
-             py::arg("assume") = std::vector<std::string>(), py::arg("strict") = false, check_doc.c_str());
+  module.def("check", &run_check, py::arg("path"), py::arg("part"), py::arg("tool"), check_doc.c_str());
   bind_corrections(module);
   static const std::string correct_doc =
       std::string(
@@ -141,13 +140,7 @@ void bind_checks(py::module_& module) {
           "becomes deeper. strategy: 'auto', 'weighted', 'normal', 'axis', 'tilt' or 'trim'. max_shift, "
           "max_side_shift (None: by the depth), rapid_clearance: mm. max_tilt: degrees.") +
       kOptions;
-  module.def("correct", &run_correct, py::arg("path"), py::arg("part"), py::arg("tool"), py::kw_only(),
-             py::arg("fixtures") = py::tuple(), py::arg("strategy") = "auto", py::arg("max_shift") = 20.0,
-             py::arg("max_side_shift") = py::none(), py::arg("max_tilt") = 30.0, py::arg("rapid_clearance") = 1.0,
-             py::arg("tolerance") = 0.01, py::arg("resolution") = 0.001, py::arg("stock_to_leave") = 0.0,
-             py::arg("shank_clearance") = 0.0, py::arg("holder_clearance") = 0.0, py::arg("rapids") = "straight",
-             py::arg("threads") = 0, py::arg("assume") = std::vector<std::string>(), py::arg("strict") = false,
-             correct_doc.c_str());
+  module.def("correct", &run_correct, py::arg("path"), py::arg("part"), py::arg("tool"), correct_doc.c_str());
 }
 
 }  // namespace gougecheck::python

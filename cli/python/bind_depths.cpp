@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "cli/python/arguments.h"
 #include "cli/python/arrays.h"
 #include "cli/python/bindings.h"
 
@@ -42,17 +43,19 @@ void add_view(py::class_<Depths>& depths, const char* name, std::vector<T> Depth
       doc);
 }
 
-Depths find_depths(const py::object& part, const Tool& tool, const py::object& tips, const py::object& axes,
-                   double resolution, unsigned threads) {
-  if (!py::isinstance<Mesh>(part) && !py::isinstance<Scene>(part))
-    throw py::type_error("mesh: expected a Mesh or a Scene");
+Depths find_depths(const py::object& part, const py::object& tool, const py::object& tips, const py::object& axes,
+                   const py::kwargs& given) {
+  Keywords keywords("depth", given);
+  CheckOptions options;
+  options.resolution = keywords.number("resolution", options.resolution);
+  options.threads = keywords.count("threads", options.threads);
+  keywords.finish();
+  if (!py::isinstance<Mesh>(part) && !py::isinstance<Scene>(part)) refuse_argument("mesh", "a Mesh or a Scene", part);
+  const Tool& its_tool = bound<Tool>(tool, "tool", "a Tool");
   const Scene scene = py::isinstance<Mesh>(part) ? Scene(part.cast<Mesh>()) : part.cast<Scene>();
   const auto tip_rows = rows_of(tips, "tips", true), axis_rows = rows_of(axes, "axes", true);
   const py::gil_scoped_release release;
-  CheckOptions options;
-  options.resolution = resolution;
-  options.threads = threads;
-  return Depths(DepthQuery(scene, tool, options).at(tip_rows, axis_rows, threads));
+  return Depths(DepthQuery(scene, its_tool, options).at(tip_rows, axis_rows, options.threads));
 }
 
 py::object vector_or_none(const std::optional<Vec3>& vector) { return vector ? py::object(copy(*vector)) : py::none(); }
@@ -75,8 +78,7 @@ void bind_depths(py::module_& module) {
   add_view(depths, "body", &Depths::body, "int8 (n,): values of gougecheck.Body; -1 without a point.");
   depths.def("__len__", [](const Depths& self) { return self.state.size(); });
   module.def(
-      "depth", &find_depths, py::arg("mesh"), py::arg("tool"), py::arg("tips"), py::arg("axes"), py::kw_only(),
-      py::arg("resolution") = 0.001, py::arg("threads") = 0,
+      "depth", &find_depths, py::arg("mesh"), py::arg("tool"), py::arg("tips"), py::arg("axes"),
       "depth(mesh, tool, tips, axes, *, resolution=0.001, threads=0) -> Depths\n\n"
       "How deep the tool is at each position, alone, without the motion between them: over the whole surface, not "
       "at vertices. mesh: a Mesh or a Scene. tips, axes: C-contiguous float64 (n, 3), mm, read where they are; "
@@ -112,13 +114,19 @@ void bind_penetration(py::module_& module) {
       });
   module.def(
       "penetration",
-      [](const Mesh& a, const Mesh& b, const py::object& pose, double tolerance, double resolution, bool find_shift) {
+      [](const py::object& a, const py::object& b, const py::object& pose, const py::kwargs& given) {
+        Keywords keywords("penetration", given);
+        PenetrationOptions options;
+        options.tolerance = keywords.number("tolerance", options.tolerance);
+        options.resolution = keywords.number("resolution", options.resolution);
+        options.find_shift = keywords.flag("find_shift", options.find_shift);
+        keywords.finish();
+        const Mesh &one = bound<Mesh>(a, "a", "a Mesh"), &other = bound<Mesh>(b, "b", "a Mesh");
         const Transform placed = pose_of(pose);
         const py::gil_scoped_release release;
-        return penetration(a, b, placed, {tolerance, resolution, find_shift});
+        return penetration(one, other, placed, options);
       },
-      py::arg("a"), py::arg("b"), py::arg("pose") = py::none(), py::kw_only(), py::arg("tolerance") = 0.01,
-      py::arg("resolution") = 0.001, py::arg("find_shift") = false,
+      py::arg("a"), py::arg("b"), py::arg("pose") = py::none(),
       "penetration(a, b, pose=None, *, tolerance=0.01, resolution=0.001, find_shift=False) -> Penetration\n\n"
       "Whether two bodies penetrate and how deep, b placed by pose: None, a homogeneous float64 (4, 4) as trimesh has "
       "it, or a Transform of python-fcl. 'free' and 'touching' are proved. The GIL is released.");

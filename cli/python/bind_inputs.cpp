@@ -3,36 +3,47 @@
 #include <gougecheck/tool.h>
 #include <pybind11/stl.h>
 
-#include <tuple>
+#include <map>
+#include <string>
+#include <vector>
 
+#include "cli/python/arguments.h"
 #include "cli/python/arrays.h"
 #include "cli/python/bindings.h"
 
 namespace gougecheck::python {
 namespace {
 
-using Segments = std::vector<std::tuple<double, double, double>>;
-
-std::vector<ToolSegment> segments_of(const Segments& tuples) {
-  std::vector<ToolSegment> segments;
-  for (const auto& [lower, upper, length] : tuples) segments.push_back({lower, upper, length});
-  return segments;
+ToolSegment segment_of(const py::handle& object, const std::string& name) {
+  const bool is_tuple =
+      py::isinstance<py::sequence>(object) && !py::isinstance<py::str>(object) && py::len(object) == 3;
+  if (!is_tuple) refuse_argument(name, "(lower_diameter, upper_diameter, length)", object);
+  const auto at = [&](std::size_t i) { return number_of(object[py::int_(i)], name + "[" + std::to_string(i) + "]"); };
+  return {at(0), at(1), at(2)};
 }
 
-Segments taken(const py::dict& keywords, const char* name) {
-  if (!keywords.contains(name)) return {};
-  const py::object value = keywords.attr("pop")(name);
-  return value.cast<Segments>();
+std::vector<ToolSegment> segments_of(const py::object& object, const std::string& name) {
+  std::vector<ToolSegment> segments;
+  if (object.is_none()) return segments;
+  if (!py::isinstance<py::sequence>(object) || py::isinstance<py::str>(object))
+    refuse_argument(name, "a list of (lower_diameter, upper_diameter, length)", object);
+  for (const py::handle& item : object)
+    segments.push_back(segment_of(item, name + "[" + std::to_string(segments.size()) + "]"));
+  return segments;
 }
 
 Tool make_tool(const std::string& shape, const py::kwargs& keywords) {
   const py::dict rest = keywords.attr("copy")();
-  const Segments shank = taken(rest, "shank"), holder = taken(rest, "holder");
-  return {shape, rest.cast<std::map<std::string, double>>(), segments_of(shank), segments_of(holder)};
+  const py::object shank = rest.attr("pop")("shank", py::none()), holder = rest.attr("pop")("holder", py::none());
+  std::map<std::string, double> dimensions;
+  for (const auto& [key, value] : rest) dimensions[key.cast<std::string>()] = number_of(value, py::str(key));
+  return {shape, dimensions, segments_of(shank, "shank"), segments_of(holder, "holder")};
 }
 
-std::string path_text(const py::object& file) {
-  return py::module_::import("os").attr("fspath")(file).cast<std::string>();
+// A number is the name of a tool as well.
+std::string tool_name(const py::object& name) {
+  const bool is_number = py::hasattr(name, "__index__") && !py::isinstance<py::bool_>(name);
+  return is_number ? std::string(py::str(name)) : text_of(name, "name");
 }
 
 }  // namespace
@@ -43,7 +54,8 @@ void bind_meshes(py::module_& module) {
                    "vertices: C-contiguous float64 of shape (n, 3). faces: C-contiguous integers of shape (m, 3), "
                    "counter-clockwise seen from outside, as trimesh has them. Both are copied; vertices with identical "
                    "coordinates become one. Immutable. The first check makes an index, which stays with the mesh.")
-      .def(py::init([](const py::object& vertices, const py::object& faces, const std::string& name) {
+      .def(py::init([](const py::object& vertices, const py::object& faces, const py::object& its_name) {
+             const std::string name = text_of(its_name, "name");
              const auto rows = rows_of(vertices, "vertices");
              const auto triangles = triangles_of(faces);
              const py::gil_scoped_release release;
@@ -52,8 +64,8 @@ void bind_meshes(py::module_& module) {
            py::arg("vertices"), py::arg("faces"), py::arg("name") = "mesh")
       .def_static(
           "read_stl",
-          [](const py::object& file, const std::string& unit) {
-            const std::string name = path_text(file);
+          [](const py::object& file, const py::object& its_unit) {
+            const std::string name = file_of(file), unit = text_of(its_unit, "unit");
             const py::gil_scoped_release release;
             return Mesh::read_stl(name, unit);
           },
@@ -79,8 +91,10 @@ void bind_meshes(py::module_& module) {
   py::class_<Scene>(module, "Scene",
                     "What stands still: Scene(parts, fixtures=[]), lists of Mesh. Parts must not be cut into, fixtures "
                     "not be touched. Immutable; keep it when several checks use it, since it holds their index.")
-      .def(py::init<std::vector<Mesh>, std::vector<Mesh>>(), py::arg("parts"),
-           py::arg("fixtures") = std::vector<Mesh>())
+      .def(py::init([](const py::object& parts, const py::object& fixtures) {
+             return Scene(meshes_of(parts, "parts"), meshes_of(fixtures, "fixtures"));
+           }),
+           py::arg("parts"), py::arg("fixtures") = py::tuple())
       .def("__repr__", [](const Scene& scene) {
         return "<gougecheck.Scene of " + std::to_string(scene.parts().size()) + " parts and " +
                std::to_string(scene.fixtures().size()) + " fixtures>";
@@ -95,7 +109,10 @@ void bind_tools(py::module_& module) {
       "with its dimensions as keywords, in mm and degrees. shank and holder: lists of "
       "(lower_diameter, upper_diameter, length) from the cutter up. Immutable.");
   tool.def_static(
-          "from_json", [](const std::string& json, const std::string& name) { return Tool::from_json(json, name); },
+          "from_json",
+          [](const py::object& json, const py::object& name) {
+            return Tool::from_json(text_of(json, "json"), tool_name(name));
+          },
           py::arg("json"), py::arg("name") = "",
           "From the JSON of one tool, or of a library; name: which of its tools, a name or number.")
       .def_property_readonly("name", &Tool::name)
@@ -113,15 +130,15 @@ void bind_tools(py::module_& module) {
       module, "ToolLibrary",
       "The tools of paths that call several: ToolLibrary.read(file) or ToolLibrary.from_json(json).")
       .def_static(
-          "read", [](const py::object& file) { return ToolLibrary::read(path_text(file)); }, py::arg("file"),
+          "read", [](const py::object& file) { return ToolLibrary::read(file_of(file)); }, py::arg("file"),
           "From a tool library file (docs/formats/tool_library.md).")
       .def_static(
-          "from_json", [](const std::string& json) { return ToolLibrary::from_json(json); }, py::arg("json"),
-          "From the text of such a file.")
+          "from_json", [](const py::object& json) { return ToolLibrary::from_json(text_of(json, "json")); },
+          py::arg("json"), "From the text of such a file.")
       .def_property_readonly("tools", &ToolLibrary::tools)
       .def(
-          "tool", [](const ToolLibrary& self, const std::string& name) { return self.tool(name); }, py::arg("name"),
-          "The tool of that name, or of that number: '3' or 'T3'.");
+          "tool", [](const ToolLibrary& self, const py::object& name) { return self.tool(tool_name(name)); },
+          py::arg("name"), "The tool of that name, or of that number: '3' or 'T3'.");
 }
 
 void bind_paths(py::module_& module) {
@@ -132,8 +149,9 @@ void bind_paths(py::module_& module) {
                    "alone; move i the motion from position i - 1: the tip on the straight line, the axis on the great "
                    "circle, both at constant speed. Immutable.")
       .def(py::init(
-               [](const py::object& tips, const py::object& axes, const py::object& rapids, const std::string& name) {
-                 return Path(rows_of(tips, "tips"), rows_of(axes, "axes", true), flags_of(rapids, "rapids"), name);
+               [](const py::object& tips, const py::object& axes, const py::object& rapids, const py::object& name) {
+                 return Path(rows_of(tips, "tips"), rows_of(axes, "axes", true), flags_of(rapids, "rapids"),
+                             text_of(name, "name"));
                }),
            py::arg("tips"), py::arg("axes"), py::arg("rapids") = py::none(), py::arg("name") = "path")
       .def_property_readonly(
@@ -161,7 +179,7 @@ void bind_paths(py::module_& module) {
   module.def(
       "read_toolpath",
       [](const py::object& file, const std::string& unit) {
-        const std::string name = path_text(file);
+        const std::string name = file_of(file);
         const py::gil_scoped_release release;
         return Path::read(name, unit);
       },

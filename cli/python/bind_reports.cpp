@@ -1,6 +1,7 @@
 #include <gougecheck/report.h>
 #include <pybind11/stl.h>
 
+#include "cli/python/arguments.h"
 #include "cli/python/arrays.h"
 #include "cli/python/bindings.h"
 
@@ -91,7 +92,7 @@ void bind_reports(py::module_& module) {
       .def(
           "write",
           [](const Report& self, const py::object& file) {
-            const auto name = py::module_::import("os").attr("fspath")(file).cast<std::string>();
+            const auto name = file_of(file);
             const py::gil_scoped_release release;
             self.write(name);
           },

@@ -24,6 +24,8 @@ void bind_errors(py::module_& module) {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
+    } catch (const py::cast_error& e) {
+      PyErr_SetString(PyExc_TypeError, e.what());
     } catch (const gougecheck::Error& e) {
       py::object instance = py::reinterpret_borrow<py::object>(error)(e.what());
       instance.attr("code") = e.code();

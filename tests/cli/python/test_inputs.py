@@ -75,6 +75,71 @@ def test_tools_by_shape_and_from_json():
         gougecheck.Tool.ball(diameter=16, length=25, taper=3)
 
 
+@pytest.mark.parametrize("keywords, message", [
+    (dict(diameter="10", length=30), "diameter: expected a number, got '10' (str)"),
+    (dict(diameter=None, length=30), "diameter: expected a number, got None (NoneType)"),
+    (dict(diameter=10, length=True), "length: expected a number, got True (bool)"),
+    (dict(diameter=10, length=30, name="x"), "name: expected a number, got 'x' (str)"),
+    (dict(diameter=10, length=30, holder="ER16"),
+     "holder: expected a list of (lower_diameter, upper_diameter, length), got 'ER16' (str)"),
+    (dict(diameter=10, length=30, holder=[32, 32, 40]),
+     "holder[0]: expected (lower_diameter, upper_diameter, length), got 32 (int)"),
+    (dict(diameter=10, length=30, shank=[(10, 10, 5), (10, "ten", 5)]), "shank[1][1]: expected a number, got 'ten' (str)"),
+])
+def test_a_dimension_of_another_kind_is_a_type_error_that_names_it(keywords, message):
+    with pytest.raises(TypeError) as caught:
+        gougecheck.Tool.ball(**keywords)
+    assert str(caught.value) == message
+
+
+def test_numbers_of_any_kind_are_dimensions():
+    tool = gougecheck.Tool.ball(diameter=np.float32(10), length=np.int64(30), holder=([20, 20, 10],))
+    assert tool.height == 40
+
+
+def test_arguments_of_another_kind_are_type_errors_that_name_them():
+    mesh, path = gougecheck.Mesh(VERTICES, FACES), gougecheck.Path(TIPS, UP)
+    tool = gougecheck.Tool.ball(diameter=2, length=8)
+    calls = {
+        "path: expected a Path": lambda: gougecheck.check("a.apt", mesh, tool),
+        "part: expected a Mesh, a list of Mesh or a Scene, got 'p.stl'": lambda: gougecheck.check(path, "p.stl", tool),
+        "part\\[1\\]: expected a Mesh, got 3": lambda: gougecheck.check(path, [mesh, 3], tool),
+        "tool: expected a Tool or a ToolLibrary": lambda: gougecheck.check(path, mesh, 7),
+        "tolerance: expected a number, got '0.01'": lambda: gougecheck.check(path, mesh, tool, tolerance="0.01"),
+        "tolerance: expected a number, got None": lambda: gougecheck.check(path, mesh, tool, tolerance=None),
+        "threads: expected a whole number of 0 or more, got -1": lambda: gougecheck.check(path, mesh, tool, threads=-1),
+        "threads: expected a whole number of 0 or more, got 1.5":
+            lambda: gougecheck.check(path, mesh, tool, threads=1.5),
+        "rapids: expected a str, got 3": lambda: gougecheck.check(path, mesh, tool, rapids=3),
+        "check\\(\\) has no keyword 'tolerence'; it has fixtures, tolerance, ":
+            lambda: gougecheck.check(path, mesh, tool, tolerence=0.02),
+        "fixtures: expected a Mesh or a list of Mesh": lambda: gougecheck.check(path, mesh, tool, fixtures="f.stl"),
+        "max_side_shift: expected a number": lambda: gougecheck.correct(path, mesh, tool, max_side_shift="1"),
+        "strategy: expected a str": lambda: gougecheck.correct(path, mesh, tool, strategy=None),
+        "mesh: expected a Mesh or a Scene": lambda: gougecheck.depth(path, tool, TIPS, UP),
+        "tool: expected a Tool, got": lambda: gougecheck.depth(mesh, path, TIPS, UP),
+        "resolution: expected a number": lambda: gougecheck.depth(mesh, tool, TIPS, UP, resolution="fine"),
+        "b: expected a Mesh": lambda: gougecheck.penetration(mesh, path),
+        "find_shift: expected True or False": lambda: gougecheck.penetration(mesh, mesh, find_shift="yes"),
+        "file: expected the name of a file": lambda: gougecheck.read_toolpath(5),
+        "unit: expected a str": lambda: gougecheck.Mesh.read_stl("p.stl", 25.4),
+        "parts: expected a Mesh or a list of Mesh": lambda: gougecheck.Scene("p.stl"),
+        "name: expected a str, got 4": lambda: gougecheck.Mesh(VERTICES, FACES, 4),
+        "json: expected a str": lambda: gougecheck.Tool.from_json({"cutter": 1}),
+    }
+    for message, call in calls.items():
+        with pytest.raises(TypeError, match=message):
+            call()
+
+
+def test_a_tool_of_a_library_is_found_by_its_number_as_a_number():
+    library = gougecheck.ToolLibrary.from_json(
+        '{"units": "mm", "tools": [{"number": 3, "cutter": {"shape": "ball", "diameter": 8, "length": 20}}]}')
+    assert library.tool(3).to_json() == library.tool("T3").to_json()
+    with pytest.raises(TypeError, match="name: expected a str"):
+        library.tool(None)
+
+
 def test_views_are_read_only_and_keep_their_owner():
     mesh = gougecheck.Mesh(VERTICES, FACES)
     vertices = mesh.vertices

@@ -1,0 +1,118 @@
+#include "cli/python/arguments.h"
+
+#include <utility>
+
+namespace gougecheck::python {
+namespace {
+
+// Of a value, short enough for a message.
+std::string shown(const py::handle& object) {
+  constexpr std::size_t kMost = 60;
+  const std::string text = py::repr(object).cast<std::string>();
+  const std::string type = py::str(py::type::handle_of(object).attr("__name__"));
+  return (text.size() > kMost ? text.substr(0, text.find_last_of(" ,", kMost)) + " ..." : text) + " (" + type + ")";
+}
+
+}  // namespace
+
+void refuse_argument(const std::string& name, const std::string& wanted, const py::handle& got) {
+  throw py::type_error(name + ": expected " + wanted + ", got " + shown(got));
+}
+
+double number_of(const py::handle& object, const std::string& name) {
+  const bool is_number = !py::isinstance<py::bool_>(object) && !py::isinstance<py::str>(object) &&
+                         (py::hasattr(object, "__float__") || py::hasattr(object, "__index__"));
+  if (!is_number) refuse_argument(name, "a number", object);
+  const double value = PyFloat_AsDouble(object.ptr());
+  if (PyErr_Occurred() == nullptr) return value;
+  PyErr_Clear();
+  refuse_argument(name, "a number", object);
+}
+
+std::string text_of(const py::handle& object, const std::string& name) {
+  if (!py::isinstance<py::str>(object)) refuse_argument(name, "a str", object);
+  return object.cast<std::string>();
+}
+
+std::string file_of(const py::handle& object, const std::string& name) {
+  if (py::isinstance<py::str>(object)) return object.cast<std::string>();
+  if (!py::isinstance<py::bytes>(object) && !py::hasattr(object, "__fspath__"))
+    refuse_argument(name, "the name of a file, a str or a path", object);
+  return py::module_::import("os").attr("fsdecode")(object).cast<std::string>();
+}
+
+std::vector<Mesh> meshes_of(const py::handle& object, const std::string& name, const std::string& wanted) {
+  if (py::isinstance<Mesh>(object)) return {object.cast<Mesh>()};
+  if (!py::isinstance<py::sequence>(object) || py::isinstance<py::str>(object)) refuse_argument(name, wanted, object);
+  std::vector<Mesh> meshes;
+  for (const py::handle& item : object)
+    meshes.push_back(bound<Mesh>(item, name + "[" + std::to_string(meshes.size()) + "]", "a Mesh"));
+  return meshes;
+}
+
+Keywords::Keywords(std::string function, const py::kwargs& given)
+    : function_(std::move(function)), left_(given.attr("copy")()) {}
+
+py::object Keywords::object(const char* name) {
+  known_.emplace_back(name);
+  return left_.contains(name) ? py::object(left_.attr("pop")(name)) : py::none();
+}
+
+double Keywords::number(const char* name, double otherwise) {
+  const bool is_given = left_.contains(name);
+  const py::object value = object(name);
+  return is_given ? number_of(value, name) : otherwise;
+}
+
+std::optional<double> Keywords::number_or_none(const char* name) {
+  const py::object value = object(name);
+  return value.is_none() ? std::nullopt : std::optional(number_of(value, name));
+}
+
+std::string Keywords::text(const char* name, const std::string& otherwise) {
+  const bool is_given = left_.contains(name);
+  const py::object value = object(name);
+  return is_given ? text_of(value, name) : otherwise;
+}
+
+std::vector<std::string> Keywords::texts(const char* name) {
+  const bool is_given = left_.contains(name);
+  const py::object value = object(name);
+  if (!is_given) return {};
+  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value))
+    refuse_argument(name, "a list of str", value);
+  std::vector<std::string> all;
+  for (const py::handle& item : value) all.push_back(text_of(item, name));
+  return all;
+}
+
+bool Keywords::flag(const char* name, bool otherwise) {
+  const bool is_given = left_.contains(name);
+  const py::object value = object(name);
+  if (!is_given) return otherwise;
+  if (!py::isinstance<py::bool_>(value)) refuse_argument(name, "True or False", value);
+  return value.cast<bool>();
+}
+
+unsigned Keywords::count(const char* name, unsigned otherwise) {
+  const bool is_given = left_.contains(name);
+  const py::object value = object(name);
+  if (!is_given) return otherwise;
+  const bool is_whole = !py::isinstance<py::bool_>(value) && py::hasattr(value, "__index__");
+  if (!is_whole) refuse_argument(name, "a whole number of 0 or more", value);
+  try {
+    return value.cast<unsigned>();
+  } catch (const py::cast_error&) {
+    refuse_argument(name, "a whole number of 0 or more", value);
+  }
+}
+
+void Keywords::finish() const {
+  if (left_.empty()) return;
+  const std::string name = py::str(left_.begin()->first);
+  std::string known;
+  for (const std::string& one : known_) known += (known.empty() ? "" : ", ") + one;
+  throw py::type_error(function_ + "() has no keyword '" + name + "'; it has " + known);
+}
+
+}  // namespace gougecheck::python

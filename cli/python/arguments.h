@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gougecheck/mesh.h>
+#include <pybind11/pybind11.h>
+
+// Arguments of Python's kind as those of the library, or a TypeError that names the argument, what it is and what was
+// expected.
+
+namespace gougecheck::python {
+
+namespace py = pybind11;
+
+/// Throws the TypeError "NAME: expected WANTED, got VALUE (TYPE)".
+[[noreturn]] void refuse_argument(const std::string& name, const std::string& wanted, const py::handle& got);
+
+/// A number, also an int or a NumPy scalar; no bool and no text.
+[[nodiscard]] double number_of(const py::handle& object, const std::string& name);
+/// A str.
+[[nodiscard]] std::string text_of(const py::handle& object, const std::string& name);
+/// A str or an object with __fspath__.
+[[nodiscard]] std::string file_of(const py::handle& object, const std::string& name = "file");
+/// A Mesh, or a sequence of them.
+[[nodiscard]] std::vector<Mesh> meshes_of(const py::handle& object, const std::string& name,
+                                          const std::string& wanted = "a Mesh or a list of Mesh");
+/// An object of the bound class T, of which `wanted` is the name: "a Tool".
+template <class T>
+[[nodiscard]] const T& bound(const py::handle& object, const std::string& name, const std::string& wanted) {
+  if (!py::isinstance<T>(object)) refuse_argument(name, wanted, object);
+  return object.cast<const T&>();
+}
+
+/// The keywords of one call of `function`. Each is taken by its name; what is left is refused by `finish`.
+class Keywords {
+ public:
+  Keywords(std::string function, const py::kwargs& given);
+
+  [[nodiscard]] double number(const char* name, double otherwise);
+  [[nodiscard]] std::optional<double> number_or_none(const char* name);
+  [[nodiscard]] std::string text(const char* name, const std::string& otherwise);
+  /// A sequence of texts; empty where it is not given.
+  [[nodiscard]] std::vector<std::string> texts(const char* name);
+  [[nodiscard]] bool flag(const char* name, bool otherwise);
+  /// A whole number of 0 or more.
+  [[nodiscard]] unsigned count(const char* name, unsigned otherwise);
+  /// As it is; None where it is not given.
+  [[nodiscard]] py::object object(const char* name);
+
+  /// Requires that every keyword there is was taken. Throws the TypeError that names one that is left.
+  void finish() const;
+
+ private:
+  std::string function_;
+  py::dict left_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace gougecheck::python
