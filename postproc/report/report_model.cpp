@@ -7,6 +7,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/sha256.h"
+#include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"
 
@@ -84,9 +85,9 @@ std::vector<std::string> open_facts(const CheckResult& result) {
 
 std::vector<std::string> reservations(const ReportModel& model) {
   constexpr std::size_t kNamed = 5;
-  std::vector<std::string> all;
+  std::vector<std::string> all = remedies(model);
   for (const Diagnostic& note : model.notes) {
-    if (note.code == kProjectFile) all.push_back(note.message);
+    if (note.code == kProjectFile || note.code == kLengthsInMm) all.push_back(note.message);
   }
   // "Clean" is what is left of the path, not the part.
   if (std::string uncut = uncut_text(model.correction, model.toolpath->unit); !uncut.empty())

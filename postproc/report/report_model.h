@@ -191,8 +191,8 @@ enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 /// Returns one sentence for each assumption that keeps the verdict from being clean: which, why, and what to do.
 [[nodiscard]] std::vector<std::string> open_facts(const CheckResult& result);
 
-/// What a reader of the verdict must know beside it, a sentence each: that the path may not belong to the part, that
-/// tools have no holder.
+/// What a reader of the verdict must know beside it, a sentence each: which option settles why moves are not checked
+/// (remedies.h), that the path may not belong to the part, that tools have no holder.
 [[nodiscard]] std::vector<std::string> reservations(const ReportModel& model);
 
 /// A distance of Closeness, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm", "not within 20

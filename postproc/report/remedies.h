@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+
+/// Code of the note on lengths that were taken in mm for a path in inches, which stands beside the verdict.
+inline constexpr const char* kLengthsInMm = "option-unit";
+
+/// Names the options that settle reasons for which moves are not checked, the one of most moves first, a sentence each:
+/// "--cutcom centre settles the reason of all 46 moves that are not checked: it states that ...". Moves left out on
+/// request do not count.
+[[nodiscard]] std::vector<std::string> remedies(const ReportModel& model);
+
+}  // namespace gouge
