@@ -29,6 +29,38 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
   return edits[a.size()][b.size()];
 }
 
+std::string meant(const std::string& name) { return name.empty() ? std::string() : "; did you mean " + name + "?"; }
+
+std::string is_no_command(const std::string& word, const std::string& program,
+                          const std::vector<std::string>& commands) {
+  std::string lower_case = word;
+  for (char& c : lower_case) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return "'" + word + "' is no command of " + program + "; expected " + listed(commands, " or ") +
+         meant(nearest_name(lower_case, commands));
+}
+
+// What is wrong with the first word behind the program's name: an option before the command, or no command at all.
+std::string explain_beginning(const CLI::App& program, std::span<const char* const> words) {
+  if (words.size() < 2) return {};
+  std::vector<std::string> commands;
+  for (const CLI::App* command : program.get_subcommands({})) commands.push_back(command->get_name());
+  const auto is_command = [&](const std::string& word) {
+    return std::find(commands.begin(), commands.end(), word) != commands.end();
+  };
+  const std::string first = words[1];
+  const std::string option = first.substr(0, first.find('='));
+  if (is_command(first) || (first.starts_with('-') && program.get_option_no_throw(option) != nullptr)) return {};
+  if (!first.starts_with('-')) {
+    const bool is_file = first.find_first_of("./") != std::string::npos;
+    return is_no_command(first, kProgramName, commands) +
+           (is_file ? "; a file stands behind the command: " + std::string(kProgramName) + " check " + first : "");
+  }
+  const auto command = std::find_if(words.begin() + 2, words.end(), is_command);
+  const std::string name = command == words.end() ? "COMMAND" : *command;
+  return "'" + option + "' stands before the command; expected the command first: " + kProgramName + " " + name + " " +
+         option + " ..." + (command == words.end() ? ", with " + listed(commands, " or ") : "");
+}
+
 /// The command that was being read when the parse failed.
 class Command {
  public:
@@ -56,11 +88,25 @@ class Command {
     return {};
   }
 
-  [[nodiscard]] std::string explain(const CLI::ParseError& error) const {
+  // The parser takes whatever follows an option for its value.
+  [[nodiscard]] std::string option_as_value() const {
+    for (const CLI::Option* option : app_->get_options()) {
+      if (option->get_items_expected_max() == 0) continue;
+      for (const std::string& value : option->results()) {
+        const std::string name = value.substr(0, value.find('='));
+        if (!name.starts_with("--") || app_->get_option_no_throw(name) == nullptr) continue;
+        return option->get_name() + " has no value: '" + name + "' behind it is an option; expected " +
+               kind_of_value(*option) + see_help();
+      }
+    }
+    return {};
+  }
+
+  [[nodiscard]] std::string explain(const CLI::ParseError& error, std::span<const char* const> words) const {
     const std::vector<std::string> strange = app_->remaining();
     const auto option = std::find_if(strange.begin(), strange.end(),
                                      [](const std::string& word) { return word.size() > 1 && word.front() == '-'; });
-    if (option != strange.end()) return unknown_option(option->substr(0, option->find('=')));
+    if (option != strange.end()) return unknown_option(option->substr(0, option->find('=')), words);
     if (!commands_.empty()) return no_command(strange);
     if (const CLI::Option* blamed = blamed_option(error.what())) {
       const std::string said = value_error(*blamed, error);
@@ -98,24 +144,30 @@ class Command {
 
   [[nodiscard]] std::string see_help() const { return "; see " + name_ + " --help"; }
 
-  [[nodiscard]] static std::string meant(const std::string& name) {
-    return name.empty() ? std::string() : "; did you mean " + name + "?";
+  // The parser takes letters that are options off a word like -vorne.apt.
+  [[nodiscard]] static std::string as_typed(const std::string& word, std::span<const char* const> words) {
+    if (word.starts_with("--")) return word;
+    const auto typed = std::find_if(words.begin(), words.end(), [&](const std::string_view one) {
+      return one.size() > 1 && one.front() == '-' && one[1] != '-' && one.ends_with(std::string_view(word).substr(1));
+    });
+    return typed == words.end() ? word : *typed;
   }
 
-  [[nodiscard]] std::string unknown_option(const std::string& word) const {
+  [[nodiscard]] std::string unknown_option(const std::string& left, std::span<const char* const> words) const {
+    const std::string word = as_typed(left, words);
     std::vector<std::string> names;
     for (const CLI::Option* option : app_->get_options()) {
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
     const std::string nearest = nearest_name(word, names);
+    const bool is_file = !word.starts_with("--") && word.find('.') != std::string::npos;
+    if (is_file) return name_ + " has no option '" + word + "'; a file of this name is written ./" + word;
     return name_ + " has no option '" + word + "'" + (nearest.empty() ? see_help() : meant(nearest));
   }
 
   [[nodiscard]] std::string no_command(const std::vector<std::string>& strange) const {
-    const std::string expected = "expected " + listed(commands_, " or ");
-    if (strange.empty()) return "no command after " + name_ + "; " + expected;
-    return "'" + strange.front() + "' is no command of " + name_ + "; " + expected +
-           meant(nearest_name(strange.front(), commands_));
+    if (strange.empty()) return "no command after " + name_ + "; expected " + listed(commands_, " or ");
+    return is_no_command(strange.front(), name_, commands_);
   }
 
   [[nodiscard]] std::string missing_options() const {
@@ -183,7 +235,9 @@ class Command {
 }  // namespace
 
 std::optional<Diagnostic> find_empty_value(const CLI::App& app, std::span<const char* const> words) {
-  const std::string found = Command(app).empty_value(words);
+  const Command command(app);
+  std::string found = command.empty_value(words);
+  if (found.empty()) found = command.option_as_value();
   if (found.empty()) return std::nullopt;
   return make_error("usage", found);
 }
@@ -205,8 +259,9 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
   return nearest;
 }
 
-Diagnostic describe_parse_error(const CLI::App& app, const CLI::ParseError& error) {
-  return make_error("usage", Command(app).explain(error));
+Diagnostic describe_parse_error(const CLI::App& app, const CLI::ParseError& error, std::span<const char* const> words) {
+  const std::string beginning = explain_beginning(app, words);
+  return make_error("usage", beginning.empty() ? Command(app).explain(error, words) : beginning);
 }
 
 }  // namespace gouge

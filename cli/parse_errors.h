@@ -16,11 +16,14 @@ class ParseError;
 namespace gouge {
 
 /// What is wrong with the command line, in our words instead of the parser's: what was found, what was expected, and
-/// where to read on. `app` is the program's, after the parse that failed with `error`. Code: usage.
-[[nodiscard]] Diagnostic describe_parse_error(const CLI::App& app, const CLI::ParseError& error);
+/// where to read on. `app` is the program's, after the parse that failed with `error`; `words` are all of the command
+/// line, the program's name first, where there is one. Code: usage.
+[[nodiscard]] Diagnostic describe_parse_error(const CLI::App& app, const CLI::ParseError& error,
+                                              std::span<const char* const> words = {});
 
 /// The first option or positional of the command line that has an empty value ("--csv ''", "--csv="), which
-/// is what the unset variable of a script leaves: with it the option would pass for not given. `app` is the
+/// is what the unset variable of a script leaves: with it the option would pass for not given. Else the first option
+/// whose value is the name of another one ("--part --tools t.json"). `app` is the
 /// program's after the parse, also after one that failed; `words` are all of the command line, the program's
 /// name first. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_empty_value(const CLI::App& app, std::span<const char* const> words);

@@ -16,6 +16,7 @@
 #include "cli/command_text.h"
 #include "cli/config_command.h"
 #include "cli/correct_command.h"
+#include "cli/length_rule.h"
 #include "cli/parse_errors.h"
 #include "cli/print_diagnostics.h"
 #include "cli/program.h"
@@ -101,7 +102,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
       // --help and --version come as errors of status 0.
       if (error.get_exit_code() == 0) return after_printing(app.exit(error, out, err), out, err);
       const std::optional<Diagnostic> empty = find_empty_value(app, words);
-      return fail(err, {empty ? *empty : line->located(describe_parse_error(app, error))});
+      return fail(err, {empty ? *empty : line->located(describe_parse_error(app, error, words))});
     }
     if (const std::optional<Diagnostic> empty = find_empty_value(app, words)) return fail(err, {*empty});
     choose_colour(out, program.colour());
@@ -110,9 +111,13 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
       if (const std::optional<Diagnostic> wrong = take_project(*line, app, arguments)) return fail(err, {*wrong});
     }
     if (app.got_subcommand("batch")) take_words(*app.get_subcommand("batch"), arguments.batch);
-    if (app.got_subcommand("check")) arguments.check.job.command = repeatable_command(*app.get_subcommand("check"));
-    if (app.got_subcommand("correct"))
-      arguments.correct.job.command = repeatable_command(*app.get_subcommand("correct"));
+    for (const auto& [name, job] : {std::pair("check", &arguments.check.job), {"correct", &arguments.correct.job}}) {
+      if (!app.got_subcommand(name)) continue;
+      job->command = repeatable_command(*app.get_subcommand(name));
+      job->lengths_in_mm = lengths_in_mm(*app.get_subcommand(name));
+    }
+    if (app.got_subcommand("clash")) arguments.clash.lengths_in_mm = lengths_in_mm(*app.get_subcommand("clash"));
+    if (app.got_subcommand("mesh")) arguments.mesh.lengths_in_mm = lengths_in_mm(*app.get_subcommand("mesh"));
     return after_printing(dispatch(app, arguments, out, err), out, err);
   } catch (const std::bad_alloc&) {
     err << "gougecheck: error: out of memory; nothing more was written [out-of-memory]\n";

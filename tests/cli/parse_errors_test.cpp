@@ -49,6 +49,40 @@ TEST(ParseErrors, AnUnknownCommandIsNamedWithTheCommandsThereAre) {
             "'inof' is no command of gougecheck path; expected info, convert or plot; did you mean info?");
 }
 
+TEST(ParseErrors, WhatStandsBeforeTheCommandIsNamedWithItsPlace) {
+  EXPECT_EQ(said({"--part", "p.stl", "check", "a.apt"}),
+            "'--part' stands before the command; expected the command first: gougecheck check --part ...");
+  EXPECT_EQ(said({"--tolerance=0.02", "correct", "a.apt"}),
+            "'--tolerance' stands before the command; expected the command first: gougecheck correct --tolerance ...");
+  EXPECT_TRUE(said({"--part", "p.stl", "a.apt"})
+                  .starts_with("'--part' stands before the command; expected the command first: gougecheck COMMAND "
+                               "--part ..., with check, correct, "));
+}
+
+TEST(ParseErrors, AWrongCommandIsNamedBeforeItsOptions) {
+  const std::string text = said({"CHECK", "a.apt", "--part", "p.stl"});
+  EXPECT_TRUE(text.starts_with("'CHECK' is no command of gougecheck; expected check, correct, ")) << text;
+  EXPECT_TRUE(text.ends_with("; did you mean check?")) << text;
+  EXPECT_TRUE(said({"finish.apt", "--part", "p.stl"})
+                  .ends_with("; a file stands behind the command: gougecheck check finish.apt"));
+}
+
+TEST(ParseErrors, AFileThatBeginsWithADashIsNamedAsTyped) {
+  EXPECT_EQ(said({"check", "-vorne.cls", "--part", "p.stl"}),
+            "gougecheck check has no option '-vorne.cls'; a file of this name is written ./-vorne.cls");
+  EXPECT_EQ(said({"check", "-q1.apt", "--part", "p.stl"}),
+            "gougecheck check has no option '-q1.apt'; a file of this name is written ./-q1.apt");
+}
+
+TEST(ParseErrors, AnOptionThatSwallowedNothingHasNoValue) {
+  EXPECT_EQ(said({"check", "a.apt", "--part", "--tools", "t.json"}),
+            "--part has no value: '--tools' behind it is an option; expected a file; see gougecheck check --help");
+  EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--tolerance", "--near-miss=1"}),
+            "--tolerance has no value: '--near-miss' behind it is an option; expected a length; see gougecheck check "
+            "--help");
+  EXPECT_TRUE(said({"check", "a.apt", "--part", "p.stl", "--tools"}).starts_with("--tools has no value; expected: "));
+}
+
 TEST(ParseErrors, AValueThatCannotBeIsReportedWithWhatCan) {
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--rapid", "slow"}),
             "--rapid 'slow': expected straight, dogleg or skip");
@@ -62,7 +96,7 @@ TEST(ParseErrors, AValueThatCannotBeIsReportedWithWhatCan) {
   EXPECT_EQ(said({"path", "info", "a.apt", "--harmless-word", "WHEEL/5"}),
             "--harmless-word 'WHEEL/5': expected the word that a statement begins with, such as MYWORD of MYWORD/5");
   EXPECT_EQ(said({"tool", "import", "a.json", "-o", "b.json", "--stickout", "-3"}),
-            "--stickout '-3': expected a number above 0");
+            "--stickout '-3': expected a length above 0 in mm, or with a unit (0.0005in), and at most 100 m");
   for (const char* speed : {"0", "-5", "fast", "1e999", "600deg"}) {
     EXPECT_EQ(said({"correct", "a.apt", "--part", "p.stl", "-o", "b.apt", "--max-rotary-speed", speed}),
               "--max-rotary-speed '" + std::string(speed) + "': expected degrees a minute, at least 0.001");
