@@ -322,7 +322,9 @@ class Batch {
     if (written && is_whole && !is_any_to_run_again) remove_work(arguments_.folder);
     if (!written) return fail(err_, {written.error()}, kExitInternal);
     is_done_ = true;
-    if (!arguments_.is_quiet) {
+    if (arguments_.is_quiet) {
+      print_failures(err_, arguments_.watch.empty() ? results : results_of(ran_, results));
+    } else {
       print_batch(out_, arguments_.watch.empty() ? results : results_of(ran_, results));
       if (taken_ > 0) out_ << count_text(taken_, "job") << " taken from the store, " << ran_.size() << " run\n";
       if (is_stopped_ && !is_whole) out_ << "stopped as asked; --resume runs the rest\n";

@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <map>
 #include <ostream>
+#include <sstream>
 
 #include "cli/batch_job.h"
+#include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
 #include "postproc/batch/batch_page.h"
 #include "postproc/batch/batch_text.h"
@@ -49,6 +51,17 @@ std::optional<Diagnostic> find_foreign_output(const std::vector<std::string>& fi
 void print_batch(std::ostream& out, const std::vector<JobResult>& results) {
   constexpr std::size_t kMostRows = 50;
   out << batch_text(results, ::isatty(STDOUT_FILENO) == 1 ? kMostRows : results.size());
+}
+
+void print_failures(std::ostream& err, const std::vector<JobResult>& results) {
+  for (const JobResult& job : results) {
+    if (!job.status || (*job.status != kExitUsage && *job.status != kExitInput && *job.status != kExitInternal))
+      continue;
+    if (job.messages.empty())
+      err << "gougecheck: error: job " << printable(job.name) << " ended with status " << *job.status << "\n";
+    std::istringstream lines(job.messages);
+    for (std::string line; std::getline(lines, line);) err << "job " << printable(job.name) << ": " << line << "\n";
+  }
 }
 
 }  // namespace gouge

@@ -26,4 +26,7 @@ inline constexpr const char* kStoreName = "results.sqlite";
 /// The table of the jobs; on a terminal its first rows.
 void print_batch(std::ostream& out, const std::vector<JobResult>& results);
 
+/// The errors of jobs that came to no result, as their commands reported them: all that -q leaves.
+void print_failures(std::ostream& err, const std::vector<JobResult>& results);
+
 }  // namespace gouge

@@ -51,12 +51,17 @@ class FolderNews {
   int handle_;
 };
 
+bool has_pattern(const std::string& place) {
+  return fs::path(place).filename().string().find_first_of("*?[") != std::string::npos;
+}
+
 }  // namespace
 
 Outcome watch_toolpaths(const std::string& place, const RunToolpaths& run) {
   SettledFiles files(place);
   std::error_code ignored;
-  if (!fs::is_directory(files.folder(), ignored))
+  const bool is_there = fs::is_directory(files.folder(), ignored) && (files.is_whole_folder() || has_pattern(place));
+  if (!is_there)
     return make_error("usage",
                       "--watch '" + printable(place) + "': there is no such folder; expected one, or a pattern in one");
   const FolderNews news(files.folder());

@@ -81,7 +81,9 @@ class Merge {
       const bool is_usage = merged.error().code == "report-foreign" || merged.error().code == "usage";
       return fail(err_, {merged.error()}, is_usage ? kExitUsage : kExitInternal);
     }
-    if (!arguments_.is_quiet) {
+    if (arguments_.is_quiet) {
+      print_failures(err_, results_);
+    } else {
       print_batch(out_, results_);
       out_ << "report: " << printable(arguments_.folder) << "/index.html\n";
     }

@@ -25,7 +25,8 @@ bool is_passed_over(const std::string& name) {
 
 SettledFiles::SettledFiles(const std::string& place) : folder_(place), pattern_("*") {
   std::error_code ignored;
-  if (fs::is_directory(place, ignored)) return;
+  is_whole_folder_ = fs::is_directory(place, ignored);
+  if (is_whole_folder_) return;
   folder_ = fs::path(place).has_parent_path() ? fs::path(place).parent_path().string() : ".";
   pattern_ = fs::path(place).filename().string();
 }

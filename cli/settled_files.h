@@ -25,6 +25,8 @@ class SettledFiles {
   explicit SettledFiles(const std::string& place);
 
   [[nodiscard]] const std::string& folder() const { return folder_; }
+  /// Whether `place` is a folder, and no pattern for the names in one.
+  [[nodiscard]] bool is_whole_folder() const { return is_whole_folder_; }
   /// Looks at the folder. `now_s`: of a clock that never goes back, whatever the times of the files are: a copy keeps
   /// the time of what it is a copy of.
   [[nodiscard]] FileStamps look(double now_s);
@@ -39,7 +41,7 @@ class SettledFiles {
 
   std::string folder_, pattern_;
   std::map<std::string, Seen> seen_;
-  bool is_unsettled_ = false;
+  bool is_unsettled_ = false, is_whole_folder_ = false;
 };
 
 }  // namespace gouge

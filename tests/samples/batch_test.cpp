@@ -134,6 +134,16 @@ TEST(Batch, GoesOnWhenAJobFailsUnlessAskedNotTo) {
   EXPECT_EQ(difference(batch_files(folder + "/out"), batch_files(folder + "/stopped")), "");
 }
 
+TEST(Batch, PrintsTheErrorsOfFailedJobsAlsoWhereItIsQuiet) {
+  const std::string folder = samples_with_list({"needles"});
+  const Outcome ran = run_script(
+      folder,
+      "$GOUGECHECK batch gone.apt needles/needles.apt --part needles/part.stl --tools needles/tools.json -o out -q");
+  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(ran.err, "job gone: gone.apt: error: no such file [file-not-found]\n");
+}
+
 TEST(Batch, ChecksToolpathsNamedOnTheCommandLine) {
   const std::string folder = samples_with_list({"needles"});
   fs::copy_file(folder + "/needles/needles.apt", folder + "/needles/second.apt");

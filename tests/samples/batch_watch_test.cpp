@@ -35,6 +35,18 @@ TEST(Batch, WatchesAFolderAndChecksWhatIsWrittenThere) {
   EXPECT_EQ(jobs.at(1).at("job"), "second");
 }
 
+TEST(Batch, WatchesNoFolderThatDoesNotExist) {
+  const std::string folder = samples_with_list({"needles"});
+  for (const char* place : {"nowhere", "nowhere/*.apt", "needles/nowhere", "nowhere/"}) {
+    const Outcome ran = run_gougecheck(folder, {"batch", "--watch", place, "--part", "needles/part.stl", "-o", "out"});
+    EXPECT_EQ(ran.exit_status, 2) << place;
+    EXPECT_NE(ran.err.find("--watch '" + std::string(place) +
+                           "': there is no such folder; expected one, or a pattern in one"),
+              std::string::npos)
+        << ran.err;
+  }
+}
+
 // Somebody who looks into the store for longer than we wait for must not end a night's watch.
 TEST(Batch, WatchesOnWhileAQueryHoldsTheStore) {
   const std::string folder = samples_with_list({"needles"});
