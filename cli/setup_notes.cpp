@@ -9,7 +9,6 @@ namespace gouge {
 namespace {
 
 constexpr double kGap_mm = 0.01;  // of a depth that is a warning
-constexpr std::uint64_t kMostBounds = 50'000;
 
 std::string overlap_text(const Clash& clash, const std::string& part, const std::string& fixture, LengthUnit unit) {
   const std::string advice = "; check the set-up, or allow it with --allow-overlap " + fixture;
@@ -32,14 +31,13 @@ void note_setup(Job& job, const JobArguments& arguments, const PreparedScene& sc
   options.tolerance_mm = job.options.check.tolerance_mm;
   options.resolution_mm = job.options.check.resolution_mm;
   options.gap_mm = std::max(kGap_mm, options.resolution_mm);
-  options.budget = kMostBounds;
   for (const SetupOverlap& overlap : find_setup_overlaps(scene, is_allowed, options)) {
     const std::string &part = job.files->parts[overlap.part].name, &fixture = job.files->fixtures[overlap.fixture].name;
     if (overlap.clash.state == ClashState::penetrating) {
       job.notes.push_back(
           make_warning(kFixtureOverlap, overlap_text(overlap.clash, part, fixture, job.toolpath.unit), fixture));
     } else {
-      job.notes.push_back(make_note(
+      job.notes.push_back(make_warning(
           kFixtureUndecided,
           "whether the fixture penetrates the part " + part + " is not certified: " + overlap.clash.reason, fixture));
     }

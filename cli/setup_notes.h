@@ -6,7 +6,7 @@ namespace gouge {
 
 /// Code of the warning that a fixture penetrates a part.
 inline constexpr const char* kFixtureOverlap = "fixture-overlap";
-/// Code of the note that it could not be certified whether one does.
+/// Code of the warning that it could not be certified whether one does.
 inline constexpr const char* kFixtureUndecided = "fixture-not-certified";
 
 /// Adds to the notes of a job what there is to say about its fixtures against its parts, before its path is looked at: a
