@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/clash_report.h"
+#include "cli/length_rule.h"
 #include "cli/length_text.h"
 #include "cli/output_file.h"
 #include "lib/base/exit_code.h"
@@ -62,7 +63,8 @@ void add_clash_options(CLI::App& command, ClashArguments& arguments) {
       ->required();
   command
       .add_option("--place-b", arguments.place_b,
-                  "Place B in the coordinates of A: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z")
+                  "Place B in the coordinates of A: x,y,z[,rx,ry,rz], mm or with a unit (0.5in), then degrees about "
+                  "fixed X, Y, Z")
       ->type_name("X,Y,Z");
   command.add_option("--stl-units", arguments.stl_units, "Unit of the STL files' numbers")
       ->check(CLI::IsMember(unit_words()))
@@ -93,6 +95,8 @@ int run_clash(const ClashArguments& arguments, std::ostream& out, std::ostream& 
   const OutputTable outputs = asked_for({{"--json", arguments.json_file}});
   if (const auto status = refuse_outputs({{"a mesh", arguments.a}, {"a mesh", arguments.b}}, outputs, err))
     return *status;
+  if (unit_called(arguments.stl_units) == LengthUnit::inch && !arguments.lengths_in_mm.empty() && !arguments.is_quiet)
+    print(err, {describe_lengths_in_mm(arguments.lengths_in_mm, "an STL file")});
   Result<LoadedMesh> a = load(arguments.a, arguments, {}), b = load(arguments.b, arguments, understood->second);
   for (const Result<LoadedMesh>* loaded : {&a, &b}) {
     if (!*loaded) return fail(err, {loaded->error()});

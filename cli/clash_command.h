@@ -2,6 +2,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include "cli/print_diagnostics.h"
 #include "cli/reading_options.h"
@@ -18,7 +19,8 @@ struct ClashArguments : Verbosity {
   std::string stl_units = "mm";
   std::string place_b;  ///< empty: where its file has it
   std::string tolerance = "0.01", resolution = "0.001";
-  std::string json_file;  ///< "-" writes to standard output alone
+  std::string json_file;                   ///< "-" writes to standard output alone
+  std::vector<std::string> lengths_in_mm;  ///< typed without a unit (length_rule.h)
 };
 
 void add_clash_options(CLI::App& command, ClashArguments& arguments);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/help_text.h"
+#include "cli/length_rule.h"
 #include "postproc/cldata/language/dialect.h"
 
 namespace gouge {
@@ -62,6 +63,7 @@ OptionDoc document(const CLI::Option& option) {
     doc.choices = choices_of(type);
     doc.value = value_of(type, doc.choices);
     doc.default_value = option.get_default_str();
+    if (type == "LENGTH" && !doc.default_value.empty()) doc.default_value = with_units(doc.default_value);
   }
   doc.description = option.get_description();
   doc.group = option.get_group();
@@ -78,7 +80,9 @@ CommandDoc document(const CLI::App& app) {
   for (const CLI::App* at = &app; at != nullptr; at = at->get_parent())
     doc.name = at->get_name() + (doc.name.empty() ? "" : " " + doc.name);
   doc.description = app.get_description();
+  const std::string rule = length_rule(app);
   doc.footer = app.get_footer();
+  if (!rule.empty()) doc.footer = rule + (doc.footer.empty() ? "" : "\n\n") + doc.footer;
   for (const CLI::Option* option : app.get_options()) doc.options.push_back(document(*option));
   std::stable_partition(doc.options.begin(), doc.options.end(),
                         [](const OptionDoc& option) { return option.is_positional; });

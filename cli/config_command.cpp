@@ -66,7 +66,8 @@ void add_config_commands(CLI::App& app) {
       "Examples:\n"
       "  gougecheck init\n"
       "  gougecheck init --part part.stl --tolerance 0.02\n\n"
-      "A file that exists is never replaced.");
+      "Part, fixtures, heads and tool library are found by the names of their files. A file that exists is never "
+      "replaced, and where nothing is found and no option is given none is written (exit status 3).");
 }
 
 int run_config(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "cli/length_rule.h"
 #include "cli/length_text.h"
 #include "lib/base/number_text.h"
 
@@ -191,8 +192,8 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
 std::vector<OptionText> limits_in_force(const CorrectArguments& arguments) {
   std::vector<OptionText> limits = {{"max-tilt", arguments.max_tilt},
                                     {"tilt", arguments.tilt},
-                                    {"blend", arguments.blend},
-                                    {"allow-stock", arguments.max_stock}};
+                                    {"blend", with_units(arguments.blend)},
+                                    {"allow-stock", with_units(arguments.max_stock)}};
   const auto add = [&](const char* name, const std::string& typed) {
     if (!typed.empty()) limits.push_back({name, typed});
   };

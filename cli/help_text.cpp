@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command_doc.h"
+#include "cli/length_rule.h"
 
 namespace gouge {
 namespace {
@@ -29,7 +30,10 @@ class HelpFormatter : public CLI::Formatter {
     return help_row(command->get_name(), command->get_description());
   }
   std::string make_description(const CLI::App* command) const override { return paragraph(command->get_description()); }
-  std::string make_footer(const CLI::App* command) const override { return paragraph(command->get_footer()); }
+  std::string make_footer(const CLI::App* command) const override {
+    const std::string rule = length_rule(*command);
+    return paragraph(rule + (rule.empty() ? "" : "\n\n") + command->get_footer());
+  }
 };
 
 }  // namespace

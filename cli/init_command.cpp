@@ -13,7 +13,7 @@
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
-#include "toolmodels/tool_library.h"
+#include "toolmodels/import/read_any_tools.h"
 
 namespace gouge {
 namespace {
@@ -38,7 +38,7 @@ struct Folder {
 bool is_library(const std::string& name) {
   constexpr std::uint64_t kMostBytes = 10'000'000;
   const Result<std::string> bytes = read_file(name, kMostBytes);
-  return bytes && read_tool_library(name, *bytes).has_value();
+  return bytes && read_any_tools(name, *bytes, kMostBytes).has_value();
 }
 
 Folder look_around() {
@@ -53,7 +53,8 @@ Folder look_around() {
   std::vector<std::string> others;
   for (const std::string& name : names) {
     const std::string ending = lower(fs::path(name).extension().string());
-    if (ending == ".json" && name != kProjectFileName && is_library(name)) folder.libraries.push_back(name);
+    const bool may_be_library = ending == ".json" || ending == ".tools" || ending == ".fctl";
+    if (may_be_library && name != kProjectFileName && is_library(name)) folder.libraries.push_back(name);
     if (ending != ".stl") continue;
     if (has_word(name, {"fixture", "vise", "vice", "clamp", "jig"})) {
       folder.fixtures.push_back(name);
@@ -111,6 +112,16 @@ Result<Json> typed_options(const std::vector<std::string>& words) {
   return json;
 }
 
+// Nothing was found and no option is given: an empty file would only stand in the way of the next try.
+Diagnostic describe_nothing(const Folder& folder) {
+  std::string message =
+      "nothing to write: this folder has no part (the only .stl in it, or one with 'part' in its name), no fixture "
+      "('fixture', 'vise', 'clamp' or 'jig'), no head ('head' or 'spindle') and no single tool library (.json, .tools, "
+      ".fctl)";
+  if (!folder.unclear.empty()) message += ", and of its .stl files it is unclear which is the part";
+  return make_error("init-nothing", message + "; give options of check, such as gougecheck init --part PART.stl");
+}
+
 }  // namespace
 
 int run_init(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
@@ -125,6 +136,7 @@ int run_init(const std::vector<std::string>& words, std::ostream& out, std::ostr
   put(*json, "fixture", folder.fixtures);
   put(*json, "head", folder.heads);
   if (folder.libraries.size() == 1) put(*json, "tools", folder.libraries);
+  if (json->empty()) return fail(err, {describe_nothing(folder)});
   const std::string text = json->dump(2) + "\n";
   const Result<ProjectFile> project = read_project_file(name, "", text);
   if (!project) return fail(err, {make_error("usage", project.error().message)});

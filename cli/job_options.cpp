@@ -39,7 +39,9 @@ void add_input_options(CLI::App& command, JobArguments& a, bool needs_part) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_placement_options(command, a.place, a.stl_units);
-  command.add_option("--tools", a.tools_file, "Tool library (JSON); tools it lacks come from CUTTER or TLDATA")
+  command
+      .add_option("--tools", a.tools_file,
+                  "Tool library (JSON), or one of Fusion, FreeCAD or NX; tools it lacks come from CUTTER or TLDATA")
       ->type_name("FILE");
   command
       .add_option("--tool", a.tool_names,
@@ -72,7 +74,9 @@ void add_check_options(CLI::App& command, JobArguments& a) {
   command.add_option("--stock-to-leave", a.stock_to_leave, "Grow the cutter by this against the part")
       ->type_name("LENGTH")
       ->capture_default_str();
-  command.add_option("--clearance", a.clearance, "Keep bodies away from everything: shank=0.5,holder=1")
+  command
+      .add_option("--clearance", a.clearance,
+                  "Keep bodies away from everything: shank=0.5,holder=1 (mm, or with a unit: holder=0.04in)")
       ->type_name("BODY=LENGTH");
   command.add_option("--near-miss", a.near_miss, "Report moves that come closer than this (0: do not)")
       ->type_name("LENGTH")
@@ -123,7 +127,9 @@ void add_output_options(CLI::App& command, JobArguments& a) {
 }  // namespace
 
 void add_placement_options(CLI::App& command, std::string& place, std::string& stl_units) {
-  command.add_option("--place", place, "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z")
+  command
+      .add_option("--place", place,
+                  "Place the STL files: x,y,z[,rx,ry,rz], mm or with a unit (0.5in), then degrees about fixed X, Y, Z")
       ->type_name("X,Y,Z");
   command.add_option("--stl-units", stl_units, "Unit of the STL files (default: the toolpath's)")
       ->check(CLI::IsMember(unit_words()));

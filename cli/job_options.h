@@ -50,8 +50,9 @@ struct JobArguments : Verbosity {
   bool is_extended_up = false;
   std::vector<std::string> assumed;  ///< --assume
   bool is_strict = false;
-  std::string project, reviewer;  ///< of the head of the report
-  std::string command;            ///< the command line, to be typed again (command_text.h)
+  std::string project, reviewer;           ///< of the head of the report
+  std::string command;                     ///< the command line, to be typed again (command_text.h)
+  std::vector<std::string> lengths_in_mm;  ///< typed without a unit (length_rule.h)
 };
 
 /// The same, understood.

@@ -8,6 +8,7 @@
 
 #include "cli/command_text.h"
 #include "cli/correct_command.h"
+#include "cli/length_rule.h"
 #include "cli/parse_errors.h"
 #include "postproc/report/report_model.h"
 
@@ -142,7 +143,9 @@ Result<CommandArguments> parse_command(const std::string& command, const std::ve
   } catch (const CLI::ParseError& error) {
     return describe_parse_error(parser.program, error);
   }
-  (command == "check" ? parser.check.job : parser.correct.job).command = repeatable_command(parser.command());
+  JobArguments& job = command == "check" ? parser.check.job : parser.correct.job;
+  job.command = repeatable_command(parser.command());
+  job.lengths_in_mm = lengths_in_mm(parser.command());
   const std::optional<Diagnostic> error =
       command == "check" ? find_wrong_value(parser.check) : find_wrong_value(parser.correct);
   if (error) return *error;

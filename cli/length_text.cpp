@@ -109,7 +109,8 @@ Result<double> understand_length(const std::string& option, const std::string& t
 Result<RigidTransform> understand_place(const std::string& option, const std::string& typed) {
   const std::optional<RigidTransform> place = parse_place(typed);
   if (place) return *place;
-  return usage_error(option, typed, "x,y,z or x,y,z,rx,ry,rz: lengths of at most 100 m, then degrees");
+  return usage_error(option, typed,
+                     "x,y,z or x,y,z,rx,ry,rz: lengths in mm, or with a unit (0.5in), of at most 100 m, then degrees");
 }
 
 std::optional<std::string> parse_clearance(const std::string& text, CheckOptions& options) {
@@ -120,7 +121,9 @@ std::optional<std::string> parse_clearance(const std::string& text, CheckOptions
     if (!given.insert(body).second) return "'" + body + "' is given twice; expected one clearance for each body";
     const auto length = equals == std::string::npos ? std::nullopt : parse_length_mm(part.substr(equals + 1));
     if (!length || *length < 0) {
-      return "'" + part + "' is not BODY=LENGTH with a length from 0 to 100 m; expected for example shank=0.5,holder=1";
+      return "'" + part +
+             "' is not BODY=LENGTH with a length from 0 to 100 m; expected for example shank=0.5,holder=1 in mm, or "
+             "with units (holder=0.04in)";
     }
     if (body == "shank") {
       options.shank_clearance_mm = *length;

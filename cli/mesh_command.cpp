@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/job_options.h"
+#include "cli/length_rule.h"
 #include "cli/length_text.h"
 #include "cli/mesh_info_text.h"
 #include "cli/output_file.h"
@@ -103,6 +104,8 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   info.file = arguments.file;
   info.format = loaded->format;
   info.notes = loaded->notes;
+  if (info.unit == LengthUnit::inch && !arguments.lengths_in_mm.empty())
+    info.notes.push_back(describe_lengths_in_mm(arguments.lengths_in_mm, "the STL file"));
   progress.begin("validating the mesh");
   info.judged = validate_mesh(loaded->mesh, loaded->findings, progress.call());
   IndexedMesh mesh = std::move(loaded->mesh);

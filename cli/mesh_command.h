@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include "cli/reading_options.h"
 
@@ -21,7 +22,8 @@ struct MeshArguments {
   bool fills_holes = false;
   std::string json_file;  ///< "-" writes to standard output alone
   std::string progress = "auto";
-  std::uint32_t threads = 0;  ///< 0: all
+  std::uint32_t threads = 0;               ///< 0: all
+  std::vector<std::string> lengths_in_mm;  ///< typed without a unit (length_rule.h)
 };
 
 void add_mesh_options(CLI::App& command, MeshArguments& arguments);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/length_rule.h"
+
 namespace gouge {
 namespace {
 
@@ -33,6 +35,24 @@ TEST(LengthText, ABodyHasOneClearance) {
   CheckOptions options;
   EXPECT_EQ(parse_clearance("holder=1,shank=2,holder=0", options),
             "'holder' is given twice; expected one clearance for each body");
+}
+
+TEST(LengthText, EachLengthOfAListMayCarryItsUnit) {
+  EXPECT_EQ(parse_place("1in,2,-3mm,0,0,90")->shift, Vec3(25.4, 2, -3));
+  EXPECT_FALSE(parse_place("1in,2,3,0,0,90in")) << "an angle is no length";
+  CheckOptions options;
+  EXPECT_FALSE(parse_clearance("shank=0.1in,holder=0.5", options));
+  EXPECT_DOUBLE_EQ(options.shank_clearance_mm, 2.54);
+  EXPECT_EQ(options.holder_clearance_mm, 0.5);
+}
+
+TEST(LengthText, WithUnitsMeansTheSame) {
+  EXPECT_EQ(with_units("0.5"), "0.5mm");
+  EXPECT_EQ(with_units("0.5in"), "0.5in");
+  EXPECT_EQ(with_units("1,2in,-3"), "1mm,2in,-3mm");
+  EXPECT_EQ(with_units("1,2,3,0,45,90"), "1mm,2mm,3mm,0,45,90");
+  for (const char* typed : {"1,2in,-3", "1,2,3,0,45,90"})
+    EXPECT_EQ(parse_place(with_units(typed))->shift, parse_place(typed)->shift);
 }
 
 TEST(LengthText, AnAngleIsANumber) {

@@ -188,7 +188,27 @@ TEST(Project, InitWritesWhatLiesInTheFolderAndNeverOverAFile) {
   fs::create_directory(empty);
   EXPECT_EQ(run_gougecheck(empty, {"init", "--json", "x.json"}).exit_status, 2) << "an output is no part of a project";
   EXPECT_FALSE(fs::exists(empty + "/gougecheck.json"));
-  EXPECT_TRUE(has(run_gougecheck(empty, {"init"}).out, "no part: name it")) << "and nothing is guessed";
+  const Outcome nothing = run_gougecheck(empty, {"init"});
+  EXPECT_EQ(nothing.exit_status, 3);
+  EXPECT_TRUE(has(nothing.err, "nothing to write: this folder has no part ")) << nothing.err;
+  EXPECT_TRUE(has(nothing.err, "gougecheck init --part PART.stl [init-nothing]")) << nothing.err;
+  EXPECT_FALSE(fs::exists(empty + "/gougecheck.json")) << "an empty file would stand in the way";
+  const Outcome wrote_one = run_gougecheck(empty, {"init", "--tolerance", "0.02"});
+  EXPECT_EQ(wrote_one.exit_status, 0);
+  EXPECT_TRUE(has(wrote_one.out, "no part: name it")) << "and nothing is guessed";
+}
+
+TEST(Project, InitFindsALibraryOfAnotherProgram) {
+  const std::string folder = fresh_folder() + "/fusion";
+  fs::create_directory(folder);
+  write_text(
+      folder + "/mills.json",
+      R"({"data":[{"type":"flat end mill","unit":"millimeters","description":"EM 10","post-process":{"number":1},)"
+      R"("geometry":{"DC":10,"LCF":22,"LB":40,"OAL":72,"SFDM":10}}]})");
+  write_text(folder + "/other.json", R"({"tools":[{"key":"flat"}]})");
+  const Outcome wrote = run_gougecheck(folder, {"init"});
+  EXPECT_EQ(wrote.exit_status, 0) << wrote.err;
+  EXPECT_EQ(nlohmann::json::parse(text_of(folder + "/gougecheck.json")), nlohmann::json({{"tools", "mills.json"}}));
 }
 
 }  // namespace
