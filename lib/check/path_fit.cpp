@@ -38,8 +38,11 @@ struct Sample {
 
 enum class Contact { apart, touching, gouging };
 
-bool is_in_part(const MoveVerdict& verdict) {
-  return verdict.witness && verdict.witness->against == Against::part && verdict.witness->body != Body::head;
+/// Whether a verdict is about the cutter in the part. Of a move where something else is deeper, or a head is buried, it
+/// does not show how deep the cutter is.
+bool is_of_cutter(const MoveVerdict& verdict) {
+  if (verdict.state == MoveState::buried) return verdict.reason.body != Body::head;
+  return !verdict.witness || (verdict.witness->body == Body::cutter && verdict.witness->against == Against::part);
 }
 
 // The radius of the corner next to the tip, of a ball its own; 0: none.
@@ -50,10 +53,10 @@ double corner_radius_mm(const CompiledTool& tool) {
   return corner == tool.elements.end() ? 0 : corner->radius_mm;
 }
 
-/// Of a form of the tool.
-Contact contact_of(const Pose& pose, const ToolVariants& tool, const CompiledTool& form, const PreparedScene& scene) {
+/// Of the cutter alone: what is above it may collide on a path that fits.
+Contact contact_of(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
   const double touch = touch_mm(tool);
-  const SearchTarget part{&form, &scene.parts, Against::part};
+  const SearchTarget part{&tool.cutting, &scene.parts, Against::part};
   const SearchResult result =
       sweep_and_search(Motion(pose), {part}, {{0, kAccuracy * touch, kAccuracy * touch, kFitBudget}, touch});
   if (result.value_mm > 2 * touch) return Contact::gouging;
@@ -100,55 +103,68 @@ class FitFinder {
   };
 
   void gather() {
-    std::vector<std::size_t> above;
+    std::vector<std::size_t> hidden;  // moves whose verdict is about something else than the cutter in the part
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       const Move& move = path_.moves[i];
       const MoveVerdict& verdict = verdicts_[i];
       const bool is_cut = move.kind != MoveKind::rapid && move.tool < tools_.size() && tools_[move.tool] != nullptr &&
-                          verdict.state != MoveState::not_checked && verdict.state != MoveState::not_certified;
+                          !tools_[move.tool]->cutting.elements.empty() && verdict.state != MoveState::not_checked &&
+                          verdict.state != MoveState::not_certified;
       if (!is_cut) continue;
-      const ToolVariants& tool = *tools_[move.tool];
-      const double depth = is_in_part(verdict) ? verdict.depth_mm : 0;
-      const bool is_buried = verdict.state == MoveState::buried;
-      const bool is_deep = is_buried || (depth >= kDeep * tool.bare.core_depth_mm &&
-                                         (verdict.witness->body == Body::cutter || is_cutter_deep(move.end, tool)));
       cuts_.push_back(i);
-      fit_.deep += is_deep ? 1U : 0U;
-      fit_.gouging += is_gouging(i) ? 1U : 0U;
-      auto& [all, deep] = operations_[move.operation];
-      ++all;
-      deep += is_deep ? 1U : 0U;
+      ++operations_[move.operation].first;
+      if (is_of_cutter(verdict)) {
+        count(i, is_deep(i), is_gouging(i));
+      } else {
+        hidden.push_back(i);
+      }
     }
-    add_deep_cutters(above);
+    measure_hidden(hidden);
     fit_.positions = cuts_.size();
   }
 
-  /// Of positions where what is above the cutter collides, which it may on a path that fits well, some are asked for the
-  /// cutter, each for those before it too.
-  void add_deep_cutters(const std::vector<std::size_t>& above) {
-    const std::size_t stride = 1 + above.size() / kInsideLooks;
-    for (std::size_t first = 0; first < above.size(); first += stride) {
-      const std::size_t last = std::min(first + stride, above.size());
-      const Move& asked = path_.moves[above[last - 1]];
-      if (!is_cutter_deep(asked.end, *tools_[asked.tool])) continue;
-      fit_.deep += last - first;
-      for (std::size_t k = first; k < last; ++k) ++operations_[path_.moves[above[k]].operation].second;
+  void count(std::size_t move, bool is_deep, bool is_gouging) {
+    fit_.deep += is_deep ? 1U : 0U;
+    fit_.gouging += is_gouging ? 1U : 0U;
+    operations_[path_.moves[move].operation].second += is_deep ? 1U : 0U;
+  }
+
+  /// Measures the cutter at some of these moves, each for those before it too.
+  void measure_hidden(const std::vector<std::size_t>& hidden) {
+    const std::size_t stride = 1 + hidden.size() / kMostSamples;
+    for (std::size_t first = 0; first < hidden.size(); first += stride) {
+      const std::size_t last = std::min(first + stride, hidden.size());
+      const std::size_t measured = hidden[last - 1];
+      const bool deep = is_cutter_deep(measured), gouging = deep || is_cutter_gouging(measured);
+      for (std::size_t k = first; k < last; ++k) count(hidden[k], deep, gouging);
     }
   }
 
-  [[nodiscard]] bool is_cutter_deep(const Pose& pose, const ToolVariants& tool) const {
+  /// Of a verdict about the cutter.
+  [[nodiscard]] bool is_deep(std::size_t move) const {
+    const MoveVerdict& verdict = verdicts_[move];
+    return verdict.state == MoveState::buried ||
+           verdict.depth_mm >= kDeep * tools_[path_.moves[move].tool]->bare.core_depth_mm;
+  }
+
+  [[nodiscard]] bool is_cutter_deep(std::size_t move) const {
+    const Pose& pose = path_.moves[move].end;
+    const ToolVariants& tool = *tools_[path_.moves[move].tool];
     // With no surface near it the cutter may be deep inside.
-    if (contact_of(pose, tool, tool.cutting, scene_) == Contact::apart)
-      return is_core_inside(pose, tool, *scene_.scene);
+    if (contact_of(pose, tool, scene_) == Contact::apart) return is_core_inside(pose, tool, *scene_.scene);
     const double deep = kDeep * tool.bare.core_depth_mm, gap = kAccuracy * deep;
     const SearchTarget part{&tool.cutting, &scene_.parts, Against::part};
     return sweep_and_search(Motion(pose), {part}, {{deep, gap, gap, kFitBudget}, 0}).value_mm > deep;
   }
 
+  [[nodiscard]] bool is_cutter_gouging(std::size_t move) const {
+    return contact_of(path_.moves[move].end, *tools_[path_.moves[move].tool], scene_) == Contact::gouging;
+  }
+
+  /// Of a verdict about the cutter.
   [[nodiscard]] bool is_gouging(std::size_t move) const {
     const MoveVerdict& verdict = verdicts_[move];
-    return verdict.state == MoveState::buried ||
-           (is_in_part(verdict) && verdict.depth_mm > touch_mm(*tools_[path_.moves[move].tool]));
+    return verdict.state == MoveState::buried || verdict.depth_mm > touch_mm(*tools_[path_.moves[move].tool]);
   }
 
   [[nodiscard]] bool is_too_deep() const {
@@ -166,7 +182,8 @@ class FitFinder {
       const auto n = static_cast<double>(cuts_.size());
       const std::size_t chosen = count == cuts_.size() ? k : static_cast<std::size_t>((at - std::floor(at)) * n);
       const std::size_t move = cuts_[std::min(chosen, cuts_.size() - 1)];
-      samples_.push_back({path_.moves[move].end, tools_[path_.moves[move].tool], is_gouging(move)});
+      const bool gouging = is_of_cutter(verdicts_[move]) ? is_gouging(move) : is_cutter_gouging(move);
+      samples_.push_back({path_.moves[move].end, tools_[path_.moves[move].tool], gouging});
     }
   }
 
@@ -174,10 +191,7 @@ class FitFinder {
     std::size_t touching = 0;
     const std::size_t count = std::min(samples_.size(), 2 * kFirstSamples);
     for (std::size_t i = 0; i < count; ++i)
-      touching +=
-          contact_of(samples_[i].pose, *samples_[i].tool, samples_[i].tool->against_part, scene_) != Contact::apart
-              ? 1U
-              : 0U;
+      touching += contact_of(samples_[i].pose, *samples_[i].tool, scene_) != Contact::apart ? 1U : 0U;
     return static_cast<double>(touching) <= kApart * static_cast<double>(count);
   }
 
@@ -257,7 +271,7 @@ class FitFinder {
       }
       const Vec3& tip = samples[i].pose.tip;
       if (!is_within_reach(tip)) return std::nullopt;
-      const Contact contact = contact_of(samples[i].pose, *samples[i].tool, samples[i].tool->against_part, scene);
+      const Contact contact = contact_of(samples[i].pose, *samples[i].tool, scene);
       if (contact == Contact::touching) touching.push_back(&samples[i]);
       gouging += contact == Contact::gouging ? 1U : 0U;
     }

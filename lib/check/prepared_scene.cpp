@@ -1,5 +1,7 @@
 #include "lib/check/prepared_scene.h"
 
+#include <algorithm>
+
 #include "lib/check/reach.h"
 
 namespace gouge {
@@ -24,6 +26,10 @@ PreparedScene::PreparedScene(const Scene& of, unsigned threads, const ProgressCa
   if (!is_within_reach) return;
   parts = build_block_tree(of.parts, threads, "indexing the parts", progress);
   fixtures = build_block_tree(of.fixtures, threads, "indexing the fixtures", progress);
+}
+
+bool PreparedScene::are_parts_solid() const {
+  return std::ranges::all_of(part_surfaces_, [](const Surface& surface) { return surface.is_solid(); });
 }
 
 const Surface& PreparedScene::surface(Against kind, std::size_t mesh) const {

@@ -24,6 +24,9 @@ class PreparedScene {
   /// is_within_reach. Cost of the first call for a mesh: else its tree.
   [[nodiscard]] const Surface& surface(Against kind, std::size_t mesh) const;
 
+  /// Every part is closed, oriented and outward. Cost of the first call O(n).
+  [[nodiscard]] bool are_parts_solid() const;
+
   /// Inside and outside of parts and fixtures.
   [[nodiscard]] const SceneSides& sides() const { return sides_; }
 

@@ -126,6 +126,39 @@ TEST(PathFit, AUniformShallowUndercutIsLegitimateWork) {
   EXPECT_EQ(fit_of(paths::through(floor), block, tools::bull(16, 2)).kind, PathFit::Kind::fits);
 }
 
+/// A pass along x on a floor at z = 0, 15 mm beside a wall that is 60 mm high and 60 mm long. A holder of 40 mm begins
+/// 30 mm above the tip of the ball.
+Toolpath beside_a_wall(double level) {
+  std::vector<Pose> poses;
+  for (int i = 0; i <= 160; ++i) poses.push_back(paths::upright(20 + i, 5, level));
+  return paths::through(poses);
+}
+
+ToolVariants ball_in_a_wide_holder() {
+  ToolAssembly tool = tools::assembly(BallCutter{10, 30});
+  tool.shank.clear();
+  tool.holder = {{40, 40, 50}};
+  return tools::variants(tool);
+}
+
+Scene floor_and_wall() {
+  return {{shapes::box(Vec3(0, -60, -20), Vec3(200, 60, 0)), shapes::box(Vec3(70, 20, 0), Vec3(130, 30, 60))}, {}};
+}
+
+TEST(PathFit, AHolderThatCollidesInMostPositionsIsNoMisfit) {
+  const PathFit fit = fit_of(beside_a_wall(0.005), floor_and_wall(), ball_in_a_wide_holder());
+  EXPECT_EQ(fit.kind, PathFit::Kind::fits) << (fit.explanation ? fit.explanation->text : "");
+  EXPECT_EQ(fit.positions, 161U);
+  EXPECT_EQ(fit.gouging, 0U) << "the cutter is nowhere in the part";
+  EXPECT_EQ(fit.deep, 0U);
+}
+
+TEST(PathFit, ACutterThatIsDeepBesideACollidingHolderIsSeenAllTheSame) {
+  const PathFit fit = fit_of(beside_a_wall(-12), floor_and_wall(), ball_in_a_wide_holder());
+  EXPECT_EQ(fit.kind, PathFit::Kind::too_deep);
+  EXPECT_GT(fit.deep, 140U);
+}
+
 TEST(PathFit, APlainMisfitThatNothingExplainsSaysSo) {
   const PathFit fit = dome_fit(mistaken([](Pose p) { return p.tip += Vec3(7, -4, -17), p; }));
   EXPECT_EQ(fit.kind, PathFit::Kind::too_deep);
