@@ -3,14 +3,20 @@
 #include <algorithm>
 #include <optional>
 
+#include "lib/base/number_text.h"
+#include "lib/base/units.h"
 #include "lib/contact/aims.h"
 #include "lib/correct/free_pose.h"
+#include "lib/correct/hole_depth.h"
 
 namespace gouge {
 namespace {
 
 constexpr double kLeastStep_mm = 5e-4;
 constexpr int kSteps = 40;
+// A longer lift would leave no hole, or not the one that was programmed.
+constexpr double kMostOfDepth = 0.25, kMostOfDiameter = 0.25;
+constexpr double kNoHole = 0.02;  // of the depth: a hole of the part that is no deeper is none
 
 class HolePlanner {
  public:
@@ -18,33 +24,69 @@ class HolePlanner {
               const MotionChecker& checker, const CorrectOptions& correct)
       : path_(path), result_(result), tools_(tools), checker_(checker), correct_(correct) {}
 
-  [[nodiscard]] std::optional<HolePlan> plan(std::size_t first) const {
+  void plan(std::size_t first, bool is_writable, HolePlans& plans) const {
     HolePlan plan;
     plan.first = first;
     plan.last = end_of_hole(path_, first);
     std::vector<std::size_t> gouging;
     for (std::size_t i = first; i < plan.last; ++i) {
       const MoveVerdict& verdict = result_.verdicts[i];
-      if (verdict.state == MoveState::buried || verdict.state == MoveState::not_checked) return std::nullopt;
+      if (verdict.state == MoveState::buried || verdict.state == MoveState::not_checked) return;
       if (verdict.state != MoveState::gouge) continue;
       gouging.push_back(i);
       plan.depth_before_mm = std::max(plan.depth_before_mm, verdict.depth_mm);
     }
-    const Vec3 axis = path_.moves[first].end.axis;
-    double lift = 0;
-    for (int step = 0; step < kSteps && !gouging.empty(); ++step) {
-      lift += std::max(kLeastStep_mm, excess(gouging, lift * axis));
-      if (lift > correct_.max_shift_mm) return std::nullopt;
-      plan.shift_mm = lift * axis;
-      if (!is_clean(gouging, plan.shift_mm)) continue;
-      if (!keeps_law(gouging, plan.shift_mm)) return std::nullopt;
+    const double depth_mm = programmed_depth_mm(plan);
+    const std::optional<double> lift = find_lift(gouging, std::max(correct_.max_shift_mm, 2 * depth_mm));
+    if (!lift) return;
+    const double most = std::min(
+        {correct_.max_shift_mm, kMostOfDepth * depth_mm, 2 * kMostOfDiameter * tool_of(first).cutting.r_max_mm});
+    plan.shift_mm = *lift * path_.moves[first].end.axis;
+    if (*lift > most) {
+      if (depth_mm > 0) plans.left.push_back({first, plan.last, depth_reason(depth_mm, depth_mm - *lift)});
+    } else if (is_writable && keeps_law(gouging, plan.shift_mm)) {
       for (const std::size_t i : gouging) plan.depth_after_mm = std::max(plan.depth_after_mm, depth(i, plan.shift_mm));
-      return plan;
+      plans.lifted.push_back(plan);
+    }
+  }
+
+ private:
+  /// The least lift with which the steps that gouge are clean, up to `most_mm`.
+  [[nodiscard]] std::optional<double> find_lift(const std::vector<std::size_t>& gouging, double most_mm) const {
+    const Vec3 axis = path_.moves[gouging.front()].end.axis;
+    double lift = 0;
+    for (int step = 0; step < kSteps; ++step) {
+      lift += std::max(kLeastStep_mm, excess(gouging, lift * axis));
+      if (lift > most_mm) return std::nullopt;
+      if (is_clean(gouging, lift * axis)) return lift;
     }
     return std::nullopt;
   }
 
- private:
+  /// Below the surface that surrounds the drill at its lowest step.
+  [[nodiscard]] double programmed_depth_mm(const HolePlan& hole) const {
+    const Vec3 axis = path_.moves[hole.first].end.axis;
+    const Pose* lowest = &path_.moves[hole.first].end;
+    double highest = lowest->tip.dot(axis);
+    for (std::size_t i = hole.first; i < hole.last; ++i) {
+      const Pose& end = path_.moves[i].end;
+      if (end.tip.dot(axis) < lowest->tip.dot(axis)) lowest = &end;
+      highest = std::max(highest, end.tip.dot(axis));
+    }
+    return depth_below_surface_mm(*lowest, tool_of(hole.first).cutting.r_max_mm, highest - lowest->tip.dot(axis),
+                                  checker_.scene());
+  }
+
+  [[nodiscard]] std::string depth_reason(double programmed_mm, double of_part_mm) const {
+    const LengthUnit unit = path_.unit;
+    const double allowed = 2 * checker_.options().tolerance_mm + checker_.options().resolution_mm;
+    const auto text = [unit](double length_mm) {
+      return people_text(length_mm / mm_per(unit), unit == LengthUnit::mm ? 2 : 3) + " " + unit_name(unit);
+    };
+    return "hole " + text(programmed_mm) + " deep where the part has " +
+           (of_part_mm > std::max(kNoHole * programmed_mm, allowed) ? "one of " + text(of_part_mm) : "none");
+  }
+
   [[nodiscard]] Motion shifted(std::size_t i, const Vec3& by) const {
     const Pose &start = path_.start_of(i), &end = path_.moves[i].end;
     return Motion({start.tip + by, start.axis}, {end.tip + by, end.axis});
@@ -100,26 +142,26 @@ std::size_t end_of_hole(const Toolpath& path, std::size_t first) {
   return last;
 }
 
-std::vector<HolePlan> plan_holes(const Toolpath& path, const CheckResult& result,
-                                 const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
-                                 const CorrectOptions& correct) {
-  std::vector<HolePlan> plans;
-  if (correct.rewritable == nullptr || correct.rewritable->hole.empty()) return plans;
-  const std::vector<bool>& can_shift = correct.rewritable->hole;
+HolePlans plan_holes(const Toolpath& path, const CheckResult& result, const std::vector<const ToolVariants*>& tools,
+                     const MotionChecker& checker, const CorrectOptions& correct) {
+  HolePlans plans;
   const HolePlanner planner(path, result, tools, checker, correct);
-  for (std::size_t i = 1; i < path.moves.size(); ++i) {
-    if (!can_shift[i] || !path.moves[i].has_start) continue;
+  const auto is_first = [&](std::size_t i) { return path.moves[i - 1].statement != path.moves[i].statement; };
+  for (std::size_t i = 1, last = 2; i < path.moves.size(); i = last) {
+    last = i + 1;
+    if (path.moves[i].kind != MoveKind::cycle || !path.moves[i].has_start || !is_first(i)) continue;
+    last = end_of_hole(path, i);
+    const auto is_gouging = [](const MoveVerdict& v) { return v.state == MoveState::gouge; };
+    if (std::none_of(result.verdicts.begin() + static_cast<std::ptrdiff_t>(i),
+                     result.verdicts.begin() + static_cast<std::ptrdiff_t>(last), is_gouging))
+      continue;
     // Of several positions in one statement it is not stated which moves are of which.
-    const std::size_t last = end_of_hole(path, i);
-    const bool is_alone = path.moves[i - 1].statement != path.moves[i].statement &&
-                          std::count(can_shift.begin() + static_cast<std::ptrdiff_t>(i),
-                                     can_shift.begin() + static_cast<std::ptrdiff_t>(last), true) == 1;
-    if (!is_alone) continue;
-    const bool is_gouging = std::any_of(result.verdicts.begin() + static_cast<std::ptrdiff_t>(i),
-                                        result.verdicts.begin() + static_cast<std::ptrdiff_t>(last),
-                                        [](const MoveVerdict& v) { return v.state == MoveState::gouge; });
-    if (!is_gouging) continue;
-    if (auto plan = planner.plan(i)) plans.push_back(*plan);
+    const bool can_rewrite = correct.rewritable != nullptr && !correct.rewritable->hole.empty();
+    const auto holes = can_rewrite
+                           ? std::count(correct.rewritable->hole.begin() + static_cast<std::ptrdiff_t>(i),
+                                        correct.rewritable->hole.begin() + static_cast<std::ptrdiff_t>(last), true)
+                           : 0;
+    if (holes <= 1) planner.plan(i, holes == 1 && correct.rewritable->hole[i], plans);
   }
   return plans;
 }

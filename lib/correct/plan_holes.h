@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "lib/certify/motion_checker.h"
@@ -19,11 +20,25 @@ struct HolePlan {
 /// The moves of the hole that begins at `first`: neighbouring cycle steps of one statement.
 [[nodiscard]] std::size_t end_of_hole(const Toolpath& path, std::size_t first);
 
+/// A hole [first, last) of which a step gouges and that stays where it is, and why.
+struct HoleLeft {
+  std::size_t first = 0, last = 0;
+  std::string reason;
+};
+
+struct HolePlans {
+  std::vector<HolePlan> lifted;
+  std::vector<HoleLeft> left;  ///< where more is known than that no lift frees it
+};
+
 /// Plans for the holes of which a step gouges and which the file can write elsewhere. Each is the least lift for which
 /// the steps that gouge, shifted with it, are clean, and keeps the law of a shift. How the path to it and from it runs
 /// then, the written file shows.
-[[nodiscard]] std::vector<HolePlan> plan_holes(const Toolpath& path, const CheckResult& result,
-                                               const std::vector<const ToolVariants*>& tools,
-                                               const MotionChecker& checker, const CorrectOptions& correct);
+///
+/// Ensures  No hole is lifted out of the part: a lift is at most a quarter of the depth below the surface that surrounds
+///          the drill (hole_depth.h), and a quarter of the diameter. Any other hole stays.
+[[nodiscard]] HolePlans plan_holes(const Toolpath& path, const CheckResult& result,
+                                   const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
+                                   const CorrectOptions& correct);
 
 }  // namespace gouge

@@ -72,6 +72,39 @@ inline IndexedMesh slotted_block(double wall = 1, double slot = 6, double height
   return mesh;
 }
 
+/// Block [-half, half]^2 x [-height, 0] with a blind hole of `radius` and `depth` about z, of `corners` flat walls, a
+/// multiple of 8: its corners lie on the radius.
+inline IndexedMesh bored_block(double radius, double depth, double half = 50, double height = 30,
+                               std::size_t corners = 64) {
+  IndexedMesh mesh;
+  mesh.name = "bored block";
+  const std::size_t n = corners;
+  std::vector<Vec3> round, square;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n);
+    const Vec3 away(std::cos(angle), std::sin(angle), 0);
+    round.push_back(radius * away);
+    square.push_back(half / std::max(std::abs(away.x()), std::abs(away.y())) * away);
+  }
+  const auto ring = [&](const std::vector<Vec3>& at, double z) {
+    for (const Vec3& point : at) mesh.vertices.emplace_back(point.x(), point.y(), z);
+  };
+  ring(square, -height);
+  ring(square, 0);
+  ring(round, 0);
+  ring(round, -depth);
+  mesh.vertices.emplace_back(0, 0, -height);
+  mesh.vertices.emplace_back(0, 0, -depth);
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t next = (k + 1) % n;
+    for (std::size_t level = 0; level < 3; ++level)
+      add_quad(mesh, level * n + k, level * n + next, (level + 1) * n + next, (level + 1) * n + k);
+    add_triangle(mesh, 4 * n, next, k);
+    add_triangle(mesh, 3 * n + k, 3 * n + next, 4 * n + 1);
+  }
+  return mesh;
+}
+
 /// Every triangle cut into four, `times` times; the surface stays the same.
 inline IndexedMesh refined(const IndexedMesh& coarse, int times) {
   if (times == 0) return coarse;

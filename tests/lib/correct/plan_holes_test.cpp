@@ -4,6 +4,7 @@
 
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
+#include "tests/support/solids.h"
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 using paths::upright;
 
-/// A hole of three steps at (0, 0), its bottom at `bottom`, in a part whose top is z = 0.
+/// A hole of three steps at (0, 0), its bottom at `bottom`, in a part whose top is z = 0 and that has no hole.
 struct Hole {
   ToolVariants tool = tools::variants(tools::assembly(DrillCutter{10, 118, 30}));
   Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
@@ -33,15 +34,18 @@ struct Hole {
   }
 
   [[nodiscard]] CheckResult check() const { return whole_check(path, &tool, scene, options); }
-  [[nodiscard]] Correction correct() const {
+  [[nodiscard]] Correction correct(const BodyStrategies& strategies = {}) const {
     CorrectOptions how;
+    how.strategies = strategies;
     how.rewritable = &rewritable;
     return correct_path(path, check(), OwnSetup(&tool, scene, options).setup, how);
   }
 };
 
+// The hole of the part is 10 mm deep and a little wider than the drill, of which the tip alone is at its bottom.
 TEST(PlanHoles, AHoleALittleTooDeepIsLiftedByWhatItIsTooDeep) {
-  const Hole hole(-0.021);
+  Hole hole(-10.021);
+  hole.scene.parts = {shapes::bored_block(5.3, 10)};
   ASSERT_EQ(hole.check().counts.gouge, 2U);
   const Correction correction = hole.correct();
   EXPECT_TRUE(correction.uncorrected.empty());
@@ -55,10 +59,45 @@ TEST(PlanHoles, AHoleALittleTooDeepIsLiftedByWhatItIsTooDeep) {
   ASSERT_EQ(correction.records.size(), 1U);
   EXPECT_GT(correction.records[0].depth_before_mm, hole.options.tolerance_mm);
   EXPECT_LE(correction.records[0].depth_after_mm, hole.options.tolerance_mm);
+  ASSERT_EQ(correction.uncut.size(), 1U) << "what is missing of its depth is counted";
+  EXPECT_EQ(correction.uncut[0].kind, Uncut::Kind::hole);
+  EXPECT_EQ(correction.uncut[0].length_mm, shift.z());
+}
+
+TEST(PlanHoles, NoHoleIsLiftedOutOfAPartThatDoesNotHaveIt) {
+  for (const double depth : {0.02, 0.3, 2.0, 8.0, 12.0, 19.0, 25.0}) {
+    for (const Strategy strategy : {Strategy::normal, Strategy::axis, Strategy::trim}) {
+      const Correction correction = Hole(-depth).correct(BodyStrategies::all(strategy));
+      EXPECT_TRUE(correction.changes.empty()) << depth;
+      ASSERT_FALSE(correction.uncorrected.empty()) << depth;
+      const std::string& reason = correction.uncorrected.front().reason;
+      EXPECT_TRUE(reason.starts_with("hole ")) << reason;
+      EXPECT_TRUE(reason.ends_with(" mm deep where the part has none")) << reason;
+      EXPECT_NEAR(std::stod(reason.substr(5)), depth, 0.006) << reason;
+    }
+  }
+}
+
+TEST(PlanHoles, AHoleMuchDeeperThanThatOfThePartStays) {
+  Hole hole(-12);
+  hole.scene.parts = {shapes::bored_block(5.3, 4)};
+  const Correction correction = hole.correct();
+  EXPECT_TRUE(correction.changes.empty());
+  ASSERT_FALSE(correction.uncorrected.empty());
+  EXPECT_EQ(correction.uncorrected.front().reason, "hole 12 mm deep where the part has one of 4.01 mm");
+}
+
+// The drill meets the bottom of a wide bore: beside it there is no material that would make a hole.
+TEST(PlanHoles, WhatIsNoHoleAboutTheDrillIsNotLifted) {
+  Hole hole(-10.021);
+  hole.scene.parts = {shapes::bored_block(20, 10)};
+  ASSERT_GT(hole.check().counts.gouge, 0U);
+  EXPECT_TRUE(hole.correct().changes.empty());
 }
 
 TEST(PlanHoles, AHoleThatTheFileCannotWriteElsewhereIsListed) {
-  Hole hole(-0.021);
+  Hole hole(-10.021);
+  hole.scene.parts = {shapes::bored_block(5.3, 10)};
   hole.rewritable.hole.assign(5, false);
   const Correction correction = hole.correct();
   EXPECT_TRUE(correction.changes.empty());
