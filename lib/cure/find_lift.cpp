@@ -13,9 +13,11 @@ namespace {
 
 constexpr std::size_t kMovesPerChunk = 8;
 constexpr int kStepsByDepth = 64;     // before lifts double
+constexpr int kWholeChecks = 8;       // below a lift that is free where it is not certified that less is not
 constexpr double kChordShare = 0.25;  // of the tolerance, how far chords may be off their curve
 constexpr double kLeastChordError_mm = 2e-4;
 constexpr double kSameAxis = 1e-9;
+constexpr double kAlmost = 1e-6;  // of a step
 
 bool is_lifted_free(const MoveVerdict& verdict) {
   return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
@@ -29,6 +31,8 @@ struct Block {
   Body body = Body::holder;
   MoveState state = MoveState::gouge;
   double depth_mm = 0;
+  bool is_proved = false;  // some move gouges or is buried for sure, the deepest gouge by gouge_mm
+  double gouge_mm = 0;
 };
 
 class LiftSearch {
@@ -54,16 +58,50 @@ class LiftSearch {
       if (!block) {
         k = lowest_free(low, k);
         block = find_block_for_sure(k);
-        if (!block) return {static_cast<double>(k) * step_mm_, below_.move, below_.body, below_.state};
+        if (!block) return cure(decide_below(k));
       }
-      below_ = *block;
-      if (k == most_) return {std::nullopt, below_.move, below_.body, below_.state};
+      note(k, *block);
+      if (k == most_) return cure(std::nullopt);
       low = k;
       k = std::min(next_after(k, *block, step), most_);
     }
   }
 
  private:
+  [[nodiscard]] LiftCure cure(std::optional<std::size_t> k) const {
+    LiftCure found;
+    if (k) found.lift_mm = static_cast<double>(*k) * step_mm_;
+    found.move = below_.move;
+    found.body = below_.body;
+    found.state = below_.state;
+    found.not_free_below_mm = static_cast<double>(k ? std::min(not_free_, *k) : not_free_) * step_mm_;
+    return found;
+  }
+
+  /// What is not free at k. A lift changes no depth by more than itself.
+  void note(std::size_t k, const Block& block) {
+    below_ = block;
+    if (!block.is_proved) return;
+    const double missing = block.gouge_mm - options_.tolerance_mm - options_.resolution_mm;
+    const auto around = static_cast<std::size_t>(std::max(0.0, std::ceil(missing / step_mm_ - kAlmost) - 1));
+    if (k <= not_free_ + around) not_free_ = std::max(not_free_, k + around + 1);
+  }
+
+  /// Free at `k`: as far below as whole checks show, where it is not decided that nothing less is free.
+  std::size_t decide_below(std::size_t k) {
+    std::size_t open = not_free_;  // nothing below is to be tried
+    for (int step = 0; step < kWholeChecks && open < k; ++step) {
+      const std::size_t tried = step == 0 ? k - 1 : open + (k - 1 - open) / 2;
+      if (const std::optional<Block> block = find_block_for_sure(tried)) {
+        note(tried, *block);
+        open = std::max(tried + 1, not_free_);
+      } else {
+        k = tried;
+      }
+    }
+    return k;
+  }
+
   /// A lift by less than what is missing does not free it.
   [[nodiscard]] std::size_t next_after(std::size_t k, const Block& block, int step) const {
     if (step >= kStepsByDepth) return 2 * k;
@@ -76,7 +114,7 @@ class LiftSearch {
   std::size_t lowest_free(std::size_t low, std::size_t high) {
     for (std::size_t k = high - 1; high - low > 1; k = low + (high - low) / 2) {
       if (const std::optional<Block> block = find_block(k)) {
-        below_ = *block;
+        note(k, *block);
         low = k;
       } else {
         high = k;
@@ -90,7 +128,9 @@ class LiftSearch {
   }
 
   [[nodiscard]] static Block block_of(std::size_t move, const MoveVerdict& verdict) {
-    return {move, verdict.witness ? verdict.witness->body : verdict.reason.body, verdict.state, verdict.depth_mm};
+    Block block{move, verdict.witness ? verdict.witness->body : verdict.reason.body, verdict.state, verdict.depth_mm};
+    block.is_proved = verdict.state == MoveState::gouge || verdict.state == MoveState::buried;
+    return block;
   }
 
   /// The deepest of the moves at a lift; the first one that is buried or not certified before all others.
@@ -98,7 +138,11 @@ class LiftSearch {
     const auto rank = [](const Block& b) { return b.state == MoveState::gouge ? 0 : 1; };
     const bool is_worse =
         !worst || rank(block) > rank(*worst) || (rank(block) == rank(*worst) && block.depth_mm > worst->depth_mm);
+    const double gouge_mm = std::max(worst ? worst->gouge_mm : 0, block.state == MoveState::gouge ? block.depth_mm : 0);
+    const bool is_proved = (worst && worst->is_proved) || block.is_proved;
     if (is_worse) worst = block;
+    worst->gouge_mm = gouge_mm;
+    worst->is_proved = is_proved;
   }
 
   [[nodiscard]] std::optional<Block> find_block(std::size_t k) const {
@@ -145,6 +189,7 @@ class LiftSearch {
   std::size_t most_;
   double chord_error_mm_;
   Block below_;
+  std::size_t not_free_ = 1;  // no multiple below is free: proved
 };
 
 bool keeps_axis(const Toolpath& path, std::size_t i) {

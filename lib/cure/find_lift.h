@@ -15,6 +15,11 @@ struct LiftCure {
   std::size_t move = kNone;
   Body body = Body::holder;
   MoveState state = MoveState::gouge;
+  /// Proved: no multiple of the step below this frees the moves. Where it is `lift_mm`, that is the least one; what is
+  /// between both is not decided.
+  double not_free_below_mm = 0;
+
+  [[nodiscard]] bool is_least() const { return lift_mm && !(not_free_below_mm < *lift_mm); }
 };
 
 /// Moves of a path at some height: lifted along the tool axis of each position. What follows without a gap stays one
@@ -31,9 +36,11 @@ struct LiftedMoves {
 /// buried and nothing uncertain, of any body.
 ///
 /// Requires moves in path order, not all of them free as they are.
-/// Ensures  the named move is not proved free one step below. As long as the depth is that of a distance, which a lift
-///          by less than it leaves above 0, nothing less is free either: lifts go by what is missing. After 64 of these
-///          they double, and are halved back.
+/// Ensures  (1) The named move is not proved free one step below. (2) `not_free_below_mm` is proved by real gouges, each
+///          for all lifts that differ by less than what it is deeper than allowed, and by buried tools. Lifts go by what
+///          is missing; after 64 of these, and where the check decides nothing, they double, and are halved back.
+///          (3) Where it decided nothing one step below, whole checks, which know the path to each move, are made of
+///          up to eight lifts below, by halving.
 /// Cost     a check of the moves for each lift tried, some ten; a whole check at the end.
 [[nodiscard]] LiftCure find_lift(const Toolpath& path, const std::vector<std::size_t>& moves, const CheckSetup& setup,
                                  double step_mm, double most_mm);
