@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "lib/base/best_first_search.h"
 #include "lib/geom/triangle.h"
+#include "lib/hierarchy/closest_triangle.h"
 
 namespace gouge {
 namespace {
@@ -13,6 +16,9 @@ namespace {
 constexpr double kBorderShare = 0.02, kMostBorder_mm = 0.1;  // of the cutter's radius
 constexpr double kLeastShare = 0.1;   // of the border: what is not decided on a piece so small is not decided
 constexpr double kFirstPiece_mm = 8;  // no piece is longer
+// What lies nearer to a place that was gouged was not finished; and how near to a place asked for the surface must be.
+constexpr double kMostRim_mm = 0.5, kNearRim = 0.25;
+constexpr double kSure_mm = 1e-3;  // deeper than that below what is finished it is gouged for sure
 constexpr double kRelativeGap = 0.1, kStockGap_mm = 0.01;
 constexpr double kBeyond_mm = 1e-3;  // where a distance is not asked for itself, but whether it is larger
 
@@ -26,12 +32,12 @@ Vec3 middle_of(const SidedPiece& at) { return (at.corners[0] + at.corners[1] + a
 /// A piece whose points may be finished, and may be left by up to upper_mm.
 struct Candidate : SearchCandidate {
   SidedPiece at;
-  SweepHint finished;
+  SweepHint finished, gouged;
   std::array<SweepHint, std::tuple_size_v<SweepsAfter>> covered, nearest;
   std::size_t first = 0;  ///< which of them is likely to have a cut near it
 
   [[nodiscard]] std::size_t work() const {
-    std::size_t all = finished.work;
+    std::size_t all = finished.work + gouged.work;
     for (std::size_t i = 0; i < nearest.size(); ++i) all += covered[i].work + nearest[i].work;
     return all;
   }
@@ -42,9 +48,11 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
  public:
   static constexpr bool kDescends = true;
 
-  Finder(const CutterSweep& before, const SweepsAfter& after, const StockLimits& limits)
-      : before_(before), after_(after), limits_(limits) {
+  Finder(const BlockTree& parts, const CutterSweep& before, const SweepsAfter& after, const StockLimits& limits)
+      : parts_(parts), before_(before), after_(after), limits_(limits) {
     border_mm_ = std::min(kMostBorder_mm, kBorderShare * before.least_radius_mm());
+    // A ball that is hardly deeper than what is finished comes within that again no farther off.
+    rim_mm_ = std::min(kMostRim_mm, 2 * std::sqrt(before.least_radius_mm() * limits.finished_mm));
     is_convex_ =
         std::ranges::all_of(after, [](const CutterSweep* sweep) { return sweep == nullptr || sweep->is_convex(); });
   }
@@ -115,10 +123,11 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
   [[nodiscard]] bool look(Candidate& candidate) {
     const SidedPiece& at = candidate.at;
     const double threshold = threshold_mm();
-    if (!may_be_finished(at, candidate.finished) || is_covered(candidate, threshold)) return false;
+    if (!may_be_finished(at, candidate.finished)) return false;
     const Vec3 middle = middle_of(at);
     double radius = 0;
     for (const Vec3& corner : at.corners) radius = std::max(radius, (corner - middle).norm());
+    if (is_gouged(candidate, middle, radius) || is_covered(candidate, threshold)) return false;
     // Of a piece too large to be covered by what is cut at its middle, it is enough whether that is left by more.
     const double covering = threshold - radius, left = is_found() ? left_->thickness_mm : limits_.allowed_mm;
     const double enough = covering > 0 ? covering : left;
@@ -128,10 +137,44 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     if (away <= left) return true;
     const Vec3 finished = middle + limits_.finished_mm * at.outward;
     const std::size_t move = before_.covering_move({&finished, 1}, candidate.finished);
-    if (move == kNone) return true;
+    if (move == kNone || is_at_rim(candidate, middle, 0)) return true;
     if (!is_found()) work_until_left_ = work_;
     left_ = LeftStock{std::min(away, limits_.most_mm), away >= limits_.most_mm, false, middle, move};
     return true;
+  }
+
+  /// Whether all of a piece was gouged, or lies at the rim of what was: the cutter went through the surface there, and
+  /// what it leaves when it does not was never finished.
+  [[nodiscard]] bool is_gouged(Candidate& candidate, const Vec3& middle, double radius_mm) const {
+    return is_deeper(middle, limits_.finished_mm + radius_mm + kSure_mm, candidate.gouged) ||
+           is_at_rim(candidate, middle, radius_mm);
+  }
+
+  /// Whether a place was gouged that is at the rim's width, or less, from every point within `radius_mm` of the middle.
+  [[nodiscard]] bool is_at_rim(Candidate& candidate, const Vec3& middle, double radius_mm) const {
+    const double away = rim_mm_ - radius_mm, gouged = limits_.finished_mm + kSure_mm;
+    if (away < 0) return false;
+    const Vec3 &normal = candidate.at.outward, across = normal.unitOrthogonal(), other = normal.cross(across);
+    const double diagonal = std::numbers::sqrt2 / 2;
+    const std::array<Vec3, 9> places = {Vec3::Zero(),
+                                        across,
+                                        other,
+                                        -across,
+                                        -other,
+                                        diagonal * (across + other),
+                                        diagonal * (across - other),
+                                        -diagonal * (across + other),
+                                        diagonal * (other - across)};
+    return std::ranges::any_of(places, [&](const Vec3& place) {
+      // Beyond an edge there is no surface, and a cutter may well be.
+      const auto near = closest_triangle(parts_, middle + away * place, kNearRim * away);
+      return near && is_deeper(near->foot.point, gouged, candidate.gouged);
+    });
+  }
+
+  /// Whether a point was that far inside a cutter.
+  [[nodiscard]] bool is_deeper(const Vec3& point, double depth_mm, SweepHint& hint) const {
+    return before_.distance(point, -depth_mm, -depth_mm + kBeyond_mm, hint) <= -depth_mm;
   }
 
   /// Whether one pose of a new cutter is over all of the piece, no more than `most_mm` away.
@@ -169,10 +212,11 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     return std::max(least, 0.0);
   }
 
+  const BlockTree& parts_;
   const CutterSweep& before_;
   const SweepsAfter& after_;
   StockLimits limits_;
-  double border_mm_ = kMostBorder_mm;
+  double border_mm_ = kMostBorder_mm, rim_mm_ = kMostRim_mm;
   bool is_convex_ = true;
   std::optional<LeftStock> left_;
   double undecided_mm_ = 0;
@@ -183,7 +227,8 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
 /// Gives pieces of all triangles that cutters of `before` may finish to a search.
 class Gatherer {
  public:
-  Gatherer(const BlockTree& tree, Finder& finder) : tree_(tree), finder_(finder) {}
+  Gatherer(const BlockTree& tree, Finder& finder, bool are_solids)
+      : tree_(tree), finder_(finder), are_solids_(are_solids) {}
 
   void visit(std::uint32_t index) {
     const NodeBlock& node = tree_.nodes[index];
@@ -207,7 +252,8 @@ class Gatherer {
     double radius = 0;
     for (const Vec3& corner : triangle) radius = std::max(radius, (corner - middle).norm());
     if (!finder_.may_be_finished(middle, radius, near_)) return;
-    for (const double side : {1.0, -1.0}) cut({triangle, side * across.normalized()});
+    cut({triangle, across.normalized()});
+    if (!are_solids_) cut({triangle, -across.normalized()});
   }
 
   void cut(const SidedPiece& at) {
@@ -218,6 +264,7 @@ class Gatherer {
 
   const BlockTree& tree_;
   Finder& finder_;
+  bool are_solids_;
   SweepHint hint_, near_;
 };
 
@@ -226,8 +273,8 @@ class Gatherer {
 std::optional<LeftStock> find_left_stock(const BlockTree& parts, const CutterSweep& before, const SweepsAfter& after,
                                          const StockLimits& limits) {
   if (parts.nodes.empty() || before.is_empty()) return std::nullopt;
-  Finder finder(before, after, limits);
-  Gatherer(parts, finder).visit(0);
+  Finder finder(parts, before, after, limits);
+  Gatherer(parts, finder, limits.are_solids).visit(0);
   return finder.search();
 }
 

@@ -26,6 +26,7 @@ struct StockLimits {
   double finished_mm = 0;                   ///< what is cut to this height above the surface, or lower, is finished
   double allowed_mm = 0;                    ///< what is no farther from a cut is not left
   double most_mm = 0;                       ///< thicknesses beyond this are not told apart
+  bool are_solids = false;                  ///< triangles face out of solids: nothing is finished from within
   std::size_t most_work = kUsualStockWork;  ///< bounds and distances; what is not decided by then stays undecided
   /// The same for how much is left, once a point is known that is.
   std::size_t most_work_once_left = std::numeric_limits<std::size_t>::max();
@@ -41,7 +42,9 @@ inline constexpr double kMostStock_mm = 20;
 /// what is cut now.
 ///
 /// Points closer to the border of what a cutter reaches than 2 % of its radius, 0.1 mm at the most, are not counted as
-/// finished.
+/// finished. Nor are points that `before` gouged, deeper than what counts as finished, and those closer to such a place
+/// than the rim of a ball is wide that is hardly deeper (2 sqrt(r finished_mm), 0.5 mm at the most): there the cutter
+/// went through the surface.
 /// Ensures  (1) Nothing: proved, for every point of every triangle and every instant.
 ///          (2) The thickness is true of its point to 0.001 mm, and nowhere larger by more than a tenth and 0.01 mm,
 ///          unless is_more.

@@ -105,6 +105,56 @@ TEST(LeftStock, IsNoneWhereOtherMotionsCutIt) {
   EXPECT_NEAR(found->point.x(), 0, 0.11);
 }
 
+// What a gouge went through was not finished, nor was its rim, which a cutter crosses at any angle.
+TEST(LeftStock, IsNoneWhereThePathBeforeGouged) {
+  const Bench bench = floor_alone();
+  for (const ToolVariants& tool : tools::all()) {
+    for (const double depth : {0.02, 0.1, 0.3, 1.0, 3.0}) {
+      const CutterSweep before = sweep_of(tool.cutting, {row(0, -depth)});
+      const auto found = left(bench, before, sweep_of(tool.cutting, {row(0, 0)}));
+      EXPECT_FALSE(found.has_value()) << depth << ": " << found->thickness_mm << " at " << found->point.transpose();
+    }
+  }
+}
+
+// Its side is flush with that of the block, from within: that finishes no wall.
+TEST(LeftStock, OfAWallIsNoneForACutterInsideTheSolid) {
+  const Bench bench = floor_alone();
+  const ToolVariants tool = tools::flat(10);
+  const CutterSweep before = sweep_of(tool.cutting, {row(95, -0.3)}), after = sweep_of(tool.cutting, {row(95, 0)});
+  StockLimits limits = kUsual;
+  EXPECT_TRUE(left(bench, before, after, limits).has_value()) << "a surface may be seen from either side";
+  limits.are_solids = true;
+  EXPECT_FALSE(left(bench, before, after, limits).has_value());
+}
+
+// A slot that is too narrow: its walls are gouged and its floor is finished.
+TEST(LeftStock, OfAFloorIsSeenBesideWallsThatWereGouged) {
+  const Bench bench({shapes::box(Vec3(-100, -100, -10), Vec3(100, 100, 0)),
+                     shapes::box(Vec3(-20, -100, -5), Vec3(-4.9, 100, 8)),
+                     shapes::box(Vec3(4.9, -100, -5), Vec3(20, 100, 8))});
+  const ToolVariants tool = tools::flat(10);
+  const auto found =
+      left(bench, sweep_of(tool.cutting, {row(0, 0)}), sweep_of(tool.cutting, {row(0, 8)}), {0.01, 0.02, 20});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->thickness_mm, 8, 0.82);
+  EXPECT_NEAR(found->point.z(), 0, 1e-9);
+}
+
+// Dips into a floor that one row finishes: of the strip that the row finished between them the lift is left.
+TEST(LeftStock, IsSeenBetweenGouges) {
+  const Bench bench = floor_alone();
+  const ToolVariants tool = tools::ball(10);
+  const auto dip = [](double y) {
+    return std::pair<Pose, Pose>{{Vec3(0, y, 0), Vec3::UnitZ()}, {Vec3(0, y, -0.5), Vec3::UnitZ()}};
+  };
+  const auto found =
+      left(bench, sweep_of(tool.cutting, {row(0, 0), dip(-10), dip(10)}), sweep_of(tool.cutting, {row(0, 0.25)}));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->thickness_mm, 0.25, 0.036);
+  EXPECT_GT(std::abs(std::abs(found->point.y()) - 10), std::sqrt(5 * 5 - 4.5 * 4.5)) << "the dips are that wide";
+}
+
 TEST(LeftStock, OfABallIsNoneWhileItsCentreStays) {
   const Bench bench = floor_alone();
   const ToolVariants tool = tools::ball(10);
@@ -141,52 +191,51 @@ TEST(LeftStock, IsTheSameFromBothSidesOfAMesh) {
   EXPECT_NEAR(one->thickness_mm, other->thickness_mm, 0.11 * one->thickness_mm + 0.011);
 }
 
-// Against samples of both paths: where nothing is left, no sample is; where some is, none is left much higher.
+// Against samples of both paths: where nothing is left, no sample is; where some is, none is left much higher. Samples
+// are of what a row on a floor finished, away from where a dip gouged it.
 TEST(LeftStock, HoldsForSamplesOfRandomPaths) {
-  const Bench bench({shapes::sphere(30, 24, 12)});
+  const Bench bench = floor_alone();
   test::Scatter random(11);
-  std::size_t none = 0, some = 0;
+  std::size_t none = 0, some = 0, samples = 0;
   std::vector<ToolVariants> all = tools::all();
   all.push_back(tools::shapes()[2]);  // a lollipop, which is not convex
   for (int n = 0; n < 40; ++n) {
     const ToolVariants& tool = all[static_cast<std::size_t>(n) % all.size()];
-    const Vec3 axis = random.axis(0.4).normalized(), other = random.axis(0.4).normalized();
-    const Pose a{Vec3(random.in(-6, 6), -8, 29), axis}, b{Vec3(random.in(-6, 6), 8, 29), axis};
+    const Pose a{Vec3(random.in(-6, 6), -8, 0), Vec3::UnitZ()}, b{Vec3(random.in(-6, 6), 8, 0), Vec3::UnitZ()};
+    const Pose low{a.tip + Vec3(0, random.in(0, 16), 0), a.axis}, deep{low.tip - Vec3(0, 0, random.in(0.1, 2)), a.axis};
     const double lift = random.is(0.5) ? 0 : random.in(0, 0.4);
     Pose c = a, d = b;
-    if (random.is(0.5)) {
-      c.axis = d.axis = (axis + random.in(0, 0.1) * other).normalized();
-    }
+    if (random.is(0.5)) c.axis = d.axis = (a.axis + random.in(0, 0.1) * random.axis(0.4).normalized()).normalized();
     c.tip.z() += lift;
     d.tip.z() += lift;
-    const CutterSweep before = sweep_of(tool.cutting, {{a, b}}), after = sweep_of(tool.cutting, {{c, d}});
+    const CutterSweep before = sweep_of(tool.cutting, {{a, b}, {low, deep}}), after = sweep_of(tool.cutting, {{c, d}});
     const auto found = left(bench, before, after);
     (found ? some : none) += 1;
     const double most = found ? found->thickness_mm * 1.1 + 0.011 : kUsual.allowed_mm;
     if (found && (found->is_more || found->is_undecided)) continue;
-    const Motion old_motion(a, b), new_motion(c, d);
-    const auto is_cut = [&](const Motion& motion, const Vec3& point, double deep) {
-      for (int k = 0; k <= 1600; ++k) {
-        if (signed_distance_mm(tool.cutting, motion.at(k / 1600.0), point) <= -deep) return true;
+    const Motion row_motion(a, b), dip(low, deep), new_motion(c, d);
+    const auto nearest = [&](const Motion& motion, const Vec3& point, int instants) {
+      double least = 1e9;
+      for (int k = 0; k <= instants; ++k)
+        least = std::min(least, signed_distance_mm(tool.cutting, motion.at(static_cast<double>(k) / instants), point));
+      return least;
+    };
+    const auto is_near_gouge = [&](const Vec3& point) {
+      for (int k = 0; k < 49; ++k) {
+        const double angle = k * std::numbers::pi / 8, away = k == 0 ? 0 : 0.2 * (1 + (k - 1) / 16);
+        if (nearest(dip, point + away * Vec3(std::cos(angle), std::sin(angle), 0), 20) < -0.009) return true;
       }
       return false;
     };
     for (int k = 0; k < 60; ++k) {
-      const auto& t = bench.parts[0].triangles[random.below(bench.parts[0].triangles.size())];
-      const auto& v = bench.parts[0].vertices;
-      double u = random.in(0, 1), w = random.in(0, 1);
-      if (u + w > 1) u = 1 - u, w = 1 - w;
-      const Vec3 point = v[t[0]] + u * (v[t[1]] - v[t[0]]) + w * (v[t[2]] - v[t[0]]);
-      if (point.z() < 20) continue;
-      const Vec3 outward = (v[t[1]] - v[t[0]]).cross(v[t[2]] - v[t[0]]).normalized();
-      if (!is_cut(old_motion, point + 0.11 * outward, 0.101)) continue;
-      double away = 1e9;
-      for (int m = 0; m <= 1600; ++m)
-        away = std::min(away, signed_distance_mm(tool.cutting, new_motion.at(m / 1600.0), point));
-      const bool is_low = away <= most + 1e-3;
-      EXPECT_TRUE(is_low) << n << " at " << point.transpose() << " left above " << most;
+      const Vec3 point(random.in(-8, 8), random.in(-8, 8), 0);
+      if (nearest(row_motion, point + Vec3(0, 0, 0.11), 1600) > -0.101 || is_near_gouge(point)) continue;
+      ++samples;
+      const double away = nearest(new_motion, point, 1600);
+      EXPECT_LE(away, most + 1e-3) << n << " at " << point.transpose() << ", lift " << lift;
     }
   }
+  EXPECT_GT(samples, 100U);
   EXPECT_GT(none, 3U);
   EXPECT_GT(some, 3U);
 }
