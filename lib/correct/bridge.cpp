@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "lib/correct/bridger.h"
 #include "lib/correct/lifts.h"
@@ -13,6 +15,8 @@ namespace {
 constexpr double kGap_mm = 0.02;       // how well the worst instant of a gouging motion is found
 constexpr double kStraight_mm = 1e-3;  // how far off its neighbours' straight path a position may be left out
 constexpr double kStraightAxis = 1e-5;
+constexpr double kAirMargin = 1.05;  // of the clearance, for positions: between them a rapid keeps it all
+constexpr int kHalvings = 6;
 
 Pose retracted(const Pose& pose, double lift) { return {pose.tip + lift * pose.axis, pose.axis}; }
 
@@ -27,7 +31,8 @@ std::optional<BridgeNodes> Bridger::halve(const BridgeNode& u, const BridgeNode&
   if (!motion.is_defined()) return std::nullopt;
   const MoveVerdict verdict = check(motion);
   if (verdict.state == MoveState::clean) return BridgeNodes{};
-  if (verdict.state != MoveState::gouge) return std::nullopt;
+  const bool is_near = air_mm_ > 0 && verdict.state == MoveState::near_miss;
+  if (verdict.state != MoveState::gouge && !is_near) return std::nullopt;
   const double t = verdict.witness ? verdict.witness->t : 0;
   if (level == 0 || ++count_ > kMostPositions || t <= 0 || t >= 1) return std::nullopt;
   if (auto waypoints = corner(u, v, verdict.depth_mm)) return waypoints;
@@ -35,8 +40,12 @@ std::optional<BridgeNodes> Bridger::halve(const BridgeNode& u, const BridgeNode&
   node.stop.before = motion.at(t);
   node.stop.depth_before_mm = verdict.depth_mm;
   node.t = u.t + t * (v.t - u.t);
-  const FreedPose freed = free_pose(task_.strategy, node.stop.before, verdict.depth_mm, task_.kind, *task_.tool,
-                                    *task_.checker, task_.limits, task_.largest_side_mm);
+  // A rapid need not keep over a cut: it goes the shortest way.
+  const bool is_lift_asked = task_.strategy == Strategy::axis || task_.strategy == Strategy::direction;
+  const bool is_shortest = task_.kind == MoveKind::rapid && !is_lift_asked;
+  const Strategy strategy = is_shortest ? Strategy::normal : task_.strategy;
+  const FreedPose freed = free_pose(strategy, node.stop.before, verdict.depth_mm + air_mm_, task_.kind, *task_.tool,
+                                    *task_.checker, limits(), task_.largest_side_mm);
   if (!freed.corrected) return std::nullopt;
   node.stop.corrected = *freed.corrected;
   auto before = halve(u, node, level - 1);
@@ -66,18 +75,45 @@ std::optional<BridgeNodes> Bridger::corner(const BridgeNode& u, const BridgeNode
   return BridgeNodes{{bridge_stop(on, turn, off.norm(), depth_mm), near.t}};
 }
 
-/// The crossing keeps `clearance_mm`; what leads up to it and down again does not.
+PoseLimits Bridger::limits() const {
+  PoseLimits limits = task_.limits;
+  const double aim = -kAirMargin * air_mm_;
+  if (air_mm_ > 0) limits.aim = {aim, aim, aim};
+  return limits;
+}
+
+/// The crossing keeps `clearance_mm`; what leads up to it and down again does not. Lifts grow; where only the largest
+/// one is free, the least between it and the one before is found by halving. For a rapid, lifts between these are tried
+/// where none is free.
 std::optional<BridgeNodes> Bridger::over(const BridgeNode& from, const BridgeNode& to, double clearance_mm) {
-  const MoveVerdict direct = check(motion_between(from.pose(), to.pose()));
-  for (const double lift : lifts_up_to(task_.limits.largest_shift_mm)) {
+  const bool is_rapid = task_.kind == MoveKind::rapid;
+  bool is_blocked = false;  // a way up or down
+  const auto is_free = [&](double lift) {
     const Pose up = retracted(from.pose(), lift), down = retracted(to.pose(), lift);
-    const bool is_free = is_clean(from.pose(), up) && is_clean(down, to.pose());
-    if (is_free && is_clean(up, down, clearance_mm)) {
-      return BridgeNodes{{bridge_stop(from.pose(), up, lift, direct.depth_mm), from.t},
-                         {bridge_stop(to.pose(), down, lift, direct.depth_mm), to.t}};
+    is_blocked = !is_clean(from.pose(), up) || !is_clean(down, to.pose());
+    return !is_blocked && is_clean(up, down, clearance_mm);
+  };
+  const auto way = [&](double lift) {
+    const double depth = check(motion_between(from.pose(), to.pose())).depth_mm;
+    return BridgeNodes{{bridge_stop(from.pose(), retracted(from.pose(), lift), lift, depth), from.t},
+                       {bridge_stop(to.pose(), retracted(to.pose(), lift), lift, depth), to.t}};
+  };
+  const std::vector<double> lifts = lifts_up_to(task_.limits.largest_shift_mm);
+  for (std::size_t k = 0; k < lifts.size(); ++k) {
+    if (is_free(lifts[k])) {
+      double low = k > 0 ? lifts[k - 1] : 0, high = lifts[k];
+      for (int step = 0; k + 1 == lifts.size() && step < kHalvings; ++step) {
+        const double middle = 0.5 * (low + high);
+        (is_free(middle) ? high : low) = middle;
+      }
+      return way(high);
     }
     // What is in the way of a straight lift is in the way of every longer one.
-    if (!is_free && task_.kind != MoveKind::rapid) break;
+    if (is_blocked && !is_rapid) return std::nullopt;
+  }
+  for (std::size_t k = 0; is_rapid && k + 1 < lifts.size(); ++k) {
+    const double between = std::sqrt(lifts[k] * lifts[k + 1]);
+    if (is_free(between)) return way(between);
   }
   return std::nullopt;
 }
@@ -100,7 +136,7 @@ void Bridger::leave_out_needless(const Pose& from, const Pose& to, BridgeNodes& 
 
 bool Bridger::is_clean(const Pose& from, const Pose& to, double clearance_mm) const {
   CheckOptions options = task_.options;
-  options.near_miss_mm = std::max(options.near_miss_mm, clearance_mm);
+  options.near_miss_mm = std::max({options.near_miss_mm, clearance_mm, air_mm_});
   return task_.checker->is_clean(motion_between(from, to), task_.kind, *task_.tool, options, true);
 }
 
@@ -121,22 +157,41 @@ Motion Bridger::motion_between(const Pose& from, const Pose& to) const {
 MoveVerdict Bridger::check(const Motion& motion) const {
   CheckOptions options = task_.options;
   options.gouge_gap_mm = kGap_mm;
+  options.near_miss_mm = std::max(options.near_miss_mm, air_mm_);
   return task_.checker->check(motion, task_.kind, *task_.tool, options, true);
 }
 
 std::optional<BridgeNodes> Bridger::find(const BridgeNode& u, const BridgeNode& v) {
   if (task_.checker->side_of(u.pose(), *task_.tool) == Side::inside) return std::nullopt;
-  const bool is_rapid = task_.kind == MoveKind::rapid;
-  if (is_rapid || task_.programmed == nullptr) {
-    if (is_clean(u.pose(), v.pose())) return BridgeNodes{};
-    if (is_rapid && task_.rapid_clearance_mm > 0) {
-      if (auto waypoints = over(u, v, task_.rapid_clearance_mm)) return waypoints;
-    }
-  }
-  auto waypoints = is_rapid ? std::nullopt : find_feed(u, v);
-  if (is_rapid) waypoints = halve(u, v, kLevels);
+  if (task_.kind == MoveKind::rapid) return find_rapid(u, v);
+  if (task_.programmed == nullptr && is_clean(u.pose(), v.pose())) return BridgeNodes{};
+  auto waypoints = find_feed(u, v);
   if (!waypoints) return over(u, v, 0);
   leave_out_needless(u.pose(), v.pose(), *waypoints);
+  return waypoints;
+}
+
+std::optional<BridgeNodes> Bridger::find_rapid(const BridgeNode& u, const BridgeNode& v) {
+  const double clearance = task_.rapid_clearance_mm;
+  if (is_clean(u.pose(), v.pose(), clearance)) return BridgeNodes{};
+  const bool is_straight_clean = clearance > 0 && is_clean(u.pose(), v.pose());
+  if (is_straight_clean && task_.is_free_as_programmed) return BridgeNodes{};
+  if (clearance > 0) {
+    if (auto waypoints = over(u, v, clearance)) return waypoints;
+    if (auto waypoints = round(u, v, clearance)) return waypoints;
+  }
+  if (is_straight_clean) return BridgeNodes{};
+  auto waypoints = round(u, v, 0);
+  return waypoints ? waypoints : over(u, v, 0);
+}
+
+/// Past the worst instants, `air_mm` from everything.
+std::optional<BridgeNodes> Bridger::round(const BridgeNode& u, const BridgeNode& v, double air_mm) {
+  air_mm_ = air_mm;
+  count_ = 0;
+  auto waypoints = halve(u, v, kLevels);
+  if (waypoints) leave_out_needless(u.pose(), v.pose(), *waypoints);
+  air_mm_ = 0;
   return waypoints;
 }
 

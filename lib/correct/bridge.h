@@ -22,7 +22,8 @@ struct BridgeTask {
   CheckOptions options;  ///< stricter than those of the checker, so that rounding has a margin
   PoseLimits limits;
   Strategy strategy = Strategy::weighted;
-  double rapid_clearance_mm = 0;          ///< what the crossing of a rapid keeps from everything, where there is room
+  double rapid_clearance_mm = 0;          ///< what a rapid keeps from everything, where there is room
+  bool is_free_as_programmed = false;     ///< the programmed motion does not gouge: only its ends are elsewhere
   std::optional<double> largest_side_mm;  ///< as in free_pose
   /// The programmed motion: where a feed may keep to it, it does, to this distance.
   const Motion* programmed = nullptr;
@@ -34,8 +35,9 @@ struct BridgeTask {
 ///
 /// A feed stays on the programmed motion in all time intervals in which that is clean and from which a path leads on.
 /// In a gap between them, and in other motions, the worst instant is corrected and both halves are bridged in turn;
-/// where that does not end, the tool retracts along its axis, crosses and comes down again. A rapid retracts first of
-/// all. Positions on the straight path between their neighbours are left out where it is clean without them. Every
+/// where that does not end, the tool retracts along its axis, crosses and comes down again. A rapid that must change
+/// runs straight where that keeps its clearance, else retracts and crosses with it, else goes round the worst instants
+/// with it, and only then as a feed would: clean, without the clearance. Positions on the straight path between their neighbours are left out where it is clean without them. Every
 /// shift obeys free_pose.
 [[nodiscard]] std::optional<std::vector<BridgePose>> bridge(const Pose& from, const Pose& to, const BridgeTask& task);
 

@@ -42,6 +42,9 @@ class Bridger {
   std::optional<BridgeNodes> halve(const BridgeNode& u, const BridgeNode& v, int level);
   std::optional<BridgeNodes> corner(const BridgeNode& u, const BridgeNode& v, double depth_mm);
   std::optional<BridgeNodes> over(const BridgeNode& from, const BridgeNode& to, double clearance_mm);
+  std::optional<BridgeNodes> find_rapid(const BridgeNode& u, const BridgeNode& v);
+  std::optional<BridgeNodes> round(const BridgeNode& u, const BridgeNode& v, double air_mm);
+  [[nodiscard]] PoseLimits limits() const;
   void leave_out_needless(const Pose& from, const Pose& to, BridgeNodes& waypoints) const;
   [[nodiscard]] bool is_clean(const Pose& from, const Pose& to, double clearance_mm = 0) const;
   [[nodiscard]] bool is_between(const Pose& from, const Pose& to, const Pose& pose) const;
@@ -65,6 +68,7 @@ class Bridger {
   const BridgeTask& task_;
   std::vector<TimeInterval> clean_;  // of the programmed motion, without those that nothing leads to or from
   std::size_t count_ = 0;            // of positions found since the last start
+  double air_mm_ = 0;                // what is kept from everything now
 };
 
 /// A waypoint on a motion that was at `before`, `lift` away from it.

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "lib/correct/laws.h"
+#include "lib/correct/lifted_cuts.h"
+#include "lib/correct/low_rapids.h"
 #include "lib/correct/measure_stock.h"
 #include "lib/correct/plan_holes.h"
 #include "lib/correct/proposer.h"
@@ -62,6 +64,12 @@ void keep_place(const CheckResult& before, CheckResult& after) {
     copy_facts(fact, before.assumptions, after.assumptions);
 }
 
+void add_lifted_cuts(const Toolpath& path, const Toolpath& after, const CheckSetup& setup, Correction& correction) {
+  const std::vector<Uncut> lifted = find_lifted_cuts(path, correction, after, setup);
+  correction.uncut.insert(correction.uncut.end(), lifted.begin(), lifted.end());
+  std::ranges::stable_sort(correction.uncut, {}, &Uncut::first);
+}
+
 }  // namespace
 
 Correction correct_path(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
@@ -90,6 +98,8 @@ Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckR
         correction.stock = measure_stock(toolpath, correction, after.path, setup, correct);
         assess(after.path, setup, after.result);
         keep_place(result, after.result);
+        add_lifted_cuts(toolpath, after.path, setup, correction);
+        correction.low_rapids = find_low_rapids(toolpath, correction, after.path, setup, correct);
         return LawfulCorrection{std::move(correction), std::move(after)};
       }
       if (correction.changes.empty()) {

@@ -55,11 +55,23 @@ struct NotTilted {
   std::string reason;
 };
 
-/// A stretch of moves [first, last] that is left out: the tool passes above it.
+/// Moves [first, last] of which something is not cut any more.
 struct Uncut {
+  enum class Kind {
+    left_out,  ///< the tool passes above them
+    hole,      ///< a hole is drilled less deep
+    lifted,    ///< cuts are farther from their programmed place than the cutter's radius
+  };
   std::size_t first = 0, last = 0;
   std::size_t positions = 0;  ///< programmed ones that are not visited
-  double length_mm = 0;       ///< of the programmed feeds
+  double length_mm = 0;       ///< of the programmed feeds; of a hole what is missing of its depth
+  Kind kind = Kind::left_out;
+};
+
+/// A move that became rapids, or that is one and runs elsewhere, and comes nearer than the clearance.
+struct LowRapid {
+  std::size_t move = 0;
+  double keeps_mm = 0;  ///< certified: nothing is nearer; negative: it is no deeper in part or fixtures
 };
 
 /// Changed moves [first, last] after which some of what they finished stands out.
@@ -73,8 +85,10 @@ struct Correction {
   std::vector<ChangeRecord> records;
   std::vector<Uncorrected> uncorrected;
   std::vector<NotTilted> not_tilted;
-  std::vector<Uncut> uncut;         ///< in path order
-  std::vector<StockStretch> stock;  ///< of the path as it is written; empty in what is proposed
+  std::vector<Uncut> uncut;  ///< in path order
+  // Of the path as it is written; empty in what is proposed.
+  std::vector<StockStretch> stock;
+  std::vector<LowRapid> low_rapids;  ///< in path order (lib/correct/low_rapids.h)
 };
 
 /// The changes as they are proposed. Each motion that they touch has been checked by itself and is no worse than it

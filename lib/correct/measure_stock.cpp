@@ -50,6 +50,7 @@ class Measurer {
     }
     const CheckOptions& options = setup_.options;
     StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm};
+    limits.are_solids = setup_.scene.are_parts_solid();
     limits.most_work = (kMostWork + kWorkPerMove * path_.moves.size()) / std::max<std::size_t>(1, stretches.size());
     std::vector<std::optional<LeftStock>> most(stretches.size());
     for_each_chunk(stretches.size(), 1, options.threads, [&](std::size_t begin, std::size_t end) {

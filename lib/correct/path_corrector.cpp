@@ -15,10 +15,10 @@ constexpr std::size_t kPositionsPerChunk = 4;
 
 constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
 constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
-constexpr const char* kNoWayBetween = "no clean path between its positions within the largest shift";
+constexpr const char* kNoWayBetween = "no clean path was found between its positions within the largest shift";
 constexpr const char* kHeadBetween =
-    "the head is in the way between its positions: no clean path within the largest shift; it takes another tilt or a "
-    "longer tool";
+    "the head is in the way between its positions: no clean path was found within the largest shift; it takes another "
+    "tilt or a longer tool";
 constexpr const char* kWorse = "a change here would make a neighbouring move worse";
 constexpr const char* kCycleStep =
     "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of "
@@ -217,6 +217,10 @@ BridgeTask PathCorrector::task_of(std::size_t i) const {
   task.limits = limits_for(*task.tool);
   task.strategy = strategy_of(i);
   task.rapid_clearance_mm = correct_.rapid_clearance_mm;
+  if (move.kind == MoveKind::rapid) {
+    const MoveState programmed = verdict_before(i).state;
+    task.is_free_as_programmed = programmed == MoveState::clean || programmed == MoveState::near_miss;
+  }
   task.largest_side_mm = correct_.max_side_shift_mm;
   task.keeps_to_mm = options_.tolerance_mm;
   return task;

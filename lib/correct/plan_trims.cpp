@@ -18,6 +18,7 @@ namespace {
 
 // A clean stretch between two that are left out is cut only where it is longer: nobody wants a plunge for less.
 constexpr double kLeastCut_mm = 2;
+constexpr double kParallel = 1e-6;
 // How far before and behind the stretch another place to retract is sought.
 constexpr std::array kAway_mm = {0.0, 0.05, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
@@ -69,9 +70,9 @@ class TrimChain {
 
   [[nodiscard]] std::string no_way_over() const {
     const LengthUnit unit = job_.path.unit;
-    return "not left out: no way over it is free up to --max-shift " +
+    return "not left out: no way over it was found with lifts up to --max-shift " +
            people_text(job_.max_lift_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
-           " above the path";
+           ", with --rapid-clearance where rapids are on the way";
   }
 
   [[nodiscard]] const Move& move(std::size_t i) const { return job_.path.moves[i]; }
@@ -191,16 +192,45 @@ class TrimChain {
   }
 
   /// The first of `places` from `next` on from which the tool may retract by the lift. What is in the way of a lift is
-  /// in the way of every longer one.
+  /// in the way of every longer one. A rapid is left, and joined, where it keeps the clearance: there is no way up.
   [[nodiscard]] bool find_retract(const std::vector<PathPlace>& places, std::size_t& next, double lift_mm) const {
     for (; next < places.size(); ++next) {
       const Pose low = pose(places[next]);
       const std::size_t i = places[next].move;
-      if (is_clean(low, lifted(low, lift_mm), move(i).kind, options_for(was_clean(i), 0))) return true;
+      const double clearance = is_on_rapid(places[next]) ? job_.clearance_mm : 0;
+      if (is_clean(low, above(places[next], lift_mm), move(i).kind, options_for(was_clean(i), clearance))) return true;
     }
     return false;
   }
 
+  [[nodiscard]] bool is_on_rapid(const PathPlace& place) const { return move(place.move).kind == MoveKind::rapid; }
+  /// Where the crossing begins, or ends, for a place where the path is left, or joined.
+  [[nodiscard]] Pose above(const PathPlace& place, double lift_mm) const {
+    return is_on_rapid(place) ? pose(place) : lifted(pose(place), lift_mm);
+  }
+
+  [[nodiscard]] bool has_rapid(const PathPlace& from, const PathPlace& to) const {
+    for (std::size_t i = from.move; i <= to.move; ++i) {
+      if (move(i).kind == MoveKind::rapid) return true;
+    }
+    return false;
+  }
+
+  /// Feeds become rapids no lower than where the path last went from rapid to feed: how high the stock stands above
+  /// what is left uncut is not known, but there the program says that the tool is above it.
+  [[nodiscard]] bool is_above_stock(const PathPlace& from, double lift_mm) const {
+    if (is_on_rapid(from)) return true;
+    const Pose begin = pose(from);
+    for (std::size_t i = from.move; i-- > 0;) {
+      if (move(i).tool != move(from.move).tool) return false;
+      if (move(i).kind != MoveKind::rapid) continue;
+      const Pose& entry = move(i).end;
+      return (entry.axis - begin.axis).norm() <= kParallel && lift_mm >= (entry.tip - begin.tip).dot(begin.axis);
+    }
+    return false;
+  }
+
+  /// Without the clearance there is no rapid on the way, neither a new one nor a programmed one.
   [[nodiscard]] std::optional<Trim> leave_out(const FreeStretch& before, const FreeStretch& after) const {
     const std::vector<PathPlace> downs = places_on(after), ups = places_back(before);
     std::vector<double> clearances{job_.clearance_mm};
@@ -209,6 +239,7 @@ class TrimChain {
       std::size_t up = 0, down = 0;
       for (const double lift : lifts_up_to(job_.max_lift_mm)) {
         if (!find_retract(ups, up, lift) || !find_retract(downs, down, lift)) break;
+        if (has_rapid(ups[up], downs[down]) && (clearance < job_.clearance_mm || lift < clearance)) continue;
         if (auto trim = cross(ups[up], downs[down], lift, clearance)) return trim;
       }
     }
@@ -218,8 +249,9 @@ class TrimChain {
   /// Up, across and down: on a straight line, or above the programmed path.
   [[nodiscard]] std::optional<Trim> cross(const PathPlace& from, const PathPlace& to, double lift,
                                           double clearance) const {
-    const Pose begin = pose(from), end = pose(to), up = lifted(begin, lift), down = lifted(end, lift);
-    const bool is_rapid = job_.can_write_rapids && clearance > 0 && job_.checker.options().rapid != RapidMode::skip;
+    const Pose up = above(from, lift), down = above(to, lift);
+    const bool is_rapid = job_.can_write_rapids && clearance > 0 && lift >= clearance && is_above_stock(from, lift) &&
+                          job_.checker.options().rapid != RapidMode::skip;
     std::vector<Pose> programmed, straight, above;
     for (std::size_t i = from.move; i < to.move; ++i) programmed.push_back(move(i).end);
     const double whole = way_mm(from, to);
@@ -235,10 +267,16 @@ class TrimChain {
     bool is_kept_near = false;
     for (std::size_t i = from.move; i <= to.move; ++i) is_kept_near = is_kept_near || was_clean(i);
     const CheckOptions options = options_for(is_kept_near, clearance);
+    // Of a feed that keeps the clearance the cutter does too.
+    const auto crosses = [&](const Pose& a, const Pose& b, MoveKind kind) {
+      const Motion motion(a, b, kind == MoveKind::rapid && options.rapid == RapidMode::dogleg);
+      return motion.is_defined() &&
+             job_.checker.is_clean(motion, clearance > 0 ? MoveKind::rapid : kind, tool_, options, true);
+    };
     const auto is_free = [&](const std::vector<Pose>& way) {
       Pose at = up;
       for (std::size_t k = 0; k < way.size(); ++k) {
-        if (!is_clean(at, way[k], is_rapid ? MoveKind::rapid : move(from.move + k).kind, options)) return false;
+        if (!crosses(at, way[k], is_rapid ? MoveKind::rapid : move(from.move + k).kind)) return false;
         at = way[k];
       }
       return true;
@@ -247,7 +285,7 @@ class TrimChain {
     const bool is_line_one = options.rapid != RapidMode::dogleg;
     const bool is_straight =
         line.is_defined() &&
-        (is_line_one ? is_clean(up, down, is_rapid ? MoveKind::rapid : MoveKind::feed, options) : is_free(straight));
+        (is_line_one ? crosses(up, down, is_rapid ? MoveKind::rapid : MoveKind::feed) : is_free(straight));
     if (!is_straight && (programmed.empty() || !is_free(above))) return std::nullopt;
     return trim_over(from, to, is_straight ? straight : above, is_rapid, lift);
   }
@@ -269,9 +307,9 @@ class TrimChain {
       trim.programmed.push_back(was);
     };
     if (from.t > 0) visit(from.move, false, begin, begin, false);
-    visit(from.move, false, lifted(begin, lift), begin, false);
+    if (!is_on_rapid(from)) visit(from.move, false, lifted(begin, lift), begin, false);
     for (std::size_t i = from.move; i < to.move; ++i) visit(i, true, way[i - from.move], move(i).end, is_rapid);
-    visit(to.move, false, way.back(), end, is_rapid);
+    if (!is_on_rapid(to)) visit(to.move, false, way.back(), end, is_rapid);
     if (to.t < 1) visit(to.move, false, end, end, false);
     trim.uncut_positions = to.move - from.move;
     for (std::size_t i = from.move; i <= to.move; ++i) {

@@ -140,7 +140,7 @@ bool Proposer::give_up_arc(const std::vector<PathChange>& changes, std::size_t m
 }
 
 void Proposer::keep(std::size_t move, const std::string& reason) {
-  std::erase_if(holes_, [move](const HolePlan& hole) { return move + 1 >= hole.first && move <= hole.last; });
+  std::erase_if(holes_.lifted, [move](const HolePlan& hole) { return move + 1 >= hole.first && move <= hole.last; });
   if (give_up_trim(move, reason) || give_up_tilt(move, reason)) return rework();
   kept_.emplace_back(move, reason);
   keep_pieces(move, reason);
@@ -240,7 +240,7 @@ void Proposer::add_trims(Correction& correction) const {
 }
 
 void Proposer::add_holes(Correction& correction) const {
-  for (const HolePlan& hole : holes_) {
+  for (const HolePlan& hole : holes_.lifted) {
     const auto is_of_it = [&hole](const auto& thing) { return thing.move >= hole.first && thing.move < hole.last; };
     if (std::any_of(correction.changes.begin(), correction.changes.end(), is_of_it)) continue;
     PathChange change;
@@ -258,6 +258,18 @@ void Proposer::add_holes(Correction& correction) const {
                                   {path_.moves[hole.first].end.tip + hole.shift_mm, path_.moves[hole.first].end.axis},
                                   deepest(hole.first, hole.last - 1)});
     std::erase_if(correction.uncorrected, is_of_it);
+    Uncut uncut;
+    uncut.first = hole.first;
+    uncut.last = hole.last - 1;
+    uncut.length_mm = hole.shift_mm.norm();
+    uncut.kind = Uncut::Kind::hole;
+    correction.uncut.push_back(uncut);
+  }
+  std::ranges::stable_sort(correction.uncut, {}, &Uncut::first);
+  for (const HoleLeft& hole : holes_.left) {
+    for (Uncorrected& left : correction.uncorrected) {
+      if (left.move >= hole.first && left.move < hole.last) left.reason = hole.reason;
+    }
   }
   sort_by_move(correction.changes);
   sort_by_move(correction.records);

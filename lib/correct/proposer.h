@@ -57,7 +57,7 @@ class Proposer {
   const std::vector<const ToolVariants*>& tools_;
   MotionChecker checker_;
   const CorrectOptions& correct_;
-  std::vector<HolePlan> holes_;
+  HolePlans holes_;
   std::vector<bool> can_keep_arc_, can_split_;
   std::optional<ReworkedPath> straight_;            // curves as chords; none: it has none that must change
   std::optional<ReworkedPath> tilted_;              // and runs tilted; none: no run is

@@ -27,14 +27,16 @@ struct Corrected {
   const CheckSetup* setup = nullptr;
   std::optional<double> max_side_shift_mm;
   double max_shift_mm = 20;
+  double rapid_clearance_mm = 1;
 };
 
 struct Figures {
   std::size_t changed = 0, left = 0, gouges_before = 0, gouges_after = 0;
   std::size_t kept_samples = 0, left_path_samples = 0;
-  std::size_t listed_samples = 0;  // of left_path_samples, on moves that are listed as left
-  std::size_t added = 0;           // positions
-  std::size_t uncut = 0;           // stretches
+  std::size_t listed_samples = 0;          // of left_path_samples, on moves that are listed as left
+  std::size_t added = 0;                   // positions
+  std::size_t uncut = 0;                   // stretches
+  std::size_t rapids = 0, low_rapids = 0;  // that were written, and of these those listed
 };
 
 class LawBook {
@@ -65,6 +67,7 @@ class LawBook {
       left_to_the_byte(i);
       shift(i, figures);
       keeps_its_path(i, figures);
+      rapids_keep_off(i, figures);
       const MoveState state = c_.result_before->verdicts[i].state;
       figures.gouges_before += state == MoveState::gouge ? 1U : 0U;
       for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
@@ -216,7 +219,9 @@ class LawBook {
   /// Left out on purpose: its positions are no shifted ones, and the path is not kept to. That every motion of it is as
   /// lawful as others (a, b, c) is asked all the same.
   bool is_uncut(std::size_t i) const {
-    return std::ranges::any_of(c_.correction->uncut, [i](const Uncut& u) { return i >= u.first && i <= u.last; });
+    return std::ranges::any_of(c_.correction->uncut, [i](const Uncut& u) {
+      return u.kind == Uncut::Kind::left_out && i >= u.first && i <= u.last;
+    });
   }
 
   // (d) and the bounds of (e), at many places of the straight shift.
@@ -277,6 +282,52 @@ class LawBook {
     }
   }
 
+  /// The nearest that a tool comes to parts and fixtures, up to `most_mm`; negative inside. No smaller than the truth.
+  double nearest(const Motion& motion, const ToolVariants& tool, double most_mm) const {
+    constexpr int kInstants = 24;
+    double depth = -most_mm;
+    for (int s = 0; s <= kInstants; ++s) {
+      const Pose pose = motion.at(static_cast<double>(s) / kInstants);
+      for (const bool is_part : {true, false}) {
+        for (const IndexedMesh& mesh : is_part ? scene_.parts : scene_.fixtures) {
+          for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            brute_force::search(is_part ? tool.against_part : tool.against_fixture, pose,
+                                {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, 1e-3, depth);
+        }
+      }
+    }
+    return -depth;
+  }
+
+  // (g): a rapid that was written keeps the clearance, or is listed with no more than it keeps; over what is left uncut
+  // it keeps it.
+  void rapids_keep_off(std::size_t i, Figures& figures) {
+    const bool is_start_moved = i > 0 && c_.before->moves[i].has_start && changes_[i - 1] != nullptr &&
+                                (changes_[i - 1]->new_end || changes_[i - 1]->hole_shift_mm);
+    if (changes_[i] == nullptr && !is_start_moved) return;
+    const auto& list = c_.correction->low_rapids;
+    const auto found = std::ranges::find(list, i, &LowRapid::move);
+    const double claimed = found == list.end() ? c_.rapid_clearance_mm : found->keeps_mm;
+    figures.low_rapids += found == list.end() ? 0U : 1U;
+    const Move& old = c_.before->moves[i];
+    const bool is_programmed = old.kind == MoveKind::rapid && first_[i + 1] - first_[i] == 1;
+    for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+      const Move& move = c_.after->moves[k];
+      if (move.kind != MoveKind::rapid || !move.not_checked_reason.empty()) continue;
+      const ToolVariants* tool = c_.setup->tools[move.tool];
+      if (tool == nullptr || ++rapids_seen_ % one_of(scene_) != 0) continue;
+      ++figures.rapids;
+      const Motion motion = motion_of(*c_.after, k, options_.rapid);
+      const double keeps = nearest(motion, *tool, c_.rapid_clearance_mm);
+      if (keeps >= claimed - 2 * options_.resolution_mm) continue;
+      const double kept = nearest(motion_of(*c_.before, i, options_.rapid), *tool, c_.rapid_clearance_mm);
+      if (is_programmed && found == list.end() && keeps >= kept - 0.01) continue;
+      say('g', i, "a rapid keeps " + std::to_string(keeps) + ", not " + std::to_string(claimed));
+    }
+    if (is_uncut(i) && old.kind != MoveKind::rapid && found != list.end())
+      say('g', i, "a rapid over what is left uncut does not keep the clearance");
+  }
+
   // Brute force looks at every triangle: at all moves of small scenes, at some of large ones.
   static std::size_t one_of(const Scene& scene) {
     std::size_t triangles = 0;
@@ -288,7 +339,7 @@ class LawBook {
   MotionChecker checker_;
   const CheckOptions& options_;
   const Scene& scene_;
-  std::size_t looked_at_ = 0;
+  std::size_t looked_at_ = 0, rapids_seen_ = 0;
   std::vector<const PathChange*> changes_;
   std::vector<std::size_t> first_;  // the first move of the corrected path that each move became
   std::vector<std::string> broken_;

@@ -90,7 +90,8 @@ Figures hold_for_random(const BodyStrategies& strategies) {
   std::cout << count << " programs, " << with_gouges << " of them gouge: " << figures.gouges_before
             << " gouging moves became " << figures.gouges_after << ", " << figures.left << " of them listed as left; "
             << figures.changed << " moves changed, " << figures.added << " positions added, " << figures.uncut
-            << " stretches left out; " << places(figures);
+            << " stretches left out, " << figures.rapids << " rapids measured, " << figures.low_rapids
+            << " listed as low; " << places(figures);
   EXPECT_GT(with_gouges * 3, count);
   EXPECT_LE(figures.left_path_samples * 100, figures.kept_samples + 500);
   return figures;

@@ -151,6 +151,54 @@ TEST(CorrectPath, ARapidGoesOverWhatItMetWithItsClearanceAndNotWithinTheToleranc
   }
 }
 
+/// A rapid 5 mm above the floor from (-40, y) to (40, y), and a square post of 12 mm about z.
+Case rapid_past_a_post(double y, double post_mm) {
+  Case c;
+  c.correct.strategies = BodyStrategies::all(Strategy::normal);
+  c.path = paths::through({upright(-40, y, 5), upright(40, y, 5)}, MoveKind::rapid);
+  c.scene.parts = {shapes::box(Vec3(-60, -60, -10), Vec3(60, 60, 0)),
+                   shapes::box(Vec3(-6, -6, -1), Vec3(6, 6, post_mm))};
+  return c;
+}
+
+double nearest(const Case& c, const Toolpath& path) {
+  double low = 0, high = 20;
+  for (int step = 0; step < 20; ++step) {
+    CheckOptions near = c.options;
+    near.tolerance_mm = 0;
+    near.near_miss_mm = 0.5 * (low + high);
+    const CheckResult result = whole_check(path, &c.tool, c.scene, near);
+    (result.counts.clean == result.verdicts.size() ? low : high) = near.near_miss_mm;
+  }
+  return low;
+}
+
+TEST(CorrectPath, ARapidThatGrazesGoesRoundWithItsClearanceWhereNoLiftGoesOver) {
+  Case c = rapid_past_a_post(10.97, 60);
+  c.correct.rapid_clearance_mm = 2;
+  const Correction correction = propose(c);
+  EXPECT_TRUE(correction.uncorrected.empty());
+  EXPECT_GE(nearest(c, applied(c.path, correction)), 1.99);
+}
+
+TEST(CorrectPath, TheLiftThatTheLargestShiftAllowsIsFoundAlsoBetweenThoseTried) {
+  Case c = rapid_past_a_post(0, 58);
+  c.correct.rapid_clearance_mm = 2;
+  for (const double most : {56.0, 60.0, 70.0}) {
+    c.correct.max_shift_mm = most;
+    const Correction correction = propose(c);
+    ASSERT_EQ(correction.changes.size(), 1U) << most;
+    EXPECT_GE(nearest(c, applied(c.path, correction)), 1.99) << most;
+    for (const Pose& stop : correction.changes[0].inserted_before) EXPECT_LE(stop.tip.z() - 5, most);
+  }
+  // Neither over it nor round it.
+  c.correct.max_shift_mm = 50;
+  c.scene.parts.push_back(shapes::box(Vec3(-6, -55, -1), Vec3(6, 55, 58)));
+  const Correction none = propose(c);
+  ASSERT_EQ(none.uncorrected.size(), 1U);
+  EXPECT_EQ(none.uncorrected[0].reason, "no clean path was found between its positions within the largest shift");
+}
+
 TEST(CorrectPath, APositionWhereARapidEndsTooDeepGetsTheClearance) {
   Case c;
   c.path = paths::through({upright(-90, 0, 20), upright(0, 0, -0.5), upright(0, 0, 20)}, MoveKind::rapid);

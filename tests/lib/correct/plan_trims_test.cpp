@@ -100,8 +100,30 @@ TEST(PlanTrims, LeaveOutWhereTheHolderIsInTheWallAndNothingElse) {
   }
 }
 
+/// The pass begins with a rapid to `level` above the floor.
+Beside entered_at(double level) {
+  Beside beside(60);
+  std::vector<Pose> poses{upright(0, -80, 120), upright(0, -80, level)};
+  for (double y = -80; y <= 80; y += 4) poses.push_back(upright(0, y, 0));
+  poses.push_back(upright(0, 80, 120));
+  beside.set(poses);
+  beside.path.moves[1].kind = MoveKind::rapid;
+  return beside;
+}
+
+// How high the stock stands above what is left uncut is not known: the program went to feed 15 mm above the floor.
+TEST(PlanTrims, CrossAtFeedBelowWherePathsGoToFeed) {
+  const Beside beside = entered_at(15);
+  const LawfulCorrection done = beside.run();
+  EXPECT_EQ(bad_moves(done.after.result), 0U);
+  ASSERT_EQ(done.correction.uncut.size(), 1U);
+  for (std::size_t i = 2; i < done.after.path.moves.size(); ++i)
+    EXPECT_EQ(done.after.path.moves[i].kind, MoveKind::feed) << i;
+  for (const Move& move : Beside(60).run().after.path.moves) EXPECT_EQ(move.kind, MoveKind::feed) << "no rapid at all";
+}
+
 TEST(PlanTrims, CrossAtRapidWithTheClearanceAndFeedUpAndDown) {
-  const Beside beside(60);
+  const Beside beside = entered_at(5);
   const LawfulCorrection done = beside.run();
   const Moves& moves = done.after.path.moves;
   std::size_t rapids = 0, feeds_off_the_floor = 0;
@@ -113,11 +135,13 @@ TEST(PlanTrims, CrossAtRapidWithTheClearanceAndFeedUpAndDown) {
     if (moves[i].kind == MoveKind::rapid) {
       ++rapids;
       EXPECT_EQ(result.verdicts[i].state, MoveState::clean);
-      EXPECT_DOUBLE_EQ(moves[i].end.tip.z(), moves[i - 1].end.tip.z());
+      if (i > 1) {
+        EXPECT_DOUBLE_EQ(moves[i].end.tip.z(), moves[i - 1].end.tip.z());
+      }
     }
     feeds_off_the_floor += moves[i].kind == MoveKind::feed && moves[i].end.tip.z() > 0 ? 1U : 0U;
   }
-  EXPECT_EQ(rapids, 22U);
+  EXPECT_EQ(rapids, 22U + 1) << "the crossing, and the programmed one";
   EXPECT_EQ(feeds_off_the_floor, 2U) << "up from the floor, and the end of the path";
 }
 
@@ -150,7 +174,9 @@ TEST(PlanTrims, WhatIsHigherThanAllLiftsIsListedWithTheReasonAndLeft) {
   EXPECT_TRUE(done.correction.uncut.empty());
   ASSERT_FALSE(done.correction.uncorrected.empty());
   for (const Uncorrected& left : done.correction.uncorrected)
-    EXPECT_EQ(left.reason, "not left out: no way over it is free up to --max-shift 30 mm above the path");
+    EXPECT_EQ(left.reason,
+              "not left out: no way over it was found with lifts up to --max-shift 30 mm, with --rapid-clearance where "
+              "rapids are on the way");
 }
 
 TEST(PlanTrims, APathThatEndsInACollisionHasNowhereToComeDown) {
@@ -177,6 +203,52 @@ TEST(PlanTrims, WhereARapidLeadsOutOfTheCollisionItIsJoined) {
   ASSERT_EQ(done.correction.uncut.size(), 1U);
   EXPECT_EQ(done.correction.uncut.front().positions, 1U);
   EXPECT_NEAR(done.correction.uncut.front().length_mm, kMeets_mm, 0.1);
+}
+
+/// A pass 0.3 mm below the floor, and a rapid up out of it.
+Beside too_deep() {
+  Beside beside(1);
+  beside.scene.parts = {shapes::box(Vec3(-200, -200, -10), Vec3(200, 200, 0))};
+  std::vector<Pose> poses{upright(0, -20, 50)};
+  for (double y = -20; y <= 20; y += 5) poses.push_back(upright(0, y, -0.3));
+  poses.push_back(upright(0, 20, 50));
+  beside.set(poses);
+  beside.path.moves.back().kind = MoveKind::rapid;
+  beside.correct.strategies = BodyStrategies::all(Strategy::trim);
+  return beside;
+}
+
+TEST(PlanTrims, NoRapidRunsTowardsThePartIntoWhatIsLeftUncut) {
+  for (const bool can_write_rapids : {true, false}) {
+    Beside beside = too_deep();
+    beside.rewritable.has_rapids = can_write_rapids;
+    const LawfulCorrection done = beside.run();
+    EXPECT_EQ(bad_moves(done.after.result), 0U);
+    ASSERT_EQ(done.correction.uncut.size(), 1U);
+    const Moves& moves = done.after.path.moves;
+    std::size_t rapids = 0;
+    for (std::size_t i = 1; i < moves.size(); ++i) {
+      if (moves[i].kind != MoveKind::rapid) continue;
+      ++rapids;
+      EXPECT_GE(moves[i].end.tip.z(), moves[i - 1].end.tip.z());
+      EXPECT_GE(std::min(moves[i].end.tip.z(), moves[i - 1].end.tip.z()), beside.correct.rapid_clearance_mm);
+    }
+    EXPECT_GT(rapids, 0U);
+    EXPECT_TRUE(done.correction.low_rapids.empty());
+  }
+}
+
+TEST(PlanTrims, ARapidThatRunsIntoTheGougeIsLeftWhereItKeepsTheClearance) {
+  Beside beside = too_deep();
+  beside.path.moves[1].kind = MoveKind::rapid;
+  beside.path.moves.back().kind = MoveKind::feed;
+  const LawfulCorrection done = beside.run();
+  EXPECT_EQ(bad_moves(done.after.result), 0U);
+  for (const Move& move : done.after.path.moves) {
+    if (move.kind == MoveKind::rapid) {
+      EXPECT_GE(move.end.tip.z(), beside.correct.rapid_clearance_mm);
+    }
+  }
 }
 
 // Two posts with a free stretch between them, in one move: that stretch is cut.
