@@ -15,6 +15,7 @@
 #include "lib/base/number_text.h"
 #include "lib/certify/placement.h"
 #include "lib/correct/correct_path.h"
+#include "lib/tilt/axes_outside.h"
 #include "postproc/cldata/rewriting/list_written.h"
 #include "postproc/cldata/rewriting/record_texts.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
@@ -90,6 +91,12 @@ CorrectedRecord corrected_record(const ChangeRecord& r, const Toolpath& before, 
   return record;
 }
 
+UncutRecord::Kind uncut_kind(Uncut::Kind kind) {
+  return kind == Uncut::Kind::hole     ? UncutRecord::Kind::hole
+         : kind == Uncut::Kind::lifted ? UncutRecord::Kind::lifted
+                                       : UncutRecord::Kind::left_out;
+}
+
 CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options, const Correction& correction,
                          const Toolpath& before, const CheckResult& result, const Toolpath& after) {
   CorrectionFacts facts;
@@ -113,13 +120,15 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   ChangeTexts texts(before, correction.changes, after, all);
   for (const ChangeRecord& r : correction.records) facts.changes.push_back(corrected_record(r, before, texts));
   for (const Uncut& u : correction.uncut) {
-    facts.uncut.push_back(
-        {u.first, u.last, before.moves[u.first].line, before.moves[u.last].line, u.positions, u.length_mm});
+    facts.uncut.push_back({u.first, u.last, before.moves[u.first].line, before.moves[u.last].line, u.positions,
+                           u.length_mm, uncut_kind(u.kind)});
   }
   for (const StockStretch& s : correction.stock) {
     facts.stock.push_back({s.first, s.last, before.moves[s.first].line, before.moves[s.last].line, s.most.thickness_mm,
                            s.most.is_more, s.most.is_undecided, s.most.point});
   }
+  for (const LowRapid& r : correction.low_rapids)
+    facts.low_rapids.push_back({r.move, before.moves[r.move].line, r.keeps_mm});
   for (const Uncorrected& u : correction.uncorrected) {
     facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason, u.is_changed});
   }
@@ -173,6 +182,7 @@ class CorrectRun {
     model.correction.output_bytes = text;
     model.correction.axes = measure_axes(job_.toolpath, correction.changes, path, limit_);
     for (OptionText& limit : limits_in_force(arguments_)) model.more_options.push_back(std::move(limit));
+    add_axes_outside(model.notes);
     add_not_tilted(correction.not_tilted, model.notes);
     add_left_stock(model.correction, model.notes);
     progress_.end();
@@ -186,6 +196,19 @@ class CorrectRun {
   }
 
  private:
+  /// Tilts stay inside the cone; what was programmed stays as it is.
+  void add_axes_outside(Diagnostics& notes) const {
+    if (!correct_.tilt.cone) return;
+    const AxesOutside outside = find_axes_outside(job_.toolpath, *correct_.tilt.cone);
+    if (outside.positions == 0) return;
+    notes.push_back(make_warning(
+        "axis-outside-cone",
+        count_text(outside.positions, "programmed position") + " " + (outside.positions == 1 ? "has" : "have") +
+            " a tool axis outside --axis-cone, up to " + angle_text(outside.most_rad, DegreeSign::word) +
+            " from its direction; no correction brings these inside",
+        job_.toolpath.file, job_.toolpath.moves[outside.first_move].line));
+  }
+
   /// One for each run that is not tilted, the first as a warning: it is a correction, but not the one asked for.
   void add_not_tilted(const std::vector<NotTilted>& runs, Diagnostics& notes) const {
     for (std::size_t k = 0; k < runs.size(); ++k) {

@@ -52,6 +52,7 @@ class CorrectionReport {
             {"straightened", {{"curves", c.curves}, {"straight_moves", c.straight_moves}}},
             {"uncut", uncut(c)},
             {"stock", stock(c)},
+            {"low_rapids", low_rapids(c)},
             {"changes", changes},
             {"uncorrected", left},
             {"written", written}};
@@ -137,10 +138,14 @@ class CorrectionReport {
       Json stretch = lines_of_stretch(r);
       stretch["positions"] = r.positions;
       stretch["length"] = length(r.length_mm);
+      stretch["kind"] = uncut_kind_name(r.kind);
       stretches.push_back(std::move(stretch));
     }
     const UncutTotal total = uncut_total(c);
-    return {{"positions", total.positions}, {"length", length(total.length_mm)}, {"stretches", stretches}};
+    return {{"positions", total.positions},
+            {"length", length(total.length_mm)},
+            {"holes", total.holes},
+            {"stretches", stretches}};
   }
 
   [[nodiscard]] Json stock(const CorrectionFacts& c) const {
@@ -154,6 +159,13 @@ class CorrectionReport {
       stretches.push_back(std::move(stretch));
     }
     return stretches;
+  }
+
+  [[nodiscard]] Json low_rapids(const CorrectionFacts& c) const {
+    Json all = Json::array();
+    for (const LowRapidRecord& r : c.low_rapids)
+      all.push_back({{"move", r.move}, {"line", r.line}, {"keeps", length(r.keeps_mm)}});
+    return all;
   }
 
   const ReportModel& model_;

@@ -24,7 +24,12 @@ std::string tilt_words(const TiltCure& tilt) {
 
 std::string lift_words(const ReportModel& model, const LiftCure& lift) {
   const LengthUnit unit = model.toolpath->unit;
-  if (lift.lift_mm) return "a lift of " + short_length_text(*lift.lift_mm, unit) + " along the tool axis";
+  if (lift.lift_mm) {
+    return "a lift of " + short_length_text(*lift.lift_mm, unit) + " along the tool axis" +
+           (lift.is_least() ? ""
+                            : ", proved; whether less is enough, from " +
+                                  short_length_text(lift.not_free_below_mm, unit) + " on, is not certified");
+  }
   const std::string where = "line " + std::to_string(std::size_t{model.toolpath->moves[lift.move].line});
   return "no lift up to " + length_text(model.cure_options->most_lift_mm, unit) + " along the tool axis (the " +
          body_name(lift.body) + ", " + where + ")";

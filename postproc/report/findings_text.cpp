@@ -157,9 +157,7 @@ std::string correction_lines(const ReportModel& model) {
   text += ", " + std::to_string(left) + (left == 1 ? " left as it was" : " left as they were");
   if (changed > 0) text += ", " + std::to_string(changed) + " changed but not freed";
   if (!correction.output_file.empty()) text += "; written to " + correction.output_file;
-  const std::string stock = stock_text(correction, unit);
-  return line(text) + (stock.empty() ? stock : line("stock: " + stock)) + written_line(correction) +
-         (correction.axes ? axis_lines(model) : std::string());
+  return line(text) + written_line(correction) + (correction.axes ? axis_lines(model) : std::string());
 }
 
 /// The lines before the summary.

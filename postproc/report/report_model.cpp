@@ -92,6 +92,12 @@ std::vector<std::string> reservations(const ReportModel& model) {
   // "Clean" is what is left of the path, not the part.
   if (std::string uncut = uncut_text(model.correction, model.toolpath->unit); !uncut.empty())
     all.push_back(std::move(uncut));
+  if (std::string moved = moved_cuts_text(model.correction, model.toolpath->unit); !moved.empty())
+    all.push_back(std::move(moved));
+  if (const std::string stock = stock_text(model.correction, model.toolpath->unit); !stock.empty())
+    all.push_back("stock: " + stock);
+  if (std::string low = low_rapids_text(model.correction, model.toolpath->unit); !low.empty())
+    all.push_back(std::move(low));
   if (std::string gaps = depth_gaps_text(model); !gaps.empty()) all.push_back(std::move(gaps));
   std::string bare;
   std::size_t count = 0;

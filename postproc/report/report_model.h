@@ -83,12 +83,14 @@ struct UncorrectedRecord {
   bool is_changed = false;  ///< its own record was changed all the same
 };
 
-/// A stretch that is left out: the tool passes above it.
+/// Moves of which something is not cut any more.
 struct UncutRecord {
-  std::size_t first_move = 0, last_move = 0;  ///< of the path before the correction
+  enum class Kind { left_out, hole, lifted };  ///< as in Uncut
+  std::size_t first_move = 0, last_move = 0;   ///< of the path before the correction
   std::size_t first_line = 0, last_line = 0;
   std::size_t positions = 0;  ///< programmed ones that are not visited
-  double length_mm = 0;       ///< of the programmed feeds
+  double length_mm = 0;       ///< of the programmed feeds; of a hole what is missing of its depth
+  Kind kind = Kind::left_out;
 };
 
 /// What a stretch of changed moves leaves of the surface that it finished before.
@@ -99,6 +101,12 @@ struct StockRecord {
   bool is_more = false;       ///< it may be more than that: nothing near is cut, or the search ended before
   bool is_undecided = false;  ///< no such point was found, but that there is none is not proved
   Vec3 point = Vec3::Zero();
+};
+
+/// A move that became rapids, or that is one and runs elsewhere, and comes nearer than the clearance.
+struct LowRapidRecord {
+  std::size_t move = 0, line = 0;  ///< of the path before the correction
+  double keeps_mm = 0;             ///< certified: nothing is nearer; negative: it is no deeper in part or fixtures
 };
 
 /// A statement of the corrected file that is not as it was.
@@ -133,6 +141,7 @@ struct CorrectionFacts {
   std::vector<UncorrectedRecord> uncorrected;
   std::vector<UncutRecord> uncut;
   std::vector<StockRecord> stock;              ///< more than is allowed of each stretch
+  std::vector<LowRapidRecord> low_rapids;      ///< in path order
   std::vector<WrittenRecord> written;          ///< every other record is the same to the byte
   std::optional<AxisFacts> axes;               ///< none: not measured
   const Toolpath* toolpath_before = nullptr;   ///< the path as read

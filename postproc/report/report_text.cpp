@@ -117,9 +117,30 @@ std::size_t moved_positions(const CorrectionFacts& correction) {
       correction.changes, [](const CorrectedRecord& change) { return !change.is_inserted && !change.is_uncut; }));
 }
 
+const char* uncut_kind_name(UncutRecord::Kind kind) {
+  return kind == UncutRecord::Kind::hole ? "hole" : kind == UncutRecord::Kind::lifted ? "lifted" : "left-out";
+}
+
+std::string moved_cuts_text(const CorrectionFacts& correction, LengthUnit unit) {
+  if (correction.toolpath_before == nullptr) return {};
+  double most_mm = 0;
+  for (const CorrectedRecord& change : correction.changes) {
+    const bool is_cut = correction.toolpath_before->moves[change.move].kind != MoveKind::rapid;
+    if (is_cut && !change.is_uncut && change.strategy != "tilt") most_mm = std::max(most_mm, change.shift_length_mm);
+  }
+  if (!(most_mm > 0)) return {};
+  return "cuts were moved by up to " + depth_text(most_mm, unit) + ": less is cut there than was programmed";
+}
+
 UncutTotal uncut_total(const CorrectionFacts& correction) {
   UncutTotal total;
   for (const UncutRecord& stretch : correction.uncut) {
+    if (stretch.kind == UncutRecord::Kind::hole) {
+      ++total.holes;
+      total.most_of_hole_mm = std::max(total.most_of_hole_mm, stretch.length_mm);
+      continue;
+    }
+    ++total.stretches;
     total.positions += stretch.positions;
     total.length_mm += stretch.length_mm;
   }
@@ -127,11 +148,17 @@ UncutTotal uncut_total(const CorrectionFacts& correction) {
 }
 
 std::string uncut_text(const CorrectionFacts& correction, LengthUnit unit) {
-  if (correction.uncut.empty()) return {};
   const UncutTotal total = uncut_total(correction);
-  const std::size_t stretches = correction.uncut.size();
-  return count_text(total.positions, "position") + " and " + length_text(total.length_mm, unit) + " left uncut in " +
-         std::to_string(stretches) + (stretches == 1 ? " stretch" : " stretches");
+  std::string text;
+  if (total.stretches > 0) {
+    text = count_text(total.positions, "position") + " and " + length_text(total.length_mm, unit) + " left uncut in " +
+           count_text(total.stretches, "stretch", "stretches");
+  }
+  if (total.holes > 0) {
+    text += (text.empty() ? "" : ", ") + count_text(total.holes, "hole") + " left uncut by up to " +
+            depth_text(total.most_of_hole_mm, unit);
+  }
+  return text;
 }
 
 std::string thickness_text(const StockRecord& stretch, LengthUnit unit) {
@@ -148,6 +175,20 @@ std::string stock_text(const CorrectionFacts& correction, LengthUnit unit) {
          std::to_string(stretches) + (stretches == 1 ? " stretch" : " stretches") + ", " +
          (stretches == 1 ? "at " : "most at ") + point_text(most.point, unit) + ", lines " +
          std::to_string(most.first_line) + "-" + std::to_string(most.last_line);
+}
+
+std::string kept_text(double keeps_mm, LengthUnit unit) {
+  return keeps_mm < 0 ? depth_text(-keeps_mm, unit) + " inside" : depth_text(keeps_mm, unit);
+}
+
+std::string low_rapids_text(const CorrectionFacts& correction, LengthUnit unit) {
+  if (correction.low_rapids.empty()) return {};
+  const LowRapidRecord& least = *std::ranges::min_element(correction.low_rapids, {}, &LowRapidRecord::keeps_mm);
+  const bool is_one = correction.low_rapids.size() == 1;
+  return count_text(correction.low_rapids.size(), "rapid") +
+         (is_one ? " that was written keeps" : " that were written keep") + " less than the clearance of " +
+         length_text(correction.rapid_clearance_mm, unit) + ": " + (is_one ? "" : "the least ") +
+         kept_text(least.keeps_mm, unit) + ", line " + std::to_string(least.line);
 }
 
 std::string straightened_text(const CorrectionFacts& correction) {

@@ -37,16 +37,27 @@ inline constexpr const char* kProjectFile = "project-file";
 /// Of programmed positions, those that are not left uncut.
 [[nodiscard]] std::size_t moved_positions(const CorrectionFacts& correction);
 
-/// Sums over all stretches left out.
+/// "left-out", "hole", "lifted".
+[[nodiscard]] const char* uncut_kind_name(UncutRecord::Kind kind);
+/// "cuts were moved by up to 0.213 mm: less is cut there than was programmed"; empty where none was.
+[[nodiscard]] std::string moved_cuts_text(const CorrectionFacts& correction, LengthUnit unit);
+
+/// Sums over all stretches left out, and over the holes that are drilled less deep.
 struct UncutTotal {
-  std::size_t positions = 0;
+  std::size_t stretches = 0, positions = 0;
   double length_mm = 0;
+  std::size_t holes = 0;
+  double most_of_hole_mm = 0;  ///< most that is missing of the depth of one
 };
 [[nodiscard]] UncutTotal uncut_total(const CorrectionFacts& correction);
-/// "12 positions and 81.2 mm left uncut in 1 stretch"; empty where nothing is.
+/// "12 positions and 81.2 mm left uncut in 1 stretch, 2 holes left uncut by up to 0.02 mm"; empty where nothing is.
 [[nodiscard]] std::string uncut_text(const CorrectionFacts& correction, LengthUnit unit);
 /// "up to 1.62 mm of what was finished left in 2 stretches, most at (0, 1, 2), line 12"; empty where nothing is.
 [[nodiscard]] std::string stock_text(const CorrectionFacts& correction, LengthUnit unit);
+/// "2 rapids that were written keep less than the clearance of 2 mm: the least 0.005 mm, line 12"; empty where none does.
+[[nodiscard]] std::string low_rapids_text(const CorrectionFacts& correction, LengthUnit unit);
+/// "0.005 mm", "0.005 mm inside": what a rapid keeps.
+[[nodiscard]] std::string kept_text(double keeps_mm, LengthUnit unit);
 /// "20 mm or more", of one stretch.
 [[nodiscard]] std::string thickness_text(const StockRecord& stretch, LengthUnit unit);
 /// "2 curves became 79 straight moves".

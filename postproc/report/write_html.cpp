@@ -1,6 +1,7 @@
 #include "postproc/report/write_report.h"
 
 #include <algorithm>
+#include <functional>
 #include <string_view>
 
 #include "lib/base/number_text.h"
@@ -26,6 +27,15 @@ std::string figure(const NamedFile& picture) {
 }
 
 std::string lengths_text(const Vec3& v, LengthUnit unit) { return point_text(v, unit) + " " + unit_name(unit); }
+
+/// Of equal ones the first before the others.
+template <typename Record>
+std::vector<const Record*> largest_first(const std::vector<Record>& records, double Record::*size) {
+  std::vector<const Record*> sorted;
+  for (const Record& record : records) sorted.push_back(&record);
+  std::ranges::stable_sort(sorted, std::greater<>(), [size](const Record* record) { return record->*size; });
+  return sorted;
+}
 
 class HtmlReport {
  public:
@@ -169,6 +179,8 @@ class HtmlReport {
                : " " + count_text(c.written.size(), "record") +
                      " of the file changed, added or removed; every other one is the same to the byte.</p>\n";
     if (!c.uncut.empty()) out += "<p class=\"but\">" + xml_escaped(uncut_text(c, unit_)) + ".</p>\n" + uncut_table();
+    if (!c.low_rapids.empty())
+      out += "<p class=\"but\">" + xml_escaped(low_rapids_text(c, unit_)) + ".</p>\n" + low_rapids_table();
     HtmlTable table({{"Line", "n"},
                      {"Move", "n"},
                      {"Strategy"},
@@ -179,21 +191,34 @@ class HtmlReport {
                      {"Depth after", "n"},
                      {"Iterations", "n"},
                      {"Cause"}});
-    for (const CorrectedRecord& r : c.changes) table.has_room() ? table.add(change_row(r)) : table.skip();
+    for (const CorrectedRecord* r : largest_first(c.changes, &CorrectedRecord::shift_length_mm))
+      table.has_room() ? table.add(change_row(*r)) : table.skip();
     return out + table.html() + left_as_was();
   }
 
   [[nodiscard]] std::string uncut_table() const {
-    HtmlTable table({{"Lines left out", "n"}, {"Moves", "n"}, {"Positions", "n"}, {"Length", "n"}});
+    HtmlTable table({{"Lines not cut", "n"}, {"Moves", "n"}, {"Positions", "n"}, {"Length", "n"}, {"Kind"}});
     const auto span = [](std::size_t first, std::size_t last) {
       return first == last ? std::to_string(first) : std::to_string(first) + "-" + std::to_string(last);
     };
-    for (const UncutRecord& r : model_.correction.uncut) {
+    for (const UncutRecord* r : largest_first(model_.correction.uncut, &UncutRecord::length_mm)) {
       table.has_room()
-          ? table.add(html_cell(span(r.first_line, r.last_line), "n") +
-                      html_cell(span(r.first_move, r.last_move), "n") + html_cell(std::to_string(r.positions), "n") +
-                      html_cell(length_text(r.length_mm, unit_), "n"))
+          ? table.add(html_cell(span(r->first_line, r->last_line), "n") +
+                      html_cell(span(r->first_move, r->last_move), "n") + html_cell(std::to_string(r->positions), "n") +
+                      html_cell(length_text(r->length_mm, unit_), "n") + html_cell(uncut_kind_name(r->kind)))
           : table.skip();
+    }
+    return table.html();
+  }
+
+  [[nodiscard]] std::string low_rapids_table() const {
+    HtmlTable table({{"Line", "n"}, {"Move", "n"}, {"Keeps", "n"}});
+    std::vector<LowRapidRecord> sorted = model_.correction.low_rapids;
+    std::ranges::stable_sort(sorted, {}, &LowRapidRecord::keeps_mm);
+    for (const LowRapidRecord& r : sorted) {
+      table.has_room() ? table.add(html_cell(std::to_string(r.line), "n") + html_cell(std::to_string(r.move), "n") +
+                                   html_cell(kept_text(r.keeps_mm, unit_), "n"))
+                       : table.skip();
     }
     return table.html();
   }
@@ -217,14 +242,14 @@ class HtmlReport {
   }
 
   [[nodiscard]] std::string left_as_was() const {
-    const std::vector<UncorrectedRecord>& left = model_.correction.uncorrected;
-    if (left.empty()) return {};
+    if (model_.correction.uncorrected.empty()) return {};
     HtmlTable table({{"Line", "n"}, {"Move", "n"}, {"Depth", "n"}, {"Reason"}});
-    for (const UncorrectedRecord& one : left) {
-      const std::string depth = one.depth_mm > 0 ? depth_text(one.depth_mm, unit_, model_.options) : "-";
-      table.has_room() ? table.add(html_cell(std::to_string(one.line), "n") + html_cell(std::to_string(one.move), "n") +
-                                   html_cell(depth, "n") + html_cell(one.reason))
-                       : table.skip();
+    for (const UncorrectedRecord* one : largest_first(model_.correction.uncorrected, &UncorrectedRecord::depth_mm)) {
+      const std::string depth = one->depth_mm > 0 ? depth_text(one->depth_mm, unit_, model_.options) : "-";
+      table.has_room()
+          ? table.add(html_cell(std::to_string(one->line), "n") + html_cell(std::to_string(one->move), "n") +
+                      html_cell(depth, "n") + html_cell(one->reason))
+          : table.skip();
     }
     return "<h2>Left as it was</h2>\n" + table.html();
   }

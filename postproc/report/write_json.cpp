@@ -203,6 +203,8 @@ class JsonReport {
               {"reason", found->tilt.tilt_rad ? Json(nullptr) : text(found->tilt.reason)}}},
             {"lift",
              {{"length", lift.lift_mm ? length(*lift.lift_mm) : Json(nullptr)},
+              {"is_least", lift.is_least()},
+              {"not_free_below", length(lift.not_free_below_mm)},
               {"move", lift.move},
               {"line", std::size_t{model_.toolpath->moves[lift.move].line}},
               {"body", body_name(lift.body)},

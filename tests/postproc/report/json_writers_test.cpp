@@ -103,7 +103,9 @@ TEST(WriteJson, ChangesCarryTheirCauseAndTheirRecordsAndSaysWhatIsUncut) {
   changes[0].old_record = "GOTO/1,2,3\n";
   changes[0].new_record = "GOTO/1,2,3.25\n";
   report.set_gouge(1, 0.25);
-  report.model.correction.uncut = {{3, 5, 13, 15, 2, 12.5}, {7, 7, 17, 17, 0, 4}};
+  report.model.correction.uncut = {
+      {3, 5, 13, 15, 2, 12.5}, {7, 7, 17, 17, 0, 4}, {9, 9, 19, 19, 0, 1.5, UncutRecord::Kind::hole}};
+  report.model.correction.low_rapids = {{2, 12, -0.25}};
   const json value = json::parse(write_json(report.model));
   EXPECT_EQ(schema_errors(value), std::vector<std::string>{});
   const json& first = value["correction"]["changes"][0];
@@ -118,6 +120,9 @@ TEST(WriteJson, ChangesCarryTheirCauseAndTheirRecordsAndSaysWhatIsUncut) {
   EXPECT_EQ(value["correction"]["uncut"]["positions"], 2);
   EXPECT_EQ(value["correction"]["uncut"]["length"], 16.5);
   EXPECT_EQ(value["correction"]["uncut"]["stretches"][0]["last_line"], 15);
+  EXPECT_EQ(value["correction"]["uncut"]["holes"], 1);
+  EXPECT_EQ(value["correction"]["uncut"]["stretches"][2]["kind"], "hole");
+  EXPECT_EQ(value["correction"]["low_rapids"][0]["keeps"], -0.25);
 }
 
 TEST(WriteJson, HasTheCuresOfFindings) {
@@ -125,7 +130,7 @@ TEST(WriteJson, HasTheCuresOfFindings) {
   ASSERT_GE(report.result.events.size(), 2U);
   EXPECT_TRUE(json::parse(write_json(report.model))["cures"].is_null()) << "not asked";
   report.model.cure_options = CureOptions();
-  report.model.cures = {{0, {0.1, ""}, {2.5, 1, Body::holder, MoveState::gouge}},
+  report.model.cures = {{0, {0.1, ""}, {2.5, 1, Body::holder, MoveState::gouge, 2.25}},
                         {1, {std::nullopt, "none there"}, {std::nullopt, 2, Body::head, MoveState::buried}}};
   const json value = json::parse(write_json(report.model));
   EXPECT_EQ(schema_errors(value), std::vector<std::string>{});
@@ -133,6 +138,8 @@ TEST(WriteJson, HasTheCuresOfFindings) {
   EXPECT_EQ(first["tilt"]["rad"], 0.1);
   EXPECT_TRUE(first["tilt"]["reason"].is_null());
   EXPECT_EQ(first["lift"]["length"], 2.5);
+  EXPECT_EQ(first["lift"]["is_least"], false);
+  EXPECT_EQ(first["lift"]["not_free_below"], 2.25);
   EXPECT_EQ(first["lift"]["body"], "holder");
   const json& second = value["events"][1]["cures"];
   EXPECT_TRUE(second["tilt"]["rad"].is_null());

@@ -173,12 +173,16 @@ TEST(CureText, SaysTheTiltRoundedUpAndTheLiftOrWhyThereIsNone) {
   SmallReport report;
   EXPECT_EQ(cures_of(report.model, 0), nullptr);
   report.model.cure_options = CureOptions();
-  report.model.cures = {{0, {0.1, ""}, {2.5, 1, Body::holder, MoveState::gouge}},
+  report.model.cures = {{0, {0.1, ""}, {2.5, 1, Body::holder, MoveState::gouge, 2.5}},
                         {1, {std::nullopt, "none there"}, {std::nullopt, 2, Body::head, MoveState::gouge}}};
   EXPECT_EQ(cure_text(report.model, *cures_of(report.model, 0)),
             "a tilt of up to 5.73 deg; a lift of 2.5 mm along the tool axis");
   EXPECT_EQ(cure_text(report.model, *cures_of(report.model, 1)),
             "no tilt (none there); no lift up to 100 mm along the tool axis (the head, line 12)");
+  report.model.cures[0].lift.not_free_below_mm = 2.41;
+  EXPECT_EQ(cure_text(report.model, *cures_of(report.model, 0)),
+            "a tilt of up to 5.73 deg; a lift of 2.5 mm along the tool axis, proved; whether less is enough, from 2.41 "
+            "mm on, is not certified");
   EXPECT_EQ(cures_of(report.model, 2), nullptr);
   EXPECT_NE(findings_text(report.model).find("\n  cured by a tilt of up to 5.73 deg; "), std::string::npos);
 }
@@ -194,6 +198,39 @@ TEST(SummaryText, SaysWhatIsLeftUncutAndCountsItNotAsMoved) {
       << summary_text(report.model);
   report.model.correction.changes[0].is_uncut = true;
   EXPECT_NE(summary_text(report.model).find("0 positions moved, 1 inserted"), std::string::npos);
+}
+
+TEST(SummaryText, SaysBesideTheVerdictWhatIsNotCutAnyMore) {
+  SmallReport report;
+  report.add_correction();
+  CorrectionFacts& correction = report.model.correction;
+  correction.uncut = {{3, 3, 13, 13, 0, 0.25, UncutRecord::Kind::hole},
+                      {4, 4, 14, 14, 0, 0.5, UncutRecord::Kind::hole}};
+  correction.rapid_clearance_mm = 2;
+  correction.low_rapids = {{1, 11, 0.5}, {2, 12, -0.0054}};
+  const std::string text = summary_text(report.model);
+  for (const char* note : {"note: 2 holes left uncut by up to 0.500 mm\n",
+                           "note: cuts were moved by up to 0.333 mm: less is cut there than was programmed\n",
+                           "note: 2 rapids that were written keep less than the clearance of 2 mm: the least 0.0054 mm "
+                           "inside, line 12\n"})
+    EXPECT_NE(text.find(note), std::string::npos) << text;
+  correction.changes.clear();
+  EXPECT_EQ(summary_text(report.model).find("cuts were moved"), std::string::npos);
+}
+
+TEST(WriteHtml, TablesOfChangesBeginWithTheLargest) {
+  SmallReport report;
+  report.add_correction();
+  CorrectionFacts& correction = report.model.correction;
+  correction.changes = {correction.changes[0], correction.changes[0]};
+  correction.changes[1].shift_length_mm = 7.125;
+  correction.uncut = {{3, 3, 13, 13, 0, 0.25}, {4, 4, 14, 14, 0, 99.5}};
+  correction.uncorrected = {{1, 11, 0.5, "the lesser", false}, {2, 12, 0.625, "the deeper", false}};
+  const std::string page = write_html(report.model, {});
+  const auto place = [&](const char* text) { return page.find(text); };
+  EXPECT_LT(place("7.125 mm"), place("0.250 mm<"));
+  EXPECT_LT(place(">99.5 mm<"), place(">0.25 mm<"));
+  EXPECT_LT(place("the deeper"), place("the lesser"));
 }
 
 }  // namespace
