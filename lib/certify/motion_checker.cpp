@@ -1,21 +1,65 @@
 #include "lib/certify/motion_checker.h"
 
+#include <algorithm>
+#include <limits>
+#include <utility>
+
 #include "lib/base/best_first_search.h"
 #include "lib/check/check_move.h"
 #include "lib/head/check_heads.h"
 
 namespace gouge {
+namespace {
+
+/// What was not asked of its heads and sides is not clean.
+MoveVerdict uncertain_if_clean(MoveVerdict verdict, std::uint64_t budget) {
+  if (verdict.state != MoveState::clean && verdict.state != MoveState::near_miss) return verdict;
+  verdict.state = MoveState::not_certified;
+  verdict.reason = {Reason::Kind::out_of_budget, Body::cutter, static_cast<double>(budget)};
+  return verdict;
+}
+
+}  // namespace
+
 MotionChecker::MotionChecker(const CheckSetup& setup) : scene_(setup.scene), options_(setup.options) {
-  if (!setup.heads.empty() && scene_.is_within_reach) heads_ = std::make_unique<HeadChecker>(setup.heads, scene_);
+  if (!setup.heads.empty() && scene_.is_within_reach) heads_ = std::make_shared<const HeadChecker>(setup.heads, scene_);
 }
 
 MotionChecker::~MotionChecker() = default;
 
+MotionChecker MotionChecker::within(WorkBudget& budget) const {
+  MotionChecker limited = *this;
+  limited.budget_ = &budget;
+  return limited;
+}
+
+void MotionChecker::charge(std::uint64_t bounds) const {
+  if (budget_ != nullptr) budget_->charge(bounds);
+}
+
+MoveVerdict MotionChecker::check_tool(const Motion& motion, MoveKind kind, const ToolVariants& tool,
+                                      const CheckOptions& options) const {
+  if (budget_ == nullptr) return check_move(motion, kind, tool, scene_, options);
+  MoveVerdict verdict;
+  if (budget_->is_spent()) {
+    verdict.state = MoveState::not_certified;
+    verdict.reason = {Reason::Kind::out_of_budget, Body::cutter, static_cast<double>(budget_->most())};
+    return verdict;
+  }
+  CheckOptions limited = options;
+  limited.budget_per_move = std::min(options.budget_per_move, budget_->left());
+  std::uint64_t bounds = 0;
+  verdict = check_move(motion, kind, tool, scene_, limited, &bounds);
+  budget_->charge(bounds + 1);
+  return verdict;
+}
+
 MoveVerdict MotionChecker::check(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                                  const CheckOptions& options, bool is_start_outside) const {
-  MoveVerdict verdict = check_move(motion, kind, tool, scene_, options);
+  MoveVerdict verdict = check_tool(motion, kind, tool, options);
   if (verdict.state == MoveState::not_checked) return verdict;
-  if (heads_) heads_->check(motion, options, verdict);
+  if (is_out_of_budget()) return uncertain_if_clean(std::move(verdict), budget_->most());
+  if (heads_) charge(heads_->check(motion, options, verdict));
   if (verdict.state != MoveState::clean && verdict.state != MoveState::near_miss) return verdict;
   if (verdict.depth_upper_mm >= tool.bare.core_depth_mm) {
     verdict.state = MoveState::not_certified;
@@ -44,7 +88,12 @@ MoveVerdict MotionChecker::measure(const Pose& pose, MoveKind kind, const ToolVa
 }
 
 double MotionChecker::head_excess(const Pose& pose, double allowed_mm, double accuracy_mm) const {
-  return heads_ ? heads_->excess_at(pose, allowed_mm, accuracy_mm) : 0;
+  if (!heads_) return 0;
+  if (is_out_of_budget()) return std::numeric_limits<double>::infinity();
+  std::uint64_t bounds = 0;
+  const double excess = heads_->excess_at(pose, allowed_mm, accuracy_mm, bounds);
+  charge(bounds);
+  return excess;
 }
 
 Side MotionChecker::side_of(const Pose& pose, const ToolVariants& tool) const {

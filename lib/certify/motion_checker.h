@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "lib/certify/check.h"
+#include "lib/certify/work_budget.h"
 #include "lib/check/motion.h"
 #include "lib/check/scene_sides.h"
 
@@ -20,6 +21,13 @@ class MotionChecker {
   /// What `setup` refers to must outlive it.
   explicit MotionChecker(const CheckSetup& setup);
   ~MotionChecker();
+
+  /// The same checker for one step of a correction: what it does is charged to `budget`, which must outlive it. Once that
+  /// is spent nothing is certified any more: check and measure give not_certified, head_excess gives infinity.
+  [[nodiscard]] MotionChecker within(WorkBudget& budget) const;
+  [[nodiscard]] bool is_out_of_budget() const { return budget_ != nullptr && budget_->is_spent(); }
+  /// For bounds that a step computes elsewhere.
+  void charge(std::uint64_t bounds) const;
 
   /// Requires motion.is_defined(). `is_start_outside`: the caller knows it, which saves asking.
   [[nodiscard]] MoveVerdict check(const Motion& motion, MoveKind kind, const ToolVariants& tool,
@@ -42,9 +50,14 @@ class MotionChecker {
  private:
   friend class ShiftCheck;
 
+  /// check_move, charged to the budget and within what is left of it.
+  [[nodiscard]] MoveVerdict check_tool(const Motion& motion, MoveKind kind, const ToolVariants& tool,
+                                       const CheckOptions& options) const;
+
   const PreparedScene& scene_;
   const CheckOptions& options_;
-  std::unique_ptr<const HeadChecker> heads_;  // null: there are no heads
+  std::shared_ptr<const HeadChecker> heads_;  // null: there are no heads
+  WorkBudget* budget_ = nullptr;              // null: as much as the options allow
 };
 
 }  // namespace gouge

@@ -129,12 +129,13 @@ std::vector<AimedTarget> aimed_targets(const ToolVariants& tool, const PreparedS
   return all;
 }
 
-double excess_of(const Motion& alone, const AimedTarget& aimed, double accuracy_mm) {
+double excess_of(const Motion& alone, const AimedTarget& aimed, double accuracy_mm, std::uint64_t& bounds) {
   constexpr std::uint64_t kBudget = 1'000'000;
   const double reach = std::max(0.0, -aimed.aim_mm);
   const double allowed = std::max(0.0, aimed.aim_mm);
   const SearchResult result =
       sweep_and_search(alone, {aimed.target}, {{allowed, accuracy_mm, kGap_mm, kBudget}, reach});
+  bounds += result.bounds;
   const double excess = std::max(0.0, result.value_mm - allowed);
   return result.is_decided ? excess : std::max(excess, accuracy_mm);
 }
@@ -162,17 +163,20 @@ std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& too
 }
 
 double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene, const CorrectionAim& aim,
-                      double accuracy_mm) {
+                      double accuracy_mm, std::uint64_t* bounds) {
   double most = 0;
+  std::uint64_t spent = 0;
   const Motion alone(pose);
   for (const AimedTarget& aimed : aimed_targets(tool, scene, aim))
-    most = std::max(most, excess_of(alone, aimed, accuracy_mm));
+    most = std::max(most, excess_of(alone, aimed, accuracy_mm, spent));
+  if (bounds != nullptr) *bounds += spent;
   return most;
 }
 
 double largest_excess(const Pose& pose, const CompiledTool& tool, const PreparedScene& scene, double aim_mm,
                       double accuracy_mm) {
-  return excess_of(Motion(pose), {{&tool, &scene.parts, Against::part}, aim_mm}, accuracy_mm);
+  std::uint64_t spent = 0;
+  return excess_of(Motion(pose), {{&tool, &scene.parts, Against::part}, aim_mm}, accuracy_mm, spent);
 }
 
 }  // namespace gouge

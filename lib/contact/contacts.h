@@ -33,9 +33,9 @@ struct CorrectionAim {
                                                      double aim_mm, double notable_mm = 0);
 
 /// How much the deepest point exceeds the aim at a pose: never more than the truth, and not much less. 0 only
-/// when the aim is proven to be met to `accuracy_mm`.
+/// when the aim is proven to be met to `accuracy_mm`. `bounds`, where given, is raised by how many were computed.
 [[nodiscard]] double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
-                                    const CorrectionAim& aim, double accuracy_mm);
+                                    const CorrectionAim& aim, double accuracy_mm, std::uint64_t* bounds = nullptr);
 
 /// The same of one tool against the parts.
 [[nodiscard]] double largest_excess(const Pose& pose, const CompiledTool& tool, const PreparedScene& scene,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gouge {
 namespace {
@@ -12,13 +13,22 @@ constexpr double kSmallestStep_mm = 1e-3;  // keeps the lift from creeping where
 constexpr double kNotable = 0.1;
 constexpr double kMargin_mm = 2e-3;  // how much further than asked the weighted shift reaches
 
+/// As largest_excess, charged to the budget of the checker; infinite once that is spent.
+double tool_excess(const Pose& pose, const ToolVariants& tool, const MotionChecker& checker, const CorrectionAim& aim) {
+  if (checker.is_out_of_budget()) return std::numeric_limits<double>::infinity();
+  std::uint64_t bounds = 0;
+  const double excess = largest_excess(pose, tool, checker.scene(), aim, kAccuracy_mm, &bounds);
+  checker.charge(bounds + 1);
+  return excess;
+}
+
 /// To the first place along `way` where tool and heads meet the aim.
 std::optional<CorrectedPose> lift_along(const Vec3& way, Strategy strategy, const Pose& pose, const ToolVariants& tool,
                                         const MotionChecker& checker, const PoseLimits& limits) {
   CorrectedPose result{pose, strategy, 0, 0};
   for (;; ++result.iterations) {
-    const double excess = std::max(largest_excess(result.pose, tool, checker.scene(), limits.aim, kAccuracy_mm),
-                                   head_excess(result.pose, checker, limits));
+    const double excess =
+        std::max(tool_excess(result.pose, tool, checker, limits.aim), head_excess(result.pose, checker, limits));
     if (excess <= 0) return result;
     if (!std::isfinite(excess)) return std::nullopt;
     result.shift_mm += std::max(excess, kSmallestStep_mm);
@@ -52,7 +62,8 @@ std::optional<CorrectedPose> iterate(ShiftOfContacts shift_of, Strategy strategy
   const CorrectionAim further{aim.part_mm - kMargin_mm, aim.fixture_mm - kMargin_mm, aim.clearance_mm - kMargin_mm};
   CorrectedPose result{pose, strategy, 0, 0};
   for (; result.iterations <= limits.largest_iterations; ++result.iterations) {
-    const double most = largest_excess(result.pose, tool, checker.scene(), aim, kAccuracy_mm);
+    const double most = tool_excess(result.pose, tool, checker, aim);
+    if (!std::isfinite(most)) return std::nullopt;
     if (most <= 0) return result;
     const Vec3 shift = shift_of(find_contacts(result.pose, tool, checker.scene(), further, kNotable * most));
     if (!(shift.norm() > 0)) return std::nullopt;

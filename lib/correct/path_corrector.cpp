@@ -12,6 +12,8 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kPositionsPerChunk = 4;
+// Bounds for a position, and for a motion: the work grows with the size of the job and no faster.
+constexpr std::uint64_t kStepBudget = 300'000;
 
 constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
 constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
@@ -24,6 +26,8 @@ constexpr const char* kCycleStep =
     "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of "
     "the holes";
 constexpr const char* kRound = "an arc or curve that no change of its positions frees";
+constexpr const char* kOutOfBudget =
+    "not corrected: the budget of 300000 bounds for this step was spent; a larger tolerance or resolution needs fewer";
 constexpr const char* kUncertain = "the check cannot tell whether it is clean, so neither can a correction";
 
 bool is_straight(const Move& move) { return move.kind == MoveKind::feed || move.kind == MoveKind::rapid; }
@@ -148,8 +152,10 @@ void PathCorrector::correct_position(std::size_t i) {
   if (!is_head_in && largest_excess(move.end, tool, checker_.scene(), allowed, options_.resolution_mm / 4) <= 0) return;
   work.failure = reason_to_leave(i);
   if (!work.failure.empty()) return;
+  WorkBudget budget(kStepBudget);
+  const MotionChecker checker = checker_.within(budget);
   const auto freed = [&](const PoseLimits& limits) {
-    return free_pose(strategy_at(i), move.end, work.depth_before_mm, move.kind, tool, checker_, limits,
+    return free_pose(strategy_at(i), move.end, work.depth_before_mm, move.kind, tool, checker, limits,
                      correct_.max_side_shift_mm);
   };
   FreedPose found;
@@ -160,7 +166,7 @@ void PathCorrector::correct_position(std::size_t i) {
   if (!found.corrected) found = freed(usual);
   work.corrected = found.corrected;
   if (!work.corrected) {
-    work.failure = found.reason;
+    work.failure = budget.is_spent() ? kOutOfBudget : found.reason;
     return;
   }
   work.depth_after_mm = depth_at(work.corrected->pose, move.kind, tool);
@@ -229,12 +235,15 @@ BridgeTask PathCorrector::task_of(std::size_t i) const {
 void PathCorrector::bridge_move(std::size_t i) {
   MoveWork& work = moves_[i];
   const Move& move = path_.moves[i];
-  work.is_dirty = work.is_failed = work.is_refused = false;
+  work.is_dirty = work.is_failed = work.is_refused = work.is_out_of_budget = false;
   work.inserted.clear();
   const bool has_bad_end = !positions_[i].failure.empty() || (is_chained(i) && !positions_[i - 1].failure.empty());
   const bool can_change = move.has_start && is_straight(move) && move.not_checked_reason.empty() && !work.is_kept;
   if (can_change && !has_bad_end) {
+    WorkBudget budget(kStepBudget);
+    const MotionChecker checker = checker_.within(budget);
     BridgeTask task = task_of(i);
+    task.checker = &checker;
     const bool is_dogleg = move.kind == MoveKind::rapid && options_.rapid == RapidMode::dogleg;
     const Motion programmed(path_.start_of(i), move.end, is_dogleg);
     if (move.kind == MoveKind::feed && programmed.is_defined()) task.programmed = &programmed;
@@ -242,6 +251,7 @@ void PathCorrector::bridge_move(std::size_t i) {
       work.inserted = std::move(*waypoints);
       return;
     }
+    work.is_out_of_budget = budget.is_spent();
   }
   work.is_failed = true;
   if (!has_new_end(i) || is_free(i)) return;
@@ -355,6 +365,7 @@ void PathCorrector::gather_failure(std::size_t i, Correction& correction) const 
   if (!path_.moves[i].has_start && positions_[i].corrected) return;
   std::string reason = usual_reason(path_.moves[i], verdict);
   const bool is_gouge = verdict.state == MoveState::gouge;
+  if (is_gouge && work.is_out_of_budget) reason = kOutOfBudget;
   if (is_gouge && is_straight(path_.moves[i]) && !work.kept_reason.empty()) reason = work.kept_reason;
   if (is_gouge && !positions_[i].failure.empty() && path_.moves[i].kind != MoveKind::cycle) {
     reason = positions_[i].failure;

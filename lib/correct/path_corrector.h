@@ -34,8 +34,9 @@ class PathCorrector {
   struct MoveWork {
     bool is_wanted = false, is_dirty = false, is_kept = false;
     std::vector<BridgePose> inserted;
-    bool is_failed = false;   ///< it still gouges
-    bool is_refused = false;  ///< it would be worse than it was
+    bool is_failed = false;         ///< it still gouges
+    bool is_refused = false;        ///< it would be worse than it was
+    bool is_out_of_budget = false;  ///< before a path was found
     std::string kept_reason;
   };
 

@@ -98,12 +98,12 @@ void HeadChecker::sweep_all(std::span<const Motion> motions, const CheckOptions&
   }
 }
 
-double HeadChecker::excess_at(const Pose& pose, double allowed_mm, double accuracy_mm) const {
+double HeadChecker::excess_at(const Pose& pose, double allowed_mm, double accuracy_mm, std::uint64_t& bounds) const {
   CheckOptions options;
   options.tolerance_mm = allowed_mm;
   options.resolution_mm = accuracy_mm;
   MoveVerdict verdict;
-  check(Motion(pose), options, verdict);
+  bounds += check(Motion(pose), options, verdict);
   if (verdict.state == MoveState::gouge) return verdict.depth_mm - allowed_mm;
   return verdict.state == MoveState::clean ? 0 : std::numeric_limits<double>::infinity();
 }
