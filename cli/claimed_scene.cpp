@@ -29,7 +29,7 @@ ClaimedState claimed_state(MoveState state) {
 ClaimedScene claimed_scene(const Job& job) {
   const CheckOptions& options = job.options.check;
   ClaimedScene scene{job.toolpath, job.tools(), job.scene().parts, job.scene().fixtures, {}};
-  for (const HeadBody& head : job.heads()) scene.heads.push_back(&head.surface.mesh());
+  for (const HeadBody& head : job.heads()) scene.heads.emplace_back(head.whole.mesh());
   scene.is_dogleg = options.rapid == RapidMode::dogleg;
   scene.tolerance_mm = options.tolerance_mm;
   scene.resolution_mm = options.resolution_mm;

@@ -12,7 +12,6 @@
 #include "lib/base/exit_code.h"
 #include "lib/check/mesh_reach.h"
 #include "lib/mesh/load_mesh.h"
-#include "lib/validate/validate_mesh.h"
 
 namespace gouge {
 namespace {
@@ -40,13 +39,6 @@ Result<LoadedMesh> load(const std::string& file, const ClashArguments& arguments
   if (!loaded) return loaded;
   if (auto error = find_too_far(loaded->mesh, "body", "--stl-units and --place-b")) return *std::move(error);
   return loaded;
-}
-
-/// Whether its own surface leaves no doubt about the side of a point: only asked of bodies that may meet.
-bool is_crossing_itself(const Surface& surface, const MeshFindings& findings, bool may_meet) {
-  if (!may_meet || !surface.is_solid()) return false;
-  const MeshValidation judged = validate_mesh(surface.mesh(), findings);
-  return judged.self_intersections.pairs > 0 || !judged.trouble.empty();
 }
 
 int clash_status(ClashState state) {
@@ -102,10 +94,8 @@ int run_clash(const ClashArguments& arguments, std::ostream& out, std::ostream& 
     if (!*loaded) return fail(err, {loaded->error()});
     print_notes(err, (*loaded)->notes, arguments);
   }
-  const bool may_meet = a->mesh.box().intersects(b->mesh.box());
   const Surface surface_a(std::move(a->mesh)), surface_b(std::move(b->mesh));
-  const ClashBody body_a(surface_a, is_crossing_itself(surface_a, a->findings, may_meet));
-  const ClashBody body_b(surface_b, is_crossing_itself(surface_b, b->findings, may_meet));
+  const ClashBody body_a(surface_a), body_b(surface_b);
   ClashReport report{arguments.a,       arguments.b, unit_called(arguments.stl_units).value_or(LengthUnit::mm),
                      understood->first, {},          {}};
   report.clash = find_clash(body_a, body_b, Vec3::Zero(), report.options);

@@ -1,5 +1,6 @@
 #include "cli/scene_files.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -36,8 +37,12 @@ class SceneLoader {
   void add_head(const IndexedMesh& piece) {
     Result<HeadBody> head = build_head_body(piece);
     if (!head) return files_->errors.push_back(head.error());
-    const MeshValidation judged = validate_mesh(piece, find_mesh_findings(piece));
-    if (judged.self_intersections.pairs > 0 || !judged.trouble.empty()) {
+    const std::vector<IndexedMesh> shells = shells_of(piece);
+    const auto crosses = [](const IndexedMesh& shell) {
+      const MeshValidation judged = validate_mesh(shell, find_mesh_findings(shell));
+      return judged.self_intersections.pairs > 0 || !judged.trouble.empty();
+    };
+    if (std::any_of(shells.begin(), shells.end(), crosses)) {
       return files_->errors.push_back(make_error("mesh-head-crosses",
                                                  "crosses itself, so what is inside the head is not defined; expected "
                                                  "a plain solid; 'gougecheck mesh FILE' reports where",

@@ -10,7 +10,7 @@ namespace {
 Result<std::vector<HeadBody>> moved_up(const std::vector<HeadBody>& heads, double by_mm) {
   std::vector<HeadBody> moved;
   for (const HeadBody& head : heads) {
-    IndexedMesh mesh = head.surface.mesh();
+    IndexedMesh mesh = head.whole.mesh();
     for (Vec3& vertex : mesh.vertices) vertex.z() += by_mm;
     Result<HeadBody> body = build_head_body(std::move(mesh));
     if (!body) return body.error();

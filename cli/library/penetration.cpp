@@ -8,7 +8,6 @@
 #include "lib/check/mesh_reach.h"
 #include "lib/clash/clash.h"
 #include "lib/clash/free_shift.h"
-#include "lib/validate/validate_mesh.h"
 
 namespace gougecheck {
 namespace {
@@ -36,13 +35,6 @@ gouge::IndexedMesh placed(const gouge::IndexedMesh& mesh, const gouge::RigidTran
   for (gouge::Vec3& vertex : result.vertices) vertex = transform.point(vertex);
   if (const auto error = gouge::find_too_far(result, "body", "the pose")) raise(*error);
   return result;
-}
-
-/// Whether its own surface leaves doubt about the side of a point.
-bool is_crossing_itself(const gouge::Surface& surface) {
-  if (!surface.is_solid()) return false;
-  const gouge::MeshValidation judged = gouge::validate_mesh(surface.mesh(), gouge::find_mesh_findings(surface.mesh()));
-  return judged.self_intersections.pairs > 0 || !judged.trouble.empty();
 }
 
 Penetration describe(const gouge::Clash& clash) {
@@ -79,9 +71,7 @@ Penetration penetration(const Mesh& a, const Mesh& b, const Transform& pose_b, c
   clash_options.resolution_mm = clash_options.gap_mm = options.resolution;
   const gouge::Surface surface_a = a.content().index.prepared(0).surface(gouge::Against::part, 0);
   const gouge::Surface surface_b(placed(b.content().mesh(), to_transform(pose_b)));
-  const bool may_meet = surface_a.mesh().box().intersects(surface_b.mesh().box());
-  const gouge::ClashBody body_a(surface_a, may_meet && is_crossing_itself(surface_a));
-  const gouge::ClashBody body_b(surface_b, may_meet && is_crossing_itself(surface_b));
+  const gouge::ClashBody body_a(surface_a), body_b(surface_b);
   const gouge::Clash clash = gouge::find_clash(body_a, body_b, gouge::Vec3::Zero(), clash_options);
   Penetration result = describe(clash);
   if (options.find_shift && clash.state == gouge::ClashState::penetrating)

@@ -102,11 +102,11 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
       : of_(of), in_(in), shift_(shift), goal_(goal) {}
 
   BodyDepth run_all() {
-    const BlockTree& tree = of_.surface().tree();
-    if (tree.nodes.empty() || in_.surface().tree().nodes.empty()) return best_;
+    const BlockTree& tree = of_.boundary().tree();
+    if (tree.nodes.empty() || in_.boundary().tree().nodes.empty()) return best_;
     add_node(LaneBound(tree), 0, false);
-    Box3 box = of_.surface().mesh().box();
-    box = Box3(Vec3(box.min() + shift_), Vec3(box.max() + shift_)).intersection(in_.surface().mesh().box());
+    Box3 box = of_.boundary().mesh().box();
+    box = Box3(Vec3(box.min() + shift_), Vec3(box.max() + shift_)).intersection(in_.boundary().mesh().box());
     if (of_.is_solid() && !box.isEmpty()) add_cell(box);
     best_.depth_upper_mm = std::max(best_.depth_mm, run());
     best_.is_decided = is_decided();
@@ -128,17 +128,17 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
 
  private:
   void split_node(std::uint32_t index) {
-    const BlockTree& tree = of_.surface().tree();
+    const BlockTree& tree = of_.boundary().tree();
     const NodeBlock& node = tree.nodes[index];
     for (std::size_t lane = 0; lane < node.count; ++lane)
       add_node(LaneBound(tree, node, lane), node.child[lane], node.has_leaves);
   }
 
   void split_leaf(std::uint32_t index) {
-    const TriangleBlock& leaf = of_.surface().tree().leaves[index];
+    const TriangleBlock& leaf = of_.boundary().tree().leaves[index];
     for (std::size_t k = 0; k < leaf.count; ++k) {
       ConvexRegion facet;
-      for (const Vec3& corner : of_.surface().corners(leaf.triangle[k])) facet.add(corner + shift_);
+      for (const Vec3& corner : of_.boundary().corners(leaf.triangle[k])) facet.add(corner + shift_);
       add_piece(leaf.triangle[k], facet);
     }
   }
@@ -184,7 +184,7 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
   }
 
   [[nodiscard]] bool is_over(const ClosestPoint& foot, const Vec3& point) const {
-    return closest_on_triangle(point, in_.surface().corners(foot.triangle)).feature == TriangleFeature::face;
+    return closest_on_triangle(point, in_.boundary().corners(foot.triangle)).feature == TriangleFeature::face;
   }
 
   /// The other surface as seen from a point, whose depth counts if it is in both bodies.
@@ -204,7 +204,7 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
   [[nodiscard]] bool may_hold_maximum(const Vec3& centre, double radius, const ClosestPoint& foot) {
     ++best_.bounds;
     if (of_.closest_point(centre - shift_).signed_mm() > radius + kDepthRounding_mm) return false;
-    return in_.is_self_crossing() || in_.maxima().may_hold(centre, radius + kDepthRounding_mm, foot);
+    return in_.maxima().may_hold(centre, radius + kDepthRounding_mm, foot);
   }
 
   double bound(const Region& region, const Vec3& centre, double radius, const ClosestPoint& foot) {
@@ -216,7 +216,7 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
           facets.begin() + static_cast<std::ptrdiff_t>(count))
         facets[count++] = facet;
     }
-    const double over = greatest_distance_mm(in_.surface(), region.points(), std::span(facets).first(count));
+    const double over = greatest_distance_mm(in_.boundary(), region.points(), std::span(facets).first(count));
     return foot.is_inside ? over : std::min(over, grazing_bound(region, centre, radius, foot));
   }
 
@@ -233,14 +233,14 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
     if (!(from > graze)) return radius + foot.distance_mm;
     const auto none_allowed = [](std::uint32_t) { return false; };
     const BallCap rest{centre, radius + kDepthRounding_mm, -down, -from};
-    if (find_in_cap(in_.surface(), rest, none_allowed)) return radius + foot.distance_mm;
+    if (find_in_cap(in_.boundary(), rest, none_allowed)) return radius + foot.distance_mm;
     return graze * radius / from;
   }
 
   /// Cut along the outline of the nearest facet, if that leaves a fair part over it, else across the middle.
   [[nodiscard]] std::vector<ConvexRegion> parts_of(const Region& piece) const {
     if (piece.is_over_face) {
-      std::vector<ConvexRegion> parts = cut_along(piece, in_.surface().corners(piece.nearest));
+      std::vector<ConvexRegion> parts = cut_along(piece, in_.boundary().corners(piece.nearest));
       if (parts.size() > 1 && parts.front().area_mm2() >= kLeastShare * piece.area_mm2()) return parts;
     }
     return halves(piece);

@@ -40,13 +40,18 @@ struct PieceCounts {
   std::string why;  ///< of unknown
 };
 
-/// On which side of a surface that they do not meet the pieces of another are.
-PieceCounts sides_of(const IndexedMesh& pieces, const Vec3& shift, const IndexedMesh& surface) {
-  const Enclosure enclosure(std::span(&surface, 1));
+/// On which side of a body whose boundary they do not meet the pieces of another surface are. Inside its boundary is
+/// inside, also on a shell that lies there.
+PieceCounts sides_of(const IndexedMesh& pieces, const Vec3& shift, const ClashBody& body) {
+  const Enclosure enclosure(std::span(&body.whole().mesh(), 1));
+  const auto side_of = [&](const Vec3& at) {
+    if (enclosure.is_beyond(at)) return Side::outside;
+    if (body.is_solid() && body.closest_point(at).is_inside) return Side::inside;
+    return enclosure.side_of({{at}, {}});
+  };
   PieceCounts counts;
   for (const Vec3& point : points_of_pieces(pieces)) {
-    const Vec3 at = point + shift;
-    const Side side = enclosure.is_beyond(at) ? Side::outside : enclosure.side_of({{at}, {}});
+    const Side side = side_of(point + shift);
     ++(side == Side::inside ? counts.inside : side == Side::outside ? counts.outside : counts.unknown);
     if (side == Side::unknown && counts.why.empty()) counts.why = enclosure.why_unknown();
   }
@@ -56,10 +61,14 @@ PieceCounts sides_of(const IndexedMesh& pieces, const Vec3& shift, const Indexed
 class Finder {
  public:
   Finder(const ClashBody& a, const ClashBody& b, const Vec3& shift_b, const ClashOptions& options)
-      : a_(a), b_(b), shift_b_(shift_b), options_(options) {}
+      : a_(a),
+        b_(b),
+        shift_b_(shift_b),
+        options_(options),
+        is_near_(a.whole().mesh().box().intersects(b.whole().mesh().box().translated(shift_b))) {}
 
   Clash run() {
-    clash_.closest = surface_distance(a_.surface(), b_.surface(), shift_b_, kMeeting_mm);
+    clash_.closest = surface_distance(surface_of(a_), surface_of(b_), shift_b_, kMeeting_mm);
     if (clash_.closest.distance_mm > kMeeting_mm) {
       decide_apart();
     } else {
@@ -70,10 +79,15 @@ class Finder {
   }
 
  private:
+  /// Bodies whose boxes are apart are so whatever lies inside them.
+  [[nodiscard]] const Surface& surface_of(const ClashBody& body) const {
+    return is_near_ ? body.boundary() : body.whole();
+  }
+
   /// Surfaces that do not meet: each piece of one is wholly on one side of the other.
   void decide_apart() {
-    const PieceCounts of_a = sides_of(a_.surface().mesh(), -shift_b_, b_.surface().mesh());
-    const PieceCounts of_b = sides_of(b_.surface().mesh(), shift_b_, a_.surface().mesh());
+    const PieceCounts of_a = sides_of(surface_of(a_).mesh(), -shift_b_, b_);
+    const PieceCounts of_b = sides_of(surface_of(b_).mesh(), shift_b_, a_);
     if (of_a.inside + of_b.inside > 0) {
       if (of_b.inside == 0 && of_a.outside + of_a.unknown == 0) clash_.containment = Containment::a_in_b;
       if (of_a.inside == 0 && of_b.outside + of_b.unknown == 0) clash_.containment = Containment::b_in_a;
@@ -100,7 +114,7 @@ class Finder {
     }
   }
 
-  [[nodiscard]] std::string no_solid() const { return (a_.is_solid() ? b_ : a_).surface().mesh().name; }
+  [[nodiscard]] std::string no_solid() const { return (a_.is_solid() ? b_ : a_).whole().mesh().name; }
 
   void measure() {
     const bool is_bounded = a_.is_solid() && b_.is_solid();
@@ -120,7 +134,7 @@ class Finder {
     if (!(found.depth_mm > 0)) return;
     const ClashBody& other = body == kOfA ? b_ : a_;
     Contact contact{found.point, found.normal, found.depth_mm, body,
-                    other.surface().mesh().file_triangle[found.triangle]};
+                    other.boundary().mesh().file_triangle[found.triangle]};
     if (body == kOfA) {
       contact.point += shift_b_;
       contact.normal = -contact.normal;
@@ -133,6 +147,7 @@ class Finder {
   const ClashBody& b_;
   Vec3 shift_b_;
   const ClashOptions& options_;
+  bool is_near_;
   Clash clash_;
 };
 

@@ -74,8 +74,8 @@ class Shifter {
       : a_(a),
         b_(b),
         options_(options),
-        of_b_(b.surface(), a.surface(), reach_mm(found)),
-        of_a_(a.surface(), b.surface(), reach_mm(found)) {
+        of_b_(b.boundary(), a.boundary(), reach_mm(found)),
+        of_a_(a.boundary(), b.boundary(), reach_mm(found)) {
     // A proof is all that is wanted, and of what is not free yet some point to go by.
     options_.gap_mm = std::max(options.gap_mm, 0.1 * found.depth_mm);
   }
@@ -122,7 +122,7 @@ class Shifter {
 FreeShift find_free_shift(const ClashBody& a, const ClashBody& b, const Clash& found, const ClashOptions& options) {
   FreeShift boxes;
   boxes.is_weighted = false;
-  boxes.shift = shift_of_boxes(a.surface().mesh().box(), b.surface().mesh().box(), options.resolution_mm);
+  boxes.shift = shift_of_boxes(a.whole().mesh().box(), b.whole().mesh().box(), options.resolution_mm);
   boxes.state = find_clash(a, b, boxes.shift, options).state;
   if (!a.is_solid() || !b.is_solid()) return boxes;
   const std::optional<FreeShift> weighted = Shifter(a, b, found, options).run();

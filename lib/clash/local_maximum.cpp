@@ -18,7 +18,9 @@ constexpr int kTries = 10;
 }  // namespace
 
 LocalMaxima::LocalMaxima(Surface surface)
-    : surface_(std::move(surface)), is_reflex_(surface_.mesh().vertices.size(), false) {
+    : surface_(std::move(surface)),
+      is_reflex_(surface_.mesh().vertices.size(), false),
+      is_loose_(surface_.mesh().triangles.size(), false) {
   const IndexedMesh& mesh = surface_.mesh();
   const auto is_convex = [&](const EdgeTriangles& edge) {
     if (edge.count != 2) return false;
@@ -32,6 +34,7 @@ LocalMaxima::LocalMaxima(Surface surface)
   };
   surface_.triangles_at_vertices().for_each_edge(mesh, [&](Corner a, Corner b, const EdgeTriangles& edge) {
     if (!is_convex(edge)) is_reflex_[a] = is_reflex_[b] = true;
+    if (edge.count == 1) is_loose_[edge.first[0]] = true;
   });
 }
 
@@ -53,7 +56,7 @@ bool LocalMaxima::may_hold(const Vec3& centre, double radius, const ClosestPoint
 bool LocalMaxima::leads_away(std::uint32_t triangle, const Vec3& direction, const Vec3& centre, double reach) const {
   const double cosine = -surface_.face_normal(triangle).dot(direction);
   if (cosine >= kVertexCosine) return true;
-  if (!(cosine >= kLeastCosine)) return false;
+  if (!(cosine >= kLeastCosine) || is_loose_[triangle]) return false;
   for (const Corner corner : surface_.mesh().triangles[triangle]) {
     const bool is_within = (surface_.mesh().vertices[corner] - centre).squaredNorm() <= reach * reach;
     if (is_within && is_reflex_[corner]) return false;

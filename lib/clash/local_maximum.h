@@ -10,8 +10,7 @@ namespace gouge {
 /// Where the distance from inside a solid to its surface may have a local maximum.
 class LocalMaxima {
  public:
-  /// Requires surface.is_solid(), and that the surface does not cross itself. Cost
-  /// O(n).
+  /// Requires a solid's boundary. Cost O(n).
   explicit LocalMaxima(Surface surface);
 
   /// False when it is proved that no point of the solid within `radius_mm` of `centre` is a local maximum: a
@@ -25,6 +24,7 @@ class LocalMaxima {
 
   Surface surface_;
   std::vector<bool> is_reflex_;  // by vertex: on an edge with material on more than half of the way around it
+  std::vector<bool> is_loose_;   // by triangle: with an edge that is a cut through triangles
 };
 
 }  // namespace gouge

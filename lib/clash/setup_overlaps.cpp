@@ -1,8 +1,6 @@
 #include "lib/clash/setup_overlaps.h"
 
-#include <algorithm>
-
-#include "lib/mesh/winding.h"
+#include <utility>
 
 namespace gouge {
 namespace {
@@ -19,16 +17,6 @@ bool may_be_deeper(const Box3& a, const Box3& b, double tolerance_mm) {
   return a.intersects(b) && a.intersection(b).sizes().minCoeff() > tolerance_mm;
 }
 
-void confirm(const ClashBody& part, const ClashBody& fixture, Clash& clash) {
-  const bool is_confirmed = std::all_of(clash.deepest.begin(), clash.deepest.end(), [&](const Contact& contact) {
-    const ClashBody& other = contact.body == 0 ? fixture : part;
-    return is_inside({&other.surface().mesh(), 1}, contact.point);
-  });
-  if (is_confirmed || clash.containment != Containment::none) return;
-  clash.state = ClashState::not_certified;
-  clash.reason = "one of the surfaces crosses itself, so what is inside is not defined";
-}
-
 }  // namespace
 
 std::vector<SetupOverlap> find_setup_overlaps(const PreparedScene& scene, const std::vector<bool>& is_left_out,
@@ -40,8 +28,8 @@ std::vector<SetupOverlap> find_setup_overlaps(const PreparedScene& scene, const 
       if (is_left_out[f] || !may_be_deeper(parts[p], fixtures[f], options.tolerance_mm)) continue;
       const ClashBody part(scene.surface(Against::part, p)), fixture(scene.surface(Against::fixture, f));
       Clash clash = find_clash(part, fixture, Vec3::Zero(), options);
-      if (clash.state == ClashState::penetrating) confirm(part, fixture, clash);
-      if (clash.state != ClashState::free && clash.state != ClashState::touching) found.push_back({f, p, clash});
+      if (clash.state != ClashState::free && clash.state != ClashState::touching)
+        found.push_back({f, p, std::move(clash)});
     }
   }
   return found;

@@ -16,8 +16,6 @@ struct SetupOverlap {
 
 /// Every fixture of a scene against every part, in that order. `is_left_out`: by fixture.
 ///
-/// A side that the nearest facet of a point shows is confirmed by the winding number before a fixture is said to
-/// penetrate, since these meshes may cross themselves; where the two contradict each other it is not certified.
 /// Requires scene.is_within_reach.
 /// Cost  nothing for bodies whose bounding boxes have no more than the tolerance in common; else the surfaces of the
 ///       scene and a search (body_depth.h).

@@ -19,7 +19,8 @@ constexpr double kMoreThanReported = 2;
 // A flat facet of a curved part is taken for the part: what lies below it may be a little nearer to its
 // neighbour.
 constexpr double kNearer = 0.95;
-constexpr double kMet = 1e-3;     // of a depth: as near the tool a ray has met it
+constexpr double kMet = 1e-3;  // of a depth: as near the tool a ray has met it
+constexpr double kOnBoundary_mm = 1e-3;
 constexpr double kUnseen = 1.02;  // no eye could tell the difference
 // Of a node's radius: poses farther apart are asked one by one.
 constexpr double kCoarse = 0.5;
@@ -96,7 +97,7 @@ OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depth
       largest = std::max(largest, reported);
       const Witness& w = *verdict.witness;
       const std::size_t mesh = w.mesh + (w.against == Against::part ? 0 : parts_);
-      solids_[mesh] = &input.prepared->surface(w.against, w.mesh);
+      solids_[mesh] = &input.prepared->surface(w.against, w.mesh).boundary();
     }
     if (!(largest > 0)) continue;
     swept_.emplace_back(pose, std::min(worst, kMoreThanReported * largest));
@@ -263,6 +264,7 @@ class OvercutField::RayTree {
 /// How far along the ray its own foot stays the nearest: the radius of the largest ball that touches the
 /// surface there from within, found by shrinking it as long as another foot lies in it.
 double OvercutField::margin_mm(const Surface& solid, const Ray& ray, double most_mm) const {
+  if (!solid.closest_point(ray.at, kOnBoundary_mm)) return 0;  // of a shell inside the solid
   double radius = most_mm;
   for (int k = 0; k < kShrinks; ++k) {
     const auto foot = solid.closest_point(ray.at + radius * ray.inward);

@@ -1,6 +1,7 @@
 #include "lib/head/head_body.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -12,6 +13,9 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kTries = 200;
+constexpr double kLeastBall = 1e-7;    // of the size: thinner parts of a body are not looked for
+constexpr double kTouching_mm = 1e-9;  // a ball that comes so near to a point of the surface touches it there
+constexpr int kMostClimbs = 40;
 
 /// Piece of surface each triangle belongs to, numbered from 0 as they come.
 std::vector<std::uint32_t> pieces_of(const IndexedMesh& mesh) {
@@ -32,21 +36,9 @@ std::vector<std::uint32_t> pieces_of(const IndexedMesh& mesh) {
   return piece;
 }
 
-}  // namespace
-
-Result<HeadBody> build_head_body(IndexedMesh of) {
-  if (auto error = find_too_far(of, "head", "--stl-units")) return *std::move(error);
-  HeadBody head{Surface(std::move(of)), {}, {}, {}, {}, {}};
+/// One core for each piece of a surface that is the boundary of its body.
+void add_cores_of_pieces(HeadBody& head) {
   const IndexedMesh& mesh = head.surface.mesh();
-  if (!head.surface.is_solid()) {
-    return make_error("mesh-head-open",
-                      "is not a closed solid facing outward; expected one, since what is inside the head must be "
-                      "known; 'gougecheck mesh FILE --repair OUT.stl' reports what is wrong",
-                      mesh.name);
-  }
-  head.box = mesh.box();
-  head.cover = make_revolved_cover(mesh);
-  head.supports = SupportPlanes(head.surface);
   const std::vector<std::uint32_t> piece = pieces_of(mesh);
   const std::uint32_t pieces = *std::max_element(piece.begin(), piece.end()) + 1;
   head.cores.resize(pieces, Vec3::Zero());
@@ -65,11 +57,118 @@ Result<HeadBody> build_head_body(IndexedMesh of) {
       head.cores[piece[t]] = core;
     }
   }
+}
+
+/// Balls inside a body: each grows from a point of the boundary, which it touches, to where it is largest nearby. Two
+/// that meet are in one connected part of the inside, of which the larger is kept.
+class CoreBalls {
+ public:
+  explicit CoreBalls(const Surface& surface) : surface_(surface), size_mm_(surface.mesh().box().diagonal().norm()) {}
+
+  void add_from(std::uint32_t triangle) {
+    const std::array<Vec3, 3> corners = surface_.corners(triangle);
+    const Vec3 start = (corners[0] + corners[1] + corners[2]) / 3.0;
+    for (double depth = 0.5 * size_mm_; depth > kLeastBall * size_mm_; depth *= 0.5) {
+      Ball ball{start - depth * surface_.face_normal(triangle), 0};
+      const auto foot = surface_.closest_point(ball.centre);
+      if (!foot->is_inside || foot->distance_mm < depth - kTouching_mm) continue;
+      ball.radius_mm = foot->distance_mm;
+      return keep(grown(ball, *foot));
+    }
+  }
+
+  void move_to(HeadBody& head) const {
+    for (const Ball& ball : balls_) {
+      head.cores.push_back(ball.centre);
+      head.core_depths_mm.push_back(ball.radius_mm);
+    }
+  }
+
+ private:
+  struct Ball {
+    Vec3 centre = Vec3::Zero();
+    double radius_mm = 0;
+  };
+
+  /// Each next centre is within the ball before it.
+  [[nodiscard]] Ball grown(Ball ball, ClosestPoint foot) const {
+    double step = 0.9;
+    for (int k = 0; k < kMostClimbs && step > 0.01; ++k) {
+      const Vec3 next = ball.centre - step * ball.radius_mm * foot.normal;
+      const ClosestPoint there = *surface_.closest_point(next);
+      if (there.is_inside && there.distance_mm > ball.radius_mm) {
+        ball = {next, there.distance_mm};
+        foot = there;
+      } else {
+        step *= 0.5;
+      }
+    }
+    return ball;
+  }
+
+  void keep(Ball ball) {
+    const auto meets = [&](const Ball& other) {
+      return (other.centre - ball.centre).norm() < 0.999 * (other.radius_mm + ball.radius_mm);
+    };
+    for (const Ball& other : balls_) {
+      if (meets(other) && other.radius_mm >= ball.radius_mm) return;
+    }
+    std::erase_if(balls_, [&](const Ball& other) { return meets(other); });
+    balls_.push_back(ball);
+  }
+
+  const Surface& surface_;
+  double size_mm_;
+  std::vector<Ball> balls_;
+};
+
+/// Where the boundary is made of parts of the surface: from each piece of it, and from some hundred triangles.
+void add_cores_of_boundary(HeadBody& head) {
+  const IndexedMesh& mesh = head.surface.mesh();
+  const std::vector<std::uint32_t> piece = pieces_of(mesh);
+  const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / kTries);
+  CoreBalls balls(head.surface);
+  std::uint32_t seen = 0;  // pieces, numbered as they come
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const bool is_new = piece[t] == seen;
+    if (is_new) ++seen;
+    if (is_new || t % step == 0) balls.add_from(t);
+  }
+  balls.move_to(head);
+}
+
+}  // namespace
+
+Result<HeadBody> build_head_body(IndexedMesh of) {
+  if (auto error = find_too_far(of, "head", "--stl-units")) return *std::move(error);
+  const Surface whole(std::move(of));
+  if (!whole.is_solid()) {
+    return make_error("mesh-head-open",
+                      "is not a closed solid facing outward; expected one, since what is inside the head must be "
+                      "known; 'gougecheck mesh FILE --repair OUT.stl' reports what is wrong",
+                      whole.mesh().name);
+  }
+  HeadBody head{whole, whole.boundary(), {}, {}, {}, {}, {}};
+  if (!head.surface.is_solid() || head.surface.mesh().triangles.empty()) {
+    return make_error("mesh-head-crosses",
+                      "crosses itself so that rounding leaves unknown where its inside ends; expected a plain solid; "
+                      "'gougecheck mesh FILE' reports where",
+                      whole.mesh().name);
+  }
+  head.box = head.surface.mesh().box();
+  head.cover = make_revolved_cover(head.surface.mesh());
+  head.supports = SupportPlanes(head.surface);
+  whole.is_boundary() ? add_cores_of_pieces(head) : add_cores_of_boundary(head);
   return head;
 }
 
 std::vector<IndexedMesh> head_pieces(const IndexedMesh& mesh) {
   if (find_mesh_findings(mesh).cavities > 0) return {mesh};
+  const Surface whole(mesh);
+  return whole.is_boundary() ? shells_of(mesh) : std::vector{mesh};
+}
+
+std::vector<IndexedMesh> shells_of(const IndexedMesh& mesh) {
   const std::vector<std::uint32_t> piece = pieces_of(mesh);
   std::vector<IndexedMesh> all(piece.empty() ? 0 : *std::max_element(piece.begin(), piece.end()) + 1);
   constexpr Corner kNew = std::numeric_limits<Corner>::max();

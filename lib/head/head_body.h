@@ -13,22 +13,27 @@ namespace gouge {
 
 /// A machine head, angle head, probe or clamp that moves with the tool, in the tool's frame.
 struct HeadBody {
-  Surface surface;
+  Surface whole;    ///< all triangles of its file
+  Surface surface;  ///< the boundary of what they wind around
   Box3 box;
-  /// For each piece of its surface a point inside it, the deepest of some hundred tries, and how deep it is.
+  /// For each piece of its surface a point inside it, the deepest of some hundred tries, and how deep it is. Where the
+  /// boundary is not all of the surface one for each connected part of the inside, or several.
   std::vector<Vec3> cores;
   std::vector<double> core_depths_mm;
   ConvexCover cover;       ///< make_revolved_cover of its surface
   SupportPlanes supports;  ///< of its surface
 };
 
-/// Requires what build_mesh ensures, and a surface that does not cross itself: the nearest facet decides the
-/// side.
-/// Errors   mesh-head-open: the surface is not closed, so what is inside it is not defined.
+/// Requires what build_mesh ensures. Shells may nest, overlap and cross: depth is measured to the boundary of all.
+/// Errors   mesh-head-open: the surface is not closed, so what is inside it is not defined; mesh-head-crosses: rounding
+///          leaves unknown where its inside ends.
 [[nodiscard]] Result<HeadBody> build_head_body(IndexedMesh mesh);
 
-/// The pieces of a surface, each a mesh of its own: bodies that overlap, as exported assemblies do, would
-/// show wrong sides as one. A surface with cavities stays whole, since they belong to the piece around them.
+/// The connected pieces of a surface, each a mesh of its own.
+[[nodiscard]] std::vector<IndexedMesh> shells_of(const IndexedMesh& mesh);
+
+/// The shells of a surface where they are bodies apart. A surface with cavities stays whole, since they belong to the
+/// shell around them; so does one whose shells nest or overlap, since no shell shows how deep a point is in all.
 [[nodiscard]] std::vector<IndexedMesh> head_pieces(const IndexedMesh& mesh);
 
 }  // namespace gouge

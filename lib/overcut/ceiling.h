@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "lib/hierarchy/column_height.h"
-#include "lib/surface/known_sides.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 
@@ -14,9 +14,9 @@ namespace gouge {
 ///
 /// `column`: through, direction and radius; low and high are set here. `enough_mm`: no lower height is asked for, at
 /// most `most_mm`. `is_through_outside`: known to be. `near`: a triangle near the column.
-/// Requires a solid.
+/// Requires a solid's boundary.
 /// Proof    docs/algorithms/overcut.md, section 4.
-[[nodiscard]] std::optional<double> ceiling(KnownSides& sides, Column column, double reach_mm, double enough_mm,
+[[nodiscard]] std::optional<double> ceiling(const Surface& solid, Column column, double reach_mm, double enough_mm,
                                             double most_mm, bool is_through_outside = false, std::uint32_t near = 0);
 
 }  // namespace gouge

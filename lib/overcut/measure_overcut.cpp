@@ -15,7 +15,6 @@
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_head.h"
 #include "lib/overcut/swept_tool.h"
-#include "lib/surface/known_sides.h"
 #include "lib/tool/free_regions.h"
 #include "lib/tool/inscribed_balls.h"
 
@@ -44,7 +43,7 @@ class DepthBound {
 
   /// `depth_upper_mm`: nowhere during the motion is the surface of `part` deeper in the tool. Nothing where the depth
   /// tells nothing: of a tool that turns back in height, or thinner than twice the depth, or with a core in the part.
-  /// Requires part.is_solid().
+  /// Requires the boundary of a solid.
   [[nodiscard]] std::optional<KnownOvercut> at(double depth_upper_mm, const Motion& motion, const Surface& part) const;
 
  private:
@@ -60,10 +59,9 @@ std::optional<KnownOvercut> DepthBound::at(double depth_upper_mm, const Motion& 
   const FreeRegions free = regions_.at(depth_upper_mm);
   const Pose pose = motion.at(0);
   const Vec3 across = pose.axis.unitOrthogonal();
-  KnownSides sides(part);
   const auto is_outside = [&](const FreeRegion& region) {
     const Vec3 deepest = pose.tip + region.deepest.y() * pose.axis + region.deepest.x() * across;
-    return !sides.closest_point(deepest).is_inside;
+    return !part.closest_point(deepest)->is_inside;
   };
   if (free.regions.empty() || !std::all_of(free.regions.begin(), free.regions.end(), is_outside)) return std::nullopt;
   const double deeper = depth_upper_mm + kRegionRounding * (tool_.z_max_mm - tool_.z_min_mm);
@@ -125,8 +123,8 @@ class Measuring {
   /// Whatever is made once and shared is made by all threads, not within one.
   void prepare(std::size_t move) {
     const Surface& surface = surface_of(result_.verdicts[move]);
-    if (!surface.is_solid()) return;
-    static_cast<void>(surface.tree());
+    if (!surface.boundary().is_solid()) return;
+    static_cast<void>(surface.boundary().tree());
     gouges_.push_back(move);
     const std::size_t tool = toolpath_.moves[move].tool;
     depth_bounds_.try_emplace(tool, tools_[tool]->bare);
@@ -136,7 +134,7 @@ class Measuring {
     MoveVerdict& verdict = result_.verdicts[move];
     const std::size_t tool = toolpath_.moves[move].tool;
     const Motion motion = motion_of(toolpath_, move, options_.rapid);
-    const Surface& part = surface_of(verdict);
+    const Surface& part = surface_of(verdict).boundary();
     // Where the tool's boundary comes to lie once the witness is followed through the tool.
     const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
     const auto join = [&](SweptSolid&& moving, double blunt_upper_mm) {

@@ -50,7 +50,7 @@ class Search : public BestFirstSearch<Search, Cell> {
   static constexpr bool kDescends = false;
 
   Search(SweptSolid& tool, const Surface& part, const OvercutOptions& options)
-      : tool_(tool), part_(part), sides_(part), options_(options) {}
+      : tool_(tool), part_(part), options_(options) {}
 
   Overcut find(const Vec3& seed, double seed_t) {
     if (tool_.distance_at(seed, seed_t) <= kSeed_mm) take(seed, seed_t);
@@ -121,7 +121,7 @@ class Search : public BestFirstSearch<Search, Cell> {
 
   /// `cell.triangle` is one near it, of the cell it is a half of.
   void look_at_part(Cell& cell) const {
-    const ClosestPoint foot = sides_.closest_point_from(cell.centre, cell.triangle);
+    const ClosestPoint foot = part_.closest_point_from(cell.centre, cell.triangle);
     cell.inside_mm = -foot.signed_mm();
     cell.outward = foot.normal;
     cell.triangle = foot.triangle;
@@ -189,7 +189,7 @@ class Search : public BestFirstSearch<Search, Cell> {
       if (cuts) program.keep_behind(in_cell(*half));
       bool limits_more = false;
       if (!cuts) {
-        const ClosestPoint foot = sides_.closest_point_from(point, cell.triangle);
+        const ClosestPoint foot = part_.closest_point_from(point, cell.triangle);
         const double height = foot.normal.dot(foot.point - cell.centre);
         limits_more = below(height, foot.normal).at(bound.at) < bound.upper - kNotLimited * too_much;
         if (limits_more) limit(height, foot.normal);
@@ -250,7 +250,7 @@ class Search : public BestFirstSearch<Search, Cell> {
     column.direction = outward;
     column.radius_mm = std::sqrt(beside2) + kSearchRounding_mm;
     const double reach = cell.half.dot(up.cwiseAbs()) + kSearchRounding_mm;
-    return ceiling(sides_, column, reach, enough, most, cell.inside_mm < 0, cell.triangle);
+    return ceiling(part_, column, reach, enough, most, cell.inside_mm < 0, cell.triangle);
   }
 
   void choose_next(Cell& cell, const SweptBound& swept, const Vec3& deeper) const {
@@ -282,10 +282,8 @@ class Search : public BestFirstSearch<Search, Cell> {
 
   /// Keeps the point when it is deeper in the part than any so far; it must be in the tool at t.
   bool take(const Vec3& point, double t) {
-    ClosestPoint foot = *part_.closest_point(point);
-    if (foot.distance_mm <= best_.depth_mm) return false;
-    foot = sides_.on_true_side(point, foot);
-    if (!foot.is_inside) return false;
+    const ClosestPoint foot = *part_.closest_point(point);
+    if (foot.distance_mm <= best_.depth_mm || !foot.is_inside) return false;
     best_.depth_mm = foot.distance_mm;
     best_.point = point;
     best_.t = t;
@@ -326,7 +324,6 @@ class Search : public BestFirstSearch<Search, Cell> {
 
   SweptSolid& tool_;
   const Surface& part_;
-  mutable KnownSides sides_;
   const OvercutOptions& options_;
   Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
   Overcut best_;

@@ -31,7 +31,7 @@ struct Overcut {
 /// what of the part is in it lies below a plane over all of the surface there, square to the closest point of the
 /// cell's middle: a linear program bounds the cell to second order in its size.
 ///
-/// Requires part.is_solid(). `seed`: a point in the solid at `seed_t`, where the search begins.
+/// Requires a solid's boundary (Surface::boundary). `seed`: a point in the solid at `seed_t`, where the search begins.
 /// Cost     some microseconds a cell; none for a solid blunt wherever it is in the part, some dozens where a corner is.
 /// Source   measure of thesis chapters 4 and 5; proof: docs/algorithms/overcut.md.
 [[nodiscard]] Overcut find_overcut(SweptSolid& solid, const Surface& part, const Vec3& seed, double seed_t,

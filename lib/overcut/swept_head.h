@@ -3,7 +3,6 @@
 #include "lib/head/head_body.h"
 #include "lib/head/head_motion.h"
 #include "lib/overcut/swept_solid.h"
-#include "lib/surface/known_sides.h"
 
 namespace gouge {
 
@@ -29,7 +28,6 @@ class SweptHead : public SweptSolid {
   HeadMotion moving_;
   IntervalTree<HeadInterval, HeadMotion> intervals_;
   Box3 box_;  // in the tool's frame
-  mutable KnownSides sides_;
 };
 
 }  // namespace gouge

@@ -9,6 +9,7 @@
 #include "lib/mesh/mesh_findings.h"
 #include "lib/mesh/winding.h"
 #include "lib/surface/ray_winding.h"
+#include "lib/surface/solid_boundary.h"
 #include "lib/surface/surface_sign.h"
 
 namespace gouge {
@@ -18,6 +19,8 @@ struct Surface::Shared {
   const IndexedMesh* mesh = nullptr;
   const BlockTree* given_tree = nullptr;
   unsigned threads = 0;
+  std::optional<bool> known_solid{};  ///< of a boundary that was made
+  bool is_cut = false;                ///< faces alone show the side
 
   /// Made by the first who asks.
   template <class T>
@@ -40,6 +43,7 @@ struct Surface::Shared {
   OnDemand<VertexTriangles> around{};
   OnDemand<bool> is_solid{};
   OnDemand<SurfaceSign> sign{};
+  OnDemand<std::optional<Surface>> boundary{};
 };
 
 Surface::Surface(const IndexedMesh& mesh, unsigned threads) {
@@ -75,7 +79,24 @@ const VertexTriangles& Surface::triangles_at_vertices() const {
 }
 
 bool Surface::is_solid() const {
+  if (shared_->known_solid) return *shared_->known_solid;
   return shared_->is_solid.get([&] { return find_mesh_findings(mesh()).is_solid(); });
+}
+
+const Surface& Surface::boundary() const {
+  const std::optional<Surface>& made = shared_->boundary.get([&]() -> std::optional<Surface> {
+    if (shared_->known_solid || !is_solid()) return std::nullopt;
+    auto found = find_solid_boundary(mesh(), tree(), triangles_at_vertices(), shared_->threads);
+    if (!found) return std::nullopt;
+    const auto shared = std::make_shared<Shared>();
+    shared->own_mesh = found->is_known ? std::move(found->mesh) : mesh();
+    shared->mesh = &shared->own_mesh;
+    shared->threads = shared_->threads;
+    shared->known_solid = found->is_known;
+    shared->is_cut = found->is_cut;
+    return Surface(std::shared_ptr<const Shared>(shared));
+  });
+  return made ? *made : *this;
 }
 
 std::optional<ClosestPoint> Surface::closest_point(const Vec3& point, double within_mm) const {
@@ -100,6 +121,13 @@ bool Surface::winds_around(const Vec3& point) const {
   return is_inside({&mesh(), 1}, point);
 }
 
+/// Zero where the winding number must be asked.
+Vec3 Surface::outward_at(std::uint32_t triangle, const TrianglePoint& foot) const {
+  if (shared_->is_cut) return foot.feature == TriangleFeature::face ? face_normal(triangle) : Vec3(Vec3::Zero());
+  const SurfaceSign& sign = shared_->sign.get([&] { return SurfaceSign(mesh(), triangles_at_vertices()); });
+  return sign.outward(triangle, foot.feature, foot.index);
+}
+
 ClosestPoint Surface::signed_closest_point(const Vec3& point, std::uint32_t triangle, const TrianglePoint& foot) const {
   ClosestPoint result;
   result.point = foot.point;
@@ -107,10 +135,9 @@ ClosestPoint Surface::signed_closest_point(const Vec3& point, std::uint32_t tria
   result.distance_mm = std::sqrt(foot.distance2_mm2);
   const Vec3 displacement = point - foot.point;
   if (is_solid()) {
-    const SurfaceSign& sign = shared_->sign.get([&] { return SurfaceSign(mesh(), triangles_at_vertices()); });
-    const Vec3 outward = sign.outward(triangle, foot.feature, foot.index);
+    const Vec3 outward = outward_at(triangle, foot);
     const double side = displacement.dot(outward);
-    result.is_inside = outward.squaredNorm() > 0 ? side < 0 : is_inside({&mesh(), 1}, point);
+    result.is_inside = outward.squaredNorm() > 0 ? side < 0 : winds_around(point);
   }
   result.normal = face_normal(triangle);
   if (result.distance_mm > 0) result.normal = (result.is_inside ? -1.0 : 1.0) / result.distance_mm * displacement;

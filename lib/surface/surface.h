@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "lib/geom/point_triangle.h"
 #include "lib/geom/vec.h"
@@ -46,6 +47,14 @@ class Surface {
   /// Closed, oriented, outward: inside means something. Cost of the first call O(n).
   [[nodiscard]] bool is_solid() const;
 
+  /// Where the solid ends: the surface itself, or where shells nest, overlap or cross, what of it has no material on one
+  /// side (solid_boundary.h). The only surface to ask for a side of a solid, or for a depth in it. Of what is no solid
+  /// the surface itself; no solid where rounding leaves some of its sides unknown.
+  /// Ensures  valid as long as this surface or a copy of it. Cost of the first call as find_solid_boundary.
+  [[nodiscard]] const Surface& boundary() const;
+  /// The boundary is the surface itself.
+  [[nodiscard]] bool is_boundary() const { return &boundary() == this; }
+
   [[nodiscard]] std::array<Vec3, 3> corners(std::size_t triangle) const {
     return {mesh().corner(triangle, 0), mesh().corner(triangle, 1), mesh().corner(triangle, 2)};
   }
@@ -56,9 +65,8 @@ class Surface {
   ///
   /// Ensures  exact at any distance, on both sides of a solid; of equally near triangles the lowest (closest_triangle.h).
   ///          Of what is no solid every point counts as outside.
-  /// Requires for is_inside: a surface that does not cross itself, and no shell in the material of another one that
-  ///          faces the same way (KnownSides has no such need).
-  /// Cost     about O(log n); O(n) where only the winding number decides the side.
+  /// Requires for is_inside: a surface that is the boundary of its body (boundary()).
+  /// Cost     about O(log n).
   [[nodiscard]] std::optional<ClosestPoint> closest_point(
       const Vec3& point, double within_mm = std::numeric_limits<double>::infinity()) const;
 
@@ -76,6 +84,8 @@ class Surface {
 
  private:
   struct Shared;
+  [[nodiscard]] Vec3 outward_at(std::uint32_t triangle, const TrianglePoint& foot) const;
+  explicit Surface(std::shared_ptr<const Shared> shared) : shared_(std::move(shared)) {}
   std::shared_ptr<const Shared> shared_;
 };
 

@@ -43,9 +43,9 @@ class Attack {
   Attack(const ClaimedScene& scene, const SceneOrders& orders, const ClaimedTools& tools,
          const std::vector<MoveClaim>& claims)
       : scene_(scene), orders_(orders), tools_(tools), claims_(claims) {
-    for (const IndexedMesh* head : scene.heads) {
-      head_box_.extend(head->box());
-      looks_per_head_ += head->triangles.size() / 100;  // a look at a head takes time linear in its facets
+    for (const SolidDepth& head : scene.heads) {
+      head_box_.extend(head.box());
+      looks_per_head_ += head.mesh().triangles.size() / 100;  // a look at a head takes time linear in its facets
     }
   }
 

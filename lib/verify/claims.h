@@ -9,6 +9,7 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/path/toolpath.h"
 #include "lib/tool/tool_variants.h"
+#include "lib/verify/solid_depth.h"
 
 // What a result says of a toolpath, and what it says it of: all that a verification starts from.
 
@@ -38,8 +39,8 @@ struct ClaimedScene {
   const Toolpath& path;
   std::vector<const ToolVariants*> tools;  ///< one per Toolpath::tools; null: not defined
   std::span<const IndexedMesh> parts, fixtures;
-  std::vector<const IndexedMesh*> heads;  ///< pieces of the bodies that move with the tool, in the tool's frame
-  bool is_dogleg = false;                 ///< how rapids run
+  std::vector<SolidDepth> heads;  ///< bodies that move with the tool, in the tool's frame
+  bool is_dogleg = false;         ///< how rapids run
   double tolerance_mm = 0.01, resolution_mm = 0.001;
   unsigned threads = 0;
 

@@ -6,7 +6,6 @@
 #include "lib/base/number_text.h"
 #include "lib/geom/point_triangle.h"
 #include "lib/geom/shortest_turn.h"
-#include "lib/mesh/winding.h"
 
 namespace gouge {
 namespace {
@@ -117,14 +116,7 @@ RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t)
 double depth_in_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point) {
   const Vec3 q = frame.inverse().point(point);
   double deepest = 0;
-  for (const IndexedMesh* head : scene.heads) {
-    if (!head->box().contains(q) || !is_inside({head, 1}, q)) continue;
-    double least2 = 1e300;
-    for (std::size_t t = 0; t < head->triangles.size(); ++t)
-      least2 = std::min(
-          least2, closest_on_triangle(q, {head->corner(t, 0), head->corner(t, 1), head->corner(t, 2)}).distance2_mm2);
-    deepest = std::max(deepest, std::sqrt(least2));
-  }
+  for (const SolidDepth& head : scene.heads) deepest = std::max(deepest, head.at(q));
   return deepest;
 }
 

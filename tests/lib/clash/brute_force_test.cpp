@@ -115,7 +115,7 @@ TEST_P(Quarter, OfRandomPairsHasTheDepthAndThePlaceOfBruteForce) {
   for (unsigned seed = GetParam(); seed < pairs(); seed += 4) {
     SCOPED_TRACE(seed);
     const test::Pair pair = test::random_pair(seed);
-    const IndexedMesh &a = pair.a.surface().mesh(), &b = pair.b.surface().mesh();
+    const IndexedMesh &a = pair.a.whole().mesh(), &b = pair.b.whole().mesh();
     const Clash clash = find_clash(pair.a, pair.b, Vec3::Zero(), {});
     ASSERT_NE(clash.state, ClashState::not_certified) << clash.reason;
     Reference reference(a, b);
@@ -184,7 +184,7 @@ TEST(LatticeSolids, TouchWhereTheyShareNoCubeAndPenetrateWhereTheyDo) {
     if (is_shared) {
       EXPECT_GE(clash.depth_upper_mm, 0.5 - 1e-9) << "half a cube";
     }
-    const Bracket truth = Reference(pair.a.surface().mesh(), pair.b.surface().mesh()).run();
+    const Bracket truth = Reference(pair.a.whole().mesh(), pair.b.whole().mesh()).run();
     EXPECT_LE(clash.depth_mm, truth.high + 1e-9);
     EXPECT_GE(clash.depth_upper_mm, truth.low - 1e-9);
   }

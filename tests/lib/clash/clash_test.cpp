@@ -131,7 +131,7 @@ TEST(Clash, OfABodyThatCrossesItselfTheWindingNumberShowsTheSide) {
   const IndexedMesh pair =
       shapes::joined(shapes::box(Vec3(0, 0, 0), Vec3(10, 10, 10)), shapes::box(Vec3(6, -1, -1), Vec3(16, 11, 11)));
   const IndexedMesh pin = shapes::box(Vec3(6.4, 4.9, 4.9), Vec3(6.6, 5.1, 30));
-  const ClashBody a(Surface(pair), true), b{Surface(pin)};
+  const ClashBody a{Surface(pair)}, b{Surface(pin)};
   const Clash clash = find_clash(a, b, Vec3::Zero(), {});
   EXPECT_EQ(clash.state, ClashState::penetrating);
   EXPECT_GE(clash.depth_upper_mm, clash.depth_mm);

@@ -55,15 +55,27 @@ TEST(SetupOverlaps, OfOpenMeshesThatMeetAreNotCertified) {
   EXPECT_EQ(found[0].clash.state, ClashState::not_certified);
 }
 
-// A cavity that reaches out of its body: in their overlap the nearest facet may say inside where the winding number is
-// 0.
-TEST(SetupOverlaps, APenetrationThatTheWindingNumberContradictsIsNotCertified) {
+// A cavity that reaches out of its body: the fixture is 0.02 mm deep in what is above the cavity.
+TEST(SetupOverlaps, OfAPartThatCrossesItselfAreThoseOfItsBoundary) {
   const IndexedMesh part =
       shapes::joined(shapes::cube(20), shapes::inside_out(shapes::box(Vec3(2, 5, 5), Vec3(24, 15, 15))));
   const std::vector<SetupOverlap> found = overlaps({part}, {shapes::box(Vec3(17, 6, 6), Vec3(19.9, 14, 15.02))});
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].clash.state, ClashState::not_certified);
-  EXPECT_NE(found[0].clash.reason.find("crosses itself"), std::string::npos) << found[0].clash.reason;
+  EXPECT_EQ(found[0].clash.state, ClashState::penetrating);
+  EXPECT_NEAR(found[0].clash.depth_mm, 0.02, 1e-9);
+  EXPECT_LE(found[0].clash.depth_upper_mm, 0.0211);
+  const std::vector<SetupOverlap> within = overlaps({part}, {shapes::box(Vec3(17, 6, 6), Vec3(19.9, 14, 14.9))});
+  ASSERT_EQ(within.size(), 1U);
+  EXPECT_EQ(within[0].clash.state, ClashState::not_certified) << "a cavity that reaches out proves no outside";
+}
+
+TEST(SetupOverlaps, AFixtureThatTouchesAWallInsideAPartIsInThePart) {
+  const IndexedMesh part = shapes::joined(kBlock, shapes::box(Vec3(40, 20, 10), Vec3(60, 40, 20)));
+  const std::vector<SetupOverlap> found = overlaps({part}, {shapes::box(Vec3(45, 25, 20), Vec3(55, 35, 30))});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].clash.state, ClashState::penetrating);
+  EXPECT_EQ(found[0].clash.containment, Containment::b_in_a);
+  EXPECT_NEAR(found[0].clash.depth_mm, 20, 0.01);
 }
 
 }  // namespace

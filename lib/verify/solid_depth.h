@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "lib/geom/vec.h"
+#include "lib/mesh/indexed_mesh.h"
+
+namespace gouge {
+
+/// How deep points are in a body given as a closed mesh: the distance to where the winding number falls to 0. Nested,
+/// overlapping and crossing shells are one body. By winding numbers over all triangles, without a tree.
+class SolidDepth {
+ public:
+  /// The mesh must outlive it. Cost O(n log n), and the pairs of triangles whose boxes meet.
+  explicit SolidDepth(const IndexedMesh& mesh);
+
+  [[nodiscard]] const IndexedMesh& mesh() const { return *mesh_; }
+  [[nodiscard]] const Box3& box() const { return box_; }
+  /// 0 outside. Cost O(n); where triangles cross next to the point O(n) for each place where they do.
+  [[nodiscard]] double at(const Vec3& point) const;
+
+ private:
+  using Segment = std::array<Vec3, 2>;
+
+  void find_crossings();
+  void add_crossing(std::uint32_t a, std::uint32_t b);
+  [[nodiscard]] bool is_outside(const Vec3& point) const;
+  [[nodiscard]] bool has_outside_beside(std::uint32_t triangle, const Vec3& point) const;
+  [[nodiscard]] bool has_outside_around(std::uint32_t triangle, const Vec3& point) const;
+  [[nodiscard]] double nearest_on_crossed(std::uint32_t triangle, const Vec3& point, double below_mm) const;
+  [[nodiscard]] std::vector<Vec3> places_on(std::uint32_t triangle, const Vec3& point) const;
+  [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t triangle) const {
+    return {mesh_->corner(triangle, 0), mesh_->corner(triangle, 1), mesh_->corner(triangle, 2)};
+  }
+
+  const IndexedMesh* mesh_;
+  Box3 box_;
+  std::vector<std::vector<Segment>> crossings_;  // by triangle: where it meets others
+};
+
+}  // namespace gouge
