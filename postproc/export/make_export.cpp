@@ -106,7 +106,8 @@ class ExportMaker {
       if (soup.triangles.empty()) continue;
       Result<BuiltMesh> built = build_mesh(soup);
       if (!built) continue;
-      bodies.push_back({Surface(std::move(built->mesh)), {}, {}, {}, {}, {}});
+      const Surface surface(std::move(built->mesh));
+      bodies.push_back({surface, surface, {}, {}, {}, {}, {}});
       names.push_back(label + " " + body_name(body));
       kinds.push_back(body);
     }
