@@ -64,7 +64,9 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
   const auto rewrite = [&](const std::vector<gouge::PathChange>& changes) -> gouge::Result<gouge::Toolpath> {
     gouge::Result<std::string> bytes = gouge::write_corrected(path, changes);
     if (!bytes) return bytes.error();
-    gouge::ReadOptions as_before{.dialect = gouge::dialect_called(path.dialect), .harmless_words = path.harmless_words};
+    gouge::ReadOptions as_before;
+    as_before.dialect = gouge::dialect_called(path.dialect);
+    as_before.harmless_words = path.harmless_words;
     if (!path.is_unit_stated) as_before.unit = path.unit;
     gouge::Toolpath again = PathAccess::from_bytes(path.file, std::move(*bytes), as_before).content().path;
     for (const gouge::Subject fact : {gouge::Subject::dialect, gouge::Subject::path_unit})
@@ -91,7 +93,10 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
 
 /// A correction rewrites the statements of a file: those of a path from memory are made here.
 Path with_statements(const Path& path) {
-  return path.content().is_from_memory ? PathAccess::from_bytes(path.name(), path.text(), {.dialect = gouge::dialect_called("apt")}) : path;
+  if (!path.content().is_from_memory) return path;
+  gouge::ReadOptions as_apt;
+  as_apt.dialect = gouge::dialect_called("apt");
+  return PathAccess::from_bytes(path.name(), path.text(), as_apt);
 }
 
 }  // namespace

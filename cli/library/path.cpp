@@ -94,7 +94,9 @@ Path Path::read(const std::string& file, const std::string& unit) {
   const auto known = gouge::unit_called(unit);
   const bool is_of_path = known == gouge::LengthUnit::mm || known == gouge::LengthUnit::inch;
   if (!unit.empty() && !is_of_path) raise(gouge::make_error("usage", "unit '" + unit + "': expected mm or inch", file));
-  return PathAccess::from_bytes(file, value_or_raise(gouge::read_file(file)), {.unit = known});
+  gouge::ReadOptions options;
+  options.unit = known;
+  return PathAccess::from_bytes(file, value_or_raise(gouge::read_file(file)), options);
 }
 
 Path PathAccess::from_bytes(const std::string& name, std::string bytes, const gouge::ReadOptions& options) {
