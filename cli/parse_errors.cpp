@@ -88,6 +88,18 @@ class Command {
     return {};
   }
 
+  // The parser reads -q1.apt as -q and the file -1.apt, as if that were a negative number.
+  [[nodiscard]] std::string cut_positional(std::span<const char* const> words) const {
+    for (const CLI::Option* option : app_->get_options()) {
+      if (!option->get_positional()) continue;
+      for (const std::string& value : option->results()) {
+        const bool is_typed = std::find(words.begin(), words.end(), std::string_view(value)) != words.end();
+        if (value.size() > 1 && value.front() == '-' && !is_typed) return unknown_option(value, words);
+      }
+    }
+    return {};
+  }
+
   // The parser takes whatever follows an option for its value.
   [[nodiscard]] std::string option_as_value() const {
     for (const CLI::Option* option : app_->get_options()) {
@@ -234,10 +246,11 @@ class Command {
 
 }  // namespace
 
-std::optional<Diagnostic> find_empty_value(const CLI::App& app, std::span<const char* const> words) {
+std::optional<Diagnostic> find_misread_value(const CLI::App& app, std::span<const char* const> words) {
   const Command command(app);
   std::string found = command.empty_value(words);
   if (found.empty()) found = command.option_as_value();
+  if (found.empty()) found = command.cut_positional(words);
   if (found.empty()) return std::nullopt;
   return make_error("usage", found);
 }

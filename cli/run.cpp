@@ -101,10 +101,10 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
       choose_colour(err, program.colour());
       // --help and --version come as errors of status 0.
       if (error.get_exit_code() == 0) return after_printing(app.exit(error, out, err), out, err);
-      const std::optional<Diagnostic> empty = find_empty_value(app, words);
+      const std::optional<Diagnostic> empty = find_misread_value(app, words);
       return fail(err, {empty ? *empty : line->located(describe_parse_error(app, error, words))});
     }
-    if (const std::optional<Diagnostic> empty = find_empty_value(app, words)) return fail(err, {*empty});
+    if (const std::optional<Diagnostic> empty = find_misread_value(app, words)) return fail(err, {*empty});
     choose_colour(out, program.colour());
     choose_colour(err, program.colour());
     if (line->use()) {

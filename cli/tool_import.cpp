@@ -86,17 +86,17 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   std::vector<InputOption> inputs = {{"the file to import", arguments.file}, {"--tools", arguments.tools_file}};
   const OutputTable outputs = {{"-o", output}};
   if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
-  const Result<std::vector<ToolSegment>> holder = find_holder(arguments);
-  if (!holder) return fail(err, {holder.error()});
-  const Result<std::string> bytes = read_file(arguments.file, arguments.input.most_bytes);
-  if (!bytes) return fail(err, {bytes.error()});
   ImportOptions options;
-  options.holder = *holder;
   if (!arguments.stickout.empty()) {
     const Result<double> stickout = understand_length("--stickout", arguments.stickout, Least::above_zero);
     if (!stickout) return fail(err, {stickout.error()});
     options.stickout_mm = *stickout;
   }
+  const Result<std::vector<ToolSegment>> holder = find_holder(arguments);
+  if (!holder) return fail(err, {holder.error()});
+  const Result<std::string> bytes = read_file(arguments.file, arguments.input.most_bytes);
+  if (!bytes) return fail(err, {bytes.error()});
+  options.holder = *holder;
   options.unit = unit_called(arguments.unit);
   options.read_beside = [&](const std::string& name) -> Result<std::string> {
     Result<BesideFile> beside = read_beside(arguments.file, name, arguments.input.most_bytes);

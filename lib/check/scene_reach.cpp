@@ -28,8 +28,9 @@ Box3 box_of_tips(const Toolpath& path) {
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
     box.extend(move.end.tip);
-    if (move.curve_kind == CurveKind::arc) add_arc(box, path.arcs[move.curve], path.start_of(i).tip, move.end.tip);
-    if (move.curve_kind == CurveKind::spline)
+    const bool is_arc = move.curve_kind == CurveKind::arc && move.curve < path.arcs.size();
+    if (is_arc && i > 0) add_arc(box, path.arcs[move.curve], path.start_of(i).tip, move.end.tip);
+    if (move.curve_kind == CurveKind::spline && move.curve < path.splines.size())
       for (const SplinePiece& piece : path.splines[move.curve].pieces)
         for (const Vec3& control : piece.control) box.extend(control);
   }

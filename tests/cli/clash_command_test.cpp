@@ -154,7 +154,7 @@ TEST_F(ClashCommand, AWrongCommandLineIsStatusTwoAndWritesNothing) {
     return outcome.err;
   };
   arguments_.place_b = "1,2";
-  EXPECT_NE(message().find("--place-b '1,2': expected x,y,z or x,y,z,rx,ry,rz: lengths of at most 100 m, then"),
+  EXPECT_NE(message().find("--place-b '1,2': expected x,y,z or x,y,z,rx,ry,rz: lengths in mm, or with a unit"),
             std::string::npos);
   arguments_.place_b.clear();
   arguments_.tolerance = "-1";

@@ -56,7 +56,7 @@ TEST(HelpText, TypesChoicesDefaultsAndNeedsAreNamed) {
   const char* argv[] = {"gougecheck", "check", "--help"};
   std::ostringstream out, err;
   EXPECT_EQ(run(3, argv, out, err), 0);
-  for (const char* text : {"--rapid straight|dogleg|skip", "--tool N=NAME", "--tolerance LENGTH", "[default: 0.01]",
+  for (const char* text : {"--rapid straight|dogleg|skip", "--tool N=NAME", "--tolerance LENGTH", "[default: 0.01mm]",
                            "--part FILE", "[required]", "\nTerminal:\n", "\nOutput:\n", "--threads N"})
     EXPECT_NE(out.str().find(text), std::string::npos) << text << out.str();
   for (const char* text : {"TEXT", "UINT", "FLOAT", "REQUIRED"})

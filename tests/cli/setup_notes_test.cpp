@@ -69,7 +69,7 @@ IndexedMesh vise() {
   for (const double x : {20.0, 80.0})
     for (const Vec2& point : outline) mesh.vertices.emplace_back(x, point.x(), point.y());
   const std::size_t n = outline.size();
-  for (std::size_t k = 0; k < n; ++k) shapes::add_quad(mesh, k, n + k, n + (k + 1) % n, (k + 1) % n);
+  for (std::size_t k = 0; k < n; ++k) shapes::add_quad(mesh, k, (k + 1) % n, n + (k + 1) % n, n + k);
   const std::vector<std::array<std::size_t, 3>> cap = {{0, 1, 4}, {0, 4, 5}, {1, 2, 3},
                                                        {1, 3, 4}, {0, 5, 6}, {0, 6, 7}};
   for (const auto& [a, b, c] : cap) {

@@ -135,7 +135,7 @@ TEST(FindingsText, SaysCleanOnlyWhenEverythingWasChecked) {
 
 TEST(FindingsText, NamesBeneathTheVerdictTheOptionThatSettlesWhatIsNotChecked) {
   SmallReport report;
-  std::vector<MoveVerdict>& verdicts = report.result.verdicts;
+  MoveVerdicts& verdicts = report.result.verdicts;
   for (MoveVerdict& verdict : verdicts) verdict = MoveVerdict{};
   const auto leave = [&](std::size_t move, const Reason& reason) {
     verdicts[move].state = MoveState::not_checked;
