@@ -183,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Wording{"Nothing", apt(kThrough + kOut), "gouge"},
                       Wording{"SameCutter", apt(kThrough + "CUTTER/10,0,0,0,0,0,60\n" + kOut), "gouge"},
                       Wording{"OtherCutter", apt(kThrough + "CUTTER/10\n" + kOut)},
-                      Wording{"OtherCutterOver", apt(kThrough + kOver + "CUTTER/10\nGOTO/70,0,10\n"), "clean"},
+                      Wording{"OtherCutterOver", apt(kThrough + kOver + "CUTTER/10\nGOTO/70,0,10\n")},
                       Wording{"OtherTool", apt(kThrough + "LOADTL/2\nCUTTER/10\n" + kOut), "clean"},
                       Wording{"OtherCutterLoaded", apt(kThrough + "CUTTER/12\nLOADTL/1\n" + kOut), "clean"},
                       Wording{"From", apt(kThrough + "FROM/70,0,-10\n" + kOut)},

@@ -107,9 +107,11 @@ void emit_from_open_places(States& s, const Position& position) {
   for (const Pose& place : places) emit_other_way(s, position, place, {&end, 1}, Reasons::kHoleBounds);
 }
 
-// A retract to a height that the cycle does not state ends no higher than where the tool goes next, straight above it.
+// CATIA's RETURN,0: whatever it means ends no higher than where the tool goes next, straight above it. A plane of the
+// setup (RTRCTO,AUTO of NX) may be higher.
 void settle_retract(States& s, const Position& position) {
   constexpr double kSame_mm = 1e-9;
+  if (s.in.dialect.cycle_form != CycleForm::catia) return;
   if (s.in.path.moves.empty() || !s.chain.last_pose() || s.chain.unknown_start() == nullptr) return;
   Move& last = s.in.path.moves.back();
   if (last.not_checked_reason != Reasons::kRetractPlane) return;

@@ -20,11 +20,6 @@ void put_nothing(const NciMotionPair& pair, std::optional<std::size_t> field, st
   if (field && *field < pair.fields.size() && !is_zero(pair.fields[*field])) tokens[*field] = "0";
 }
 
-std::string_view speed(const NciMotionPair& pair) {
-  const Argument& feed = pair.fields[pair.motion.feed];
-  return pair.motion.is_rapid && *feed.number > 0 ? "-2" : feed.text;
-}
-
 }  // namespace
 
 NciText::NciText(const Toolpath& path, const MotionRecords& records) : path_(path) {
@@ -130,14 +125,6 @@ std::string NciText::inserted(const NciMotionPair& pair, const Pose& end) const 
   put_nothing(pair, pair.motion.comp, tokens);
   put_nothing(pair, pair.motion.flags, tokens);
   return with_line_end(rendered(pair, tokens));
-}
-
-std::string NciText::inserted_like(const NciMotionPair& five_axis, const NciMotionPair& pair, const Pose& end) const {
-  Tokens tokens(five_axis.fields.size());
-  put_end(five_axis, end, tokens);
-  put_nothing(five_axis, five_axis.motion.flags, tokens);
-  tokens[five_axis.motion.feed] = speed(pair);
-  return with_line_end(rendered(five_axis, tokens));
 }
 
 std::string NciText::straight(const NciMotionPair& pair, const Vec3& tip, bool is_inserted) const {

@@ -40,9 +40,6 @@ class NciText {
   [[nodiscard]] std::string moved(const NciMotionPair& pair, const Pose& end) const;
   /// A position of the same form before `pair`. Requires a line, of five axes or not.
   [[nodiscard]] std::string inserted(const NciMotionPair& pair, const Pose& end) const;
-  /// A five-axis line like `five_axis`, at the speed of `pair`, to stand before `pair`.
-  [[nodiscard]] std::string inserted_like(const NciMotionPair& five_axis, const NciMotionPair& pair,
-                                          const Pose& end) const;
   /// A line in place of the arc `pair`, or before that one.
   [[nodiscard]] std::string straight(const NciMotionPair& pair, const Vec3& tip, bool is_inserted) const;
 

@@ -3,6 +3,16 @@
 #include "postproc/cldata/language/dialect.h"
 
 namespace gouge {
+namespace {
+
+// What the writer closes the frame of a position with an axis with.
+bool closes_a_frame(const Toolpath& path, std::size_t statement) {
+  const SourceStatement& span = path.statements[statement];
+  const std::string_view bytes = std::string_view(path.source).substr(span.first_byte, span.last_byte - span.first_byte);
+  return bytes.starts_with("MULTAX/OFF");
+}
+
+}  // namespace
 
 RecordTexts::RecordTexts(const Toolpath& before, const std::vector<PathChange>& changes, const Toolpath& after,
                          const std::vector<WrittenStatement>& written)
@@ -33,7 +43,7 @@ std::optional<std::string_view> RecordTexts::after(std::size_t move) const {
   return text_of(after_, first_[move], first_[move] + inserted_[move] + 1);
 }
 
-// What is written stands before its position, but for what closes the last one of a move (MULTAX/OFF).
+// What is written stands before its position, but for what closes its frame (MULTAX/OFF).
 std::optional<std::string_view> RecordTexts::text_of(const File& file, std::size_t first, std::size_t last) const {
   const Toolpath& path = *file.path;
   if (!is_text_ || last > path.moves.size()) return std::nullopt;
@@ -44,12 +54,12 @@ std::optional<std::string_view> RecordTexts::text_of(const File& file, std::size
   const std::size_t ceiling = last < path.moves.size() && path.moves[last].statement != kNone
                                   ? std::size_t{path.moves[last].statement}
                                   : path.statements.size();
-  while (begin > floor && file.is_written[begin - 1]) --begin;
+  while (begin > floor && file.is_written[begin - 1] && !closes_a_frame(path, begin - 1)) --begin;
   std::size_t behind = end + 1;
   while (behind < ceiling && file.is_written[behind]) ++behind;
-  // Where all up to a next position that is written too is written, it belongs to that.
+  // Where all up to a next position that is written too is written, it belongs to that, but for the end of a frame.
   const bool is_of_next = behind == ceiling && ceiling < path.statements.size() && file.is_written[ceiling];
-  if (!is_of_next) end = behind - 1;
+  while (end + 1 < behind && (!is_of_next || closes_a_frame(path, end + 1))) ++end;
   const std::size_t from = path.statements[begin].first_byte, to = path.statements[end].last_byte;
   return std::string_view(path.source).substr(from, to - from);
 }

@@ -11,15 +11,14 @@ namespace gouge {
 namespace {
 
 constexpr double kSameNciAxis = 5e-7;
+constexpr std::size_t kPointAndAxis = 6;  // numbers of a five-axis line
 
 bool is_plain(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameNciAxis; }
 
 class NciCorrector {
  public:
   NciCorrector(const Toolpath& path, const std::vector<PathChange>& changes)
-      : path_(path), read_(read_motion_records(path)), text_(path, read_), changes_(path.moves.size(), changes) {
-    for (std::size_t i = 0; i < path.moves.size() && five_axis_ == kNone; ++i) note_five_axis(i);
-  }
+      : path_(path), read_(read_motion_records(path)), text_(path, read_), changes_(path.moves.size(), changes) {}
 
   Result<std::string> write();
 
@@ -31,16 +30,11 @@ class NciCorrector {
   [[nodiscard]] Diagnostic error(const char* code, std::size_t move, const std::string& message) const {
     return make_error(code, "move " + std::to_string(move) + " " + message, path_.file, path_.moves[move].line);
   }
-  // Only a five-axis line has an axis of its own.
-  void note_five_axis(std::size_t move) {
-    if (read_.of_move[move].numbers == 6) five_axis_ = move;
-  }
 
   const Toolpath& path_;
   MotionRecords read_;
   NciText text_;
   ChangeTable changes_;
-  std::size_t five_axis_ = kNone;  // the last move on a five-axis line, or the first one of the file
 };
 
 Pose NciCorrector::in_file(std::size_t move, const Pose& pose) const {
@@ -57,16 +51,22 @@ std::optional<Diagnostic> NciCorrector::find_error(std::size_t move, const NciMo
                          path_.moves[next].has_start && !changes_.is_straightened(next);
   if (change.new_end && meets_arc)
     return error("write-arc", move, "ends where an arc that stays begins; expected that arc straightened as well");
+  const bool is_axis_stated_next = next >= path_.moves.size() || read_.of_move[next].numbers == kPointAndAxis;
+  const bool is_newly_tilted = change.new_end && is_plain(in_file(move, path_.moves[move].end).axis) &&
+                               !is_plain(in_file(move, *change.new_end).axis);
+  if (is_newly_tilted && !is_axis_stated_next)
+    return error("write-axis", move,
+                 "stands before a line or arc of NCI that has no tool axis, which would be in doubt behind a tilted "
+                 "position; expected a change that keeps +Z");
   if (pair.motion.form == NciForm::five_axis) return std::nullopt;
   if (change.new_end && !is_plain(in_file(move, *change.new_end).axis))
     return error("write-axis", move,
                  "is on a line or arc of NCI that has no tool axis; expected a change that keeps +Z");
-  if (five_axis_ != kNone) return std::nullopt;
   for (const Pose& pose : change.inserted_before) {
     if (!is_plain(in_file(move, pose).axis))
       return error("write-axis", move,
-                   "would follow a tilted position, and no five-axis line of the file shows how to write that; "
-                   "expected positions that keep +Z");
+                   "is on a line or arc of NCI that has no tool axis, which would be in doubt behind a tilted "
+                   "position; expected positions before it that keep +Z");
   }
   return std::nullopt;
 }
@@ -75,13 +75,7 @@ std::string NciCorrector::insertions(std::size_t move, const NciMotionPair& pair
   std::string text;
   for (const Pose& pose : changes_[move]->inserted_before) {
     const Pose end = in_file(move, pose);
-    if (pair.motion.form != NciForm::five_axis && !is_plain(end.axis)) {
-      text += text_.inserted_like(text_.pair_of(five_axis_), pair, end);
-    } else if (pair.motion.form == NciForm::arc) {
-      text += text_.straight(pair, end.tip, true);
-    } else {
-      text += text_.inserted(pair, end);
-    }
+    text += pair.motion.form == NciForm::arc ? text_.straight(pair, end.tip, true) : text_.inserted(pair, end);
   }
   return text;
 }
@@ -107,7 +101,6 @@ Result<std::string> NciCorrector::write() {
       copied = pair.lines.last_byte;
       result += insertions(i, pair) + own_pair(i, pair);
     }
-    note_five_axis(i);
   }
   result.append(path_.source, copied);
   return result;

@@ -71,7 +71,9 @@ std::vector<std::string> differences(const std::string& text) {
   if (!resolved) return reported;
   Assumptions facts = resolved->assumptions;
   settle(facts, {}, false);
-  for (const Diagnostic& warning : open_warnings(facts)) reported.push_back(to_text(warning));
+  for (const Diagnostic& warning : open_warnings(facts)) {
+    if (warning.code == "tool-differs") reported.push_back(to_text(warning));
+  }
   for (const Diagnostic& note : resolved->notes) {
     if (note.code == "tool-differs") reported.push_back(to_text(note));
   }

@@ -210,7 +210,7 @@ TEST(SummaryText, SaysBesideTheVerdictWhatIsNotCutAnyMore) {
   correction.low_rapids = {{1, 11, 0.5}, {2, 12, -0.0054}};
   const std::string text = summary_text(report.model);
   for (const char* note : {"note: 2 holes left uncut by up to 0.500 mm\n",
-                           "note: cuts were moved by up to 0.333 mm: less is cut there than was programmed\n",
+                           "note: cuts were moved by up to 0.300 mm: less is cut there than was programmed\n",
                            "note: 2 rapids that were written keep less than the clearance of 2 mm: the least 0.0054 mm "
                            "inside, line 12\n"})
     EXPECT_NE(text.find(note), std::string::npos) << text;

@@ -57,9 +57,11 @@ TEST(HarmlessWords, MayNeedAWord) {
   EXPECT_FALSE(is_harmless_statement("PPFUN", "43,2"));
 }
 
+// ARCSLP of Mori and CLEARP are read for what they say of motion, and harmless in their other forms.
 TEST(HarmlessWords, AreNoWordsThatAreRead) {
   for (const HarmlessWord& row : harmless_words()) {
-    EXPECT_EQ(find_word(row.word), Word::harmless) << row.word;
+    const bool is_read_too = row.word == "ARCSLP" || row.word == "CLEARP";
+    EXPECT_EQ(find_word(row.word) == Word::harmless, !is_read_too) << row.word;
     EXPECT_FALSE(row.source.empty()) << row.word;
   }
 }

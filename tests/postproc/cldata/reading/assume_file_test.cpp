@@ -61,7 +61,7 @@ TEST(AssumeFile, WordsThatAreNotUnderstoodAreNamed) {
   EXPECT_EQ(fact_in("UNITS/MM\nCOOLNT/ON\nGOTO/1,2,3\nFINI\n", Subject::statements).basis, Basis::derived);
   const Assumption unknown = fact_in("UNITS/MM\nGOTO/1,2,3\nFROBNI\nFROBNI\nFINI\n", Subject::statements);
   EXPECT_EQ(unknown.basis, Basis::unknown);
-  EXPECT_EQ(unknown.evidence, "2 statements with words that are not understood: FROBNI");
+  EXPECT_EQ(unknown.evidence, "2 statements with words or arguments that are not understood: FROBNI");
 }
 
 TEST(AssumeFile, TheFrameAndTheDialectNameWhereTheyComeFrom) {

@@ -122,7 +122,8 @@ std::vector<LongFile> long_files() {
       {"cutters", [] { return repeated([](std::size_t i) { return "CUTTER/" + number(i + 1) + "\nGOTO/1,1,1\n"; }); },
        12},
       {"wrong cutters", [] { return "GOTO/1,1,1\n" + repeated("CUTTER/0\n"); }, 12},
-      {"arcs", [] { return repeated("CIRCLE/0,0,0,0,0,1,1\nGOTO/1,0,0\nGOTO/0,1,0\n"); }, 12},
+      // an arc of unknown sense is read either way round
+      {"arcs", [] { return repeated("CIRCLE/0,0,0,0,0,1,1\nGOTO/1,0,0\nGOTO/0,1,0\n"); }, 16},
       // a hole is four moves
       {"holes", [] { return "CYCLE/DRILL,DEPTH,3,CLEAR,2,MMPM,1\n" + repeated("GOTO/1,1,1\nGOTO/0,1,1\n"); }, 42},
       {"tapes", [] { return repeated("TOOL PATH/A,TOOL,B\nGOTO/1,1,1\n"); }, 12},

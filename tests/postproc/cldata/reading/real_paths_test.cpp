@@ -58,7 +58,7 @@ const std::map<std::string, Expected> kExpected = {
     {"nx_clsf/TORETC_250_BOK.cls", {"nx-clsf", 8, 2, 0, 0, 1, 1, 0}},
     {"nx_clsf/_1_KONTUR_NAR_40_N2.cls", {"nx-clsf", 24, 3, 19, 0, 1, 1, 0}},
     {"nx_clsf/_3_PAZ_125_N2.cls", {"nx-clsf", 280, 60, 300, 0, 1, 1, 0}},
-    {"nx_clsf/cutcom.clsf", {"nx-clsf", 350, 76, 140, 0, 1, 1, 350}},
+    {"nx_clsf/cutcom.clsf", {"nx-clsf", 350, 76, 140, 0, 1, 1, 0}},
     {"nx_clsf/nurbs.clsf", {"nx-clsf", 77, 1, 70, 0, 1, 1, 0}},
     {"nx_clsf/standart_drill.clsf", {"nx-clsf", 0, 0, 0, 6, 1, 1, 0}},
     {"nx_clsf/ust_a2.cls", {"nx-clsf", 19598, 459, 0, 0, 1529, 1, 0}},

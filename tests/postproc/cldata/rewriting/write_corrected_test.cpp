@@ -72,7 +72,7 @@ TEST(WriteCorrected, FramesAnAxisInAFileThatHasNone) {
   EXPECT_EQ(
       written(path, {{1, Pose{Vec3(4, 5, 7), axis}, {}, false}}),
       "UNITS/MM\nGOTO/1.0,2.0,3.0\nMULTAX/ON\nGOTO/4.0,5.0,7.0000,0.600000000,0.000000000,0.800000000\nMULTAX/OFF\n"
-      "GOTO/7.0,8.0,9.0\nFINI\n");
+      "MULTAX/ON\nGOTO/7.0,8.0,9.0,0.000000000,0.000000000,1.000000000\nMULTAX/OFF\nFINI\n");
 }
 
 TEST(WriteCorrected, WritesEnoughDecimalsForACorrection) {
@@ -123,24 +123,31 @@ TEST(WriteCorrected, InsertsBeforeALastLineWithoutLineEnd) {
             "GOTO/0.0000,0.0000,9.0000\nGOTO/1.0000,2.0000,3.0000\nGOTO/9.0000,0.0000,9.0000");
 }
 
+// In a dialect that says what a position without axis means; else it would be in doubt behind a tilted one.
 TEST(WriteCorrected, AnAxisThatThreeNumbersDoNotMeanIsWritten) {
-  const Toolpath path = path_of("GOTO/0.0000,0.0000,9.0000,1.0000000,0.0000000,0.0000000\nGOTO/9.0000,0.0000,9.0000\n");
+  const std::string start = "$$* Pro/CLfile\nMULTAX/ON\nGOTO/0.0000,0.0000,9.0000,1.0000000,0.0000000,0.0000000\n";
+  const Toolpath path = path_of(start + "GOTO/9.0000,0.0000,9.0000\n");
   const double s = std::sqrt(0.5);
-  const std::string text = written(path, {{1, std::nullopt, {{Vec3(1, 2, 3), Vec3(s, 0, s)}}}});
-  EXPECT_EQ(text,
-            "GOTO/0.0000,0.0000,9.0000,1.0000000,0.0000000,0.0000000\n"
-            "GOTO/1.0000,2.0000,3.0000,0.7071068,0.0000000,0.7071068\nGOTO/9.0000,0.0000,9.0000\n");
+  EXPECT_EQ(written(path, {{1, std::nullopt, {{Vec3(1, 2, 3), Vec3(s, 0, s)}}}}),
+            start + "GOTO/1.0000,2.0000,3.0000,0.7071068,0.0000000,0.7071068\nGOTO/9.0000,0.0000,9.0000\n");
 }
 
 TEST(WriteCorrected, UnderMultaxOffAnAxisSwitchesItOn) {
   const Toolpath path = path_of(
-      "MULTAX/ON\nGOTO/0.0000,0.0000,9.0000,1.0000000,0.0000000,0.0000000\nMULTAX/OFF\nGOTO/9.0000,0.0000,9.0000\n");
+      "$$* Pro/CLfile\nMULTAX/ON\nGOTO/0.0000,0.0000,9.0000,1.0000000,0.0000000,0.0000000\nMULTAX/OFF\n"
+      "GOTO/9.0000,0.0000,9.0000\n");
   const double s = std::sqrt(0.5);
   const std::string text = written(path, {{1, std::nullopt, {{Vec3(1, 2, 3), Vec3(s, 0, s)}}}});
   EXPECT_NE(text.find("MULTAX/OFF\nMULTAX/ON\nGOTO/1.0000,2.0000,3.0000,0.7071068,0.0000000,0.7071068\nMULTAX/OFF\n"
                       "GOTO/9.0000,0.0000,9.0000\n"),
             std::string::npos)
       << text;
+}
+
+// The file does not say which axis it has.
+TEST(WriteCorrected, APositionWithoutAxisBehindATiltedOneCannotBeChanged) {
+  const Toolpath path = path_of("GOTO/0.,0.,9.,1.,0.,0.\nGOTO/9.,0.,9.\n");
+  EXPECT_EQ(write_corrected(path, {lift(path, 1, 1)}).error().code, "write-move");
 }
 
 constexpr const char* kBlock =
