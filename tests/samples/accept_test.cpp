@@ -167,7 +167,7 @@ TEST_F(Accept, WhatIsNotCheckedCannotBeAcceptedAway) {
   accept_deep();
   const std::string path = path_text(stations(kDeep));
   const std::size_t at = path.find("GOTO/80.000000");
-  const Outcome ran = check(path.substr(0, at) + "CUTCOM/LEFT\n" + path.substr(at));
+  const Outcome ran = check(path.substr(0, at) + "FROBNI/1\n" + path.substr(at));
   EXPECT_EQ(ran.exit_status, 4) << ran.out;
   EXPECT_NE(ran.out.find("not fully checked: no other gouge found"), std::string::npos) << ran.out;
   EXPECT_EQ(shop_.json("b.json").at("verdict"), "not-fully-checked");

@@ -152,7 +152,7 @@ TEST_F(Compare, WhatTheNewRunDidNotCheckIsNotGone) {
   shop_.check("b", "PARTNO/SHOP\nUNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,80\nGOTO/100,0,80\nFINI\n");
   is_open("no motion of the old one");
   const std::size_t at = path.find("GOTO/30.000000");
-  shop_.check("b", path.substr(0, at) + "CUTCOM/LEFT\n" + path.substr(at));
+  shop_.check("b", path.substr(0, at) + "FROBNI/1\n" + path.substr(at));
   is_open("not checked: ");
 }
 
@@ -160,7 +160,7 @@ TEST_F(Compare, OpenMovesOfTheNewRunAreSaidAndNeverClean) {
   const std::string path = path_text(stations());
   ASSERT_EQ(shop_.check("a", path).exit_status, 0);
   const std::size_t at = path.find("GOTO/80.000000");
-  ASSERT_EQ(shop_.check("b", path.substr(0, at) + "CUTCOM/LEFT\n" + path.substr(at)).exit_status, 4);
+  ASSERT_EQ(shop_.check("b", path.substr(0, at) + "FROBNI/1\n" + path.substr(at)).exit_status, 4);
   const Outcome ran = compare("a", "b");
   EXPECT_EQ(ran.exit_status, 4);
   EXPECT_NE(ran.out.find("no worse as far as it was checked: "), std::string::npos) << ran.out;

@@ -102,7 +102,7 @@ TEST_F(HostileInput, APipeThatEndsIsReadLikeAFile) {
   const std::string pipe = folder_ + "/pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   std::thread writer([&] { std::ofstream(pipe) << text_of(folder_ + "/cavity.cls"); });
-  const Outcome outcome = run_gougecheck(folder_, {"check", "pipe", "--part", "cavity.stl"});
+  const Outcome outcome = run_gougecheck(folder_, {"check", "pipe", "--path-units", "mm", "--part", "cavity.stl"});
   writer.join();
   EXPECT_EQ(outcome.exit_status, 0) << outcome.out << outcome.err;
 }
