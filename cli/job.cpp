@@ -85,7 +85,7 @@ class JobLoader {
       Result<ReadTools> read = read_any_tools(arguments_.tools_file, *bytes, arguments_.input.most_bytes);
       if (!read) return errors_.push_back(read.error());
       for (const BesideFile& beside : read->besides)
-        job_.inputs.push_back(describe_input("tool-file", beside.path, beside.bytes));
+        job_.inputs.push_back(describe_input("named-by-tools", beside.path, beside.bytes));
       library = std::move(read->library);
       add_notes(library->notes);
     }

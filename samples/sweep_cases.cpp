@@ -100,7 +100,7 @@ Sample make_between_head() {
   // The head's lower face is 100 above the tip. The post's top edges (+-1, 16.5..18.5, 101) come deepest when
   // the axis points along (+-1, 0, 101); they pass the holder, of radius 15, at 16.5.
   const std::array<double, 4> x = {-30, -1, 1, 30}, y = {-30, 16.5, 18.5, 30};
-  const std::array<double, 3> z = {-12, -4, 101};
+  const std::array<double, 3> z = {-12, -1.5, 101};
   sample.parts.push_back(
       {"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); })});
   sample.heads.push_back({"head.stl", make_box({-30, -40, 100}, {30, 40, 160})});

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "lib/base/number_text.h"
@@ -241,6 +243,20 @@ class Resolver {
     return made ? reach_beyond_mm(made->tool.cutter, known.cutter) : 0;
   }
 
+  // The diameter of a tapered ball may be that of the ball, or that where its flank meets the plane of the tip.
+  [[nodiscard]] double reach_of_ball_mm(const PathTool& tool, const ToolAssembly& known) const {
+    constexpr double kBall_mm = 1e-4;
+    PathTool ball = tool;
+    CutterStatement& c = *ball.cutter;
+    if (std::abs(c.alpha_deg) > 0 || std::abs(2 * c.r_mm - c.d_mm) > kBall_mm)
+      return std::numeric_limits<double>::infinity();
+    const double flank = c.beta_deg * std::numbers::pi / 180;
+    c.d_mm = 2 * c.r_mm * (1 / std::cos(flank) - std::tan(flank));
+    c.e_mm = 0;
+    c.f_mm = c.r_mm;
+    return reach_mm(ball, known);
+  }
+
   // Of the same size, but of another taper or tip.
   void compare_outlines(const PathTool& tool, const ToolAssembly& known) {
     constexpr int kWhole = 7;
@@ -248,7 +264,7 @@ class Resolver {
     const bool is_plain = !(std::abs(c.alpha_deg) > 0) && !(std::abs(c.beta_deg) > 0);
     const bool has_angles = dialect_called(path_.dialect).value_or(Dialect{}).has_tool_angles;
     if (c.given < kWhole || (is_plain && !has_angles)) return;
-    const double reach = reach_mm(tool, known);
+    const double reach = std::min(reach_mm(tool, known), reach_of_ball_mm(tool, known));
     if (reach <= kReach_mm) return;
     const std::string length =
         exact_text(std::round(reach / mm_per(path_.unit) * 1e4) / 1e4) + " " + unit_name(path_.unit);

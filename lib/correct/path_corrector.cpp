@@ -12,8 +12,9 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kPositionsPerChunk = 4;
-// Bounds for a position, and for a motion: the work grows with the size of the job and no faster.
-constexpr std::uint64_t kStepBudget = 300'000;
+// Bounds for a position, and for a motion: the work grows with the size of the job and no faster. A few gouges may take
+// as long each as many together.
+constexpr std::uint64_t kJobBudget = 3'000'000, kLeastStepBudget = 300'000;
 
 constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
 constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
@@ -26,14 +27,24 @@ constexpr const char* kCycleStep =
     "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of "
     "the holes";
 constexpr const char* kRound = "an arc or curve that no change of its positions frees";
-constexpr const char* kOutOfBudget =
-    "not corrected: the budget of 300000 bounds for this step was spent; a larger tolerance or resolution needs fewer";
 constexpr const char* kUncertain = "the check cannot tell whether it is clean, so neither can a correction";
 
 bool is_straight(const Move& move) { return move.kind == MoveKind::feed || move.kind == MoveKind::rapid; }
 
 /// How deep the cutter may stay in the part.
 double aim_of(double tolerance_mm) { return tolerance_mm > 2 * kAir_mm ? kPositionAimShare * tolerance_mm : -kAir_mm; }
+
+std::uint64_t step_budget(const CheckResult& result) {
+  const auto gouges = static_cast<std::uint64_t>(
+      std::count_if(result.verdicts.begin(), result.verdicts.end(),
+                    [](const MoveVerdict& verdict) { return verdict.state == MoveState::gouge; }));
+  return std::max(kLeastStepBudget, kJobBudget / std::max<std::uint64_t>(1, gouges));
+}
+
+std::string out_of_budget(std::uint64_t budget) {
+  return "not corrected: the budget of " + std::to_string(budget) +
+         " bounds for this step was spent; a larger tolerance or resolution needs fewer";
+}
 
 }  // namespace
 
@@ -49,7 +60,13 @@ std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
 PathCorrector::PathCorrector(const Toolpath& path, const CheckResult& result,
                              const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
                              const CorrectOptions& correct)
-    : path_(path), result_(result), tools_(tools), checker_(checker), options_(checker.options()), correct_(correct) {
+    : path_(path),
+      result_(result),
+      tools_(tools),
+      checker_(checker),
+      options_(checker.options()),
+      correct_(correct),
+      step_budget_(step_budget(result)) {
   limits_.aim = {aim_of(options_.tolerance_mm), -kAir_mm, -kAir_mm};
   limits_.largest_shift_mm = correct.max_shift_mm;
   limits_.direction = correct.strategies.direction;
@@ -152,7 +169,7 @@ void PathCorrector::correct_position(std::size_t i) {
   if (!is_head_in && largest_excess(move.end, tool, checker_.scene(), allowed, options_.resolution_mm / 4) <= 0) return;
   work.failure = reason_to_leave(i);
   if (!work.failure.empty()) return;
-  WorkBudget budget(kStepBudget);
+  WorkBudget budget(step_budget_);
   const MotionChecker checker = checker_.within(budget);
   const auto freed = [&](const PoseLimits& limits) {
     return free_pose(strategy_at(i), move.end, work.depth_before_mm, move.kind, tool, checker, limits,
@@ -166,7 +183,7 @@ void PathCorrector::correct_position(std::size_t i) {
   if (!found.corrected) found = freed(usual);
   work.corrected = found.corrected;
   if (!work.corrected) {
-    work.failure = budget.is_spent() ? kOutOfBudget : found.reason;
+    work.failure = budget.is_spent() ? out_of_budget(step_budget_) : found.reason;
     return;
   }
   work.depth_after_mm = depth_at(work.corrected->pose, move.kind, tool);
@@ -240,7 +257,7 @@ void PathCorrector::bridge_move(std::size_t i) {
   const bool has_bad_end = !positions_[i].failure.empty() || (is_chained(i) && !positions_[i - 1].failure.empty());
   const bool can_change = move.has_start && is_straight(move) && move.not_checked_reason.empty() && !work.is_kept;
   if (can_change && !has_bad_end) {
-    WorkBudget budget(kStepBudget);
+    WorkBudget budget(step_budget_);
     const MotionChecker checker = checker_.within(budget);
     BridgeTask task = task_of(i);
     task.checker = &checker;
@@ -365,7 +382,7 @@ void PathCorrector::gather_failure(std::size_t i, Correction& correction) const 
   if (!path_.moves[i].has_start && positions_[i].corrected) return;
   std::string reason = usual_reason(path_.moves[i], verdict);
   const bool is_gouge = verdict.state == MoveState::gouge;
-  if (is_gouge && work.is_out_of_budget) reason = kOutOfBudget;
+  if (is_gouge && work.is_out_of_budget) reason = out_of_budget(step_budget_);
   if (is_gouge && is_straight(path_.moves[i]) && !work.kept_reason.empty()) reason = work.kept_reason;
   if (is_gouge && !positions_[i].failure.empty() && path_.moves[i].kind != MoveKind::cycle) {
     reason = positions_[i].failure;

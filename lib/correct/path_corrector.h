@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -72,7 +73,8 @@ class PathCorrector {
   const MotionChecker& checker_;
   const CheckOptions& options_;
   const CorrectOptions& correct_;
-  PoseLimits limits_;  // see limits_for
+  std::uint64_t step_budget_;  // bounds that one position or one move may take
+  PoseLimits limits_;          // see limits_for
   std::vector<PositionWork> positions_;
   std::vector<MoveWork> moves_;
 };

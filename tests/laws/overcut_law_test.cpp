@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 #include "lib/check/overcut_gap.h"
@@ -12,6 +13,7 @@
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_head.h"
 #include "lib/overcut/swept_tool.h"
+#include "lib/verify/solid_depth.h"
 #include "tests/laws/random_moves.h"
 #include "tests/support/reference_hunt.h"
 #include "tests/support/whole_check.h"
@@ -27,12 +29,15 @@ std::size_t number_from(const char* variable, std::size_t otherwise) {
   return given == nullptr ? otherwise : static_cast<std::size_t>(std::strtoull(given, nullptr, 10));
 }
 
-/// A solid's surface by its triangles alone.
+/// A solid's surface by its triangles alone; where shells may meet, by the winding numbers on both sides of them.
 class PlainPart {
  public:
-  explicit PlainPart(const IndexedMesh& mesh) : mesh_(mesh) {}
+  PlainPart(const IndexedMesh& mesh, bool has_shells) : mesh_(mesh) {
+    if (has_shells) depth_.emplace(mesh);
+  }
 
   [[nodiscard]] double distance(const Vec3& p) const {
+    if (depth_) return depth_->at(p);
     double least = 1e300;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       least = std::min(least,
@@ -45,6 +50,7 @@ class PlainPart {
 
  private:
   const IndexedMesh& mesh_;
+  std::optional<SolidDepth> depth_;
 };
 
 struct Deepest {
@@ -124,7 +130,8 @@ class Campaign {
     std::vector<HeadBody> bodies;
     for (const IndexedMesh& head : job.heads) bodies.push_back(*build_head_body(head));
     Scene scene = job.scene;
-    if (random.is(0.25)) add_shell(scene.parts.front(), random);
+    has_shells_ = random.is(0.25);
+    if (has_shells_) add_shell(scene.parts.front(), random);
     const OwnSetup own(&job.tool, scene, options, bodies);
     const CheckResult result = gouge::check(job.path, own.setup);
     const reference::Contour bare(job.tool.bare);
@@ -158,8 +165,8 @@ class Campaign {
     };
     const bool is_part = v.witness->against == Against::part;
     const IndexedMesh& mesh = (is_part ? scene.scene->parts : scene.scene->fixtures)[v.witness->mesh];
-    const PlainPart part(mesh);
-    const Surface& surface = scene.surface(v.witness->against, v.witness->mesh);
+    const PlainPart part(mesh, has_shells_ && is_part && v.witness->mesh == 0);
+    const Surface& surface = scene.surface(v.witness->against, v.witness->mesh).boundary();
     // The search by cells alone: nothing is taken from the depth.
     OvercutOptions brief;
     brief.most_cells = 500;
@@ -184,6 +191,7 @@ class Campaign {
   }
 
   std::string where_;
+  bool has_shells_ = false;
 };
 
 TEST(OvercutLaw, HoldsAgainstPointsFoundByOwnArithmetic) {

@@ -41,7 +41,7 @@ TEST(Misfit, AWrongSignOfTheAxisIsRefusedExplainedAndForced) {
   const Outcome checked = run_gougecheck(sample.path, sample.arguments("check", "wrong.apt"));
   EXPECT_EQ(checked.exit_status, 1) << "the verdict stands by itself";
   EXPECT_TRUE(says(checked.err, "warning: the path does not fit the part")) << checked.err;
-  EXPECT_TRUE(says(checked.err, "with K of the tilted axes negated 100 % of the positions")) << checked.err;
+  EXPECT_TRUE(says(checked.err, "with K negated 100 % of the positions touch the part")) << checked.err;
 
   const Outcome refused = run_gougecheck(
       sample.path,

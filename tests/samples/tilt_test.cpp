@@ -54,14 +54,14 @@ TEST(Tilt, LimitsInForceStandInTheReport) {
   const SampleFolder sample = open_sample("freeform");
   correct(sample, {});
   const auto more = [&] { return Json::parse(text_of(sample.path + "/result.json")).at("options").at("more"); };
-  EXPECT_EQ(more(), Json({{"max-tilt", "30"}, {"tilt", "both"}, {"blend", "10"}, {"allow-stock", "0.01"}}));
+  EXPECT_EQ(more(), Json({{"max-tilt", "30"}, {"tilt", "both"}, {"blend", "10mm"}, {"allow-stock", "0.01mm"}}));
   correct(sample, {"--max-tilt", "20", "--tilt", "side", "--blend", "0.5in", "--axis-cone", "0,0,1,60", "--max-turn",
                    "4", "--max-turn-step", "9", "--max-rotary-speed", "3600", "--allow-multax", "--allow-stock", "0.02",
                    "--report", "r"});
   EXPECT_EQ(more(), Json({{"max-tilt", "20"},
                           {"tilt", "side"},
                           {"blend", "0.5in"},
-                          {"allow-stock", "0.02"},
+                          {"allow-stock", "0.02mm"},
                           {"axis-cone", "0,0,1,60"},
                           {"max-turn", "4"},
                           {"max-turn-step", "9"},
@@ -108,7 +108,7 @@ TEST(Tilt, OfAFlatEndThatWouldLeaveStockIsNotMadeUnlessAllowed) {
   const std::string folder = fresh_folder();
   write_text(folder + "/floor.stl", box_text({-200, -200, -10}, {200, 200, 0}));
   write_text(folder + "/wall.stl", box_text({13, -30, -5}, {60, 30, 60}));
-  std::string path = "MULTAX/ON\nLOADTL/1\nGOTO/0,-80,120,0,0,1\n";
+  std::string path = "UNITS/MM\nMULTAX/ON\nLOADTL/1\nGOTO/0,-80,120,0,0,1\n";
   for (int y = -80; y <= 80; y += 4) path += "GOTO/0," + std::to_string(y) + ",0,0,0,1\n";
   write_text(folder + "/pass.apt", path);
   const auto ran_with = [&](const std::string& shape, const std::string& allowed) {

@@ -49,9 +49,9 @@ TEST(Trim, LeavesTheStretchOutInWhichTheFreeformsHolderMeetsTheWall) {
     EXPECT_LE(change.at("move"), uncut.at("stretches").at(0).at("last_move"));
   }
   EXPECT_GE(trims, positions + 2);
-  // One RAPID for each position of the crossing; a rapid that is lifted over a gouge may add its own.
-  EXPECT_GE(count_of(text_of(sample.path + "/corrected.apt"), "RAPID"),
-            count_of(text_of(sample.path + "/" + sample.toolpath()), "RAPID") + positions + 1);
+  // The crossing runs lower than the rapids before it, so it is a feed; a rapid that is lifted may add its own.
+  const std::size_t rapids = count_of(text_of(sample.path + "/" + sample.toolpath()), "RAPID");
+  EXPECT_LT(count_of(text_of(sample.path + "/corrected.apt"), "RAPID"), rapids + 10);
   EXPECT_NE(trimmed.ran.out.find(std::to_string(positions) + " positions and "), std::string::npos) << trimmed.ran.out;
   EXPECT_NE(trimmed.ran.out.find(" left uncut in 1 stretch"), std::string::npos) << trimmed.ran.out;
   const Outcome again = run_gougecheck(sample.path, sample.arguments("check", "corrected.apt"));
@@ -100,8 +100,8 @@ TEST(Trim, OfBinaryRecordsCrossesAsFeed) {
   const Outcome converted =
       run_gougecheck(sample.path, {"path", "convert", sample.toolpath(), "--to", "nccs-binary", "-o", "pass.cl"});
   ASSERT_EQ(converted.exit_status, 0) << converted.err;
-  std::vector<std::string> arguments =
-      sample.arguments("correct", "pass.cl", {"--strategy", "trim", "-o", "trimmed.cl", "--json", "result.json"});
+  std::vector<std::string> arguments = sample.arguments(
+      "correct", "pass.cl", {"--path-units", "mm", "--strategy", "trim", "-o", "trimmed.cl", "--json", "result.json"});
   const Outcome ran = run_gougecheck(sample.path, arguments);
   EXPECT_EQ(ran.exit_status, 0) << ran.err;
   const Json report = Json::parse(text_of(sample.path + "/result.json"));
@@ -110,7 +110,8 @@ TEST(Trim, OfBinaryRecordsCrossesAsFeed) {
     EXPECT_TRUE(change.at("old_record").is_null());
     EXPECT_TRUE(change.at("new_record").is_null());
   }
-  const Outcome checked = run_gougecheck(sample.path, sample.arguments("check", "pass.cl", {"--json", "before.json"}));
+  const Outcome checked = run_gougecheck(
+      sample.path, sample.arguments("check", "pass.cl", {"--path-units", "mm", "--json", "before.json"}));
   EXPECT_EQ(checked.exit_status, 1) << checked.err;
   const Json before = Json::parse(text_of(sample.path + "/before.json"));
   const auto rapids = [](const Json& of) { return of.at("toolpath").at("moves_by_kind").at("rapid").get<int>(); };

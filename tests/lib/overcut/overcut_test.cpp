@@ -50,7 +50,8 @@ TEST(Overcut, IsMeasuredOnTheCurvedPartAsWell) {
   EXPECT_NEAR(*result.verdicts[1].overcut_mm, 0.2, 0.005);
 }
 
-// A box in the material of another one, and one across its face: 4 mm from both the surface above and the one beside.
+// A box in the material of another one, and one across its face: 6 mm below the face above, and nearer to a face of the
+// other box, which ends nothing there.
 TEST(Overcut, IsTrueWhereShellsLieInOneAnotherOrCross) {
   for (const double top : {-4.0, 4.0}) {
     const IndexedMesh part = shapes::joined(shapes::box(Vec3(-20, -20, -20), Vec3(20, 20, 0)),
@@ -59,9 +60,9 @@ TEST(Overcut, IsTrueWhereShellsLieInOneAnotherOrCross) {
         check({paths::upright(0, 8, 10), paths::upright(0, 8, -6), paths::upright(0, 8, 10)}, tools::ball(2), part);
     for (const std::size_t move : {std::size_t{1}, std::size_t{2}}) {
       ASSERT_TRUE(result.verdicts[move].overcut_mm.has_value());
-      EXPECT_NEAR(*result.verdicts[move].overcut_mm, 4, 1e-3);
-      EXPECT_GE(result.verdicts[move].overcut_upper_mm, 4);
-      EXPECT_LE(result.verdicts[move].overcut_upper_mm, 4.041);
+      EXPECT_NEAR(*result.verdicts[move].overcut_mm, 6, 1e-3);
+      EXPECT_GE(result.verdicts[move].overcut_upper_mm, 6);
+      EXPECT_LE(result.verdicts[move].overcut_upper_mm, 6.061);
     }
   }
 }
