@@ -125,6 +125,7 @@ std::string closeness_text(const ReportModel& model) {
   if (!model.result->closeness) return {};
   const Closeness& c = *model.result->closeness;
   const LengthUnit unit = model.toolpath->unit;
+  if (c.positions == 1) return closeness_words(c.nearest_mm, unit) + " at the only cutting position";
   return closeness_words(c.nearest_mm, unit) + "; half of the " + positions_examined(c) + " are " +
          closeness_words(c.median_mm, unit);
 }

@@ -180,10 +180,11 @@ INSTANTIATE_TEST_SUITE_P(
                       tools::flat(30), shapes::box({12, -5, -5}, {20, 5, 5})},
         // e is the diameter of the tip: taken as the distance of the corner from the axis it is a tool twice
         // as wide.
-        CutterReading{"FlatOfAutodesk",
-                      "MODE/MILL\nUNITS/INCHES\nCUTTER/0.750000, 0.000000, 0.750000, 0.000000, 0.000000, 0.000000, 2.000000\n"
-                      "LOADTL/1, 0, 2.0, 1\nGOTO/0.000000, 0.000000, 0.000000\nFINI\n",
-                      tools::flat(1.5 * kInch), shapes::box({0.38 * kInch, -5, -5}, {30, 5, 20})}),
+        CutterReading{
+            "FlatOfAutodesk",
+            "MODE/MILL\nUNITS/INCHES\nCUTTER/0.750000, 0.000000, 0.750000, 0.000000, 0.000000, 0.000000, 2.000000\n"
+            "LOADTL/1, 0, 2.0, 1\nGOTO/0.000000, 0.000000, 0.000000\nFINI\n",
+            tools::flat(1.5 * kInch), shapes::box({0.38 * kInch, -5, -5}, {30, 5, 20})}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(ToolReading, OnlyTheWrongToolMeetsThePart) {

@@ -8,7 +8,8 @@ namespace {
 // What the writer closes the frame of a position with an axis with.
 bool closes_a_frame(const Toolpath& path, std::size_t statement) {
   const SourceStatement& span = path.statements[statement];
-  const std::string_view bytes = std::string_view(path.source).substr(span.first_byte, span.last_byte - span.first_byte);
+  const std::string_view bytes =
+      std::string_view(path.source).substr(span.first_byte, span.last_byte - span.first_byte);
   return bytes.starts_with("MULTAX/OFF");
 }
 

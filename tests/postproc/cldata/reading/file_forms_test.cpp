@@ -56,7 +56,8 @@ TEST(Creo9, FeatnoBreaksTheMotionAndTheContourIsNotTheCentre) {
   EXPECT_EQ(alone, 2);
   const Toolpath contour = path_of(replaced(text, "OUTPUT_ON_CENTER", "OUTPUT_ON_PROFILE"));
   EXPECT_EQ(not_checked(contour), contour.moves.size());
-  EXPECT_EQ(contour.moves[0].not_checked_reason, "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)");
+  EXPECT_EQ(contour.moves[0].not_checked_reason,
+            "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)");
 }
 
 TEST(Creo9, AMatrixThatIsNoneOrOfAnotherDialectIsNotPassedOver) {
