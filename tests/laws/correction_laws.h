@@ -282,7 +282,8 @@ class LawBook {
     }
   }
 
-  /// The nearest that a tool comes to parts and fixtures, up to `most_mm`; negative inside. No smaller than the truth.
+  /// The nearest that a tool comes to parts and fixtures, up to `most_mm`; negative inside. No smaller than the truth,
+  /// and larger by what lies between the instants and 0.02 mm at most.
   double nearest(const Motion& motion, const ToolVariants& tool, double most_mm) const {
     constexpr int kInstants = 24;
     double depth = -most_mm;
@@ -292,7 +293,7 @@ class LawBook {
         for (const IndexedMesh& mesh : is_part ? scene_.parts : scene_.fixtures) {
           for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
             brute_force::search(is_part ? tool.against_part : tool.against_fixture, pose,
-                                {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, 1e-3, depth);
+                                {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, 0.02, depth);
         }
       }
     }
