@@ -246,6 +246,8 @@ INSTANTIATE_TEST_SUITE_P(
         Misreading{"Arc",
                    around("GOTO/110,0,5\nGOTO/110,0,-5\nCIRCLE/60,0,-5,0,0,1,50\nGOTO/60,-50,-5\nGOTO/60,-50,30\n"),
                    "not-checked"},
+        Misreading{"ArcOfAnotherSlope", around("GOTO/0,-5,5\nARCSLP/-12\nCIRCLE/0,0,5,0,0,1,5\nGOTO/5,0,5\n"),
+                   "not-checked"},
         Misreading{"ArcFreeEitherWay", around("GOTO/0,-5,5\nCIRCLE/0,0,5,0,0,1,5\nGOTO/5,0,5\n"), "clean"},
         Misreading{"ArcToSeveral", around("CIRCLE/0,5,5,0,0,1,5,CLOCKWISE\nGOTO/5,5,5,0,10,5,-5,5,5\n"), "not-checked"},
         Misreading{"CreoArc", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5\nGOTO / 5, 5, 5\n"), "clean"},

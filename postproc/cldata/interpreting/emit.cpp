@@ -65,14 +65,18 @@ double rounding_mm(const States& s, const Position& position) {
   return rounding_of_points(all.subspan(position.first_argument, kCoordinates)) * s.frame.mm_per_unit();
 }
 
-// Its end lies so far along its axis; or, as a slope per turn, so far for its sweep.
-bool rises_so_far(const States& s, double slope_mm, const Move& move) {
-  constexpr double kSame_mm = 1e-3;
+constexpr double kSameRise_mm = 1e-3;
+
+double rise_mm(const States& s, const Vec3& axis, const Move& move) {
+  return std::abs((move.end.tip - s.chain.last_pose()->tip).dot(axis));
+}
+
+// Its end lies so far along its axis for its sweep, by a slope per turn.
+bool rises_with_turns(const States& s, double slope_mm, const Move& move) {
   if (move.curve_kind != CurveKind::arc) return true;
   const PathArc& arc = s.in.path.arcs[move.curve];
-  const double rise = std::abs((move.end.tip - s.chain.last_pose()->tip).dot(arc.axis));
   const double of_turns = std::abs(slope_mm * arc.sweep_rad) / (2 * std::numbers::pi);
-  return std::abs(rise - std::abs(slope_mm)) <= kSame_mm || std::abs(rise - of_turns) <= kSame_mm;
+  return std::abs(rise_mm(s, arc.axis, move) - of_turns) <= kSameRise_mm;
 }
 
 void attach_curve(States& s, const Position& position, Move& move) {
@@ -83,8 +87,11 @@ void attach_curve(States& s, const Position& position, Move& move) {
     arc.center = s.frame.to_part().point(arc.center);
     arc.axis = s.frame.to_part().direction(arc.axis);
     arc.rounding_mm = std::max(arc.rounding_mm, rounding_mm(s, position));
+    const bool rises_otherwise =
+        s.arc_slope_mm && !(std::abs(rise_mm(s, arc.axis, move) - std::abs(*s.arc_slope_mm)) <= kSameRise_mm);
+    if (rises_otherwise && arc.sense == ArcSense::unknown && arc.problem.empty()) arc.problem = ArcProblems::kSlope;
     s.senses.attach(arc, position, *s.chain.last_pose(), s.cutcom.reason(), move);
-    if (s.arc_slope_mm && !rises_so_far(s, *s.arc_slope_mm, move)) move.not_checked_reason = ArcProblems::kSlope;
+    if (rises_otherwise && !rises_with_turns(s, *s.arc_slope_mm, move)) move.not_checked_reason = ArcProblems::kSlope;
   } else {
     s.nurbs.attach(*s.chain.last_pose(), move);
   }
