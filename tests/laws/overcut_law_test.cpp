@@ -130,7 +130,7 @@ class Campaign {
     std::vector<HeadBody> bodies;
     for (const IndexedMesh& head : job.heads) bodies.push_back(*build_head_body(head));
     Scene scene = job.scene;
-    has_shells_ = random.is(0.25);
+    has_shells_ = random.is(0.05);  // their distances take long
     if (has_shells_) add_shell(scene.parts.front(), random);
     const OwnSetup own(&job.tool, scene, options, bodies);
     const CheckResult result = gouge::check(job.path, own.setup);
