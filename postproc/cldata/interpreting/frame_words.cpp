@@ -170,8 +170,9 @@ void take_rotabl(States& s) {
 // All that is known of other systems than the part's is that these three numbers would shift them.
 void take_trntyp(States& s) {
   const std::span<const Argument> all(s.in.arguments);
-  const bool is_world = !all.empty() && equals_ignoring_case(all.front().text, "WORLD") &&
-                        (all.size() == 1 || is_all_zero(all.subspan(1)));
+  constexpr std::size_t kWorldAndPoint = 4;
+  const bool is_world =
+      all.size() == kWorldAndPoint && equals_ignoring_case(all.front().text, "WORLD") && is_all_zero(all.subspan(1));
   s.doubts.set(Doubt::trntyp, is_world ? nullptr : s.in.because(Reasons::kTrntyp));
   s.is_world_stated = is_world;
   if (is_world && s.in.dialect.is_in_world) s.doubts.clear(Doubt::csys);

@@ -18,7 +18,7 @@ constexpr WordSet kTools = {Word::cutter, Word::tldata, Word::loadtl,       Word
                             Word::turret, Word::tprint, Word::flute_length, Word::unread_tool};
 constexpr WordSet kCurves = {Word::circle,  Word::movarc, Word::curve, Word::indirv, Word::arc_record,
                              Word::helical, Word::movnrb, Word::tlon,  Word::nurbs,  Word::cntrl};
-constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion};
+constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion, Word::godlta};
 constexpr WordSet kNewRun = {Word::cutter, Word::tldata,    Word::loadtl,    Word::load,        Word::toolno,
                              Word::turret, Word::operation, Word::tool_path, Word::end_of_path, Word::from};
 // What may hold for more than the next motion besides.
@@ -71,6 +71,7 @@ Word creo_word(std::string_view text) {
 }  // namespace
 
 Word acting_word(const Statement& statement, CommentForm comments) {
+  if (equals_ignoring_case(statement.major, "OPFEATEND")) return Word::operation;
   if (statement.word != Word::comment || statement.pieces.empty()) return statement.word;
   const std::string_view text = trim(statement.pieces.front());
   if (comments == CommentForm::creo && text.starts_with("->")) return creo_word(trim(text.substr(2)));

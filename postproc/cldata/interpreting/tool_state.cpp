@@ -25,6 +25,13 @@ double diameter_of_toolno(const std::vector<Argument>& arguments) {
   return is_mill ? arguments[kOfMill].number.value_or(0) : 0;
 }
 
+// CUTTER/d,r of a cutter that was given in full: the same one again.
+bool is_in_short(const CutterStatement& again, const CutterStatement& known) {
+  constexpr int kDiameterAndCorner = 2;
+  return again.given == kDiameterAndCorner && known.given > again.given && !(std::abs(again.d_mm - known.d_mm) > 0) &&
+         !(std::abs(again.r_mm - known.r_mm) > 0);
+}
+
 std::array<double, 7> key_of(const CutterStatement& c) {
   return {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
 }
@@ -52,7 +59,7 @@ void ToolState::set_cutter(const CutterOutcome& outcome) {
     in_.path.notes.push_back(make_warning("path-cutter", outcome.note, in_.path.file, in_.line()));
     return;
   }
-  tool_.cutter = outcome.cutter;
+  if (!tool_.cutter || !is_in_short(*outcome.cutter, *tool_.cutter)) tool_.cutter = outcome.cutter;
   tool_.flute_length_mm = outcome.flute_length_mm;
   tool_.line = in_.line();
   tool_.is_fresh = true;

@@ -32,6 +32,13 @@ std::size_t skipped_length(std::string_view text) {
   return at;
 }
 
+// No G code has four digits: such a word is a name that was cut, or a typing error.
+bool is_too_long_for_a_code(std::string_view letters, std::string_view number) {
+  constexpr std::size_t kMostDigits = 3;
+  const std::string_view whole = number.substr(0, number.find('.'));
+  return equals_ignoring_case(letters, "G") && whole.size() > kMostDigits;
+}
+
 MachineToken take_token(std::string_view& text) {
   MachineToken token;
   std::size_t at = 0;
@@ -41,7 +48,11 @@ MachineToken take_token(std::string_view& text) {
   while (at > 0 && at < text.size() && (text[at] == '=' || is_blank(text[at]))) ++at;
   const bool belongs =
       at == letters || letters == 1 || text.substr(letters, at - letters).find('=') != std::string_view::npos;
-  const std::size_t length = belongs ? take_number(text.substr(at), token.number) : 0;
+  std::size_t length = belongs ? take_number(text.substr(at), token.number) : 0;
+  if (is_too_long_for_a_code(token.letters, text.substr(at, length))) {
+    token.number.reset();
+    length = 0;
+  }
   if (length > 0) {
     token.is_glued = at == letters && letters > 0;
     at += length;
