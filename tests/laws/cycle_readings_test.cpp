@@ -108,5 +108,37 @@ TEST(Step, AfterTheLastHoleIsNotRead) {
   EXPECT_EQ(verdict(read_as(kApt + kCycle + again, ""), none), "clean") << "a position stands between";
 }
 
+const std::string kOpen =
+    "UNITS/MM\nCUTTER/10,0,5,0,0,0,50\nLOADTL/1\nGOTO/0,0,50\nCYCLE/DRILL,FEDTO,7,RAPTO,3,RTRCTO,50\nGOTO/10,0,0\n"
+    "LOADTL/2\nGOTO/20,0,0\nFINI\n";
+
+// The issue of a real file: an end mill's contour read as holes, through a post.
+TEST(OpenCycle, DoesNotSwallowTheMillingAfterIt) {
+  const std::string text =
+      "CYCLE/DRILL,FEDTO,7.65,MMPM,125.68,RAPTO,3.,RTRCTO,100.,DWELL,0\nGOTO/0,0,0\nCUTTER/10.,0,5.,0,0,0,73.\n"
+      "LOAD/TOOL,2\nRAPID/\nGOTO/40.,0,2.5\nCIRCLE/60.,0,0,0,0,1.\nGOTO/40.,0,0.\nGOTO/80.,30.,0.\nGOTO/80.,-30.,0.\n";
+  const IndexedMesh post = shapes::box({79, -1, -30}, {81, 1, 20});
+  for (const char* head : {"UNITS/MM\nCUTTER/10.,0,5.,0,0,0,73.\nLOAD/TOOL,1\n",
+                           "UNIT/MM\nTRNTYP/WORLD,0,0,0\nCUTTER/10.,0,5.,0,0,0,73.\nLOAD/TOOL,1\n"}) {
+    const Toolpath path = read_as(head + text + "FINI\n", "");
+    EXPECT_EQ(verdict(path, post), "not-checked");
+    EXPECT_NE(path.moves.back().not_checked_reason.find("never ended: CYCLE in line"), std::string_view::npos);
+    const Toolpath ended = read_as(
+        head + text.substr(0, text.find("CUTTER")) + "CYCLE/OFF\n" + text.substr(text.find("CUTTER")) + "FINI\n",
+        "apt-solidworks-cam");
+    EXPECT_EQ(verdict(ended, post), "gouge");
+  }
+}
+
+TEST(OpenCycle, IsNamedByItsLineInCopiesOfThePath) {
+  Toolpath copy;
+  {
+    const Toolpath path = read_as(kOpen, "");
+    copy = path;
+  }
+  EXPECT_EQ(copy.moves.back().not_checked_reason,
+            "a hole, or a motion of its own, as its cycle is never ended: CYCLE in line 5");
+}
+
 }  // namespace
 }  // namespace gouge
