@@ -255,6 +255,7 @@ INSTANTIATE_TEST_SUITE_P(
         Misreading{"WorldWithoutItsNumbers",
                    "PARTNO/A\nUNIT/MM\nCUTTER/10\nLOADTL/1\nTRNTYP/WORLD\nGOTO/0,0,5\nGOTO/9,0,5\nFINI\n",
                    "not-checked"},
+        Misreading{"EndOfACutStatement", around("DWELL,0.5\n"), "not-checked"},
         Misreading{"CodeOfFourDigits", around("G0004\n"), "not-checked"},
         Misreading{"CutterStatedAgainInShort",
                    "UNITS/MM\nCUTTER/10,1,4,1,0,0,60\nGOTO/-70,0,-10\nCUTTER/10,1\nGOTO/70,0,-10\nFINI\n", "gouge"},

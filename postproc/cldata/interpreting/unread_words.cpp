@@ -85,6 +85,13 @@ bool is_declared(const States& s) {
          !hides_statement(s.in.arguments);
 }
 
+// A word with a comma behind it, where a slash must be, is the end of a statement that was cut.
+bool is_end_of_another(const StatementContext& in) {
+  const std::string_view all = in.path.source, major = in.statement().major;
+  const auto after = static_cast<std::size_t>(major.data() - all.data()) + major.size();
+  return all.substr(after).starts_with(',');
+}
+
 }  // namespace
 
 void doubt_all(States& s, std::string_view major, std::size_t statement) {
@@ -103,7 +110,7 @@ void take_harmless(States& s) {
   const Statement& statement = s.in.statement();
   if (statement.is_decoded || statement.pieces.empty()) return;
   split_arguments(statement, s.in.arguments);
-  if (is_harmless(statement.major, s.in.arguments)) return;
+  if (is_harmless(statement.major, s.in.arguments) && !is_end_of_another(s.in)) return;
   is_declared(s) ? s.in.count_declared() : take_unknown_statement(s);
 }
 
