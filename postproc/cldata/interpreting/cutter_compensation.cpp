@@ -35,7 +35,9 @@ Cover CutterCompensation::cover(const Move& move, const std::optional<Pose>& sta
   return is_covered ? Cover::wide : Cover::none;
 }
 
-bool CutterCompensation::end() { return std::exchange(side_, CutcomSide::none) == CutcomSide::none && !is_centre_; }
+bool CutterCompensation::end() {
+  return std::exchange(side_, CutcomSide::none) == CutcomSide::none && was_ever_on_ && !is_centre_;
+}
 
 // The path of the program's positions is known all the same.
 std::string_view CutterCompensation::reason() const {
@@ -52,12 +54,14 @@ void CutterCompensation::write_note() const {
   if (statements_.count == 0) return;
   const std::string what = count_text(statements_.count, "CUTCOM statement") + " on: ";
   in_.path.notes.push_back(
-      !was_ever_on_ ? make_note("path-cutcom", what + "positions are the cutter centre, as the file or the user says",
-                                in_.path.file, statements_.first_line)
-                    : make_warning("path-cutcom",
-                                   what + "the file does not say whether its positions are the cutter centre or the "
-                                          "contour, so these moves are not checked; --cutcom centre says they are",
-                                   in_.path.file, statements_.first_line));
+      !was_ever_on_
+          ? make_note("path-cutcom", what + "positions are the cutter centre, as the file or the user says",
+                      in_.path.file, statements_.first_line)
+          : make_warning("path-cutcom",
+                         what + "the file does not say whether its positions are the cutter centre or the "
+                                "contour, so moves that could touch anything within a diameter beside them are "
+                                "not checked; --cutcom centre says they are",
+                         in_.path.file, statements_.first_line));
 }
 
 }  // namespace gouge

@@ -45,9 +45,15 @@ enum class Doubt : std::uint8_t {
 class Doubts {
  public:
   /// A reason of null ends the doubt.
-  void set(Doubt doubt, const char* reason) { reasons_[static_cast<std::size_t>(doubt)] = reason; }
+  void set(Doubt doubt, const char* reason) {
+    const auto place = static_cast<std::size_t>(doubt);
+    reasons_[place] = reason;
+    was_on_[place] = was_on_[place] || reason != nullptr;
+  }
   void clear(Doubt doubt) { set(doubt, nullptr); }
   [[nodiscard]] bool has(Doubt doubt) const { return reasons_[static_cast<std::size_t>(doubt)] != nullptr; }
+  /// True where it is in force or was before.
+  [[nodiscard]] bool was_on(Doubt doubt) const { return was_on_[static_cast<std::size_t>(doubt)]; }
   /// True where that doubt is in force and no other.
   [[nodiscard]] bool is_alone(Doubt doubt) const {
     return has(doubt) && std::ranges::count_if(reasons_, [](const char* reason) { return reason != nullptr; }) == 1;
@@ -67,6 +73,7 @@ class Doubts {
  private:
   static constexpr auto kCount = static_cast<std::size_t>(Doubt::count);
   std::array<const char*, kCount> reasons_{};
+  std::array<bool, kCount> was_on_{};
   std::array<std::size_t, kCount> run_begins_{};
 };
 

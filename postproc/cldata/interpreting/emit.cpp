@@ -246,7 +246,7 @@ void doubt_moves(States& s, std::size_t begin, std::size_t end, std::string_view
 
 void switch_doubt(States& s, Doubt doubt, bool is_on, const char* reason) {
   const std::size_t run_begin = s.doubts.begin_run(doubt, s.in.moves());
-  if (!is_on && !s.doubts.has(doubt)) doubt_run(s, run_begin);
+  if (!is_on && !s.doubts.has(doubt) && s.doubts.was_on(doubt)) doubt_run(s, run_begin);
   s.doubts.set(doubt, is_on ? s.in.because(reason) : nullptr);
 }
 

@@ -187,7 +187,11 @@ void take_cutcom(States& s) {
   }
   if (has_off && (has_side || s.in.has("ON"))) return s.cutcom.begin();
   // Of the tool's length: along its axis, as positions are of its tip.
-  if (s.in.has("LENGTH") && !has_side) return;
+  if (s.in.has("LENGTH") && !has_side) {
+    const auto is_no_register = [](const Argument& argument) { return argument.number.value_or(0) < 0; };
+    if (std::ranges::any_of(s.in.arguments, is_no_register)) switch_doubt(s, Doubt::adjust, true, Reasons::kAdjust);
+    return;
+  }
   if (!has_off) return s.cutcom.begin();
   const std::size_t run_begin = s.cutcom.begin_run();
   if (s.cutcom.end()) doubt_run(s, run_begin);

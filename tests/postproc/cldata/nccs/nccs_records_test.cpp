@@ -246,7 +246,7 @@ struct FrameCase {
 TEST(NccsFrame, WhatMayShiftOrTurnMakesWhatFollowsNotChecked) {
   const std::vector<FrameCase> cases = {
       {1037, {1.0, 0.0, 0.0}, "TRANS/1,0,0", false},
-      {1037, {0.0, 0.0, 0.0}, "TRANS/0,0,0", false},
+      {1037, {0.0, 0.0, 0.0}, "TRANS/0,0,0", true},
       {1027, {1.0, 2.0, 3.0}, "ORIGIN/1,2,3", false},
       {1026, {Minor{1}, 90.0}, "ROTABL/ATANGL,90", false},
       {1026, {Minor{1}, 0.0}, "ROTABL/ATANGL,0", true},

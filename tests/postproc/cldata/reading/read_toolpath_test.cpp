@@ -190,8 +190,7 @@ TEST(ReadApt, OnlyItsOwnOffEndsCompensation) {
   const std::string after = "GOTO/1,0,9\nGOTO/2,0,9\nGOTO/3,0,9\n";
   for (const char* off : {"CUTCOM/OFF,LENGTH", "CUTCOM/ON,LENGTH"})
     EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/LEFT\n" + after + off + "\n" + after, "apt"), "1000000") << off;
-  EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/LEFT\n" + after + "CUTCOM/ADJUST,OFF\n" + after, "apt"), "0000000")
-      << "an ADJUST may be lost before its OFF";
+  EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/LEFT\n" + after + "CUTCOM/ADJUST,OFF\n" + after, "apt"), "1000000");
   EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/LEFT,LENGTH,3\n" + after, "apt"), "1000");
   EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/ON,LENGTH\n" + after, "apt"), "1111");
   EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/ADJUST,ON,3\n" + after + "CUTCOM/ADJUST,OFF\n" + after, "apt"),
@@ -288,7 +287,8 @@ TEST(ReadApt, CompensationIsReportedOnlyWhereItIsSwitchedOn) {
   ASSERT_EQ(path.notes.size(), 1u);
   EXPECT_EQ(to_text(path.notes[0]),
             "test.apt:3: warning: 1 CUTCOM statement on: the file does not say whether its positions are the cutter "
-            "centre or the contour, so these moves are not checked; --cutcom centre says they are [path-cutcom]");
+            "centre or the contour, so moves that could touch anything within a diameter beside them are not checked; "
+            "--cutcom centre says they are [path-cutcom]");
   EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
   EXPECT_EQ(path.moves[1].not_checked_reason, "compensated by CUTCOM: the positions need not be the cutter centre");
 }
