@@ -17,8 +17,8 @@ namespace gouge {
 struct NciCode {
   static constexpr int kRapid = 0, kLinear = 1, kClockwise = 2, kCounterClockwise = 3, kDwell = 4, kFiveAxis = 11;
   static constexpr int kCycleOff = 80, kToolFirst = 1000, kToolLast = 1002, kEnd = 1003, kCancelComp = 1004,
-                       kEntryFirst = 1005, kEntrySecond = 1006, kEntryLast = 1007, kComment = 1008, kToolPlane = 1014,
-                       kSubBegin = 1018, kSubEnd = 1019, kWcs = 1027;
+                       kEntryFirst = 1005, kEntrySecond = 1006, kEntryLast = 1007, kComment = 1008, kToolSize = 1013,
+                       kToolPlane = 1014, kSubBegin = 1018, kSubEnd = 1019, kWcs = 1027;
 };
 
 [[nodiscard]] constexpr bool is_nci_motion(int code) {

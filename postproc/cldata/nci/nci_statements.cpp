@@ -33,7 +33,7 @@ CutcomSide side_of(double compensation) {
 
 // What describes tools, stock and toolpaths to a post-processor, in the chapter "The NCI File".
 bool is_harmless_nci_code(int code) {
-  constexpr std::array<int, 9> kCodes = {1011, 1012, 1013, 1016, 1017, 1020, 1050, 1051, 1052};
+  constexpr std::array<int, 8> kCodes = {1011, 1012, 1016, 1017, 1020, 1050, 1051, 1052};
   constexpr int kFirstOfPath = 10000, kLastOfTool = 29999;
   return std::ranges::find(kCodes, code) != kCodes.end() || (code >= kFirstOfPath && code <= kLastOfTool);
 }
@@ -113,6 +113,18 @@ void NciStatements::take_plane() {
   for (Eigen::Index i = 0; i < 3; ++i) decoded().push_back(number(Vec3::UnitZ()[i]));
 }
 
+// A diameter that 1013 states before the change is the tool's.
+void NciStatements::take_tool() {
+  const std::optional<double> diameter = std::exchange(diameter_, std::nullopt);
+  if (read_fields().size() <= kToolField) return add(Word::unread_tool, "NCI 1000 to 1002");
+  if (diameter && *diameter > 0) {
+    add(Word::toolno, "TOOLNO");
+    decoded() = {fields_[kToolField], number(*diameter)};
+  }
+  add(Word::loadtl, "LOADTL");
+  decoded().push_back(fields_[kToolField]);
+}
+
 void NciStatements::take_pair() {
   const int code = pair_.code.value_or(-1);
   if (is_nci_motion(code)) return take_motion();
@@ -131,6 +143,11 @@ void NciStatements::take_pair() {
       return add(Word::insert, "NCI manual entry");
     case NciCode::kComment:
       return add(Word::operation, "1008");
+    case NciCode::kToolSize: {
+      constexpr std::size_t kDiameterField = 1;
+      diameter_ = read_fields().size() > kDiameterField ? fields_[kDiameterField].number : std::nullopt;
+      return add(Word::harmless, "1013");
+    }
     case NciCode::kToolPlane:
       return take_plane();
     case NciCode::kSubBegin:
@@ -145,10 +162,7 @@ void NciStatements::take_pair() {
       break;
   }
   if (code >= NciCode::kToolFirst && code <= NciCode::kToolLast) {
-    const std::vector<Argument>& fields = read_fields();
-    if (fields.size() <= kToolField) return add(Word::unread_tool, "NCI 1000 to 1002");
-    add(Word::loadtl, "LOADTL");
-    decoded().push_back(fields[kToolField]);
+    take_tool();
   } else {
     add(code < NciCode::kToolFirst   ? Word::unread_motion
         : is_harmless_nci_code(code) ? Word::harmless

@@ -32,6 +32,7 @@ class NciStatements {
   void take_compensation(std::optional<double> value);
   void take_speed(const NciMotion& motion);
   void take_plane();
+  void take_tool();
   void add(Word word, std::string_view major);
   void add_circle(const NciMotion& motion);
   [[nodiscard]] std::vector<Argument>& decoded() { return queue_[queued_ - 1].decoded; }
@@ -45,6 +46,7 @@ class NciStatements {
   std::size_t queued_ = 0, given_ = 0;
   CutcomSide cutcom_ = CutcomSide::none;
   std::optional<std::string_view> wcs_;
+  std::optional<double> diameter_;  // of the next tool
   bool has_moved_ = false;
 };
 
