@@ -109,6 +109,12 @@ Assumption assume_solid(const std::string& name, const MeshFindings& findings) {
     fact.basis = Basis::derived;
     fact.value = "closed";
     fact.evidence = "closed, oriented outwards";
+  } else if (findings.may_be_cut_off) {
+    fact.basis = Basis::unknown;
+    fact.value = "perhaps cut off";
+    fact.code = "mesh-cut-off";
+    fact.evidence = "the file ends without 'endsolid' and its surface is open: it may be cut off";
+    fact.remedy = "export it again, or state with --assume solid that it is whole";
   } else {
     fact.value = "not closed";
     fact.evidence = "the surface does not bound a solid, so a tool wholly inside it is not found";

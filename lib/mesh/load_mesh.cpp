@@ -1,5 +1,6 @@
 #include "lib/mesh/load_mesh.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -33,6 +34,8 @@ Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name, const 
   if (!welded) return welded.error();
   LoadedMesh loaded;
   loaded.findings = find_mesh_findings(welded->built, progress);
+  loaded.findings.may_be_cut_off =
+      std::ranges::any_of(welded->notes, [](const Diagnostic& note) { return note.code == "stl-no-endsolid"; });
   loaded.mesh = std::move(welded->built.mesh);
   loaded.format = welded->format;
   loaded.notes = std::move(welded->notes);

@@ -35,6 +35,16 @@ CheckResult result_of(const Toolpath& path, const Scene& scene, const SetupBasis
   return check(path, own.setup);
 }
 
+TEST(Assess, AnOpenSurfaceWithoutAnEndIsUnknown) {
+  MeshFindings findings;
+  findings.may_be_cut_off = true;
+  EXPECT_EQ(assume_solid("a.stl", findings).basis, Basis::derived) << "what is closed is whole";
+  findings.boundary_edges.count = findings.unbalanced_edges.count = 3;
+  EXPECT_EQ(assume_solid("a.stl", findings).basis, Basis::unknown);
+  findings.may_be_cut_off = false;
+  EXPECT_EQ(assume_solid("a.stl", findings).basis, Basis::by_default);
+}
+
 TEST(Assess, APathThatTouchesThePartEstablishesItsPlacement) {
   const CheckResult result = result_of(cuts(0), floor_scene());
   EXPECT_EQ(fact_of(result, Subject::placement).basis, Basis::derived);
