@@ -51,6 +51,7 @@ constexpr auto kHarmlessWords = std::to_array<HarmlessWord>({
     {"LPRINT", "ON OFF", 0, Sign::none, Others::none, "IBM"},
     {"MACHIN", "ON CIRCUL LINEAR OPTION MILL", 6, Sign::none, Others::names, "SPost, PTC, ICAM, Autodesk"},
     {"MATERL", "TYPE", 8, Sign::any, Others::names, "CAMWorks, DMG Mori"},
+    {"MAXDP", "ON OFF", 1, Sign::none, Others::none, "IBM"},
     {"MAXDPM", "ON OFF", 1, Sign::none, Others::none, "IBM"},
     {"MAXVEL", "ON OFF", 1, Sign::none, Others::none, "IBM"},
     {"MCHTOL", "", 2, Sign::none, Others::none, "IBM, VERICUT"},
