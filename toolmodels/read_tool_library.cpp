@@ -48,6 +48,13 @@ class Reader {
             library_.file, lines_.at(pointer + "/" + key)));
   }
 
+  // A key that was mistyped may have been a body.
+  [[nodiscard]] std::string first_unknown_key(std::size_t notes_before) const {
+    for (std::size_t i = notes_before; i < library_.notes.size(); ++i)
+      if (library_.notes[i].code == "library-unknown-key") return library_.notes[i].message;
+    return {};
+  }
+
   bool is_object(const Json& value, const std::string& pointer, const std::string& who) {
     if (value.is_object()) return true;
     fail("library-field", who + " is " + type_word(value) + "; expected an object", pointer);
@@ -169,6 +176,7 @@ class Reader {
     read_number(entry, pointer, who, tool);
     if (error_) return;
     who = "tool " + label(tool);
+    const std::size_t notes_before = library_.notes.size();
     warn_unknown_keys(
         entry, pointer, who,
         {"number", "name", "cutter", "shank", "extensions", "holder", "stickout", "gauge_length", "comment"});
@@ -179,6 +187,7 @@ class Reader {
     tool.stickout_mm = length(entry, "stickout", pointer, who, 0);
     tool.gauge_length_mm = length(entry, "gauge_length", pointer, who, 0);
     if (entry.contains("holder")) read_tool_holder(entry["holder"], pointer + "/holder", who, tool);
+    tool.doubt = first_unknown_key(notes_before);
     if (!error_) add_tool(std::move(tool), pointer, who);
   }
 

@@ -28,7 +28,8 @@ struct ToolLibrary {
   LengthUnit unit = LengthUnit::mm;
   std::vector<ToolAssembly> tools;  ///< mm
   std::vector<NamedHolder> holders;
-  Diagnostics notes;  ///< warnings: keys that are not known, and the like
+  Diagnostics notes;                ///< warnings: keys that are not known, and the like
+  std::vector<int> shared_numbers;  ///< of several tools in the file it was imported from: the first one has it
 
   /// Null when there is none.
   [[nodiscard]] const ToolAssembly* with_number(int number) const;

@@ -104,6 +104,7 @@ class Resolver {
       ToolFacts facts;
       facts.name = tool.number ? "T" + std::to_string(*tool.number) : tool.name;
       contradiction_.clear();
+      doubt_.clear();
       basis_ = Basis::stated;
       if (const auto error = resolve(tool, facts)) return *error;
       if (is_used[i]) assume(tool, facts, result_.assemblies.back().has_value());
@@ -141,6 +142,10 @@ class Resolver {
     } else if (!contradiction_.empty()) {
       of_tool.basis = Basis::contradicted;
       of_tool.evidence = contradiction_;
+    } else if (!doubt_.empty()) {
+      of_tool.basis = basis_ == Basis::by_default ? Basis::by_default : Basis::unknown;
+      of_tool.code = basis_ == Basis::by_default ? "cutter-length" : "tool-doubtful";
+      of_tool.evidence = doubt_;
     }
     result_.assumptions.push_back(std::move(of_tool));
     if (is_defined) assume_holder(tool, facts, object);
@@ -193,12 +198,19 @@ class Resolver {
       assembly = *known;
       if (assembly->holder.empty()) assembly->holder = holder_;
       compare(tool, *known);
+      doubt_library(tool, *known);
     } else if (tool.cutter) {
       note_not_in_library(tool);
       facts.defined_in = path_.file + ":" + std::to_string(tool.line);
       const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
       if (!made) return at(made.error(), tool);
-      for (const Diagnostic& note : made->notes) result_.notes.push_back(at(note, tool));
+      for (const Diagnostic& note : made->notes) {
+        if (note.code == "cutter-length") {
+          basis_ = Basis::by_default;
+          doubt_ = note.message;
+        }
+        result_.notes.push_back(at(note, tool));
+      }
       assembly = made->tool;
     }
     report(tool, assembly, facts);
@@ -213,6 +225,14 @@ class Resolver {
                                              ": the toolpath's own definition is checked" +
                                              (holder_.empty() ? ", without shank and holder" : ""),
                                          path_.file, tool.line));
+  }
+
+  // What the library's file says of the tool and was left out, and which of two tools its number means.
+  void doubt_library(const PathTool& tool, const ToolAssembly& known) {
+    if (!known.doubt.empty()) doubt_ = name_of(tool) + ": " + known.doubt;
+    if (is_named(tool) || !tool.number || known.number != tool.number) return;
+    if (std::ranges::find(library_->shared_numbers, *tool.number) != library_->shared_numbers.end())
+      doubt_ = library_->file + " has several tools of number " + std::to_string(*tool.number);
   }
 
   // The library's tool is checked. Where it is smaller than the file's, a gouge of the file's would be missed; where it
@@ -316,6 +336,7 @@ class Resolver {
   std::vector<ToolSegment> holder_;
   Basis basis_ = Basis::stated;  // of the tool being resolved, as is ...
   std::string contradiction_;    // ... what speaks against it
+  std::string doubt_;            // ... and what of it is not known
   ResolvedTools result_;
 };
 

@@ -39,6 +39,7 @@ void Collector::assign_number(ToolAssembly& tool, std::size_t line) {
   const std::string who = tool_label(tool.number, tool.name);
   const int number = *tool.number;
   tool.number.reset();
+  made_.library.shared_numbers.push_back(number);
   if (tool.name.empty()) tool.name = "tool at position " + std::to_string(made_.library.tools.size() + 1);
   report(who,
          make_warning("import-number", "number " + std::to_string(number) +
@@ -65,6 +66,7 @@ void Collector::add(CatalogueTool tool) {
     return report_of(tool, who, make_warning("import-shape", "not imported: shape " + made.error().message));
   for (const Diagnostic& note : notes) report_of(tool, who, note);
   if (!made) return report_of(tool, who, made.error());
+  made->doubt = tool.doubt;
   assign_number(*made, tool.line);
   is_all_inch_ = is_all_inch_ && tool.unit == LengthUnit::inch;
   made_.library.tools.push_back(std::move(*made));

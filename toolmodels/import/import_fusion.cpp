@@ -152,6 +152,7 @@ class FusionImporter {
     Result<std::vector<ToolSegment>> segments = read_segments(*holder, "holder", *unit);
     if (!segments) return segments.error();
     tool.holder = std::move(*segments);
+    if (tool.holder.empty()) tool.doubt = "its holder has no segments";
     const double gauge_mm = check_gauge_length(*holder, tool.holder, *unit);
     check_assembly_length(geometry, tool, gauge_mm);
     return Done{};

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "postproc/cldata/reading/read_toolpath.h"
+#include "toolmodels/tool_library.h"
 
 namespace gouge {
 namespace {
@@ -152,6 +153,62 @@ TEST(ResolveTools, AToolNameForNumbersThatThePathDoesNotLoadIsContradicted) {
   EXPECT_FALSE(contradicted({"5=2"}));
   EXPECT_FALSE(contradicted({"5=2", "15=2"})) << "one list of names may serve many toolpaths";
   EXPECT_FALSE(contradicted({}));
+}
+
+/// The fact of T1 of `text` with `library`, which may be null.
+Assumption fact_of_tool(const std::string& text, const ToolLibrary* library,
+                        const std::vector<std::string>& names = {}) {
+  const ReadOutcome read = read_toolpath("t.apt", text);
+  EXPECT_TRUE(read.toolpath.has_value());
+  const Result<ResolvedTools> resolved = resolve_tools(*read.toolpath, library, names, "");
+  EXPECT_TRUE(resolved.has_value());
+  return resolved->assumptions.at(0);
+}
+
+TEST(ResolveTools, ALengthThatTheToolpathLeavesOutIsADefault) {
+  const auto with = [](const std::string& cutter) {
+    return fact_of_tool("UNITS/MM\nLOADTL/1\nCUTTER/" + cutter + "\nGOTO/0,0,5\nFINI\n", nullptr);
+  };
+  EXPECT_EQ(with("10").basis, Basis::by_default);
+  EXPECT_EQ(with("10").code, "cutter-length");
+  EXPECT_EQ(with("10,0,5,0,0,0,40").basis, Basis::stated);
+}
+
+TEST(ResolveTools, WhatALibraryLeavesOutMakesItsToolUnknown) {
+  const std::string path = "UNITS/MM\nLOADTL/1\nGOTO/0,0,5\nFINI\n";
+  const auto with = [&](const std::string& keys) {
+    const Result<ToolLibrary> library = read_tool_library(
+        "lib.json",
+        R"({"units": "mm", "tools": [{"number": 1, "name": "A", "cutter": {"shape": "flat", "diameter": 10, "length": 20)" +
+            keys);
+    EXPECT_TRUE(library.has_value());
+    return fact_of_tool(path, &*library);
+  };
+  EXPECT_EQ(with("}}]}").basis, Basis::derived);
+  EXPECT_EQ(with(R"(}, "holders": []}]})").basis, Basis::unknown);
+  EXPECT_EQ(with(R"(, "Corner": 2}}]})").basis, Basis::unknown);
+  EXPECT_EQ(with(R"(}, "holders": []}]})").code, "tool-doubtful");
+}
+
+TEST(ResolveTools, ANumberOfSeveralToolsIsUnknownUnlessOneIsNamed) {
+  ToolLibrary library = library_with_holder();
+  library.shared_numbers = {2};
+  const std::string path = "UNITS/MM\nLOADTL/2\nGOTO/0,0,5\nFINI\n";
+  EXPECT_EQ(fact_of_tool(path, &library).basis, Basis::unknown);
+  EXPECT_EQ(fact_of_tool(path, &library, {"2=2"}).basis, Basis::stated);
+}
+
+TEST(ResolveTools, TheDiameterThatNciStatesIsComparedWithTheLibrary) {
+  const ToolLibrary library = library_with_holder();
+  const auto of_diameter = [&](const std::string& diameter) {
+    return fact_of_tool("1050\n9 18 11 26 2026 10 0 0 A.NCI\n1013\n0 " + diameter +
+                            " 0. 0. 0. 0 0 0 0\n1002\n0 100 10 2 2 2 0 1000. 500. 0 0 0 0 0. 0. 100. 1000.\n"
+                            "0\n0 0. 0. 60. -2. 0\n1\n0 0. 9. 60. 300. 0\n1003\n0 0 0 0\n",
+                        &library)
+        .basis;
+  };
+  EXPECT_EQ(of_diameter("12.7"), Basis::derived);
+  EXPECT_EQ(of_diameter("40."), Basis::contradicted);
 }
 
 TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {
