@@ -39,7 +39,7 @@ struct ToolAssembly {
   double gauge_length_mm = 0;  ///< tip to gauge line; reported, not checked. 0: not given
   /// How far the cutter goes on above its flutes, as wide as they end: set by extended_up alone, in no library file.
   double cutter_goes_on_mm = 0;
-  /// What its file says of it that was left out and may be a body of it; empty: nothing. In no library file.
+  /// Names the part of its description that was left out and may be a body; empty: none. Not written to library files.
   std::string doubt{};
 };
 

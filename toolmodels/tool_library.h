@@ -29,7 +29,7 @@ struct ToolLibrary {
   std::vector<ToolAssembly> tools;  ///< mm
   std::vector<NamedHolder> holders;
   Diagnostics notes;                ///< warnings: keys that are not known, and the like
-  std::vector<int> shared_numbers;  ///< of several tools in the file it was imported from: the first one has it
+  std::vector<int> shared_numbers;  ///< shared by several tools of an imported file; the first keeps it
 
   /// Null when there is none.
   [[nodiscard]] const ToolAssembly* with_number(int number) const;

@@ -143,7 +143,6 @@ class Resolver {
       of_tool.basis = Basis::contradicted;
       of_tool.evidence = contradiction_;
     } else if (!doubt_.empty()) {
-      of_tool.basis = basis_ == Basis::by_default ? Basis::by_default : Basis::unknown;
       of_tool.code = basis_ == Basis::by_default ? "cutter-length" : "tool-doubtful";
       of_tool.evidence = doubt_;
     }
@@ -227,12 +226,15 @@ class Resolver {
                                          path_.file, tool.line));
   }
 
-  // What the library's file says of the tool and was left out, and which of two tools its number means.
+  // Takes the tool for unknown where the library left out a part of it, or has several tools of its number.
   void doubt_library(const PathTool& tool, const ToolAssembly& known) {
-    if (!known.doubt.empty()) doubt_ = name_of(tool) + ": " + known.doubt;
-    if (is_named(tool) || !tool.number || known.number != tool.number) return;
-    if (std::ranges::find(library_->shared_numbers, *tool.number) != library_->shared_numbers.end())
+    const auto& shared = library_->shared_numbers;
+    const bool is_found_by_number = !is_named(tool) && tool.number && known.number == tool.number;
+    if (is_found_by_number && std::ranges::find(shared, *tool.number) != shared.end())
       doubt_ = library_->file + " has several tools of number " + std::to_string(*tool.number);
+    else if (!known.doubt.empty())
+      doubt_ = name_of(tool) + ": " + known.doubt;
+    if (!doubt_.empty()) basis_ = Basis::unknown;
   }
 
   // The library's tool is checked. Where it is smaller than the file's, a gouge of the file's would be missed; where it

@@ -113,7 +113,7 @@ Assumption assume_solid(const std::string& name, const MeshFindings& findings) {
     fact.basis = Basis::unknown;
     fact.value = "perhaps cut off";
     fact.code = "mesh-cut-off";
-    fact.evidence = "the file ends without 'endsolid' and its surface is open: it may be cut off";
+    fact.evidence = "the file ends without 'endsolid' and its surface bounds no solid: it may be cut off";
     fact.remedy = "export it again, or state with --assume solid that it is whole";
   } else {
     fact.value = "not closed";

@@ -33,7 +33,7 @@ struct MeshFindings {
   MeshSpot inside_out_components;  ///< closed pieces that face inward and are not a cavity of another piece
   std::size_t cavities = 0;        ///< closed pieces that face inward inside another piece
 
-  bool may_be_cut_off = false;  ///< a text file without 'endsolid'
+  bool may_be_cut_off = false;  ///< true for a text file without 'endsolid'
 
   MeshSpot degenerate_triangles;  ///< from build_mesh: left out
   MeshSpot collinear_triangles;   ///< from build_mesh: kept

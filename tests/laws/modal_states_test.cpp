@@ -221,12 +221,12 @@ INSTANTIATE_TEST_SUITE_P(
         ModalCase{"OffWithoutAfterATool", apt("LOADTL/2\nCUTCOM/OFF\nGOTO/9,9,0\nGOTO/9,0,9\nFINI\n"), ""},
         ModalCase{"OffTwice", apt("CUTCOM/LEFT\nGOTO/0,0,0\nCUTCOM/OFF\nCUTCOM/OFF\nGOTO/9,9,0\nGOTO/9,0,9\nFINI\n"),
                   "6 9"},
-        ModalCase{
-            "OffWithoutBehindAnArc",
-            apt("CUTCOM/LEFT\nGOTO/-30,-10,0\nCUTCOM/OFF\nLOADTL/3\nGOTO/-20,-10,0\nGOTO/0,-10,0\nCIRCLE/0,0,0,0,0,1,10\nGOTO/10,0,0\nGOTO/10,20,0\nGOTO/0,-10,0\n"
-                "CIRCLE/0,0,0,0,0,1,10\nGOTO/10,0,0\nGOTO/10,20,0\nCUTCOM/OFF\nLOADTL/2\nGOTO/-20,-10,0\n"
-                "GOTO/0,-10,0\nCIRCLE/0,0,0,0,0,1,10\nGOTO/10,0,0\nGOTO/10,20,0\nFINI\n"),
-            "6 9 10 12 13 14 16 17"},
+        ModalCase{"OffWithoutBehindAnArc",
+                  apt("CUTCOM/LEFT\nGOTO/-30,-10,0\nCUTCOM/OFF\nLOADTL/3\nGOTO/-20,-10,0\nGOTO/0,-10,0\n"
+                      "CIRCLE/0,0,0,0,0,1,10\nGOTO/10,0,0\nGOTO/10,20,0\nGOTO/0,-10,0\n"
+                      "CIRCLE/0,0,0,0,0,1,10\nGOTO/10,0,0\nGOTO/10,20,0\nCUTCOM/OFF\nLOADTL/2\nGOTO/-20,-10,0\n"
+                      "GOTO/0,-10,0\nCIRCLE/0,0,0,0,0,1,10\nGOTO/10,0,0\nGOTO/10,20,0\nFINI\n"),
+                  "6 9 10 12 13 14 16 17"},
         ModalCase{
             "CreoOffWithoutOnCentre",
             creo("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER\nGOTO / 0, 0, 9\nCUTCOM / OFF\nGOTO / 0, 0, 0\nFINI\n"),

@@ -16,8 +16,8 @@ class CutterCompensation {
   explicit CutterCompensation(StatementContext& in) : in_(in) {}
 
   void begin();
-  /// Ensures  the result is true where nothing is on that could end, and the file has had it on before. In a file that
-  /// never has, CUTCOM/OFF states what holds anyway.
+  /// Ensures  the result is true where compensation is off and the file had it on before. In a file that never had it
+  /// on, CUTCOM/OFF changes nothing.
   [[nodiscard]] bool end();
   /// The first move since it was last switched off, which it is now.
   [[nodiscard]] std::size_t begin_run() { return std::exchange(run_begin_, in_.moves()); }
