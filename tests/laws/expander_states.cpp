@@ -37,12 +37,14 @@ void StatementExpander::multax(const Arguments& arguments) {
 
 void StatementExpander::cycle(const Arguments& arguments) {
   if (arguments.empty()) {
+    now_.has_had_cycle = true;
     now_.cycle = OpenCycle{line_, std::nullopt, std::nullopt, "CYCLE without a word", 0};
     return;
   }
   const std::string& first = arguments.front().text;
   if (arguments.size() == 1 && (first == "OFF" || first == "NOMORE")) {
-    if (!now_.cycle && now_.positions_without_cycle > 0) return doubt("CYCLE/OFF of a cycle that never began");
+    if (!now_.cycle && now_.has_had_cycle && now_.positions_without_cycle > 0)
+      return doubt("CYCLE/OFF of a cycle that never began");
     now_.is_behind_cycle = now_.cycle.has_value();
     now_.cycle.reset();
     now_.positions_without_cycle = 0;
@@ -54,6 +56,7 @@ void StatementExpander::cycle(const Arguments& arguments) {
   open.line = line_;
   open.stated = stated_cycle(arguments, dialect_, why);
   if (!open.stated) open.contradicted = why;  // CYCLE/ON, which needs one that says what it is, among them
+  now_.has_had_cycle = true;
   if (now_.cycle) open.last_hole = now_.cycle->last_hole;
   now_.cycle = open;
 }

@@ -45,6 +45,7 @@ struct MotionReading {
   bool is_block_open = true;     ///< NX: between TOOL PATH and END-OF-PATH
   bool has_block_moved = false;  ///< since its block or section began
   std::optional<OpenCycle> cycle;
+  bool has_had_cycle = false;               ///< anywhere before
   bool is_behind_cycle = false;             ///< nothing moved since a cycle was ended
   bool is_rapid = false;                    ///< the next motion, which is no hole then
   std::size_t positions_without_cycle = 0;  ///< since the last cycle, tool or operation

@@ -20,6 +20,7 @@ void CycleState::begin(double mm_per_unit) {
   const bool is_taken_up = equals_ignoring_case(words.front().text, "ON");
   const bool describes = !is_taken_up || words.size() > 1;
   const bool was_on = std::exchange(is_on_, true);
+  was_ever_on_ = true;
   if (is_taken_up && !describes && was_on && form != CycleForm::clt) return;
   line_ = in_.line();
   first_positions_ = kNone;
@@ -57,7 +58,7 @@ void CycleState::set_countersink(std::optional<double> depth_mm) {
 }
 
 void CycleState::begin_unknown() {
-  is_on_ = true;
+  is_on_ = was_ever_on_ = true;
   drill_.reset();
   line_ = in_.line();
   first_positions_ = kNone;
@@ -69,7 +70,7 @@ void CycleState::begin_unknown() {
   why_ = in_.because(Reasons::kCycle);
 }
 
-bool CycleState::end() { return std::exchange(is_on_, false); }
+bool CycleState::end() { return !std::exchange(is_on_, false) && was_ever_on_; }
 
 void CycleState::contradict() {
   if (!is_contradicted_) contradicted_moves_ = in_.moves();

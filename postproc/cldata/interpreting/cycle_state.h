@@ -21,7 +21,8 @@ class CycleState {
   void begin(double mm_per_unit);
   /// One begins of which nothing is understood.
   void begin_unknown();
-  /// Ensures  the result is false where none was in force.
+  /// Ensures  the result is true where none is in force that could end, and the file has had one before. In a file that
+  /// never has, CYCLE/OFF states what holds anyway.
   [[nodiscard]] bool end();
   /// Another tool: ON takes up no cycle of the one before.
   void change_tool() {
@@ -67,6 +68,7 @@ class CycleState {
 
   StatementContext& in_;
   bool is_on_ = false;
+  bool was_ever_on_ = false;
   std::optional<DrillCycle> drill_;
   const char* why_ = Reasons::kCycle;
   std::size_t line_ = 0;                 // of the CYCLE in force

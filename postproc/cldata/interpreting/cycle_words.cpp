@@ -45,7 +45,7 @@ void take_cycle(States& s) {
     if (drill && drill->csink_mm > 0) s.cycle.set_countersink(s.tool.countersink_depth(drill->csink_mm));
     return;
   }
-  if (!s.cycle.end()) doubt_moves_before_stray_end(s);
+  if (s.cycle.end()) doubt_moves_before_stray_end(s);
   s.cycle.bound_holes();
 }
 

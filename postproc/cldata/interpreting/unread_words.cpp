@@ -150,11 +150,13 @@ void take_repeat(States& s) {
   doubt_frame(s);
 }
 
-// TRACUT/NOMORE ends nothing in a file that has begun nothing of the kind.
+// TRACUT/NOMORE and COUPLE/OFF end nothing in a file that has begun nothing of the kind.
 void take_unread_frame(States& s) {
-  const bool is_end = equals_ignoring_case(s.in.statement().major, "TRACUT") && s.in.arguments.size() == 1 &&
-                      equals_ignoring_case(s.in.arguments.front().text, "NOMORE");
-  if (is_end && !s.doubts.was_on(Doubt::unread_frame)) return;
+  const auto ends = [&](std::string_view major, std::string_view end) {
+    return equals_ignoring_case(s.in.statement().major, major) && s.in.arguments.size() == 1 &&
+           equals_ignoring_case(s.in.arguments.front().text, end);
+  };
+  if ((ends("TRACUT", "NOMORE") || ends("COUPLE", "OFF")) && !s.doubts.was_on(Doubt::unread_frame)) return;
   s.in.count_unknown();
   doubt_frame(s);
 }

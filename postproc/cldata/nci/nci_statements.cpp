@@ -94,7 +94,6 @@ void NciStatements::add_circle(const NciMotion& motion) {
 
 void NciStatements::take_motion() {
   const NciMotion motion = read_nci_motion(*pair_.code, read_fields());
-  has_moved_ = true;
   take_compensation(motion.compensation);
   if (motion.problem != nullptr) return add(Word::unread_motion, motion.problem);
   take_speed(motion);
@@ -154,7 +153,7 @@ void NciStatements::take_pair() {
     case NciCode::kSubEnd:
       return add(Word::unread_frame, "NCI 1018 (subprogram)");
     case NciCode::kWcs: {
-      const bool is_same = wcs_ ? *wcs_ == pair_.parameters : !has_moved_ && is_identity(read_fields());
+      const bool is_same = wcs_ ? *wcs_ == pair_.parameters : is_identity(read_fields());
       wcs_ = pair_.parameters;
       return add(is_same ? Word::harmless : Word::unread_frame, "NCI 1027 (coordinate system)");
     }

@@ -47,7 +47,6 @@ class NciStatements {
   CutcomSide cutcom_ = CutcomSide::none;
   std::optional<std::string_view> wcs_;
   std::optional<double> diameter_;  // of the next tool
-  bool has_moved_ = false;
 };
 
 }  // namespace gouge
