@@ -246,9 +246,21 @@ INSTANTIATE_TEST_SUITE_P(
     kName);
 
 INSTANTIATE_TEST_SUITE_P(
+    OtherOffset, Overlook,
+    ::testing::Values(
+        Overlooked{"First", around("INSERT/G55\n")}, Overlooked{"Second", around("INSERT/G54\nINSERT/G55\n")},
+        Overlooked{"Back", around("INSERT/G54\nINSERT/G55\nINSERT/G90 G54\n"), "clean"},
+        Overlooked{"Extended", around("INSERT/G54.1 P3\n")}, Overlooked{"Prefun", around("PREFUN/54\nPREFUN/55\n")},
+        Overlooked{"Off", around("INSERT/G500\n")},
+        Overlooked{"Heidenhain",
+                   around("INSERT/CYCL DEF 247 DATUM SETTING Q339=1\nINSERT/CYCL DEF 247 DATUM SETTING Q339=2\n")}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
     InsertThatMovesNothing, Overlook,
     ::testing::Values(
-        Overlooked{"Offset", around("INSERT/G54\nINSERT/G55\nINSERT/G54.1 P3\n"), "clean"},
+        Overlooked{"Offset", around("INSERT/G54\n"), "clean"},
+        Overlooked{"OffsetsBeforePositions", before("INSERT/G54\nINSERT/G90 G55 M8\n"), "clean"},
         Overlooked{"Safe", around("INSERT/N5 G17 G40 G80 G90\n"), "clean"},
         Overlooked{"Switches", around("INSERT/M8\nINSERT/M03 S12000\nINSERT/F200.\nINSERT/M0\n"), "clean"},
         Overlooked{"Dwell", around("INSERT/G4 X2.5\n"), "clean"},

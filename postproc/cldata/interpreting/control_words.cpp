@@ -20,6 +20,18 @@ namespace {
 
 bool is_zero(const Argument& argument) { return argument.number && std::abs(*argument.number) <= 0; }
 
+// The difference between two offsets stands in the control alone. Without a choice the first one is in force.
+void choose_offset(States& s, const std::string& offset) {
+  constexpr std::string_view kFirst = "G54";
+  s.offsets_chosen.add(s.in.line());
+  if (s.work_offset.empty()) s.work_offset = s.in.moves() > 0 ? kFirst : offset;
+  const bool is_same = s.work_offset == offset;
+  if (s.in.moves() == 0) s.work_offset = offset;
+  if (is_same || s.in.moves() == 0) return s.doubts.clear(Doubt::work_offset);
+  s.in.count_unknown();
+  s.doubts.set(Doubt::work_offset, s.in.because(Reasons::kWorkOffset));
+}
+
 // PREFUN/g and AUXFUN/m are a G and an M of the control; the addresses behind them belong to the same block.
 void take_codes(States& s, char letter) {
   constexpr std::array<std::string_view, 3> kWhen = {"NOW", "NEXT", "ON"};
@@ -62,7 +74,7 @@ void take_machine_text(States& s, const MachineEffect& effect) {
   if (effect.is_unknown) return take_unknown_statement(s);
   const bool moves = effect.moves || effect.changes_tool;
   const bool shifts = effect.shifts || is_other_unit;
-  if (effect.chooses_offset) s.offsets_chosen.add(s.in.line());
+  if (!effect.work_offset.empty()) choose_offset(s, effect.work_offset);
   if (moves || shifts || effect.changes_length || effect.begins_cycle || effect.begins_steps) s.in.count_unknown();
   if (moves) emit_unread(s);
   const auto doubt = [&](Doubt which, const char* reason) { s.doubts.set(which, s.in.because(reason)); };
@@ -113,7 +125,7 @@ void take_setup(States& s) {
   if (std::all_of(arguments.begin(), arguments.end(), is_zero)) return;
   const bool is_offset = s.in.dialect.operations_are_blocks && equals_ignoring_case(s.in.statement().major, "ZERO") &&
                          s.in.has_numbers_alone(1) && *arguments.front().number > 0;
-  if (is_offset) return s.offsets_chosen.add(s.in.line());
+  if (is_offset) return choose_offset(s, "ZERO " + exact_text(*arguments.front().number));
   s.in.count_unknown();
   s.doubts.set(Doubt::setup, s.in.because(Reasons::kSetup));
 }

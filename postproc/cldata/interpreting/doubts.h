@@ -34,6 +34,7 @@ enum class Doubt : std::uint8_t {
   loading,  ///< no tool change since a statement that may have been one
   setup,
   machine_shift,
+  work_offset,
   machine_cycle,
   machine_steps,
   clt_setup,

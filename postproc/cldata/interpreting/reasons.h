@@ -76,6 +76,8 @@ struct Reasons {
   static constexpr const char* kUnreadTool = "follows a statement that is not understood and may change the tool";
   static constexpr const char* kCutShort =
       "a position whose statement may be cut short: a tool axis or further positions may be missing";
+  static constexpr const char* kWorkOffset =
+      "positions follow another work offset, whose distance from the first one stands in the control alone";
   static constexpr const char* kMachineShift =
       "follows text for the machine's control that may shift, turn or offset positions";
   static constexpr const char* kMachineCycle =

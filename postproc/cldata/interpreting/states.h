@@ -140,6 +140,7 @@ struct States {
   OperationState operation{in};
   MotionChain chain{in};
   PartProgram program{in};
+  std::string work_offset;               ///< that positions are meant for; empty: none is chosen
   Tally offsets_chosen;                  ///< by text for the machine's control
   bool is_unknown_in_block = false;      ///< a statement that is not understood stands in the block that is open
   std::optional<PendingInsert> pending;  ///< text that is the name of a tool if a CUTTER follows

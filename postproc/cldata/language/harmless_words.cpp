@@ -82,6 +82,7 @@ constexpr auto kHarmlessWords = std::to_array<HarmlessWord>({
     {"TCPM", "ON", 0, Sign::none, Others::required, "Heidenhain"},
     {"TMARK", "ON OFF AUTO", 1, Sign::none, Others::none, "IBM, ICAM, VERICUT"},
     {"TOLER", "", 2, Sign::none, Others::none, "VERICUT"},
+    {"UNCLMP", "ON OFF AUTO XAXIS YAXIS ZAXIS AAXIS BAXIS CAXIS", 1, Sign::none, Others::none, "ISO 4343"},
     {"UNLOAD", "TOOL ALL AUTO", 1, Sign::none, Others::none, "IBM, ICAM"},
 });
 static_assert(std::ranges::is_sorted(kHarmlessWords, {}, &HarmlessWord::word));

@@ -33,7 +33,7 @@ CutcomSide side_of(double compensation) {
 
 // What describes tools, stock and toolpaths to a post-processor, in the chapter "The NCI File".
 bool is_harmless_nci_code(int code) {
-  constexpr std::array<int, 8> kCodes = {1011, 1012, 1016, 1017, 1020, 1050, 1051, 1052};
+  constexpr std::array<int, 9> kCodes = {1011, 1012, 1016, 1017, 1020, 1050, 1051, 1052, 1053};
   constexpr int kFirstOfPath = 10000, kLastOfTool = 29999;
   return std::ranges::find(kCodes, code) != kCodes.end() || (code >= kFirstOfPath && code <= kLastOfTool);
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/parsing/control_list.h"
 #include "postproc/cldata/parsing/machine_tokens.h"
@@ -69,8 +70,7 @@ void take_meaning(ControlMeaning meaning, Tokens tokens, bool has_axes, MachineE
     case ends_cycle:
       effect.ends_cycle = true;
       return;
-    case offset:
-      effect.chooses_offset = true;
+    case offset:  // named by its code or its values
       return;
     case begins_steps:
       effect.begins_steps = true;
@@ -105,6 +105,23 @@ bool has_meaning(Tokens codes, std::initializer_list<ControlMeaning> meanings) {
 // The numbers of axes beside these are no position to go to.
 bool takes_axes(Tokens codes) { return has_meaning(codes, {ControlMeaning::shifts, ControlMeaning::shifts_with_axes}); }
 
+// Of all tokens beside it those count that belong to the code.
+std::string offset_of(const Token& code, const ControlCode& row, Tokens tokens) {
+  std::string name = "G" + exact_text(*code.number);
+  for (const Token& t : tokens) {
+    if (is_address_of(t, row.addresses)) name += std::string(t.letters) + exact_text(*t.number);
+  }
+  return name;
+}
+
+std::string offset_of(Tokens values) {
+  std::string name = "CYCL DEF";
+  for (const Token& t : values) {
+    if (t.number) name += " " + exact_text(*t.number);
+  }
+  return name;
+}
+
 // A block of addresses: every code must be in the list, and every other address be known or belong to a code.
 void take_addresses(Tokens tokens, MachineEffect& effect) {
   constexpr std::string_view kAlways = "NSFTDH";
@@ -128,8 +145,10 @@ void take_addresses(Tokens tokens, MachineEffect& effect) {
     if (is_address_of(t, "T")) effect.changes_tool = true;
   }
   for (const Token& code : codes) {
-    for (const ControlCode* row : find_control_code(static_cast<char>(code.letters[0] & ~0x20), *code.number))
+    for (const ControlCode* row : find_control_code(static_cast<char>(code.letters[0] & ~0x20), *code.number)) {
       take_meaning(row->meaning, tokens, has_axes, effect);
+      if (row->meaning == ControlMeaning::offset) effect.work_offset = offset_of(code, *row, tokens);
+    }
   }
   if (has_axes && !takes_axes(codes)) move(tokens, effect);
 }
@@ -190,6 +209,7 @@ std::optional<MachineEffect> read_phrase(Tokens tokens) {
     if (!is_whole) continue;
     MachineEffect effect;
     take_meaning(phrase.meaning, rest, false, effect);
+    if (phrase.meaning == ControlMeaning::offset) effect.work_offset = offset_of(rest);
     return effect;
   }
   MachineEffect effect = unknown();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "lib/base/units.h"
@@ -21,9 +22,9 @@ struct MachineEffect {
   bool ends_steps = false;         ///< G90, after any G91 of the text
   bool changes_tool = false;       ///< M6, TOOL CALL
   bool changes_length = false;     ///< of the tool, in the control: G43, G44, G49
-  bool chooses_offset = false;     ///< G54 and the like
   bool ends_program = false;       ///< M2, M30
   bool is_unknown = false;         ///< a word that is not in the list: it may do anything
+  std::string work_offset;         ///< the one that it chooses ("G54", "G54.1P3"); empty: none
   std::optional<LengthUnit> unit;  ///< of the numbers that follow (G20, G21, G70, G71)
 };
 

@@ -20,7 +20,7 @@ std::string effects(std::string_view text) {
   if (e.begins_cycle) letters += 'c';
   if (e.begins_steps) letters += 'i';
   if (e.changes_tool) letters += 't';
-  if (e.chooses_offset) letters += 'o';
+  if (!e.work_offset.empty()) letters += 'o';
   if (e.ends_program) letters += 'e';
   return letters;
 }
