@@ -45,11 +45,7 @@ void take_catia_row(States& s, std::string_view text) {
   set_frame(s, *frame);
 }
 
-bool has_slash(const StatementContext& in) {
-  const std::string_view all = in.path.source, major = in.statement().major;
-  const auto after = static_cast<std::size_t>(major.data() - all.data()) + major.size();
-  return trim(all.substr(after, all.find('\n', after) - after)).starts_with('/');
-}
+bool has_slash(const StatementContext& in) { return trim(in.text_behind_major()).starts_with('/'); }
 
 bool is_creo_statement(const States& s, std::string_view text) {
   return s.in.dialect.comments == CommentForm::creo && text.starts_with("->");

@@ -24,6 +24,13 @@ bool is_number_word(std::string_view text) {
 
 }  // namespace
 
+std::string_view StatementContext::text_behind_major() const {
+  if (statement_->is_decoded) return first_piece();
+  const std::string_view all = path.source, major = statement_->major;
+  const auto after = static_cast<std::size_t>(major.data() - all.data()) + major.size();
+  return all.substr(after, all.find('\n', after) - after);
+}
+
 void StatementContext::begin(const Statement& next) {
   statement_ = &next;
   make_room(path.statements);

@@ -33,6 +33,8 @@ class StatementContext {
   [[nodiscard]] const Statement& statement() const { return *statement_; }
   [[nodiscard]] std::string major() const { return std::string(statement_->major); }
   [[nodiscard]] std::string_view first_piece() const { return statement_->pieces.front(); }
+  /// To the end of its line. A decoded statement, whose word the file does not spell, has its first piece there.
+  [[nodiscard]] std::string_view text_behind_major() const;
   [[nodiscard]] std::size_t line() const { return statement_->line; }
   /// Of the statement, in Toolpath::statements.
   [[nodiscard]] std::size_t index() const { return path.statements.size() - 1; }

@@ -41,9 +41,7 @@ std::string in_ascii(std::string_view text) {
 // A word of the source language makes a statement alone or before a slash or comma; else it only begins a
 // sentence.
 bool is_statement(const StatementContext& in) {
-  const std::string_view all = in.path.source, major = in.statement().major;
-  const auto after = static_cast<std::size_t>(major.data() - all.data()) + major.size();
-  const std::string_view rest = trim(all.substr(after, all.find('\n', after) - after));
+  const std::string_view rest = trim(in.text_behind_major());
   return rest.empty() || rest.front() == '/' || rest.front() == '(' || rest.front() == ',' || rest.front() == '$';
 }
 
@@ -87,9 +85,7 @@ bool is_declared(const States& s) {
 
 // A word with a comma behind it, where a slash must be, is the end of a statement that was cut.
 bool is_end_of_another(const StatementContext& in) {
-  const std::string_view all = in.path.source, major = in.statement().major;
-  const auto after = static_cast<std::size_t>(major.data() - all.data()) + major.size();
-  return all.substr(after).starts_with(',');
+  return !in.statement().is_decoded && in.text_behind_major().starts_with(',');
 }
 
 }  // namespace

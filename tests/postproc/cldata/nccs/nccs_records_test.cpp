@@ -337,6 +337,17 @@ TEST(NccsRecords, ALongSequenceNumberStandsInARecordOfItsOwn) {
   EXPECT_TRUE(path.words_not_understood.empty());
 }
 
+// Its word stands in no text of the file.
+TEST(NccsRecords, LetteringIsText) {
+  for (const char* text : {"DEPTH 5 ", "/1,2    ", "        "}) {
+    NccsFile file;
+    file.multax(false).points({1, 2, 3}).record(2000, 1043, text).points({4, 5, 6});
+    const Toolpath path = path_of(file.bytes());
+    ASSERT_GE(path.moves.size(), 2u) << text;
+    EXPECT_EQ(path.moves.back().not_checked_reason.empty(), text[0] != '/') << text;
+  }
+}
+
 // tests/corpus/cl/nccs_words.cl is these records: a seed for the fuzzers that has every kind of them.
 TEST(NccsRecords, OfTheSampleAreThese) {
   NccsFile file;
