@@ -90,7 +90,7 @@ class ResultReader {
     JobArguments& a = result_.arguments;
     const std::size_t rapid = options.at("rapid").word(kRapids);
     a.rapid = kRapids[rapid];
-    check.rapid = static_cast<RapidMode>(rapid);
+    check.law = static_cast<RapidMode>(rapid);
     const JsonField more = options.at("more");
     const auto given = [&](const char* option) {
       const std::optional<JsonField> value = more.find(option);

@@ -213,9 +213,9 @@ Result<JobOptions> understand(const JobArguments& a) {
     if (!place) return place.error();
     options.place = *place;
   }
-  options.check.rapid = a.rapid == "skip"     ? RapidMode::skip
-                        : a.rapid == "dogleg" ? RapidMode::dogleg
-                                              : RapidMode::straight;
+  options.check.law = a.rapid == "skip"     ? RapidMode::skip
+                      : a.rapid == "dogleg" ? RapidMode::dogleg
+                                            : RapidMode::straight;
   options.check.threads = static_cast<unsigned>(std::min<std::uint64_t>(a.threads, kMostThreads));
   options.progress = understand_progress(a.progress);
   Result<std::string> date = date_of_report();

@@ -109,7 +109,7 @@ gouge::CheckOptions to_check_options(const CheckOptions& options) {
   result.shank_clearance_mm = length("shank_clearance", options.shank_clearance);
   result.holder_clearance_mm = length("holder_clearance", options.holder_clearance);
   result.near_miss_mm = length("near_miss", options.near_miss);
-  result.rapid = static_cast<gouge::RapidMode>(options.rapids);
+  result.law = static_cast<gouge::RapidMode>(options.rapids);
   result.threads = std::min(options.threads, gouge::kMostThreads);
   return result;
 }

@@ -36,7 +36,8 @@ struct DepthQuery::Content {
   Content& operator=(const Content&) = delete;
 
   [[nodiscard]] Contact at(const gouge::Pose& pose) const {
-    const gouge::MoveVerdict verdict = checker.check(gouge::Motion(pose), gouge::MoveKind::feed, variants, options);
+    const gouge::MoveVerdict verdict =
+        checker.check(gouge::Motion::resting(pose), gouge::MoveKind::feed, variants, options);
     Contact contact;
     contact.state = static_cast<State>(verdict.state);
     contact.depth = verdict.depth_mm;

@@ -40,7 +40,7 @@ class ShiftCheck {
     CheckOptions options = options_;
     options.tolerance_mm = start.depth_mm;
     options.gouge_gap_mm = resolution;
-    const MoveVerdict way = checker_.check_tool(Motion(from_, to_), kind_, tool_, options);
+    const MoveVerdict way = checker_.check_tool(options_.law.straight(from_, to_), kind_, tool_, options);
     if (is_open(way)) return ShiftHazard::undecided;
     if (way.depth_upper_mm > start.depth_mm + 2 * resolution) return ShiftHazard::deeper;
     if (const ShiftHazard hazard = of_heads(start.depth_mm); hazard != ShiftHazard::none) return hazard;
@@ -57,7 +57,7 @@ class ShiftCheck {
     options.near_miss_mm = 0;
     options.tolerance_mm = depth_mm + std::max(options.resolution_mm, kHeadShare * depth_mm);
     MoveVerdict way;
-    checker_.charge(checker_.heads_->check(Motion(from_, to_), options, way));
+    checker_.charge(checker_.heads_->check(options.law.straight(from_, to_), options, way));
     if (way.state == MoveState::clean) return ShiftHazard::none;
     return way.state == MoveState::gouge    ? ShiftHazard::deeper
            : way.state == MoveState::buried ? ShiftHazard::into_solid
@@ -73,7 +73,7 @@ class ShiftCheck {
   [[nodiscard]] ShiftHazard of_sides(double t0, double t1) const {
     const double half = 0.5 * (t1 - t0) * length_, t = 0.5 * (t0 + t1);
     const Pose middle{from_.tip + t * (to_.tip - from_.tip), from_.axis};
-    const MoveVerdict there = checker_.check_tool(Motion(middle), kind_, tool_, options_);
+    const MoveVerdict there = checker_.check_tool(Motion::resting(middle), kind_, tool_, options_);
     if (checker_.is_out_of_budget()) return ShiftHazard::undecided;
     if (there.depth_mm > half) return ShiftHazard::none;
     if (there.depth_upper_mm + half < tool_.bare.core_depth_mm) return of_side(middle);

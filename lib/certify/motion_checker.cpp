@@ -84,7 +84,7 @@ MoveVerdict MotionChecker::measure(const Pose& pose, MoveKind kind, const ToolVa
   exact.tolerance_mm = 0;
   exact.near_miss_mm = 0;
   exact.is_depth_alone = true;
-  return check(Motion(pose), kind, tool, exact, true);
+  return check(Motion::resting(pose), kind, tool, exact, true);
 }
 
 double MotionChecker::head_excess(const Pose& pose, double allowed_mm, double accuracy_mm) const {

@@ -4,8 +4,8 @@
 
 #include "lib/certify/check.h"
 #include "lib/certify/work_budget.h"
-#include "lib/check/motion.h"
 #include "lib/check/scene_sides.h"
+#include "lib/motion/motion.h"
 
 namespace gouge {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "lib/check/check_options.h"
-#include "lib/check/motion.h"
 #include "lib/check/prepared_scene.h"
 #include "lib/check/verdict.h"
+#include "lib/motion/motion.h"
 
 namespace gouge {
 

@@ -7,9 +7,9 @@
 #include "lib/base/parallel.h"
 #include "lib/check/buried.h"
 #include "lib/check/check_move.h"
-#include "lib/check/path_motion.h"
 #include "lib/check/reach.h"
 #include "lib/check/verdict_bytes.h"
+#include "lib/motion/motion_law.h"
 
 namespace gouge {
 namespace {
@@ -36,7 +36,7 @@ class PathChecker {
         verdicts[i] = not_checked(std::move(reason));
         continue;
       }
-      Motion motion = motion_of(toolpath_, i, options_.rapid);
+      Motion motion = options_.law.of(toolpath_, i);
       Reason::Kind unfit = why_unfit(motion);
       if (unfit == Reason::Kind::none && !motion.is_defined()) unfit = Reason::Kind::axis_reversed;
       if (unfit != Reason::Kind::none) {
@@ -68,7 +68,7 @@ class PathChecker {
     if (move.needs_wide_tool() && tools_[move.tool]->wide == nullptr) return of_file();
     if (index == 0 && move.has_start) return {no_start};
     if (!has_its_curve(move)) return {no_curve};
-    return {move.kind == MoveKind::rapid && options_.rapid == RapidMode::skip ? rapid_skipped : none};
+    return {move.kind == MoveKind::rapid && options_.law.rapid() == RapidMode::skip ? rapid_skipped : none};
   }
 
   [[nodiscard]] bool has_same_tool(std::size_t a, std::size_t b) const {
@@ -107,7 +107,7 @@ class PathChecker {
   }
 
   void check_link(std::size_t index, const ToolVariants& tool, MoveVerdict& verdict, std::uint64_t& spent) const {
-    const std::optional<Motion> link = link_of(toolpath_, index);
+    const std::optional<Motion> link = options_.law.link_of(toolpath_, index);
     if (!link || (verdict.state != MoveState::clean && verdict.state != MoveState::near_miss)) return;
     CheckOptions options = options_;
     options.near_miss_mm = 0;

@@ -49,7 +49,7 @@ class PieceBounder {
       hull_[k + 3] = interval.f1.to_tool(piece[k]);
       far = std::max(far, (piece[k] - interval.tip_middle).norm());
     }
-    bulge_ = interval.bulge_mm(far);
+    bulge_ = interval.rates.bulge_mm(far);
     center_ = (hull_[0] + hull_[1] + hull_[2] + hull_[3] + hull_[4] + hull_[5]) / 6.0;
     z_lo_ = z_hi_ = hull_[0].z();
     for (const Vec3& q : hull_) {

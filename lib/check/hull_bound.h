@@ -3,7 +3,7 @@
 #include <array>
 
 #include "lib/check/support_plane.h"
-#include "lib/check/tool_interval.h"
+#include "lib/motion/tool_interval.h"
 
 // Upper bounds of (reach - signed distance) over a part of the surface during a time interval. In tool
 // coordinates every surface point runs within `bulge` of a straight chord, so surface and motion together lie

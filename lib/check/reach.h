@@ -1,9 +1,9 @@
 #pragma once
 
 #include "lib/check/check_options.h"
-#include "lib/check/motion.h"
 #include "lib/check/reason.h"
 #include "lib/check/scene.h"
+#include "lib/motion/motion.h"
 #include "lib/tool/tool_variants.h"
 
 // What the bounds are not proven for is refused with its reason, whoever asks: numbers that come out all the

@@ -5,8 +5,8 @@
 
 #include "lib/check/hull_bound.h"
 #include "lib/check/sweep_filter.h"
-#include "lib/check/tool_interval.h"
 #include "lib/geom/triangle.h"
+#include "lib/motion/tool_interval.h"
 
 namespace gouge {
 namespace {

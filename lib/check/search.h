@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "lib/base/best_first_search.h"
-#include "lib/check/motion.h"
 #include "lib/check/verdict.h"
 #include "lib/hierarchy/block_tree.h"
+#include "lib/motion/motion.h"
 #include "lib/tool/compiled_tool.h"
 
 // The exact search of one move: best first (best_first_search.h) over (instant x triangle), every step with a proven

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "lib/check/motion.h"
 #include "lib/check/search.h"
 #include "lib/check/sweep_frame.h"
+#include "lib/motion/motion.h"
 #include "lib/tool/convex_cover.h"
 
 // The wide sweep: many moves against a surface at once. What sixteen-wide bounds in single precision prove free

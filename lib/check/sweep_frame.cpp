@@ -70,13 +70,11 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepInt
   for (std::uint32_t s = 0; s < motion.segments().size(); ++s) {
     const MotionSegment& segment = motion.segments()[s];
     const double length = motion.is_alone() ? 0 : segment.t1 - segment.t0;
-    const double turn = motion.angle_rad() * length;
+    const auto is_long = [&](const MotionRates& first) {
+      return first.turn_rad > kSmallTurn_rad || first.tip_path_mm > kShortPath_mm || first.tip_sag_mm > kSmallSag_mm;
+    };
     int parts = 1;
-    while (parts < kMostSteps && (turn / parts > kSmallTurn_rad ||
-                                  motion.path_length_mm(segment.t0, segment.t0 + length / parts, s) > kShortPath_mm ||
-                                  motion.sag_mm(segment.t0, segment.t0 + length / parts, s) > kSmallSag_mm)) {
-      parts *= 2;
-    }
+    while (parts < kMostSteps && is_long(motion.rates(segment.t0, segment.t0 + length / parts, s))) parts *= 2;
     Pose from = motion.at(segment.t0);
     for (int k = 0; k < parts; ++k) {
       SweepInterval step;
@@ -86,8 +84,7 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepInt
       step.t1 = k + 1 == parts ? segment.t0 + length : segment.t0 + length * (k + 1) / parts;
       step.from = from;
       step.to = motion.is_alone() ? from : motion.at(step.t1);
-      step.sag_mm = motion.sag_mm(step.t0, step.t1, s);
-      step.turn_rad = turn / parts;
+      step.rates = motion.rates(step.t0, step.t1, s);
       steps.push_back(step);
       from = step.to;
     }
@@ -97,10 +94,7 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepInt
 std::array<SweepInterval, 2> halved(const Motion& motion, const SweepInterval& step) {
   std::array<SweepInterval, 2> parts = halves(step);
   parts[0].to = parts[1].from = motion.at(step.middle());
-  for (SweepInterval& part : parts) {
-    part.turn_rad = 0.5 * step.turn_rad;
-    part.sag_mm = motion.sag_mm(part.t0, part.t1, part.segment);
-  }
+  for (SweepInterval& part : parts) part.rates = motion.rates(part.t0, part.t1, part.segment);
   return parts;
 }
 
@@ -136,12 +130,13 @@ SweepFrame sweep_frame(std::span<const SweepInterval> steps, const Vec3& origin,
     chord2 = std::max(chord2, (axis - pose.axis).squaredNorm());
   });
   double beside = std::sqrt(beside2), far = std::sqrt(far2), twisted = std::sqrt(twisted2);
-  const double widest = angle_over(std::sqrt(chord2));
-  double sag = 0, bend = 0;
+  double sag = 0, bend = 0, off_circle = 0;
   for (const SweepInterval& step : steps) {
-    sag = std::max(sag, step.sag_mm);
-    bend = std::max(bend, step.turn_rad * step.turn_rad / 8);
+    sag = std::max(sag, step.rates.tip_sag_mm);
+    bend = std::max(bend, step.rates.axis_acceleration_rad() / 8);
+    off_circle = std::max(off_circle, step.rates.off_circle_rad);
   }
+  const double widest = angle_over(std::sqrt(chord2)) + off_circle;
   beside += sag;
   far += sag;
   twisted += bend + widest * widest * widest / 6;

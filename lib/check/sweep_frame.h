@@ -4,20 +4,19 @@
 #include <span>
 #include <vector>
 
-#include "lib/check/motion.h"
-#include "lib/check/motion_interval.h"
 #include "lib/check/sweep_kernel.h"
+#include "lib/motion/motion.h"
+#include "lib/motion/motion_interval.h"
 
 // Motions to first order: of a part of a move, of a move, or of many moves in a row.
 // Proofs: docs/algorithms/wide_sweep.md, section 2.
 
 namespace gouge {
 
-/// A part of a motion: the tip within `sag_mm` of the straight path at constant speed, the axis on the great circle.
+/// A part of a motion: its ends, and how far tip and axis may leave what is straight between them.
 struct SweepInterval : MotionInterval {
   Pose from, to;
-  double sag_mm = 0;
-  double turn_rad = 0;
+  MotionRates rates;
   std::uint32_t move = 0;
 };
 

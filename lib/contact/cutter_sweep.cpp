@@ -40,14 +40,15 @@ void CutterSweep::add(const Motion& motion, const CompiledTool& cutter, std::siz
   const bool is_round = gouge::is_convex(cutter);
   is_convex_ = is_convex_ && is_round;
   least_radius_mm_ = std::min(least_radius_mm_, cutter.r_max_mm);
+  const double far = farthest_mm(cutter);
   std::uint32_t number = 0;
   for (const MotionSegment& segment : motion.segments()) {
     const double share = segment.t1 - segment.t0;
-    int count = std::max(1, static_cast<int>(std::ceil(share * motion.angle_rad() / kTurn_rad)));
+    int count = std::max(1, static_cast<int>(std::ceil(motion.turn_rad(segment.t0, segment.t1) / kTurn_rad)));
     const auto is_bent = [&] {
-      const double turn = share / count * motion.angle_rad();
-      const double path = motion.path_length_mm(segment.t0, segment.t0 + share / count, number);
-      return motion.sag_mm(segment.t0, segment.t0 + share / count, number) > kSag_mm || turn * path / 4 > kSag_mm;
+      const MotionRates first = motion.rates(segment.t0, segment.t0 + share / count, number);
+      return first.tip_sag_mm + far * first.off_circle_rad > kSag_mm ||
+             first.turn_rad * first.tip_path_mm / 4 > kSag_mm;
     };
     while (is_bent() && count < 10'000) count *= 2;
     for (int k = 0; k < count; ++k) {
@@ -55,8 +56,9 @@ void CutterSweep::add(const Motion& motion, const CompiledTool& cutter, std::siz
       CutterStretch stretch;
       stretch.start = {motion.tip_at(t0, number), motion.at(t0).axis};
       stretch.end = {motion.tip_at(t1, number), motion.at(t1).axis};
-      stretch.angle_rad = (t1 - t0) * motion.angle_rad();
-      stretch.off_mm = motion.sag_mm(t0, t1, number);
+      const MotionRates rates = motion.rates(t0, t1, number);
+      stretch.angle_rad = rates.turn_rad;
+      stretch.off_mm = rates.tip_sag_mm + far * rates.off_circle_rad;
       stretch.cutter = &cutter;
       stretch.move = move;
       stretch.is_convex = is_round;

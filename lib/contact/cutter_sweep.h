@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "lib/check/motion.h"
 #include "lib/contact/nearest_instant.h"
+#include "lib/motion/motion.h"
 #include "lib/tool/compiled_tool.h"
 
 namespace gouge {

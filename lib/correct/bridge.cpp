@@ -142,8 +142,8 @@ bool Bridger::is_clean(const Pose& from, const Pose& to, double clearance_mm) co
 
 // Where a dogleg runs straight is not asked: all its positions stay.
 bool Bridger::is_between(const Pose& from, const Pose& to, const Pose& pose) const {
-  if (task_.kind == MoveKind::rapid && task_.options.rapid == RapidMode::dogleg) return false;
-  const Motion motion(from, to);
+  if (task_.kind == MoveKind::rapid && task_.options.law.rapid() == RapidMode::dogleg) return false;
+  const Motion motion = motion_between(from, to);
   const Vec3 along = to.tip - from.tip;
   if (!motion.is_defined() || along.squaredNorm() <= 0) return false;
   const Pose there = motion.at(std::clamp((pose.tip - from.tip).dot(along) / along.squaredNorm(), 0.0, 1.0));
@@ -151,7 +151,7 @@ bool Bridger::is_between(const Pose& from, const Pose& to, const Pose& pose) con
 }
 
 Motion Bridger::motion_between(const Pose& from, const Pose& to) const {
-  return Motion(from, to, task_.kind == MoveKind::rapid && task_.options.rapid == RapidMode::dogleg);
+  return task_.options.law.between(from, to, task_.kind);
 }
 
 MoveVerdict Bridger::check(const Motion& motion) const {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "lib/check/motion.h"
+#include "lib/motion/motion.h"
 
 namespace gouge {
 

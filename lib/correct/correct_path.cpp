@@ -90,8 +90,7 @@ Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckR
     if (changed) {
       ChangedPath after{std::move(*changed), {}};
       after.result = check_moves(after.path, setup, progress);
-      worse = find_worse({&toolpath, &result}, correction.changes, {&after.path, &after.result},
-                         setup.options.resolution_mm);
+      worse = find_worse({&toolpath, &result}, correction.changes, {&after.path, &after.result}, setup.options);
       if (worse.empty()) {
         correction.uncorrected = list_remaining(toolpath, result, correction, after.result);
         if (progress) progress("measuring what is left", 0, 1);

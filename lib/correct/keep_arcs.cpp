@@ -129,7 +129,7 @@ class ArcKeeper {
   [[nodiscard]] double deepest(const ArcTask& task) const {
     CheckOptions exact = options_;
     exact.tolerance_mm = 0;
-    return k_.checker.check(Motion(task.start, task.end, task.arc), task.kind, *task.tool, exact).depth_mm;
+    return k_.checker.check(options_.law.along(task.start, task.end, task.arc), task.kind, *task.tool, exact).depth_mm;
   }
 
   bool try_ends(PathChange& change, ArcTask task, const Vec3& by_first, const Vec3& by_last) {
@@ -207,21 +207,21 @@ class ArcKeeper {
   }
 
   [[nodiscard]] bool is_piece_clean(const Pose& from, const Pose& to, std::size_t move) const {
-    const Motion motion(from, to);
+    const Motion motion = options_.law.straight(from, to);
     return motion.is_defined() && k_.checker.is_clean(motion, MoveKind::feed, tool_of(move), options_);
   }
 
   // Where the programmed feed is clean the new one stays on it.
   [[nodiscard]] bool keeps_programmed(std::size_t move, const std::vector<Pose>& stops) const {
     if (k_.path.moves[move].kind != MoveKind::feed) return true;
-    const Motion programmed(k_.path.start_of(move), k_.path.moves[move].end);
+    const Motion programmed = options_.law.straight(k_.path.start_of(move), k_.path.moves[move].end);
     for (int i = 0; i <= kKeptPlaces; ++i) {
       const Pose there = programmed.at(static_cast<double>(i) / kKeptPlaces);
       double off = (stops.front().tip - there.tip).norm();
       for (std::size_t k = 1; k < stops.size(); ++k)
         off = std::min(off, distance_to_segment(there.tip, stops[k - 1].tip, stops[k].tip));
       if (off <= k_.checker.options().tolerance_mm) continue;
-      if (k_.checker.is_clean(Motion(there), MoveKind::feed, tool_of(move), options_)) return false;
+      if (k_.checker.is_clean(Motion::resting(there), MoveKind::feed, tool_of(move), options_)) return false;
     }
     return true;
   }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "lib/check/motion.h"
 #include "lib/correct/plan_holes.h"
+#include "lib/motion/motion.h"
 
 namespace gouge {
 namespace {
@@ -67,8 +67,8 @@ bool has_kept_state(const MoveVerdict& before, const MoveVerdict& after) {
 class LawsCheck {
  public:
   LawsCheck(const CheckedPath& before, const std::vector<PathChange>& changes, const CheckedPath& after,
-            double resolution_mm)
-      : before_(before), after_(after), resolution_mm_(resolution_mm), change_of_(before.path->moves.size(), nullptr) {
+            const CheckOptions& options)
+      : before_(before), after_(after), options_(options), change_of_(before.path->moves.size(), nullptr) {
     for (const PathChange& change : changes) {
       const std::size_t last = change.hole_shift_mm ? end_of_hole(*before.path, change.move) : change.move + 1;
       for (std::size_t i = change.move; i < last; ++i) change_of_[i] = &change;
@@ -93,7 +93,7 @@ class LawsCheck {
     if (change == nullptr && !is_same_curve(a, old, b, own)) return false;
     for (std::size_t k = span.first; k < span.last; ++k) {
       const MoveVerdict& is = after_.result->verdicts[k];
-      if (!is_no_worse_than(was, is, resolution_mm_)) return false;
+      if (!is_no_worse_than(was, is, options_.resolution_mm)) return false;
       if (is.state == MoveState::gouge && old.has_start && old.curve_kind == CurveKind::none &&
           old.kind != MoveKind::cycle && !is_programmed_or_shift(i, k, span))
         return false;
@@ -120,16 +120,16 @@ class LawsCheck {
 
   /// Whether the tool passes there on straight move `i`: a straight motion between two such positions is a part of it.
   [[nodiscard]] bool is_on_programmed(std::size_t i, const Pose& pose) const {
-    const Motion motion(before_.path->start_of(i), before_.path->moves[i].end);
+    const Motion motion = options_.law.straight(before_.path->start_of(i), before_.path->moves[i].end);
     const Vec3 along = motion.end().tip - motion.start().tip;
-    if (!motion.is_defined() || !(along.norm() > 0)) return false;
+    if (!options_.law.is_divisible(MoveKind::feed) || !motion.is_defined() || !(along.norm() > 0)) return false;
     const double t = std::clamp((pose.tip - motion.start().tip).dot(along) / along.squaredNorm(), 0.0, 1.0);
     return is_near(motion.at(t), pose);
   }
 
   const CheckedPath& before_;
   const CheckedPath& after_;
-  double resolution_mm_;
+  const CheckOptions& options_;
   std::vector<const PathChange*> change_of_;
 };
 
@@ -164,7 +164,7 @@ std::vector<MovesAfter> moves_after(std::size_t moves, const std::vector<PathCha
 }
 
 std::vector<std::size_t> find_worse(const CheckedPath& before, const std::vector<PathChange>& changes,
-                                    const CheckedPath& after, double resolution_mm) {
+                                    const CheckedPath& after, const CheckOptions& options) {
   const std::size_t count = before.path->moves.size();
   const std::vector<MovesAfter> spans = moves_after(count, changes);
   std::vector<std::size_t> worse;
@@ -173,7 +173,7 @@ std::vector<std::size_t> find_worse(const CheckedPath& before, const std::vector
       return {change.move};  // what stands behind it is then not where it is looked for
   }
   const bool is_as_long = count == 0 || spans.back().last == after.path->moves.size();
-  const LawsCheck check(before, changes, after, resolution_mm);
+  const LawsCheck check(before, changes, after, options);
   for (std::size_t i = 0; i < count; ++i) {
     if (!is_as_long || !check.is_lawful(i, spans[i])) worse.push_back(i);
   }

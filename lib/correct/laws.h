@@ -33,8 +33,8 @@ struct MovesAfter {
 [[nodiscard]] std::vector<MovesAfter> moves_after(std::size_t moves, const std::vector<PathChange>& changes);
 
 /// Moves of the path as it was, in path order, of which `after` is worse than `before` or is not what `changes` says:
-/// an unchanged move that is not the same any more, or not as many moves (then all of them).
+/// an unchanged move that is not the same any more, or not as many moves (then all of them). `options`: of both checks.
 [[nodiscard]] std::vector<std::size_t> find_worse(const CheckedPath& before, const std::vector<PathChange>& changes,
-                                                  const CheckedPath& after, double resolution_mm);
+                                                  const CheckedPath& after, const CheckOptions& options);
 
 }  // namespace gouge

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/check/path_motion.h"
 #include "lib/correct/laws.h"
+#include "lib/motion/motion_law.h"
 #include "lib/path/path_info.h"
 
 namespace gouge {
@@ -58,11 +58,12 @@ class LiftedCuts {
     return move.kind != MoveKind::rapid && move.kind != MoveKind::cycle && move.has_start && move.tool != kNone &&
            setup_.tools[move.tool] != nullptr && move.not_checked_reason.empty();
   }
+  [[nodiscard]] const MotionLaw& law() const { return setup_.options.law; }
   [[nodiscard]] double limit_mm(std::size_t i) const { return setup_.tools[path_.moves[i].tool]->bare.core_depth_mm; }
 
   /// Of the programmed motion: how much of it the new ones are farther from than the limit.
   [[nodiscard]] double lost_mm(std::size_t i) const {
-    const Motion motion = motion_of(path_, i, RapidMode::straight);
+    const Motion motion = law().of(path_, i);
     if (!motion.is_defined()) return 0;
     const std::vector<Vec3> way = way_of(spans_[i]);
     const double length = move_length_mm(path_, i);
@@ -84,7 +85,7 @@ class LiftedCuts {
     for (std::size_t k = span.first; k < span.last; ++k) {
       const Move& move = after_.moves[k];
       if (way.empty()) way.push_back(move.has_start ? after_.start_of(k).tip : move.end.tip);
-      const Motion motion = motion_of(after_, k, RapidMode::straight);
+      const Motion motion = law().of(after_, k);
       const std::size_t chords = move.curve_kind == CurveKind::none || !motion.is_defined() ? 1 : kChords;
       for (std::size_t s = 1; s < chords; ++s)
         way.push_back(motion.at(static_cast<double>(s) / static_cast<double>(chords)).tip);

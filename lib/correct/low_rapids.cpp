@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "lib/check/path_motion.h"
 #include "lib/correct/laws.h"
 #include "lib/correct/plan_holes.h"
+#include "lib/motion/motion_law.h"
 
 namespace gouge {
 namespace {
@@ -21,8 +21,7 @@ class RapidMeasurer {
 
   /// How far a rapid stays away from everything, up to the clearance; negative: how deep it is at most.
   [[nodiscard]] double keeps_mm(const Toolpath& path, std::size_t move) const {
-    const RapidMode mode = options_.rapid == RapidMode::skip ? RapidMode::straight : options_.rapid;
-    const Motion motion = motion_of(path, move, mode);
+    const Motion motion = options_.law.of(path, move);
     if (!motion.is_defined() || path.moves[move].tool == kNone) return clearance_mm_;
     const ToolVariants* const tool = setup_.tools[path.moves[move].tool];
     if (tool == nullptr || keeps(motion, *tool, clearance_mm_)) return clearance_mm_;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "lib/base/parallel.h"
-#include "lib/check/path_motion.h"
 #include "lib/correct/laws.h"
 #include "lib/correct/plan_holes.h"
+#include "lib/motion/motion_law.h"
 #include "lib/path/path_info.h"
 
 namespace gouge {
@@ -95,7 +95,7 @@ class Measurer {
 
   void add(const Toolpath& path, std::size_t i, CutterSweep& sweep) const {
     if (!cuts(path, i)) return;
-    const Motion motion = motion_of(path, i, RapidMode::straight);
+    const Motion motion = setup_.options.law.of(path, i);
     if (motion.is_defined()) sweep.add(motion, setup_.tools[path.moves[i].tool]->cutting, i);
   }
 

@@ -4,9 +4,9 @@
 
 #include "lib/base/parallel.h"
 #include "lib/check/depth_limit.h"
-#include "lib/check/path_motion.h"
 #include "lib/contact/aims.h"
 #include "lib/correct/laws.h"
+#include "lib/motion/motion_law.h"
 
 namespace gouge {
 namespace {
@@ -261,8 +261,7 @@ void PathCorrector::bridge_move(std::size_t i) {
     const MotionChecker checker = checker_.within(budget);
     BridgeTask task = task_of(i);
     task.checker = &checker;
-    const bool is_dogleg = move.kind == MoveKind::rapid && options_.rapid == RapidMode::dogleg;
-    const Motion programmed(path_.start_of(i), move.end, is_dogleg);
+    const Motion programmed = options_.law.between(path_.start_of(i), move.end, move.kind);
     if (move.kind == MoveKind::feed && programmed.is_defined()) task.programmed = &programmed;
     if (auto waypoints = bridge(start_of(i), end_of(i), task)) {
       work.inserted = std::move(*waypoints);
@@ -281,11 +280,11 @@ void PathCorrector::bridge_move(std::size_t i) {
 /// its ends cut, no deeper than its ends are. Nothing where that is not so, or the motion is no straight line.
 std::vector<BridgePose> PathCorrector::programmed_again(std::size_t i) const {
   const Move& move = path_.moves[i];
-  const bool is_dogleg = move.kind == MoveKind::rapid && options_.rapid == RapidMode::dogleg;
+  const bool is_dogleg = move.kind == MoveKind::rapid && options_.law.rapid() == RapidMode::dogleg;
   if (!move.has_start || !is_straight(move) || !move.not_checked_reason.empty() || is_dogleg) return {};
   const MoveVerdict before = verdict_before(i);
   const auto is_lawful = [&](const Pose& from, const Pose& to) {
-    const Motion motion(from, to);
+    const Motion motion = options_.law.straight(from, to);
     return motion.is_defined() &&
            is_no_worse_than(before, checker_.check(motion, move.kind, *tools_[move.tool], options_),
                             options_.resolution_mm);
@@ -308,17 +307,15 @@ std::vector<BridgePose> PathCorrector::programmed_again(std::size_t i) const {
 MoveVerdict PathCorrector::verdict_before(std::size_t i) const {
   const MoveVerdict& verdict = result_.verdicts[i];
   if (verdict.state != MoveState::not_checked || !verdict.reason.is(Reason::Kind::rapid_skipped)) return verdict;
-  return checker_.check(motion_of(path_, i, RapidMode::straight), path_.moves[i].kind, *tools_[path_.moves[i].tool],
-                        options_);
+  return checker_.check(options_.law.of(path_, i), path_.moves[i].kind, *tools_[path_.moves[i].tool], options_);
 }
 
 /// With its new ends it is clean, or near where it was not clean.
 bool PathCorrector::is_free(std::size_t i) const {
   const Move& move = path_.moves[i];
   if ((move.has_start && !is_straight(move)) || !move.not_checked_reason.empty()) return false;
-  const Motion motion = move.has_start ? Motion(start_of(i), end_of(i),
-                                                move.kind == MoveKind::rapid && options_.rapid == RapidMode::dogleg)
-                                       : Motion(end_of(i));
+  const Motion motion =
+      move.has_start ? options_.law.between(start_of(i), end_of(i), move.kind) : Motion::resting(end_of(i));
   if (!motion.is_defined()) return false;
   const MoveVerdict after = checker_.check(motion, move.kind, *tools_[move.tool], options_);
   return after.state != MoveState::gouge && is_no_worse_than(verdict_before(i), after, options_.resolution_mm);

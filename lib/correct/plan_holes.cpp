@@ -89,7 +89,7 @@ class HolePlanner {
 
   [[nodiscard]] Motion shifted(std::size_t i, const Vec3& by) const {
     const Pose &start = path_.start_of(i), &end = path_.moves[i].end;
-    return Motion({start.tip + by, start.axis}, {end.tip + by, end.axis});
+    return checker_.options().law.straight({start.tip + by, start.axis}, {end.tip + by, end.axis});
   }
   [[nodiscard]] const ToolVariants& tool_of(std::size_t i) const { return *tools_[path_.moves[i].tool]; }
   [[nodiscard]] CheckOptions within(double share) const {

@@ -7,10 +7,10 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
-#include "lib/check/path_motion.h"
 #include "lib/contact/aims.h"
 #include "lib/correct/clean_intervals.h"
 #include "lib/correct/lifts.h"
+#include "lib/motion/motion_law.h"
 #include "lib/path/path_info.h"
 
 namespace gouge {
@@ -77,7 +77,7 @@ class TrimChain {
 
   [[nodiscard]] const Move& move(std::size_t i) const { return job_.path.moves[i]; }
   [[nodiscard]] bool has_way(std::size_t i) const { return move(i).has_start; }
-  [[nodiscard]] Motion motion(std::size_t i) const { return motion_of(job_.path, i, job_.checker.options().rapid); }
+  [[nodiscard]] Motion motion(std::size_t i) const { return job_.checker.options().law.of(job_.path, i); }
   [[nodiscard]] Pose pose(const PathPlace& place) const {
     return has_way(place.move) ? motion(place.move).at(place.t) : move(place.move).end;
   }
@@ -100,9 +100,8 @@ class TrimChain {
       } else if (has_way(i) && motion(i).is_defined()) {
         const Motion programmed = motion(i);
         const CheckOptions options = options_for(false, 0);
-        const bool is_dogleg = move(i).kind == MoveKind::rapid && options.rapid == RapidMode::dogleg;
         const auto is_clean = [&](double t0, double t1) {
-          const Motion piece(programmed.at(t0), programmed.at(t1), is_dogleg);
+          const Motion piece = options.law.between(programmed.at(t0), programmed.at(t1), move(i).kind);
           return job_.checker.is_clean(piece, move(i).kind, tool_, options);
         };
         for (const TimeInterval& free : find_clean_intervals(programmed, is_clean))
@@ -251,11 +250,11 @@ class TrimChain {
                                           double clearance) const {
     const Pose up = above(from, lift), down = above(to, lift);
     const bool is_rapid = job_.can_write_rapids && clearance > 0 && lift >= clearance && is_above_stock(from, lift) &&
-                          job_.checker.options().rapid != RapidMode::skip;
+                          job_.checker.options().law.rapid() != RapidMode::skip;
     std::vector<Pose> programmed, straight, above;
     for (std::size_t i = from.move; i < to.move; ++i) programmed.push_back(move(i).end);
     const double whole = way_mm(from, to);
-    const Motion line(up, down);
+    const Motion line = job_.checker.options().law.straight(up, down);
     for (std::size_t k = 0; k < programmed.size(); ++k) {
       const double even = static_cast<double>(k + 1) / static_cast<double>(programmed.size() + 1);
       const double share = whole > 0 ? way_mm(from, {from.move + k, 1}) / whole : even;
@@ -269,7 +268,7 @@ class TrimChain {
     const CheckOptions options = options_for(is_kept_near, clearance);
     // Of a feed that keeps the clearance the cutter does too.
     const auto crosses = [&](const Pose& a, const Pose& b, MoveKind kind) {
-      const Motion motion(a, b, kind == MoveKind::rapid && options.rapid == RapidMode::dogleg);
+      const Motion motion = options.law.between(a, b, kind);
       return motion.is_defined() &&
              job_.checker.is_clean(motion, clearance > 0 ? MoveKind::rapid : kind, tool_, options, true);
     };
@@ -281,8 +280,7 @@ class TrimChain {
       }
       return true;
     };
-    // Without doglegs the pieces of a line are as clean as the line.
-    const bool is_line_one = options.rapid != RapidMode::dogleg;
+    const bool is_line_one = options.law.is_divisible(MoveKind::rapid);
     const bool is_straight =
         line.is_defined() &&
         (is_line_one ? crosses(up, down, is_rapid ? MoveKind::rapid : MoveKind::feed) : is_free(straight));
@@ -291,7 +289,7 @@ class TrimChain {
   }
 
   [[nodiscard]] bool is_clean(const Pose& from, const Pose& to, MoveKind kind, const CheckOptions& options) const {
-    const Motion motion(from, to, kind == MoveKind::rapid && options.rapid == RapidMode::dogleg);
+    const Motion motion = options.law.between(from, to, kind);
     return motion.is_defined() && job_.checker.is_clean(motion, kind, tool_, options, true);
   }
 

@@ -35,8 +35,8 @@ ReworkedPath with_positions(const Toolpath& path, const CheckResult& result, con
   ReworkedPath moved;
   moved.path = without_moves(path);
   const auto add = [&](const Move& move, std::size_t origin) {
-    const bool is_dogleg = move.kind == MoveKind::rapid && options.rapid == RapidMode::dogleg;
-    const Motion motion = move.has_start ? Motion(moved.path.moves.back().end, move.end, is_dogleg) : Motion(move.end);
+    const Motion motion = move.has_start ? options.law.between(moved.path.moves.back().end, move.end, move.kind)
+                                         : Motion::resting(move.end);
     moved.add(move, origin, true, checker.check(motion, move.kind, *tools[move.tool], options, true));
   };
   auto next = positions.begin();

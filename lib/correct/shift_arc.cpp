@@ -75,12 +75,12 @@ class ArcShift {
   }
 
   [[nodiscard]] bool is_good(const PathArc& arc) const {
-    const Motion motion(task_.new_start, task_.new_end, arc);
+    const Motion motion = options_.law.along(task_.new_start, task_.new_end, arc);
     return checker_.is_clean(motion, task_.kind, *task_.tool, options_) && is_shift_allowed(motion);
   }
 
   [[nodiscard]] bool is_shift_allowed(const Motion& motion) const {
-    const Motion before(task_.start, task_.end, task_.arc);
+    const Motion before = options_.law.along(task_.start, task_.end, task_.arc);
     const double tolerance = checker_.options().tolerance_mm;
     int too_deep = 0;
     bool is_forced = true;

@@ -22,7 +22,7 @@ class ArcSplit {
         chords_(chords),
         checker_(checker),
         options_(checker.options()),
-        whole_(task.start, task.end, task.arc) {
+        whole_(options_.law.along(task.start, task.end, task.arc)) {
     options_.tolerance_mm *= kMotionAimShare;
     options_.near_miss_mm = 0;
     keeps_start_ = (task.start.tip - task.new_start.tip).norm() <= kSamePoint_mm;
@@ -54,7 +54,7 @@ class ArcSplit {
     return {task_.arc.center, task_.arc.axis, task_.arc.sweep_rad * (to - from)};
   }
   [[nodiscard]] bool is_clean(double from, double to) const {
-    return is_clean(Motion(whole_.at(from), whole_.at(to), part(from, to)));
+    return is_clean(options_.law.along(whole_.at(from), whole_.at(to), part(from, to)));
   }
   [[nodiscard]] double length_mm(double from, double to) const {
     return arc_length_mm(part(from, to), whole_.at(from).tip, whole_.at(to).tip);
@@ -75,7 +75,7 @@ class ArcSplit {
     for (int i = 0; i <= kSplitPlaces; ++i) {
       const bool is_kept = (i > 0 || keeps_start_) && (i < kSplitPlaces || keeps_end_);
       is_free[static_cast<std::size_t>(i)] =
-          is_kept && is_clean(Motion(whole_.at(static_cast<double>(i) / kSplitPlaces)));
+          is_kept && is_clean(Motion::resting(whole_.at(static_cast<double>(i) / kSplitPlaces)));
     }
     for (std::size_t first = 0, last = 0; first < is_free.size(); first = last + 1) {
       for (last = first; last < is_free.size() && is_free[last];) ++last;
@@ -141,7 +141,7 @@ class ArcSplit {
       const double u = std::clamp(to.dot(displacement) / displacement.squaredNorm(), 0.0, 1.0);
       if ((to - u * displacement).norm() > checker_.options().tolerance_mm) return false;
     }
-    return is_clean(Motion(at, stops[last]));
+    return is_clean(options_.law.straight(at, stops[last]));
   }
 
   // Of the arc, by the angle about its centre.

@@ -56,7 +56,8 @@ class CurveChoice {
   }
   [[nodiscard]] bool may_move(std::size_t i) const {
     const Move& move = path_.moves[i];
-    return checker_.check(Motion(move.end), move.kind, *tools_[move.tool], options_, true).state != MoveState::clean;
+    return checker_.check(Motion::resting(move.end), move.kind, *tools_[move.tool], options_, true).state !=
+           MoveState::clean;
   }
 
   const Toolpath& path_;
@@ -90,7 +91,7 @@ std::optional<ReworkedPath> straighten(const Toolpath& path, const CheckResult& 
       chord.kind = MoveKind::feed;
       chord.curve_kind = CurveKind::none;
       chord.end = to;
-      const Motion motion(from, to);
+      const Motion motion = options.law.straight(from, to);
       from = to;
       straight.add(chord, i, false, checker.check(motion, chord.kind, *tools[chord.tool], options, true));
     }

@@ -5,7 +5,7 @@
 
 #include "lib/base/parallel.h"
 #include "lib/certify/motion_checker.h"
-#include "lib/check/path_motion.h"
+#include "lib/motion/motion_law.h"
 #include "lib/path/chords.h"
 
 namespace gouge {
@@ -151,7 +151,7 @@ class LiftSearch {
     MoveVerdicts verdicts(moves.size());
     for_each_chunk(moves.size(), kMovesPerChunk, options_.threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        const Motion motion = motion_of(moved.path, i, options_.rapid);
+        const Motion motion = options_.law.of(moved.path, i);
         if (!motion.is_defined()) verdicts[i].state = MoveState::not_certified;
         if (motion.is_defined())
           verdicts[i] = checker_.check(motion, moves[i].kind, *setup_.tools[moves[i].tool], options_);

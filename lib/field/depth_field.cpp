@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "lib/check/path_motion.h"
 #include "lib/field/field_instants.h"
 #include "lib/field/group_neighbours.h"
 #include "lib/field/tangent_bound.h"
+#include "lib/motion/motion_law.h"
 
 namespace gouge {
 namespace {
@@ -180,12 +180,12 @@ DepthField::DepthField(const CheckedToolpath& input, std::size_t most_poses)
   };
   const auto wanted = [&](const Motion& motion, std::size_t move) {
     const PoseCloseness close = closeness(motion, move);
-    const double travel = path_length_mm(motion) + std::abs(motion.angle_rad()) * close.lever_mm;
+    const double travel = path_length_mm(motion) + motion.turn_rad() * close.lever_mm;
     return static_cast<std::size_t>(std::clamp(std::ceil(travel / close.step_mm), 1.0, kMostSteps));
   };
   PoseList poses;
   for (FieldInstants& one : pick_instants(input, most_poses, wanted)) {
-    const Motion motion = motion_of(*input.toolpath, one.move, input.options.rapid);
+    const Motion motion = input.options.law.of(*input.toolpath, one.move);
     const std::optional<Witness>& witness = input.result->verdicts[one.move].witness;
     std::ranges::sort(one.t);
     for (const double t : one.t) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/path_motion.h"
+#include "lib/motion/motion_law.h"
 
 namespace gouge {
 namespace {
@@ -55,7 +55,7 @@ class Picker {
   }
 
   void add(std::size_t index, double detail) {
-    const Motion motion = motion_of(*input_.toolpath, index, input_.options.rapid);
+    const Motion motion = input_.options.law.of(*input_.toolpath, index);
     if (!motion.is_defined()) return;
     const MoveVerdict& verdict = input_.result->verdicts[index];
     FieldInstants one{index, {}};

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "lib/check/motion.h"
 #include "lib/field/checked_toolpath.h"
+#include "lib/motion/motion.h"
 
 namespace gouge {
 

@@ -5,11 +5,11 @@
 #include <limits>
 #include <optional>
 
-#include "lib/check/path_motion.h"
 #include "lib/field/field_instants.h"
 #include "lib/geom/point_triangle.h"
-#include "lib/head/head_motion.h"
 #include "lib/mesh/mesh_box.h"
+#include "lib/motion/body_motion.h"
+#include "lib/motion/motion_law.h"
 
 namespace gouge {
 namespace {
@@ -27,7 +27,7 @@ double reach_of(std::span<const HeadBody> heads) {
 
 // Instants so close that what a swing leaves between two of them stays a small part of the depth.
 std::size_t head_instants(const Motion& motion, double reach_mm, double depth_mm, double most_step_mm) {
-  const double travel = HeadMotion(motion).turn_rad() * reach_mm + path_length_mm(motion);
+  const double travel = BodyMotion(motion).turn_rad() * reach_mm + path_length_mm(motion);
   const double step = std::clamp(std::sqrt(8 * reach_mm * 0.01 * std::max(depth_mm, 1e-3)), 0.1 * most_step_mm,
                                  std::max(most_step_mm, 1e-6));
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
@@ -125,8 +125,8 @@ HeadField::HeadField(const CheckedToolpath& input, std::size_t most_poses)
   std::stable_sort(picked.begin(), picked.end(),
                    [&](const FieldInstants& a, const FieldInstants& b) { return depth_of(a) > depth_of(b); });
   for (const FieldInstants& one : picked) {
-    const Motion motion = motion_of(*input.toolpath, one.move, input.options.rapid);
-    const HeadMotion moving(motion);
+    const Motion motion = input.options.law.of(*input.toolpath, one.move);
+    const BodyMotion moving(motion);
     for (const double t : one.t) {
       const RigidTransform to_part = moving.at(t);
       for (std::size_t h = 0; h < heads_.size(); ++h) {

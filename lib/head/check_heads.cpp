@@ -7,11 +7,11 @@
 
 #include "lib/base/parallel.h"
 #include "lib/check/check_path.h"
-#include "lib/check/path_motion.h"
 #include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/check/verdict_bytes.h"
 #include "lib/head/head_search.h"
+#include "lib/motion/motion_law.h"
 
 namespace gouge {
 namespace {
@@ -87,7 +87,7 @@ void HeadChecker::sweep_all(std::span<const Motion> motions, const CheckOptions&
       swept = sweep_covers(fit, targets, {goal, 0});
     }
     for (std::size_t k = 0; k < fit.size(); ++k) {
-      const HeadMotion moving(fit[k]);
+      const BodyMotion moving(fit[k]);
       const HeadResult found = is_covered ? search_head(moving, head, trees_, goal, swept[k].start)
                                           : search_head(moving, head, trees_, goal);
       const std::size_t m = index[k];
@@ -103,7 +103,7 @@ double HeadChecker::excess_at(const Pose& pose, double allowed_mm, double accura
   options.tolerance_mm = allowed_mm;
   options.resolution_mm = accuracy_mm;
   MoveVerdict verdict;
-  bounds += check(Motion(pose), options, verdict);
+  bounds += check(Motion::resting(pose), options, verdict);
   if (verdict.state == MoveState::gouge) return verdict.depth_mm - allowed_mm;
   return verdict.state == MoveState::clean ? 0 : std::numeric_limits<double>::infinity();
 }
@@ -141,7 +141,7 @@ void HeadChecker::take(const HeadResult& found, MoveVerdict& verdict) const {
 /// No surface comes as deep into the head as its cores lie, so each core stays on one side during the whole
 /// move.
 void HeadChecker::look_inside(const Pose& pose, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const {
-  const RigidTransform at{head_rotation(pose.axis), pose.tip};
+  const RigidTransform at{rotation_to_axis(pose.axis), pose.tip};
   for (std::size_t h = 0; h < heads_.size() && verdict.state != MoveState::buried; ++h) {
     for (std::size_t k = 0; k < heads_[h].cores.size() && verdict.state != MoveState::buried; ++k) {
       if (heads_[h].core_depths_mm[k] <= uppers_mm[h]) {
@@ -160,7 +160,7 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
     for (std::size_t k = 0; k < heads_[h].cores.size(); ++k) cores.emplace_back(h, k);
   }
   const auto core_at = [&](const Pose& pose, std::size_t c) {
-    const RigidTransform at{head_rotation(pose.axis), pose.tip};
+    const RigidTransform at{rotation_to_axis(pose.axis), pose.tip};
     return at.point(heads_[cores[c].first].cores[cores[c].second]);
   };
   const auto is_free = [&](std::size_t i, std::size_t c) {
@@ -204,7 +204,7 @@ namespace {
 void check_links(const Toolpath& toolpath, const HeadChecker& checker, const CheckOptions& options,
                  MoveVerdicts& verdicts) {
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    const std::optional<Motion> link = link_of(toolpath, i);
+    const std::optional<Motion> link = options.law.link_of(toolpath, i);
     if (!link || !is_open_to_judgement(verdicts[i])) continue;
     MoveVerdict verdict;
     std::vector<double> uppers_mm;
@@ -241,7 +241,7 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
     for (std::size_t i = first; i < last; ++i) {
       if (result.verdicts[i].state == MoveState::not_checked) continue;
       moves.push_back(i);
-      motions.push_back(motion_of(toolpath, i, options.rapid));
+      motions.push_back(options.law.of(toolpath, i));
       verdicts.push_back(&result.verdicts[i]);
     }
     std::vector<std::vector<double>> uppers_of(moves.size());

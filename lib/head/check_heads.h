@@ -10,6 +10,7 @@
 #include "lib/base/kept_work.h"
 #include "lib/base/paged_memory.h"
 #include "lib/base/parallel.h"
+#include "lib/check/check_options.h"
 #include "lib/check/check_result.h"
 #include "lib/check/prepared_scene.h"
 #include "lib/head/head_body.h"

@@ -34,7 +34,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
   // A descent would measure other points first, and which of equally deep ones is the witness would change.
   static constexpr bool kDescends = false;
 
-  Search(const HeadMotion& motion, const HeadBody& head, std::span<const BlockTree* const> trees,
+  Search(const BodyMotion& motion, const HeadBody& head, std::span<const BlockTree* const> trees,
          const SearchGoal& goal)
       : motion_(motion), intervals_(motion, motion.motion()), head_(head), trees_(trees), goal_(goal) {}
 
@@ -117,22 +117,18 @@ class Search : public BestFirstSearch<Search, Candidate> {
     return c.kind == Candidate::Kind::root ? LaneBound(tree) : LaneBound(tree, tree.nodes[c.parent], c.lane);
   }
 
-  [[nodiscard]] double bulge_mm(const HeadInterval& interval, double far_mm) const {
-    return interval.t1 > interval.t0 ? motion_.bulge_mm(interval.t0, interval.t1, interval.segment, far_mm) : 0;
-  }
-
   /// All of the candidate but its bound and what comes next is known.
   void add_node(Candidate& c) {
-    const HeadInterval& interval = intervals_[c.interval];
+    const BodyInterval& interval = intervals_[c.interval];
     const LaneBound held = bound_of(c);
     const double far_mm = interval.to_tool0.point(held.center).norm() + held.radius_mm;
-    if (bound(c, NodeRegion(held, interval.to_tool0, interval.to_tool1, bulge_mm(interval, far_mm)))) offer(c);
+    if (bound(c, NodeRegion(held, interval.to_tool0, interval.to_tool1, motion_.bulge_mm(interval, far_mm)))) offer(c);
   }
 
   /// A facet of the head near the piece.
   std::uint32_t add_piece(std::uint32_t index, std::uint32_t tree, std::uint32_t triangle,
                           const std::array<Vec3, 3>& piece, std::uint32_t facet) {
-    const HeadInterval& interval = intervals_[index];
+    const BodyInterval& interval = intervals_[index];
     std::array<Vec3, 6> corners;
     double far_mm = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -147,7 +143,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
     c.index = triangle;
     c.piece = piece;
     c.facet = facet;
-    if (!bound(c, PieceRegion(corners, bulge_mm(interval, far_mm)))) return facet;
+    if (!bound(c, PieceRegion(corners, motion_.bulge_mm(interval, far_mm)))) return facet;
     if (c.upper_mm > threshold_mm()) try_points(c, (piece[0] + piece[1] + piece[2]) / 3.0);
     offer(c);
     return c.facet;
@@ -222,7 +218,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
   }
 
   void try_points(const Candidate& c, const Vec3& centre) {
-    const HeadInterval& interval = intervals_[c.interval];
+    const BodyInterval& interval = intervals_[c.interval];
     for (const Vec3& p : {centre, c.piece[0], c.piece[1], c.piece[2]}) {
       for (const double t : {interval.t0, interval.t1}) {
         const RigidTransform& to_tool = t > interval.t0 ? interval.to_tool1 : interval.to_tool0;
@@ -244,8 +240,8 @@ class Search : public BestFirstSearch<Search, Candidate> {
     }
   }
 
-  const HeadMotion& motion_;
-  IntervalTree<HeadInterval, HeadMotion> intervals_;
+  const BodyMotion& motion_;
+  IntervalTree<BodyInterval, BodyMotion> intervals_;
   const HeadBody& head_;
   std::span<const BlockTree* const> trees_;
   const SearchGoal& goal_;
@@ -260,12 +256,12 @@ class Search : public BestFirstSearch<Search, Candidate> {
 
 }  // namespace
 
-HeadResult search_head(const HeadMotion& motion, const HeadBody& head, std::span<const BlockTree* const> trees,
+HeadResult search_head(const BodyMotion& motion, const HeadBody& head, std::span<const BlockTree* const> trees,
                        const SearchGoal& goal) {
   return Search(motion, head, trees, goal).find();
 }
 
-HeadResult search_head(const HeadMotion& motion, const HeadBody& head, std::span<const BlockTree* const> trees,
+HeadResult search_head(const BodyMotion& motion, const HeadBody& head, std::span<const BlockTree* const> trees,
                        const SearchGoal& goal, const SearchStart& start) {
   if (!start.seeds.empty()) return Search(motion, head, trees, goal).find(start);
   HeadResult result;

@@ -6,8 +6,8 @@
 #include "lib/base/best_first_search.h"
 #include "lib/check/search.h"
 #include "lib/head/head_body.h"
-#include "lib/head/head_motion.h"
 #include "lib/hierarchy/block_tree.h"
+#include "lib/motion/body_motion.h"
 
 namespace gouge {
 
@@ -33,11 +33,11 @@ struct HeadResult {
 /// `trees`: over the surfaces asked for. Requires resolution and gap > 0.
 /// Ensures  depth <= true depth <= depth_upper, at any budget.
 /// Source   space-time bounds, thesis 2.4.14; chord and bulge as in docs/algorithms/certified_sweep.md.
-[[nodiscard]] HeadResult search_head(const HeadMotion& motion, const HeadBody& head,
+[[nodiscard]] HeadResult search_head(const BodyMotion& motion, const HeadBody& head,
                                      std::span<const BlockTree* const> trees, const SearchGoal& goal);
 
 /// The same of what `start` leaves: its seeds name a tree and a triangle of it, and it has no value.
-[[nodiscard]] HeadResult search_head(const HeadMotion& motion, const HeadBody& head,
+[[nodiscard]] HeadResult search_head(const BodyMotion& motion, const HeadBody& head,
                                      std::span<const BlockTree* const> trees, const SearchGoal& goal,
                                      const SearchStart& start);
 

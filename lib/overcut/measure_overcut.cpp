@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "lib/base/parallel.h"
-#include "lib/check/motion.h"
 #include "lib/check/overcut_gap.h"
-#include "lib/check/path_motion.h"
 #include "lib/check/verdict_bytes.h"
+#include "lib/motion/motion.h"
+#include "lib/motion/motion_law.h"
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_head.h"
 #include "lib/overcut/swept_tool.h"
@@ -133,7 +133,7 @@ class Measuring {
   void measure(std::size_t move) const {
     MoveVerdict& verdict = result_.verdicts[move];
     const std::size_t tool = toolpath_.moves[move].tool;
-    const Motion motion = motion_of(toolpath_, move, options_.rapid);
+    const Motion motion = options_.law.of(toolpath_, move);
     const Surface& part = surface_of(verdict).boundary();
     // Where the tool's boundary comes to lie once the witness is followed through the tool.
     const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;

@@ -306,7 +306,7 @@ class Search : public BestFirstSearch<Search, Cell> {
     const Motion& motion = tool_.motion();
     // About how far the tool runs past the point.
     const double travel = (motion.at(1).tip - motion.at(0).tip).norm() +
-                          motion.angle_rad() * (best_.point - motion.at(best_.t).tip).norm();
+                          motion.turn_rad() * (best_.point - motion.at(best_.t).tip).norm();
     double step = 1 + 4 * best_.depth_mm;
     double dt = 0.5;
     for (int i = 0; i < kClimbs && best_.depth_mm > 0; ++i) {

@@ -26,7 +26,7 @@ Vec3 SweptHead::outward_at(const Vec3& point, double t) const {
 }
 
 SweptBound SweptHead::bound(const Vec3& centre, double radius, std::uint32_t index) const {
-  const HeadInterval& interval = intervals_[index];
+  const BodyInterval& interval = intervals_[index];
   const Vec3 q0 = interval.to_tool0.point(centre), q1 = interval.to_tool1.point(centre);
   SweptBound bound;
   bound.t = interval.t0;
@@ -35,8 +35,7 @@ SweptBound SweptHead::bound(const Vec3& centre, double radius, std::uint32_t ind
   bound.distance_mm = d0;
   double least = d0;
   if (interval.t1 > interval.t0) {
-    bound.path_length_mm =
-        (q1 - q0).norm() + 2 * moving_.bulge_mm(interval.t0, interval.t1, interval.segment, q0.norm());
+    bound.path_length_mm = (q1 - q0).norm() + 2 * moving_.bulge_mm(interval, q0.norm());
     const double d1 = head_.surface.closest_point(q1)->signed_mm();
     least = 0.5 * (d0 + d1 - bound.path_length_mm);
     if (d1 < d0) {
@@ -51,13 +50,11 @@ SweptBound SweptHead::bound(const Vec3& centre, double radius, std::uint32_t ind
 
 std::optional<DriftingHalfSpace> SweptHead::half_space(const Vec3& point, double s, const Vec3& centre, double radius,
                                                        std::uint32_t index) const {
-  const HeadInterval& interval = intervals_[index];
+  const BodyInterval& interval = intervals_[index];
   const Vec3 near = (0.5 - s) * interval.to_tool0.point(point) + (0.5 + s) * interval.to_tool1.point(point);
   const auto foot = head_.surface.closest_point(near);
   const Vec3 q0 = interval.to_tool0.point(centre), q1 = interval.to_tool1.point(centre);
-  double bulge = 0;
-  if (interval.t1 > interval.t0)
-    bulge = moving_.bulge_mm(interval.t0, interval.t1, interval.segment, q0.norm() + radius);
+  const double bulge = moving_.bulge_mm(interval, q0.norm() + radius);
   const Vec3& up = foot->normal;
   const Vec3 chord = q1 - q0;
   const double along = up.dot(chord);
@@ -74,12 +71,9 @@ std::optional<DriftingHalfSpace> SweptHead::half_space(const Vec3& point, double
 }
 
 std::vector<Box3> SweptHead::extents(const Eigen::Matrix3d& frame, std::uint32_t index, bool /*is_sharp_only*/) const {
-  const HeadInterval& interval = intervals_[index];
-  double bulge = 0;
-  if (interval.t1 > interval.t0) {
-    const double far = box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs()).norm();
-    bulge = moving_.bulge_mm(interval.t0, interval.t1, interval.segment, far);
-  }
+  const BodyInterval& interval = intervals_[index];
+  const double far = box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs()).norm();
+  const double bulge = moving_.bulge_mm(interval, far);
   Box3 box;
   for (const RigidTransform* to_tool : {&interval.to_tool0, &interval.to_tool1}) {
     const RigidTransform to_part = to_tool->inverse();

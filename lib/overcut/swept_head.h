@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lib/head/head_body.h"
-#include "lib/head/head_motion.h"
+#include "lib/motion/body_motion.h"
 #include "lib/overcut/swept_solid.h"
 
 namespace gouge {
@@ -25,8 +25,8 @@ class SweptHead : public SweptSolid {
 
  private:
   const HeadBody& head_;
-  HeadMotion moving_;
-  IntervalTree<HeadInterval, HeadMotion> intervals_;
+  BodyMotion moving_;
+  IntervalTree<BodyInterval, BodyMotion> intervals_;
   Box3 box_;  // in the tool's frame
 };
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "lib/check/motion.h"
-#include "lib/check/motion_interval.h"
+#include "lib/motion/motion.h"
+#include "lib/motion/motion_interval.h"
 
 namespace gouge {
 

@@ -31,7 +31,7 @@ struct Chord {
 
   Chord(const ToolInterval& interval, const Vec3& centre, double radius)
       : q0(interval.f0.to_tool(centre)), q1(interval.f1.to_tool(centre)), radius_mm(radius) {
-    if (interval.t1 > interval.t0) bulge_mm = interval.bulge_mm((centre - interval.tip_middle).norm() + radius);
+    if (interval.t1 > interval.t0) bulge_mm = interval.rates.bulge_mm((centre - interval.tip_middle).norm() + radius);
   }
 };
 
@@ -139,11 +139,11 @@ DriftingHalfSpace behind(const CompiledTool& tool, const Vec3& direction, const 
   const auto angle = [](double along) { return std::asin(std::clamp(along, -1.0, 1.0)); };
   const double low = std::min(angle(along0), angle(along1)), high = std::max(angle(along0), angle(along1));
   const double r_lo = std::max(0.0, smallest_radius(chord.q0, chord.q1) - around);
-  const Hull hull(tool, z_lo, z_hi, r_lo, low - interval.turn_rad, high + interval.turn_rad);
+  const Hull hull(tool, z_lo, z_hi, r_lo, low - interval.rates.turn_rad, high + interval.rates.turn_rad);
   if (hull.is_empty()) return {direction, -4 * around, 0};
   const double end0 = direction.dot(interval.f0.tip) + hull.support_mm(along0);
   const double end1 = direction.dot(interval.f1.tip) + hull.support_mm(along1);
-  const double over = interval.turn_rad * interval.turn_rad * hull.bulge_mm() + interval.sag_mm;
+  const double over = interval.rates.axis_acceleration_rad() * hull.bulge_mm() + interval.rates.tip_sag_mm;
   return {direction, 0.5 * (end0 + end1) - direction.dot(centre) + over + kToolRounding_mm, end1 - end0};
 }
 
@@ -235,7 +235,7 @@ Box3 SweptTool::extent_of_arc(const Eigen::Matrix3d& frame, std::uint32_t index,
   constexpr double kAngle = 2 * std::numbers::pi / kArcs;
   const ToolInterval& interval = intervals_[index];
   const double far = ring.max().x() + std::max(std::abs(ring.min().y()), std::abs(ring.max().y()));
-  const double bulge = interval.t1 > interval.t0 ? interval.bulge_mm(far) : 0;
+  const double bulge = interval.t1 > interval.t0 ? interval.rates.bulge_mm(far) : 0;
   const double r_min = std::max(0.0, ring.min().x());
   Box3 box;
   for (const ToolFrame* at : {&interval.f0, &interval.f1}) {
@@ -259,7 +259,7 @@ Box3 SweptTool::extent_of_arc(const Eigen::Matrix3d& frame, std::uint32_t index,
 Box3 SweptTool::extent(const Eigen::Matrix3d& frame, std::uint32_t index, const Box2& ring) const {
   const ToolInterval& interval = intervals_[index];
   const double far = ring.max().x() + std::max(std::abs(ring.min().y()), std::abs(ring.max().y()));
-  const double bulge = interval.t1 > interval.t0 ? interval.bulge_mm(far) : 0;
+  const double bulge = interval.t1 > interval.t0 ? interval.rates.bulge_mm(far) : 0;
   Box3 box;
   for (const ToolFrame* at : {&interval.f0, &interval.f1}) {
     for (int k = 0; k < 3; ++k) {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "lib/check/tool_interval.h"
+#include "lib/motion/tool_interval.h"
 #include "lib/overcut/swept_solid.h"
 #include "lib/tool/compiled_tool.h"
 #include "lib/tool/inscribed_balls.h"

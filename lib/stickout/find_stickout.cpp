@@ -9,7 +9,7 @@
 
 #include "lib/base/parallel.h"
 #include "lib/certify/motion_checker.h"
-#include "lib/check/path_motion.h"
+#include "lib/motion/motion_law.h"
 
 namespace gouge {
 namespace {
@@ -119,9 +119,8 @@ class ToolSearch {
                    [&](std::size_t first, std::size_t last) {
                      for (std::size_t m = first; m < last; ++m) {
                        const std::size_t i = moves[m];
-                       const MoveVerdict verdict =
-                           at.checker->check(motion_of(path_, i, check_options_.rapid), path_.moves[i].kind,
-                                             at.longer.bodies, check_options_);
+                       const MoveVerdict verdict = at.checker->check(
+                           check_options_.law.of(path_, i), path_.moves[i].kind, at.longer.bodies, check_options_);
                        are_free[m] = is_free(verdict) ? 1 : 0;
                        if (!is_free(verdict)) obstacles_[i] = Obstacle(verdict);
                      }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/check/path_motion.h"
 #include "lib/path/path_info.h"
 
 namespace gouge {
@@ -24,12 +23,12 @@ CutPath::ReplacedMoves CutPath::replaced_by(const TiltSpace& space) {
   return replaced;
 }
 
-std::vector<CutPath::Cut> CutPath::tilted(const TiltSpace& space, const TiltSequence& tilts, std::size_t tool) {
+std::vector<CutPath::Cut> CutPath::tilted(const TiltSpace& space, const TiltSequence& tilts, std::size_t tool) const {
   std::vector<Cut> cuts;
   for (std::size_t i = 0; i + 1 < space.size(); ++i) {
     if (space[i + 1].kind == MoveKind::rapid) continue;
     const auto from = space.pose(i, tilts[i]), to = space.pose(i + 1, tilts[i + 1]);
-    if (from && to) cuts.push_back({Motion(*from, *to), tool, space[i + 1].move});
+    if (from && to) cuts.push_back({law().straight(*from, *to), tool, space[i + 1].move});
   }
   return cuts;
 }
@@ -50,18 +49,18 @@ void CutPath::add_unchanged(const ReplacedMoves& replaced, const Vec3& centre, d
       continue;
     const auto found = replaced.find(i);
     if (found == replaced.end()) {
-      const Motion motion = motion_of(job_.path, i, RapidMode::straight);
+      const Motion motion = law().of(job_.path, i);
       if (motion.is_defined()) sweep.add(motion, cutter, i);
       continue;
     }
     // Of a straight move what is between the stretches that are replaced.
-    const Motion motion(start, move.end);
+    const Motion motion = law().straight(start, move.end);
     std::vector<Replaced> stretches = found->second;
     std::ranges::sort(stretches, {}, &Replaced::from);
     double from = 0;
     stretches.push_back({1, 1});
     for (const Replaced& stretch : stretches) {
-      if (stretch.from > from) sweep.add(Motion(motion.at(from), motion.at(stretch.from)), cutter, i);
+      if (stretch.from > from) sweep.add(law().straight(motion.at(from), motion.at(stretch.from)), cutter, i);
       from = std::max(from, stretch.to);
     }
   }
@@ -77,7 +76,7 @@ std::optional<LeftStock> CutPath::left_by(const TiltSpace& space, const TiltSequ
   for (std::size_t i = 0; i + 1 < space.size(); ++i) {
     const bool is_as_it_was = !(tilts[i].norm() > 0) && !(tilts[i + 1].norm() > 0);
     if (is_as_it_was || space[i + 1].kind == MoveKind::rapid) continue;
-    before.add(Motion(space[i].programmed, space[i + 1].programmed), cutter, space[i + 1].move);
+    before.add(law().straight(space[i].programmed, space[i + 1].programmed), cutter, space[i + 1].move);
     for (const std::size_t k : {i, i + 1}) {
       low = low.cwiseMin(space[k].programmed.tip);
       high = high.cwiseMax(space[k].programmed.tip);

@@ -35,7 +35,8 @@ class CutPath {
   };
 
   [[nodiscard]] static ReplacedMoves replaced_by(const TiltSpace& space);
-  [[nodiscard]] static std::vector<Cut> tilted(const TiltSpace& space, const TiltSequence& tilts, std::size_t tool);
+  [[nodiscard]] const MotionLaw& law() const { return job_.checker.options().law; }
+  [[nodiscard]] std::vector<Cut> tilted(const TiltSpace& space, const TiltSequence& tilts, std::size_t tool) const;
   void add_unchanged(const ReplacedMoves& replaced, const Vec3& centre, double radius_mm, CutterSweep& sweep) const;
   [[nodiscard]] std::size_t tool_of(const TiltSpace& space) const { return job_.path.moves[space[0].move].tool; }
 

@@ -38,7 +38,7 @@ struct Stretch {
 bool is_tiltable(const TiltJob& job, std::size_t i) {
   const Move& move = job.path.moves[i];
   const bool is_straight = move.kind == MoveKind::feed ||
-                           (move.kind == MoveKind::rapid && job.checker.options().rapid == RapidMode::straight);
+                           (move.kind == MoveKind::rapid && job.checker.options().law.rapid() == RapidMode::straight);
   const MoveState state = job.result.verdicts[i].state;
   const bool is_told = state == MoveState::clean || state == MoveState::near_miss || state == MoveState::gouge;
   return is_straight && is_told && move.curve_kind == CurveKind::none && move.not_checked_reason.empty() &&
@@ -66,15 +66,15 @@ class Chain {
       return;
     }
     if (stations_.empty()) stations_.push_back({i, 0, 0, true});
-    const Motion motion(job_.path.start_of(i), move.end);
+    const Motion motion = law().straight(job_.path.start_of(i), move.end);
     const double way = stations_.back().way_mm;
-    const double length = (motion.end().tip - motion.start().tip).norm() + kArm_mm * motion.angle_rad();
+    const double length = (motion.end().tip - motion.start().tip).norm() + kArm_mm * motion.turn_rad();
     const int pieces = 1 + static_cast<int>(length / spacing_mm);
     bool is_any = false;
     const std::size_t first = stations_.size();
     for (int k = 1; k <= pieces; ++k) {
       const double t = k == pieces ? 1.0 : static_cast<double>(k) / pieces;
-      const Motion piece(motion.at(t - 1.0 / pieces), motion.at(t));
+      const Motion piece = law().straight(motion.at(t - 1.0 / pieces), motion.at(t));
       const bool is_clean = !is_gouge || (pieces > 1 && job_.checker.is_clean(piece, move.kind, *job_.tools[move.tool],
                                                                               job_.checker.options(), true));
       is_any = is_any || !is_clean;
@@ -123,9 +123,11 @@ class Chain {
     return run;
   }
 
+  [[nodiscard]] const MotionLaw& law() const { return job_.checker.options().law; }
+
   [[nodiscard]] bool is_clean_at(const Station& station) const {
     const Move& move = job_.path.moves[station.move];
-    return job_.checker.is_clean(Motion(position_at(station, 0).programmed), move.kind, *job_.tools[move.tool],
+    return job_.checker.is_clean(Motion::resting(position_at(station, 0).programmed), move.kind, *job_.tools[move.tool],
                                  job_.checker.options(), true);
   }
 
@@ -137,7 +139,7 @@ class Chain {
     at.way_mm = station.way_mm - begin_mm;
     at.kind = move.kind;
     at.programmed = move.end;
-    if (station.t < 1) at.programmed = Motion(job_.path.start_of(station.move), move.end).at(station.t);
+    if (station.t < 1) at.programmed = law().straight(job_.path.start_of(station.move), move.end).at(station.t);
     at.is_reached_clean = station.is_reached_clean;
     return at;
   }

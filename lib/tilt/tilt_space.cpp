@@ -151,7 +151,7 @@ bool TiltSpace::is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusin
   options.near_miss_mm = kAir_mm;
   options.gouge_gap_mm = kAnyGap_mm;
   // From an end of the run, which is outside, clean motions lead to every position of a proven sequence.
-  const MoveVerdict verdict = task_.checker->check(Motion(pose), at.kind, *task_.tool, options, true);
+  const MoveVerdict verdict = task_.checker->check(Motion::resting(pose), at.kind, *task_.tool, options, true);
   const bool is_of_tool = verdict.witness && verdict.witness->body != Body::head;
   if (refusing != nullptr && verdict.state == MoveState::gouge && is_of_tool) {
     learn(*verdict.witness, *refusing);
@@ -172,11 +172,13 @@ bool TiltSpace::may_turn(std::size_t i, const Tilt& from, std::size_t k, const T
 }
 
 bool TiltSpace::stays_within_limits(std::size_t i, const Pose& from, std::size_t k, const Pose& to) const {
-  const Motion programmed(positions_[i].programmed, positions_[k].programmed), tilted(from, to);
+  const MotionLaw& law = task_.checker->options().law;
+  const Motion programmed = law.straight(positions_[i].programmed, positions_[k].programmed),
+               tilted = law.straight(from, to);
   const TiltOptions& limits = task_.options;
   // Between two instants an angle between axes is at most the mean of both and of what the axes turn.
   const auto stays = [&](const auto& self, double t0, double t1, int level) -> bool {
-    const double turn = (t1 - t0) * (programmed.angle_rad() + tilted.angle_rad());
+    const double turn = (t1 - t0) * (programmed.turn_rad() + tilted.turn_rad());
     const Vec3 a0 = tilted.at(t0).axis, a1 = tilted.at(t1).axis;
     const auto is_within = [&](double angle0, double angle1, double limit) {
       return 0.5 * (angle0 + angle1 + turn) <= limit + kSure_rad;
@@ -224,8 +226,8 @@ bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, 
   }
   const std::optional<Pose> start = pose(i, from), end = pose(k, to);
   if (!start || !end) return false;
-  const Motion motion(*start, *end);
-  if (!motion.is_defined() || motion.angle_rad() > largest_turn_rad(i, k) || !stays_within_limits(i, *start, k, *end))
+  const Motion motion = task_.checker->options().law.straight(*start, *end);
+  if (!motion.is_defined() || motion.turn_rad() > largest_turn_rad(i, k) || !stays_within_limits(i, *start, k, *end))
     return false;
   return std::ranges::any_of(std::array{kMotionAimShare, kMostShare}, [&](double share) {
     return task_.checker->is_clean(motion, positions_[k].kind, *task_.tool, options_for(share), true);
@@ -237,7 +239,7 @@ bool TiltSpace::is_gouge(std::size_t i, MoveKind kind) const {
   CheckOptions options = options_for(1);
   options.tolerance_mm += options.resolution_mm + kSurely_mm;
   options.gouge_gap_mm = kAnyGap_mm;
-  const Motion stays(positions_[i].programmed);
+  const Motion stays = Motion::resting(positions_[i].programmed);
   return task_.checker->check(stays, kind, *task_.tool, options, true).state == MoveState::gouge;
 }
 

@@ -58,7 +58,7 @@ AcceptedSetup setup_of(const ReportModel& model, const std::string& tool) {
           o.stock_to_leave_mm,
           o.shank_clearance_mm,
           o.holder_clearance_mm,
-          rapid_word(o.rapid)};
+          rapid_word(o.law.rapid())};
 }
 
 std::optional<std::string> find_change(const AcceptedSetup& accepted, const AcceptedSetup& now, LengthUnit unit) {

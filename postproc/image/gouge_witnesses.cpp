@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/path_motion.h"
 #include "lib/field/field_instants.h"
 #include "lib/hierarchy/sight.h"
+#include "lib/motion/motion_law.h"
 
 namespace gouge {
 
@@ -19,7 +19,7 @@ std::vector<GougeWitness> gouge_witnesses(const CheckedToolpath& input, std::siz
   const std::size_t every = gouging.size() / std::max<std::size_t>(most, 1) + 1;
   for (std::size_t k = 0; k < gouging.size(); k += every) {
     const MoveVerdict& verdict = verdicts[gouging[k]];
-    const Motion motion = motion_of(*input.toolpath, gouging[k], input.options.rapid);
+    const Motion motion = input.options.law.of(*input.toolpath, gouging[k]);
     const double travel = motion.is_defined() ? path_length_mm(motion) : 0;
     // A trace is about as wide as the root of its depth.
     const double weight = std::max(travel, verdict.depth_mm) * std::sqrt(std::max(verdict.depth_mm, 0.0));

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/path_motion.h"
 #include "lib/head/find_head.h"
-#include "lib/head/head_motion.h"
 #include "lib/mesh/mesh_box.h"
+#include "lib/motion/body_motion.h"
+#include "lib/motion/motion_law.h"
 
 namespace gouge {
 namespace {
@@ -35,11 +35,11 @@ PictureEvent picture_event(const CheckedToolpath& input, const Event& event) {
   one.event = event;
   one.has_witness = event.state == MoveState::gouge && verdict.witness.has_value();
   if (one.has_witness) one.witness = *verdict.witness;
-  const Motion motion = motion_of(*input.toolpath, event.worst_move, input.options.rapid);
+  const Motion motion = input.options.law.of(*input.toolpath, event.worst_move);
   const double t = one.has_witness ? one.witness.t : 1.0;
   one.pose = motion.is_defined() ? motion.at(t) : move.end;
   one.heads =
-      motion.is_defined() ? HeadMotion(motion).at(t) : RigidTransform{head_rotation(move.end.axis), move.end.tip};
+      motion.is_defined() ? BodyMotion(motion).at(t) : RigidTransform{rotation_to_axis(move.end.axis), move.end.tip};
   const CompiledTool& bare = input.tools[event.tool]->bare;
   one.at = one.has_witness ? one.witness.point : Vec3(one.pose.tip + one.pose.axis * bare.core.y());
   find_head(input, verdict.reason, one);

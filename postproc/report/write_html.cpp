@@ -326,7 +326,7 @@ class HtmlReport {
     add("clearance of the shank", length_text(o.shank_clearance_mm, unit_));
     add("clearance of the holder", length_text(o.holder_clearance_mm, unit_));
     add("near miss", o.near_miss_mm > 0 ? length_text(o.near_miss_mm, unit_) : "not asked");
-    add("rapid moves", kRapid[static_cast<std::size_t>(o.rapid)]);
+    add("rapid moves", kRapid[static_cast<std::size_t>(o.law.rapid())]);
     for (const OptionText& option : model_.more_options) add(option.name, option.value);
     return "<h2>Options in force</h2>\n" + table.html();
   }

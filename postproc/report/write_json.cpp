@@ -92,7 +92,7 @@ class JsonReport {
             {"shank_clearance", length(o.shank_clearance_mm)},
             {"holder_clearance", length(o.holder_clearance_mm)},
             {"near_miss", length(o.near_miss_mm)},
-            {"rapid", kRapid.at(static_cast<std::size_t>(o.rapid))},
+            {"rapid", kRapid.at(static_cast<std::size_t>(o.law.rapid()))},
             {"more", more}};
   }
 

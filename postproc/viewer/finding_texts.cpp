@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lib/check/path_motion.h"
+#include "lib/motion/motion_law.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -62,7 +62,7 @@ Json finding_json(const ReportModel& model, const CheckedToolpath& input, const 
   const LengthUnit unit = path.unit;
   const MoveVerdict& verdict = model.result->verdicts[event.worst_move];
   const Move& move = path.moves[event.worst_move];
-  const Motion motion = motion_of(path, event.worst_move, input.options.rapid);
+  const Motion motion = input.options.law.of(path, event.worst_move);
   const double t = verdict.witness && event.state != MoveState::buried ? verdict.witness->t : 1;
   const Pose pose = motion.is_defined() ? motion.at(t) : move.end;
   Json out = {{"state", state_name(event.state)},  {"move", event.worst_move},

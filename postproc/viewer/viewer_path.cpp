@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lib/check/path_motion.h"
+#include "lib/motion/motion_law.h"
 #include "lib/path/chords.h"
 
 namespace gouge {
@@ -13,7 +13,7 @@ constexpr std::size_t kMostChords = 64;  // of a curve
 void add_motion(const CheckedToolpath& input, std::size_t move, double error_mm, std::vector<Station>& out) {
   const Toolpath& path = *input.toolpath;
   const Move& m = path.moves[move];
-  const Motion motion = motion_of(path, move, input.options.rapid);
+  const Motion motion = input.options.law.of(path, move);
   if (!motion.is_defined()) {
     out.push_back({m.end, move, 1, true});
     return;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lib/head/check_heads.h"
-#include "lib/head/head_motion.h"
+#include "lib/motion/body_motion.h"
 #include "tests/bench/fcl_model.h"
 #include "tests/bench/peer_support.h"
 #include "tests/bench/scene_files.h"
@@ -78,7 +78,7 @@ void time_certified(benchmark::State& state, const Heads& heads) {
 
 fcl::Transform3d head_transform(const Pose& pose) {
   fcl::Transform3d t = fcl::Transform3d::Identity();
-  t.linear() = head_rotation(pose.axis);
+  t.linear() = rotation_to_axis(pose.axis);
   t.translation() = pose.tip;
   return t;
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "lib/base/parallel.h"
+#include "tests/support/motions.h"
 
 namespace gouge::bench {
 namespace {
@@ -120,7 +121,7 @@ std::vector<SampledMove> sample_moves(const PeerCase& c, std::size_t count) {
   std::vector<SampledMove> sample;
   for (const std::size_t i : spread(1, c.work.path.moves.size(), count)) {
     const Move& move = c.work.path.moves[i];
-    sample.push_back({Motion(c.work.path.start_of(i), move.end), i, c.work.groups[i], 0});
+    sample.push_back({test::straight(c.work.path.start_of(i), move.end), i, c.work.groups[i], 0});
   }
   const ExactDistance mesh(c.work.scene.parts[0]);
   for_each_chunk(sample.size(), kRun, 0, [&](std::size_t first, std::size_t last) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/check/motion.h"
+#include "lib/motion/motion.h"
 #include "tests/bench/workload.h"
 
 // What the measuring programs share: the cases they run, a sample of poses and moves with the truth about

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "lib/check/path_motion.h"
+#include "lib/motion/motion_law.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/laws/guarantee.h"
 #include "tests/support/real_arcs.h"
@@ -30,7 +30,7 @@ TEST_P(ArcSense, OnlyTheWrongWayRoundMeetsThePost) {
   Toolpath& path = *outcome.toolpath;
   path.tools.resize(1);
   for (Move& move : path.moves) move.tool = 0;
-  const Vec3 middle = motion_of(path, 2, RapidMode::straight).at(0.5).tip;
+  const Vec3 middle = MotionLaw().of(path, 2).at(0.5).tip;
   PathArc& arc = path.arcs.at(0);
   const Vec3 across = 2 * (arc.center - arc.axis.dot(arc.center - middle) * arc.axis) - middle;
   Scene scene;

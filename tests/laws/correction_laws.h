@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "lib/certify/motion_checker.h"
-#include "lib/check/path_motion.h"
 #include "lib/correct/correct_path.h"
 #include "lib/mesh/winding.h"
+#include "lib/motion/motion_law.h"
 #include "postproc/cldata/rewriting/list_written.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/motions.h"
 
 // The laws of a correction, held against the corrected file as it is read and checked, by means of their own: which
 // moves belong together, what the tool meets on a shift, how far a path is off. Nothing of lib/correct/laws.h is used.
@@ -106,7 +107,7 @@ class LawBook {
       if (changes_[i] == nullptr || c_.after->moves[k].tool == kNone || ++looked_at_ % one_of(scene_) != 0) continue;
       const ToolVariants* tool = c_.setup->tools[c_.after->moves[k].tool];
       if (tool == nullptr || !c_.after->moves[k].not_checked_reason.empty()) continue;
-      const double found = brute_force_depth(motion_of(*c_.after, k, options_.rapid), *tool, scene_, 6, 0.2).depth_mm;
+      const double found = brute_force_depth(options_.law.of(*c_.after, k), *tool, scene_, 6, 0.2).depth_mm;
       const double allowed = was.state == MoveState::gouge ? was.depth_upper_mm : options_.tolerance_mm;
       if (found > allowed + 2 * options_.resolution_mm && was.state != MoveState::buried)
         say('b', i, "brute force finds " + std::to_string(found) + " after " + std::to_string(was.depth_mm));
@@ -125,7 +126,7 @@ class LawBook {
       const double u = length2 > 0 ? std::clamp((p - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
       return (a + u * (b - a) - p).norm();
     };
-    const Motion piece = motion_of(*c_.after, k, RapidMode::straight);
+    const Motion piece = MotionLaw().of(*c_.after, k);
     const Vec3 start = c_.before->start_of(i).tip, end = old.end.tip;
     const Vec3 new_start = c_.after->moves[first_[i] - 1].end.tip, new_end = c_.after->moves[first_[i + 1] - 1].end.tip;
     double farthest = 0;
@@ -257,11 +258,11 @@ class LawBook {
         changes_[i] != nullptr || (i > 0 && old.has_start && changes_[i - 1] != nullptr && changes_[i - 1]->new_end);
     if (!is_changed || !old.has_start || old.kind != MoveKind::feed) return;
     const ToolVariants* tool = c_.setup->tools[old.tool];
-    const Motion motion = motion_of(*c_.before, i, options_.rapid);
+    const Motion motion = options_.law.of(*c_.before, i);
     constexpr int kSamples = 16;
     for (int s = 1; s + 1 < kSamples; ++s) {
       const double t = static_cast<double>(s) / kSamples, around = 1.5 / kSamples;
-      const Motion part(motion.at(std::max(0.0, t - around)), motion.at(std::min(1.0, t + around)));
+      const Motion part = test::straight(motion.at(std::max(0.0, t - around)), motion.at(std::min(1.0, t + around)));
       CheckOptions strict = options_;
       strict.tolerance_mm *= 0.5;
       if (checker_.check(part, old.kind, *tool, strict, true).state != MoveState::clean) continue;
@@ -318,10 +319,10 @@ class LawBook {
       const ToolVariants* tool = c_.setup->tools[move.tool];
       if (tool == nullptr || ++rapids_seen_ % one_of(scene_) != 0) continue;
       ++figures.rapids;
-      const Motion motion = motion_of(*c_.after, k, options_.rapid);
+      const Motion motion = options_.law.of(*c_.after, k);
       const double keeps = nearest(motion, *tool, c_.rapid_clearance_mm);
       if (keeps >= claimed - 2 * options_.resolution_mm) continue;
-      const double kept = nearest(motion_of(*c_.before, i, options_.rapid), *tool, c_.rapid_clearance_mm);
+      const double kept = nearest(options_.law.of(*c_.before, i), *tool, c_.rapid_clearance_mm);
       if (is_programmed && found == list.end() && keeps >= kept - 0.01) continue;
       say('g', i, "a rapid keeps " + std::to_string(keeps) + ", not " + std::to_string(claimed));
     }

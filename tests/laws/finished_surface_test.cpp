@@ -10,11 +10,11 @@
 #include <iostream>
 
 #include "lib/base/parallel.h"
-#include "lib/check/path_motion.h"
 #include "lib/correct/correct_path.h"
 #include "lib/correct/laws.h"
 #include "lib/correct/measure_stock.h"
 #include "lib/correct/reworked_path.h"
+#include "lib/motion/motion_law.h"
 #include "lib/tool/evaluate.h"
 #include "samples/cases.h"
 #include "samples/write_sample.h"
@@ -42,9 +42,9 @@ struct SurfacePoint {
 std::vector<Pose> sampled(const Toolpath& path, std::size_t first, std::size_t last) {
   std::vector<Pose> poses;
   for (std::size_t i = first; i < last; ++i) {
-    const Motion motion = motion_of(path, i, RapidMode::straight);
+    const Motion motion = MotionLaw().of(path, i);
     const double steps =
-        std::max((motion.end().tip - motion.start().tip).norm() / kStep_mm, motion.angle_rad() / kTurn_rad);
+        std::max((motion.end().tip - motion.start().tip).norm() / kStep_mm, motion.turn_rad() / kTurn_rad);
     const int count = path.moves[i].has_start ? 1 + static_cast<int>(steps) : 1;
     for (int k = 0; k <= count; ++k) poses.push_back(motion.at(static_cast<double>(k) / count));
   }

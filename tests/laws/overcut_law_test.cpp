@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "lib/check/overcut_gap.h"
-#include "lib/check/path_motion.h"
+#include "lib/motion/motion_law.h"
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_head.h"
 #include "lib/overcut/swept_tool.h"
@@ -139,7 +139,7 @@ class Campaign {
       const MoveVerdict& v = result.verdicts[i];
       if (v.state != MoveState::gouge || !v.overcut_mm) continue;
       const reference::Movement movement = reference::movement(job.path, i);
-      const Motion motion = motion_of(job.path, i, options.rapid);
+      const Motion motion = options.law.of(job.path, i);
       if (v.witness->body != Body::head) {
         SweptTool swept(motion, job.tool.bare);
         judge(job, own.scene, v, i, swept, reference::MovingTool(bare, movement), random);

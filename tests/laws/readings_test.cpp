@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/check/path_motion.h"
+#include "lib/motion/motion_law.h"
 #include "tests/laws/reading.h"
 #include "tests/support/real_arcs.h"
 #include "tests/support/shapes.h"
@@ -45,7 +45,7 @@ TEST_P(ForcedSense, MeetsThePostUnlessTheStatementItselfShowsTheWay) {
     return path;
   };
   const Toolpath right = with_tool("");
-  const Vec3 middle = motion_of(right, 2, RapidMode::straight).at(0.5).tip;
+  const Vec3 middle = MotionLaw().of(right, 2).at(0.5).tip;
   const PathArc& circle = right.arcs.at(0);
   const Vec3 across = 2 * (circle.center - circle.axis.dot(circle.center - middle) * circle.axis) - middle;
   const IndexedMesh post = shapes::box(across - Vec3(0.1, 0.1, 5), across + Vec3(0.1, 0.1, 5));

@@ -13,6 +13,7 @@
 #include "lib/path/path_info.h"
 #include "lib/tilt/plan_tilts.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/motions.h"
 #include "tests/support/paths.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
@@ -148,8 +149,8 @@ struct Laws {
     }
     for (std::size_t i = 1; i < stations.size(); ++i) {
       if ((stations[i].first.tip - stations[i - 1].first.tip).norm() < 1e-9) continue;
-      const Motion programmed(stations[i - 1].first, stations[i].first);
-      const Motion motion(stations[i - 1].second, stations[i].second);
+      const Motion programmed = test::straight(stations[i - 1].first, stations[i].first);
+      const Motion motion = test::straight(stations[i - 1].second, stations[i].second);
       for (const double t : {0.0, 0.37, 0.63}) {
         const Pose was = programmed.at(t), is = motion.at(t);
         ASSERT_LE(angle_between_rad(was.axis, is.axis), run.options.max_tilt_rad + 1e-6) << number << " station " << i;
@@ -160,8 +161,8 @@ struct Laws {
         ASSERT_LE(depth_at(is), 0.01 + 0.001 + 1e-6) << number << " station " << i << " at " << is.tip.transpose();
       }
       const double way = (motion.end().tip - motion.start().tip).norm();
-      const double allowed = std::max(run.options.max_turn_rad_per_mm * std::max(way, 1e-3), programmed.angle_rad());
-      ASSERT_LE(motion.angle_rad(), allowed * (1 + 1e-3) + 1e-5) << number << " station " << i;
+      const double allowed = std::max(run.options.max_turn_rad_per_mm * std::max(way, 1e-3), programmed.turn_rad());
+      ASSERT_LE(motion.turn_rad(), allowed * (1 + 1e-3) + 1e-5) << number << " station " << i;
     }
   }
 

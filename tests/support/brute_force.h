@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "lib/check/motion.h"
 #include "lib/check/scene.h"
+#include "lib/motion/motion.h"
 #include "lib/tool/evaluate.h"
 
 // The slow, obvious reference: every triangle, many instants, no tree, no planes, only that the signed

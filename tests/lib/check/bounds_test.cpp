@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "lib/check/hull_bound.h"
-#include "lib/check/motion.h"
+#include "lib/motion/motion.h"
 #include "lib/tool/evaluate.h"
+#include "tests/support/motions.h"
 #include "tests/support/scatter.h"
 #include "tests/support/tools.h"
 
@@ -25,7 +26,7 @@ double value_at(const CompiledTool& tool, const Motion& motion, double t, const 
 }
 
 struct Case {
-  Motion motion{Pose{}};
+  Motion motion = Motion::resting({});
   std::array<Vec3, 3> piece;
   double reach = 0;
 };
@@ -36,7 +37,7 @@ Case random_case(Scatter& scatter) {
   const double size = std::pow(10, scatter.in(-2, 1.3));
   const Vec3 tip = scatter.point(1);
   Case c;
-  c.motion = Motion({tip, scatter.axis(lean)}, {tip + scatter.point(way), scatter.axis(lean)});
+  c.motion = test::straight({tip, scatter.axis(lean)}, {tip + scatter.point(way), scatter.axis(lean)});
   const Vec3 about = about_tool(scatter);
   Vec3 flat = scatter.in(0, 1) < 0.3 ? Vec3(1, 1, 0.01) : Vec3(1, 1, 1);  // lying across the axis: plateaus
   for (Vec3& corner : c.piece) corner = about + scatter.point(size).cwiseProduct(flat);
@@ -85,7 +86,7 @@ TEST(Bounds, APieceAboutTheCentreOfAnArcIsNeverDeeperThanItsBound) {
   const ToolVariants dovetail = tools::variants(tools::assembly(TaperedCutter{20, 0.5, -30, 8}, 8));
   const ToolVariants cone = tools::variants(tools::assembly(AptCutter{20, 2, 0, 0, 20, 15, 30}));
   const ToolVariants grown = tools::variants(tools::assembly(BallCutter{10, 30}), 0.3, 0.3, 0.3);
-  const Motion rest{Pose{}};
+  const Motion rest = Motion::resting({});
   const ToolInterval whole(rest, whole_segment(rest, 0));
   for (const CompiledTool* tool : {&dovetail.bare, &cone.bare, &grown.against_part}) {
     for (const BoundaryElement& e : tool->elements) {
@@ -148,7 +149,7 @@ TEST(Bounds, APieceBesideFacesHollowsAndLipsIsNeverDeeperThanItsBound) {
 TEST(Bounds, AFlatOnItsFloorNeedsOneLook) {
   const ToolVariants flat = tools::flat();
   const std::array<Vec3, 3> floor{Vec3(-3, -3, 0), Vec3(3, -2, 0), Vec3(0, 3, 0)};
-  const Motion slide({Vec3::Zero(), Vec3::UnitZ()}, {Vec3(0.5, 0, 0), Vec3::UnitZ()});
+  const Motion slide = test::straight({Vec3::Zero(), Vec3::UnitZ()}, {Vec3(0.5, 0, 0), Vec3::UnitZ()});
   const ToolInterval whole(slide, whole_segment(slide, 0));
   EXPECT_LE(bound_piece(flat.bare, floor, whole, 0, 0).upper_mm, 1e-12);
 }

@@ -92,7 +92,7 @@ TEST(CheckPath, RapidsAreCheckedAndCanBeSkippedButNeverCalledClean) {
   const Toolpath path = through({upright(-20, 0, 10), upright(20, 0, 10)}, MoveKind::rapid);
   EXPECT_EQ(check(path, tools::ball(), scene).counts.gouge, 1U);
   CheckOptions skip;
-  skip.rapid = RapidMode::skip;
+  skip.law = RapidMode::skip;
   const CheckResult r = check(path, tools::ball(), scene, skip);
   EXPECT_EQ(r.counts.not_checked, 2U);
   EXPECT_EQ(r.counts.skipped, 2U);
@@ -104,7 +104,7 @@ TEST(CheckPath, ADoglegRapidMeetsWhatTheStraightLineMisses) {
   const Toolpath path = through({upright(0, 0, 10), upright(40, 10, 10)}, MoveKind::rapid);
   CheckOptions options;
   EXPECT_EQ(check(path, tools::ball(4), scene, options).counts.gouge, 0U);
-  options.rapid = RapidMode::dogleg;
+  options.law = RapidMode::dogleg;
   EXPECT_EQ(check(path, tools::ball(4), scene, options).counts.gouge, 1U);
 }
 

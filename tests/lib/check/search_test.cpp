@@ -8,6 +8,7 @@
 #include "lib/check/check_move.h"
 #include "lib/tool/evaluate.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/motions.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -67,7 +68,7 @@ TEST(Search, NeverBelowBruteForceOnRandomScenes) {
     }
     const Pose from{random.point(1), random.axis(0.1)};
     const Pose to{from.tip + random.point(2), random.axis(0.1)};
-    const Motion motion(from, to);
+    const Motion motion = test::straight(from, to);
     const Scene scene{{mesh}, {}};
     const MoveVerdict v = check(motion, tool, scene.parts);
     expect_guarantee(v, motion, tool, kOptions);
@@ -82,7 +83,7 @@ TEST(Search, NeverBelowBruteForceOnRandomScenes) {
 
 TEST(Search, LargeTrianglesWithAllVerticesFarAwayAreMet) {
   const IndexedMesh block = shapes::box(Vec3(-500, -500, -100), Vec3(500, 500, 0));
-  const Motion motion(upright(-1, 0.3, -0.2), upright(1, 0.3, -0.2));
+  const Motion motion = test::straight(upright(-1, 0.3, -0.2), upright(1, 0.3, -0.2));
   for (const ToolVariants& tool : tools::all()) {
     std::uint64_t bounds = 0;
     const MoveVerdict v = check(motion, tool, {block}, &bounds);
@@ -96,10 +97,10 @@ TEST(Search, LargeTrianglesWithAllVerticesFarAwayAreMet) {
 
 TEST(Search, AThinWallBetweenTwoClearPositionsIsMet) {
   const IndexedMesh wall = shapes::box(Vec3(-0.02, -50, 0), Vec3(0.02, 50, 8));
-  const Motion motion(upright(-20, 0, 5), upright(20, 0, 5));
+  const Motion motion = test::straight(upright(-20, 0, 5), upright(20, 0, 5));
   for (const ToolVariants& tool : tools::all()) {
-    EXPECT_EQ(check(Motion(motion.start()), tool, {wall}).state, MoveState::clean);
-    EXPECT_EQ(check(Motion(motion.end()), tool, {wall}).state, MoveState::clean);
+    EXPECT_EQ(check(Motion::resting(motion.start()), tool, {wall}).state, MoveState::clean);
+    EXPECT_EQ(check(Motion::resting(motion.end()), tool, {wall}).state, MoveState::clean);
     const MoveVerdict v = check(motion, tool, {wall});
     EXPECT_EQ(v.state, MoveState::gouge);
     expect_guarantee(v, motion, tool, kOptions);
@@ -108,12 +109,12 @@ TEST(Search, AThinWallBetweenTwoClearPositionsIsMet) {
 
 TEST(Search, APostThinnerThanAnyStepIsMet) {
   const IndexedMesh post = shapes::box(Vec3(-0.02, 1.98, 0), Vec3(0.02, 2.02, 8));
-  const Motion motion(upright(-60, 0, 5), upright(60, 0, 5));
+  const Motion motion = test::straight(upright(-60, 0, 5), upright(60, 0, 5));
   const ToolVariants tool = tools::ball();
   const MoveVerdict v = check(motion, tool, {post});
   EXPECT_EQ(v.state, MoveState::gouge);
   expect_guarantee(v, motion, tool, kOptions);
-  const Motion beside(upright(-60, 10, 5), upright(60, 10, 5));
+  const Motion beside = test::straight(upright(-60, 10, 5), upright(60, 10, 5));
   EXPECT_EQ(check(beside, tool, {post}).state, MoveState::clean);
 }
 
@@ -125,9 +126,9 @@ TEST(Search, ARotationAboutARestingTipSwingsTheHolderIntoAPost) {
     const double a = degrees * M_PI / 180;
     return Pose{Vec3(0, -40, 0), Vec3(std::sin(a), 0.35, std::cos(a)).normalized()};
   };
-  const Motion motion(leaning(-40), leaning(40));
-  EXPECT_EQ(check(Motion(motion.start()), tool, {post}).state, MoveState::clean);
-  EXPECT_EQ(check(Motion(motion.end()), tool, {post}).state, MoveState::clean);
+  const Motion motion = test::straight(leaning(-40), leaning(40));
+  EXPECT_EQ(check(Motion::resting(motion.start()), tool, {post}).state, MoveState::clean);
+  EXPECT_EQ(check(Motion::resting(motion.end()), tool, {post}).state, MoveState::clean);
   const MoveVerdict v = check(motion, tool, {post});
   EXPECT_EQ(v.state, MoveState::gouge);
   EXPECT_EQ(v.witness->body, Body::holder);
@@ -136,7 +137,7 @@ TEST(Search, ARotationAboutARestingTipSwingsTheHolderIntoAPost) {
 
 TEST(Search, AFlatSlidingExactlyOnAPlaneIsCleanAndFast) {
   const IndexedMesh floor = shapes::sheet(100, 100, 0, 60, 60);
-  const Motion motion(upright(-10, 3, 0), upright(12, -5, 0));
+  const Motion motion = test::straight(upright(-10, 3, 0), upright(12, -5, 0));
   std::uint64_t bounds = 0;
   const MoveVerdict v = check(motion, tools::flat(), {floor}, &bounds);
   EXPECT_EQ(v.state, MoveState::clean);
@@ -146,7 +147,7 @@ TEST(Search, AFlatSlidingExactlyOnAPlaneIsCleanAndFast) {
 TEST(Search, AFlankOnAWallIsCleanAndFast) {
   const IndexedMesh wall = shapes::box(Vec3(5, -50, -10), Vec3(30, 50, 25));
   std::uint64_t bounds = 0;
-  const MoveVerdict v = check(Motion(upright(0, -20, 0), upright(0, 20, 0)), tools::flat(), {wall}, &bounds);
+  const MoveVerdict v = check(test::straight(upright(0, -20, 0), upright(0, 20, 0)), tools::flat(), {wall}, &bounds);
   EXPECT_EQ(v.state, MoveState::clean);
   EXPECT_LT(bounds, 20000U);
 }
@@ -155,9 +156,9 @@ TEST(Search, AFanOfNeedlesIsAsGoodAsAPlane) {
   const IndexedMesh fan = shapes::needle_fan();
   double top = -1e300;
   for (const Vec3& v : fan.vertices) top = std::max(top, v.z());
-  const Motion motion(upright(-2, 0, top), upright(2, 1, top));
+  const Motion motion = test::straight(upright(-2, 0, top), upright(2, 1, top));
   EXPECT_EQ(check(motion, tools::flat(), {fan}).state, MoveState::clean);
-  const Motion deeper(upright(-2, 0, top - 0.05), upright(2, 1, top - 0.05));
+  const Motion deeper = test::straight(upright(-2, 0, top - 0.05), upright(2, 1, top - 0.05));
   const MoveVerdict v = check(deeper, tools::flat(), {fan});
   EXPECT_EQ(v.state, MoveState::gouge);
   expect_guarantee(v, deeper, tools::flat(), kOptions);
@@ -169,7 +170,7 @@ TEST(Search, ABudgetTooSmallIsNeverDecided) {
   const ToolVariants tool = tools::ball();
   SearchStart start;
   for (std::uint32_t t = 0; t < ring.triangles.size(); ++t) start.seeds.push_back({0, t});
-  const Motion motion(upright(18, 0, 4.9), upright(20, 1, 4.95));
+  const Motion motion = test::straight(upright(18, 0, 4.9), upright(20, 1, 4.95));
   const std::vector<SearchTarget> targets{{&tool.against_part, &tree, Against::part}};
   const SearchResult small = search_move(motion, targets, {{0.01, 0.001, 1e-7, 3}, 0}, start);
   const SearchResult large = search_move(motion, targets, {{0.01, 0.001, 1e-7, 2'000'000}, 0}, start);
@@ -189,7 +190,7 @@ TEST(Search, ClearancesGrowRoundedAndAnyEntryIsAGouge) {
     const double d = away / std::sqrt(2);
     return shapes::box(Vec3(16 + d, -5, 0), Vec3(40, 5, 50 - d));
   };
-  const Motion alone(upright(0, 0, 0));
+  const Motion alone = Motion::resting(upright(0, 0, 0));
   EXPECT_EQ(check(alone, tool, {corner_at(0.6)}, nullptr, options).state, MoveState::gouge);
   EXPECT_EQ(check(alone, tool, {corner_at(1.1)}, nullptr, options).state, MoveState::clean);
   const MoveVerdict grazing = check(alone, tool, {corner_at(0.995)}, nullptr, options);
@@ -204,7 +205,7 @@ TEST(Search, ANearMissWithinTheToleranceSaysItsDepth) {
   options.near_miss_mm = 0.5;
   const Scene scene{{}, {shapes::box(Vec3(-50, -50, -10), Vec3(50, 50, 0))}};
   const PreparedScene prepared = prepare_scene(scene);
-  const Motion motion(upright(-5, 0, -0.005), upright(5, 0, -0.005));
+  const Motion motion = test::straight(upright(-5, 0, -0.005), upright(5, 0, -0.005));
   const MoveVerdict v = check_move(motion, MoveKind::feed, tools::flat(10), prepared, options);
   ASSERT_EQ(v.state, MoveState::near_miss);
   EXPECT_NEAR(v.depth_mm, 0.005, 1e-9);
@@ -217,7 +218,8 @@ TEST(Search, NearMissShowsTheClosestApproachOfTheHolder) {
   CheckOptions options;
   options.near_miss_mm = 2;
   const IndexedMesh wall = shapes::box(Vec3(17.5, -5, 0), Vec3(40, 5, 80));
-  const MoveVerdict v = check(Motion(upright(0, 0, 0), upright(0.5, 0, 0)), tools::ball(), {wall}, nullptr, options);
+  const MoveVerdict v =
+      check(test::straight(upright(0, 0, 0), upright(0.5, 0, 0)), tools::ball(), {wall}, nullptr, options);
   EXPECT_EQ(v.state, MoveState::near_miss);
   ASSERT_TRUE(v.clearance_mm.has_value());
   EXPECT_NEAR(*v.clearance_mm, 1.0, 0.001);
@@ -239,7 +241,7 @@ TEST(Search, AHolderFaceOverANarrowingShankThatGrazesIsDecidedSoon) {
   std::uint64_t bounds = 0;
   const double z = 50 - 20 - 0.004;
   const MoveVerdict v =
-      check(Motion(upright(0, -5, z), upright(0, 5, z)), narrowing_below_its_holder(), {block}, &bounds);
+      check(test::straight(upright(0, -5, z), upright(0, 5, z)), narrowing_below_its_holder(), {block}, &bounds);
   EXPECT_EQ(v.state, MoveState::clean);
   EXPECT_LT(bounds, 5'000U);
 }
@@ -250,7 +252,7 @@ TEST(Search, AWallThroughTheWholeHolderIsMeasuredSoon) {
   std::uint64_t bounds = 0;
   CheckOptions options;
   options.tolerance_mm = 0.01;
-  const Motion motion(upright(0, -5, 0), upright(0, 5, 0));
+  const Motion motion = test::straight(upright(0, -5, 0), upright(0, 5, 0));
   const ToolVariants tool = narrowing_below_its_holder();
   const MoveVerdict v = check(motion, tool, {wall}, &bounds, options);
   expect_guarantee(v, motion, tool, options);
@@ -265,10 +267,10 @@ TEST(Search, AHollowToolOnAPlaneIsDecidedSoonAtTolerance0) {
   const Vec3 axis(std::sin(0.3), 0, std::cos(0.3));
   CheckOptions options;
   options.tolerance_mm = 0;
-  const auto depth_at = [&](double z) { return check(Motion({Vec3(0, 0, z), axis}), tool, {block}).depth_mm; };
+  const auto depth_at = [&](double z) { return check(Motion::resting({Vec3(0, 0, z), axis}), tool, {block}).depth_mm; };
   double high = 2, low = 0;
   for (int k = 0; k < 30; ++k) (depth_at(0.5 * (low + high)) > 0.0005 ? low : high) = 0.5 * (low + high);
-  const Motion motion({Vec3(-2, 0, high), axis}, {Vec3(2, 0.5, high), axis});
+  const Motion motion = test::straight({Vec3(-2, 0, high), axis}, {Vec3(2, 0.5, high), axis});
   std::uint64_t bounds = 0;
   const MoveVerdict v = check(motion, tool, {block}, &bounds, options);
   expect_guarantee(v, motion, tool, options);

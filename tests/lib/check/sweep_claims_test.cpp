@@ -9,6 +9,7 @@
 #include "lib/check/sweep_filter.h"
 #include "lib/tool/convex_cover.h"
 #include "lib/tool/evaluate.h"
+#include "tests/support/motions.h"
 #include "tests/support/random_tools.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -66,9 +67,10 @@ struct Case {
 Motion random_motion(Scatter& scatter, const Pose& from, const Pose& to, double displacement) {
   switch (static_cast<int>(scatter.in(0, 6))) {
     case 0:
-      return Motion(from, to, true);
+      return test::dogleg(from, to);
     case 1:
-      return Motion(from, to, PathArc{from.tip + scatter.point(displacement), scatter.direction(), scatter.in(-7, 7)});
+      return test::along(from, to,
+                         PathArc{from.tip + scatter.point(displacement), scatter.direction(), scatter.in(-7, 7)});
     case 2: {
       const Vec3 mid = from.tip + scatter.point(displacement);
       PathSpline spline;
@@ -76,10 +78,10 @@ Motion random_motion(Scatter& scatter, const Pose& from, const Pose& to, double 
           {0, 0.3, {from.tip, from.tip + scatter.point(displacement), mid + scatter.point(displacement), mid}});
       spline.pieces.push_back(
           {0.3, 1, {mid, mid + scatter.point(displacement), to.tip + scatter.point(displacement), to.tip}});
-      return Motion(from, to, spline);
+      return test::along(from, to, spline);
     }
     default:
-      return Motion(from, to);
+      return test::straight(from, to);
   }
 }
 
@@ -99,7 +101,7 @@ Case random_case(std::uint64_t seed, bool is_straight_only) {
             near_axis(scatter, axis, lean)};
     if (scatter.below(8) == 0) to.tip = from.tip;
     if (scatter.below(8) == 0) to.axis = from.axis;
-    Motion motion = is_straight_only ? Motion(from, to) : random_motion(scatter, from, to, displacement);
+    Motion motion = is_straight_only ? test::straight(from, to) : random_motion(scatter, from, to, displacement);
     if (motion.is_defined()) {
       made.motions.push_back(motion);
       from = to;

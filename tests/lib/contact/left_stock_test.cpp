@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "lib/tool/evaluate.h"
+#include "tests/support/motions.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -27,7 +28,7 @@ Bench floor_alone() { return Bench({shapes::box(Vec3(-100, -100, -10), Vec3(100,
 CutterSweep sweep_of(const CompiledTool& cutter, const std::vector<std::pair<Pose, Pose>>& motions) {
   CutterSweep sweep;
   std::size_t move = 0;
-  for (const auto& [start, end] : motions) sweep.add(Motion(start, end), cutter, move++);
+  for (const auto& [start, end] : motions) sweep.add(test::straight(start, end), cutter, move++);
   sweep.index();
   return sweep;
 }
@@ -213,7 +214,7 @@ TEST(LeftStock, HoldsForSamplesOfRandomPaths) {
     (found ? some : none) += 1;
     const double most = found ? found->thickness_mm * 1.1 + 0.011 : kUsual.allowed_mm;
     if (found && (found->is_more || found->is_undecided)) continue;
-    const Motion row_motion(a, b), dip(low, deep), new_motion(c, d);
+    const Motion row_motion = test::straight(a, b), dip = test::straight(low, deep), new_motion = test::straight(c, d);
     const auto nearest = [&](const Motion& motion, const Vec3& point, int instants) {
       double least = 1e9;
       for (int k = 0; k <= instants; ++k)

@@ -6,9 +6,10 @@
 #include <numbers>
 #include <utility>
 
-#include "lib/check/motion.h"
 #include "lib/contact/cutter_sweep.h"
+#include "lib/motion/motion.h"
 #include "lib/tool/evaluate.h"
+#include "tests/support/motions.h"
 #include "tests/support/scatter.h"
 #include "tests/support/tools.h"
 
@@ -34,7 +35,7 @@ CutterStretch stretch_of(const Motion& motion, const CompiledTool& tool) {
   CutterStretch stretch;
   stretch.start = motion.start();
   stretch.end = motion.end();
-  stretch.angle_rad = motion.angle_rad();
+  stretch.angle_rad = motion.turn_rad();
   stretch.cutter = &tool;
   stretch.is_convex = is_convex(tool);
   return stretch;
@@ -73,10 +74,10 @@ TEST(NearestInstant, BoundsPointsFromBothSides) {
       const double truth = sampled_mm(tool.cutting, motion, points);
       const double path = (motion.end().tip - motion.start().tip).norm();
       EXPECT_LE(nearest.bound_mm(), truth + 1e-9) << tool.bare.name << " " << n;
-      EXPECT_GE(nearest.found_mm(), truth - (path + 50 * motion.angle_rad()) / kSamples) << tool.bare.name << " " << n;
+      EXPECT_GE(nearest.found_mm(), truth - (path + 50 * motion.turn_rad()) / kSamples) << tool.bare.name << " " << n;
       const double far = (near - motion.start().tip).norm() + path + 1;
-      const double open = motion.angle_rad() * (motion.angle_rad() * far + 2 * path) / 4;
-      const double coarse = stretch.is_convex ? 0 : (path + far * motion.angle_rad()) / 4096;
+      const double open = motion.turn_rad() * (motion.turn_rad() * far + 2 * path) / 4;
+      const double coarse = stretch.is_convex ? 0 : (path + far * motion.turn_rad()) / 4096;
       EXPECT_LE(nearest.found_mm() - nearest.bound_mm(), kInstantGap_mm + open + coarse) << tool.bare.name << " " << n;
     }
   }
@@ -85,7 +86,7 @@ TEST(NearestInstant, BoundsPointsFromBothSides) {
 
 TEST(NearestInstant, StopsWhereItIsEnoughOrHopeless) {
   const ToolVariants tool = tools::ball();
-  const Motion motion(Pose{Vec3(0, 0, 0), Vec3::UnitZ()}, Pose{Vec3(10, 0, 0), Vec3::UnitZ()});
+  const Motion motion = test::straight(Pose{Vec3(0, 0, 0), Vec3::UnitZ()}, Pose{Vec3(10, 0, 0), Vec3::UnitZ()});
   const CutterStretch stretch = stretch_of(motion, tool.cutting);
   const Vec3 beside(5, 8, 5), within(2, 1, 5);
   NearestInstant far(stretch, {&beside, 1});

@@ -1,4 +1,5 @@
 #include "lib/correct/clean_intervals.h"
+#include "tests/support/motions.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ struct Search {
 
 /// A motion along X of this length, which gouges in these open time intervals.
 Search search(double length_mm, const std::vector<TimeInterval>& gouges) {
-  const Motion motion({Vec3(0, 0, 0), Vec3::UnitZ()}, {Vec3(length_mm, 0, 0), Vec3::UnitZ()});
+  const Motion motion = test::straight({Vec3(0, 0, 0), Vec3::UnitZ()}, {Vec3(length_mm, 0, 0), Vec3::UnitZ()});
   Search search;
   search.found = find_clean_intervals(motion, [&](double first, double last) {
     ++search.calls;

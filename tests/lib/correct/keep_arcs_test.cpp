@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/motions.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -66,7 +67,7 @@ struct ArcCase {
         const std::optional<PathArc> arc = is_own                            ? change.new_arc
                                            : k < change.inserted_arcs.size() ? change.inserted_arcs[k]
                                                                              : std::nullopt;
-        all.push_back(arc ? Motion(at, to, *arc) : Motion(at, to));
+        all.push_back(arc ? test::along(at, to, *arc) : test::straight(at, to));
         at = to;
       }
     }

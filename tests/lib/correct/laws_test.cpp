@@ -58,7 +58,9 @@ struct Two {
     is = was;
   }
   [[nodiscard]] std::vector<std::size_t> worse() const {
-    return find_worse({&before, &was}, changes, {&after, &is}, kResolution_mm);
+    CheckOptions options;
+    options.resolution_mm = kResolution_mm;
+    return find_worse({&before, &was}, changes, {&after, &is}, options);
   }
 };
 

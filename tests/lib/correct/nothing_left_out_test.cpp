@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "lib/correct/correct_path.h"
+#include "tests/support/motions.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -114,7 +115,7 @@ TEST(NothingLeftOut, OfASingleMotion) {
   const OwnSetup own_without(&kTool, scene), own_with(&kTool, scene, {}, bodies);
   const MotionChecker without(own_without.setup), with(own_with.setup);
   const auto state = [&](const MotionChecker& checker, const Pose& a, const Pose& b) {
-    return checker.check(Motion(a, b), MoveKind::feed, kTool, checker.options()).state;
+    return checker.check(test::straight(a, b), MoveKind::feed, kTool, checker.options()).state;
   };
   EXPECT_EQ(state(without, upright(0, 0, 1), upright(50, 0, 1)), MoveState::clean);
   EXPECT_EQ(state(without, upright(0, 0, 1), upright(150, 0, 1)), MoveState::gouge);  // the fixture

@@ -288,7 +288,7 @@ TEST(PlanTrims, LiftsAreAlongTheToolAxis) {
 
 TEST(PlanTrims, RapidsLeftOutOnRequestAreNotMade) {
   CheckOptions options;
-  options.rapid = RapidMode::skip;
+  options.law = RapidMode::skip;
   const LawfulCorrection done = Beside(60).run(options);
   EXPECT_EQ(bad_moves(done.after.result), 0U);
   EXPECT_EQ(done.after.result.counts.not_checked, 0U);
@@ -297,7 +297,7 @@ TEST(PlanTrims, RapidsLeftOutOnRequestAreNotMade) {
 
 TEST(PlanTrims, DoglegsAreCrossedAsDoglegs) {
   CheckOptions options;
-  options.rapid = RapidMode::dogleg;
+  options.law = RapidMode::dogleg;
   const LawfulCorrection done = Beside(60).run(options);
   EXPECT_EQ(bad_moves(done.after.result), 0U);
   EXPECT_EQ(done.correction.uncut.size(), 1U);

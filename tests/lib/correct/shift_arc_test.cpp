@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "lib/correct/correct_path.h"
+#include "tests/support/motions.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -79,7 +80,7 @@ TEST(ShiftArc, OneCircleALittleTooDeepStaysOneCircle) {
   EXPECT_NEAR(change->new_arc->center.z(), change->new_end->tip.z(), 1e-9);
   EXPECT_GT(change->new_end->tip.z(), -c.options.tolerance_mm);
   EXPECT_EQ(change->new_end->tip, change_of(correction, 1)->new_end->tip) << "a full circle still";
-  const Motion motion(*change->new_end, *change->new_end, *change->new_arc);
+  const Motion motion = test::along(*change->new_end, *change->new_end, *change->new_arc);
   const OwnSetup own(&c.tool, c.scene, c.options);
   EXPECT_EQ(own.checker().check(motion, MoveKind::arc, c.tool, c.options).state, MoveState::clean);
   EXPECT_EQ(std::count_if(correction.records.begin(), correction.records.end(),

@@ -7,6 +7,7 @@
 #include "lib/head/check_heads.h"
 #include "lib/head/head_search.h"
 #include "lib/surface/surface.h"
+#include "tests/support/motions.h"
 #include "tests/support/paths.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
@@ -158,16 +159,16 @@ TEST(Heads, ArePiecesWhereTheseAreBodiesApart) {
 }
 
 TEST(Heads, MotionKeepsRotationsAndEndsWhereTheRuleSays) {
-  const Motion motion(Pose{Vec3(1, 2, 3), Vec3(0.3, -0.2, 1).normalized()},
-                      Pose{Vec3(9, 1, 0), Vec3(-0.5, 0.7, 0.4).normalized()});
-  const HeadMotion head(motion);
+  const Motion motion = test::straight(Pose{Vec3(1, 2, 3), Vec3(0.3, -0.2, 1).normalized()},
+                                       Pose{Vec3(9, 1, 0), Vec3(-0.5, 0.7, 0.4).normalized()});
+  const BodyMotion head(motion);
   for (const double t : {0.0, 0.3, 1.0}) {
     const RigidTransform at = head.at(t);
     EXPECT_NEAR((at.rotation.transpose() * at.rotation - Eigen::Matrix3d::Identity()).norm(), 0, 1e-12);
     EXPECT_NEAR((at.rotation.col(2) - motion.at(t).axis).norm(), 0, 1e-12);
   }
-  EXPECT_NEAR((head.at(1).rotation - head_rotation(motion.end().axis)).norm(), 0, 1e-9);
-  EXPECT_NEAR((head_rotation(Vec3(0, 0, -1)) * Vec3::UnitZ() - Vec3(0, 0, -1)).norm(), 0, 1e-12);
+  EXPECT_NEAR((head.at(1).rotation - rotation_to_axis(motion.end().axis)).norm(), 0, 1e-9);
+  EXPECT_NEAR((rotation_to_axis(Vec3(0, 0, -1)) * Vec3::UnitZ() - Vec3(0, 0, -1)).norm(), 0, 1e-12);
 }
 
 /// Random heads and parts: dense sampling never finds more than the bound, and the witness holds.
@@ -179,9 +180,9 @@ TEST(Heads, BoundsHoldAgainstSampling) {
   const std::array trees{&tree};
   std::size_t gouges = 0;
   for (int i = 0; i < 12; ++i) {
-    const Motion motion(Pose{45 * random.direction(), random.direction()},
-                        Pose{45 * random.direction(), random.direction()});
-    const HeadMotion moving(motion);
+    const Motion motion = test::straight(Pose{45 * random.direction(), random.direction()},
+                                         Pose{45 * random.direction(), random.direction()});
+    const BodyMotion moving(motion);
     const HeadResult reported = search_head(moving, head, trees, {0.01, 0.02, 0.02, 20000});
     double sampled = 0;
     for (std::size_t t = 0; t < part.triangles.size(); ++t) {

@@ -8,6 +8,7 @@
 #include "lib/check/sweep_filter.h"
 #include "lib/head/check_heads.h"
 #include "lib/surface/surface.h"
+#include "tests/support/motions.h"
 #include "tests/support/revolved_heads.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
@@ -42,7 +43,7 @@ using MakeMotion = std::function<Motion(Scatter&)>;
 
 /// Samples surface points, also those next to where the head was found deepest, over many instants; from the deepest
 /// sample on it goes by random steps that lead deeper.
-double sampled_depth(const HeadMotion& moving, const HeadBody& head, const IndexedMesh& part,
+double sampled_depth(const BodyMotion& moving, const HeadBody& head, const IndexedMesh& part,
                      const HeadResult& reported, Scatter& random) {
   struct Sample {
     std::size_t triangle = 0;
@@ -89,7 +90,7 @@ struct Expectation {
   const SearchGoal& goal;
 };
 
-void expect_reported(const Expectation& of, const HeadMotion& moving, const HeadResult& reported, double sampled_mm) {
+void expect_reported(const Expectation& of, const BodyMotion& moving, const HeadResult& reported, double sampled_mm) {
   const double rounding = 1e-9 + 1e-14 * moving.motion().start().tip.norm();
   EXPECT_LE(sampled_mm, reported.depth_upper_mm + rounding);
   EXPECT_LE(reported.depth_mm, reported.depth_upper_mm);
@@ -118,7 +119,7 @@ Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const
     const std::vector<SweptMove> swept = is_covered ? sweep_covers(group, covers, {goal, 0}) : std::vector<SweptMove>{};
     for (std::size_t m = 0; m < group.size(); ++m) {
       SCOPED_TRACE(head_mesh.name + ", motion " + std::to_string(i));
-      const HeadMotion moving(group[m]);
+      const BodyMotion moving(group[m]);
       const HeadResult reported = search_head(moving, *head, trees, goal);
       const double sampled = sampled_depth(moving, *head, part, reported, random);
       expect_reported(of, moving, reported, sampled);
@@ -150,7 +151,7 @@ TEST(HeadGuarantee, HoldsForFastTurnsWithLongArms) {
       [](Scatter& random) {
         const Vec3 z = Vec3::UnitZ();
         const Pose from{30 * random.point(1), (z + 0.3 * random.point(1)).normalized()};
-        return Motion(from, {30 * random.point(1), (z + 0.3 * random.point(1)).normalized()});
+        return test::straight(from, {30 * random.point(1), (z + 0.3 * random.point(1)).normalized()});
       },
       kGoal, 1);
   EXPECT_GT(tally.deep, tally.all / 4);
@@ -167,7 +168,7 @@ TEST(HeadGuarantee, HoldsOnArcsWhoseAxisTurns) {
         const Vec3 r0 = 40 * arc.axis.cross(random.direction());
         const Vec3 r1 = Eigen::AngleAxisd(arc.sweep_rad, arc.axis) * r0;
         const Pose from{arc.center + r0, random.direction()};
-        return Motion(from, {arc.center + r1 + 15 * random.in(-1, 1) * arc.axis, random.direction()}, arc);
+        return test::along(from, {arc.center + r1 + 15 * random.in(-1, 1) * arc.axis, random.direction()}, arc);
       },
       kGoal, 2);
   EXPECT_GT(tally.deep, 0);
@@ -181,7 +182,7 @@ TEST(HeadGuarantee, HoldsWhereFacesSlideAlongFaces) {
         const auto step = [&] { return std::round(6 * random.in(-1, 1)); };
         const Pose from{Vec3(3 * step(), 3 * step(), step()), Vec3::UnitZ()};
         const bool is_level = random.below(2) == 0;
-        return Motion(from, {from.tip + Vec3(3 * step(), 3 * step(), is_level ? 0 : step()), Vec3::UnitZ()});
+        return test::straight(from, {from.tip + Vec3(3 * step(), 3 * step(), is_level ? 0 : step()), Vec3::UnitZ()});
       },
       kGoal, 3);
   EXPECT_GT(tally.tight + tally.clean, tally.all / 2);
@@ -195,7 +196,8 @@ TEST(HeadGuarantee, HoldsForWallsInTheSlotsOfAHead) {
       [](Scatter& random) {
         const Pose from{Vec3(8 * random.in(-1, 1), 3 * random.in(-1, 1), 6 * random.in(-1, 1)), Vec3::UnitZ()};
         const Vec3 axis = (Vec3::UnitZ() + 0.1 * random.point(1)).normalized();
-        return Motion(from, {from.tip + 3 * random.point(1), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
+        return test::straight(from,
+                              {from.tip + 3 * random.point(1), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
       },
       kGoal, 4);
   EXPECT_GT(tally.deep, 0);
@@ -215,7 +217,7 @@ TEST(HeadGuarantee, HoldsForWhatReachesAcrossASlotIntoTheOtherWall) {
         const auto tip = [&] { return Vec3(0.2 * random.in(-1, 1), 5 * random.in(-1, 1), 2 * random.in(-1, 1)); };
         const Vec3 axis = (Vec3::UnitZ() + 0.01 * random.point(1)).normalized();
         const Pose from{tip(), Vec3::UnitZ()};
-        return Motion(from, {tip(), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
+        return test::straight(from, {tip(), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
       },
       kGoal, 9);
   EXPECT_EQ(tally.deep, tally.all);
@@ -224,14 +226,14 @@ TEST(HeadGuarantee, HoldsForWhatReachesAcrossASlotIntoTheOtherWall) {
 TEST(HeadGuarantee, HoldsForWhatIsMetInMidSwing) {
   // A small head far out swings through the part: at both ends it is far away, and so is the chord.
   const Vec3 middle_axis = Vec3(0.2, -0.3, 1).normalized();
-  const Vec3 place = head_rotation(middle_axis) * Vec3(150, 30, 200);
+  const Vec3 place = rotation_to_axis(middle_axis) * Vec3(150, 30, 200);
   const Tally tally = expect_bounds(
       shapes::box(Vec3(145, 25, 195), Vec3(155, 35, 205)), shapes::moved(shapes::cube(3), place - Vec3(1.5, 1.5, 1.5)),
       [&](Scatter& random) {
         const Vec3 about = middle_axis.cross(random.direction()).normalized();
         const double turn = 0.1 + random.in(0, 1);
         const Pose from{Vec3::Zero(), Eigen::AngleAxisd(-turn, about) * middle_axis};
-        return Motion(from, {Vec3::Zero(), Eigen::AngleAxisd(turn, about) * middle_axis});
+        return test::straight(from, {Vec3::Zero(), Eigen::AngleAxisd(turn, about) * middle_axis});
       },
       kGoal, 10);
   EXPECT_GT(tally.deep, tally.all / 4);
@@ -242,7 +244,7 @@ TEST(HeadGuarantee, HoldsForHeadsAroundTheAxis) {
   const MakeMotion make = [](Scatter& random) {
     const Pose from{Vec3(40 * random.in(-1, 1), 40 * random.in(-1, 1), 20 * random.in(-1, 1)), random.axis(0.4)};
     const double way = random.below(2) == 0 ? 1 : 30;
-    return Motion(from, {from.tip + way * random.point(1), random.axis(0.4)});
+    return test::straight(from, {from.tip + way * random.point(1), random.axis(0.4)});
   };
   std::uint64_t seed = 11;
   for (const IndexedMesh& head : heads_around_the_axis()) {
@@ -254,7 +256,7 @@ TEST(HeadGuarantee, HoldsForHeadsAroundTheAxis) {
 
 TEST(HeadGuarantee, HoldsForAThinPlateAndForCavities) {
   const MakeMotion make = [](Scatter& random) {
-    return Motion({25 * random.point(1), random.direction()}, {25 * random.point(1), random.direction()});
+    return test::straight({25 * random.point(1), random.direction()}, {25 * random.point(1), random.direction()});
   };
   expect_bounds(shapes::box(Vec3(-30, -20, 10), Vec3(30, 20, 10.02)), shapes::bumpy_sphere(), make,
                 {1e-3, 1e-3, 1e-3, std::min(kCells, std::size_t{8000})}, 5);
@@ -267,8 +269,8 @@ TEST(HeadGuarantee, HoldsFarFromTheOrigin) {
   expect_bounds(
       shapes::torus(20, 6, 24, 12), shapes::moved(shapes::star_prism(), far),
       [&](Scatter& random) {
-        return Motion({far + 30 * random.point(1), random.direction()},
-                      {far + 30 * random.point(1), random.direction()});
+        return test::straight({far + 30 * random.point(1), random.direction()},
+                              {far + 30 * random.point(1), random.direction()});
       },
       {1e-4, 1e-4, 1e-4, kCells}, 8);
 }
@@ -287,7 +289,7 @@ TEST(HeadGuarantee, NeverCallsAHeadWithinASolidCleanThatTouchesNothing) {
   for (double x = -130; x <= 130; x += 7) {
     const Vec3 tip(x, 1, 2);
     MoveVerdict verdict;
-    checker.check(Motion({tip, Vec3::UnitZ()}, {tip + Vec3(0.5, 2, 1), Vec3::UnitZ()}), {}, verdict);
+    checker.check(test::straight({tip, Vec3::UnitZ()}, {tip + Vec3(0.5, 2, 1), Vec3::UnitZ()}), {}, verdict);
     const double out = std::abs(x);
     const bool is_solid = out < 36 || (out > 65 && out < 95);
     const bool is_free = (out > 44 && out < 55) || out > 105;

@@ -5,6 +5,7 @@
 
 #include "lib/head/head_search.h"
 #include "tests/support/lattice_boxes.h"
+#include "tests/support/motions.h"
 #include "tests/support/solids.h"
 
 // Heads whose shells nest, overlap, share faces and face inward, against cells that are counted.
@@ -47,9 +48,9 @@ TEST(NestedHeads, BoundTheDepthInAllShellsTogether) {
     inner += head->whole.is_boundary() ? 0U : 1U;
     for (std::size_t k = 0; k < head->cores.size(); ++k)
       EXPECT_NEAR(boxes.depth_mm(head->cores[k]), head->core_depths_mm[k], 1e-9);
-    const Motion motion(Pose{25 * random.direction(), random.direction()},
-                        Pose{25 * random.direction(), random.direction()});
-    const HeadMotion moving(motion);
+    const Motion motion = test::straight(Pose{25 * random.direction(), random.direction()},
+                                         Pose{25 * random.direction(), random.direction()});
+    const BodyMotion moving(motion);
     const HeadResult found = search_head(moving, *head, trees, {0.01, 0.02, 0.02, 20000});
     double sampled = 0;
     for (std::size_t t = 0; t < part.triangles.size(); ++t) {

@@ -4,6 +4,7 @@
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_tool.h"
 #include "lib/surface/surface.h"
+#include "tests/support/motions.h"
 #include "tests/support/paths.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
@@ -73,7 +74,7 @@ TEST(Overcut, PlanesOfATurningToolHoldAllOfItThatComesIntoTheCell) {
   for (int k = 0; k < 400; ++k) {
     const ToolVariants tool = random.is(0.5) ? tools::ball(10) : tools::flat(10);
     const double lean = random.in(0, 0.4);
-    const Motion motion({random.point(2), random.axis(lean)}, {random.point(2), random.axis(lean)});
+    const Motion motion = test::straight({random.point(2), random.axis(lean)}, {random.point(2), random.axis(lean)});
     SweptTool swept(motion, tool.bare);
     const double t = random.in(0, 1), radius = random.in(0.2, 3);
     const Vec3 centre = motion.at(t).tip + random.point(6);
@@ -177,8 +178,8 @@ TEST(Overcut, IsBracketedByASampledReference) {
   scene.parts = {shapes::torus(40, 12, 48, 24)};
   const PreparedScene prepared(scene);
   const Surface& part = prepared.surface(Against::part, 0);
-  const Motion motion(Pose{Vec3(20, -30, 4), Vec3(0, 0.3, 1).normalized()},
-                      Pose{Vec3(45, 5, 2), Vec3(0.4, 0, 1).normalized()});
+  const Motion motion = test::straight(Pose{Vec3(20, -30, 4), Vec3(0, 0.3, 1).normalized()},
+                                       Pose{Vec3(45, 5, 2), Vec3(0.4, 0, 1).normalized()});
   SweptTool swept(motion, tool.bare);
   OvercutOptions fine;
   fine.most_cells = 20000;

@@ -9,6 +9,7 @@
 #include "lib/path/axis_quality.h"
 #include "lib/path/path_info.h"
 #include "tests/lib/tilt/tilt_bench.h"
+#include "tests/support/motions.h"
 
 namespace gouge {
 namespace {
@@ -67,7 +68,7 @@ TEST(PlanTilts, TurnsSmootherThanTheLeastTiltOfEachPosition) {
       const Vec3 axis(-std::sin(tilt), 0, std::cos(tilt));
       pose = {move.end.tip + 5 * move.end.axis - 5 * axis, axis};
       most = std::max(most, tilt);
-      if (bench.checker.is_clean(Motion(pose), MoveKind::feed, bench.tool, bench.own.options)) break;
+      if (bench.checker.is_clean(Motion::resting(pose), MoveKind::feed, bench.tool, bench.own.options)) break;
     }
     least.push_back(pose);
   }
@@ -126,7 +127,7 @@ TEST(PlanTilts, KeepsItsLimitsAtEveryInstant) {
     expect_clean(bench, plan);
     const Toolpath path = bench.tilted(plan);
     for (std::size_t i = 1; i < path.moves.size(); ++i) {
-      const Motion motion(path.start_of(i), path.moves[i].end);
+      const Motion motion = test::straight(path.start_of(i), path.moves[i].end);
       for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const Vec3 axis = motion.at(t).axis;
         EXPECT_LE(angle_between_rad(axis, Vec3::UnitZ()), options.max_tilt_rad + 1e-6);
@@ -139,7 +140,7 @@ TEST(PlanTilts, KeepsItsLimitsAtEveryInstant) {
         }
       }
       const double way = std::max(motion.path_length_mm(0, 1, 0), 1e-6);
-      EXPECT_LE(motion.angle_rad(), options.max_turn_rad_per_mm * way + 1e-9) << i;
+      EXPECT_LE(motion.turn_rad(), options.max_turn_rad_per_mm * way + 1e-9) << i;
     }
   }
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/path_motion.h"
 #include "lib/field/depth_field.h"
-#include "lib/head/head_motion.h"
+#include "lib/motion/body_motion.h"
+#include "lib/motion/motion_law.h"
 #include "lib/surface/surface.h"
 #include "postproc/image/heat_map.h"
 #include "postproc/image/picture_events.h"
@@ -137,7 +137,7 @@ TEST(Heads, EndTheArrowOfTheirDepthOnTheirOutline) {
     for (const Vec3& axis : {Vec3(0, 0, 1), Vec3(0.3, 0.2, 0.9)}) {
       HeadScene small({is_side ? std::array<Vec3, 2>{Vec3(-14, -9, -8), Vec3(-8, 9, 30)}
                                : std::array<Vec3, 2>{Vec3(14, -9, 4.4), Vec3(34, 9, 30)}});
-      const Eigen::Matrix3d turn = head_rotation(axis.normalized());
+      const Eigen::Matrix3d turn = rotation_to_axis(axis.normalized());
       // An edge of the block in the head's lower or outer face, a little off its middle.
       const Vec3 swept = is_side ? Vec3(-14 + 0.3, 2, 3) : Vec3(20, 2, 4.4 + 0.3);
       const Vec3 edge = is_side ? Vec3(40, 15, 10) : Vec3(0, 15, 10);
@@ -201,9 +201,9 @@ TEST(HeadField, IsTheDepthInTheHeadsAtEveryPoint) {
     for (const HeadField::SweptPose& swept : field.heads().all_swept())
       sampled = deepest(sampled, small.heads[swept.head], swept.to_tool.point(points[i].at));
     for (std::size_t m = 1; m < small.path.moves.size(); ++m) {
-      const Motion motion = motion_of(small.path, m, RapidMode::straight);
+      const Motion motion = MotionLaw().of(small.path, m);
       for (int k = 0; k <= 150; ++k) {
-        const Vec3 q = HeadMotion(motion).at(k / 150.0).inverse().point(points[i].at);
+        const Vec3 q = BodyMotion(motion).at(k / 150.0).inverse().point(points[i].at);
         for (const HeadBody& head : small.heads) dense = deepest(dense, head, q);
       }
     }

@@ -1,10 +1,11 @@
-#include "lib/check/motion.h"
+#include "lib/motion/motion.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "lib/check/tool_interval.h"
+#include "lib/motion/tool_interval.h"
+#include "tests/support/motions.h"
 #include "tests/support/scatter.h"
 
 namespace gouge {
@@ -15,7 +16,7 @@ TEST(Motion, EndsAreTheGivenPosesBitForBit) {
   for (int i = 0; i < 100; ++i) {
     const Pose a{random.point(50), random.direction()};
     const Pose b{random.point(50), random.direction()};
-    const Motion motion(a, b);
+    const Motion motion = test::straight(a, b);
     EXPECT_EQ(motion.at(0).tip, a.tip);
     EXPECT_EQ(motion.at(1).axis, b.axis);
     EXPECT_NEAR(motion.at(0.3).axis.norm(), 1, 1e-15);
@@ -23,7 +24,7 @@ TEST(Motion, EndsAreTheGivenPosesBitForBit) {
 }
 
 TEST(Motion, TheAxisTurnsEvenlyOnTheGreatCircle) {
-  const Motion motion({Vec3::Zero(), Vec3::UnitZ()}, {Vec3(10, 0, 0), Vec3::UnitX()});
+  const Motion motion = test::straight({Vec3::Zero(), Vec3::UnitZ()}, {Vec3(10, 0, 0), Vec3::UnitX()});
   const Pose third = motion.at(1.0 / 3);
   EXPECT_NEAR(third.axis.x(), 0.5, 1e-15);
   EXPECT_NEAR(third.axis.y(), 0, 1e-15);
@@ -31,19 +32,20 @@ TEST(Motion, TheAxisTurnsEvenlyOnTheGreatCircle) {
 }
 
 TEST(Motion, OppositeAxesHaveNoDefinedWay) {
-  EXPECT_FALSE(Motion({Vec3::Zero(), Vec3::UnitZ()}, {Vec3::Zero(), -Vec3::UnitZ()}).is_defined());
-  EXPECT_TRUE(Motion({Vec3::Zero(), Vec3::UnitZ()}, {Vec3::Zero(), Vec3(0, 1e-3, -1).normalized()}).is_defined());
+  EXPECT_FALSE(test::straight({Vec3::Zero(), Vec3::UnitZ()}, {Vec3::Zero(), -Vec3::UnitZ()}).is_defined());
+  EXPECT_TRUE(
+      test::straight({Vec3::Zero(), Vec3::UnitZ()}, {Vec3::Zero(), Vec3(0, 1e-3, -1).normalized()}).is_defined());
 }
 
 TEST(Motion, AxesThatDifferByRoundingDoNotTurnWildly) {
   const Vec3 axis = Vec3(0.1, 0.2, 0.97).normalized();
   const Vec3 other = (axis + Vec3(1e-16, -1e-16, 0)).normalized();
-  const Motion motion({Vec3::Zero(), axis}, {Vec3::UnitX(), other});
+  const Motion motion = test::straight({Vec3::Zero(), axis}, {Vec3::UnitX(), other});
   for (double t = 0; t <= 1; t += 0.1) EXPECT_LT((motion.at(t).axis - axis).norm(), 1e-12);
 }
 
 TEST(Motion, DoglegRunsAllAxesAtOneSpeedUntilEachArrives) {
-  const Motion motion({Vec3::Zero(), Vec3::UnitZ()}, {Vec3(10, -4, 2), Vec3::UnitZ()}, true);
+  const Motion motion = test::dogleg({Vec3::Zero(), Vec3::UnitZ()}, {Vec3(10, -4, 2), Vec3::UnitZ()});
   ASSERT_EQ(motion.segments().size(), 3U);
   EXPECT_TRUE(motion.at(0.2).tip.isApprox(Vec3(2, -2, 2), 1e-14));
   EXPECT_TRUE(motion.at(0.4).tip.isApprox(Vec3(4, -4, 2), 1e-14));
@@ -54,7 +56,8 @@ TEST(Motion, DoglegRunsAllAxesAtOneSpeedUntilEachArrives) {
 TEST(ToolInterval, FramesAgreeWithThePose) {
   test::Scatter random(5);
   for (int i = 0; i < 200; ++i) {
-    const Motion motion({random.point(20), random.direction()}, {random.point(20), random.direction()});
+    const Motion motion =
+        test::straight({random.point(20), random.direction()}, {random.point(20), random.direction()});
     for (const double t : {0.0, 0.123, 0.5, 0.9, 1.0}) {
       const Pose pose = motion.at(t);
       const Vec3 p = random.point(100);
@@ -72,7 +75,7 @@ TEST(ToolInterval, NoPathBulgesFurtherFromItsChordThanStated) {
   for (int i = 0; i < 500; ++i) {
     const Vec3 a = random.direction();
     const Vec3 b = (a + 0.5 * random.direction()).normalized();
-    const Motion motion({random.point(5), a}, {random.point(5), b});
+    const Motion motion = test::straight({random.point(5), a}, {random.point(5), b});
     ToolIntervals intervals(motion, motion);
     const std::uint32_t half = intervals.halve(0) + 1;
     const ToolInterval interval = intervals[half];

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "lib/check/motion.h"
-#include "lib/check/tool_interval.h"
+#include "lib/motion/motion.h"
+#include "lib/motion/tool_interval.h"
+#include "tests/support/motions.h"
 #include "tests/support/scatter.h"
 
 namespace gouge {
@@ -48,13 +49,13 @@ TEST(CurvedMotion, EndsAreTheGivenPosesBitForBitAndTheWayIsUnbroken) {
   for (int i = 0; i < 100; ++i) {
     Helix h = random_helix(random, 0.3);
     h.end.tip += random.point(1e-3);  // the rounding of a file
-    const Motion arc(h.start, h.end, h.arc);
+    const Motion arc = test::along(h.start, h.end, h.arc);
     EXPECT_EQ(arc.at(0).tip, h.start.tip);
     EXPECT_EQ(arc.at(1).tip, h.end.tip);
     EXPECT_EQ(arc.at(1).axis, h.end.axis);
     EXPECT_LE((arc.at(1 - 1e-12).tip - h.end.tip).norm(), 1e-8);
     const PathSpline spline = random_spline(random, h.start.tip);
-    const Motion along(h.start, {spline.pieces.back().control.back(), h.end.axis}, spline);
+    const Motion along = test::along(h.start, {spline.pieces.back().control.back(), h.end.axis}, spline);
     EXPECT_EQ(along.at(1).tip, spline.pieces.back().control.back());
     for (std::size_t s = 0; s + 1 < along.segments().size(); ++s) {
       EXPECT_LE((along.segments()[s].tip1 - along.segments()[s + 1].tip0).norm(), 1e-12);
@@ -66,7 +67,7 @@ TEST(CurvedMotion, TheTipStaysOnItsHelixAndTurnsTheRightWay) {
   Scatter random(2);
   for (int i = 0; i < 200; ++i) {
     const Helix h = random_helix(random, 0.3);
-    const Motion motion(h.start, h.end, h.arc);
+    const Motion motion = test::along(h.start, h.end, h.arc);
     const Vec3 e1 = (h.start.tip - h.arc.center).normalized();
     for (double t = 0; t <= 1; t += 0.05) {
       const Vec3 from = motion.at(t).tip - h.arc.center;
@@ -80,7 +81,7 @@ TEST(CurvedMotion, TheTipStaysOnItsHelixAndTurnsTheRightWay) {
 
 TEST(CurvedMotion, AFullCircleComesBackToWhereItBegan) {
   const Pose pose{Vec3(5, 0, 0), Vec3::UnitZ()};
-  const Motion motion(pose, pose, PathArc{Vec3::Zero(), Vec3::UnitZ(), 2 * kPi});
+  const Motion motion = test::along(pose, pose, PathArc{Vec3::Zero(), Vec3::UnitZ(), 2 * kPi});
   EXPECT_TRUE(motion.at(0.5).tip.isApprox(Vec3(-5, 0, 0), 1e-14));
   EXPECT_TRUE(motion.at(0.25).tip.isApprox(Vec3(0, 5, 0), 1e-14));
 }
@@ -122,9 +123,10 @@ TEST(CurvedMotion, NoPathBulgesFurtherFromItsChordThanStated) {
   for (int i = 0; i < 3000; ++i) {
     Helix h = random_helix(random, i % 3 == 0 ? 0.0 : 0.5);
     if (i % 2 == 0) h.end.tip += random.point(2);  // spirals, and sweeps that do not fit their end
-    expect_bulge_holds(Motion(h.start, h.end, h.arc), random, tightest);
+    expect_bulge_holds(test::along(h.start, h.end, h.arc), random, tightest);
     const PathSpline spline = random_spline(random, h.start.tip);
-    expect_bulge_holds(Motion(h.start, {spline.pieces.back().control.back(), h.end.axis}, spline), random, tightest);
+    expect_bulge_holds(test::along(h.start, {spline.pieces.back().control.back(), h.end.axis}, spline), random,
+                       tightest);
   }
   EXPECT_LT(tightest, 1.1);  // the bound is not merely huge
 }

@@ -1,16 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "lib/check/check_options.h"
 #include "lib/geom/pose.h"
+#include "lib/motion/axis_law.h"
+#include "lib/motion/motion_rates.h"
 #include "lib/path/toolpath.h"
-
-// The motion of a move: tip linear in t, or on the arc or spline of the move; axis on the great circle with
-// constant rate (CL-data meaning); in dogleg mode the tip follows the broken line of axes that all run at one
-// speed until each arrives.
 
 namespace gouge {
 
@@ -21,20 +20,24 @@ struct MotionSegment {
   Vec3 tip0 = Vec3::Zero(), tip1 = Vec3::Zero();
 };
 
+/// The motion of a tool over t in [0, 1]. The tip runs on a line, on a broken line of axes that each arrive in their own
+/// time, on an arc or on a spline. The axis turns on the great circle at constant rate, or on the path of an AxisLaw.
+/// Only a MotionLaw makes motions, so that nobody chooses a law by accident.
 class Motion {
  public:
-  /// Requires unit axes. Opposite axes leave the great circle open: `is_defined()` is false.
-  Motion(const Pose& start, const Pose& end, bool is_dogleg = false);
-  /// Along an arc or helix: one segment, evenly in t.
-  Motion(const Pose& start, const Pose& end, const PathArc& arc);
-  /// Along a spline whose parameter is t: one segment for each piece. Requires at least one piece.
-  Motion(const Pose& start, const Pose& end, const PathSpline& spline);
-  explicit Motion(const Pose& alone);
+  /// A tool that rests at a pose, which is the same under every law. Requires a unit axis.
+  [[nodiscard]] static Motion resting(const Pose& pose);
 
+  /// False where the law leaves the way of the axis open: opposite axes on the great circle.
   [[nodiscard]] bool is_defined() const { return is_defined_; }
   [[nodiscard]] bool is_alone() const { return is_alone_; }
   /// Pose at t in [0, 1]; t = 0 and 1 give the end poses bit for bit.
   [[nodiscard]] Pose at(double t) const;
+  /// Directions of the tool at t in the part: a rotation whose third column is the tool axis, continuous in t. On the
+  /// great circle the first column is the direction about which the axis turns. Requires is_defined().
+  [[nodiscard]] Eigen::Matrix3d axes_at(double t) const;
+  /// The rotation that turns the tool from its directions at the start to those at t. Requires is_defined().
+  [[nodiscard]] Eigen::Matrix3d turn_to(double t) const;
   [[nodiscard]] std::span<const MotionSegment> segments() const {
     return segments_.empty() ? std::span(&whole_, 1) : std::span(segments_);
   }
@@ -45,9 +48,14 @@ class Motion {
   /// How far the tip may at any instant of [t0, t1] be from where it would be on the straight chord at constant
   /// speed. 0 for straight paths. Proof: docs/algorithms/certified_sweep.md, section 3.
   [[nodiscard]] double sag_mm(double t0, double t1, std::uint32_t segment) const;
-  /// Rotation of the axis over the whole move, radians.
-  [[nodiscard]] double angle_rad() const { return angle_; }
-  [[nodiscard]] const Vec3& rotation_axis() const { return rotation_axis_; }
+  /// Bounds of all that moves with the tool over [t0, t1] of a segment.
+  [[nodiscard]] MotionRates rates(double t0, double t1, std::uint32_t segment) const;
+  /// The tool turns by no more than this over [t0, t1], in radians; on the great circle by just as much.
+  [[nodiscard]] double turn_rad(double t0, double t1) const;
+  /// Over the whole move.
+  [[nodiscard]] double turn_rad() const { return turn_rad(0, 1); }
+  /// The path of an AxisLaw; null on the great circle.
+  [[nodiscard]] const AxisPath* axis_path() const { return axis_path_.get(); }
   /// True when no coordinate of the tip, of an arc's centre and radius or of a spline's control points is larger;
   /// false where one is not a number.
   [[nodiscard]] bool is_within(double limit_mm) const;
@@ -55,6 +63,18 @@ class Motion {
   [[nodiscard]] const Pose& end() const { return end_; }
 
  private:
+  friend class MotionLaw;
+
+  /// Tip on a straight line. Requires unit axes. `law`: null for the great circle.
+  Motion(const Pose& start, const Pose& end, const AxisLaw* law);
+  /// The axes of the machine run at one speed until each has arrived.
+  void run_dogleg();
+  /// Evenly in t along an arc or helix: one segment.
+  void run_along(const PathArc& arc);
+  /// Along a spline whose parameter is t: one segment for each piece. Requires at least one piece.
+  void run_along(const PathSpline& spline);
+  void turn_on_great_circle();
+
   /// Tip = center + (r0 + dr t) (cos(sweep t) e1 + sin(sweep t) e2) + (h0 + dh t) axis + t rest.
   struct Turn {
     Vec3 center = Vec3::Zero(), axis = Vec3::UnitZ(), e1 = Vec3::UnitX(), e2 = Vec3::UnitY();
@@ -70,8 +90,10 @@ class Motion {
   CurveKind curve_ = CurveKind::none;
   Turn turn_;                        // of an arc
   std::vector<SplinePiece> pieces_;  // of a spline: one for each segment
+  // On the great circle, about which direction and how far the axis turns.
   Vec3 rotation_axis_ = Vec3::UnitX();
   double angle_ = 0;
+  std::shared_ptr<const AxisPath> axis_path_;
   bool is_defined_ = true;
   bool is_alone_ = false;
 };

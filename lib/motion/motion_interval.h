@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lib/check/motion.h"
+#include "lib/motion/motion.h"
 
 // Time intervals of a motion and their halving: what is known of an interval is the caller's.
 

@@ -1,4 +1,4 @@
-#include "lib/check/motion.h"
+#include "lib/motion/motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,37 +30,58 @@ std::vector<MotionSegment> dogleg(const Vec3& from, const Vec3& to) {
   return segments;
 }
 
+/// Both the axis and the one on the great circle stay near the chord between the ends of the axis: each by an eighth of
+/// its acceleration, and the turn bounds the angle between the ends.
+double off_circle_rad(const MotionRates& rates) {
+  const double chord = (rates.axis_acceleration_rad() + rates.turn_rad * rates.turn_rad) / 8;
+  // Of two unit vectors that are a chord apart: 2 asin(c / 2) <= 1.05 c for c <= 1, and <= c pi / 2.
+  return std::min(M_PI, (chord <= 1 ? 1.05 : M_PI / 2) * chord);
+}
+
 }  // namespace
 
-Motion::Motion(const Pose& start, const Pose& end, bool is_dogleg) : start_(start), end_(end) {
-  const Vec3 across = start.axis.cross(end.axis);
+Motion::Motion(const Pose& start, const Pose& end, const AxisLaw* law)
+    : start_(start), end_(end), whole_{0, 1, start.tip, end.tip} {
+  if (law != nullptr) {
+    axis_path_ = law->between(start.axis, end.axis);
+    is_defined_ = axis_path_ != nullptr;
+  } else {
+    turn_on_great_circle();
+  }
+}
+
+Motion Motion::resting(const Pose& pose) {
+  Motion motion(pose, pose, nullptr);
+  motion.is_alone_ = true;
+  return motion;
+}
+
+void Motion::turn_on_great_circle() {
+  const Vec3 across = start_.axis.cross(end_.axis);
   const double sine = across.norm();
-  angle_ = std::atan2(sine, start.axis.dot(end.axis));
+  angle_ = std::atan2(sine, start_.axis.dot(end_.axis));
   if (sine > 0) rotation_axis_ = across / sine;
   // For axes that all but agree the cross product is mostly rounding; any perpendicular axis serves a
   // rotation of that size, but it must be perpendicular.
-  rotation_axis_ -= rotation_axis_.dot(start.axis) * start.axis;
+  rotation_axis_ -= rotation_axis_.dot(start_.axis) * start_.axis;
   if (sine <= 1e-12 || rotation_axis_.norm() < 0.5) {
-    rotation_axis_ = start.axis.unitOrthogonal();
+    rotation_axis_ = start_.axis.unitOrthogonal();
     if (angle_ < 1) angle_ = 0;
   }
   rotation_axis_.normalize();
   is_defined_ = angle_ < M_PI - kOppositeAngle_rad;
-  if (is_dogleg) {
-    segments_ = dogleg(start.tip, end.tip);
-  } else {
-    whole_ = {0, 1, start.tip, end.tip};
-  }
 }
+
+void Motion::run_dogleg() { segments_ = dogleg(start_.tip, end_.tip); }
 
 Vec3 Motion::Turn::at(double t) const {
   const double turned = sweep * t;
   return center + (r0 + dr * t) * (std::cos(turned) * e1 + std::sin(turned) * e2) + (h0 + dh * t) * axis + t * rest;
 }
 
-Motion::Motion(const Pose& start, const Pose& end, const PathArc& arc) : Motion(start, end) {
+void Motion::run_along(const PathArc& arc) {
   curve_ = CurveKind::arc;
-  const Vec3 from = start.tip - arc.center, to = end.tip - arc.center;
+  const Vec3 from = start_.tip - arc.center, to = end_.tip - arc.center;
   turn_.center = arc.center;
   turn_.axis = arc.axis;
   turn_.sweep = arc.sweep_rad;
@@ -71,20 +92,17 @@ Motion::Motion(const Pose& start, const Pose& end, const PathArc& arc) : Motion(
   turn_.dr = (to - to.dot(arc.axis) * arc.axis).norm() - turn_.r0;
   turn_.e1 = turn_.r0 > 0 ? Vec3(radial / turn_.r0) : arc.axis.unitOrthogonal();
   turn_.e2 = arc.axis.cross(turn_.e1);
-  turn_.rest = end.tip - turn_.at(1);
+  turn_.rest = end_.tip - turn_.at(1);
 }
 
-Motion::Motion(const Pose& start, const Pose& end, const PathSpline& spline) : Motion(start, end) {
+void Motion::run_along(const PathSpline& spline) {
   curve_ = CurveKind::spline;
   pieces_ = spline.pieces;
-  pieces_.front().control.front() = start.tip;
-  pieces_.back().control.back() = end.tip;
-  segments_.clear();
+  pieces_.front().control.front() = start_.tip;
+  pieces_.back().control.back() = end_.tip;
   for (const SplinePiece& piece : pieces_)
     segments_.push_back({piece.u0, piece.u1, piece.control.front(), piece.control.back()});
 }
-
-Motion::Motion(const Pose& alone) : Motion(alone, alone) { is_alone_ = true; }
 
 Vec3 Motion::tip_at(double t, std::uint32_t segment) const {
   const MotionSegment& displacement = segments()[segment];
@@ -136,15 +154,46 @@ bool Motion::is_within(double limit_mm) const {
   });
 }
 
+double Motion::turn_rad(double t0, double t1) const {
+  return axis_path_ ? (t1 - t0) * axis_path_->turn_rate_rad(t0, t1) : angle_ * (t1 - t0);
+}
+
+MotionRates Motion::rates(double t0, double t1, std::uint32_t segment) const {
+  MotionRates rates;
+  rates.tip_path_mm = path_length_mm(t0, t1, segment);
+  rates.tip_sag_mm = sag_mm(t0, t1, segment);
+  rates.turn_rad = turn_rad(t0, t1);
+  if (axis_path_) {
+    const double h = t1 - t0;
+    rates.turn_sag_rad = h * h * axis_path_->turn_acceleration_rad(t0, t1);
+    rates.off_circle_rad = off_circle_rad(rates);
+  }
+  return rates;
+}
+
+Eigen::Matrix3d Motion::axes_at(double t) const {
+  if (axis_path_) return axis_path_->axes_at(t);
+  const double turned = angle_ * t;
+  const Vec3 axis = std::cos(turned) * start_.axis + std::sin(turned) * rotation_axis_.cross(start_.axis);
+  Eigen::Matrix3d axes;
+  axes.col(0) = rotation_axis_;
+  axes.col(1) = axis.cross(rotation_axis_);
+  axes.col(2) = axis;
+  return axes;
+}
+
+Eigen::Matrix3d Motion::turn_to(double t) const {
+  if (axis_path_) return axis_path_->axes_at(t) * axis_path_->axes_at(0).transpose();
+  return Eigen::AngleAxisd(angle_ * t, rotation_axis_).toRotationMatrix();
+}
+
 Pose Motion::at(double t) const {
   if (t <= 0) return start_;
   if (t >= 1) return end_;
   const std::span<const MotionSegment> ways = segments();
   const auto segment = std::lower_bound(ways.begin(), ways.end() - 1, t,
                                         [](const MotionSegment& s, double instant) { return s.t1 < instant; });
-  const double turned = angle_ * t;
-  return {tip_at(t, static_cast<std::uint32_t>(segment - ways.begin())),
-          (std::cos(turned) * start_.axis + std::sin(turned) * rotation_axis_.cross(start_.axis)).normalized()};
+  return {tip_at(t, static_cast<std::uint32_t>(segment - ways.begin())), axes_at(t).col(2).normalized()};
 }
 
 }  // namespace gouge

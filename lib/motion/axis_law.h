@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lib/geom/vec.h"
+
+// How the tool axis runs between two positions where it is not on the great circle: what a kinematic chain gives.
+
+namespace gouge {
+
+/// The way of the tool axis, and of all that is fixed to it, from t = 0 to 1 of a move. Constant: several threads may ask.
+class AxisPath {
+ public:
+  virtual ~AxisPath() = default;
+
+  /// Directions of the tool in the part: x, y and the tool axis as columns of a rotation. Twice differentiable in t.
+  [[nodiscard]] virtual Eigen::Matrix3d axes_at(double t) const = 0;
+  /// The angular velocity is no larger anywhere in [t0, t1]; radians per unit of t.
+  [[nodiscard]] virtual double turn_rate_rad(double t0, double t1) const = 0;
+  /// The derivative of the angular velocity is no larger anywhere in [t0, t1]; radians per square of a unit of t.
+  [[nodiscard]] virtual double turn_acceleration_rad(double t0, double t1) const = 0;
+};
+
+/// Makes the way of the axis between two directions.
+class AxisLaw {
+ public:
+  virtual ~AxisLaw() = default;
+
+  /// Null where the law leaves the way open. Requires unit directions. The ends of the path are these directions, to
+  /// rounding.
+  [[nodiscard]] virtual std::shared_ptr<const AxisPath> between(const Vec3& from, const Vec3& to) const = 0;
+  /// One word for options, reports and certificates.
+  [[nodiscard]] virtual std::string name() const = 0;
+};
+
+}  // namespace gouge

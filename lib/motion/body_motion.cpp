@@ -1,0 +1,46 @@
+#include "lib/motion/body_motion.h"
+
+#include <cmath>
+
+namespace gouge {
+namespace {
+
+constexpr double kOpposite = 1e-9;
+
+}  // namespace
+
+Eigen::Matrix3d rotation_to_axis(const Vec3& axis) {
+  if (1 + axis.z() < kOpposite) return Vec3(1, -1, -1).asDiagonal();
+  Eigen::Matrix3d cross;
+  const Vec3 v = Vec3::UnitZ().cross(axis);
+  cross << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return Eigen::Matrix3d::Identity() + cross + cross * cross / (1 + axis.z());
+}
+
+BodyMotion::BodyMotion(const Motion& motion)
+    : motion_(motion), start_(motion.axis_path() ? motion.axes_at(0) : rotation_to_axis(motion.start().axis)) {
+  if (motion.is_alone() || motion.axis_path()) return;
+  const Eigen::Matrix3d left = (motion.turn_to(1) * start_).transpose() * rotation_to_axis(motion.end().axis);
+  twist_rad_ = std::atan2(left(1, 0) - left(0, 1), left(0, 0) + left(1, 1));
+}
+
+RigidTransform BodyMotion::at(double t) const {
+  const Eigen::AngleAxisd twist(twist_rad_ * t, Vec3::UnitZ());
+  return {motion_.turn_to(t) * start_ * twist.toRotationMatrix(), motion_.at(t).tip};
+}
+
+// A turn about a fixed direction of the part and one about the tool axis, both at constant rate, are a product of two
+// exponentials: its second derivative is at most the square of both rates added up.
+MotionRates BodyMotion::rates(double t0, double t1, std::uint32_t segment) const {
+  MotionRates rates = motion_.rates(t0, t1, segment);
+  rates.turn_rad += std::abs(twist_rad_) * (t1 - t0);
+  return rates;
+}
+
+double BodyMotion::bulge_mm(const MotionInterval& interval, double distance_mm) const {
+  if (!(interval.t1 > interval.t0)) return 0;
+  const MotionRates over = rates(interval.t0, interval.t1, interval.segment);
+  return over.bulge_mm(distance_mm + 0.5 * over.tip_path_mm);
+}
+
+}  // namespace gouge

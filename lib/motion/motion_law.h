@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lib/motion/axis_law.h"
+#include "lib/motion/motion.h"
+#include "lib/path/toolpath.h"
+
+namespace gouge {
+
+enum class RapidMode { straight, dogleg, skip };
+
+/// How a tool moves between the positions of a path: all that makes motions. The tip runs as the path says, on rapids as
+/// the mode says. The axis turns on the great circle (the meaning of CL data) or by an AxisLaw.
+class MotionLaw {
+ public:
+  /// The great circle. Rapids that are skipped are straight where they are asked about all the same.
+  MotionLaw(RapidMode rapid = RapidMode::straight)  // NOLINT(google-explicit-constructor): a mode is a law
+      : rapid_(rapid) {}
+  /// `axes`: not null.
+  MotionLaw(RapidMode rapid, std::shared_ptr<const AxisLaw> axes) : rapid_(rapid), axes_(std::move(axes)) {}
+
+  [[nodiscard]] RapidMode rapid() const { return rapid_; }
+  /// Whether the motion between the poses at two instants of a motion without a curve is surely a part of it.
+  [[nodiscard]] bool is_divisible(MoveKind kind) const {
+    return !axes_ && (kind != MoveKind::rapid || rapid_ != RapidMode::dogleg);
+  }
+  /// Of the axis: "great-circle", or that of the AxisLaw.
+  [[nodiscard]] std::string name() const { return axes_ ? axes_->name() : "great-circle"; }
+
+  /// Of a move of a path, along its arc or spline where it has one.
+  [[nodiscard]] Motion of(const Toolpath& toolpath, std::size_t move) const;
+  /// The straight motion to a position alone from where the tool was before it (Move::is_linked); nothing where the path
+  /// has no link there. It is not what the file says; that it is clean is what the check asks of it.
+  [[nodiscard]] std::optional<Motion> link_of(const Toolpath& toolpath, std::size_t move) const;
+  /// Between two positions with no curve: as the mode says for rapids, straight otherwise.
+  [[nodiscard]] Motion between(const Pose& from, const Pose& to, MoveKind kind) const;
+  [[nodiscard]] Motion straight(const Pose& from, const Pose& to) const { return {from, to, axes_.get()}; }
+  [[nodiscard]] Motion along(const Pose& from, const Pose& to, const PathArc& arc) const;
+  /// Requires at least one piece.
+  [[nodiscard]] Motion along(const Pose& from, const Pose& to, const PathSpline& spline) const;
+
+ private:
+  RapidMode rapid_;
+  std::shared_ptr<const AxisLaw> axes_;
+};
+
+}  // namespace gouge
