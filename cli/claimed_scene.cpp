@@ -30,6 +30,7 @@ ClaimedScene claimed_scene(const Job& job) {
   const CheckOptions& options = job.options.check;
   ClaimedScene scene{job.toolpath, job.tools(), job.scene().parts, job.scene().fixtures, {}};
   for (const HeadBody& head : job.heads()) scene.heads.emplace_back(head.whole.mesh());
+  scene.axis_law = options.law.name();
   scene.is_dogleg = options.law.rapid() == RapidMode::dogleg;
   scene.tolerance_mm = options.tolerance_mm;
   scene.resolution_mm = options.resolution_mm;

@@ -37,7 +37,7 @@ struct DepthQuery::Content {
 
   [[nodiscard]] Contact at(const gouge::Pose& pose) const {
     const gouge::MoveVerdict verdict =
-        checker.check(gouge::Motion::resting(pose), gouge::MoveKind::feed, variants, options);
+        checker.check(gouge::options.law.at(pose), gouge::MoveKind::feed, variants, options);
     Contact contact;
     contact.state = static_cast<State>(verdict.state);
     contact.depth = verdict.depth_mm;

@@ -73,7 +73,7 @@ class ShiftCheck {
   [[nodiscard]] ShiftHazard of_sides(double t0, double t1) const {
     const double half = 0.5 * (t1 - t0) * length_, t = 0.5 * (t0 + t1);
     const Pose middle{from_.tip + t * (to_.tip - from_.tip), from_.axis};
-    const MoveVerdict there = checker_.check_tool(Motion::resting(middle), kind_, tool_, options_);
+    const MoveVerdict there = checker_.check_tool(options_.law.at(middle), kind_, tool_, options_);
     if (checker_.is_out_of_budget()) return ShiftHazard::undecided;
     if (there.depth_mm > half) return ShiftHazard::none;
     if (there.depth_upper_mm + half < tool_.bare.core_depth_mm) return of_side(middle);

@@ -84,14 +84,14 @@ MoveVerdict MotionChecker::measure(const Pose& pose, MoveKind kind, const ToolVa
   exact.tolerance_mm = 0;
   exact.near_miss_mm = 0;
   exact.is_depth_alone = true;
-  return check(Motion::resting(pose), kind, tool, exact, true);
+  return check(options().law.at(pose), kind, tool, exact, true);
 }
 
 double MotionChecker::head_excess(const Pose& pose, double allowed_mm, double accuracy_mm) const {
   if (!heads_) return 0;
   if (is_out_of_budget()) return std::numeric_limits<double>::infinity();
   std::uint64_t bounds = 0;
-  const double excess = heads_->excess_at(pose, allowed_mm, accuracy_mm, bounds);
+  const double excess = heads_->excess_at(pose, options().law, allowed_mm, accuracy_mm, bounds);
   charge(bounds);
   return excess;
 }

@@ -18,7 +18,7 @@ constexpr std::uint64_t kClosenessBudget = 20'000;
 
 bool is_cut(const Move& move, const std::vector<const ToolVariants*>& tools) {
   return move.kind != MoveKind::rapid && move.not_checked_reason.empty() && move.tool < tools.size() &&
-         tools[move.tool] != nullptr && why_unfit(Motion::resting(move.end)) == Reason::Kind::none;
+         tools[move.tool] != nullptr && why_unfit(MotionLaw::tool_at(move.end)) == Reason::Kind::none;
 }
 
 std::uint64_t mixed(std::uint64_t k) {
@@ -50,7 +50,7 @@ struct Distance {
 
 Distance distance_from_part(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
   const SearchTarget part{&tool.against_part, &scene.parts, Against::part};
-  const SearchResult result = sweep_and_search(Motion::resting(pose), {part},
+  const SearchResult result = sweep_and_search(MotionLaw::tool_at(pose), {part},
                                                {{0, kAccuracy_mm, kAccuracy_mm, kClosenessBudget}, Closeness::kFar_mm});
   const double seen =
       result.has_witness ? Closeness::kFar_mm - result.value_mm : std::numeric_limits<double>::infinity();

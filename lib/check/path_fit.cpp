@@ -57,8 +57,8 @@ double corner_radius_mm(const CompiledTool& tool) {
 Contact contact_of(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
   const double touch = touch_mm(tool);
   const SearchTarget part{&tool.cutting, &scene.parts, Against::part};
-  const SearchResult result =
-      sweep_and_search(Motion::resting(pose), {part}, {{0, kAccuracy * touch, kAccuracy * touch, kFitBudget}, touch});
+  const SearchResult result = sweep_and_search(MotionLaw::tool_at(pose), {part},
+                                               {{0, kAccuracy * touch, kAccuracy * touch, kFitBudget}, touch});
   if (result.value_mm > 2 * touch) return Contact::gouging;
   return result.has_witness ? Contact::touching : Contact::apart;
 }
@@ -154,7 +154,7 @@ class FitFinder {
     if (contact_of(pose, tool, scene_) == Contact::apart) return is_core_inside(pose, tool, *scene_.scene);
     const double deep = kDeep * tool.bare.core_depth_mm, gap = kAccuracy * deep;
     const SearchTarget part{&tool.cutting, &scene_.parts, Against::part};
-    return sweep_and_search(Motion::resting(pose), {part}, {{deep, gap, gap, kFitBudget}, 0}).value_mm > deep;
+    return sweep_and_search(MotionLaw::tool_at(pose), {part}, {{deep, gap, gap, kFitBudget}, 0}).value_mm > deep;
   }
 
   [[nodiscard]] bool is_cutter_gouging(std::size_t move) const {

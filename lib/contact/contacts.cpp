@@ -8,6 +8,7 @@
 #include "lib/check/support_plane.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/geom/triangle.h"
+#include "lib/motion/motion_law.h"
 #include "lib/motion/tool_interval.h"
 
 namespace gouge {
@@ -146,7 +147,7 @@ std::vector<ToolContact> find_contacts(const Pose& pose, const CompiledTool& too
                                        double notable_mm) {
   std::vector<ToolContact> contacts;
   if (tree.nodes.empty() || tool.elements.empty()) return contacts;
-  const Motion alone = Motion::resting(pose);
+  const Motion alone = MotionLaw::tool_at(pose);
   const ToolInterval interval(alone, whole_segment(alone, 0));
   Collector(interval, tool, tree, aim_mm, notable_mm, contacts).visit(0);
   return contacts;
@@ -166,7 +167,7 @@ double largest_excess(const Pose& pose, const ToolVariants& tool, const Prepared
                       double accuracy_mm, std::uint64_t* bounds) {
   double most = 0;
   std::uint64_t spent = 0;
-  const Motion alone = Motion::resting(pose);
+  const Motion alone = MotionLaw::tool_at(pose);
   for (const AimedTarget& aimed : aimed_targets(tool, scene, aim))
     most = std::max(most, excess_of(alone, aimed, accuracy_mm, spent));
   if (bounds != nullptr) *bounds += spent;
@@ -176,7 +177,7 @@ double largest_excess(const Pose& pose, const ToolVariants& tool, const Prepared
 double largest_excess(const Pose& pose, const CompiledTool& tool, const PreparedScene& scene, double aim_mm,
                       double accuracy_mm) {
   std::uint64_t spent = 0;
-  return excess_of(Motion::resting(pose), {{&tool, &scene.parts, Against::part}, aim_mm}, accuracy_mm, spent);
+  return excess_of(MotionLaw::tool_at(pose), {{&tool, &scene.parts, Against::part}, aim_mm}, accuracy_mm, spent);
 }
 
 }  // namespace gouge

@@ -221,7 +221,7 @@ class ArcKeeper {
       for (std::size_t k = 1; k < stops.size(); ++k)
         off = std::min(off, distance_to_segment(there.tip, stops[k - 1].tip, stops[k].tip));
       if (off <= k_.checker.options().tolerance_mm) continue;
-      if (k_.checker.is_clean(Motion::resting(there), MoveKind::feed, tool_of(move), options_)) return false;
+      if (k_.checker.is_clean(options_.law.at(there), MoveKind::feed, tool_of(move), options_)) return false;
     }
     return true;
   }

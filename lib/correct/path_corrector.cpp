@@ -315,7 +315,7 @@ bool PathCorrector::is_free(std::size_t i) const {
   const Move& move = path_.moves[i];
   if ((move.has_start && !is_straight(move)) || !move.not_checked_reason.empty()) return false;
   const Motion motion =
-      move.has_start ? options_.law.between(start_of(i), end_of(i), move.kind) : Motion::resting(end_of(i));
+      move.has_start ? options_.law.between(start_of(i), end_of(i), move.kind) : options_.law.at(end_of(i));
   if (!motion.is_defined()) return false;
   const MoveVerdict after = checker_.check(motion, move.kind, *tools_[move.tool], options_);
   return after.state != MoveState::gouge && is_no_worse_than(verdict_before(i), after, options_.resolution_mm);

@@ -36,7 +36,7 @@ ReworkedPath with_positions(const Toolpath& path, const CheckResult& result, con
   moved.path = without_moves(path);
   const auto add = [&](const Move& move, std::size_t origin) {
     const Motion motion = move.has_start ? options.law.between(moved.path.moves.back().end, move.end, move.kind)
-                                         : Motion::resting(move.end);
+                                         : options.law.at(move.end);
     moved.add(move, origin, true, checker.check(motion, move.kind, *tools[move.tool], options, true));
   };
   auto next = positions.begin();

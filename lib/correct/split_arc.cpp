@@ -75,7 +75,7 @@ class ArcSplit {
     for (int i = 0; i <= kSplitPlaces; ++i) {
       const bool is_kept = (i > 0 || keeps_start_) && (i < kSplitPlaces || keeps_end_);
       is_free[static_cast<std::size_t>(i)] =
-          is_kept && is_clean(Motion::resting(whole_.at(static_cast<double>(i) / kSplitPlaces)));
+          is_kept && is_clean(options_.law.at(whole_.at(static_cast<double>(i) / kSplitPlaces)));
     }
     for (std::size_t first = 0, last = 0; first < is_free.size(); first = last + 1) {
       for (last = first; last < is_free.size() && is_free[last];) ++last;

@@ -56,7 +56,7 @@ class CurveChoice {
   }
   [[nodiscard]] bool may_move(std::size_t i) const {
     const Move& move = path_.moves[i];
-    return checker_.check(Motion::resting(move.end), move.kind, *tools_[move.tool], options_, true).state !=
+    return checker_.check(options_.law.at(move.end), move.kind, *tools_[move.tool], options_, true).state !=
            MoveState::clean;
   }
 

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kMovesPerChunk = 64;
 constexpr std::uint64_t kMostBounds = 100'000;
+constexpr double kSamePoint_mm = 1e-9;
 
 void decide(MoveState state, Reason reason, MoveVerdict& verdict) {
   verdict.state = state;
@@ -40,6 +41,13 @@ void refuse(Reason::Kind reason, MoveVerdict& verdict) {
   if (verdict.state != MoveState::gouge && verdict.state != MoveState::not_checked) verdict = not_checked({reason});
 }
 
+/// Where heads stand at the start and at the end of a move. Requires a motion that is defined.
+std::pair<RigidTransform, RigidTransform> ends_of(const Toolpath& toolpath, std::size_t move, const MotionLaw& law) {
+  const Motion motion = law.of(toolpath, move);
+  const BodyMotion moving(motion);
+  return {moving.at(0), moving.at(1)};
+}
+
 }  // namespace
 
 HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene)
@@ -48,7 +56,7 @@ HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene
 std::uint64_t HeadChecker::check(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict) const {
   std::vector<double> uppers_mm;
   const std::uint64_t bounds = sweep(motion, options, verdict, uppers_mm);
-  if (is_open_to_judgement(verdict)) look_inside(motion.start(), uppers_mm, verdict);
+  if (is_open_to_judgement(verdict)) look_inside(motion, uppers_mm, verdict);
   return bounds;
 }
 
@@ -98,12 +106,13 @@ void HeadChecker::sweep_all(std::span<const Motion> motions, const CheckOptions&
   }
 }
 
-double HeadChecker::excess_at(const Pose& pose, double allowed_mm, double accuracy_mm, std::uint64_t& bounds) const {
+double HeadChecker::excess_at(const Pose& pose, const MotionLaw& law, double allowed_mm, double accuracy_mm,
+                              std::uint64_t& bounds) const {
   CheckOptions options;
   options.tolerance_mm = allowed_mm;
   options.resolution_mm = accuracy_mm;
   MoveVerdict verdict;
-  bounds += check(Motion::resting(pose), options, verdict);
+  bounds += check(law.at(pose), options, verdict);
   if (verdict.state == MoveState::gouge) return verdict.depth_mm - allowed_mm;
   return verdict.state == MoveState::clean ? 0 : std::numeric_limits<double>::infinity();
 }
@@ -140,14 +149,14 @@ void HeadChecker::take(const HeadResult& found, MoveVerdict& verdict) const {
 
 /// No surface comes as deep into the head as its cores lie, so each core stays on one side during the whole
 /// move.
-void HeadChecker::look_inside(const Pose& pose, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const {
-  const RigidTransform at{rotation_to_axis(pose.axis), pose.tip};
+void HeadChecker::look_inside(const Motion& motion, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const {
+  const RigidTransform at = BodyMotion(motion).at(0);
   for (std::size_t h = 0; h < heads_.size() && verdict.state != MoveState::buried; ++h) {
     for (std::size_t k = 0; k < heads_[h].cores.size() && verdict.state != MoveState::buried; ++k) {
       if (heads_[h].core_depths_mm[k] <= uppers_mm[h]) {
         decide(MoveState::not_certified, {Reason::Kind::head_too_thin}, verdict);
       } else {
-        decide_side(sides_.side_of({{at.point(heads_[h].cores[k])}, {pose.axis}}), verdict);
+        decide_side(sides_.side_of({{at.point(heads_[h].cores[k])}, {motion.start().axis}}), verdict);
       }
     }
   }
@@ -159,31 +168,34 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
   for (std::size_t h = 0; h < heads_.size(); ++h) {
     for (std::size_t k = 0; k < heads_[h].cores.size(); ++k) cores.emplace_back(h, k);
   }
-  const auto core_at = [&](const Pose& pose, std::size_t c) {
-    const RigidTransform at{rotation_to_axis(pose.axis), pose.tip};
-    return at.point(heads_[cores[c].first].cores[cores[c].second]);
-  };
+  const auto core = [&](std::size_t c) -> const Vec3& { return heads_[cores[c].first].cores[cores[c].second]; };
   const auto is_free = [&](std::size_t i, std::size_t c) {
     const auto [h, k] = cores[c];
     return uppers_mm.is_swept(i) && uppers_mm.of(i, h) < heads_[h].core_depths_mm[k];
   };
   FreeChains chains(sides_, verdicts.size() * cores.size());
+  RigidTransform before;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    const Move& move = toolpath.moves[i];
+    if (!uppers_mm.is_swept(i)) continue;
+    const auto [start, end] = ends_of(toolpath, i, options.law);
     for (std::size_t c = 0; c < cores.size(); ++c) {
       if (!is_free(i, c)) continue;
-      chains.add(i * cores.size() + c, core_at(move.end, c));
-      if (i == 0 || !move.has_start) continue;
-      chains.add(i * cores.size() + c, core_at(toolpath.start_of(i), c));
-      if (is_free(i - 1, c)) chains.join(i * cores.size() + c, (i - 1) * cores.size() + c);
+      chains.add(i * cores.size() + c, end.point(core(c)));
+      if (i == 0 || !toolpath.moves[i].has_start) continue;
+      chains.add(i * cores.size() + c, start.point(core(c)));
+      // A law may turn a head about the tool axis between two moves.
+      const bool goes_on = is_free(i - 1, c) && (start.point(core(c)) - before.point(core(c))).norm() < kSamePoint_mm;
+      if (goes_on) chains.join(i * cores.size() + c, (i - 1) * cores.size() + c);
     }
+    before = end;
   }
   const auto is_asked = [&](std::size_t item) { return is_free(item / cores.size(), item % cores.size()); };
   chains.decide(
       options.threads,
       [&](std::size_t item) {
-        const Pose& pose = toolpath.moves[item / cores.size()].end;
-        return ConnectedPoints{{core_at(pose, item % cores.size())}, {pose.axis}};
+        const std::size_t i = item / cores.size();
+        const RigidTransform end = ends_of(toolpath, i, options.law).second;
+        return ConnectedPoints{{end.point(core(item % cores.size()))}, {toolpath.moves[i].end.axis}};
       },
       is_asked);
   for (std::size_t i = 0; i < verdicts.size(); ++i) {

@@ -66,12 +66,13 @@ class HeadChecker {
   /// How much deeper than `allowed_mm` the heads are at a pose, less than the truth by `accuracy_mm` at most:
   /// the least they must still move. 0 only when that is proven and no head is buried; infinite when one is,
   /// or when it could not be decided.
-  [[nodiscard]] double excess_at(const Pose& pose, double allowed_mm, double accuracy_mm, std::uint64_t& bounds) const;
+  [[nodiscard]] double excess_at(const Pose& pose, const MotionLaw& law, double allowed_mm, double accuracy_mm,
+                                 std::uint64_t& bounds) const;
 
  private:
   void join(const HeadResult& found, const CheckOptions& options, MoveVerdict& verdict) const;
   void take(const HeadResult& found, MoveVerdict& verdict) const;
-  void look_inside(const Pose& pose, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const;
+  void look_inside(const Motion& motion, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const;
 
   const std::vector<HeadBody>& heads_;
   const SceneSides& sides_;

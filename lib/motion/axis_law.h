@@ -27,8 +27,8 @@ class AxisLaw {
  public:
   virtual ~AxisLaw() = default;
 
-  /// Null where the law leaves the way open. Requires unit directions. The ends of the path are these directions, to
-  /// rounding.
+  /// Null where the law leaves the way open, but never for equal directions. Requires unit directions. The ends of the
+  /// path are these directions, to rounding.
   [[nodiscard]] virtual std::shared_ptr<const AxisPath> between(const Vec3& from, const Vec3& to) const = 0;
   /// One word for options, reports and certificates.
   [[nodiscard]] virtual std::string name() const = 0;

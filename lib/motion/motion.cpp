@@ -50,12 +50,6 @@ Motion::Motion(const Pose& start, const Pose& end, const AxisLaw* law)
   }
 }
 
-Motion Motion::resting(const Pose& pose) {
-  Motion motion(pose, pose, nullptr);
-  motion.is_alone_ = true;
-  return motion;
-}
-
 void Motion::turn_on_great_circle() {
   const Vec3 across = start_.axis.cross(end_.axis);
   const double sine = across.norm();

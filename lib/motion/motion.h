@@ -25,9 +25,6 @@ struct MotionSegment {
 /// Only a MotionLaw makes motions, so that nobody chooses a law by accident.
 class Motion {
  public:
-  /// A tool that rests at a pose, which is the same under every law. Requires a unit axis.
-  [[nodiscard]] static Motion resting(const Pose& pose);
-
   /// False where the law leaves the way of the axis open: opposite axes on the great circle.
   [[nodiscard]] bool is_defined() const { return is_defined_; }
   [[nodiscard]] bool is_alone() const { return is_alone_; }

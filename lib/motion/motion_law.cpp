@@ -4,7 +4,7 @@ namespace gouge {
 
 Motion MotionLaw::of(const Toolpath& toolpath, std::size_t index) const {
   const Move& move = toolpath.moves[index];
-  if (!move.has_start) return Motion::resting(move.end);
+  if (!move.has_start) return at(move.end);
   const Pose& start = toolpath.start_of(index);
   if (move.curve_kind == CurveKind::arc) return along(start, move.end, toolpath.arcs[move.curve]);
   if (move.curve_kind == CurveKind::spline) return along(start, move.end, toolpath.splines[move.curve]);
@@ -15,6 +15,12 @@ std::optional<Motion> MotionLaw::link_of(const Toolpath& toolpath, std::size_t i
   const Move& move = toolpath.moves[index];
   if (move.has_start || !move.is_linked || index == 0) return std::nullopt;
   return straight(toolpath.moves[index - 1].end, move.end);
+}
+
+Motion MotionLaw::at(const Pose& pose) const {
+  Motion motion = straight(pose, pose);
+  motion.is_alone_ = true;
+  return motion;
 }
 
 Motion MotionLaw::between(const Pose& from, const Pose& to, MoveKind kind) const {

@@ -35,6 +35,10 @@ class MotionLaw {
   /// The straight motion to a position alone from where the tool was before it (Move::is_linked); nothing where the path
   /// has no link there. It is not what the file says; that it is clean is what the check asks of it.
   [[nodiscard]] std::optional<Motion> link_of(const Toolpath& toolpath, std::size_t move) const;
+  /// At rest at a pose.
+  [[nodiscard]] Motion at(const Pose& pose) const;
+  /// The same for a tool alone: a solid of revolution, which stands alike under every law.
+  [[nodiscard]] static Motion tool_at(const Pose& pose) { return MotionLaw().at(pose); }
   /// Between two positions with no curve: as the mode says for rapids, straight otherwise.
   [[nodiscard]] Motion between(const Pose& from, const Pose& to, MoveKind kind) const;
   [[nodiscard]] Motion straight(const Pose& from, const Pose& to) const { return {from, to, axes_.get()}; }

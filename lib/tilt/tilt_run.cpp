@@ -127,7 +127,7 @@ class Chain {
 
   [[nodiscard]] bool is_clean_at(const Station& station) const {
     const Move& move = job_.path.moves[station.move];
-    return job_.checker.is_clean(Motion::resting(position_at(station, 0).programmed), move.kind, *job_.tools[move.tool],
+    return job_.checker.is_clean(law().at(position_at(station, 0).programmed), move.kind, *job_.tools[move.tool],
                                  job_.checker.options(), true);
   }
 

@@ -151,7 +151,7 @@ bool TiltSpace::is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusin
   options.near_miss_mm = kAir_mm;
   options.gouge_gap_mm = kAnyGap_mm;
   // From an end of the run, which is outside, clean motions lead to every position of a proven sequence.
-  const MoveVerdict verdict = task_.checker->check(Motion::resting(pose), at.kind, *task_.tool, options, true);
+  const MoveVerdict verdict = task_.checker->check(options.law.at(pose), at.kind, *task_.tool, options, true);
   const bool is_of_tool = verdict.witness && verdict.witness->body != Body::head;
   if (refusing != nullptr && verdict.state == MoveState::gouge && is_of_tool) {
     learn(*verdict.witness, *refusing);
@@ -239,7 +239,7 @@ bool TiltSpace::is_gouge(std::size_t i, MoveKind kind) const {
   CheckOptions options = options_for(1);
   options.tolerance_mm += options.resolution_mm + kSurely_mm;
   options.gouge_gap_mm = kAnyGap_mm;
-  const Motion stays = Motion::resting(positions_[i].programmed);
+  const Motion stays = options.law.at(positions_[i].programmed);
   return task_.checker->check(stays, kind, *task_.tool, options, true).state == MoveState::gouge;
 }
 

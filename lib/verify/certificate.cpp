@@ -47,6 +47,7 @@ class Questions {
   /// Of a group of moves; `of_piece` tells the move of each piece. Nothing where a motion is not defined.
   [[nodiscard]] std::optional<std::vector<MotionPiece>> pieces(std::size_t first, std::size_t count,
                                                                std::vector<std::size_t>& of_piece) const {
+    if (scene_.axis_law != kGreatCircle) return std::nullopt;
     std::vector<MotionPiece> all;
     for (std::size_t i = first; i < first + count; ++i) {
       const auto own = motion_pieces(scene_.path, i, scene_.is_dogleg);
@@ -57,11 +58,20 @@ class Questions {
     return all;
   }
   [[nodiscard]] CertificateHeader header(std::string_view inputs) const {
-    return {std::string(inputs), scene_.path.moves.size(), orders_.parts.root().size(), orders_.fixtures.root().size(),
-            scene_.tolerance_mm, scene_.resolution_mm};
+    return {std::string(inputs),
+            scene_.path.moves.size(),
+            orders_.parts.root().size(),
+            orders_.fixtures.root().size(),
+            scene_.tolerance_mm,
+            scene_.resolution_mm,
+            law()};
   }
 
  private:
+  [[nodiscard]] std::string law() const {
+    return (scene_.axis_law + (scene_.is_dogleg ? " dogleg" : " straight")).substr(0, kLawBytes);
+  }
+
   struct Forms {
     explicit Forms(const ToolVariants& tool)
         : part(tool.against_part), fixture(tool.against_fixture), clearance(tool.with_clearance) {
@@ -153,6 +163,9 @@ class CertificateReader {
       return invalid(name_,
                      "it proves something about other inputs; expected the certificate that was written with this "
                      "result");
+    if (found.law != expected.law)
+      return invalid(name_, "it proves the motion by the law '" + found.law + "'; expected the law of this result, '" +
+                                expected.law + "'");
     const auto is_alike = [](double a, double b) { return std::abs(a - b) <= 1e-12 * std::abs(b); };
     if (found.moves == expected.moves && found.part_triangles == expected.part_triangles &&
         found.fixture_triangles == expected.fixture_triangles && is_alike(found.tolerance_mm, expected.tolerance_mm) &&

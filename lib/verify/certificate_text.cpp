@@ -39,13 +39,21 @@ std::string to_bytes(const CertificateHeader& h) {
        {h.moves, h.part_triangles, h.fixture_triangles, std::bit_cast<std::uint64_t>(h.tolerance_mm),
         std::bit_cast<std::uint64_t>(h.resolution_mm)})
     put_fixed(out, value, 8);
+  out += h.law;
+  out.resize(kHeaderBytes, '\0');
   return out;
 }
 
 CertificateHeader header_of(std::string_view bytes) {
   const auto word = [&](std::size_t k) { return fixed_at(bytes, 64 + 8 * k, 8); };
-  return {std::string(bytes.substr(0, 64)), word(0), word(1), word(2), std::bit_cast<double>(word(3)),
-          std::bit_cast<double>(word(4))};
+  const std::string_view law = bytes.substr(kHeaderBytes - kLawBytes, kLawBytes);
+  return {std::string(bytes.substr(0, 64)),
+          word(0),
+          word(1),
+          word(2),
+          std::bit_cast<double>(word(3)),
+          std::bit_cast<double>(word(4)),
+          std::string(law.substr(0, law.find('\0')))};
 }
 
 std::string block_bytes(const std::vector<ProofGroup>& groups) {

@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-inline constexpr std::string_view kCertificateMagic = "gougecheck proof 1\n";
+inline constexpr std::string_view kCertificateMagic = "gougecheck proof 2\n";
 inline constexpr std::size_t kMostBlockBytes = 1U << 26U, kMostMovesOfGroup = 256;
 
 /// Moves [first, first + count) and the steps that prove them.
@@ -24,10 +24,12 @@ struct CertificateHeader {
   std::string inputs;  ///< 64 hexadecimal digits
   std::uint64_t moves = 0, part_triangles = 0, fixture_triangles = 0;
   double tolerance_mm = 0, resolution_mm = 0;
+  std::string law;  ///< of motion, and how rapids run; at most kLawBytes
 };
 
 [[nodiscard]] std::string to_bytes(const CertificateHeader& header);
-inline constexpr std::size_t kHeaderBytes = 64 + 5 * 8;
+inline constexpr std::size_t kLawBytes = 32;
+inline constexpr std::size_t kHeaderBytes = 64 + 5 * 8 + kLawBytes;
 /// Requires kHeaderBytes bytes.
 [[nodiscard]] CertificateHeader header_of(std::string_view bytes);
 

@@ -78,7 +78,7 @@ TEST(BenchTruth, IsTheDepthOfTheSlowReference) {
       const PlacedPose& p = work.positions[gouging[k * gouging.size() / 6]];
       const double accuracy = 5e-3, closest = std::min(p.lower_mm, p.holder_mm);
       const double depth =
-          brute_force_depth(Motion::resting(p.pose), work.tool.variants, work.scene, 0, accuracy).depth_mm;
+          brute_force_depth(MotionLaw::tool_at(p.pose), work.tool.variants, work.scene, 0, accuracy).depth_mm;
       EXPECT_LE(depth, -closest + 1e-5) << "pose " << k;
       EXPECT_GE(depth, -closest - accuracy) << "pose " << k;
     }

@@ -13,6 +13,7 @@
 #include "tests/laws/guarantee.h"
 #include "tests/laws/random_moves.h"
 #include "tests/support/reference_hunt.h"
+#include "tests/support/rotary_head_law.h"
 #include "tests/support/whole_check.h"
 
 namespace gouge {
@@ -59,6 +60,11 @@ struct Core {
 
 class Campaign {
  public:
+  /// `has_rotaries`: the axis runs as a head of two rotary axes takes it. `is_mismatched`: the reference takes it along
+  /// the great circle all the same, and failures are only counted.
+  explicit Campaign(bool has_rotaries, bool is_mismatched = false)
+      : has_rotaries_(has_rotaries), is_mismatched_(is_mismatched) {}
+
   void run(std::size_t moves) {
     const auto begin = std::chrono::steady_clock::now();
     const char* alone = std::getenv("GOUGE_STREAM");
@@ -75,7 +81,7 @@ class Campaign {
   }
 
   std::map<std::string, Tally> by_kind;
-  std::size_t heads = 0, tools_seen = 0;
+  std::size_t heads = 0, tools_seen = 0, failures = 0;
 
  private:
   void check(const laws::RandomJob& job) {
@@ -86,6 +92,7 @@ class Campaign {
     // What is guaranteed holds at any budget; a small one for most lets many more moves be tried.
     const bool is_patient = ++jobs_ % 32 == 0;
     if (!is_patient) options.budget_per_move = kBounds;
+    if (has_rotaries_) options.law = {RapidMode::straight, std::make_shared<test::RotaryHeadLaw>()};
     std::vector<HeadBody> bodies;
     for (const IndexedMesh& head : job.heads) bodies.push_back(*build_head_body(head));
     const CheckResult result = whole_check(job.path, &job.tool, job.scene, options, bodies);
@@ -93,17 +100,23 @@ class Campaign {
     const guarantee::Contours tool(job.tool);
     const Core core(tool.part);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
-      const std::size_t failures = failures_;
+      const std::size_t before = failures;
       judge(job, options, result.verdicts[i], i, tool, core);
       Tally& tally = by_kind[kind_of(job.path, job.path.moves[i])];
-      tally.violations += failures_ > failures ? 1 : 0;
+      tally.violations += failures > before ? 1 : 0;
     }
     done_ += result.verdicts.size();
   }
 
+  [[nodiscard]] reference::Movement movement_of(const Toolpath& path, std::size_t i) const {
+    reference::Movement movement = reference::movement(path, i);
+    if (has_rotaries_ && !is_mismatched_) movement.rotaries.emplace(movement.from.axis, movement.to.axis);
+    return movement;
+  }
+
   void fail(const laws::RandomJob& job, std::size_t move, const std::string& what) {
-    ++failures_;
-    ADD_FAILURE() << where_ << ", " << job.tool_name << ", move " << move << ": " << what;
+    ++failures;
+    if (!is_mismatched_) ADD_FAILURE() << where_ << ", " << job.tool_name << ", move " << move << ": " << what;
   }
 
   void judge(const laws::RandomJob& job, const CheckOptions& options, const MoveVerdict& v, std::size_t i,
@@ -115,7 +128,7 @@ class Campaign {
     tally.gouge += v.state == MoveState::gouge ? 1 : 0;
     if (v.state == MoveState::not_certified || v.state == MoveState::not_checked) ++tally.open;
     if (v.state == MoveState::not_checked) return;
-    const reference::Movement movement = reference::movement(job.path, i);
+    const reference::Movement movement = movement_of(job.path, i);
     judge_inside(job, options, v, i, movement, core);
     if (v.state == MoveState::buried) return;
     if (v.state == MoveState::clean && v.depth_upper_mm > options.tolerance_mm + options.resolution_mm)
@@ -210,12 +223,16 @@ class Campaign {
     std::cout << heads << " moves with a head; " << seconds << " s\n";
   }
 
-  std::size_t done_ = 0, jobs_ = 0, failures_ = 0;
+  bool has_rotaries_, is_mismatched_;
+  std::size_t done_ = 0, jobs_ = 0;
   std::string where_;
 };
 
-TEST(RandomMoves, NothingIsDeeperThanItsBoundAndEveryWitnessIsReal) {
-  Campaign campaign;
+/// Both laws of motion that tests have: whether the axis runs as two rotary axes take it.
+class RandomMoves : public testing::TestWithParam<bool> {};
+
+TEST_P(RandomMoves, NothingIsDeeperThanItsBoundAndEveryWitnessIsReal) {
+  Campaign campaign(GetParam());
   campaign.run(wanted_moves());
   Tally all;
   for (const auto& [kind, tally] : campaign.by_kind) {
@@ -230,6 +247,16 @@ TEST(RandomMoves, NothingIsDeeperThanItsBoundAndEveryWitnessIsReal) {
   EXPECT_GT(all.clean * 10, all.moves) << "too few clean moves to try";
   EXPECT_GT(all.gouge * 10, all.moves) << "too few gouges to try";
   EXPECT_GE(all.seen * 10, all.gouge * 9) << "the reference is too weak";
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, RandomMoves, testing::Values(false, true),
+                         [](const auto& law) { return law.param ? "RotaryHead" : "GreatCircle"; });
+
+/// The reference of the other law finds depths above the bounds: it tells the two apart.
+TEST(RandomMovesOfRotaries, AreNotThoseOnTheGreatCircle) {
+  Campaign campaign(true, true);
+  campaign.run(500);
+  EXPECT_GT(campaign.failures, 0U);
 }
 
 }  // namespace

@@ -149,6 +149,20 @@ TEST(VerifyLaw, NoProofIsFoundForLessThanAWitnessShows) {
   EXPECT_GT(asked, 10U);
 }
 
+/// A certificate proves motions by one law, and no other.
+TEST(VerifyLaw, ACertificateNamesItsLawOfMotion) {
+  const auto of = make_case(0);
+  const MadeCertificate made = of->certificate();
+  ASSERT_GT(made.proved, 0U);
+  of->scene->is_dogleg = true;
+  EXPECT_FALSE(of->verify(made.bytes).has_value());
+  of->scene->is_dogleg = false;
+  EXPECT_TRUE(of->verify(made.bytes).has_value());
+  of->scene->axis_law = "rotary-head";
+  EXPECT_FALSE(of->verify(made.bytes).has_value());
+  EXPECT_EQ(of->certificate().proved, 0U);
+}
+
 /// The groups of a certificate, to be changed and written again.
 std::vector<ProofGroup> groups_in(std::string_view bytes, std::string& header) {
   ZstdReader reader(bytes.substr(kCertificateMagic.size()));

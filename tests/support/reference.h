@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <optional>
 #include <queue>
 #include <vector>
 
@@ -31,14 +33,51 @@ inline Pose pose_at(const Pose& from, const Pose& to, double t) {
   return pose;
 }
 
+/// The tool axis of a head of two rotary axes that run evenly: C about z, the shorter way round, and A about the x axis
+/// that C has turned.
+class Rotaries {
+ public:
+  Rotaries(const Vec3& from, const Vec3& to)
+      : c0_(std::atan2(from.x(), -from.y())), a0_(std::acos(std::clamp(from.z(), -1.0, 1.0))) {
+    const double c1 = std::atan2(to.x(), -to.y());
+    dc_ = c1 - c0_;
+    while (dc_ > std::numbers::pi) dc_ -= 2 * std::numbers::pi;
+    while (dc_ < -std::numbers::pi) dc_ += 2 * std::numbers::pi;
+    // Upright, C may have any angle: that of the other end.
+    if (std::hypot(from.x(), from.y()) < 1e-12) c0_ = c1;
+    if (std::min(std::hypot(from.x(), from.y()), std::hypot(to.x(), to.y())) < 1e-12) dc_ = 0;
+    da_ = std::acos(std::clamp(to.z(), -1.0, 1.0)) - a0_;
+  }
+  [[nodiscard]] Vec3 axis(double t) const {
+    const double c = c0_ + t * dc_, a = a0_ + t * da_;
+    return {std::sin(c) * std::sin(a), -std::cos(c) * std::sin(a), std::cos(a)};
+  }
+  [[nodiscard]] Eigen::Quaterniond turn(double t) const {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(c0_ + t * dc_, Vec3(0, 0, 1))) *
+           Eigen::Quaterniond(Eigen::AngleAxisd(a0_ + t * da_, Vec3(1, 0, 0)));
+  }
+  [[nodiscard]] double turn_rad() const { return std::abs(dc_) + std::abs(da_); }
+
+ private:
+  double c0_, a0_, dc_ = 0, da_ = 0;
+};
+
 /// A move by its meaning: straight, or along the arc or spline that it names.
 struct Movement {
   Pose from, to;
   const PathArc* arc = nullptr;
   const PathSpline* spline = nullptr;
+  std::optional<Rotaries> rotaries;  ///< where the axis does not turn on the great circle
+
+  /// At least how far the tool turns.
+  [[nodiscard]] double turn_rad() const {
+    if (rotaries) return rotaries->turn_rad();
+    return 2 * std::atan2((to.axis - from.axis).norm(), (to.axis + from.axis).norm());
+  }
 
   [[nodiscard]] Pose at(double t) const {
     Pose pose = pose_at(from, to, t);
+    if (rotaries) pose.axis = rotaries->axis(t);
     if (arc != nullptr) pose.tip = on_arc(t) + t * (to.tip - on_arc(1));
     if (spline != nullptr) pose.tip = on_spline(t);
     return pose;
@@ -88,7 +127,7 @@ struct Movement {
 /// Of a path's move; one without a start rests.
 inline Movement movement(const Toolpath& path, std::size_t index) {
   const Move& move = path.moves[index];
-  Movement m{move.has_start ? path.start_of(index) : move.end, move.end};
+  Movement m{move.has_start ? path.start_of(index) : move.end, move.end, nullptr, nullptr, std::nullopt};
   if (move.has_start && move.curve_kind == CurveKind::arc) m.arc = &path.arcs[move.curve];
   if (move.has_start && move.curve_kind == CurveKind::spline) m.spline = &path.splines[move.curve];
   return m;
@@ -294,7 +333,8 @@ inline Found deepest(const Contour& against_part, const Contour& against_fixture
 }
 inline Found deepest(const Contour& against_part, const Contour& against_fixture, const Pose& from, const Pose& to,
                      const Scene& scene, double mark_mm, const Effort& effort = {}) {
-  return deepest(against_part, against_fixture, Movement{from, to}, scene, mark_mm, effort);
+  return deepest(against_part, against_fixture, Movement{from, to, nullptr, nullptr, std::nullopt}, scene, mark_mm,
+                 effort);
 }
 
 }  // namespace gouge::reference

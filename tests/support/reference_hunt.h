@@ -35,10 +35,7 @@ class MovingTool {
   using Frame = Pose;
   [[nodiscard]] Frame frame(double t) const { return movement_.at(t); }
   [[nodiscard]] double depth(const Frame& pose, const Vec3& p) const { return contour_.depth(pose, p); }
-  [[nodiscard]] double turn_rad() const {
-    const Vec3 &a = movement_.from.axis, &b = movement_.to.axis;
-    return 2 * std::atan2((b - a).norm(), (b + a).norm());
-  }
+  [[nodiscard]] double turn_rad() const { return movement_.turn_rad(); }
   [[nodiscard]] const Movement& movement() const { return movement_; }
 
  private:
@@ -47,10 +44,12 @@ class MovingTool {
 };
 
 /// A head along a move: at every position it is turned from upright the shortest way; between two the axis takes it
-/// along, and what is then missing about the axis is spread evenly over the move (docs/method.md).
+/// along, and what is then missing about the axis is spread evenly over the move (docs/method.md). Rotary axes turn it
+/// as they do.
 class MovingHead {
  public:
   MovingHead(const IndexedMesh& head, const Movement& movement) : head_(head), movement_(movement) {
+    if (movement.rotaries) return;
     at_start_ = upright_to(movement.from.axis);
     const Eigen::Quaterniond carried = along(movement.to.axis) * at_start_;
     const Eigen::AngleAxisd left(upright_to(movement.to.axis) * carried.conjugate());
@@ -64,6 +63,7 @@ class MovingHead {
   };
   [[nodiscard]] Frame frame(double t) const {
     const Pose pose = movement_.at(t);
+    if (movement_.rotaries) return {pose.tip, movement_.rotaries->turn(t)};
     return {pose.tip, Eigen::Quaterniond(Eigen::AngleAxisd(t * twist_, pose.axis)) * along(pose.axis) * at_start_};
   }
   [[nodiscard]] double depth(const Frame& frame, const Vec3& p) const {
@@ -73,10 +73,7 @@ class MovingHead {
       nearest = std::min(nearest, distance_to_triangle(q, head_.corner(t, 0), head_.corner(t, 1), head_.corner(t, 2)));
     return solid_angle_share(head_, q) > 0.5 ? nearest : -nearest;
   }
-  [[nodiscard]] double turn_rad() const {
-    const Vec3 &a = movement_.from.axis, &b = movement_.to.axis;
-    return 2 * std::atan2((b - a).norm(), (b + a).norm()) + std::abs(twist_);
-  }
+  [[nodiscard]] double turn_rad() const { return movement_.turn_rad() + std::abs(twist_); }
   [[nodiscard]] const Movement& movement() const { return movement_; }
 
  private:

@@ -26,7 +26,7 @@ double value_at(const CompiledTool& tool, const Motion& motion, double t, const 
 }
 
 struct Case {
-  Motion motion = Motion::resting({});
+  Motion motion = MotionLaw::tool_at({});
   std::array<Vec3, 3> piece;
   double reach = 0;
 };
@@ -86,7 +86,7 @@ TEST(Bounds, APieceAboutTheCentreOfAnArcIsNeverDeeperThanItsBound) {
   const ToolVariants dovetail = tools::variants(tools::assembly(TaperedCutter{20, 0.5, -30, 8}, 8));
   const ToolVariants cone = tools::variants(tools::assembly(AptCutter{20, 2, 0, 0, 20, 15, 30}));
   const ToolVariants grown = tools::variants(tools::assembly(BallCutter{10, 30}), 0.3, 0.3, 0.3);
-  const Motion rest = Motion::resting({});
+  const Motion rest = MotionLaw::tool_at({});
   const ToolInterval whole(rest, whole_segment(rest, 0));
   for (const CompiledTool* tool : {&dovetail.bare, &cone.bare, &grown.against_part}) {
     for (const BoundaryElement& e : tool->elements) {

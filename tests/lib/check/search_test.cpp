@@ -99,8 +99,8 @@ TEST(Search, AThinWallBetweenTwoClearPositionsIsMet) {
   const IndexedMesh wall = shapes::box(Vec3(-0.02, -50, 0), Vec3(0.02, 50, 8));
   const Motion motion = test::straight(upright(-20, 0, 5), upright(20, 0, 5));
   for (const ToolVariants& tool : tools::all()) {
-    EXPECT_EQ(check(Motion::resting(motion.start()), tool, {wall}).state, MoveState::clean);
-    EXPECT_EQ(check(Motion::resting(motion.end()), tool, {wall}).state, MoveState::clean);
+    EXPECT_EQ(check(MotionLaw::tool_at(motion.start()), tool, {wall}).state, MoveState::clean);
+    EXPECT_EQ(check(MotionLaw::tool_at(motion.end()), tool, {wall}).state, MoveState::clean);
     const MoveVerdict v = check(motion, tool, {wall});
     EXPECT_EQ(v.state, MoveState::gouge);
     expect_guarantee(v, motion, tool, kOptions);
@@ -127,8 +127,8 @@ TEST(Search, ARotationAboutARestingTipSwingsTheHolderIntoAPost) {
     return Pose{Vec3(0, -40, 0), Vec3(std::sin(a), 0.35, std::cos(a)).normalized()};
   };
   const Motion motion = test::straight(leaning(-40), leaning(40));
-  EXPECT_EQ(check(Motion::resting(motion.start()), tool, {post}).state, MoveState::clean);
-  EXPECT_EQ(check(Motion::resting(motion.end()), tool, {post}).state, MoveState::clean);
+  EXPECT_EQ(check(MotionLaw::tool_at(motion.start()), tool, {post}).state, MoveState::clean);
+  EXPECT_EQ(check(MotionLaw::tool_at(motion.end()), tool, {post}).state, MoveState::clean);
   const MoveVerdict v = check(motion, tool, {post});
   EXPECT_EQ(v.state, MoveState::gouge);
   EXPECT_EQ(v.witness->body, Body::holder);
@@ -190,7 +190,7 @@ TEST(Search, ClearancesGrowRoundedAndAnyEntryIsAGouge) {
     const double d = away / std::sqrt(2);
     return shapes::box(Vec3(16 + d, -5, 0), Vec3(40, 5, 50 - d));
   };
-  const Motion alone = Motion::resting(upright(0, 0, 0));
+  const Motion alone = MotionLaw::tool_at(upright(0, 0, 0));
   EXPECT_EQ(check(alone, tool, {corner_at(0.6)}, nullptr, options).state, MoveState::gouge);
   EXPECT_EQ(check(alone, tool, {corner_at(1.1)}, nullptr, options).state, MoveState::clean);
   const MoveVerdict grazing = check(alone, tool, {corner_at(0.995)}, nullptr, options);
@@ -267,7 +267,9 @@ TEST(Search, AHollowToolOnAPlaneIsDecidedSoonAtTolerance0) {
   const Vec3 axis(std::sin(0.3), 0, std::cos(0.3));
   CheckOptions options;
   options.tolerance_mm = 0;
-  const auto depth_at = [&](double z) { return check(Motion::resting({Vec3(0, 0, z), axis}), tool, {block}).depth_mm; };
+  const auto depth_at = [&](double z) {
+    return check(MotionLaw::tool_at({Vec3(0, 0, z), axis}), tool, {block}).depth_mm;
+  };
   double high = 2, low = 0;
   for (int k = 0; k < 30; ++k) (depth_at(0.5 * (low + high)) > 0.0005 ? low : high) = 0.5 * (low + high);
   const Motion motion = test::straight({Vec3(-2, 0, high), axis}, {Vec3(2, 0.5, high), axis});

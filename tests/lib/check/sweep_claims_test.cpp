@@ -107,7 +107,7 @@ Case random_case(std::uint64_t seed, bool is_straight_only) {
       from = to;
     }
   }
-  if (made.motions.empty() || scatter.below(20) == 0) made.motions.emplace_back(from);
+  if (made.motions.empty() || scatter.below(20) == 0) made.motions.push_back(MotionLaw::tool_at(from));
   const double facet = size * scale(scatter, -4, 0.3);
   const auto triangles = static_cast<std::size_t>(scatter.in(1, is_straight_only ? 17 : 60));
   for (std::size_t t = 0; t < triangles; ++t) {
@@ -150,7 +150,7 @@ Case aligned_case(std::uint64_t seed) {
     from = to;
     from.axis = axis;
   }
-  if (made.motions.empty()) made.motions.emplace_back(from);
+  if (made.motions.empty()) made.motions.push_back(MotionLaw::tool_at(from));
   const double facet = size * std::exp2(std::round(scatter.in(-10, 1)));
   for (auto count = static_cast<int>(scatter.in(1, 17)); count > 0; --count) {
     const Vec3 at = origin + std::abs(even(scatter, size)) * axis;

@@ -167,7 +167,7 @@ TEST(Sweep, ADeepFacetDoesNotSettleADeeperOneByFeetThatNobodyLookedAt) {
     for (const Vec3& p : mesh.vertices)
       deepest = std::max(deepest, -evaluate(tool.bare, p.head<2>().norm(), p.z()).signed_distance_mm);
     for (const double gap : {0.001, 0.3}) {
-      const Motion still = Motion::resting(Pose{Vec3::Zero(), Vec3::UnitZ()});
+      const Motion still = MotionLaw::tool_at(Pose{Vec3::Zero(), Vec3::UnitZ()});
       const SearchResult result = sweep_and_search(still, targets, {{0.01, 0.001, gap, 1000000}, 0});
       EXPECT_GE(result.value_upper_mm, deepest) << "beside facets at a radius of " << radius;
     }
@@ -190,7 +190,7 @@ TEST(Sweep, PointsOnTheAxisOfAPointedToolHaveAnHonestBound) {
     shapes::add_triangle(mesh, 0, 2, 1);
     shapes::add_triangle(mesh, 0, 1, 3);
     const BlockTree tree = build_block_tree({&mesh, 1}, 1);
-    const std::vector<Motion> still{Motion::resting(Pose{below * axis, axis})};
+    const std::vector<Motion> still{MotionLaw::tool_at(Pose{below * axis, axis})};
     std::vector<SweepInterval> steps;
     append_steps(still[0], 0, steps);
     const Bounds least = proven(tool.bare, tree, sweep_frame(steps, tree.origin, tree.rounding_mm), 0);
@@ -209,7 +209,7 @@ TEST(Sweep, APointOnTheAxisInsideACutterThatWidensIsAsDeepAsTheCone) {
   mesh.vertices = {{0, 0, 8}, {0.5, 0, 7.5}, {0, 0.5, 7.5}};
   shapes::add_triangle(mesh, 0, 1, 2);
   const BlockTree tree = build_block_tree({&mesh, 1}, 1);
-  const std::vector<Motion> still{Motion::resting(Pose{Vec3::Zero(), Vec3::UnitZ()})};
+  const std::vector<Motion> still{MotionLaw::tool_at(Pose{Vec3::Zero(), Vec3::UnitZ()})};
   std::vector<SweepInterval> steps;
   append_steps(still[0], 0, steps);
   const SweepFrame frame = sweep_frame(steps, tree.origin, tree.rounding_mm);

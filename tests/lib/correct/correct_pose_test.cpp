@@ -35,7 +35,7 @@ double depth_of(const Pose& pose, const ToolVariants& tool, const Scene& scene) 
   CheckOptions exact;
   exact.resolution_mm = 1e-5;
   exact.tolerance_mm = 0;
-  return OwnSetup(&tool, scene, exact).checker().check(Motion::resting(pose), MoveKind::feed, tool, exact).depth_mm;
+  return OwnSetup(&tool, scene, exact).checker().check(MotionLaw::tool_at(pose), MoveKind::feed, tool, exact).depth_mm;
 }
 
 // Thesis figure 35: a circle in a V. Each of two contacts is d deep; by symmetry the shift is d (n1 + n2) / 2,

@@ -100,7 +100,7 @@ void expect_bulge_holds(const Motion& motion, Scatter& random, double& tightest)
   double ignored = 0;
   const ToolInterval interval = intervals[somewhere(intervals, motion, random, ignored)];
   const Vec3 p = motion.at(random.in(0, 1)).tip + random.point(60);
-  const double stated = interval.bulge_mm((p - interval.tip_middle).norm());
+  const double stated = interval.rates.bulge_mm((p - interval.tip_middle).norm());
   const Vec3 q0 = interval.f0.to_tool(p), q1 = interval.f1.to_tool(p);
   double length = 0;
   Vec3 last = interval.f0.tip;
@@ -112,9 +112,9 @@ void expect_bulge_holds(const Motion& motion, Scatter& random, double& tightest)
     if (bulge > 1e-5 && ignored < 1) tightest = std::min(tightest, stated / bulge);
     length += (frame.tip - last).norm();
     last = frame.tip;
-    ASSERT_LE((frame.tip - interval.tip_middle).norm(), 0.5 * interval.tip_path_mm + 1e-9);
+    ASSERT_LE((frame.tip - interval.tip_middle).norm(), 0.5 * interval.rates.tip_path_mm + 1e-9);
   }
-  ASSERT_LE(length, interval.tip_path_mm * (1 + 1e-12) + 1e-9);
+  ASSERT_LE(length, interval.rates.tip_path_mm * (1 + 1e-12) + 1e-9);
 }
 
 TEST(CurvedMotion, NoPathBulgesFurtherFromItsChordThanStated) {

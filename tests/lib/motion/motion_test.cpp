@@ -80,7 +80,7 @@ TEST(ToolInterval, NoPathBulgesFurtherFromItsChordThanStated) {
     const std::uint32_t half = intervals.halve(0) + 1;
     const ToolInterval interval = intervals[half];
     const Vec3 p = random.point(60);
-    const double stated = interval.bulge_mm((p - interval.tip_middle).norm());
+    const double stated = interval.rates.bulge_mm((p - interval.tip_middle).norm());
     const Vec3 q0 = interval.f0.to_tool(p), q1 = interval.f1.to_tool(p);
     for (double s = 0; s <= 1; s += 0.05) {
       const Vec3 q = tool_frame(motion, interval.t0 + s * (interval.t1 - interval.t0), 0).to_tool(p);

@@ -68,7 +68,7 @@ TEST(PlanTilts, TurnsSmootherThanTheLeastTiltOfEachPosition) {
       const Vec3 axis(-std::sin(tilt), 0, std::cos(tilt));
       pose = {move.end.tip + 5 * move.end.axis - 5 * axis, axis};
       most = std::max(most, tilt);
-      if (bench.checker.is_clean(Motion::resting(pose), MoveKind::feed, bench.tool, bench.own.options)) break;
+      if (bench.checker.is_clean(MotionLaw::tool_at(pose), MoveKind::feed, bench.tool, bench.own.options)) break;
     }
     least.push_back(pose);
   }
