@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <ostream>
 
-#include "cli/parse_errors.h"
-#include "cli/print_diagnostics.h"
+#include "cli/options/parse_errors.h"
 #include "cli/program.h"
 #include "cli/project_use.h"
+#include "cli/terminal/print_diagnostics.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
 

@@ -4,11 +4,11 @@
 #include <ostream>
 
 #include "cli/config_command.h"
-#include "cli/json_text.h"
-#include "cli/parse_errors.h"
-#include "cli/print_diagnostics.h"
+#include "cli/options/parse_errors.h"
+#include "cli/output/json_text.h"
 #include "cli/program.h"
 #include "cli/project_use.h"
+#include "cli/terminal/print_diagnostics.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"

@@ -2,9 +2,9 @@
 #include <fstream>
 #include <iostream>
 
+#include "cli/pages/write_completion.h"
+#include "cli/pages/write_man.h"
 #include "cli/program.h"
-#include "cli/write_completion.h"
-#include "cli/write_man.h"
 
 // make_pages FOLDER writes what `cmake --install` brings along: man1/*.1 and the completions of three shells.
 

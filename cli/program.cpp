@@ -1,9 +1,9 @@
 #include "cli/program.h"
 
 #include "cli/build_facts.h"
+#include "cli/commands/correct_command.h"
 #include "cli/config_command.h"
-#include "cli/correct_command.h"
-#include "cli/help_text.h"
+#include "cli/options/help_text.h"
 #include "cli/project_use.h"
 #include "postproc/report/report_model.h"
 

@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "cli/accept_command.h"
-#include "cli/batch_options.h"
-#include "cli/check_command.h"
-#include "cli/clash_command.h"
-#include "cli/compare_command.h"
-#include "cli/correct_options.h"
-#include "cli/merge_command.h"
-#include "cli/mesh_command.h"
-#include "cli/path_command.h"
+#include "cli/batch/merge_command.h"
+#include "cli/commands/accept_command.h"
+#include "cli/commands/check_command.h"
+#include "cli/commands/clash_command.h"
+#include "cli/commands/compare_command.h"
+#include "cli/commands/mesh_command.h"
+#include "cli/commands/path_command.h"
+#include "cli/commands/tool_command.h"
+#include "cli/commands/verify_command.h"
+#include "cli/options/batch_options.h"
+#include "cli/options/correct_options.h"
 #include "cli/self_commands.h"
-#include "cli/tool_command.h"
-#include "cli/verify_command.h"
 
 namespace gouge {
 

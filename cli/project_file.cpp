@@ -11,8 +11,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "cli/job_words.h"
-#include "cli/parse_errors.h"
+#include "cli/commands/job_words.h"
+#include "cli/options/parse_errors.h"
 #include "lib/json/json_file.h"
 
 namespace gouge {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/job_options.h"
+#include "cli/options/job_options.h"
 #include "lib/base/result.h"
 
 namespace gouge {

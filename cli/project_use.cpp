@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/help_text.h"
+#include "cli/options/help_text.h"
 #include "cli/program.h"
 
 namespace gouge {

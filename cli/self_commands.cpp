@@ -3,12 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <ostream>
 
-#include "cli/command_doc.h"
-#include "cli/help_text.h"
-#include "cli/parse_errors.h"
-#include "cli/print_diagnostics.h"
-#include "cli/write_completion.h"
-#include "cli/write_man.h"
+#include "cli/options/command_doc.h"
+#include "cli/options/help_text.h"
+#include "cli/options/parse_errors.h"
+#include "cli/pages/write_completion.h"
+#include "cli/pages/write_man.h"
+#include "cli/terminal/print_diagnostics.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/result.h"

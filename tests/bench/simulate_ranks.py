@@ -3,7 +3,7 @@
 
 STORE is the results.sqlite of a batch of one job at a time, PROCESSOR_SECONDS what that batch took (user and system,
 as /usr/bin/time says): on a busy machine its times by the clock are scaled to it. Jobs are drawn from it at random and
-handed out as rank 0 does (cli/job_dealer.h): a rank goes on in its group of one scene, then begins the next group, then
+handed out as rank 0 does (cli/batch/job_dealer.h): a rank goes on in its group of one scene, then begins the next group, then
 takes the later half of the longest rest; one question after the other; a rank that begins a scene reads it first. Printed: time of the run and its efficiency, and both with what one
 process does alone (reading the list, joining the stores, writing the summaries).
 """
@@ -18,11 +18,11 @@ import statistics
 import sys
 
 ANSWER_S = 0.00002  # a question and its answer over a network, while others wait
-PAUSE_S = 0.0002    # both sides sleep so long between two looks for a message (cli/ranks_mpi.cpp)
+PAUSE_S = 0.0002    # both sides sleep so long between two looks for a message (cli/batch/ranks_mpi.cpp)
 QUICK_S = 0.004     # a rank whose last question is not so long ago asks for twice as many jobs
 READING_S = 0.05    # of a scene, by each rank that has jobs of it
 ALONE_S = 0.00038   # a job: reading the list 0.11 ms, joining 0.17 ms, summaries 0.1 ms (docs/scaling.md)
-WORK = {"check": 1, "correct": 1}  # a byte of a path, as the program reckons (cli/batch_run.cpp)
+WORK = {"check": 1, "correct": 1}  # a byte of a path, as the program reckons (cli/batch/batch_run.cpp)
 CASES = ((100_000, 1, 16), (100_000, 100, 16), (1_000_000, 100, 16), (1_000_000, 1000, 16))
 
 
@@ -42,7 +42,7 @@ def recorded(store, processor_s):
 
 
 class Dealer:
-    """As cli/job_dealer.cpp; the longest rest is found in a heap whose entries may be out of date."""
+    """As cli/batch/job_dealer.cpp; the longest rest is found in a heap whose entries may be out of date."""
 
     def __init__(self, group_ends, work, ranks):
         self.ends, self.begun, self.rests, self.longest = group_ends, 0, [[0, 0] for _ in range(ranks)], []

@@ -1,4 +1,4 @@
-#include "cli/axis_facts.h"
+#include "cli/job/axis_facts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cli/clash_command.h"
+#include "cli/commands/clash_command.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "cli/job_dealer.h"
+#include "cli/batch/job_dealer.h"
 
 #include <gtest/gtest.h>
 

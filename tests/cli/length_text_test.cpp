@@ -1,8 +1,8 @@
-#include "cli/length_text.h"
+#include "cli/terminal/length_text.h"
 
 #include <gtest/gtest.h>
 
-#include "cli/length_rule.h"
+#include "cli/options/length_rule.h"
 
 namespace gouge {
 namespace {

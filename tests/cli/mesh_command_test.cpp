@@ -1,4 +1,4 @@
-#include "cli/mesh_command.h"
+#include "cli/commands/mesh_command.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

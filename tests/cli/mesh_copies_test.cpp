@@ -1,4 +1,4 @@
-#include "cli/mesh_copies.h"
+#include "cli/job/mesh_copies.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-#include "cli/overwriting.h"
+#include "cli/output/overwriting.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cli/report_manifest.h"
+#include "cli/output/report_manifest.h"
 
 namespace gouge {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/parse_errors.h"
+#include "cli/options/parse_errors.h"
 
 #include <gtest/gtest.h>
 

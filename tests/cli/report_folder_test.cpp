@@ -1,4 +1,4 @@
-#include "cli/report_folder.h"
+#include "cli/output/report_folder.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

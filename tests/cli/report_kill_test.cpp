@@ -14,8 +14,8 @@
 #include <fstream>
 #include <map>
 
-#include "cli/output_file.h"
-#include "cli/report_folder.h"
+#include "cli/output/output_file.h"
+#include "cli/output/report_folder.h"
 #include "lib/base/files.h"
 
 namespace {

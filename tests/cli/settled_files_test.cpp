@@ -1,4 +1,4 @@
-#include "cli/settled_files.h"
+#include "cli/batch/settled_files.h"
 
 #include <gtest/gtest.h>
 

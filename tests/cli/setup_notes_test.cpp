@@ -1,4 +1,4 @@
-#include "cli/setup_notes.h"
+#include "cli/job/setup_notes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cli/tool_command.h"
+#include "cli/commands/tool_command.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "cli/tool_import.h"
+#include "cli/commands/tool_import.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

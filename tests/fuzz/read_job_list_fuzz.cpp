@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/batch_list.h"
-#include "cli/job_words.h"
+#include "cli/batch/batch_list.h"
+#include "cli/commands/job_words.h"
 #include "tests/fuzz/require.h"
 
 // Job lists in a scratch folder with two toolpaths. No name reaches out of it: slashes and double dots become

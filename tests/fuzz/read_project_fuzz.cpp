@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "cli/claimed_result.h"
+#include "cli/job/claimed_result.h"
 #include "cli/project_file.h"
 #include "tests/fuzz/require.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/job_options.h"
+#include "cli/options/job_options.h"
 #include "tests/fuzz/require.h"
 
 // The values of the options of a job, one a line: refused with a message that names the option, or understood as

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "cli/job.h"
+#include "cli/job/job.h"
 #include "lib/certify/check.h"
 #include "tests/support/reference.h"
 

@@ -1,0 +1,395 @@
+#include "cli/batch/batch_command.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <ostream>
+#include <set>
+#include <thread>
+
+#include "cli/batch/batch_files.h"
+#include "cli/batch/batch_run.h"
+#include "cli/batch/batch_watch.h"
+#include "cli/output/report_folder.h"
+#include "lib/base/byte_size.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
+#include "lib/base/sha256.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_job_list(const BatchArguments& arguments) {
+  return arguments.files.size() == 1 && fs::path(arguments.files.front()).extension() == ".json";
+}
+
+std::uint64_t usable_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGE_SIZE);
+  constexpr std::uint64_t kIfUnknown = 4'000'000'000;
+  if (pages <= 0 || size <= 0) return kIfUnknown;
+  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 4 * 3;
+}
+
+std::string sha256_of_program() {
+  FileHashes hashes;
+  return hashes.of("/proc/self/exe");
+}
+
+StopOn stop_on(const BatchArguments& arguments) {
+  if (arguments.stop_on.empty()) return StopOn::nothing;
+  return arguments.stop_on == "gouge" ? StopOn::gouge : StopOn::error;
+}
+
+/// One run of the command, step by step. Every step that fails prints why and leaves the exit status.
+class Batch {
+ public:
+  Batch(const BatchArguments& arguments, std::ostream& out, std::ostream& err)
+      : arguments_(arguments), out_(out), err_(err), place_{arguments.folder, !arguments.is_without_reports} {}
+
+  int run() {
+    Result<std::unique_ptr<Ranks>> ranks = make_ranks();
+    if (!ranks) return fail(err_, {ranks.error()});
+    ranks_ = std::move(*ranks);
+    // Every process reads the list; the first one alone writes what belongs to all.
+    int status = prepare().value_or(kExitClean);
+    if (ranks_->is_first() && status == kExitClean && !arguments_.is_rehearsal) status = open().value_or(kExitClean);
+    if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
+    if (arguments_.is_rehearsal) return ranks_->is_first() ? list() : kExitClean;
+    if (!ranks_->is_first()) status = open_own_store().value_or(kExitClean);
+    if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
+    MeshCopies copies(arguments_.scratch);
+    const BatchOptions options{arguments_.folder,   jobs_at_once(),   memory_bytes(),
+                               stop_on(arguments_), arguments_.chunk, &copies};
+    Progress progress(err_, ranks_->is_first() ? understand_progress(arguments_.progress) : ProgressMode::never);
+    BatchRun batch(jobs_, texts_, options, *store_, progress, *ranks_);
+    BatchPlan plan = ranks_->is_first() ? batch.plan(jobs_to_run()) : BatchPlan();
+    for (JobQueue* queue : {&plan.alone, &plan.together}) {
+      ranks_->share(queue->numbers);
+      ranks_->share(queue->group_ends);
+      ran_.insert(queue->numbers.begin(), queue->numbers.end());
+    }
+    const Outcome ran = batch.run(plan);
+    tell(copies);
+    if (!ran) status = fail(err_, {ran.error()}, kExitInternal);
+    if (!ranks_->is_first()) store_.reset();
+    is_stopped_ = ranks_->largest(batch.is_stopped() || is_stopped_ ? 1 : 0) != 0;
+    if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
+    if (ranks_->is_first()) status = finish();
+    // mpirun ends all processes when one ends with another status than 0: the first speaks for all, as the last.
+    const int worst = ranks_->largest(status);
+    return ranks_->is_first() ? worst : kExitClean;
+  }
+
+  /// Whether the jobs have run, whatever came of them, and the results stand.
+  [[nodiscard]] bool is_done() const { return is_done_; }
+  /// Whether nothing was done, as another program has the folder or its store at the moment.
+  [[nodiscard]] bool is_busy() const { return is_busy_; }
+
+ private:
+  std::optional<int> prepare() {
+    if (const auto wrong = find_contradiction(arguments_)) return refuse(*wrong);
+    const Result<Shard> shard = understand_shard(arguments_.shard);
+    if (!shard) return refuse(shard.error());
+    shard_ = *shard;
+    if (!std::isfinite(arguments_.memory_gb))
+      return refuse(make_error("usage", "--memory: expected a number of GB above 0"));
+    if (const auto status = read_jobs()) return status;
+    identify();
+    return std::nullopt;
+  }
+
+  // All processes find the same, so the first says it.
+  int refuse(const Diagnostic& error) {
+    if (ranks_->is_first()) return fail(err_, {error});
+    return error.code == "usage" ? kExitUsage : kExitInput;
+  }
+
+  std::optional<int> read_jobs() {
+    if (is_job_list(arguments_) && !arguments_.words.empty()) {
+      const std::string option = arguments_.words.front().substr(0, arguments_.words.front().find('='));
+      return refuse(make_error("usage", option + " is an option of a job; expected it in the job list, as \"" +
+                                            option.substr(2) + "\" in \"defaults\" or in a job"));
+    }
+    Result<std::vector<BatchJob>> jobs = is_job_list(arguments_)
+                                             ? read_job_list(arguments_.files.front(), place_)
+                                             : list_jobs(arguments_.files, arguments_.words, place_);
+    if (!jobs) return refuse(jobs.error());
+    jobs_ = std::move(*jobs);
+    for (BatchJob& job : jobs_) {
+      if (arguments_.is_forced) job.job().is_forced = true;
+    }
+    if (const auto wrong =
+            find_jobs_in_the_way(jobs_, place_, is_job_list(arguments_) ? arguments_.files.front() : std::string()))
+      return refuse(*wrong);
+    return std::nullopt;
+  }
+
+  int list() const {
+    for (std::size_t number = 0; number < jobs_.size(); ++number) {
+      if (!shard_.has(number)) continue;
+      const BatchJob& job = jobs_[number];
+      out_ << printable(job.name) << ": " << job.command();
+      for (const std::string& word : job.words) out_ << ' ' << printable(word);
+      out_ << '\n';
+    }
+    return kExitClean;
+  }
+
+  std::optional<int> open() {
+    if (const Outcome made = make_folder(arguments_.folder); !made) return fail(err_, {made.error()}, kExitInternal);
+    folder_.emplace(arguments_.folder, arguments_.is_forced, names_of_batch());
+    if (const Outcome opened = folder_->open(); !opened) return fail_to_open(opened.error());
+    Result<ResultStore> store = ResultStore::open(arguments_.folder + "/" + kStoreName);
+    if (!store) return fail_to_open(store.error());
+    store_.emplace(std::move(*store));
+    if (store_->is_interrupted() && !arguments_.is_resumed && !arguments_.is_fresh) {
+      return fail(err_,
+                  {make_error("usage",
+                              "a batch in this folder was interrupted, with " + count_text(store_->jobs_done(), "job") +
+                                  " done; expected --resume, which goes on from there, or --fresh, which begins "
+                                  "anew",
+                              arguments_.folder)});
+    }
+    if (const auto wrong = find_other_shard()) return fail_to_open(*wrong);
+    if (const auto wrong = find_foreign()) return fail(err_, {*wrong}, kExitUsage);
+    if (const Outcome begun = store_->begin(identity_); !begun) return fail_to_open(begun.error());
+    if (arguments_.is_fresh) remove_work(arguments_.folder);
+    if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
+    return std::nullopt;
+  }
+
+  int fail_to_open(const Diagnostic& error) {
+    is_busy_ = error.code == "store-busy" || error.code == "report-busy";
+    const bool is_usage = error.code == "report-foreign" || error.code == "usage";
+    return fail(err_, {error}, is_usage ? kExitUsage : kExitInternal);
+  }
+
+  // Its results would be dropped.
+  std::optional<Diagnostic> find_other_shard() {
+    const Result<BatchIdentity> its = store_->identity();
+    if (!its) return its.error();
+    if (its->list != identity_.list || its->numbers == identity_.numbers || arguments_.is_fresh) return std::nullopt;
+    return make_error(
+        "usage",
+        "the folder has another share of these jobs; expected a folder for each --shard, or --fresh, which "
+        "drops what is there",
+        arguments_.folder);
+  }
+
+  // Corrected toolpaths of somebody else's that jobs would replace; of a report its own command sees to it.
+  [[nodiscard]] std::optional<Diagnostic> find_foreign() const {
+    if (arguments_.is_forced) return std::nullopt;
+    std::vector<std::string> files;
+    for (const std::size_t number : identity_.numbers) {
+      const std::string name = BatchFolder::corrected_name(jobs_[number]);
+      if (jobs_[number].output() == arguments_.folder + "/" + name) files.push_back(name);
+    }
+    return find_foreign_output(files, arguments_.folder, *store_);
+  }
+
+  [[nodiscard]] std::map<std::string, const StoredJob*> stored_jobs() const {
+    std::map<std::string, const StoredJob*> stored;
+    for (const StoredJob& job : store_->stored()) stored[job.name] = &job;
+    return stored;
+  }
+
+  // Of another process than the first, which takes its results in at the end.
+  std::optional<int> open_own_store() {
+    Result<ResultStore> store = ResultStore::open(store_of_rank(ranks_->rank()));
+    if (!store) return fail(err_, {store.error()}, kExitInternal);
+    store_.emplace(std::move(*store));
+    if (const Outcome begun = store_->begin(identity_); !begun) return fail(err_, {begun.error()}, kExitInternal);
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string store_of_rank(int rank) const {
+    return arguments_.folder + "/results-rank-" + std::to_string(rank) + ".sqlite";
+  }
+
+  // Results of other processes, of this run or of one that was interrupted, into the store; then their stores go.
+  Outcome take_in_ranks() {
+    constexpr int kMostRanks = 100'000;
+    std::error_code ignored;
+    for (int rank = 1; rank < kMostRanks && (rank < ranks_->count() || fs::exists(store_of_rank(rank), ignored));
+         ++rank) {
+      const std::string file = store_of_rank(rank);
+      if (!fs::exists(file, ignored)) continue;
+      if (Outcome taken = take_in(file); !taken) return taken;
+      fs::remove(file, ignored);
+    }
+    return Done{};
+  }
+
+  Outcome take_in(const std::string& file) {
+    Result<ResultStore> store = ResultStore::open(file);
+    if (!store) return store.error();
+    const Result<BatchIdentity> its = store->identity();
+    if (!its) return its.error();
+    if (its->list != identity_.list) return Done{};
+    Result<std::vector<JobResult>> results = store->all();
+    if (!results) return results.error();
+    std::vector<ResultStore::Numbered> done;
+    for (std::size_t k = 0; k < results->size(); ++k) {
+      if ((*results)[k].status) done.emplace_back(its->numbers[k], std::move((*results)[k]));
+    }
+    if (Outcome put = store_->put(done); !put) return put;
+    return store_->refresh();
+  }
+
+  void identify() {
+    const std::string build = sha256_of_program();
+    identity_ = {kProgramVersion, build, {}, jobs_.size(), {}, {}};
+    Sha256 list;
+    for (std::size_t number = 0; number < jobs_.size(); ++number) {
+      texts_.push_back(job_text(jobs_[number], std::string(kProgramVersion) + ' ' + build));
+      list.add(texts_.back());
+      if (!shard_.has(number)) continue;
+      identity_.numbers.push_back(number);
+      identity_.names.push_back(jobs_[number].name);
+    }
+    identity_.list = list.finish();
+  }
+
+  std::vector<std::size_t> jobs_to_run() {
+    const std::map<std::string, const StoredJob*> stored = stored_jobs();
+    FileHashes hashes;
+    std::vector<std::size_t> numbers;
+    for (const std::size_t number : identity_.numbers) {
+      const auto known = stored.find(jobs_[number].name);
+      const bool is_done = !arguments_.is_fresh && known != stored.end() && !known->second->key.empty() &&
+                           known->second->status != kExitInternal &&
+                           known->second->key == job_key(jobs_[number], texts_[number], hashes) &&
+                           are_as_written(known->second->outputs, arguments_.folder);
+      if (is_done) {
+        ++taken_;
+        is_stopped_ = is_stopped_ || is_reason_to_stop(stop_on(arguments_), known->second->status);
+        continue;
+      }
+      numbers.push_back(number);
+      if (known != stored.end()) remove_corrected(*known->second);
+    }
+    if (is_stopped_) numbers.clear();
+    return numbers;
+  }
+
+  // A job that fails now must not leave the path that it once wrote.
+  void remove_corrected(const StoredJob& job) const {
+    std::error_code ignored;
+    for (const JobOutput& output : job.outputs) {
+      if (output.file.starts_with("corrected/") && is_below(output.file) && are_as_written({output}, arguments_.folder))
+        fs::remove(arguments_.folder + "/" + output.file, ignored);
+    }
+  }
+
+  void tell(const MeshCopies& copies) const {
+    Diagnostics notes;
+    if (const auto trouble = copies.trouble()) notes.push_back(*trouble);
+    if (copies.files() > 0)
+      notes.push_back(make_note("scratch-copied",
+                                "holds " + count_text(copies.files(), "mesh", "meshes") + " more, of " +
+                                    byte_size_text(copies.bytes()) + ", until the last process here ends",
+                                arguments_.scratch));
+    print_notes(err_, notes, arguments_);
+  }
+
+  [[nodiscard]] std::size_t jobs_at_once() const {
+    if (arguments_.jobs > 0) return std::min<std::size_t>(arguments_.jobs, kMostThreads);
+    const std::uint32_t threads = arguments_.job.threads;
+    return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+  }
+
+  [[nodiscard]] std::uint64_t memory_bytes() const {
+    return arguments_.memory_gb > 0 ? static_cast<std::uint64_t>(arguments_.memory_gb * 1e9) : usable_memory();
+  }
+
+  int finish() {
+    if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
+    const Result<std::vector<JobResult>> read = store_->all();
+    if (!read) return fail(err_, {read.error()}, kExitInternal);
+    const std::vector<JobResult>& results = *read;
+    const bool is_whole = std::ranges::all_of(results, [](const JobResult& job) { return job.status.has_value(); });
+    warn_of_two_contents(results);
+    Outcome written = write_batch_files(*folder_, results);
+    if (written && is_whole) written = store_->end();
+    const bool is_any_to_run_again =
+        std::ranges::any_of(results, [](const JobResult& job) { return job.status == kExitInternal; });
+    if (written && is_whole && !is_any_to_run_again) remove_work(arguments_.folder);
+    if (!written) return fail(err_, {written.error()}, kExitInternal);
+    is_done_ = true;
+    if (arguments_.is_quiet) {
+      print_failures(err_, arguments_.watch.empty() ? results : results_of(ran_, results));
+    } else {
+      print_batch(out_, arguments_.watch.empty() ? results : results_of(ran_, results));
+      if (taken_ > 0) out_ << count_text(taken_, "job") << " taken from the store, " << ran_.size() << " run\n";
+      if (is_stopped_ && !is_whole) out_ << "stopped as asked; --resume runs the rest\n";
+      out_ << "report: " << printable(arguments_.folder) << "/index.html\n";
+    }
+    return batch_status(results);
+  }
+
+  std::unique_ptr<Ranks> ranks_;
+  // A file that changed while the batch ran: each verdict is that of the content its job read.
+  void warn_of_two_contents(const std::vector<JobResult>& results) const {
+    const std::optional<TwoContents> two = find_two_contents(results);
+    if (!two) return;
+    print(err_, {make_warning("jobs-input-changed",
+                              "changed while the batch ran, so jobs were checked against different contents of it; "
+                              "run the batch again, which runs those that are of the old one",
+                              two->input.name)});
+  }
+
+  // Of a shard or not, results are in the order of the jobs that are run here.
+  [[nodiscard]] std::vector<JobResult> results_of(const std::set<std::size_t>& numbers,
+                                                  const std::vector<JobResult>& all) const {
+    std::vector<JobResult> some;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (numbers.contains(identity_.numbers[k])) some.push_back(all[k]);
+    }
+    return some;
+  }
+
+  const BatchArguments& arguments_;
+  std::ostream& out_;
+  std::ostream& err_;
+  BatchFolder place_;
+  Shard shard_;
+  std::vector<BatchJob> jobs_;
+  std::vector<std::string> texts_;
+  BatchIdentity identity_;
+  std::optional<ReportFolder> folder_;
+  std::optional<ResultStore> store_;
+  std::size_t taken_ = 0;
+  std::set<std::size_t> ran_;
+  bool is_done_ = false, is_stopped_ = false, is_busy_ = false;
+};
+
+}  // namespace
+
+int run_batch(const BatchArguments& arguments, std::ostream& out, std::ostream& err) {
+  if (arguments.watch.empty() == arguments.files.empty())
+    return fail(err, {make_error("usage",
+                                 "gougecheck batch needs JOBS or --watch, and not both; see gougecheck batch --help")});
+  if (arguments.watch.empty()) return Batch(arguments, out, err).run();
+  // Each run takes what has not changed from the store, so that only what is new is checked.
+  int status = kExitClean;
+  const Outcome watched = watch_toolpaths(arguments.watch, [&](const std::vector<std::string>& files) {
+    BatchArguments now = arguments;
+    now.files = files;
+    now.is_resumed = true;
+    Batch batch(now, out, err);
+    status = batch.run();
+    out.flush();
+    // Somebody who looks into the store must not end a night's watch.
+    if (batch.is_busy()) return AfterRun::again;
+    return batch.is_done() && out.good() ? AfterRun::go_on : AfterRun::end;
+  });
+  return watched ? status : fail(err, {watched.error()});
+}
+
+}  // namespace gouge

@@ -1,0 +1,375 @@
+#include "cli/batch/batch_list.h"
+
+#include <glob.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "cli/commands/job_words.h"
+#include "cli/output/overwriting.h"
+#include "cli/output/report_manifest.h"
+#include "lib/base/files.h"
+#include "lib/base/printable_text.h"
+#include "lib/json/json_file.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+using ListJson = nlohmann::json;
+
+constexpr std::size_t kLongestName = 100;
+
+// What a name may not be, as it names folders too.
+std::optional<std::string> why_no_name(const std::string& name) {
+  if (name.empty()) return "is empty";
+  if (name.size() > kLongestName) return "has more than " + std::to_string(kLongestName) + " bytes";
+  if (name.front() == '.' || name.front() == '-') return std::string("begins with ") + name.front();
+  if (name.find('/') != std::string::npos) return "holds a /";
+  if (name.front() == ' ' || name.back() == ' ') return "begins or ends with a blank";
+  if (printable(name) != name) return "holds characters that cannot be printed";
+  return std::nullopt;
+}
+
+// A file that is there is itself, as browsers write "path [1].apt".
+bool is_pattern(const std::string& file) {
+  std::error_code ignored;
+  return file.find_first_of("*?[") != std::string::npos && !fs::exists(file, ignored);
+}
+
+std::vector<std::string> files_like(const std::string& pattern) {
+  glob_t found{};
+  std::vector<std::string> files;
+  if (::glob(pattern.c_str(), 0, nullptr, &found) == 0) files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  ::globfree(&found);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void place_outputs(BatchJob& job, const BatchFolder& folder) {
+  JobArguments& arguments = job.job();
+  arguments.progress = "never";
+  arguments.is_quiet = true;
+  job.has_report = job.has_report && folder.has_reports;
+  if (job.has_report) arguments.report_folder = folder.report_of(job.name);
+  if (auto* correct = std::get_if<CorrectArguments>(&job.arguments); correct != nullptr && correct->output.empty()) {
+    correct->output_name = BatchFolder::corrected_name(job);
+    correct->output = folder.path + "/" + correct->output_name;
+  }
+}
+
+// The parser insists on an output; where the job names none it is below the folder of the batch, and no word of the job.
+constexpr const char* kNoOutput = "\x01";
+
+Result<BatchJob> make_job(std::string name, const std::string& command, std::vector<std::string> words,
+                          const std::string& path) {
+  BatchJob job;
+  job.name = std::move(name);
+  job.words = std::move(words);
+  std::vector<std::string> line = job.words;
+  const bool has_output = std::ranges::any_of(line, [](const std::string& w) { return w.starts_with("--output="); });
+  if (command == "correct" && !has_output) line.push_back(std::string("--output=") + kNoOutput);
+  if (path.starts_with('-')) line.emplace_back("--");
+  line.push_back(path);
+  job.words.push_back(path);
+  Result<CommandArguments> parsed = parse_command(command, line);
+  if (!parsed) return parsed.error();
+  job.arguments = std::move(*parsed);
+  if (auto* correct = std::get_if<CorrectArguments>(&job.arguments); correct != nullptr && !has_output)
+    correct->output.clear();
+  return job;
+}
+
+class JobListReader {
+ public:
+  JobListReader(std::string file, const BatchFolder& folder)
+      : file_(std::move(file)), base_(fs::path(file_).parent_path().string()), folder_(folder) {}
+
+  Result<std::vector<BatchJob>> run() {
+    constexpr std::uint64_t kMostBytes = 256'000'000;
+    const Result<std::string> bytes = read_file(file_, kMostBytes);
+    if (!bytes) return bytes.error();
+    Result<JsonFile> json = parse_json(file_, *bytes, {"jobs-syntax", "jobs-duplicate-key", "a job list"});
+    if (!json) return json.error();
+    lines_ = &json->lines;
+    read(json->root);
+    if (error_) return *error_;
+    return std::move(jobs_);
+  }
+
+ private:
+  void fail(const std::string& message, const std::string& pointer, const char* code = "jobs-field") {
+    if (!error_) error_ = make_error(code, message, file_, lines_->at(pointer));
+  }
+
+  void read(const ListJson& root) {
+    if (!root.is_object())
+      return fail("this is no object; expected a job list: {\"defaults\": {...}, \"jobs\": [...]}", "");
+    for (const auto& [key, value] : root.items()) {
+      if (key != "defaults" && key != "jobs")
+        fail("a job list has no \"" + key + "\"; expected \"defaults\" and \"jobs\"", "/" + key);
+    }
+    const ListJson defaults = root.value("defaults", ListJson::object());
+    if (!defaults.is_object()) return fail("\"defaults\" is no object; expected one of options", "/defaults");
+    if (defaults.contains("name"))
+      fail("\"defaults\" has a \"name\"; expected one in each job alone", "/defaults/name");
+    const auto jobs = root.find("jobs");
+    if (jobs == root.end() || !jobs->is_array() || jobs->empty())
+      return fail("expected \"jobs\", a list with at least one job", jobs == root.end() ? "" : "/jobs");
+    for (std::size_t k = 0; k < jobs->size() && !error_; ++k)
+      read_job(defaults, (*jobs)[k], "/jobs/" + std::to_string(k));
+  }
+
+  // The value of a key and where it stands: in the job, else in the defaults.
+  struct Field {
+    const ListJson* value = nullptr;
+    std::string pointer;
+  };
+  using Fields = std::map<std::string, Field>;
+
+  void read_job(const ListJson& defaults, const ListJson& own, const std::string& pointer) {
+    if (!own.is_object()) return fail("a job is no object; expected {\"name\": ..., \"path\": ...}", pointer);
+    Fields fields;
+    for (const auto& [key, value] : defaults.items()) fields[key] = {&value, "/defaults/" + key};
+    for (const auto& [key, value] : own.items()) fields[key] = {&value, pointer + "/" + key};
+    std::erase_if(fields, [](const auto& field) { return field.second.value->is_null(); });
+    const std::string name = take_text(fields, "name", "");
+    const std::string command = take_text(fields, "command", "check");
+    if (command != "check" && command != "correct")
+      return fail("\"command\" is '" + printable(command) + "'; expected check or correct", pointer + "/command");
+    const bool has_report = take_report(fields);
+    const std::vector<std::string> paths = take_paths(fields, pointer);
+    JobWords words(command, base_);
+    for (const auto& [key, field] : fields) {
+      const Outcome added = words.add(key, *field.value);
+      if (!added) return fail(called(name, paths) + added.error().message, field.pointer, "jobs-option");
+    }
+    for (const std::string& path : paths) {
+      const std::string stem = fs::path(path).stem().string();
+      const std::string job_name = name.empty() ? stem : paths.size() == 1 ? name : name + " " + stem;
+      add(job_name, command, words.words(), path, has_report, pointer);
+    }
+  }
+
+  // The system would read a name up to a null, which is another file than the one that was looked at.
+  static bool is_named(const ListJson& value) {
+    return value.is_string() && !value.get_ref<const std::string&>().empty() &&
+           value.get_ref<const std::string&>().find('\0') == std::string::npos;
+  }
+
+  static std::string called(const std::string& name, const std::vector<std::string>& paths) {
+    return "job " + (name.empty() && !paths.empty() ? paths.front() : name) + ": ";
+  }
+
+  std::string take_text(Fields& fields, const std::string& key, const std::string& otherwise) {
+    const auto found = fields.find(key);
+    if (found == fields.end()) return otherwise;
+    const Field field = found->second;
+    fields.erase(found);
+    if (is_named(*field.value)) return field.value->get<std::string>();
+    fail("\"" + key + "\" is no text, empty, or holds the character U+0000; expected a text", field.pointer);
+    return otherwise;
+  }
+
+  bool take_report(Fields& fields) {
+    const auto found = fields.find("report");
+    if (found == fields.end()) return true;
+    const Field field = found->second;
+    fields.erase(found);
+    if (field.value->is_boolean()) return field.value->get<bool>();
+    fail("\"report\" is neither true nor false; expected one of them: reports stand in the folder of the batch",
+         field.pointer);
+    return true;
+  }
+
+  std::vector<std::string> take_paths(Fields& fields, const std::string& job) {
+    const auto found = fields.find("path");
+    if (found == fields.end()) {
+      fail("a job has no \"path\"; expected its toolpath, or a pattern such as \"ops/*.apt\"", job);
+      return {};
+    }
+    const Field field = found->second;
+    fields.erase(found);
+    const std::vector<ListJson> values =
+        field.value->is_array() ? field.value->get<std::vector<ListJson>>() : std::vector<ListJson>{*field.value};
+    std::vector<std::string> paths;
+    for (const ListJson& value : values) {
+      if (!is_named(value)) {
+        fail("\"path\" holds no text, an empty one, or one with the character U+0000; expected files or patterns",
+             field.pointer);
+        return {};
+      }
+      const std::string path = JobWords("check", base_).located(value.get<std::string>());
+      if (!is_pattern(path)) {
+        paths.push_back(path);
+        continue;
+      }
+      const std::vector<std::string> found_files = files_like(path);
+      if (found_files.empty())
+        fail("no file is like \"path\" " + printable(path) + "; expected one at least", field.pointer);
+      paths.insert(paths.end(), found_files.begin(), found_files.end());
+    }
+    if (paths.empty()) fail("\"path\" is an empty list; expected one file at least", field.pointer);
+    return paths;
+  }
+
+  void add(const std::string& name, const std::string& command, const std::vector<std::string>& words,
+           const std::string& path, bool has_report, const std::string& pointer) {
+    if (error_) return;
+    const std::size_t line = lines_->at(pointer);
+    if (const auto why = why_no_name(name))
+      return fail("the name of a job '" + printable(name) + "' " + *why +
+                      "; expected one that can name a folder: give it a \"name\"",
+                  pointer);
+    const auto [other, is_new] = lines_of_.try_emplace(name, line);
+    if (!is_new)
+      return fail("a second job is called " + name + ", as that of line " + std::to_string(other->second) +
+                      "; expected a \"name\" for each, and a job of its own for each of several files called alike",
+                  pointer);
+    Result<BatchJob> job = make_job(name, command, words, path);
+    if (!job) return fail("job " + name + ": " + job.error().message, pointer, "jobs-option");
+    job->line = line;
+    job->has_report = has_report;
+    place_outputs(*job, folder_);
+    jobs_.push_back(std::move(*job));
+  }
+
+  std::string file_, base_;
+  const BatchFolder& folder_;
+  const JsonLines* lines_ = nullptr;
+  std::optional<Diagnostic> error_;
+  std::map<std::string, std::size_t> lines_of_;
+  std::vector<BatchJob> jobs_;
+};
+
+/// Looks for files that one job writes and another one, or the batch itself, reads or writes.
+class CollisionSearch {
+ public:
+  CollisionSearch(const std::vector<BatchJob>& jobs, const BatchFolder& folder, const std::string& list)
+      : jobs_(jobs), folder_(folder), list_(list) {}
+
+  std::optional<Diagnostic> find() {
+    if (!list_.empty()) inputs_.emplace(place(list_), "the job list itself");
+    for (const BatchJob& job : jobs_) {
+      if (const auto wrong = add_inputs(job)) return wrong;
+    }
+    for (const BatchJob& job : jobs_) {
+      for (const Output& output : outputs_of(job.job(), job.output())) {
+        if (output.file.empty()) continue;
+        if (const auto wrong = add_output(job, output)) return wrong;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const std::string& place(const std::string& file) {
+    std::string& at = known_[file];
+    if (at.empty()) at = canonical_place(file);
+    return at;
+  }
+
+  // What can be read once is no input of two.
+  std::optional<Diagnostic> add_inputs(const BatchJob& job) {
+    for (const InputOption& input : inputs_of(job.job())) {
+      if (input.file.empty()) continue;
+      const auto [other, is_new] = inputs_.try_emplace(place(input.file), input.what + " of job " + job.name);
+      std::error_code ignored;
+      if (is_new || !fs::exists(input.file, ignored) || fs::is_regular_file(input.file, ignored) ||
+          fs::is_directory(input.file, ignored))
+        continue;
+      return make_error("usage", "job " + printable(job.name) + ": " + printable(input.file) + " is " + other->second +
+                                     " as well, and no plain file, so it can be read but once; name a file");
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Diagnostic> add_output(const BatchJob& job, const Output& output) {
+    const std::string said =
+        "job " + printable(job.name) + ": " + output.option + " '" + printable(output.file) + "' is ";
+    const bool is_report = output.kind == Output::Kind::report_folder;
+    const bool is_ours = is_report || output.file == folder_.path + "/" + BatchFolder::corrected_name(job);
+    const std::string below = place(folder_.path) + "/";
+    if (!is_ours && (place(output.file) + "/").starts_with(below))
+      return make_error("usage", said + "in the folder of the batch, where it alone writes; name a place outside");
+    std::vector<std::string> files = {output.file};
+    if (is_report) {
+      for (const std::string& name : names_of_report()) files.push_back(output.file + "/" + name);
+    }
+    for (const std::string& file : files) {
+      const auto input = inputs_.find(place(file));
+      if (input == inputs_.end()) continue;
+      return make_error("usage", said + (is_report ? "where " + file + " stands, " : "") + input->second +
+                                     "; name another " + (is_report ? "folder" : "file"));
+    }
+    const auto [other, is_new] = outputs_.try_emplace(place(output.file), output.option + " of job " + job.name);
+    if (!is_new) return make_error("usage", said + other->second + " as well; name another file");
+    return std::nullopt;
+  }
+
+  const std::vector<BatchJob>& jobs_;
+  const BatchFolder& folder_;
+  const std::string& list_;
+  std::map<std::string, std::string> inputs_, outputs_;  // by where a name leads: what it is
+  std::map<std::string, std::string> known_;
+};
+
+}  // namespace
+
+JobArguments& BatchJob::job() {
+  return std::visit([](auto& of) -> JobArguments& { return of.job; }, arguments);
+}
+
+const JobArguments& BatchJob::job() const {
+  return std::visit([](const auto& of) -> const JobArguments& { return of.job; }, arguments);
+}
+
+std::string BatchJob::output() const {
+  const auto* correct = std::get_if<CorrectArguments>(&arguments);
+  return correct == nullptr ? std::string() : correct->output;
+}
+
+std::string BatchFolder::corrected_name(const BatchJob& job) {
+  return "corrected/" + job.name + fs::path(job.job().path).extension().string();
+}
+
+Result<std::vector<BatchJob>> read_job_list(const std::string& file, const BatchFolder& folder) {
+  return JobListReader(file, folder).run();
+}
+
+Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& toolpaths,
+                                        const std::vector<std::string>& words, const BatchFolder& folder) {
+  if (std::ranges::none_of(words, [](const std::string& word) { return word.starts_with("--part="); }))
+    return make_error("usage",
+                      "toolpaths need --part; a job list, which says it of each job, is one file called *.json");
+  std::map<std::string, std::size_t> stems;
+  for (const std::string& path : toolpaths) ++stems[fs::path(path).stem().string()];
+  std::vector<BatchJob> jobs;
+  std::map<std::string, std::string> files;
+  for (const std::string& path : toolpaths) {
+    const std::string stem = fs::path(path).stem().string();
+    const std::string name = stems[stem] == 1 ? stem : fs::path(path).filename().string();
+    if (const auto why = why_no_name(name))
+      return make_error("usage", "the name of a job, '" + printable(name) + "', " + *why +
+                                     "; expected a file name that can name a folder, or a job list with names");
+    const auto [other, is_new] = files.try_emplace(name, path);
+    if (!is_new)
+      return make_error("usage", "two jobs would be called " + printable(name) + ": " + printable(other->second) +
+                                     " and " + printable(path) +
+                                     "; expected files of different names, or a job list with names");
+    Result<BatchJob> job = make_job(name, "check", words, path);
+    if (!job) return job.error();
+    place_outputs(*job, folder);
+    jobs.push_back(std::move(*job));
+  }
+  return jobs;
+}
+
+std::optional<Diagnostic> find_jobs_in_the_way(const std::vector<BatchJob>& jobs, const BatchFolder& folder,
+                                               const std::string& list) {
+  return CollisionSearch(jobs, folder, list).find();
+}
+
+}  // namespace gouge

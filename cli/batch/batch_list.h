@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/commands/check_command.h"
+#include "cli/options/correct_options.h"
+#include "lib/base/result.h"
+
+namespace gouge {
+
+/// One job of a batch, understood as far as its words go: the files it names may be missing.
+struct BatchJob {
+  std::string name;
+  std::size_t line = 0;            ///< of the job list; 0: it stands on the command line
+  std::vector<std::string> words;  ///< its options as a command line, without outputs below the folder of the batch
+  bool has_report = true;
+  std::variant<CheckArguments, CorrectArguments> arguments;
+
+  [[nodiscard]] const char* command() const { return arguments.index() == 0 ? "check" : "correct"; }
+  [[nodiscard]] JobArguments& job();
+  [[nodiscard]] const JobArguments& job() const;
+  /// Where a corrected toolpath goes; empty for `check`.
+  [[nodiscard]] std::string output() const;
+};
+
+/// Where a batch puts what its jobs write.
+struct BatchFolder {
+  std::string path;
+  bool has_reports = true;  ///< false: of no job, whatever it says
+
+  [[nodiscard]] std::string report_of(const std::string& job) const { return path + "/reports/" + job; }
+  /// Below `path`.
+  [[nodiscard]] static std::string corrected_name(const BatchJob& job);
+};
+
+/// Reads a job list (docs/formats/batch.md). Relative files in it are below its folder. Errors: the first thing that is
+/// wrong with it, with its line: jobs-syntax, jobs-duplicate-key, jobs-field, jobs-option, and those of reading a file.
+[[nodiscard]] Result<std::vector<BatchJob>> read_job_list(const std::string& file, const BatchFolder& folder);
+
+/// Jobs that check each of `toolpaths` with the same options, named after their files. Errors: usage.
+[[nodiscard]] Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& toolpaths,
+                                                      const std::vector<std::string>& words, const BatchFolder& folder);
+
+/// What speaks against running these jobs together: an output of one that is an input or an output of another, that is
+/// the job list (empty: there is none), or that lies in the folder of the batch without being its own; a pipe that two
+/// are to read. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> find_jobs_in_the_way(const std::vector<BatchJob>& jobs,
+                                                             const BatchFolder& folder, const std::string& list);
+
+}  // namespace gouge

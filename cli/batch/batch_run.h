@@ -1,0 +1,133 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/batch/batch_job.h"
+#include "cli/batch/batch_list.h"
+#include "cli/batch/ranks.h"
+#include "cli/terminal/progress.h"
+#include "postproc/store/result_store.h"
+
+namespace gouge {
+
+enum class StopOn { nothing, error, gouge };
+
+/// Whether no other job is to begin after one that ended so.
+[[nodiscard]] bool is_reason_to_stop(StopOn what, std::optional<int> status);
+
+struct BatchOptions {
+  std::string folder;
+  std::size_t jobs_at_once = 1;
+  std::uint64_t memory_bytes = 0;  ///< that all running jobs may need together, as estimated
+  StopOn stop_on = StopOn::nothing;
+  std::size_t chunk = 0;         ///< moves after which a long job keeps what is done
+  MeshCopies* copies = nullptr;  ///< where meshes are read from; none: where they are
+};
+
+/// Jobs in the order in which they begin; jobs of one scene are neighbours, and a group.
+struct JobQueue {
+  std::vector<std::size_t> numbers;
+  std::vector<std::size_t> group_ends;  ///< one past the last position of each group
+  std::vector<std::uint64_t> work;      ///< of each, reckoned in bytes of its path
+};
+
+struct BatchPlan {
+  JobQueue alone;     ///< one after the other, each with all threads of its process
+  JobQueue together;  ///< side by side, each with one thread
+};
+
+/// Runs jobs side by side and commits each result to the store as soon as it is there, while others run. Jobs of one scene run next to
+/// each other, large jobs first; one that is larger than a fair share of all work runs alone, with all threads.
+class BatchRun {
+ public:
+  /// All must outlive it. `texts`: job_text of each job.
+  BatchRun(const std::vector<BatchJob>& jobs, const std::vector<std::string>& texts, const BatchOptions& options,
+           ResultStore& store, Progress& progress, Ranks& ranks);
+
+  /// How the jobs of these numbers are run.
+  [[nodiscard]] BatchPlan plan(const std::vector<std::size_t>& numbers) const;
+  /// Runs those jobs of the plan that are this process's. Errors: of the store; jobs that were running end first, no
+  /// other begins.
+  [[nodiscard]] Outcome run(const BatchPlan& plan);
+  /// Whether jobs were left because of --stop-on.
+  [[nodiscard]] bool is_stopped() const { return is_stopped_; }
+
+ private:
+  struct Size {
+    std::uint64_t path_bytes = 0, memory_bytes = 0;
+  };
+  /// Positions of the group of a queue that this process is in.
+  struct Group {
+    std::size_t first = 0, end = 0;
+  };
+
+  [[nodiscard]] static Size size_of(const BatchJob& job);
+  [[nodiscard]] std::vector<std::size_t> in_order(std::vector<std::size_t> numbers) const;
+  [[nodiscard]] JobQueue queue_of(std::vector<std::size_t> numbers) const;
+  [[nodiscard]] std::optional<std::size_t> take(int list, const JobQueue& queue, std::size_t workers);
+  void leave_group(int list, const JobQueue& queue);
+  void run_one(std::size_t number);
+  void note(std::size_t number, JobRun&& run);
+  void write_queued();
+  void write_until_closed();
+
+  /// Writes queued results while it lives.
+  class Writer {
+   public:
+    explicit Writer(BatchRun& batch);
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+    ~Writer();
+
+   private:
+    BatchRun& batch_;
+    std::thread thread_;
+  };
+
+  /// Memory that a job needs while it runs; waits until there is so much.
+  class Room {
+   public:
+    Room(BatchRun& batch, std::uint64_t bytes);
+    Room(const Room&) = delete;
+    Room& operator=(const Room&) = delete;
+    ~Room();
+
+   private:
+    BatchRun& batch_;
+    std::uint64_t bytes_;
+  };
+
+  const std::vector<BatchJob>& jobs_;
+  const std::vector<std::string>& texts_;
+  const BatchOptions& options_;
+  ResultStore& store_;
+  Progress& progress_;
+  Ranks& ranks_;
+  SceneStore scenes_;
+  std::mutex taking_;
+  std::array<Group, 2> groups_{};  // of each queue of the plan
+  std::vector<bool> is_expected_;  // by number: may still be given to this process
+  std::vector<Size> sizes_;
+  std::mutex writing_;  // of the store
+  std::mutex guard_;    // of all that follows
+  std::condition_variable room_, news_;
+  std::vector<ResultStore::Numbered> queued_;
+  std::vector<std::string> work_files_;  // of these
+  bool is_closed_ = false;
+  bool has_writer_ = false;  // set before any job begins
+  std::uint64_t in_use_ = 0;
+  std::size_t running_ = 0, done_ = 0, all_ = 0, moves_ = 0;
+  std::chrono::steady_clock::time_point began_;
+  std::optional<Diagnostic> failure_;
+  std::atomic<bool> is_stopped_ = false;
+};
+
+}  // namespace gouge

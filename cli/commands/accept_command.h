@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "cli/options/reading_options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gouge {
+
+struct AcceptArguments {
+  std::string result;
+  std::vector<std::uint32_t> findings;  ///< none: list them
+  std::string reason, by, date;         ///< empty date: today
+  std::string output;
+  InputLimit input;
+};
+
+void add_accept_options(CLI::App& command, AcceptArguments& arguments);
+
+/// `gougecheck accept`: adds findings of a result to a file of accepted ones, or lists what it has. Returns the exit
+/// status: 0 done, 2 wrong command line, 3 unreadable or not acceptable, 5 output unwritable.
+[[nodiscard]] int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream& err);
+
+}  // namespace gouge

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/job/job_context.h"
+#include "cli/options/job_options.h"
+
+namespace gouge {
+
+struct CheckArguments {
+  JobArguments job;
+  bool finds_cures = false;
+  bool finds_stickout = false;
+  std::string stickout_step = "1", stickout_limit = "200";
+};
+
+void add_check_options(CLI::App& command, CheckArguments& arguments);
+
+/// The first value that is not what its option expects, before anything is read. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> find_wrong_value(const CheckArguments& arguments);
+
+/// `gougecheck check`. Returns the exit status.
+[[nodiscard]] int run_check(const CheckArguments& arguments, const JobContext& context);
+
+}  // namespace gouge

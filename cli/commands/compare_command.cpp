@@ -1,0 +1,75 @@
+#include "cli/commands/compare_command.h"
+
+#include <CLI/CLI.hpp>
+#include <ostream>
+#include <utility>
+
+#include "cli/output/output_file.h"
+#include "cli/terminal/length_text.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/files.h"
+#include "postproc/compare/write_comparison.h"
+
+namespace gouge {
+namespace {
+
+Result<StoredResult> load_result(const std::string& file, const InputLimit& limit) {
+  const Result<std::string> bytes = read_file(file, limit.most_bytes);
+  if (!bytes) return bytes.error();
+  return read_result(file, *bytes);
+}
+
+}  // namespace
+
+void add_compare_options(CLI::App& command, CompareArguments& arguments) {
+  command.add_option("OLD", arguments.before, "Result of the old run (what --json wrote, or result.json of a report)")
+      ->type_name("FILE")
+      ->required();
+  command.add_option("NEW", arguments.after, "Result of the new run")->type_name("FILE")->required();
+  command
+      .add_option("--same-within", arguments.same_within,
+                  "Depths that differ by no more are the same; of a part that was tessellated again, its chord error")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command.add_option("--html", arguments.html_file, "Write the comparison as a page (- for standard output alone)")
+      ->type_name("FILE");
+  command.add_option("--json", arguments.json_file, "Write the comparison as JSON (- for standard output alone)")
+      ->type_name("FILE");
+  add_input_limit(command, arguments.input);
+  add_verbosity(command, arguments, "List the findings that are the same as well (not with -q)");
+  command.footer(
+      "Example:\n  gougecheck compare monday/result.json today/result.json --html changes.html\n\n"
+      "A finding is the same one where the same motions gouge, with the same tool and body; where the path has other "
+      "motions, where statement and place on the part, or the place alone, are the same. It is gone only where the new "
+      "run checked what it was found in. Exit status: 0 nothing is new or deeper, 1 something is, 2 wrong command line, "
+      "3 unreadable, 4 something is not checked any more, 5 internal failure or output unwritable.");
+}
+
+int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostream& err) {
+  if (const auto error = find_contradiction(arguments)) return fail(err, {*error});
+  const Result<double> same_within = understand_length("--same-within", arguments.same_within, Least::zero);
+  if (!same_within) return fail(err, {same_within.error()});
+  const OutputTable outputs = asked_for({{"--html", arguments.html_file}, {"--json", arguments.json_file}});
+  const Result<bool> taken = is_stdout_taken(outputs);
+  if (const auto status =
+          refuse_outputs({{"the old result", arguments.before}, {"the new result", arguments.after}}, outputs, err))
+    return *status;
+  const Result<StoredResult> before = load_result(arguments.before, arguments.input);
+  if (!before) return fail(err, {before.error()});
+  const Result<StoredResult> after = load_result(arguments.after, arguments.input);
+  if (!after) return fail(err, {after.error()});
+  const Comparison comparison = compare_results(*before, *after, {*same_within});
+  PendingOutputs pending;
+  using Writer = std::string (*)(const Comparison&);
+  for (const auto& [file, write] :
+       {std::pair<std::string, Writer>{arguments.html_file, comparison_html}, {arguments.json_file, comparison_json}}) {
+    if (file.empty()) continue;
+    if (const Outcome added = pending.add(file, write(comparison)); !added)
+      return fail(err, {added.error()}, kExitInternal);
+  }
+  if (const Outcome written = pending.commit(out); !written) return fail(err, {written.error()}, kExitInternal);
+  if (!arguments.is_quiet && !*taken) out << comparison_text(comparison, arguments.is_verbose);
+  return comparison.exit_status();
+}
+
+}  // namespace gouge

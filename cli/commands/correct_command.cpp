@@ -1,0 +1,272 @@
+#include "cli/commands/correct_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <ostream>
+#include <utility>
+
+#include "cli/job/axis_facts.h"
+#include "cli/job/job.h"
+#include "cli/job/setup_notes.h"
+#include "cli/output/outputs.h"
+#include "cli/terminal/print_diagnostics.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/number_text.h"
+#include "lib/certify/placement.h"
+#include "lib/correct/correct_path.h"
+#include "lib/tilt/axes_outside.h"
+#include "postproc/cldata/rewriting/list_written.h"
+#include "postproc/cldata/rewriting/record_texts.h"
+#include "postproc/cldata/rewriting/rewritable_moves.h"
+#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/report/axis_text.h"
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+namespace {
+
+/// The bytes of each change, each statement's once: those of a list of positions are long.
+class ChangeTexts {
+ public:
+  ChangeTexts(const Toolpath& before, const std::vector<PathChange>& changes, const Toolpath& after,
+              const std::vector<WrittenStatement>& written)
+      : texts_(before, changes, after, written), change_of_(before.moves.size(), nullptr) {
+    for (const PathChange& change : changes) change_of_[change.move] = &change;
+  }
+
+  /// To be asked for in the order of the records.
+  void put_into(CorrectedRecord& record, const ChangeRecord& of) {
+    if (change_of_[of.move] == nullptr) return;
+    if (of.move != move_) next_ = 0;
+    move_ = of.move;
+    const PathChange& change = *change_of_[of.move];
+    std::optional<std::size_t> place = change.inserted_before.size();
+    if (of.is_inserted) place = find(change, of.pose);
+    if (change.has_arc()) place.reset();
+    record.new_record = once(place ? texts_.after(of.move, *place) : texts_.after(of.move), last_new_);
+    // An inserted position replaces nothing.
+    if (!place || !of.is_inserted) record.old_record = once(texts_.before(of.move), last_old_);
+  }
+
+ private:
+  std::optional<std::size_t> find(const PathChange& change, const Pose& pose) {
+    for (std::size_t k = next_; k < change.inserted_before.size(); ++k) {
+      const Pose& there = change.inserted_before[k];
+      if (there.tip != pose.tip || there.axis != pose.axis) continue;
+      next_ = k + 1;
+      return k;
+    }
+    return std::nullopt;
+  }
+
+  static std::optional<std::string_view> once(const std::optional<std::string_view>& text, const char*& last) {
+    if (!text || text->data() == last) return std::nullopt;
+    last = text->data();
+    return text;
+  }
+
+  RecordTexts texts_;
+  std::vector<const PathChange*> change_of_;
+  std::size_t move_ = kNone, next_ = 0;  // the move asked for last, and the first of its positions not yet asked for
+  const char *last_old_ = nullptr, *last_new_ = nullptr;
+};
+
+CorrectedRecord corrected_record(const ChangeRecord& r, const Toolpath& before, ChangeTexts& texts) {
+  CorrectedRecord record;
+  record.move = r.move;
+  record.line = before.moves[r.move].line;
+  record.is_uncut = r.strategy == Strategy::trim;
+  const bool is_between_shifts = r.is_inserted && r.strategy != Strategy::tilt && !record.is_uncut;
+  record.strategy = is_between_shifts ? "inserted" : strategy_name(r.strategy);
+  record.is_inserted = r.is_inserted;
+  record.shift_mm = r.shift_mm;
+  record.shift_length_mm = r.shift_mm.norm();
+  record.tilt_rad = r.tilt_rad;
+  record.depth_before_mm = r.depth_before_mm;
+  record.depth_after_mm = r.depth_after_mm;
+  record.iterations = r.iterations;
+  if (r.cause != kNone) record.cause = r.cause;
+  texts.put_into(record, r);
+  return record;
+}
+
+UncutRecord::Kind uncut_kind(Uncut::Kind kind) {
+  return kind == Uncut::Kind::hole     ? UncutRecord::Kind::hole
+         : kind == Uncut::Kind::lifted ? UncutRecord::Kind::lifted
+                                       : UncutRecord::Kind::left_out;
+}
+
+CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options, const Correction& correction,
+                         const Toolpath& before, const CheckResult& result, const Toolpath& after) {
+  CorrectionFacts facts;
+  facts.output_file = arguments.reported_output();
+  facts.strategy = strategies_text(arguments);
+  facts.max_shift_mm = options.max_shift_mm;
+  facts.max_side_shift_mm = options.max_side_shift_mm;
+  facts.rapid_clearance_mm = options.rapid_clearance_mm;
+  const std::vector<WrittenStatement> all = list_written(before, correction.changes, after);
+  for (const WrittenStatement& written : all) facts.written.push_back({written_name(written.kind), written.line});
+  for (const PathChange& change : correction.changes) {
+    if (!change.is_straightened && change.inserted_arcs.empty()) continue;
+    const auto arcs = std::ranges::count_if(change.inserted_arcs, [](const auto& arc) { return arc.has_value(); });
+    const std::size_t straight =
+        change.inserted_before.size() + (change.is_straightened ? 1 : 0) - static_cast<std::size_t>(arcs);
+    facts.curves += straight > 0 ? 1 : 0;
+    facts.straight_moves += straight;
+  }
+  facts.toolpath_before = &before;
+  facts.result_before = &result;
+  ChangeTexts texts(before, correction.changes, after, all);
+  for (const ChangeRecord& r : correction.records) facts.changes.push_back(corrected_record(r, before, texts));
+  for (const Uncut& u : correction.uncut) {
+    facts.uncut.push_back({u.first, u.last, before.moves[u.first].line, before.moves[u.last].line, u.positions,
+                           u.length_mm, uncut_kind(u.kind)});
+  }
+  for (const StockStretch& s : correction.stock) {
+    facts.stock.push_back({s.first, s.last, before.moves[s.first].line, before.moves[s.last].line, s.most.thickness_mm,
+                           s.most.is_more, s.most.is_undecided, s.most.point});
+  }
+  for (const LowRapid& r : correction.low_rapids)
+    facts.low_rapids.push_back({r.move, before.moves[r.move].line, r.keeps_mm});
+  for (const Uncorrected& u : correction.uncorrected) {
+    facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason, u.is_changed});
+  }
+  return facts;
+}
+
+class CorrectRun {
+ public:
+  CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const RotaryLimit& limit, Job& job,
+             JobOutputs& outputs, Progress& progress, const JobContext& context)
+      : arguments_(arguments),
+        correct_(correct),
+        limit_(limit),
+        job_(job),
+        outputs_(outputs),
+        context_(context),
+        err_(context.err),
+        progress_(progress) {}
+
+  int run() {
+    const PreparedScene& scene = job_.files->prepared(job_.options.check.threads, progress_.call());
+    progress_.begin("checking the set-up");
+    note_setup(job_, arguments_.job, scene);
+    const CheckSetup setup = job_.setup(scene);
+    const CheckResult before = check(job_.toolpath, setup, progress_.call());
+    progress_.end();
+    const std::optional<std::string> misfit = describe_misfit(job_.toolpath, before.fit);
+    if (misfit && is_beyond_correction(before.fit) && !arguments_.job.is_forced) return refuse(*misfit);
+    CorrectOptions correct = correct_;
+    const RewritableMoves rewritable = rewritable_moves(job_.toolpath);
+    correct.rewritable = &rewritable;
+    std::string text;
+    const auto rewrite = [&](const std::vector<PathChange>& changes) -> Result<Toolpath> {
+      Result<std::string> written = write_corrected(job_.toolpath, changes);
+      if (!written) return written.error();
+      text = std::move(*written);
+      progress_.begin("reading the corrected path");
+      return read_again(job_, arguments_.reported_output(), text);
+    };
+    Result<LawfulCorrection> corrected =
+        correct_lawfully(job_.toolpath, before, setup, correct, rewrite, progress_.call());
+    progress_.end();
+    if (!corrected) return fail(err_, {corrected.error()}, kExitInternal);
+    const Correction& correction = corrected->correction;
+    const Toolpath& path = corrected->after.path;
+    const CheckResult& after = corrected->after.result;
+    progress_.begin("summing up the result");
+    ReportModel model = job_.report(arguments_.job, path, after);
+    model.has_correction = true;
+    model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before, path);
+    model.correction.output_bytes = text;
+    model.correction.axes = measure_axes(job_.toolpath, correction.changes, path, limit_);
+    for (OptionText& limit : limits_in_force(arguments_)) model.more_options.push_back(std::move(limit));
+    add_axes_outside(model.notes);
+    add_not_tilted(correction.not_tilted, model.notes);
+    add_left_stock(model.correction, model.notes);
+    progress_.end();
+    print_notes(err_, model.notes, arguments_.job);
+    if (arguments_.job.is_quiet) print(err_, open_warnings(after.assumptions));
+    const bool is_written = outputs_.write(job_, scene, model, progress_, context_.out, err_);
+    if (arguments_.job.is_verbose) print_peak_memory(err_);
+    if (!is_written) return kExitInternal;
+    if (context_.on_result) context_.on_result(model);
+    return exit_status(overall_verdict(after));
+  }
+
+ private:
+  /// Tilts stay inside the cone; what was programmed stays as it is.
+  void add_axes_outside(Diagnostics& notes) const {
+    if (!correct_.tilt.cone) return;
+    const AxesOutside outside = find_axes_outside(job_.toolpath, *correct_.tilt.cone);
+    if (outside.positions == 0) return;
+    notes.push_back(make_warning(
+        "axis-outside-cone",
+        count_text(outside.positions, "programmed position") + " " + (outside.positions == 1 ? "has" : "have") +
+            " a tool axis outside --axis-cone, up to " + angle_text(outside.most_rad, DegreeSign::word) +
+            " from its direction; no correction brings these inside",
+        job_.toolpath.file, job_.toolpath.moves[outside.first_move].line));
+  }
+
+  /// One for each run that is not tilted, the first as a warning: it is a correction, but not the one asked for.
+  void add_not_tilted(const std::vector<NotTilted>& runs, Diagnostics& notes) const {
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      const std::size_t first = job_.toolpath.moves[runs[k].first].line, last = job_.toolpath.moves[runs[k].last].line;
+      std::string message =
+          "lifted where that helps, not tilted, down to line " + std::to_string(last) + ": " + runs[k].reason;
+      if (k == 0 && runs.size() > 1) message += "; and " + count_text(runs.size() - 1, "more run") + " (-v)";
+      notes.push_back((k == 0 ? make_warning : make_note)("not-tilted", message, job_.toolpath.file, first));
+    }
+  }
+
+  /// Nothing gouges there, so nothing else tells of it.
+  void add_left_stock(const CorrectionFacts& facts, Diagnostics& notes) const {
+    if (facts.stock.empty()) return;
+    notes.push_back(make_warning("stock-left", stock_text(facts, job_.toolpath.unit), job_.toolpath.file,
+                                 facts.stock.front().first_line));
+  }
+
+  // Moving thousands of positions out of a part that lies elsewhere makes nothing of use.
+  int refuse(const std::string& misfit) {
+    const std::string message = misfit + "; nothing was written; --force corrects all the same";
+    return fail(err_, {make_error("path-misfit", message, job_.toolpath.file)}, kExitGouges);
+  }
+
+  const CorrectArguments& arguments_;
+  const CorrectOptions& correct_;
+  const RotaryLimit& limit_;
+  Job& job_;
+  JobOutputs& outputs_;
+  const JobContext& context_;
+  std::ostream& err_;
+  Progress& progress_;
+};
+
+}  // namespace
+
+std::optional<Diagnostic> find_wrong_value(const CorrectArguments& arguments) {
+  if (const Result<JobOptions> options = understand(arguments.job); !options) return options.error();
+  if (const Result<CorrectOptions> correct = understand_correction(arguments); !correct) return correct.error();
+  if (const Result<RotaryLimit> limit = understand_rotary_limit(arguments.max_rotary_speed); !limit)
+    return limit.error();
+  return std::nullopt;
+}
+
+int run_correct(const CorrectArguments& arguments, const JobContext& context) {
+  std::ostream& err = context.err;
+  const Result<JobOptions> options = understand(arguments.job);
+  const Result<CorrectOptions> correct = understand_correction(arguments);
+  if (!options || !correct) return fail(err, {!options ? options.error() : correct.error()});
+  const Result<RotaryLimit> limit = understand_rotary_limit(arguments.max_rotary_speed);
+  if (!limit) return fail(err, {limit.error()});
+  JobOutputs outputs(arguments.job, arguments.output);
+  if (const auto status = outputs.refuse(err)) return *status;
+  Progress progress(err, options->progress);
+  LoadedJob loaded = load_job(arguments.job, *options, progress, context.scenes);
+  progress.end();
+  if (!loaded.job) return fail(err, loaded.errors);
+  return CorrectRun(arguments, *correct, *limit, *loaded.job, outputs, progress, context).run();
+}
+
+}  // namespace gouge

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+
+#include "cli/job/job_context.h"
+#include "cli/options/correct_options.h"
+
+namespace gouge {
+
+/// The first value that is not what its option expects, before anything is read. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> find_wrong_value(const CorrectArguments& arguments);
+
+/// `gougecheck correct`. Returns the exit status.
+[[nodiscard]] int run_correct(const CorrectArguments& arguments, const JobContext& context);
+
+}  // namespace gouge

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cli/commands/check_command.h"
+#include "cli/options/correct_options.h"
+#include "lib/base/result.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace gouge {
+
+using CommandArguments = std::variant<CheckArguments, CorrectArguments>;
+
+/// What a file of options may set, and what its errors are called.
+struct WordRules {
+  std::string error_code;
+  /// Why an option of the command cannot stand in the file; nothing where it can.
+  std::optional<std::string> (*why_not)(const CLI::Option& option);
+  std::string why_no_dash;  ///< why a file cannot be -
+};
+/// Those of a job list.
+[[nodiscard]] const WordRules& job_rules();
+
+/// The table of options of "check" or "correct", as files set them.
+[[nodiscard]] const CLI::App& option_table(const std::string& command);
+
+/// The long name of the option that `key` of a file sets: its own, but for `harmless_words`, the list of
+/// --harmless-word.
+[[nodiscard]] std::string option_of_key(const std::string& key);
+/// The other way round.
+[[nodiscard]] std::string key_of_option(const std::string& name);
+
+/// The options of `check` or `correct` as the values of a job list or a project file give them.
+class JobWords {
+ public:
+  /// `command`: "check" or "correct". `folder`: that relative files are below; empty: the working directory.
+  JobWords(std::string command, std::string folder, const WordRules& rules = job_rules())
+      : command_(std::move(command)), folder_(std::move(folder)), rules_(&rules) {}
+
+  /// Adds "--key=value" for a text or a number, one for each entry of a list, and "--key" for a flag that is true. What
+  /// is given by body may be an object: {"shank": 0.5, "holder": 1}.
+  /// Errors: the rules' code, without a file, naming the key: one the command does not have or that cannot stand in the
+  /// file, or a value of the wrong kind.
+  [[nodiscard]] Outcome add(const std::string& key, const nlohmann::json& value);
+  /// `file` below the folder, if it is relative.
+  [[nodiscard]] std::string located(const std::string& file) const;
+  [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
+
+ private:
+  [[nodiscard]] Diagnostic wrong(const std::string& message) const;
+  [[nodiscard]] Diagnostic unknown(const std::string& key) const;
+  [[nodiscard]] Outcome add_by_body(const std::string& key, const nlohmann::json& value);
+
+  std::string command_, folder_;
+  const WordRules* rules_;
+  std::vector<std::string> words_;
+};
+
+/// Parses and understands `words` as the command line of `command`. Errors: usage, as the program says it.
+[[nodiscard]] Result<CommandArguments> parse_command(const std::string& command, const std::vector<std::string>& words);
+
+}  // namespace gouge

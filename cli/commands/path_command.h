@@ -1,0 +1,31 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "cli/options/reading_options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gouge {
+
+struct PathArguments {
+  std::string path;
+  ReadingArguments reading;
+  InputLimit input;
+  std::string json_file;
+  std::string output, to;          ///< convert and plot
+  std::vector<std::string> parts;  ///< plot
+  std::string place, stl_units;
+  bool is_info = false, is_convert = false;
+};
+
+void add_path_options(CLI::App& command, PathArguments& arguments);
+
+/// `gougecheck path info`, `convert` and `plot`. Returns the exit status.
+[[nodiscard]] int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err);
+
+}  // namespace gouge

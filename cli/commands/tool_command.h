@@ -1,0 +1,31 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "cli/commands/tool_import.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gouge {
+
+enum class ToolAction { list, show, draw, import };
+
+struct ToolArguments {
+  ToolAction action = ToolAction::list;
+  InputLimit input;
+  std::string tools_file;
+  std::string tool;    ///< number, T and number, or name; empty: all
+  std::string output;  ///< draw: .png or .svg; import: the library to write
+  ToolImportArguments import{};
+};
+
+void add_tool_options(CLI::App& command, ToolArguments& arguments);
+
+/// `gougecheck tool list|show|draw|import`: what is in a tool library, or in one of another program. Returns
+/// the exit status.
+[[nodiscard]] int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& err);
+
+}  // namespace gouge

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "cli/options/reading_options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gouge {
+
+struct ToolImportArguments {
+  std::string file;
+  InputLimit input;
+  std::string format = "auto";  ///< auto, fusion, freecad or nx
+  std::string holder;           ///< name in `tools_file`
+  std::string tools_file;
+  std::string unit;      ///< mm or inch; empty: as the file says
+  std::string stickout;  ///< as typed; empty: as the file says
+};
+
+void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, std::string& output);
+
+/// `gougecheck tool import`: writes `output` in our format; what was understood and assumed goes to `out`,
+/// warnings and errors to `err`. Tools that are wrong are left out, and make the exit status 3.
+[[nodiscard]] int run_tool_import(const ToolImportArguments& arguments, const std::string& output, std::ostream& out,
+                                  std::ostream& err);
+
+}  // namespace gouge

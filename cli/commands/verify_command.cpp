@@ -1,0 +1,204 @@
+#include "cli/commands/verify_command.h"
+
+#include <CLI/CLI.hpp>
+#include <ostream>
+#include <utility>
+
+#include "cli/commands/verify_text.h"
+#include "cli/job/claimed_result.h"
+#include "cli/job/claimed_scene.h"
+#include "cli/terminal/length_text.h"
+#include "cli/terminal/progress.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "lib/base/sha256.h"
+#include "lib/base/view_file.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kMostSeconds = 1e6;
+
+/// Of a result whose inputs are what they were.
+class Verifier {
+ public:
+  Verifier(const Job& job, const ClaimedResult& result, Progress& progress)
+      : result_(result), scene_(claimed_scene(job)), digest_(inputs_digest(result.inputs)), progress_(progress) {
+    done_.has_heads = !scene_.heads.empty();
+  }
+
+  /// Errors: certificate-invalid.
+  Result<Verification> run(const std::string& certificate_name, std::string_view certificate, double seconds) {
+    for (const std::string& what : find_contradictions(result_)) refute(std::nullopt, what);
+    if (scene_.path.moves.size() != result_.moves) {
+      refute(std::nullopt, "the result has " + std::to_string(result_.moves) + " moves and the toolpath " +
+                               std::to_string(scene_.path.moves.size()));
+      return std::move(done_);
+    }
+    claims_ = result_.claims_of(result_.moves);
+    const ClaimedTools tools = claimed_tools(scene_);
+    const SceneOrders orders(scene_);
+    progress_.begin("verifying witnesses");
+    check_witnesses(tools);
+    std::vector<ProofState> proofs(claims_.size(), ProofState::missing);
+    if (!certificate_name.empty()) {
+      done_.has_certificate = true;
+      Result<CertificateReading> read =
+          verify_certificate(scene_, orders, claims_, digest_, certificate_name, certificate, progress_.call());
+      if (!read) return read.error();
+      proofs = std::move(read->of_move);
+      for (const ProofRefutation& r : read->refuted) done_.refuted.push_back({r.move, std::nullopt, r.point, r.what});
+    }
+    count(proofs);
+    progress_.begin("looking for counterexamples");
+    done_.outside = check_outside(scene_, tools, claims_);
+    for (const Counterexample& c : done_.outside.refuted) done_.refuted.push_back({c.move, c.t, c.point, c.what});
+    std::vector<bool> is_proved(proofs.size());
+    for (std::size_t i = 0; i < proofs.size(); ++i) is_proved[i] = proofs[i] == ProofState::proved;
+    done_.attack = attack_claims(scene_, orders, tools, claims_, is_proved, seconds);
+    if (const auto& c = done_.attack.found) done_.refuted.push_back({c->move, c->t, c->point, c->what});
+    return std::move(done_);
+  }
+
+ private:
+  void refute(std::optional<std::size_t> move, std::string what) {
+    Verification::Refuted refuted;
+    refuted.move = move;
+    refuted.what = std::move(what);
+    done_.refuted.push_back(std::move(refuted));
+  }
+
+  void check_witnesses(const ClaimedTools& tools) {
+    for (const auto& [move, claim] : result_.claims) {
+      if (move >= claims_.size()) continue;
+      if (result_.lines.at(move) != scene_.path.moves[move].line)
+        refute(move, "the result names line " + std::to_string(result_.lines.at(move)) + " for it");
+      if (auto fault = find_witness_fault(scene_, tools, move, claim)) {
+        const auto& w = claim.witness;
+        done_.refuted.push_back({move, w ? std::optional(w->t) : std::nullopt,
+                                 w ? std::optional(w->point) : std::nullopt, "its witness: " + *fault});
+      } else if (claim.witness) {
+        ++done_.witnesses;
+      }
+    }
+  }
+
+  void count(const std::vector<ProofState>& proofs) {
+    for (std::size_t i = 0; i < claims_.size(); ++i) {
+      const bool is_proved = proofs[i] == ProofState::proved;
+      if (claims_clean(claims_[i])) {
+        ++(is_proved ? done_.proved_clean : done_.sampled_clean);
+        if (!is_proved && done_.has_certificate) done_.without_proof.push_back(i);
+      } else if (claims_[i].state == ClaimedState::gouge) {
+        ++(is_proved ? done_.proved_gouges : done_.sampled_gouges);
+      } else {
+        ++done_.uncovered;
+      }
+    }
+  }
+
+  const ClaimedResult& result_;
+  ClaimedScene scene_;
+  std::string digest_;
+  std::vector<MoveClaim> claims_;
+  Progress& progress_;
+  Verification done_;
+};
+
+/// The inputs that are not what the result was made from.
+Result<std::vector<Verification::Refuted>> find_changed(const ClaimedResult& result, std::uint64_t most_bytes) {
+  std::vector<Verification::Refuted> changed;
+  for (const InputFile& input : result.inputs) {
+    const Result<FileView> file = view_file(input.name, most_bytes);
+    if (!file) return file.error();
+    if ("sha256:" + sha256_of(file->bytes) == input.checksum) continue;
+    Verification::Refuted one;
+    one.what = "the " + input.role + " " + input.name + " is not the file that was checked (its SHA-256 differs)";
+    changed.push_back(std::move(one));
+  }
+  return changed;
+}
+
+bool are_same(const std::vector<InputFile>& a, const std::vector<InputFile>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const InputFile& x, const InputFile& y) {
+    return x.role == y.role && x.checksum == y.checksum;
+  });
+}
+
+int finish(const VerifyArguments& arguments, const Verification& verification, const ClaimedResult& result,
+           const Toolpath* path, std::ostream& out) {
+  if (!arguments.is_quiet) out << verification_text(verification, result, path);
+  return exit_status(verification);
+}
+
+}  // namespace
+
+void add_verify_options(CLI::App& command, VerifyArguments& a) {
+  command.add_option("RESULT", a.result_file, "Result of a check: --json, or result.json of a report's folder")
+      ->type_name("FILE")
+      ->required();
+  command.add_option("--certificate", a.certificate_file, "Proofs of the same check (check --certificate)")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--seconds", a.seconds,
+          "Attack by sampling for so long (default: the end of every move without a proof and 4000 instants more)")
+      ->type_name("SECONDS");
+  add_input_limit(command, a.input);
+  add_threads_option(command, a.threads);
+  add_progress_option(command, a.progress);
+  add_verbosity(command, a, "Print notes of all inputs and the peak memory (not with -q)");
+  command.footer(
+      "Example:\n"
+      "  gougecheck check part.apt --part part.stl --tools tools.json --json result.json --certificate proofs.gcp\n"
+      "  gougecheck verify result.json --certificate proofs.gcp\n\n"
+      "Reads the inputs that the result names (here, or beside it), recomputes every witness, follows every proof in "
+      "interval arithmetic and looks for counterexamples, by code that shares nothing with the check but the readers of "
+      "files. Exit status: 0 verified, 1 refuted, 2 wrong command line, 3 unreadable, 4 not everything is covered, 5 "
+      "internal or resource failure. docs/verify.md explains it with an example by hand.");
+}
+
+int run_verify(const VerifyArguments& a, std::ostream& out, std::ostream& err) {
+  if (const auto error = find_contradiction(a)) return fail(err, {*error});
+  const std::optional<double> seconds = a.seconds.empty() ? 0 : parse_number(a.seconds);
+  if (!seconds || !(*seconds >= 0 && *seconds <= kMostSeconds))
+    return fail(err, {usage_error("--seconds", a.seconds, "a number of seconds, 0 or more")});
+  Progress progress(err, understand_progress(a.progress));
+  progress.begin("reading " + a.result_file);
+  const Result<FileView> bytes = view_file(a.result_file, a.input.most_bytes);
+  if (!bytes) return fail(err, {bytes.error()});
+  Result<ClaimedResult> result = read_claimed_result(a.result_file, bytes->bytes);
+  if (!result) return fail(err, {result.error()}, kExitInput);
+  result->arguments.input = a.input;
+  result->options.check.threads = a.threads;
+  FileView certificate;
+  if (!a.certificate_file.empty()) {
+    Result<FileView> read = view_file(a.certificate_file, a.input.most_bytes);
+    if (!read) return fail(err, {read.error()});
+    certificate = std::move(*read);
+  }
+  Result<std::vector<Verification::Refuted>> changed = find_changed(*result, a.input.most_bytes);
+  if (!changed) return fail(err, {changed.error()}, kExitInput);
+  if (!changed->empty()) {
+    Verification verification;
+    verification.refuted = std::move(*changed);
+    progress.end();
+    return finish(a, verification, *result, nullptr, out);
+  }
+  LoadedJob loaded = load_job(result->arguments, result->options, progress);
+  progress.end();
+  if (!loaded.job) return fail(err, loaded.errors, kExitInput);
+  if (!are_same(loaded.job->inputs, result->inputs))
+    return fail(err,
+                {make_error("input-changed", "the inputs changed while they were read; run it again", a.result_file)});
+  print_notes(err, loaded.job->notes, a);
+  Result<Verification> verification =
+      Verifier(*loaded.job, *result, progress).run(a.certificate_file, certificate.bytes, *seconds);
+  progress.end();
+  if (!verification) return fail(err, {verification.error()}, kExitInput);
+  if (a.is_verbose) print_peak_memory(err);
+  return finish(a, *verification, *result, &loaded.job->toolpath, out);
+}
+
+}  // namespace gouge

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/options/job_options.h"
+#include "lib/base/result.h"
+#include "lib/verify/claims.h"
+#include "postproc/report/report_model.h"
+
+// A result as JSON, read back: what was checked, with which options, and what is claimed of it.
+
+namespace gouge {
+
+struct ClaimedResult {
+  JobArguments arguments;  ///< files, tools and how they are read, as of the command that wrote the result
+  JobOptions options;
+  std::vector<InputFile> inputs;
+  std::string program;  ///< name and version
+  std::string verdict;  ///< its word
+  std::size_t exit_status = 0;
+  bool has_baseline = false;              ///< some gouges may be accepted
+  std::vector<std::string> open_facts;    ///< assumptions that it calls open
+  std::vector<std::string> hidden_facts;  ///< contradicted or unknown ones that it does not
+  double mm_per_unit = 1;
+  std::size_t moves = 0, left_out_as_asked = 0;  ///< as it says, whatever the toolpath has
+  std::map<std::size_t, MoveClaim> claims;       ///< of every move that is not clean
+  std::map<std::size_t, std::size_t> lines;      ///< of these
+  std::map<std::string, std::size_t> totals;     ///< by the name of a state
+
+  struct Finding {
+    ClaimedState state = ClaimedState::not_checked;
+    std::size_t first_move = 0, last_move = 0, worst_move = 0;
+  };
+  std::vector<Finding> findings;
+
+  /// One a move of a path of so many.
+  [[nodiscard]] std::vector<MoveClaim> claims_of(std::size_t path_moves) const;
+};
+
+/// `file` is the name of the result. Inputs that are not where the result says are looked for beside it.
+/// Errors  those of JSON (result-syntax, result-duplicate-key, json-too-deep, json-too-long), result-invalid: it is no
+///         result of `check`, or has an option that cannot be, and result-field with the line: a value that is missing or
+///         not as expected.
+[[nodiscard]] Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_view bytes);
+
+/// What contradicts itself in a result, its verdict among it; nothing where all fits.
+[[nodiscard]] std::vector<std::string> find_contradictions(const ClaimedResult& result);
+
+}  // namespace gouge

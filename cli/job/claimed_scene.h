@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/job/job.h"
+#include "lib/verify/certificate.h"
+
+// What a verification is told of a job, and of the result of its check.
+
+namespace gouge {
+
+/// The job must outlive it.
+[[nodiscard]] ClaimedScene claimed_scene(const Job& job);
+
+[[nodiscard]] std::vector<MoveClaim> claims_of(const CheckResult& result);
+
+/// SHA-256 of the roles and checksums of all inputs, in their order: what a certificate is about.
+[[nodiscard]] std::string inputs_digest(const std::vector<InputFile>& inputs);
+
+/// The warning for moves without a proof. Requires that there are some.
+[[nodiscard]] Diagnostic describe_unproved(const Job& job, const MadeCertificate& certificate);
+
+}  // namespace gouge

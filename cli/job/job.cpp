@@ -1,0 +1,231 @@
+#include "cli/job/job.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "cli/job/identity.h"
+#include "cli/options/length_rule.h"
+#include "cli/tools/resolve_tools.h"
+#include "lib/base/files.h"
+#include "lib/check/reach.h"
+#include "lib/check/scene_reach.h"
+#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/report/report_text.h"
+#include "toolmodels/compile_tool.h"
+#include "toolmodels/import/read_any_tools.h"
+
+namespace gouge {
+namespace {
+
+class JobLoader {
+ public:
+  JobLoader(const JobArguments& arguments, const JobOptions& options, Progress& progress)
+      : arguments_(arguments), progress_(progress) {
+    job_.options = options;
+  }
+
+  LoadedJob run(const SceneSource& scenes) {
+    LoadedJob loaded;
+    const bool has_path = read_path();
+    read_scene(scenes);
+    if (has_path && errors_.empty()) read_tools();
+    if (errors_.empty()) assume_inputs();
+    loaded.errors = errors_;
+    if (errors_.empty()) loaded.job = std::move(job_);
+    return loaded;
+  }
+
+ private:
+  bool read_path() {
+    progress_.begin("reading " + arguments_.path);
+    Result<PagedVector<char>> bytes = read_long_file(arguments_.path, arguments_.input.most_bytes);
+    if (!bytes) {
+      errors_.push_back(bytes.error());
+      return false;
+    }
+    SourceText text(std::move(*bytes));
+    job_.inputs.push_back(describe_input("toolpath", arguments_.path, text));
+    ReadOutcome outcome = read_toolpath(arguments_.path, std::move(text), job_.options.reading, progress_.call());
+    errors_.insert(errors_.end(), outcome.errors.begin(), outcome.errors.end());
+    if (!outcome.toolpath) return false;
+    job_.toolpath = std::move(*outcome.toolpath);
+    add_notes(job_.toolpath.notes);
+    if (job_.toolpath.unit == LengthUnit::inch && !arguments_.lengths_in_mm.empty())
+      job_.notes.push_back(describe_lengths_in_mm(arguments_.lengths_in_mm, "the toolpath"));
+    for (const Move& move : job_.toolpath.moves) {
+      if (is_within_reach(move.end.tip)) continue;
+      errors_.push_back(
+          make_error("path-too-far",
+                     "the position is more than 100 m from the origin; expected a path within that; check the units",
+                     arguments_.path, move.line));
+      return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] LengthUnit stl_unit() const { return job_.stl_unit(arguments_); }
+
+  void read_scene(const SceneSource& scenes) {
+    const JobArguments& a = arguments_;
+    job_.files = scenes({a.parts, a.fixtures, a.heads, stl_unit(), job_.options.place, a.place, a.input.most_bytes,
+                         job_.options.check.threads},
+                        progress_);
+    errors_.insert(errors_.end(), job_.files->errors.begin(), job_.files->errors.end());
+    job_.inputs.insert(job_.inputs.end(), job_.files->inputs.begin(), job_.files->inputs.end());
+    add_notes(job_.files->notes);
+  }
+
+  void read_tools() {
+    progress_.begin("reading the tools");
+    std::optional<ToolLibrary> library;
+    if (!arguments_.tools_file.empty()) {
+      const Result<std::string> bytes = read_file(arguments_.tools_file, arguments_.input.most_bytes);
+      if (!bytes) return errors_.push_back(bytes.error());
+      job_.inputs.push_back(describe_input("tools", arguments_.tools_file, *bytes));
+      Result<ReadTools> read = read_any_tools(arguments_.tools_file, *bytes, arguments_.input.most_bytes);
+      if (!read) return errors_.push_back(read.error());
+      for (const BesideFile& beside : read->besides)
+        job_.inputs.push_back(describe_input("named-by-tools", beside.path, beside.bytes));
+      library = std::move(read->library);
+      add_notes(library->notes);
+    }
+    Result<ResolvedTools> resolved =
+        resolve_tools(job_.toolpath, library ? &*library : nullptr, arguments_.tool_names, arguments_.holder);
+    if (!resolved) return errors_.push_back(resolved.error());
+    const bool is_any_defined =
+        std::ranges::any_of(resolved->assemblies, [](const auto& assembly) { return assembly.has_value(); });
+    if (!is_any_defined) return errors_.push_back(no_tool());
+    add_notes(resolved->notes);
+    job_.tool_facts = std::move(resolved->facts);
+    job_.basis.inputs = std::move(resolved->assumptions);
+    job_.assemblies = std::move(resolved->assemblies);
+    identify_tools();
+    for (const auto& assembly : job_.assemblies) {
+      job_.variants.emplace_back();
+      if (!assembly) continue;
+      const CheckOptions& c = job_.options.check;
+      Result<ToolVariants> variants = make_tool_variants(
+          arguments_.is_extended_up ? job_.without_end(*assembly) : *assembly, c.stock_to_leave_mm,
+          c.shank_clearance_mm, c.holder_clearance_mm, needs_wide_tool(job_.toolpath, job_.variants.size() - 1));
+      if (!variants) return errors_.push_back(variants.error());
+      job_.variants.back() = std::move(*variants);
+    }
+  }
+
+  void identify_tools() {
+    for (std::size_t i = 0; i < job_.assemblies.size(); ++i) {
+      if (job_.assemblies[i]) identify_tool(*job_.assemblies[i], arguments_.is_extended_up, job_.tool_facts[i]);
+    }
+  }
+
+  // What is stated on the command line or in the project file, and what the files are.
+  void assume_inputs() {
+    SetupBasis& basis = job_.basis;
+    for (const MeshFacts* mesh : meshes()) basis.inputs.push_back(mesh->solid);
+    if (!arguments_.stl_units.empty()) basis.mesh_unit = stl_unit();
+    basis.place = arguments_.place;
+    basis.vouched = job_.options.vouched;
+    basis.is_strict = arguments_.is_strict;
+  }
+
+  [[nodiscard]] std::vector<const MeshFacts*> meshes() const {
+    std::vector<const MeshFacts*> all;
+    for (const auto* facts : {&job_.files->parts, &job_.files->fixtures, &job_.files->head_facts}) {
+      for (const MeshFacts& mesh : *facts) all.push_back(&mesh);
+    }
+    return all;
+  }
+
+  [[nodiscard]] Diagnostic no_tool() const {
+    const std::size_t line =
+        job_.toolpath.tools.empty() ? std::size_t{job_.toolpath.moves.front().line} : job_.toolpath.tools.front().line;
+    return make_error(
+        "no-tool",
+        "no tool of the toolpath is defined, so nothing can be checked; expected CUTTER or TLDATA in the file, or a "
+        "library that has the tool: --tools LIB.json, with --tool NAME where the file names none",
+        arguments_.path, line);
+  }
+
+  void add_notes(const Diagnostics& notes) { job_.notes.insert(job_.notes.end(), notes.begin(), notes.end()); }
+
+  const JobArguments& arguments_;
+  Progress& progress_;
+  Job job_;
+  Diagnostics errors_;
+};
+
+}  // namespace
+
+std::vector<const ToolVariants*> Job::tools() const {
+  std::vector<const ToolVariants*> all;
+  for (const auto& form : variants) all.push_back(form ? &*form : nullptr);
+  return all;
+}
+
+ToolAssembly Job::without_end(const ToolAssembly& tool) const {
+  const Result<Profile> profile = make_profile(tool);
+  if (!profile) return tool;
+  return extended_up(tool, reach_mm(toolpath, scene()) + compile_tool("", *profile).r_max_mm);
+}
+
+CheckSetup Job::setup(const PreparedScene& prepared) const {
+  return {tools(), heads(), prepared, options.check, nullptr, basis};
+}
+
+ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result) const {
+  ReportModel model;
+  model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  model.sign_off = {options.date, arguments.command, arguments.project, arguments.reviewer};
+  model.inputs = inputs;
+  if (arguments.project_file) model.inputs.push_back(arguments.project_file->input);
+  model.options = options.check;
+  model.placement = placement_identity(options.place, stl_unit(arguments));
+  if (!arguments.place.empty()) model.more_options.push_back({"place", with_units(arguments.place)});
+  if (!arguments.stl_units.empty()) model.more_options.push_back({"stl-units", arguments.stl_units});
+  if (!arguments.reading.dialect.empty()) model.more_options.push_back({"dialect", arguments.reading.dialect});
+  if (!arguments.reading.cutcom.empty()) model.more_options.push_back({"cutcom", arguments.reading.cutcom});
+  for (const std::string& word : arguments.reading.harmless_words)
+    model.more_options.push_back({"harmless-word", word});
+  if (!arguments.reading.units.empty()) model.more_options.push_back({"toolpath-units", arguments.reading.units});
+  if (!arguments.holder.empty()) model.more_options.push_back({"holder", arguments.holder});
+  if (arguments.is_extended_up) model.more_options.push_back({"extend-up", "yes"});
+  for (const std::string& name : arguments.allowed_overlaps) model.more_options.push_back({"allow-overlap", name});
+  for (const std::string& head : arguments.heads) model.more_options.push_back({"head", head});
+  for (const std::string& name : arguments.tool_names) model.more_options.push_back({"tool", name});
+  for (const std::string& fact : arguments.assumed) model.more_options.push_back({"assume", fact});
+  if (arguments.is_strict) model.more_options.push_back({"strict", "yes"});
+  model.toolpath = &path;
+  model.result = &result;
+  model.parts = files->parts;
+  model.fixtures = files->fixtures;
+  model.heads = files->head_facts;
+  model.tools = tool_facts;
+  model.notes = notes;
+  if (arguments.project_file)
+    model.notes.push_back(make_note(kProjectFile, arguments.project_file->summary, arguments.project_file->input.name));
+  const Diagnostics open = open_warnings(result.assumptions);
+  model.notes.insert(model.notes.end(), open.begin(), open.end());
+  return model;
+}
+
+LengthUnit Job::stl_unit(const JobArguments& arguments) const {
+  if (arguments.stl_units.empty()) return toolpath.unit;
+  return unit_called(arguments.stl_units).value_or(LengthUnit::mm);
+}
+
+LoadedJob load_job(const JobArguments& arguments, const JobOptions& options, Progress& progress,
+                   const SceneSource& scenes) {
+  return JobLoader(arguments, options, progress).run(scenes);
+}
+
+Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes) {
+  ReadOptions reading = job.options.reading;
+  reading.dialect = dialect_called(job.toolpath.dialect);
+  ReadOutcome outcome = read_toolpath(file, std::move(bytes), reading);
+  if (!outcome.toolpath) return outcome.errors.front();
+  // The dialect was given here; how that of the first file is known is what counts.
+  copy_facts(Subject::dialect, job.toolpath.assumptions, outcome.toolpath->assumptions);
+  return std::move(*outcome.toolpath);
+}
+
+}  // namespace gouge

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "cli/job/scene_files.h"
+#include "cli/options/job_options.h"
+
+namespace gouge {
+
+/// Scenes that several jobs share: each is read and indexed once, by the first job that asks, while others that want the
+/// same wait, and is let go when the last job that may ask for it is done. May be used from several threads.
+class SceneStore {
+ public:
+  /// Files are read from `copies`, which must outlive it; none: where they are.
+  explicit SceneStore(MeshCopies* copies = nullptr) : copies_(copies) {}
+
+  /// One more job will ask for the scene of these arguments.
+  void expect(const JobArguments& arguments);
+  /// A job that was expected is done with it.
+  void release(const JobArguments& arguments);
+  /// Where a job of these arguments has its scene from; the store must outlive it.
+  [[nodiscard]] SceneSource source(const JobArguments& arguments);
+  /// Equal for jobs that may share a scene: which files they name and how.
+  [[nodiscard]] static std::string group_of(const JobArguments& arguments);
+
+ private:
+  struct Entry {
+    std::once_flag once;
+    std::shared_ptr<const SceneFiles> files;
+  };
+  struct Group {
+    std::size_t jobs = 0;
+    std::map<std::string, std::shared_ptr<Entry>> entries;  // by SceneRequest::key, as units may come from the toolpath
+  };
+
+  MeshCopies* copies_;
+  std::mutex guard_;
+  std::map<std::string, Group> groups_;
+};
+
+}  // namespace gouge

@@ -1,0 +1,37 @@
+#include "cli/options/baseline.h"
+
+#include <CLI/CLI.hpp>
+
+#include "lib/base/files.h"
+#include "postproc/accept/apply_baseline.h"
+
+namespace gouge {
+
+void add_baseline_option(CLI::App& command, std::string& file) {
+  command
+      .add_option("--baseline", file,
+                  "Findings that were accepted ('gougecheck accept'): counted and listed apart, as long as nothing has "
+                  "changed")
+      ->type_name("FILE");
+}
+
+void LoadedBaseline::apply(ReportModel& model) const {
+  if (file.empty()) return;
+  model.inputs.push_back(input);
+  model.baseline = apply_baseline(file, accepted, model);
+}
+
+Result<LoadedBaseline> load_baseline(const std::string& file, const InputLimit& limit) {
+  LoadedBaseline loaded;
+  if (file.empty()) return loaded;
+  const Result<std::string> bytes = read_file(file, limit.most_bytes);
+  if (!bytes) return bytes.error();
+  Result<std::vector<Acceptance>> accepted = read_accepted(file, *bytes);
+  if (!accepted) return accepted.error();
+  loaded.file = file;
+  loaded.input = describe_input("baseline", file, *bytes);
+  loaded.accepted = std::move(*accepted);
+  return loaded;
+}
+
+}  // namespace gouge

@@ -1,0 +1,97 @@
+#include "cli/options/batch_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string_view>
+
+#include "cli/options/baseline.h"
+#include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
+
+namespace gouge {
+
+Result<Shard> understand_shard(const std::string& text) {
+  if (text.empty()) return Shard{};
+  const std::size_t slash = text.find('/');
+  const auto index = parse_integer(text.substr(0, slash));
+  const auto count = slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
+  if (!index || !count || *index < 1 || *count < *index || *count > 1'000'000)
+    return make_error("usage", "--shard '" + printable(text) + "': expected I/N, share I of N, such as 2/8");
+  return Shard{static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
+}
+
+void add_batch_options(CLI::App& command, BatchArguments& a) {
+  command
+      .add_option(
+          "JOBS", a.files,
+          "A job list (JOBS.json, docs/formats/batch.md), or toolpaths that are all checked with the options of "
+          "check given here")
+      ->type_name("FILE");
+  command
+      .add_option("-o,--output", a.folder,
+                  "Folder for the results: index.html, summary.csv, summary.json, junit.xml, findings.sarif, "
+                  "results.sqlite, reports/, corrected/")
+      ->type_name("FOLDER")
+      ->required();
+  command.add_option("--jobs", a.jobs, "Jobs to run at once at most (0: as many as threads)")->capture_default_str();
+  command.add_flag("--resume", a.is_resumed, "Go on with a batch that was interrupted; what is done stays");
+  command.add_flag("--fresh", a.is_fresh, "Run every job again, also those whose inputs and options have not changed");
+  command.add_flag("--dry-run", a.is_rehearsal, "List the jobs and their options; write nothing");
+  command.add_flag("--no-reports", a.is_without_reports, "Write no report of any job, only the summary of all");
+  command.add_option("--stop-on", a.stop_on, "Begin no more jobs after one that failed, or also after one that gouges")
+      ->check(CLI::IsMember({"error", "gouge"}));
+  command
+      .add_option("--memory", a.memory_gb, "Memory in GB that jobs may need together (default: 3/4 of the machine's)")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--chunk", a.chunk,
+                  "Moves of a long check after which what is done of it is kept, for --resume; rounded up to 256")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber)
+      ->type_name("MOVES");
+  command.add_option("--shard", a.shard, "Run share I of N of the jobs alone; 'gougecheck merge' joins the folders")
+      ->type_name("I/N");
+  command
+      .add_option("--watch", a.watch,
+                  "Check the toolpaths of a folder (or like 'hot/*.apt') now, and each that is written there, until "
+                  "ctrl-C")
+      ->type_name("FOLDER");
+  command
+      .add_option("--scratch", a.scratch,
+                  "A folder on a disk of this machine, where meshes are copied, once for all processes here, and read "
+                  "from: for meshes on a slow file system that many share")
+      ->type_name("FOLDER");
+  command.add_flag("--force", a.is_forced,
+                   "Let outputs replace files of their names that no batch or report wrote, never an input");
+  add_common_job_options(command, a.job, false);
+  add_baseline_option(command, a.job.baseline_file);
+  add_progress_option(command, a.progress);
+  add_verbosity(command, a, "Print notes as well (not with -q)");
+  command.footer(
+      "Examples:\n"
+      "  gougecheck batch ops/*.apt --part part.stl --tools tools.json -o night\n"
+      "  gougecheck batch jobs.json -o night --resume\n\n"
+      "A job list:\n"
+      "  {\"defaults\": {\"part\": \"part.stl\", \"tools\": \"tools.json\"},\n"
+      "   \"jobs\": [{\"name\": \"op10\", \"path\": \"op10.apt\"},\n"
+      "            {\"path\": \"finish/*.apt\", \"command\": \"correct\"}]}\n\n"
+      "Exit status: that of the worst job, in the order 5, 2, 3, 1, 4, 0; see 'gougecheck check --help'.");
+}
+
+void take_words(const CLI::App& command, BatchArguments& arguments) {
+  constexpr std::string_view kOwn[] = {"output",   "jobs",  "resume",  "fresh", "dry-run", "no-reports", "stop-on",
+                                       "memory",   "chunk", "shard",   "watch", "scratch", "force",      "threads",
+                                       "progress", "quiet", "verbose", "color", "help"};
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string& name = option->get_lnames().front();
+    if (std::ranges::find(kOwn, name) != std::end(kOwn)) continue;
+    if (option->get_items_expected_max() == 0) {
+      arguments.words.push_back("--" + name);
+      continue;
+    }
+    for (const std::string& value : option->results()) arguments.words.push_back("--" + name + "=" + value);
+  }
+}
+
+}  // namespace gouge

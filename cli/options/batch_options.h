@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/options/job_options.h"
+#include "lib/base/result.h"
+
+namespace gouge {
+
+/// Which share of a job list is run: number `index` of `count`, from 1.
+struct Shard {
+  std::size_t index = 1, count = 1;
+
+  /// Decided by the place of the job in its list alone.
+  [[nodiscard]] bool has(std::size_t job) const { return job % count == index - 1; }
+};
+
+struct BatchArguments : Verbosity {
+  std::vector<std::string> files;  ///< a job list, or toolpaths
+  JobArguments job;                ///< how toolpaths are checked; `job.threads` of the whole batch
+  std::vector<std::string> words;  ///< the options of `job` that were given
+  std::string folder, progress = "auto", stop_on, shard, watch, scratch;
+  std::uint32_t jobs = 0;
+  double memory_gb = 0;
+  std::size_t chunk = 65536;  ///< moves
+  bool is_resumed = false, is_fresh = false, is_rehearsal = false, is_without_reports = false, is_forced = false;
+};
+
+/// "2/8". Errors (code usage).
+[[nodiscard]] Result<Shard> understand_shard(const std::string& text);
+
+void add_batch_options(CLI::App& command, BatchArguments& arguments);
+
+/// Notes which options of a job were given. To be called after the parse.
+void take_words(const CLI::App& command, BatchArguments& arguments);
+
+}  // namespace gouge

@@ -1,0 +1,265 @@
+#include "cli/options/correct_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "cli/options/length_rule.h"
+#include "cli/terminal/length_text.h"
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kMostTilt = 89, kMostCone = 180, kMostTurn = 1e6;
+
+constexpr const char* kExpectedStrategy =
+    "auto, tilt, normal, weighted, axis, trim or direction=I,J,K, for all bodies or after cutter=, shank=, holder= or head= "
+    "for one";
+constexpr std::string_view kDirection = "direction=";
+
+Result<double> understand_degrees(const std::string& option, const std::string& typed, double most) {
+  const auto value = parse_number(typed);
+  if (value && *value > 0 && *value <= most) return *value * kDegree;
+  return usage_error(option, typed, "degrees above 0 and at most " + people_text(most, 0));
+}
+
+/// The strategy called `name` for `body`; nothing where there is none.
+std::optional<Strategy> strategy_called(const std::string& name, std::size_t body) {
+  if (name == "auto") return BodyStrategies{}.of[body];
+  for (const Strategy strategy :
+       {Strategy::weighted, Strategy::axis, Strategy::tilt, Strategy::normal, Strategy::trim}) {
+    if (name == strategy_name(strategy)) return strategy;
+  }
+  return name.starts_with(kDirection) ? std::optional(Strategy::direction) : std::nullopt;
+}
+
+std::optional<Vec3> direction_of(const std::vector<double>& numbers) {
+  const Vec3 vector(numbers[0], numbers[1], numbers[2]);
+  return vector.norm() > 1e-6 && vector.norm() < 1e6 ? std::optional<Vec3>(vector.normalized()) : std::nullopt;
+}
+
+/// [BODY=]NAME; the body is empty where it is for all.
+struct NamedStrategy {
+  std::string typed, body, name;
+};
+
+NamedStrategy divide(const std::string& typed) {
+  const std::size_t equals = typed.starts_with(kDirection) ? std::string::npos : typed.find('=');
+  if (equals == std::string::npos) return {typed, "", typed};
+  return {typed, typed.substr(0, equals), typed.substr(equals + 1)};
+}
+
+/// What is for one body holds for that, wherever it stands.
+Result<BodyStrategies> understand_strategies(const std::vector<std::string>& all) {
+  constexpr std::array kBodies = {Body::cutter, Body::shank, Body::holder, Body::head};
+  std::vector<NamedStrategy> given;
+  for (const std::string& typed : all) given.push_back(divide(typed));
+  std::stable_partition(given.begin(), given.end(), [](const NamedStrategy& one) { return one.body.empty(); });
+  BodyStrategies strategies;
+  std::set<std::string> bodies;
+  for (const auto& [one, wanted, name] : given) {
+    bool is_any = false;
+    if (one.starts_with('=')) return usage_error("--strategy", one, kExpectedStrategy);
+    if (!bodies.insert(wanted).second)
+      return usage_error("--strategy", one,
+                         wanted.empty() ? "one strategy for all bodies" : "one strategy for " + wanted);
+    for (const Body body : kBodies) {
+      if (!wanted.empty() && wanted != body_name(body)) continue;
+      const auto index = static_cast<std::size_t>(body);
+      const auto strategy = strategy_called(name, index);
+      // A cutter that gouges is inside the surface that it shall keep to: no tilt about the contact frees it.
+      if (!strategy || (wanted == "cutter" && *strategy == Strategy::tilt))
+        return usage_error("--strategy", one, strategy ? "no tilt for the cutter: it shifts" : kExpectedStrategy);
+      if (*strategy == Strategy::direction) {
+        const auto numbers = parse_numbers(name.substr(kDirection.size()), 3);
+        const auto direction = numbers ? direction_of(*numbers) : std::nullopt;
+        if (!direction) return usage_error("--strategy", one, "three numbers of a direction, as in direction=0,0,1");
+        strategies.direction = *direction;
+      }
+      strategies.of[index] =
+          body == Body::cutter && *strategy == Strategy::tilt ? BodyStrategies::kOfCutter : *strategy;
+      is_any = true;
+    }
+    if (!is_any) return usage_error("--strategy", one, kExpectedStrategy);
+  }
+  return strategies;
+}
+
+Result<AxisCone> understand_cone(const std::string& typed) {
+  const auto wrong = [&] {
+    return usage_error("--axis-cone", typed, "I,J,K,DEGREES: a direction and an angle above 0 and at most 180");
+  };
+  const auto numbers = parse_numbers(typed, 4);
+  const auto axis = numbers ? direction_of(*numbers) : std::nullopt;
+  const double degrees = numbers ? numbers->back() : 0;
+  if (!axis || !(degrees > 0) || degrees > kMostCone) return wrong();
+  return AxisCone{*axis, degrees * kDegree};
+}
+
+Result<TiltOptions> understand_tilt(const CorrectArguments& arguments) {
+  TiltOptions tilt;
+  const Result<double> most = understand_degrees("--max-tilt", arguments.max_tilt, kMostTilt);
+  if (!most) return most.error();
+  tilt.max_tilt_rad = *most;
+  if (arguments.tilt == "lead") tilt.freedom = TiltFreedom::lead;
+  if (arguments.tilt == "side") tilt.freedom = TiltFreedom::side;
+  if (!arguments.axis_cone.empty()) {
+    const Result<AxisCone> cone = understand_cone(arguments.axis_cone);
+    if (!cone) return cone.error();
+    tilt.cone = *cone;
+  }
+  if (!arguments.max_turn.empty()) {
+    const Result<double> turn = understand_degrees("--max-turn", arguments.max_turn, kMostTurn);
+    if (!turn) return turn.error();
+    tilt.max_turn_rad_per_mm = *turn;
+  }
+  if (!arguments.max_turn_step.empty()) {
+    const Result<double> step = understand_degrees("--max-turn-step", arguments.max_turn_step, kMostCone);
+    if (!step) return step.error();
+    tilt.max_turn_step_rad = *step;
+  }
+  const Result<double> blend = understand_length("--blend", arguments.blend, Least::above_zero);
+  if (!blend) return blend.error();
+  tilt.blend_mm = *blend;
+  const Result<double> stock = understand_length("--allow-stock", arguments.max_stock, Least::zero);
+  if (!stock) return stock.error();
+  tilt.max_stock_mm = *stock;
+  return tilt;
+}
+
+void add_tilt_options(CLI::App& command, CorrectArguments& arguments) {
+  command.add_option("--max-tilt", arguments.max_tilt, "Furthest the tool axis may be tilted from the programmed one")
+      ->type_name("DEG")
+      ->capture_default_str();
+  command
+      .add_option("--tilt", arguments.tilt,
+                  "Which way: lead, forward and back in the feed direction; side, to its sides; both")
+      ->check(CLI::IsMember({"lead", "side", "both"}))
+      ->capture_default_str();
+  command
+      .add_option("--axis-cone", arguments.axis_cone,
+                  "Tilted tool axes stay within DEG of the direction I,J,K: what the machine can reach")
+      ->type_name("I,J,K,DEG");
+  command
+      .add_option("--max-turn", arguments.max_turn, "Fastest the tool axis may turn, unless programmed to turn faster")
+      ->type_name("DEG/MM");
+  command.add_option("--max-turn-step", arguments.max_turn_step, "Furthest the tool axis may turn in one record")
+      ->type_name("DEG");
+  command
+      .add_option("--blend", arguments.blend, "Way of the tip over which a tilt comes and goes, where the path has it")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command
+      .add_option("--allow-stock", arguments.max_stock,
+                  "How much more than the tolerance a tilt may leave of what the programmed path finished; what any "
+                  "change leaves beyond that is reported")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command.add_flag("--allow-multax", arguments.may_add_axes,
+                   "Tilt also in a file that states no tool axes; it then runs on five axes alone");
+}
+
+}  // namespace
+
+Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) {
+  CorrectOptions options;
+  const Result<BodyStrategies> strategies = understand_strategies(arguments.strategies);
+  if (!strategies) return strategies.error();
+  options.strategies = *strategies;
+  const Result<TiltOptions> tilt = understand_tilt(arguments);
+  if (!tilt) return tilt.error();
+  options.tilt = *tilt;
+  options.may_add_axes = arguments.may_add_axes;
+  const Result<double> shift = understand_length("--max-shift", arguments.max_shift, Least::above_zero);
+  if (!shift) return shift.error();
+  options.max_shift_mm = *shift;
+  const Result<double> clearance = understand_length("--rapid-clearance", arguments.rapid_clearance, Least::zero);
+  if (!clearance) return clearance.error();
+  options.rapid_clearance_mm = *clearance;
+  if (arguments.max_side_shift.empty()) return options;
+  const Result<double> side_shift = understand_length("--max-side-shift", arguments.max_side_shift, Least::zero);
+  if (!side_shift) return side_shift.error();
+  options.max_side_shift_mm = *side_shift;
+  return options;
+}
+
+std::vector<OptionText> limits_in_force(const CorrectArguments& arguments) {
+  std::vector<OptionText> limits = {{"max-tilt", arguments.max_tilt},
+                                    {"tilt", arguments.tilt},
+                                    {"blend", with_units(arguments.blend)},
+                                    {"allow-stock", with_units(arguments.max_stock)}};
+  const auto add = [&](const char* name, const std::string& typed) {
+    if (!typed.empty()) limits.push_back({name, typed});
+  };
+  add("axis-cone", arguments.axis_cone);
+  add("max-turn", arguments.max_turn);
+  add("max-turn-step", arguments.max_turn_step);
+  add("allow-multax", arguments.may_add_axes ? "yes" : "");
+  add("max-rotary-speed", arguments.max_rotary_speed);
+  return limits;
+}
+
+std::string strategies_text(const CorrectArguments& arguments) {
+  std::string text;
+  for (const std::string& one : arguments.strategies) text += (text.empty() ? "" : ", ") + one;
+  return text.empty() ? "auto" : text;
+}
+
+void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
+  add_job_options(command, arguments.job);
+  command.option_defaults()->group("Correction");
+  command
+      .add_option("-o,--output", arguments.output,
+                  "The corrected toolpath, in the same dialect (- for standard output alone)")
+      ->type_name("FILE")
+      ->required()
+      ->group(kOutputGroup);
+  command
+      .add_option(
+          "--strategy", arguments.strategies,
+          "auto: shift the cutter along the part's normal, tilt shank, holder and heads away, else lift along the axis; "
+          "tilt; normal: shift along the normal of the deepest contact; weighted: shift by the contacts' weighted mean; "
+          "both else along the axis; axis: lift alone; trim: leave the gouging stretch out (retract, cross, come down "
+          "again); or for one body: holder=tilt. May be repeated (default: auto)")
+      ->type_name("[BODY=]NAME")
+      ->allow_extra_args(false);
+  command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command
+      .add_option("--max-side-shift", arguments.max_side_shift,
+                  "Furthest a position may be moved across its tool axis (default: its depth times 2)")
+      ->type_name("LENGTH");
+  command
+      .add_option(
+          "--rapid-clearance", arguments.rapid_clearance,
+          "How far rapids that must change, and crossings above what is left out, keep off, where there is room "
+          "within --max-shift")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  add_tilt_options(command, arguments);
+  command
+      .add_option("--max-rotary-speed", arguments.max_rotary_speed,
+                  "Report the feed time also for an axis that turns no faster; it changes no correction")
+      ->type_name("DEG/MIN");
+  command
+      .add_flag("--force", arguments.job.is_forced,
+                "Correct also a path that plainly does not fit the part (units, placement, axis sign); let --report "
+                "replace and remove files of a report's names that no report wrote, never an input")
+      ->group(kOutputGroup);
+  command.footer(
+      "Example:\n"
+      "  gougecheck correct finish.apt --part part.stl --tools tools.json -o out.apt\n\n"
+      "The corrected file is read and checked again like any other; records that need no change stay byte for byte.\n"
+      "No move that was clean becomes anything else, none becomes deeper or buried.\n"
+      "Exit status 1: gouges remain, listed with the reason; or the path does not fit the part, and nothing was "
+      "written.");
+}
+
+}  // namespace gouge

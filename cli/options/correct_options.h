@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options/job_options.h"
+#include "lib/correct/correct_path.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+
+/// The options of `correct`, as typed.
+struct CorrectArguments {
+  JobArguments job;
+  std::string output;
+  std::string output_name;              ///< as reports call it; empty: as it was typed
+  std::vector<std::string> strategies;  ///< "tilt", or "holder=tilt" for one body
+  std::string max_shift = "20";
+  std::string max_side_shift;  ///< empty: by the depth
+  std::string rapid_clearance = "1";
+  std::string max_tilt = "30", tilt = "both", axis_cone, max_turn, max_turn_step, blend = "10";
+  std::string max_stock = "0.01";  ///< above the tolerance
+  bool may_add_axes = false;
+  std::string max_rotary_speed;  ///< empty: no limit
+
+  [[nodiscard]] const std::string& reported_output() const { return output_name.empty() ? output : output_name; }
+};
+
+void add_correct_options(CLI::App& command, CorrectArguments& arguments);
+
+/// Errors (code usage): names the option, what was typed and what was expected.
+[[nodiscard]] Result<CorrectOptions> understand_correction(const CorrectArguments& arguments);
+
+/// What bounds a correction beside the facts of CorrectionFacts, for the options of a report, as typed: those of tilts
+/// that hold whatever was typed, all others where they were given.
+[[nodiscard]] std::vector<OptionText> limits_in_force(const CorrectArguments& arguments);
+
+/// As a report names them: "auto", "axis", "cutter=axis, holder=tilt".
+[[nodiscard]] std::string strategies_text(const CorrectArguments& arguments);
+
+}  // namespace gouge

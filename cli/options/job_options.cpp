@@ -1,0 +1,227 @@
+#include "cli/options/job_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cli/options/report_date.h"
+#include "cli/terminal/length_text.h"
+#include "lib/base/parallel.h"
+#include "postproc/export/write_scene.h"
+
+namespace gouge {
+namespace {
+
+void add_path(CLI::App& command, JobArguments& a) {
+  command.add_option("PATH", a.path, "Toolpath: CL data of any dialect, recognized by its content")
+      ->type_name("FILE")
+      ->required();
+}
+
+void add_input_options(CLI::App& command, JobArguments& a, bool needs_part) {
+  command.option_defaults()->group("Input");
+  add_reading_options(command, a.reading);
+  command.add_option("--part", a.parts, "Finished part that must not be cut into (STL; repeatable)")
+      ->type_name("FILE")
+      ->required(needs_part)
+      ->allow_extra_args(false);
+  command.add_option("--fixture", a.fixtures, "Fixture that must not be touched (STL; repeatable)")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--allow-overlap", a.allowed_overlaps,
+                  "Do not warn that this fixture penetrates a part, as it is meant to (repeatable)")
+      ->type_name("FIXTURE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--head", a.heads,
+                  "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
+                  "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  add_placement_options(command, a.place, a.stl_units);
+  command
+      .add_option("--tools", a.tools_file,
+                  "Tool library (JSON), or one of Fusion, FreeCAD or NX; tools it lacks come from CUTTER or TLDATA")
+      ->type_name("FILE");
+  command
+      .add_option("--tool", a.tool_names,
+                  "N=NAME: tool number N of the toolpath is NAME of the library, a name or a number (repeatable); NAME "
+                  "alone: the tool of moves for which the toolpath names none")
+      ->type_name("N=NAME")
+      ->allow_extra_args(false);
+  command.add_option("--holder", a.holder, "Holder of the library for tools that have none")->type_name("NAME");
+  add_input_limit(command, a.input);
+  command.add_flag("--extend-up", a.is_extended_up,
+                   "Let the top body of every tool go on without end, so that nothing hides above it");
+}
+
+void add_assumption_options(CLI::App& command, JobArguments& a) {
+  command
+      .add_option(
+          "--assume", a.assumed,
+          "State a fact that the inputs leave open (repeatable): " + subject_names() + "; tool=T3 for one of several")
+      ->type_name("FACT[=OBJECT]")
+      ->allow_extra_args(false);
+  command.add_flag("--strict", a.is_strict,
+                   "Allow no defaults: call a path clean only where every fact is established");
+}
+
+void add_check_options(CLI::App& command, JobArguments& a) {
+  command.option_defaults()->group("Check");
+  command.add_option("--tolerance", a.tolerance, "Depth a move may have, against parts and fixtures alike")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command.add_option("--stock-to-leave", a.stock_to_leave, "Grow the cutter by this against the part")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command
+      .add_option("--clearance", a.clearance,
+                  "Keep bodies away from everything: shank=0.5,holder=1 (mm, or with a unit: holder=0.04in)")
+      ->type_name("BODY=LENGTH");
+  command.add_option("--near-miss", a.near_miss, "Report moves that come closer than this (0: do not)")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command.add_option("--resolution", a.resolution, "Certified gap: the largest depth that may be missed")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command.add_option("--rapid", a.rapid, "How rapid moves run")
+      ->check(CLI::IsMember({"straight", "dogleg", "skip"}))
+      ->capture_default_str();
+  add_assumption_options(command, a);
+  add_threads_option(command, a.threads);
+}
+
+void add_sign_off(CLI::App& command, JobArguments& a) {
+  command.add_option("--project", a.project, "Project, order or part number for the head of the report")
+      ->type_name("NAME");
+  command.add_option("--reviewer", a.reviewer, "Who reviews, for the head of the report and its line to sign")
+      ->type_name("NAME");
+}
+
+void add_output_options(CLI::App& command, JobArguments& a) {
+  command.option_defaults()->group(kOutputGroup);
+  command
+      .add_option("--report", a.report_folder,
+                  "Folder for the report: report.html, pictures, JSON and CSV; an older report there is replaced, "
+                  "nothing else is")
+      ->type_name("FOLDER");
+  command.add_option("--json", a.json_file, "Write the result as JSON (- for standard output alone)")
+      ->type_name("FILE");
+  command.add_option("--csv", a.csv_file, "Write one row for every move (- for standard output alone)")
+      ->type_name("FILE");
+  command.add_option("--sarif", a.sarif_file, "Write SARIF 2.1.0 for code review tools")->type_name("FILE");
+  command.add_option("--junit", a.junit_file, "Write JUnit XML for build servers")->type_name("FILE");
+  command
+      .add_option("--export", a.export_files,
+                  "Write the part with depth and overcut at its vertices, path and tool for other 3D programs, by the "
+                  "ending: .glb (Blender), .vtp (ParaView), .ply (MeshLab); repeatable")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  add_listing_options(command, a.listing);
+  add_progress_option(command, a.progress);
+  add_verbosity(command, a,
+                "Print under each finding its statement, notes of all inputs, what the check spent and its peak memory "
+                "(not with -q)");
+}
+
+}  // namespace
+
+void add_placement_options(CLI::App& command, std::string& place, std::string& stl_units) {
+  command
+      .add_option("--place", place,
+                  "Place the STL files: x,y,z[,rx,ry,rz], mm or with a unit (0.5in), then degrees about fixed X, Y, Z")
+      ->type_name("X,Y,Z");
+  command.add_option("--stl-units", stl_units, "Unit of the STL files (default: the toolpath's)")
+      ->check(CLI::IsMember(unit_words()));
+}
+
+void add_threads_option(CLI::App& command, std::uint32_t& threads) {
+  command.add_option("--threads", threads, "Threads to use at most, up to 1024 (0: all; 1: none is started)")
+      ->capture_default_str();
+}
+
+void add_progress_option(CLI::App& command, std::string& progress) {
+  command.add_option("--progress", progress, "Show progress on standard error")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str()
+      ->group(kTerminalGroup);
+}
+
+void add_common_job_options(CLI::App& command, JobArguments& arguments, bool needs_part) {
+  add_input_options(command, arguments, needs_part);
+  add_check_options(command, arguments);
+  add_sign_off(command, arguments);
+}
+
+void add_job_options(CLI::App& command, JobArguments& arguments) {
+  add_path(command, arguments);
+  add_common_job_options(command, arguments, true);
+  add_output_options(command, arguments);
+}
+
+Result<JobOptions> understand(const JobArguments& a) {
+  JobOptions options;
+  const Result<ReadOptions> reading = understand(a.reading);
+  if (!reading) return reading.error();
+  options.reading = *reading;
+  for (const std::string& name : a.allowed_overlaps) {
+    if (std::find(a.fixtures.begin(), a.fixtures.end(), name) == a.fixtures.end())
+      return usage_error("--allow-overlap", name, "a file of --fixture, named as there");
+  }
+  for (const std::string& name : a.tool_names) {
+    if (name.find('=') != std::string::npos) continue;
+    if (!options.reading.unnamed_tool.empty()) {
+      return usage_error(
+          "--tool", name,
+          "N=NAME, as --tool " + options.reading.unnamed_tool + " is already for moves that name no tool");
+    }
+    options.reading.unnamed_tool = name;
+  }
+  for (const std::string& text : a.assumed) {
+    const std::optional<Vouched> vouched = parse_vouched(text);
+    if (!vouched) return usage_error("--assume", text, "one of " + subject_names() + ", or such as tool=T3");
+    options.vouched.push_back(*vouched);
+  }
+  const struct {
+    const char* name;
+    const std::string& text;
+    double& value;
+    Least least;
+  } lengths[] = {{"--tolerance", a.tolerance, options.check.tolerance_mm, Least::zero},
+                 {"--stock-to-leave", a.stock_to_leave, options.check.stock_to_leave_mm, Least::zero},
+                 {"--near-miss", a.near_miss, options.check.near_miss_mm, Least::zero},
+                 {"--resolution", a.resolution, options.check.resolution_mm, Least::finest_resolution}};
+  for (const auto& length : lengths) {
+    const Result<double> value = understand_length(length.name, length.text, length.least);
+    if (!value) return value.error();
+    length.value = *value;
+  }
+  if (const Result<FindingsView> view = understand(a.listing); !view) return view.error();
+  if (const auto error = find_contradiction(a)) return *error;
+  for (const std::string& file : a.export_files) {
+    if (scene_format_of(file) == nullptr)
+      return usage_error("--export", file, "a file whose name ends in .glb, .vtp or .ply");
+  }
+  if (a.report_folder == "-") return usage_error("--report", a.report_folder, "a folder");
+  if (!a.clearance.empty()) {
+    if (const auto wrong = parse_clearance(a.clearance, options.check)) {
+      return make_error("usage", "--clearance: " + *wrong);
+    }
+  }
+  if (!a.place.empty()) {
+    const Result<RigidTransform> place = understand_place("--place", a.place);
+    if (!place) return place.error();
+    options.place = *place;
+  }
+  options.check.law = a.rapid == "skip"     ? RapidMode::skip
+                      : a.rapid == "dogleg" ? RapidMode::dogleg
+                                            : RapidMode::straight;
+  options.check.threads = static_cast<unsigned>(std::min<std::uint64_t>(a.threads, kMostThreads));
+  options.progress = understand_progress(a.progress);
+  Result<std::string> date = date_of_report();
+  if (!date) return date.error();
+  options.date = std::move(*date);
+  return options;
+}
+
+}  // namespace gouge

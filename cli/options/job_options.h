@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/options/reading_options.h"
+#include "cli/terminal/listing_options.h"
+#include "cli/terminal/print_diagnostics.h"
+#include "cli/terminal/progress.h"
+#include "lib/base/result.h"
+#include "lib/check/check_options.h"
+#include "lib/geom/rigid_transform.h"
+#include "postproc/report/report_model.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gouge {
+
+/// The project file some of the options come from.
+struct ProjectUse {
+  InputFile input;      ///< the file, for reports
+  std::string summary;  ///< "part, tools and tolerance 0.02 come from ../gougecheck.json"
+};
+
+/// The options common to `check` and `correct`, as typed.
+struct JobArguments : Verbosity {
+  std::string path;
+  ReadingArguments reading;
+  InputLimit input;
+  std::vector<std::string> parts, fixtures, heads;
+  std::vector<std::string> allowed_overlaps;  ///< of `fixtures`: those that may penetrate a part
+  std::string place, stl_units;
+  std::string tools_file, holder;
+  std::vector<std::string> tool_names;  ///< N=NAME, or NAME for moves that name no tool
+  std::string tolerance = "0.01", stock_to_leave = "0", clearance, near_miss = "0", resolution = "0.001";
+  std::string rapid = "straight", progress = "auto";
+  std::uint32_t threads = 0;
+  std::string baseline_file;  ///< of `check`: findings that were accepted
+  std::string report_folder, json_file, csv_file, sarif_file, junit_file;
+  std::vector<std::string> export_files;
+  ListingArguments listing;
+  std::optional<ProjectUse> project_file;  ///< none: no project file was used
+  std::string certificate_file;            ///< of `check` alone
+  /// foreign files in the report's folder; of `correct` also a path that does not fit the part
+  bool is_forced = false;
+  bool is_extended_up = false;
+  std::vector<std::string> assumed;  ///< --assume
+  bool is_strict = false;
+  std::string project, reviewer;           ///< of the head of the report
+  std::string command;                     ///< the command line, to be typed again (command_text.h)
+  std::vector<std::string> lengths_in_mm;  ///< typed without a unit (length_rule.h)
+};
+
+/// The same, understood.
+struct JobOptions {
+  ReadOptions reading;
+  CheckOptions check;
+  RigidTransform place;
+  std::vector<Vouched> vouched;
+  ProgressMode progress = ProgressMode::automatic;
+  std::string date;  ///< of the report
+};
+
+void add_job_options(CLI::App& command, JobArguments& arguments);
+/// Of these what says how one path is checked: all but PATH itself and outputs, for commands that check many.
+void add_common_job_options(CLI::App& command, JobArguments& arguments, bool needs_part);
+/// The group of options that name outputs or say what they may replace.
+inline constexpr const char* kOutputGroup = "Output";
+/// --place and --stl-units, of commands that read meshes beside a toolpath.
+void add_placement_options(CLI::App& command, std::string& place, std::string& stl_units);
+/// --threads and --progress, as every command has them that may take long.
+void add_threads_option(CLI::App& command, std::uint32_t& threads);
+void add_progress_option(CLI::App& command, std::string& progress);
+
+/// Errors (code usage): names the option, what was typed and what was expected.
+[[nodiscard]] Result<JobOptions> understand(const JobArguments& arguments);
+
+}  // namespace gouge

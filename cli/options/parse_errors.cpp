@@ -1,0 +1,280 @@
+#include "cli/options/parse_errors.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <utility>
+
+#include "cli/options/command_doc.h"
+#include "cli/options/help_text.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+namespace {
+
+// Edits that turn `a` into `b`, a swap of neighbours being one (Damerau 1964, in its restricted form).
+std::size_t edits_between(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t k = 0; k <= b.size(); ++k) {
+      if (i == 0 || k == 0) {
+        edits[i][k] = i + k;
+        continue;
+      }
+      const std::size_t change = edits[i - 1][k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1);
+      edits[i][k] = std::min({edits[i - 1][k] + 1, edits[i][k - 1] + 1, change});
+      const bool is_swap = i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1];
+      if (is_swap) edits[i][k] = std::min(edits[i][k], edits[i - 2][k - 2] + 1);
+    }
+  }
+  return edits[a.size()][b.size()];
+}
+
+std::string meant(const std::string& name) { return name.empty() ? std::string() : "; did you mean " + name + "?"; }
+
+std::string is_no_command(const std::string& word, const std::string& program,
+                          const std::vector<std::string>& commands) {
+  std::string lower_case = word;
+  for (char& c : lower_case) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return "'" + word + "' is no command of " + program + "; expected " + listed(commands, " or ") +
+         meant(nearest_name(lower_case, commands));
+}
+
+// What is wrong with the first word behind the program's name: an option before the command, or no command at all.
+std::string explain_beginning(const CLI::App& program, std::span<const char* const> words) {
+  if (words.size() < 2) return {};
+  std::vector<std::string> commands;
+  for (const CLI::App* command : program.get_subcommands({})) commands.push_back(command->get_name());
+  const auto is_command = [&](const std::string& word) {
+    return std::find(commands.begin(), commands.end(), word) != commands.end();
+  };
+  const std::string first = words[1];
+  const std::string option = first.substr(0, first.find('='));
+  if (is_command(first) || (first.starts_with('-') && program.get_option_no_throw(option) != nullptr)) return {};
+  if (!first.starts_with('-')) {
+    const bool is_file = first.find_first_of("./") != std::string::npos;
+    return is_no_command(first, kProgramName, commands) +
+           (is_file ? "; a file stands behind the command: " + std::string(kProgramName) + " check " + first : "");
+  }
+  const auto command = std::find_if(words.begin() + 2, words.end(), is_command);
+  const std::string name = command == words.end() ? "COMMAND" : *command;
+  return "'" + option + "' stands before the command; expected the command first: " + kProgramName + " " + name + " " +
+         option + " ..." + (command == words.end() ? ", with " + listed(commands, " or ") : "");
+}
+
+/// The command that was being read when the parse failed.
+class Command {
+ public:
+  explicit Command(const CLI::App& program) : app_(&program), name_(kProgramName) {
+    while (!app_->get_subcommands().empty()) {
+      app_ = app_->get_subcommands().back();
+      name_ += " " + app_->get_name();
+    }
+    for (const CLI::App* command : app_->get_subcommands({})) commands_.push_back(command->get_name());
+  }
+
+  [[nodiscard]] std::string empty_value(std::span<const char* const> words) const {
+    for (const CLI::Option* option : app_->get_options()) {
+      const std::vector<std::string>& values = option->results();
+      const bool takes_value = option->get_items_expected_max() > 0;
+      if (takes_value && std::find(values.begin(), values.end(), "") != values.end()) return unset(*option);
+    }
+    // The parser gives "--csv=" the word behind it.
+    for (const std::string_view word : words) {
+      if (word == "--") break;
+      if (!word.starts_with("--") || word.find('=') + 1 != word.size()) continue;
+      const CLI::Option* option = app_->get_option_no_throw(std::string(word.substr(0, word.size() - 1)));
+      if (option != nullptr && option->get_items_expected_max() > 0) return unset(*option);
+    }
+    return {};
+  }
+
+  // The parser reads -q1.apt as -q and the file -1.apt, as if that were a negative number.
+  [[nodiscard]] std::string cut_positional(std::span<const char* const> words) const {
+    for (const CLI::Option* option : app_->get_options()) {
+      if (!option->get_positional()) continue;
+      for (const std::string& value : option->results()) {
+        const bool is_typed = std::find(words.begin(), words.end(), std::string_view(value)) != words.end();
+        if (value.size() > 1 && value.front() == '-' && !is_typed) return unknown_option(value, words);
+      }
+    }
+    return {};
+  }
+
+  // The parser takes whatever follows an option for its value.
+  [[nodiscard]] std::string option_as_value() const {
+    for (const CLI::Option* option : app_->get_options()) {
+      if (option->get_items_expected_max() == 0) continue;
+      for (const std::string& value : option->results()) {
+        const std::string name = value.substr(0, value.find('='));
+        if (!name.starts_with("--") || app_->get_option_no_throw(name) == nullptr) continue;
+        return option->get_name() + " has no value: '" + name + "' behind it is an option; expected " +
+               kind_of_value(*option) + see_help();
+      }
+    }
+    return {};
+  }
+
+  [[nodiscard]] std::string explain(const CLI::ParseError& error, std::span<const char* const> words) const {
+    const std::vector<std::string> strange = app_->remaining();
+    const auto option = std::find_if(strange.begin(), strange.end(),
+                                     [](const std::string& word) { return word.size() > 1 && word.front() == '-'; });
+    if (option != strange.end()) return unknown_option(option->substr(0, option->find('=')), words);
+    if (!commands_.empty()) return no_command(strange);
+    if (const CLI::Option* blamed = blamed_option(error.what())) {
+      const std::string said = value_error(*blamed, error);
+      if (!said.empty()) return said;
+    }
+    const std::string missing = missing_options();
+    if (!missing.empty()) return name_ + " needs " + missing + see_help();
+    if (!strange.empty()) return one_too_many(strange.front());
+    return error.what() + see_help();
+  }
+
+ private:
+  [[nodiscard]] static std::string unset(const CLI::Option& option) {
+    return option.get_name() + " '': expected " + kind_of_value(option) + "; is a variable of your script unset?";
+  }
+
+  [[nodiscard]] static std::string kind_of_value(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    if (const std::vector<std::string> words = choices_in(type); !words.empty()) return listed(words, " or ");
+    constexpr std::pair<std::string_view, const char*> kKinds[] = {{"FILE", "a file"},
+                                                                   {"FOLDER", "a folder"},
+                                                                   {"NAME", "a name"},
+                                                                   {"LENGTH", "a length"},
+                                                                   {"SIZE", "a size"},
+                                                                   {"TEXT", "a text"},
+                                                                   {"UINT", "a whole number of 0 or more"},
+                                                                   {"FLOAT", "a number"},
+                                                                   {"FLOAT:POSITIVE", "a number above 0"},
+                                                                   {"DEG/MIN", "degrees a minute"}};
+    for (const auto& [name, kind] : kKinds) {
+      if (type == name) return kind;
+    }
+    return type;
+  }
+
+  [[nodiscard]] std::string see_help() const { return "; see " + name_ + " --help"; }
+
+  // The parser takes letters that are options off a word like -vorne.apt.
+  [[nodiscard]] static std::string as_typed(const std::string& word, std::span<const char* const> words) {
+    if (word.starts_with("--")) return word;
+    const auto typed = std::find_if(words.begin(), words.end(), [&](const std::string_view one) {
+      return one.size() > 1 && one.front() == '-' && one[1] != '-' && one.ends_with(std::string_view(word).substr(1));
+    });
+    return typed == words.end() ? word : *typed;
+  }
+
+  [[nodiscard]] std::string unknown_option(const std::string& left, std::span<const char* const> words) const {
+    const std::string word = as_typed(left, words);
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app_->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    const std::string nearest = nearest_name(word, names);
+    const bool is_file = !word.starts_with("--") && word.find('.') != std::string::npos;
+    if (is_file) return name_ + " has no option '" + word + "'; a file of this name is written ./" + word;
+    return name_ + " has no option '" + word + "'" + (nearest.empty() ? see_help() : meant(nearest));
+  }
+
+  [[nodiscard]] std::string no_command(const std::vector<std::string>& strange) const {
+    if (strange.empty()) return "no command after " + name_ + "; expected " + listed(commands_, " or ");
+    return is_no_command(strange.front(), name_, commands_);
+  }
+
+  [[nodiscard]] std::string missing_options() const {
+    std::vector<std::string> missing;
+    for (const CLI::Option* option : app_->get_options()) {
+      if (option->get_required() && option->count() == 0) missing.push_back(option->get_name());
+    }
+    return listed(missing, " and ");
+  }
+
+  [[nodiscard]] std::string one_too_many(const std::string& word) const {
+    std::vector<std::string> taken;
+    for (const CLI::Option* option : app_->get_options()) {
+      if (option->get_positional()) taken.push_back(option->get_name());
+    }
+    return "'" + word + "' is one argument too many; " + name_ + " takes " +
+           (taken.empty() ? "options alone" : "one " + listed(taken, " and ") + " beside its options") + see_help();
+  }
+
+  // The parser names the option in its text alone.
+  [[nodiscard]] const CLI::Option* blamed_option(const std::string& text) const {
+    const CLI::Option* blamed = nullptr;
+    std::size_t first = std::string::npos;
+    for (const CLI::Option* option : app_->get_options()) {
+      const std::string name = option->get_name();
+      const std::size_t at = text.find(name);
+      if (at == std::string::npos || at > first) continue;
+      const bool is_longer = at == first && blamed != nullptr && name.size() < blamed->get_name().size();
+      if (is_longer) continue;
+      first = at;
+      blamed = option;
+    }
+    return blamed;
+  }
+
+  [[nodiscard]] std::string value_error(const CLI::Option& option, const CLI::ParseError& error) const {
+    const std::string name = option.get_name();
+    const std::string typed = name + " '" + (option.results().empty() ? "" : option.results().back()) + "': ";
+    if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
+      return typed + "expected " + kind_of_value(option) + see_help();
+    }
+    if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return typed + wanted(option, error.what());
+    if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) return std::string(error.what()) + see_help();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return {};
+    if (option.count() > 1)
+      return name + " is given " + std::to_string(option.count()) + " times; expected once" + see_help();
+    if (option.get_items_expected_max() == 0) return name + " takes no value" + see_help();
+    return name + " has no value; expected: " + option.get_description() + see_help();
+  }
+
+  // "--rapid: slow not in {straight,dogleg,skip}", or a sentence of our own after the name.
+  [[nodiscard]] static std::string wanted(const CLI::Option& option, const std::string& text) {
+    if (const std::vector<std::string> words = choices_in(text); !words.empty())
+      return "expected " + listed(words, " or ");
+    const std::size_t ours = text.find("expected ");
+    if (ours != std::string::npos) return text.substr(ours);
+    return option.get_type_name().find("POSITIVE") != std::string::npos ? "expected a number above 0" : text;
+  }
+
+  const CLI::App* app_;
+  std::string name_;
+  std::vector<std::string> commands_;
+};
+
+}  // namespace
+
+std::optional<Diagnostic> find_misread_value(const CLI::App& app, std::span<const char* const> words) {
+  const Command command(app);
+  std::string found = command.empty_value(words);
+  if (found.empty()) found = command.option_as_value();
+  if (found.empty()) found = command.cut_positional(words);
+  if (found.empty()) return std::nullopt;
+  return make_error("usage", found);
+}
+
+std::string nearest_name(std::string_view word, const std::vector<std::string>& names) {
+  constexpr std::size_t kShortest = 3, kLong = 8;
+  if (word.size() < kShortest) return {};
+  const auto is_begun = [&](const std::string& name) { return name.starts_with(word); };
+  const auto begun = std::find_if(names.begin(), names.end(), is_begun);
+  if (begun != names.end() && std::none_of(begun + 1, names.end(), is_begun)) return *begun;
+  std::string nearest;
+  std::size_t least = word.size() > kLong ? 4 : 3;
+  for (const std::string& name : names) {
+    const std::size_t edits = edits_between(word, name);
+    if (edits >= least) continue;
+    least = edits;
+    nearest = name;
+  }
+  return nearest;
+}
+
+Diagnostic describe_parse_error(const CLI::App& app, const CLI::ParseError& error, std::span<const char* const> words) {
+  const std::string beginning = explain_beginning(app, words);
+  return make_error("usage", beginning.empty() ? Command(app).explain(error, words) : beginning);
+}
+
+}  // namespace gouge

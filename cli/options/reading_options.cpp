@@ -1,0 +1,77 @@
+#include "cli/options/reading_options.h"
+
+#include <CLI/CLI.hpp>
+#include <optional>
+
+#include "cli/terminal/length_text.h"
+#include "lib/base/byte_size.h"
+#include "postproc/cldata/language/text.h"
+#include "postproc/cldata/language/words.h"
+
+namespace gouge {
+
+namespace {
+
+// What is read must not be switched off by a word in a project file.
+std::optional<Diagnostic> why_not_harmless(const std::string& word) {
+  const Word known = find_word(word);
+  if ((known != Word::unknown && known != Word::harmless) || is_minor_word(word))
+    return usage_error("--harmless-word", word, "a word of your own: this one is read, and what it says holds");
+  const bool is_word = !word.empty() && word.find_first_of(" \t\r\n/,;$()") == std::string::npos &&
+                       !is_digit(word.front()) && std::string("+-.").find(word.front()) == std::string::npos;
+  if (!is_word)
+    return usage_error("--harmless-word", word, "the word that a statement begins with, such as MYWORD of MYWORD/5");
+  return std::nullopt;
+}
+
+}  // namespace
+
+void add_reading_options(CLI::App& command, ReadingArguments& arguments) {
+  command
+      .add_option("--dialect", arguments.dialect,
+                  "Read the toolpath as this dialect (default: recognized by its content): " + dialect_names())
+      ->type_name("DIALECT");
+  command.add_option("--path-units", arguments.units, "Unit of a toolpath that states none")
+      ->check(CLI::IsMember({"mm", "inch"}));
+  command
+      .add_option("--cutcom", arguments.cutcom,
+                  "centre: positions under CUTCOM are the cutter centre, with no offset dialled in (default: these "
+                  "moves are not checked)")
+      ->check(CLI::IsMember({"centre"}));
+  command
+      .add_option("--harmless-word", arguments.harmless_words,
+                  "Word of your own that moves and changes nothing: statements that begin with it are passed over "
+                  "(repeatable)")
+      ->type_name("WORD")
+      ->allow_extra_args(false);
+}
+
+Result<ReadOptions> understand(const ReadingArguments& arguments) {
+  ReadOptions options;
+  if (!arguments.dialect.empty()) {
+    options.dialect = dialect_called(arguments.dialect);
+    if (!options.dialect) return usage_error("--dialect", arguments.dialect, "one of " + dialect_names());
+  }
+  options.unit = unit_called(arguments.units);
+  options.is_cutcom_centre = arguments.cutcom == "centre";
+  for (const std::string& word : arguments.harmless_words) {
+    if (auto error = why_not_harmless(word)) return *error;
+    options.harmless_words.push_back(word);
+  }
+  return options;
+}
+
+void add_input_limit(CLI::App& command, InputLimit& limit) {
+  command
+      .add_option_function<std::string>(
+          "--max-input",
+          [&limit](const std::string& size) { limit.most_bytes = parse_byte_size(size).value_or(kMaxInputBytes); },
+          "Most that a file or pipe may hold that is read (B, kB, MB, GB, TB, KiB, MiB, GiB, TiB)")
+      ->type_name("SIZE")
+      ->default_str("8GB")
+      ->check([](const std::string& size) {
+        return parse_byte_size(size) ? std::string() : "expected a size above 0 with a unit or in bytes, such as 8GB";
+      });
+}
+
+}  // namespace gouge

@@ -1,0 +1,114 @@
+#include "cli/output/output_file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <ostream>
+
+#include "cli/terminal/print_diagnostics.h"
+#include "cli/terminal/standard_output.h"
+#include "lib/base/exit_code.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> why_closed(const fs::path& path, int wanted) {
+  if (::access(path.c_str(), wanted) == 0) return std::nullopt;
+  return std::strerror(errno);
+}
+
+// A file is written beside its place and renamed, so its folder must be open to us.
+std::optional<std::string> why_unwritable(const std::string& named) {
+  const Result<std::string> target = follow_links(named);
+  if (!target) return "its symbolic links go in a circle";
+  std::error_code ignored;
+  const fs::path file = fs::exists(named, ignored) && !fs::is_regular_file(named, ignored) ? named : *target;
+  const fs::file_status status = fs::status(file, ignored);
+  if (fs::is_directory(status)) return "it is a folder";
+  if (fs::exists(status) && !fs::is_regular_file(status)) return why_closed(file, W_OK);
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!file.has_filename()) return "it is the name of a folder; expected a file";
+  if (!fs::exists(folder, ignored)) return "the folder " + folder.string() + " does not exist; make it first";
+  if (!fs::is_directory(folder, ignored)) return folder.string() + " is a file; expected a folder";
+  if (const auto why = why_closed(folder, W_OK | X_OK)) return "the folder " + folder.string() + ": " + *why;
+  return fs::exists(status) ? why_not_replaceable(file.string()) : std::nullopt;
+}
+
+std::optional<std::string> why_not_made(const std::string& folder) {
+  const Result<std::string> target = follow_links(folder);
+  if (!target) return "its symbolic links go in a circle";
+  std::error_code ignored;
+  fs::path there = *target;
+  while (!there.empty() && !fs::exists(there, ignored)) there = there.parent_path();
+  if (there.empty()) there = ".";
+  if (!fs::is_directory(there, ignored)) return "a file of the name " + there.string() + " exists";
+  if (const auto why = why_closed(there, W_OK | X_OK)) return there.string() + ": " + *why;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Outcome PendingOutputs::add(const std::string& file, std::string_view bytes) {
+  return add(file, [bytes](const PutText& put) { put(bytes); });
+}
+
+Outcome PendingOutputs::add(const std::string& file, const TextWriter& write) {
+  if (file == "-") {
+    for_stdout_.emplace();
+    write([&](std::string_view bytes) { *for_stdout_ += bytes; });
+    return Done{};
+  }
+  Result<StagedFile> staged = StagedFile::make(file, write);
+  if (!staged) return staged.error();
+  files_.push_back(std::move(*staged));
+  return Done{};
+}
+
+Outcome PendingOutputs::commit(std::ostream& out) {
+  for (StagedFile& file : files_) {
+    if (Outcome put = file.commit(); !put) return put;
+  }
+  if (!for_stdout_) return Done{};
+  out << *for_stdout_ << std::flush;
+  if (!out) return describe_failed_output();
+  return Done{};
+}
+
+Outcome write_output(const std::string& file, std::string_view bytes, std::ostream& out) {
+  PendingOutputs pending;
+  if (Outcome added = pending.add(file, bytes); !added) return added;
+  return pending.commit(out);
+}
+
+Diagnostics find_unwritable(const OutputTable& outputs) {
+  Diagnostics errors;
+  for (const Output& output : outputs) {
+    if (output.kind == Output::Kind::report_folder) {
+      if (const auto why = why_not_made(output.file))
+        errors.push_back(
+            make_error("folder-unwritable", "cannot make the report: " + *why + "; nothing was written", output.file));
+    } else if (output.file != "-") {
+      if (const auto why = why_unwritable(output.file))
+        errors.push_back(
+            make_error("file-unwritable", "cannot write the file: " + *why + "; nothing was written", output.file));
+    }
+  }
+  return errors;
+}
+
+std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
+                                  std::ostream& err) {
+  std::optional<Diagnostic> wrong = find_overwriting(inputs, outputs);
+  if (const Result<bool> taken = is_stdout_taken(outputs); !taken) wrong = taken.error();
+  if (wrong) return fail(err, {*wrong});
+  const Diagnostics unwritable = find_unwritable(outputs);
+  if (!unwritable.empty()) return fail(err, unwritable, kExitInternal);
+  return std::nullopt;
+}
+
+}  // namespace gouge

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/output/output_table.h"
+#include "cli/output/overwriting.h"
+#include "lib/base/diagnostic.h"
+#include "lib/base/result.h"
+#include "lib/base/staged_file.h"
+#include "lib/base/text_writer.h"
+
+// Outputs of commands: files, or standard output where their name is "-".
+
+namespace gouge {
+
+/// The outputs of one command, which appear together or not at all, as far as the system lets them.
+class PendingOutputs {
+ public:
+  /// Writes `bytes` so that only their place is missing; those for "-" are kept. Errors: file-unwritable.
+  [[nodiscard]] Outcome add(const std::string& file, std::string_view bytes);
+  [[nodiscard]] Outcome add(const std::string& file, const TextWriter& write);
+  /// Puts the files in their places, then writes what belongs on `out`. Errors: file-unwritable,
+  /// output-unwritable.
+  [[nodiscard]] Outcome commit(std::ostream& out);
+
+ private:
+  std::vector<StagedFile> files_;
+  std::optional<std::string> for_stdout_;
+};
+
+/// PendingOutputs of one file.
+[[nodiscard]] Outcome write_output(const std::string& file, std::string_view bytes, std::ostream& out);
+
+/// What will keep these outputs from being written, as far as that can be known before the work is done:
+/// their folder is missing or closed to us, a folder has their name, or the file there could not keep its
+/// owner and mode. The folder of a report may be missing if it can be made (code folder-unwritable). "-" is
+/// passed over. Creates and opens nothing. Code: file-unwritable.
+[[nodiscard]] Diagnostics find_unwritable(const OutputTable& outputs);
+
+/// What of a command's outputs is known to be wrong before its work: two for standard output, one that is an
+/// input or another output, one that cannot be written. Prints it, and returns the exit status; none
+/// where all is well.
+[[nodiscard]] std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
+                                                std::ostream& err);
+
+}  // namespace gouge

@@ -1,0 +1,126 @@
+#include "cli/output/outputs.h"
+
+#include <ostream>
+
+#include "cli/output/output_file.h"
+#include "cli/output/overwriting.h"
+#include "cli/output/picture_file.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/printable_text.h"
+#include "postproc/export/make_export.h"
+#include "postproc/image/report_pictures.h"
+#include "postproc/report/report_text.h"
+#include "postproc/report/write_report.h"
+#include "postproc/viewer/write_viewer.h"
+
+namespace gouge {
+namespace {
+
+CheckedToolpath pictures_of(const Job& job, const PreparedScene& scene, const Toolpath& path,
+                            const CheckResult& result) {
+  CheckedToolpath input;
+  input.toolpath = &path;
+  input.scene = &job.scene();
+  input.prepared = &scene;
+  input.tools = job.tools();
+  input.result = &result;
+  input.options = job.options.check;
+  input.heads = job.heads();
+  return input;
+}
+
+Diagnostics missing_letters(const ReportModel& model) {
+  std::vector<std::string> meshes;
+  for (const MeshFacts& mesh : model.parts) meshes.push_back(mesh.name);
+  return find_missing_letters(*model.toolpath, meshes);
+}
+
+}  // namespace
+
+JobOutputs::JobOutputs(const JobArguments& arguments, const std::string& corrected)
+    : arguments_(arguments), outputs_(outputs_of(arguments, corrected)) {
+  const std::string folder = report_folder_of(outputs_);
+  if (!folder.empty()) report_.emplace(folder, arguments.is_forced);
+}
+
+std::optional<int> JobOutputs::refuse(std::ostream& err) {
+  if (const auto status = refuse_outputs(inputs_of(arguments_), outputs_, err)) return status;
+  if (!report_) return std::nullopt;
+  const Outcome opened = report_->open();
+  if (!opened) return fail(err, {opened.error()}, opened.error().code == "report-foreign" ? kExitUsage : kExitInternal);
+  const Outcome loaded = load_pictures();
+  if (!loaded) return fail(err, {loaded.error()}, kExitInternal);
+  return std::nullopt;
+}
+
+bool JobOutputs::write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
+                       std::ostream& out, std::ostream& err) {
+  const Outcome written = write_files(job, scene, model, progress, out);
+  progress.end();
+  if (!written) print(err, {written.error()});
+  if (written && report_ && !arguments_.is_quiet) print(err, missing_letters(model));
+  print_findings(model, written.has_value(), out);
+  const Result<bool> taken = is_stdout_taken(outputs_);
+  const bool is_silent = arguments_.is_quiet || !taken || *taken;
+  if (is_silent && !arguments_.is_verbose && arguments_.project_file)
+    print(err, {make_note(kProjectFile, arguments_.project_file->summary, arguments_.project_file->input.name)});
+  return written.has_value();
+}
+
+Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, const ReportModel& model,
+                                Progress& progress, std::ostream& out) {
+  PendingOutputs pending;
+  if (report_) {
+    if (Outcome staged = stage_report(job, scene, model, progress); !staged) return staged;
+  }
+  std::optional<ExportScene> exported;
+  for (const Output& output : outputs_) {
+    progress.begin(output.file == "-" ? "writing" : "writing " + output.file);
+    if (output.write_scene != nullptr) {
+      if (!exported)
+        exported = make_export(model, pictures_of(job, scene, *model.toolpath, *model.result), progress.call());
+      const Result<std::string> bytes = output.write_scene(*exported);
+      if (!bytes) return bytes.error();
+      if (Outcome added = pending.add(output.file, *bytes); !added) return added;
+    }
+    if (output.write == nullptr) continue;
+    const TextWriter write = [&](const PutText& put) { output.write(model, put); };
+    if (Outcome added = pending.add(output.file, write); !added) return added;
+  }
+  if (report_) {
+    if (Outcome put = report_->commit(); !put) return put;
+  }
+  progress.end();  // what goes to standard output may share the terminal with it
+  return pending.commit(out);
+}
+
+Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, const ReportModel& model,
+                                 Progress& progress) {
+  CheckedToolpath before;
+  if (model.has_correction)
+    before = pictures_of(job, scene, *model.correction.toolpath_before, *model.correction.result_before);
+  const CheckedToolpath input = pictures_of(job, scene, *model.toolpath, *model.result);
+  progress.begin("preparing the pictures");
+  const ReportScene shown(model, input, before);
+  Result<std::vector<NamedFile>> drawn = draw_report_pictures(shown, progress.call());
+  if (!drawn) return drawn.error();
+  std::vector<NamedFile> files = std::move(*drawn);
+  const Result<std::string> view = write_viewer(shown, progress.call());
+  if (!view) return view.error();
+  progress.begin("writing the report");
+  files.push_back({"report.html", write_html(model, files, *view), ""});
+  files.push_back({"result.json", write_json(model), ""});
+  files.push_back({"moves.csv", write_csv(model), ""});
+  return report_->stage(files);
+}
+
+void JobOutputs::print_findings(const ReportModel& model, bool is_written, std::ostream& out) const {
+  const Result<bool> taken = is_stdout_taken(outputs_);
+  if (arguments_.is_quiet || !taken || *taken) return;
+  ReportModel reported = model;
+  if (!is_written) reported.correction.output_file.clear();
+  out << findings_text(reported, view_on(out, arguments_.listing, arguments_.is_verbose));
+  if (is_written && report_) out << "report: " << printable(report_folder_of(outputs_)) << "/report.html\n";
+}
+
+}  // namespace gouge

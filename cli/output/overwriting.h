@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/output/output_table.h"
+#include "lib/base/diagnostic.h"
+
+namespace gouge {
+
+/// A file that is read, and what it is: "the toolpath".
+struct InputOption {
+  std::string what, file;
+};
+
+/// What `check` and `correct` read.
+[[nodiscard]] std::vector<InputOption> inputs_of(const JobArguments& arguments);
+
+/// Why nothing may be written: an output, or a file that a report may replace or remove in its folder, is one
+/// of the inputs, another output, or the file standard output goes to, under whatever name (links, ./,
+/// relative). Empty names and "-" are passed over. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> find_overwriting(const std::vector<InputOption>& inputs,
+                                                         const OutputTable& outputs);
+
+/// Where a name leads, also where nothing stands yet: the same text for every name of a place, links followed.
+[[nodiscard]] std::string canonical_place(const std::string& name);
+
+}  // namespace gouge

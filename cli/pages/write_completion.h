@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "cli/options/command_doc.h"
+
+namespace gouge {
+
+/// The script that completes command lines of `program` in `shell`, which is bash, zsh or fish: commands, options, the
+/// values of those that take one of few, files and folders.
+[[nodiscard]] std::string write_completion(const std::string& shell, const CommandDoc& program);
+
+[[nodiscard]] std::string bash_completion(const CommandDoc& program);
+[[nodiscard]] std::string zsh_completion(const CommandDoc& program);
+[[nodiscard]] std::string fish_completion(const CommandDoc& program);
+
+/// What is completed after an option, or in place of a positional.
+enum class Completed { nothing, files, folders, choices, commands };
+[[nodiscard]] Completed completed_of(const OptionDoc& option);
+
+/// `program` and all commands below it, each before those below it.
+[[nodiscard]] std::vector<const CommandDoc*> flattened(const CommandDoc& program);
+
+/// `text` as one word of a shell, in single quotes.
+[[nodiscard]] std::string single_quoted(const std::string& text);
+
+/// The beginning of a description, as a menu has room for: up to its first clause, at most 72 characters.
+[[nodiscard]] std::string brief_of(const std::string& description);
+
+}  // namespace gouge

@@ -1,0 +1,139 @@
+#include "cli/terminal/length_text.h"
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "lib/base/number_text.h"
+#include "lib/base/units.h"
+#include "lib/check/finest_resolution.h"
+#include "lib/check/reach.h"
+
+namespace gouge {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    if (i < text.size() && text[i] != separator) continue;
+    parts.push_back(text.substr(begin, i - begin));
+    begin = i + 1;
+  }
+  return parts;
+}
+
+// A check reaches no farther; a longer length is a mistake.
+std::optional<double> within_reach(double length_mm) {
+  return std::abs(length_mm) <= kFarthest_mm ? std::optional(length_mm) : std::nullopt;
+}
+
+Eigen::Matrix3d turn(double degrees, const Vec3& axis) {
+  // Exact; sine and cosine of a huge angle are anything, and rounded below would be no rotation.
+  degrees = std::fmod(degrees, 360);
+  const double quarters = degrees / 90;
+  const double whole = std::round(quarters);
+  // Quarter turns are exact, so that a part set on its side keeps its coordinates.
+  if (std::abs(quarters - whole) < 1e-12) {
+    const Eigen::Matrix3d exact = Eigen::AngleAxisd(whole * M_PI / 2, axis).toRotationMatrix();
+    return exact.unaryExpr([](double x) { return std::round(x); });
+  }
+  return Eigen::AngleAxisd(degrees * M_PI / 180, axis).toRotationMatrix();
+}
+
+}  // namespace
+
+std::vector<std::string> unit_words() {
+  std::vector<std::string> words;
+  for (const UnitFacts& unit : kUnits) words.emplace_back(unit.option);
+  return words;
+}
+
+std::optional<double> parse_length_mm(const std::string& text) {
+  const struct {
+    std::string_view suffix;
+    LengthUnit unit;
+  } units[] = {{"mm", LengthUnit::mm}, {"inch", LengthUnit::inch}, {"in", LengthUnit::inch}};
+  for (const auto& [suffix, unit] : units) {
+    if (!text.ends_with(suffix)) continue;
+    const auto value = parse_number(text.substr(0, text.size() - suffix.size()));
+    return value ? within_reach(*value * mm_per(unit)) : std::nullopt;
+  }
+  const auto value = parse_number(text);
+  return value ? within_reach(*value) : std::nullopt;
+}
+
+std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  for (const std::string& part : split(text, ',')) {
+    const auto number = parse_number(part);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers.size() == count ? std::optional(numbers) : std::nullopt;
+}
+
+std::optional<RigidTransform> parse_place(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 3 && parts.size() != 6) return std::nullopt;
+  RigidTransform place;
+  for (int k = 0; k < 3; ++k) {
+    const auto length = parse_length_mm(parts[static_cast<std::size_t>(k)]);
+    if (!length) return std::nullopt;
+    place.shift[k] = *length;
+  }
+  for (int k = 0; k < 3 && parts.size() == 6; ++k) {
+    const auto degrees = parse_number(parts[static_cast<std::size_t>(k) + 3]);
+    if (!degrees) return std::nullopt;
+    place.rotation = turn(*degrees, Vec3::Unit(k)) * place.rotation;
+  }
+  return place;
+}
+
+Diagnostic usage_error(const std::string& option, const std::string& typed, const std::string& expected) {
+  return make_error("usage", option + " '" + typed + "': expected " + expected);
+}
+
+Result<double> understand_length(const std::string& option, const std::string& typed, Least least) {
+  const std::optional<double> length_mm = parse_length_mm(typed);
+  if (!length_mm || *length_mm < 0 || (least != Least::zero && !(*length_mm > 0))) {
+    return usage_error(option, typed,
+                       std::string("a length ") + (least == Least::zero ? "of 0 or more" : "above 0") +
+                           " in mm, or with a unit (0.0005in), and at most 100 m");
+  }
+  if (least == Least::finest_resolution && *length_mm < kFinestResolution_mm)
+    return usage_error(option, typed, "at least 0.000001 mm, what double precision can certify");
+  return *length_mm;
+}
+
+Result<RigidTransform> understand_place(const std::string& option, const std::string& typed) {
+  const std::optional<RigidTransform> place = parse_place(typed);
+  if (place) return *place;
+  return usage_error(option, typed,
+                     "x,y,z or x,y,z,rx,ry,rz: lengths in mm, or with a unit (0.5in), of at most 100 m, then degrees");
+}
+
+std::optional<std::string> parse_clearance(const std::string& text, CheckOptions& options) {
+  std::set<std::string> given;
+  for (const std::string& part : split(text, ',')) {
+    const std::size_t equals = part.find('=');
+    const std::string body = part.substr(0, equals);
+    if (!given.insert(body).second) return "'" + body + "' is given twice; expected one clearance for each body";
+    const auto length = equals == std::string::npos ? std::nullopt : parse_length_mm(part.substr(equals + 1));
+    if (!length || *length < 0) {
+      return "'" + part +
+             "' is not BODY=LENGTH with a length from 0 to 100 m; expected for example shank=0.5,holder=1 in mm, or "
+             "with units (holder=0.04in)";
+    }
+    if (body == "shank") {
+      options.shank_clearance_mm = *length;
+    } else if (body == "holder") {
+      options.holder_clearance_mm = *length;
+    } else {
+      return "'" + body + "' has no clearance; expected shank or holder (for the cutter use --stock-to-leave)";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace gouge

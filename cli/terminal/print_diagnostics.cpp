@@ -1,0 +1,67 @@
+#include "cli/terminal/print_diagnostics.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <ostream>
+#include <string>
+
+#include "cli/terminal/listing_options.h"
+#include "cli/terminal/terminal.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/paint.h"
+
+namespace gouge {
+void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose) {
+  command.add_flag("-q,--quiet", verbosity.is_quiet, "Print no findings, only errors")->group(kTerminalGroup);
+  command.add_flag("-v,--verbose", verbosity.is_verbose, on_verbose)->group(kTerminalGroup);
+}
+
+std::optional<Diagnostic> find_contradiction(const Verbosity& verbosity) {
+  if (!verbosity.is_quiet || !verbosity.is_verbose) return std::nullopt;
+  return make_error("usage", "-q and -v exclude each other; expected one of them");
+}
+
+void print(std::ostream& err, const Diagnostics& diagnostics) {
+  for (const Diagnostic& d : diagnostics) err << (is_coloured(err) ? painted_text(d) : to_text(d)) << "\n";
+}
+
+void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity) {
+  constexpr std::size_t kMost = 10;
+  if (verbosity.is_verbose) return print(err, notes);
+  if (verbosity.is_quiet) return;
+  std::size_t warnings = 0;
+  for (const Diagnostic& d : notes) {
+    if (d.severity == Severity::warning && ++warnings <= kMost) print(err, {d});
+  }
+  if (warnings > kMost) err << "gougecheck: " << warnings - kMost << " more warnings; -v shows all\n";
+}
+
+// Not getrusage: its peak begins with that of the program which started this one.
+std::optional<std::size_t> peak_memory_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.compare(0, 6, "VmHWM:") == 0) return 1024 * std::stoull(line.substr(6));
+  }
+  return std::nullopt;
+}
+
+void print_peak_memory(std::ostream& err) {
+  constexpr std::size_t kMegabyte = 1000000;
+  if (const auto bytes = peak_memory_bytes()) {
+    err << "memory: " << (*bytes + kMegabyte - 1) / kMegabyte << " MB at the peak\n";
+  }
+}
+
+int fail(std::ostream& err, const Diagnostics& errors, int status) {
+  print(err, errors);
+  return status;
+}
+
+int fail(std::ostream& err, const Diagnostics& errors) {
+  const bool is_usage = std::ranges::any_of(errors, [](const Diagnostic& d) { return d.code == "usage"; });
+  return fail(err, errors, is_usage ? kExitUsage : kExitInput);
+}
+
+}  // namespace gouge
