@@ -7,6 +7,7 @@
 #include "cli/options/parse_errors.h"
 #include "cli/program.h"
 #include "cli/project_use.h"
+#include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"

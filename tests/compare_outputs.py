@@ -5,7 +5,8 @@
 
 OLD and NEW are programs, SAMPLES a folder that make_samples wrote. Each sample is checked and corrected with all
 outputs; so are N random scenes, and each toolpath of FOLDER against a block under it. A change that must not change any
-result ends with "0 outputs differ". New fields of a result are named with --ignore NAME and are left out of JSON files.
+result ends with "0 outputs differ". New fields of a result are named with --ignore NAME and are left out of JSON files;
+--without FILE leaves out a file whose format has changed.
 """
 
 import argparse
@@ -148,8 +149,10 @@ def files(folder):
     return {str(p.relative_to(folder)): p for p in sorted(folder.rglob("*")) if p.is_file()}
 
 
-def differences(a, b, ignored):
+def differences(a, b, ignored, left_out):
     first, second = files(a), files(b)
+    for name in left_out:
+        first.pop(name, None), second.pop(name, None)
     return [name for name in sorted(first.keys() | second.keys())
             if name not in first or name not in second or content(first[name], ignored) != content(second[name], ignored)]
 
@@ -157,7 +160,7 @@ def differences(a, b, ignored):
 class Comparison:
     def __init__(self, arguments):
         self.programs = [str(Path(p).resolve()) for p in (arguments.old, arguments.new)]
-        self.ignored = set(arguments.ignore)
+        self.ignored, self.left_out = set(arguments.ignore), arguments.without
         self.work = Path(tempfile.mkdtemp(prefix="compare_outputs."))
 
     def job(self, name, commands, prepare):
@@ -173,7 +176,7 @@ class Comparison:
             for command, outputs in commands:
                 run(program, folder, [command, *arguments, *outputs])
             kept.append(folder.rename(self.work / name / str(k)))
-        different = differences(kept[0], kept[1], self.ignored)
+        different = differences(kept[0], kept[1], self.ignored, self.left_out)
         if not different:
             subprocess.run(["rm", "-rf", str(self.work / name)], check=False)
         return name, different
@@ -217,6 +220,7 @@ def main():
     parser.add_argument("--scenes", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--ignore", action="append", default=[])
+    parser.add_argument("--without", action="append", default=[])
     arguments = parser.parse_args()
     comparison = Comparison(arguments)
     jobs = list(sample_jobs(arguments.samples.resolve())) + list(scene_jobs(arguments.scenes, arguments.seed))
