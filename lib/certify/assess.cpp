@@ -129,7 +129,7 @@ void assess(const Toolpath& path, const CheckSetup& setup, CheckResult& result) 
   Assumptions facts = path.assumptions;
   facts.push_back(motion_law_fact(path));
   facts.insert(facts.end(), setup.basis.inputs.begin(), setup.basis.inputs.end());
-  if (!setup.scene.scene->parts.empty()) {
+  if (!setup.scene.workpiece().meshes.empty()) {
     facts.push_back(mesh_unit_fact(path, setup, result));
     facts.push_back(placement_fact(path, setup, result));
   }

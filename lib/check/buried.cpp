@@ -77,7 +77,7 @@ class BuriedMarker {
         const std::size_t tool = toolpath_.moves[i].tool;
         ToolRegions*& own = by_tool[tool];
         if (own == nullptr) {
-          const SureDepth sure = sure_depth(*tools_[tool], *scene_.scene, options_);
+          const SureDepth sure = sure_depth(*tools_[tool], scene_, options_);
           own_regions_.push_back(std::make_unique<ToolRegions>(
               tools_[tool]->bare, options_.tolerance_mm + options_.resolution_mm, sure.halvings));
           own = own_regions_.back().get();

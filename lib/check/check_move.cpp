@@ -13,21 +13,27 @@ namespace {
 
 using Targets = std::vector<SearchTarget>;
 
+/// One for each obstacle; `form_of(rule)` is held against it.
+template <typename FormOf>
+Targets targets_of(const ToolVariants& tool, const PreparedScene& scene, const FormOf& form_of) {
+  Targets targets;
+  for (const PreparedObstacle& obstacle : scene.obstacles())
+    targets.push_back({&(tool.*form_of(obstacle.rule)), &obstacle.tree, obstacle.rule.against});
+  return targets;
+}
+
 Targets whole_tool(const ToolVariants& tool, const PreparedScene& scene) {
-  return {{&tool.against_part, &scene.parts, Against::part},
-          {&tool.against_fixture, &scene.fixtures, Against::fixture}};
+  return targets_of(tool, scene, [](const ContactRule& rule) { return rule.form; });
 }
 
 Targets clearance_bodies(const ToolVariants& tool, const PreparedScene& scene) {
-  return {{&tool.with_clearance, &scene.parts, Against::part},
-          {&tool.with_clearance, &scene.fixtures, Against::fixture}};
+  return targets_of(tool, scene, [](const ContactRule& /*rule*/) { return &ToolVariants::with_clearance; });
 }
 
-// A cutter on a feed move is meant to touch the part; everything else is watched.
 Targets watched_bodies(const ToolVariants& tool, const PreparedScene& scene, MoveKind kind) {
   const bool is_cutting = kind != MoveKind::rapid;
-  return {{is_cutting ? &tool.non_cutting : &tool.against_part, &scene.parts, Against::part},
-          {&tool.against_fixture, &scene.fixtures, Against::fixture}};
+  return targets_of(tool, scene,
+                    [&](const ContactRule& rule) { return is_cutting ? rule.form_beside_cuts : rule.form; });
 }
 
 SearchQuery query(const CheckOptions& options, double reach, double tolerance) {
@@ -166,7 +172,7 @@ class MoveChecker {
   // What comes no deeper than the tolerance may reach far into a solid with a blade or a point: where a tool has such,
   // less depth must be proved (docs/algorithms/inside_outside.md, section 4).
   void check_reach() {
-    const SureDepth sure = sure_depth(tool_, *scene_.scene, options_);
+    const SureDepth sure = sure_depth(tool_, scene_, options_);
     if (verdict_.depth_upper_mm <= sure.depth_mm) return;
     const double share = std::exp2(-0.5 * sure.halvings);
     SearchQuery less = query(options_, 0, share * options_.tolerance_mm);

@@ -152,9 +152,7 @@ StretchForm form_of(const Scene& scene, MoveVerdicts& verdicts, PagedVector<std:
     std::uint64_t sum = 0;
     std::vector<MoveVerdict> read(last - first);
     bool is_whole = take_bytes(bytes, sum);
-    for (MoveVerdict& verdict : read)
-      is_whole =
-          is_whole && take_bytes(bytes, verdict) && is_of_meshes(verdict, scene.parts.size(), scene.fixtures.size());
+    for (MoveVerdict& verdict : read) is_whole = is_whole && take_bytes(bytes, verdict) && is_of_meshes(verdict, scene);
     if (!is_whole || !bytes.empty()) return false;
     bounds[first] = sum;
     std::move(read.begin(), read.end(), verdicts.begin() + static_cast<std::ptrdiff_t>(first));

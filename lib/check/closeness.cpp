@@ -49,7 +49,8 @@ struct Distance {
 };
 
 Distance distance_from_part(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
-  const SearchTarget part{&tool.against_part, &scene.parts, Against::part};
+  const ContactRule& rule = scene.workpiece().rule;
+  const SearchTarget part{&(tool.*rule.form), &scene.workpiece_tree(), rule.against};
   const SearchResult result = sweep_and_search(MotionLaw::tool_at(pose), {part},
                                                {{0, kAccuracy_mm, kAccuracy_mm, kClosenessBudget}, Closeness::kFar_mm});
   const double seen =
@@ -63,7 +64,7 @@ double seen_by_check_mm(const Toolpath& toolpath, const std::vector<const ToolVa
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < toolpath.moves.size() && i < verdicts.size(); ++i) {
     const MoveVerdict& v = verdicts[i];
-    const bool is_seen = v.witness && v.witness->against == Against::part && v.witness->body != Body::head;
+    const bool is_seen = v.witness && rule_of(v.witness->against).is_workpiece && v.witness->body != Body::head;
     if (!is_seen || !is_cut(toolpath.moves[i], tools)) continue;
     if (v.depth_mm > 0) return 0;
     if (v.clearance_mm) nearest = std::min(nearest, *v.clearance_mm);
@@ -88,7 +89,7 @@ std::optional<Closeness> measure_closeness(const Toolpath& toolpath, const std::
   Closeness closeness;
   closeness.cuts = static_cast<std::size_t>(std::count_if(toolpath.moves.begin(), toolpath.moves.end(),
                                                           [&](const Move& move) { return is_cut(move, tools); }));
-  if (closeness.cuts == 0 || scene.parts.nodes.empty() || !scene.is_within_reach) return std::nullopt;
+  if (closeness.cuts == 0 || scene.workpiece_tree().nodes.empty() || !scene.is_within_reach) return std::nullopt;
   const std::vector<std::size_t> chosen = spread(toolpath, tools, closeness.cuts);
   std::vector<double> distances(chosen.size()), least(chosen.size());
   for_each_chunk(chosen.size(), kPositionsPerChunk, threads, [&](std::size_t first, std::size_t last) {

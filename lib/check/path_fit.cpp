@@ -42,7 +42,7 @@ enum class Contact { apart, touching, gouging };
 /// does not show how deep the cutter is.
 bool is_of_cutter(const MoveVerdict& verdict) {
   if (verdict.state == MoveState::buried) return verdict.reason.body != Body::head;
-  return !verdict.witness || (verdict.witness->body == Body::cutter && verdict.witness->against == Against::part);
+  return !verdict.witness || (verdict.witness->body == Body::cutter && rule_of(verdict.witness->against).is_workpiece);
 }
 
 // The radius of the corner next to the tip, of a ball its own; 0: none.
@@ -56,7 +56,7 @@ double corner_radius_mm(const CompiledTool& tool) {
 /// Of the cutter alone: what is above it may collide on a path that fits.
 Contact contact_of(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
   const double touch = touch_mm(tool);
-  const SearchTarget part{&tool.cutting, &scene.parts, Against::part};
+  const SearchTarget part{&tool.cutting, &scene.workpiece_tree(), scene.workpiece().rule.against};
   const SearchResult result = sweep_and_search(MotionLaw::tool_at(pose), {part},
                                                {{0, kAccuracy * touch, kAccuracy * touch, kFitBudget}, touch});
   if (result.value_mm > 2 * touch) return Contact::gouging;
@@ -64,16 +64,15 @@ Contact contact_of(const Pose& pose, const ToolVariants& tool, const PreparedSce
 }
 
 bool is_core_inside(const Pose& pose, const ToolVariants& tool, const Scene& scene) {
-  return is_inside(scene.parts, pose.tip + tool.bare.core.y() * pose.axis);
+  return is_inside(workpiece_of(scene), pose.tip + tool.bare.core.y() * pose.axis);
 }
 
 Scene scaled(const Scene& scene, double factor) {
-  Scene made;
-  made.parts = scene.parts;
-  for (IndexedMesh& mesh : made.parts) {
+  std::vector<IndexedMesh> meshes = workpiece_of(scene);
+  for (IndexedMesh& mesh : meshes) {
     for (Vec3& vertex : mesh.vertices) vertex *= factor;
   }
-  return made;
+  return scene_of_workpiece(std::move(meshes));
 }
 
 class FitFinder {
@@ -84,7 +83,8 @@ class FitFinder {
 
   PathFit run() {
     gather();
-    if (cuts_.size() < kFewestPositions || scene_.parts.nodes.empty() || !scene_.is_within_reach) return fit_;
+    if (cuts_.size() < kFewestPositions || scene_.workpiece_tree().nodes.empty() || !scene_.is_within_reach)
+      return fit_;
     if (is_too_deep()) fit_.kind = PathFit::Kind::too_deep;
     take_samples();
     const bool is_suspicious = static_cast<double>(fit_.gouging) >= kSuspicious * static_cast<double>(cuts_.size());
@@ -153,7 +153,7 @@ class FitFinder {
     // With no surface near it the cutter may be deep inside.
     if (contact_of(pose, tool, scene_) == Contact::apart) return is_core_inside(pose, tool, *scene_.scene);
     const double deep = kDeep * tool.bare.core_depth_mm, gap = kAccuracy * deep;
-    const SearchTarget part{&tool.cutting, &scene_.parts, Against::part};
+    const SearchTarget part{&tool.cutting, &scene_.workpiece_tree(), scene_.workpiece().rule.against};
     return sweep_and_search(MotionLaw::tool_at(pose), {part}, {{deep, gap, gap, kFitBudget}, 0}).value_mm > deep;
   }
 
@@ -244,13 +244,13 @@ class FitFinder {
     if (std::abs(scale - 1) < 1e-9) return true;
     Box3 cuts;
     for (const std::size_t move : cuts_) cuts.extend(path_.moves[move].end.tip);
-    const double ratio = cuts.diagonal().norm() / box_of(scene_.scene->parts).diagonal().norm();
+    const double ratio = cuts.diagonal().norm() / box_of(scene_.workpiece().meshes).diagonal().norm();
     return ratio > 0 && std::abs(std::log(ratio * scale)) < std::abs(std::log(ratio));
   }
 
   // Before a tree is built over a part of another size.
   [[nodiscard]] bool is_hopeful(const std::vector<Sample>& samples, double part_scale) const {
-    const Box3 box = box_of(scene_.scene->parts);
+    const Box3 box = box_of(scene_.workpiece().meshes);
     const Box3 scaled_box(Vec3(part_scale * box.min()), Vec3(part_scale * box.max()));
     const auto near = std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
       const double reach = sample.tool->bare.r_max_mm + touch_mm(*sample.tool);

@@ -1,39 +1,44 @@
 #include "lib/check/prepared_scene.h"
 
 #include <algorithm>
+#include <string>
 
 #include "lib/check/reach.h"
 
 namespace gouge {
 namespace {
 
-std::vector<Surface> surfaces_of(const std::vector<IndexedMesh>& meshes, const BlockTree& tree, unsigned threads) {
-  if (meshes.size() == 1) return {Surface(meshes[0], tree)};
+std::vector<Surface> surfaces_of(std::span<const IndexedMesh> meshes, const BlockTree& tree, unsigned threads) {
   std::vector<Surface> surfaces;
   surfaces.reserve(meshes.size());
-  for (const IndexedMesh& mesh : meshes) surfaces.emplace_back(mesh, threads);
+  if (meshes.size() == 1) {
+    surfaces.emplace_back(meshes[0], tree);
+  } else {
+    for (const IndexedMesh& mesh : meshes) surfaces.emplace_back(mesh, threads);
+  }
   return surfaces;
 }
 
 }  // namespace
 
 PreparedScene::PreparedScene(const Scene& of, unsigned threads, const ProgressCall& progress)
-    : scene(&of),
-      is_within_reach(why_unfit(of) == Reason::Kind::none),
-      part_surfaces_(surfaces_of(of.parts, parts, threads)),
-      fixture_surfaces_(surfaces_of(of.fixtures, fixtures, threads)),
-      sides_(of) {
-  if (!is_within_reach) return;
-  parts = build_block_tree(of.parts, threads, "indexing the parts", progress);
-  fixtures = build_block_tree(of.fixtures, threads, "indexing the fixtures", progress);
+    : scene(&of), is_within_reach(why_unfit(of) == Reason::Kind::none), sides_(of) {
+  for (const ObstacleMeshes& from : obstacles_of(of)) obstacles_.push_back({from.rule, from.meshes, {}, {}});
+  for (PreparedObstacle& obstacle : obstacles_) {
+    if (is_within_reach) {
+      const std::string what = "indexing the " + std::string(obstacle.rule.name) + "s";
+      obstacle.tree = build_block_tree(obstacle.meshes, threads, what.c_str(), progress);
+    }
+    obstacle.surfaces = surfaces_of(obstacle.meshes, obstacle.tree, threads);
+  }
 }
 
-bool PreparedScene::are_parts_solid() const {
-  return std::ranges::all_of(part_surfaces_, [](const Surface& surface) { return surface.is_solid(); });
+const PreparedObstacle& PreparedScene::workpiece() const {
+  return *std::ranges::find_if(obstacles_, [](const PreparedObstacle& one) { return one.rule.is_workpiece; });
 }
 
-const Surface& PreparedScene::surface(Against kind, std::size_t mesh) const {
-  return (kind == Against::part ? part_surfaces_ : fixture_surfaces_)[mesh];
+bool PreparedScene::is_workpiece_solid() const {
+  return std::ranges::all_of(workpiece().surfaces, [](const Surface& surface) { return surface.is_solid(); });
 }
 
 }  // namespace gouge

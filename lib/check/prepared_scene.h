@@ -10,6 +10,14 @@
 
 namespace gouge {
 
+/// An obstacle with what is asked of it.
+struct PreparedObstacle {
+  ContactRule rule;
+  std::span<const IndexedMesh> meshes;
+  BlockTree tree;                 ///< of all meshes, for the sweep
+  std::vector<Surface> surfaces;  ///< one a mesh
+};
+
 /// The scene with each index of its meshes, made once whoever asks: the trees of the sweep at once, all else when first
 /// asked for, from any thread.
 class PreparedScene {
@@ -20,22 +28,33 @@ class PreparedScene {
   PreparedScene(const PreparedScene&) = delete;
   PreparedScene& operator=(const PreparedScene&) = delete;
 
-  /// Distances from a mesh. Its index is that of the sweep where no other mesh is of that kind. Requires
+  /// In the order of the contact table.
+  [[nodiscard]] std::span<const PreparedObstacle> obstacles() const { return obstacles_; }
+  [[nodiscard]] const PreparedObstacle& obstacle(Against against) const {
+    return obstacles_[static_cast<std::size_t>(against)];
+  }
+  /// The one whose surface the cutter makes.
+  [[nodiscard]] const PreparedObstacle& workpiece() const;
+
+  [[nodiscard]] const BlockTree& workpiece_tree() const { return workpiece().tree; }
+
+  /// Distances from a mesh. Its index is that of the sweep where the obstacle has no other mesh. Requires
   /// is_within_reach. Cost of the first call for a mesh: else its tree.
-  [[nodiscard]] const Surface& surface(Against kind, std::size_t mesh) const;
+  [[nodiscard]] const Surface& surface(Against against, std::size_t mesh) const {
+    return obstacle(against).surfaces[mesh];
+  }
 
-  /// Every part is closed, oriented and outward. Cost of the first call O(n).
-  [[nodiscard]] bool are_parts_solid() const;
+  /// Every mesh of the workpiece is closed, oriented and outward. Cost of the first call O(n).
+  [[nodiscard]] bool is_workpiece_solid() const;
 
-  /// Inside and outside of parts and fixtures.
+  /// Inside and outside of all obstacles.
   [[nodiscard]] const SceneSides& sides() const { return sides_; }
 
   const Scene* scene;
-  BlockTree parts, fixtures;
   bool is_within_reach;  ///< no mesh reaches beyond kFarthest_mm
 
  private:
-  std::vector<Surface> part_surfaces_, fixture_surfaces_;
+  std::vector<PreparedObstacle> obstacles_;
   SceneSides sides_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/check/contact_rule.h"
+
 namespace gouge {
 namespace {
 
@@ -21,8 +23,8 @@ Reason::Kind why_unfit(const Motion& motion) {
 }
 
 Reason::Kind why_unfit(const Scene& scene) {
-  for (const std::vector<IndexedMesh>* meshes : {&scene.parts, &scene.fixtures}) {
-    for (const IndexedMesh& mesh : *meshes) {
+  for (const ObstacleMeshes& obstacle : obstacles_of(scene)) {
+    for (const IndexedMesh& mesh : obstacle.meshes) {
       if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_within_reach)) return Reason::Kind::out_of_reach;
     }
   }
@@ -35,10 +37,11 @@ Reason::Kind why_unfit(const ToolVariants& tool) {
     const bool is_shape = e.center.allFinite() && std::isfinite(e.radius_mm) && is_near(e.normal);
     return is_shape && is_near(e.a) && is_near(e.b);
   };
-  for (const CompiledTool* variant : {&tool.bare, &tool.against_part, &tool.against_fixture, &tool.with_clearance}) {
-    if (!std::all_of(variant->elements.begin(), variant->elements.end(), is_fit)) return Reason::Kind::out_of_reach;
-  }
-  return Reason::Kind::none;
+  const auto is_form_fit = [&](const CompiledTool& form) { return std::ranges::all_of(form.elements, is_fit); };
+  const bool are_fit =
+      is_form_fit(tool.bare) && is_form_fit(tool.with_clearance) &&
+      std::ranges::all_of(kContactRules, [&](const ContactRule& rule) { return is_form_fit(tool.*rule.form); });
+  return are_fit ? Reason::Kind::none : Reason::Kind::out_of_reach;
 }
 
 Reason::Kind why_unfit(const CheckOptions& options) {

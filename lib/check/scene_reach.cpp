@@ -51,12 +51,13 @@ double size_of(const Box3& box) { return box.diagonal().norm(); }
 }  // namespace
 
 double reach_mm(const Toolpath& path, const Scene& scene) {
-  const Box3 box = box_of_tips(path).merged(box_of(scene.parts)).merged(box_of(scene.fixtures));
+  Box3 box = box_of_tips(path);
+  for (const ObstacleMeshes& obstacle : obstacles_of(scene)) box.extend(box_of(obstacle.meshes));
   return box.isEmpty() ? 0 : size_of(box);
 }
 
 std::optional<PartsBesidePath> compare_parts(const Toolpath& path, const Scene& scene) {
-  const Box3 parts = box_of(scene.parts), tips = box_of_tips(path), cuts = box_of_cuts(path);
+  const Box3 parts = box_of(workpiece_of(scene)), tips = box_of_tips(path), cuts = box_of_cuts(path);
   if (parts.isEmpty() || tips.isEmpty()) return std::nullopt;
   PartsBesidePath found;
   found.gap_mm = std::sqrt(parts.squaredExteriorDistance(tips));

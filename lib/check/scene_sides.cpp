@@ -1,21 +1,28 @@
 #include "lib/check/scene_sides.h"
 
 #include "lib/base/parallel.h"
+#include "lib/check/contact_rule.h"
 
 namespace gouge {
 
+SceneSides::SceneSides(const Scene& scene) {
+  for (const ObstacleMeshes& obstacle : obstacles_of(scene)) obstacles_.emplace_back(obstacle.meshes);
+}
+
 std::uint8_t SceneSides::beyond(const Vec3& point) const {
-  return static_cast<std::uint8_t>((parts_.is_beyond(point) ? 1 : 0) + (fixtures_.is_beyond(point) ? 2 : 0));
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < obstacles_.size(); ++k) bits |= obstacles_[k].is_beyond(point) ? 1U << k : 0U;
+  return static_cast<std::uint8_t>(bits);
 }
 
 SideResult SceneSides::side_of(const ConnectedPoints& joined, std::uint8_t beyond) const {
   SideResult result{Side::outside, {}};
-  for (const auto& [kind, bit] : {std::pair(&parts_, 1), std::pair(&fixtures_, 2)}) {
-    if ((beyond & bit) != 0) continue;
-    const Side side = kind->side_of(joined);
+  for (std::size_t k = 0; k < obstacles_.size(); ++k) {
+    if ((beyond & (1U << k)) != 0) continue;
+    const Side side = obstacles_[k].side_of(joined);
     if (side == Side::inside) return {side, {}};
     if (side == Side::outside || result.side == Side::unknown) continue;
-    result = {side, kind->why_unknown()};
+    result = {side, obstacles_[k].why_unknown()};
   }
   return result;
 }
@@ -35,7 +42,7 @@ void FreeChains::decide(unsigned threads, const std::function<ConnectedPoints(st
   std::vector<Open> open;
   result_of_.assign(count, 0);
   for (std::uint32_t i = 0; i < count; ++i) {
-    if (joins_.root(i) != i || beyond_[i] == SceneSides::kBeyondAll || (is_asked && !is_asked(i))) continue;
+    if (joins_.root(i) != i || beyond_[i] == sides_.beyond_all() || (is_asked && !is_asked(i))) continue;
     open.push_back({i, last[i]});
     result_of_[i] = static_cast<std::uint32_t>(open.size());
   }

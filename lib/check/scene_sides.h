@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,21 +20,21 @@ struct SideResult {
   std::string why;  ///< of unknown: which mesh does not decide it, and for which fault
 };
 
-/// Parts together, and fixtures together.
+/// The meshes of each obstacle together.
 class SceneSides {
  public:
   /// The scene must outlive it.
-  explicit SceneSides(const Scene& scene) : parts_(scene.parts), fixtures_(scene.fixtures) {}
+  explicit SceneSides(const Scene& scene);
 
-  /// Bit 1: beyond all parts; bit 2: beyond all fixtures.
+  /// Bit k: beyond all meshes of obstacle k.
   [[nodiscard]] std::uint8_t beyond(const Vec3& point) const;
-  static constexpr std::uint8_t kBeyondAll = 3;
+  [[nodiscard]] std::uint8_t beyond_all() const { return static_cast<std::uint8_t>((1U << obstacles_.size()) - 1); }
 
-  /// Outside only when outside of both kinds, inside when inside of one. `beyond`: what is known already.
+  /// Outside only when outside of all obstacles, inside when inside of one. `beyond`: what is known already.
   [[nodiscard]] SideResult side_of(const ConnectedPoints& joined, std::uint8_t beyond = 0) const;
 
  private:
-  Enclosure parts_, fixtures_;
+  std::deque<Enclosure> obstacles_;  // at most eight: one bit each
 };
 
 /// Points that moves keep free of all surfaces, numbered from 0, joined where one leads to the next: what holds of one

@@ -10,6 +10,4 @@ const char* state_name(MoveState state) {
   return kNames[static_cast<std::size_t>(state)];
 }
 
-const char* against_name(Against against) { return against == Against::part ? "part" : "fixture"; }
-
 }  // namespace gouge

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lib/base/paged_memory.h"
+#include "lib/check/contact_rule.h"
 #include "lib/check/reason.h"
 #include "lib/geom/vec.h"
 #include "lib/tool/compiled_tool.h"
@@ -18,9 +19,6 @@ namespace gouge {
 enum class MoveState : std::uint8_t { clean, near_miss, gouge, buried, not_checked, not_certified };
 [[nodiscard]] const char* state_name(MoveState state);  ///< clean, near, gouge, buried, not-checked, not-certified
 
-enum class Against : std::uint8_t { part, fixture };
-[[nodiscard]] const char* against_name(Against against);  ///< part, fixture
-
 /// The evidence for a depth: at instant t of the move, surface point `point` is `depth` deep in the tool.
 struct Witness {
   double t = 0;                 ///< instant of the move, in [0, 1]
@@ -28,7 +26,7 @@ struct Witness {
   Vec3 normal = Vec3::UnitZ();  ///< unit direction in which the tool must move away by the depth
   Body body = Body::cutter;     ///< body of the boundary element nearest to the point
   Against against = Against::part;
-  std::uint32_t mesh = 0;      ///< index into the scene's meshes of that kind
+  std::uint32_t mesh = 0;      ///< index into the meshes of that obstacle
   std::uint32_t triangle = 0;  ///< index in the STL file, counted from 0
 };
 

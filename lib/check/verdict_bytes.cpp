@@ -70,7 +70,7 @@ bool is_possible(Body body) { return body <= Body::head; }
 
 bool is_possible(const Witness& w) {
   return w.t >= 0 && w.t <= 1 && w.point.allFinite() && w.normal.allFinite() && is_possible(w.body) &&
-         w.against <= Against::fixture;
+         static_cast<std::size_t>(w.against) < kContactRules.size();
 }
 
 bool is_possible(const Reason& reason) {
@@ -137,8 +137,9 @@ bool take_bytes(std::string_view& bytes, MoveVerdict& verdict) {
   return is_whole && is_possible(verdict);
 }
 
-bool is_of_meshes(const MoveVerdict& verdict, std::size_t parts, std::size_t fixtures) {
-  return !verdict.witness || verdict.witness->mesh < (verdict.witness->against == Against::part ? parts : fixtures);
+bool is_of_meshes(const MoveVerdict& verdict, const Scene& scene) {
+  if (!verdict.witness) return true;
+  return verdict.witness->mesh < obstacles_of(scene)[static_cast<std::size_t>(verdict.witness->against)].meshes.size();
 }
 
 }  // namespace gouge

@@ -121,12 +121,14 @@ struct AimedTarget {
 };
 
 std::vector<AimedTarget> aimed_targets(const ToolVariants& tool, const PreparedScene& scene, const CorrectionAim& aim) {
-  std::vector<AimedTarget> all{{{&tool.against_part, &scene.parts, Against::part}, aim.part_mm},
-                               {{&tool.against_fixture, &scene.fixtures, Against::fixture}, aim.fixture_mm}};
-  if (!tool.with_clearance.elements.empty()) {
-    all.push_back({{&tool.with_clearance, &scene.parts, Against::part}, aim.clearance_mm});
-    all.push_back({{&tool.with_clearance, &scene.fixtures, Against::fixture}, aim.clearance_mm});
+  std::vector<AimedTarget> all;
+  for (const PreparedObstacle& obstacle : scene.obstacles()) {
+    const double aim_mm = obstacle.rule.is_workpiece ? aim.workpiece_mm : aim.others_mm;
+    all.push_back({{&(tool.*obstacle.rule.form), &obstacle.tree, obstacle.rule.against}, aim_mm});
   }
+  if (tool.with_clearance.elements.empty()) return all;
+  for (const PreparedObstacle& obstacle : scene.obstacles())
+    all.push_back({{&tool.with_clearance, &obstacle.tree, obstacle.rule.against}, aim.clearance_mm});
   return all;
 }
 
@@ -177,7 +179,8 @@ double largest_excess(const Pose& pose, const ToolVariants& tool, const Prepared
 double largest_excess(const Pose& pose, const CompiledTool& tool, const PreparedScene& scene, double aim_mm,
                       double accuracy_mm) {
   std::uint64_t spent = 0;
-  return excess_of(MotionLaw::tool_at(pose), {{&tool, &scene.parts, Against::part}, aim_mm}, accuracy_mm, spent);
+  return excess_of(MotionLaw::tool_at(pose), {{&tool, &scene.workpiece_tree(), scene.workpiece().rule.against}, aim_mm},
+                   accuracy_mm, spent);
 }
 
 }  // namespace gouge

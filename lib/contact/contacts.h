@@ -17,9 +17,9 @@ struct ToolContact {
 /// How deep surface points may lie in the tool after a correction. Below the check's tolerance, so that
 /// rounding in the written file and the motion between positions have a margin; negative asks for that much air.
 struct CorrectionAim {
-  double part_mm = 0;       ///< of the part, in the whole tool
-  double fixture_mm = 0;    ///< of a fixture, in the whole tool
-  double clearance_mm = 0;  ///< of either, in bodies that must keep a clearance
+  double workpiece_mm = 0;  ///< of the workpiece, in the whole tool
+  double others_mm = 0;     ///< of the other obstacles, in the whole tool
+  double clearance_mm = 0;  ///< of all, in bodies that must keep a clearance
 };
 
 /// One contact for every triangle that exceeds the aim by more than `notable_mm` >= 0: its deepest point, to a tenth of

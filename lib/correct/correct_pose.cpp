@@ -59,7 +59,7 @@ Vec3 of_deepest(const std::vector<ToolContact>& contacts) {
 std::optional<CorrectedPose> iterate(ShiftOfContacts shift_of, Strategy strategy, const Pose& pose,
                                      const ToolVariants& tool, const MotionChecker& checker, const PoseLimits& limits) {
   const CorrectionAim& aim = limits.aim;
-  const CorrectionAim further{aim.part_mm - kMargin_mm, aim.fixture_mm - kMargin_mm, aim.clearance_mm - kMargin_mm};
+  const CorrectionAim further{aim.workpiece_mm - kMargin_mm, aim.others_mm - kMargin_mm, aim.clearance_mm - kMargin_mm};
   CorrectedPose result{pose, strategy, 0, 0};
   for (; result.iterations <= limits.largest_iterations; ++result.iterations) {
     const double most = tool_excess(result.pose, tool, checker, aim);
@@ -92,7 +92,7 @@ std::optional<CorrectedPose> correct_along_normal(const Pose& pose, const ToolVa
 }
 
 double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLimits& limits) {
-  return checker.head_excess(pose, std::max(0.0, limits.aim.part_mm), kAccuracy_mm);
+  return checker.head_excess(pose, std::max(0.0, limits.aim.workpiece_mm), kAccuracy_mm);
 }
 
 std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolVariants& tool,

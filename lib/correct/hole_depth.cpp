@@ -14,11 +14,8 @@ constexpr int kDirections = 8, kHeights = 64;
 constexpr double kTopExact_mm = 1e-3;
 
 bool is_in_part(const Vec3& point, const PreparedScene& scene) {
-  for (std::size_t mesh = 0; mesh < scene.scene->parts.size(); ++mesh) {
-    const Surface& surface = scene.surface(Against::part, mesh);
-    if (surface.is_solid() && surface.winds_around(point)) return true;
-  }
-  return false;
+  return std::ranges::any_of(scene.workpiece().surfaces,
+                             [&](const Surface& surface) { return surface.is_solid() && surface.winds_around(point); });
 }
 
 /// The height at which the material that begins beside the drill ends; 0: there is none.

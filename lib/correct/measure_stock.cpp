@@ -50,7 +50,7 @@ class Measurer {
     }
     const CheckOptions& options = setup_.options;
     StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm};
-    limits.are_solids = setup_.scene.are_parts_solid();
+    limits.are_solids = setup_.scene.is_workpiece_solid();
     limits.most_work = (kMostWork + kWorkPerMove * path_.moves.size()) / std::max<std::size_t>(1, stretches.size());
     std::vector<std::optional<LeftStock>> most(stretches.size());
     for_each_chunk(stretches.size(), 1, options.threads, [&](std::size_t begin, std::size_t end) {
@@ -70,7 +70,7 @@ class Measurer {
     for (std::size_t i = stretch.first; i <= stretch.second; ++i) add(path_, i, before);
     before.index();
     if (before.is_empty()) return std::nullopt;
-    return find_left_stock(setup_.scene.parts, before, {&after_, nullptr}, limits);
+    return find_left_stock(setup_.scene.workpiece_tree(), before, {&after_, nullptr}, limits);
   }
 
   static std::vector<bool> changed(const Toolpath& path, const Correction& correction) {

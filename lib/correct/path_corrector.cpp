@@ -221,9 +221,9 @@ Pose PathCorrector::start_of(std::size_t i) const { return is_chained(i) ? end_o
 // A thin or pointed tool is clean only where it is less deep than the tolerance allows.
 PoseLimits PathCorrector::limits_for(const ToolVariants& tool) const {
   PoseLimits limits = limits_;
-  const SureDepth sure = sure_depth(tool, *checker_.scene().scene, options_);
+  const SureDepth sure = sure_depth(tool, checker_.scene(), options_);
   const double share = sure.depth_mm > 0 ? sure.depth_mm / (options_.tolerance_mm + options_.resolution_mm) : 0;
-  if (share < 1) limits.aim.part_mm = aim_of(share * options_.tolerance_mm);
+  if (share < 1) limits.aim.workpiece_mm = aim_of(share * options_.tolerance_mm);
   return limits;
 }
 

@@ -104,7 +104,7 @@ class HolePlanner {
     double most = 0;
     for (const std::size_t i : gouging) {
       const MoveVerdict verdict = checker_.check(shifted(i, by), path_.moves[i].kind, tool_of(i), options);
-      const bool is_air = verdict.witness && verdict.witness->against == Against::fixture;
+      const bool is_air = verdict.witness && !rule_of(verdict.witness->against).is_workpiece;
       const double aim = is_air ? -kAir_mm : options.tolerance_mm;
       if (verdict.state == MoveState::gouge) most = std::max(most, verdict.depth_mm - aim);
     }

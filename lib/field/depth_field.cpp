@@ -86,10 +86,8 @@ class PoseList {
   bool may_go_ = false;      ///< it
 };
 
-/// What there is among the points asked about.
-struct Kinds {
-  bool has_parts = false, has_fixtures = false;
-};
+/// For each row of the contact table, whether points of it are asked about.
+using AskedRules = std::array<bool, kContactRules.size()>;
 
 /// A tool where it was sampled, or about there at several instants that follow each other, as PointDepths asks.
 class PlacedTool {
@@ -97,8 +95,8 @@ class PlacedTool {
   struct Memory {};
   std::uint32_t parts = 0, first_part = 0;
 
-  PlacedTool(const DepthField::FieldPose& pose, const Kinds& kinds, double tolerance_mm)
-      : pose_(&pose.pose), tool_(pose.tool), kinds_(kinds), tolerance_mm_(tolerance_mm) {}
+  PlacedTool(const DepthField::FieldPose& pose, const AskedRules& asked, double tolerance_mm)
+      : pose_(&pose.pose), tool_(pose.tool), asked_(asked), tolerance_mm_(tolerance_mm) {}
 
   /// Stands for `parts`, those of one tool, and is where the one in the middle is.
   PlacedTool(std::span<const PlacedTool> of, std::uint32_t first) : PlacedTool(of[of.size() / 2]) {
@@ -117,7 +115,7 @@ class PlacedTool {
 
   [[nodiscard]] double floor_mm() const { return has_clearance() ? 0.0 : tolerance_mm_; }
 
-  // The part form holds every other form inside it up to its clearances, so it decides what is far away.
+  // The form held against the workpiece holds every other one inside it up to its clearances, so it decides what is far away.
   [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double, Memory&) const {
     const Vec3 d = node.centre - pose_->tip;
     const double z = d.dot(pose_->axis);
@@ -137,15 +135,15 @@ class PlacedTool {
       }
       range = range ? either(*range, one) : one;
     };
-    if (kinds_.has_parts || has_clearance()) ask(tool_->against_part);
-    if (kinds_.has_fixtures) ask(tool_->against_fixture);
+    for (std::size_t k = 0; k < kContactRules.size(); ++k) {
+      if (asked_[k] || (kContactRules[k].is_workpiece && has_clearance())) ask(tool_->*kContactRules[k].form);
+    }
     if (range->least_mm <= tolerance_mm_) range->least_mm = 0;
     return *range;
   }
 
   [[nodiscard]] double depth_mm(const FieldPoint& point, double, Memory&) const {
-    const double depth =
-        -signed_distance_mm(point.is_fixture ? tool_->against_fixture : tool_->against_part, *pose_, point.at);
+    const double depth = -signed_distance_mm(tool_->*rule_of(point.against).form, *pose_, point.at);
     const double in_clearance = has_clearance() ? -signed_distance_mm(tool_->with_clearance, *pose_, point.at) : 0;
     return std::max({depth > tolerance_mm_ ? depth : 0.0, in_clearance, 0.0});
   }
@@ -165,7 +163,7 @@ class PlacedTool {
 
   const Pose* pose_;
   const ToolVariants* tool_;
-  Kinds kinds_;
+  AskedRules asked_;
   double tolerance_mm_;
   double shift_mm_ = 0, turn_ = 0;  ///< how far from its own the tips of the parts and the ends of their axes are
 };
@@ -200,10 +198,10 @@ namespace {
 
 /// The tools of those poses and groups of neighbours behind them; how many of the last stand for all.
 std::pair<std::vector<PlacedTool>, std::size_t> grouped_tools(const std::vector<DepthField::FieldPose>& poses,
-                                                              const Kinds& kinds, double tolerance_mm) {
+                                                              const AskedRules& asked, double tolerance_mm) {
   std::vector<PlacedTool> tools;
   tools.reserve(2 * poses.size());
-  for (const DepthField::FieldPose& pose : poses) tools.emplace_back(pose, kinds, tolerance_mm);
+  for (const DepthField::FieldPose& pose : poses) tools.emplace_back(pose, asked, tolerance_mm);
   const std::size_t roots = group_neighbours(tools);
   return {std::move(tools), roots};
 }
@@ -212,9 +210,9 @@ std::pair<std::vector<PlacedTool>, std::size_t> grouped_tools(const std::vector<
 
 std::vector<float> DepthField::tool_depth_at(const std::vector<Point>& points) const {
   if (poses_.empty()) return std::vector<float>(points.size(), 0.0F);
-  Kinds kinds;
-  for (const Point& point : points) (point.is_fixture ? kinds.has_fixtures : kinds.has_parts) = true;
-  const auto [tools, roots] = grouped_tools(poses_, kinds, tolerance_mm_);
+  AskedRules asked{};
+  for (const Point& point : points) asked[static_cast<std::size_t>(point.against)] = true;
+  const auto [tools, roots] = grouped_tools(poses_, asked, tolerance_mm_);
   return PointDepths(points).deepest(tools, roots);
 }
 
@@ -222,10 +220,12 @@ std::vector<std::uint8_t> DepthField::may_be_deep(const std::vector<Vec3>& centr
                                                   double around_mm) const {
   std::vector<Point> points;
   points.reserve(centres.size());
-  for (const Vec3& centre : centres) points.push_back({centre, false});
+  for (const Vec3& centre : centres) points.push_back({centre});
   std::vector<float> found(points.size(), 0.0F);
   if (!poses_.empty()) {
-    const auto [tools, roots] = grouped_tools(poses_, {true, true}, tolerance_mm_);
+    AskedRules asked;
+    asked.fill(true);
+    const auto [tools, roots] = grouped_tools(poses_, asked, tolerance_mm_);
     const double floor_mm = around_mm > 0 ? 0 : std::numeric_limits<double>::infinity();
     const std::vector<AnyDepth<PlacedTool>> any = any_depths(tools, radius_mm + around_mm, floor_mm);
     found = PointDepths(points).deepest(any, roots);

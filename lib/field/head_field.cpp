@@ -112,7 +112,8 @@ class PlacedHead {
 HeadField::HeadField(const CheckedToolpath& input, std::size_t most_poses)
     : heads_(input.heads), tolerance_mm_(input.options.tolerance_mm) {
   if (heads_.empty()) return;
-  const Box3 scene = box_of(input.scene->parts).merged(box_of(input.scene->fixtures));
+  Box3 scene;
+  for (const ObstacleMeshes& obstacle : obstacles_of(*input.scene)) scene.extend(box_of(obstacle.meshes));
   if (scene.isEmpty()) return;
   const double reach = reach_of(heads_);
   const double most_step = kSeenStep * scene.diagonal().norm();

@@ -84,9 +84,9 @@ class OvercutField::SweptPose {
 OvercutField::~OvercutField() = default;
 
 OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depths)
-    : parts_(input.scene->parts.size()), tolerance_mm_(input.options.tolerance_mm), depths_(depths) {
+    : obstacles_(obstacle_of_meshes(*input.scene)), tolerance_mm_(input.options.tolerance_mm), depths_(depths) {
   const MoveVerdicts& verdicts = input.result->verdicts;
-  solids_.resize(parts_ + input.scene->fixtures.size());
+  solids_.resize(obstacles_.size());
   const double worst = input.result->worst_overcut_mm;
   for (const DepthField::FieldPose& pose : depths.poses()) {
     double largest = 0;
@@ -96,8 +96,9 @@ OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depth
       if (!(reported > 0) || !verdict.witness || verdict.witness->body == Body::head) continue;
       largest = std::max(largest, reported);
       const Witness& w = *verdict.witness;
-      const std::size_t mesh = w.mesh + (w.against == Against::part ? 0 : parts_);
-      solids_[mesh] = &input.prepared->surface(w.against, w.mesh).boundary();
+      const auto first = std::ranges::find(obstacles_, w.against);
+      solids_[static_cast<std::size_t>(first - obstacles_.begin()) + w.mesh] =
+          &input.prepared->surface(w.against, w.mesh).boundary();
     }
     if (!(largest > 0)) continue;
     swept_.emplace_back(pose, std::min(worst, kMoreThanReported * largest));
@@ -288,7 +289,7 @@ std::vector<float> OvercutField::overcut_at(const std::vector<Ray>& rays) const 
 
 std::vector<float> OvercutField::at(const std::vector<Ray>& rays) const {
   std::vector<float> deepest = overcut_at(rays);
-  const auto point = [&](std::size_t i) { return FieldPoint{rays[i].at, rays[i].mesh >= parts_}; };
+  const auto point = [&](std::size_t i) { return FieldPoint{rays[i].at, obstacles_[rays[i].mesh]}; };
   std::vector<std::size_t> without;
   std::vector<FieldPoint> points;
   for (std::size_t i = 0; i < rays.size(); ++i) {

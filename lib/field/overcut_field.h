@@ -29,7 +29,7 @@ class OvercutField {
   struct Ray {
     Vec3 at = Vec3::Zero();        ///< on the surface
     Vec3 inward = -Vec3::UnitZ();  ///< unit
-    std::size_t mesh = 0;          ///< among parts, then fixtures
+    std::size_t mesh = 0;          ///< counted through all obstacles
   };
   /// For each ball of that radius about a centre whether any ray that begins in it may have an overcut or a depth: where
   /// not, `at` is 0.
@@ -48,7 +48,7 @@ class OvercutField {
   std::vector<SweptPose> swept_;        ///< and groups of neighbours behind them
   std::size_t roots_ = 0;               ///< so many of the last stand for all
   std::vector<const Surface*> solids_;  ///< by mesh; null where nothing is asked
-  std::size_t parts_ = 0;               ///< so many meshes are parts, the others fixtures
+  std::vector<Against> obstacles_;      ///< by mesh
   double largest_mm_ = 0, tolerance_mm_ = 0;
   double reach_mm_ = 0;  ///< no ray is followed farther
   const DepthField& depths_;

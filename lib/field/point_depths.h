@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lib/base/parallel.h"
+#include "lib/check/contact_rule.h"
 #include "lib/field/point_tree.h"
 
 namespace gouge {
@@ -15,7 +16,7 @@ namespace gouge {
 /// A point of the surface, part coordinates.
 struct FieldPoint {
   Vec3 at = Vec3::Zero();
-  bool is_fixture = false;
+  Against against = Against::part;  ///< of which obstacle
 };
 
 /// What is known of the depth of all points p of a node in a body, mm: least <= depth <= most, and

@@ -51,7 +51,9 @@ std::pair<RigidTransform, RigidTransform> ends_of(const Toolpath& toolpath, std:
 }  // namespace
 
 HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene)
-    : heads_(heads), sides_(scene.sides()), trees_{&scene.parts, &scene.fixtures} {}
+    : heads_(heads), sides_(scene.sides()), obstacles_(scene.obstacles()) {
+  for (const PreparedObstacle& obstacle : obstacles_) trees_.push_back(&obstacle.tree);
+}
 
 std::uint64_t HeadChecker::check(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict) const {
   std::vector<double> uppers_mm;
@@ -91,7 +93,8 @@ void HeadChecker::sweep_all(std::span<const Motion> motions, const CheckOptions&
     const bool is_covered = !head.cover.pieces.empty();
     std::vector<SweptMove> swept;
     if (is_covered) {
-      const std::array<CoverTarget, 2> targets{{{&head.cover, trees_[0]}, {&head.cover, trees_[1]}}};
+      std::vector<CoverTarget> targets;
+      for (const BlockTree* tree : trees_) targets.push_back({&head.cover, tree});
       swept = sweep_covers(fit, targets, {goal, 0});
     }
     for (std::size_t k = 0; k < fit.size(); ++k) {
@@ -141,7 +144,7 @@ void HeadChecker::take(const HeadResult& found, MoveVerdict& verdict) const {
   w.point = found.point;
   w.normal = found.normal;
   w.body = Body::head;
-  w.against = found.tree == 0 ? Against::part : Against::fixture;
+  w.against = obstacles_[found.tree].rule.against;
   w.mesh = static_cast<std::uint32_t>(tree.mesh_of(found.triangle));
   w.triangle = tree.file_triangle(found.triangle);
   verdict.witness = w;
@@ -281,8 +284,7 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
       step.uppers_mm.resize(heads.size());
       is_whole = is_whole && take_bytes(bytes, step.bounds);
       for (double& upper : step.uppers_mm) is_whole = is_whole && take_bytes(bytes, upper);
-      is_whole = is_whole && take_bytes(bytes, step.verdict) &&
-                 is_of_meshes(step.verdict, scene.scene->parts.size(), scene.scene->fixtures.size());
+      is_whole = is_whole && take_bytes(bytes, step.verdict) && is_of_meshes(step.verdict, *scene.scene);
     }
     if (!is_whole || !bytes.empty()) return false;
     for (std::size_t i = first; i < last; ++i) {

@@ -76,7 +76,8 @@ class HeadChecker {
 
   const std::vector<HeadBody>& heads_;
   const SceneSides& sides_;
-  std::array<const BlockTree*, 2> trees_;  ///< of the parts, of the fixtures
+  std::span<const PreparedObstacle> obstacles_;
+  std::vector<const BlockTree*> trees_;  ///< of the obstacles
 };
 
 /// Checks bodies that move with the tool, and that its profile does not hold, along every move that the tool was

@@ -8,8 +8,8 @@ namespace gouge {
 namespace {
 
 bool is_in_solid(const Scene& scene, const Vec3& point) {
-  for (const std::vector<IndexedMesh>* meshes : {&scene.parts, &scene.fixtures}) {
-    for (const IndexedMesh& mesh : *meshes) {
+  for (const ObstacleMeshes& obstacle : obstacles_of(scene)) {
+    for (const IndexedMesh& mesh : obstacle.meshes) {
       if (mesh.box().contains(point) && is_inside({&mesh, 1}, point)) return true;
     }
   }

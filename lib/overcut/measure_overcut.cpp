@@ -102,8 +102,7 @@ class Measuring {
       std::vector<MoveVerdict> read(last - first);
       bool is_whole = true;
       for (MoveVerdict& verdict : read)
-        is_whole = is_whole && take_bytes(bytes, verdict) &&
-                   is_of_meshes(verdict, scene_.scene->parts.size(), scene_.scene->fixtures.size());
+        is_whole = is_whole && take_bytes(bytes, verdict) && is_of_meshes(verdict, *scene_.scene);
       if (!is_whole || !bytes.empty()) return false;
       for (std::size_t k = first; k < last; ++k) result_.verdicts[gouges_[k]] = std::move(read[k - first]);
       return true;

@@ -95,9 +95,9 @@ std::optional<LeftStock> CutPath::left_by(const TiltSpace& space, const TiltSequ
   const SweepsAfter after = {&own, &others};
   const CheckOptions& options = job_.checker.options();
   StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm};
-  limits.are_solids = job_.checker.scene().are_parts_solid();
+  limits.are_solids = job_.checker.scene().is_workpiece_solid();
   limits.most_work_once_left = kWorkOnceLeft;
-  return find_left_stock(job_.checker.scene().parts, before, after, limits);
+  return find_left_stock(job_.checker.scene().workpiece_tree(), before, after, limits);
 }
 
 void CutPath::accept(const TiltSpace& space, const TiltSequence& tilts) {

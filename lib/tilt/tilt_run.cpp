@@ -191,7 +191,7 @@ class Measurer {
       each_position([&](std::size_t i) {
         const TiltPosition& at = run_.positions[i];
         if (at.kind != MoveKind::rapid)
-          normals[i] = contact_normals(at.programmed, tool_, job_.checker.scene().parts, within_mm);
+          normals[i] = contact_normals(at.programmed, tool_, job_.checker.scene().workpiece_tree(), within_mm);
       });
       if (std::ranges::any_of(normals, [](const auto& some) { return !some.empty(); })) break;
     }

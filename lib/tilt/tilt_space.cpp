@@ -94,7 +94,8 @@ std::optional<double> TiltSpace::raise_mm(std::size_t i, const Tilt& tilt, Refus
     pose.tip = kept.tip + raised_mm * at.pivot.normal();
   }
   if (refusing == nullptr) return std::nullopt;
-  const std::vector<ToolContact> contacts = find_contacts(pose, task_.tool->cutting, task_.checker->scene().parts, aim);
+  const std::vector<ToolContact> contacts =
+      find_contacts(pose, task_.tool->cutting, task_.checker->scene().workpiece_tree(), aim);
   const auto deepest = std::ranges::max_element(contacts, {}, &ToolContact::excess_mm);
   if (deepest != contacts.end()) {
     Witness witness;
@@ -108,8 +109,7 @@ bool TiltSpace::is_refused(const Pose& pose, double deeper_mm, const CheckOption
                            RefusingPoints& refusing) const {
   const double allowed = options.tolerance_mm + options.resolution_mm + kSurely_mm + deeper_mm;
   const auto found = std::ranges::find_if(refusing, [&](const Witness& in) {
-    const CompiledTool& tool = in.against == Against::part ? task_.tool->against_part : task_.tool->against_fixture;
-    return signed_distance_mm(tool, pose, in.point) < -allowed;
+    return signed_distance_mm(task_.tool->*rule_of(in.against).form, pose, in.point) < -allowed;
   });
   if (found == refusing.end()) return false;
   std::rotate(refusing.begin(), found, found + 1);
@@ -132,7 +132,7 @@ bool TiltSpace::stays_too_deep(std::size_t i, const Pose& kept, const RefusingPo
   const Pose raised{kept.tip + most_raise_mm() * at.pivot.normal(), kept.axis};
   const CompiledTool& cutter = task_.tool->cutting;
   return std::ranges::any_of(refusing, [&](const Witness& in) {
-    return in.against == Against::part && signed_distance_mm(cutter, kept, in.point) < -allowed &&
+    return rule_of(in.against).is_workpiece && signed_distance_mm(cutter, kept, in.point) < -allowed &&
            signed_distance_mm(cutter, raised, in.point) < -allowed;
   });
 }

@@ -48,14 +48,16 @@ SureDepth SureDepths::at(const CompiledTool& form, const CompiledTool& bare, dou
   return known_[given_mm] = find_sure_depth(form, bare, given_mm);
 }
 
-SureDepth ToolVariants::sure_depth(bool has_parts, bool has_fixtures, double given_mm) const {
+SureDepth ToolVariants::sure_depth(std::span<const SureForm> forms, double given_mm) const {
   SureDepth sure{given_mm, given_mm, 0};
-  if (has_parts) sure = part_depths.at(against_part, bare, given_mm);
-  if (!has_fixtures || (has_parts && is_same_form(against_part, against_fixture))) return sure;
-  const SureDepth other = fixture_depths.at(against_fixture, bare, given_mm);
-  const double reach = std::max(sure.reach_mm, other.reach_mm);
-  if (other.depth_mm < sure.depth_mm) sure = other;
-  sure.reach_mm = reach;
+  for (std::size_t k = 0; k < forms.size(); ++k) {
+    const auto is_known = [&](const SureForm& before) { return is_same_form(*before.form, *forms[k].form); };
+    if (std::any_of(forms.begin(), forms.begin() + static_cast<std::ptrdiff_t>(k), is_known)) continue;
+    const SureDepth own = forms[k].depths->at(*forms[k].form, bare, given_mm);
+    const double reach = k == 0 ? own.reach_mm : std::max(sure.reach_mm, own.reach_mm);
+    if (k == 0 || own.depth_mm < sure.depth_mm) sure = own;
+    sure.reach_mm = reach;
+  }
   return sure;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "lib/tool/compiled_tool.h"
 #include "lib/tool/sure_depth.h"
@@ -22,8 +23,13 @@ struct ToolVariants {
   /// beside a motion. Null: not made.
   std::shared_ptr<const ToolVariants> wide;
 
-  /// find_sure_depth, the lesser one of the variants that are asked for. Computed once for each depth given.
-  [[nodiscard]] SureDepth sure_depth(bool has_parts, bool has_fixtures, double given_mm) const;
+  /// A form of this tool with its own sure depths.
+  struct SureForm {
+    const CompiledTool* form;
+    const SureDepths* depths;
+  };
+  /// find_sure_depth, the least one of the forms. Computed once for each depth given.
+  [[nodiscard]] SureDepth sure_depth(std::span<const SureForm> forms, double given_mm) const;
 };
 
 }  // namespace gouge

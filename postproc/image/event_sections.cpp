@@ -133,7 +133,7 @@ void frame_detail(Page& page, const SectionPanel& whole, const SectionPanel& det
 void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words) {
   if (!event.has_witness) return add_buried_section(page, set, event);
   const ToolVariants& variants = variants_of(set, event);
-  const CompiledTool& checked = event.event.against == Against::part ? variants.against_part : variants.against_fixture;
+  const CompiledTool& checked = variants.*rule_of(event.event.against).form;
   const Section section = cut(set, event, tool_size_mm(set, event));
   const SectionPlane& plane = section.plane;
   const LengthUnit unit = set.model.toolpath->unit;

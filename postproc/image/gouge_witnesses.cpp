@@ -29,8 +29,9 @@ std::vector<GougeWitness> gouge_witnesses(const CheckedToolpath& input, std::siz
 }
 
 bool is_in_sight(const CheckedToolpath& input, const Vec3& point, const Vec3& toward, double clear_mm) {
-  return !is_hidden(input.prepared->parts, point, toward, clear_mm) &&
-         !is_hidden(input.prepared->fixtures, point, toward, clear_mm);
+  return std::ranges::none_of(input.prepared->obstacles(), [&](const PreparedObstacle& obstacle) {
+    return is_hidden(obstacle.tree, point, toward, clear_mm);
+  });
 }
 
 }  // namespace gouge

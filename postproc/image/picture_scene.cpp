@@ -55,14 +55,14 @@ std::array<Normal, 3> PictureScene::Mesh::normals(std::uint32_t triangle, std::s
 }
 
 PictureScene::PictureScene(const PreparedScene& scene) : prepared_(&scene) {
-  for (std::size_t m = 0; m < scene.scene->parts.size(); ++m) {
-    add(scene.surface(Against::part, m), scene.scene->parts[m].vertices);
-    part_points_.emplace_back(scene.scene->parts[m].vertices);
-    for (const Vec3& p : part_points_.back()) part_box_.extend(p);
-  }
-  first_fixture_face_ = face_count();
-  for (std::size_t m = 0; m < scene.scene->fixtures.size(); ++m) {
-    add(scene.surface(Against::fixture, m), scene.scene->fixtures[m].vertices);
+  for (const PreparedObstacle& obstacle : scene.obstacles()) {
+    first_faces_.push_back(face_count());
+    for (std::size_t m = 0; m < obstacle.meshes.size(); ++m) {
+      add(obstacle.surfaces[m], obstacle.meshes[m].vertices);
+      if (!obstacle.rule.is_workpiece) continue;
+      part_points_.emplace_back(obstacle.meshes[m].vertices);
+      for (const Vec3& p : part_points_.back()) part_box_.extend(p);
+    }
   }
   normals_ = corner_normals();
 }
@@ -73,7 +73,6 @@ PictureScene::PictureScene(std::span<const HeadBody> heads, const RigidTransform
     for (Vec3& v : moved) v = to_part.point(v);
     add(head.surface, moved);
   }
-  first_fixture_face_ = face_count();
   normals_ = corner_normals();
 }
 
@@ -126,13 +125,16 @@ std::vector<std::uint32_t> PictureScene::faces_in(const View& view) const {
     return std::ranges::all_of(
         seen, [&](const HalfSpace& half) { return half.direction.dot(tree.origin) - tree.radius_mm >= half.least_mm; });
   };
-  if (prepared_ == nullptr || !prepared_->is_within_reach || shows_all(prepared_->parts)) {
+  if (prepared_ == nullptr || !prepared_->is_within_reach || shows_all(prepared_->workpiece_tree())) {
     std::vector<std::uint32_t> all(face_count());
     std::iota(all.begin(), all.end(), 0U);
     return all;
   }
-  std::vector<std::uint32_t> faces = triangles_within(prepared_->parts, seen);
-  for (const std::uint32_t t : triangles_within(prepared_->fixtures, seen)) faces.push_back(first_fixture_face_ + t);
+  std::vector<std::uint32_t> faces;
+  for (std::size_t k = 0; k < first_faces_.size(); ++k) {
+    for (const std::uint32_t t : triangles_within(prepared_->obstacles()[k].tree, seen))
+      faces.push_back(first_faces_[k] + t);
+  }
   return faces;
 }
 

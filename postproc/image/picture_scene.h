@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +36,7 @@ class PictureScene {
   PictureScene(const PictureScene&) = delete;
   PictureScene& operator=(const PictureScene&) = delete;
 
-  /// Those of the parts come first.
+  /// In the order of the obstacles.
   [[nodiscard]] std::uint32_t face_count() const;
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t face) const;
   /// Those that reach into the view, and some that only come near.
@@ -44,8 +45,16 @@ class PictureScene {
   [[nodiscard]] const std::array<Eigen::Vector3f, 3>& normals(std::uint32_t face) const { return normals_[face]; }
   /// Of the face alone, twice its area long.
   [[nodiscard]] Vec3 area_normal(std::uint32_t face) const;
-  [[nodiscard]] bool is_fixture(std::uint32_t face) const { return face >= first_fixture_face_; }
-  /// Among the parts, then the fixtures.
+  /// The obstacle that it is of. Requires a scene that was made of obstacles.
+  [[nodiscard]] Against against(std::uint32_t face) const {
+    const auto next = std::upper_bound(first_faces_.begin(), first_faces_.end(), face);
+    return static_cast<Against>(next - first_faces_.begin() - 1);
+  }
+  /// Of the surface that the cutter makes, or of a head.
+  [[nodiscard]] bool is_of_workpiece(std::uint32_t face) const {
+    return first_faces_.empty() || rule_of(against(face)).is_workpiece;
+  }
+  /// Counted through all obstacles.
   [[nodiscard]] std::uint32_t mesh_of(std::uint32_t face) const;
 
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
@@ -85,7 +94,7 @@ class PictureScene {
   std::vector<Edge> edges_;
   std::vector<std::array<Eigen::Vector3f, 3>> normals_;
   std::vector<std::span<const Vec3>> part_points_;
-  std::uint32_t first_fixture_face_ = 0;
+  std::vector<std::uint32_t> first_faces_;  // of each obstacle; none: heads
   Box3 part_box_;
 };
 

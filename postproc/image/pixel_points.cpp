@@ -216,7 +216,7 @@ std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& 
   std::vector<FieldPoint> points;
   points.reserve(seen.size());
   for (const PixelPoint& p : seen)
-    points.push_back({buffer.point(p.x, p.y), scene.is_fixture(buffer.face[buffer.index(p.x, p.y)])});
+    points.push_back({buffer.point(p.x, p.y), scene.against(buffer.face[buffer.index(p.x, p.y)])});
   return spread(buffer, seen, field.depth_at(points));
 }
 

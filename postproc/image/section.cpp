@@ -102,8 +102,8 @@ std::optional<std::array<Vec2, 2>> clipped(const Vec2& a, const Vec2& b, const A
 
 std::vector<SectionLine> cut_scene(const PreparedScene& scene, const SectionPlane& plane) {
   std::vector<SectionLine> out;
-  cut_tree(scene.parts, plane, false, out);
-  cut_tree(scene.fixtures, plane, true, out);
+  for (const PreparedObstacle& obstacle : scene.obstacles())
+    cut_tree(obstacle.tree, plane, !obstacle.rule.is_workpiece, out);
   return out;
 }
 

@@ -207,7 +207,7 @@ class Shader {
     if (face != compared_face_ || lead != compared_lead_) {
       compared_face_ = face;
       compared_lead_ = lead;
-      const bool is_one_kind = scene_.is_fixture(face) == scene_.is_fixture(lead);
+      const bool is_one_kind = scene_.is_of_workpiece(face) == scene_.is_of_workpiece(lead);
       is_alike_ = is_one_kind && is_smooth_between(area_normal(face), area_normal(lead), kAlike);
     }
     return is_alike_;
@@ -286,7 +286,7 @@ class Shader {
   void colour(std::uint8_t* pixel, std::uint32_t face, float depth_mm, double light) const {
     // Gouges with less contrast, so that a colour can be compared with the bar wherever it lies.
     if (depth_mm > 0) return put(pixel, scale_.at(static_cast<double>(depth_mm)), 0.55 + 0.42 * light);
-    put(pixel, scene_.is_fixture(face) ? kFixtureGrey : kPartGrey, 0.12 + 0.97 * light);
+    put(pixel, scene_.is_of_workpiece(face) ? kPartGrey : kFixtureGrey, 0.12 + 0.97 * light);
   }
 
   const PictureScene& scene_;

@@ -62,10 +62,10 @@ std::vector<float> SurfaceValues::at(const std::vector<SurfacePoint>& points, Su
     for (const std::uint32_t i : order) rays.push_back({points[i].at, -points[i].normal, points[i].mesh});
     sorted = quantity == SurfaceQuantity::overcut ? path_.overcuts.overcut_at(rays) : path_.overcuts.at(rays);
   } else {
-    const std::size_t parts = path_.input.scene->parts.size();
+    const std::vector<Against> obstacles = obstacle_of_meshes(*path_.input.scene);
     std::vector<FieldPoint> asked;
     asked.reserve(points.size());
-    for (const std::uint32_t i : order) asked.push_back({points[i].at, points[i].mesh >= parts});
+    for (const std::uint32_t i : order) asked.push_back({points[i].at, obstacles[points[i].mesh]});
     sorted = path_.depths.depth_at(asked);
   }
   for (std::size_t k = 0; k < order.size(); ++k) values[order[k]] = sorted[k];

@@ -27,8 +27,8 @@ TEST(Contacts, APlaneUnderABallIsOneContactWithThePlanesNormal) {
   const Scene scene{{floor_triangle()}, {}};
   const auto contacts = find_contacts(upright(-0.3), tools::ball(), prepare_scene(scene), kAim);
   ASSERT_EQ(contacts.size(), 1U);
-  EXPECT_LE(contacts[0].excess_mm, 0.3 - kAim.part_mm + 1e-12);
-  EXPECT_GE(contacts[0].excess_mm, (0.3 - kAim.part_mm) / 1.1 - 1e-12);
+  EXPECT_LE(contacts[0].excess_mm, 0.3 - kAim.workpiece_mm + 1e-12);
+  EXPECT_GE(contacts[0].excess_mm, (0.3 - kAim.workpiece_mm) / 1.1 - 1e-12);
   EXPECT_GT(contacts[0].normal.z(), 0.99);
   EXPECT_NEAR(contacts[0].normal.norm(), 1, 1e-12);
   EXPECT_NEAR(contacts[0].point.z(), 0, 1e-12);
@@ -43,7 +43,7 @@ TEST(Contacts, EveryContactRealisesItsExcessAndGivesWayAlongItsNormal) {
     const auto contacts = find_contacts(pose, tool, prepared, kAim);
     EXPECT_GT(contacts.size(), 5U);
     for (const ToolContact& c : contacts) {
-      const double depth = c.excess_mm + kAim.part_mm;
+      const double depth = c.excess_mm + kAim.workpiece_mm;
       EXPECT_NEAR(contour.depth(pose, c.point), depth, 1e-9);
       EXPECT_NEAR(contour.depth({pose.tip + 0.5 * depth * c.normal, pose.axis}, c.point), 0.5 * depth, 1e-9);
     }
@@ -82,7 +82,7 @@ TEST(LargestExcess, IsNeverMoreThanTheTruthAndNothingOnlyWhenTheAimIsMet) {
   const Scene scene{{floor_triangle()}, {}};
   const PreparedScene prepared = prepare_scene(scene);
   for (const double depth : {0.0, 0.004, 0.0052, 0.006, 0.02, 0.1, 0.7, 2.0}) {
-    const double truth = std::max(0.0, depth - kAim.part_mm);
+    const double truth = std::max(0.0, depth - kAim.workpiece_mm);
     const double found = largest_excess(upright(-depth), tools::ball(), prepared, kAim, 1e-4);
     EXPECT_LE(found, truth + 1e-12) << depth;
     EXPECT_GE(found, truth - 0.0501) << depth;

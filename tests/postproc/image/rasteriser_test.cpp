@@ -148,7 +148,7 @@ TEST(PictureScene, KnowsWhoseEachFaceIs) {
   ASSERT_EQ(pictured.face_count(), 36U);
   for (std::uint32_t f = 0; f < 36; ++f) {
     EXPECT_EQ(pictured.mesh_of(f), f / 12);
-    EXPECT_EQ(pictured.is_fixture(f), f >= 24);
+    EXPECT_EQ(pictured.is_of_workpiece(f), f < 24);
     const IndexedMesh& mesh = f < 24 ? scene.parts[f / 12] : scene.fixtures[0];
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(pictured.corners(f)[k], mesh.corner(f % 12, k));
   }

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "lib/check/scene.h"
+#include "lib/tool/tool_variants.h"
+
+// The contact table: what of a tool may touch which obstacle. All that looks at a scene goes by it; nothing else names
+// the kinds of obstacles.
+
+namespace gouge {
+
+/// An obstacle of a scene: its row of the contact table.
+enum class Against : std::uint8_t { part, fixture };
+
+/// A form of the tool, offset for the obstacle that it is held against.
+using ToolForm = CompiledTool ToolVariants::*;
+
+/// How an obstacle may be touched.
+struct ContactRule {
+  Against against;
+  const char* name;                       ///< of messages and results
+  ToolForm form;                          ///< what may be entered no deeper than the tolerance
+  ToolForm form_beside_cuts;              ///< what must keep the near-miss distance while the tool cuts
+  SureDepths ToolVariants::*sure_depths;  ///< of `form`
+  bool is_workpiece;                      ///< the cutter makes its surface: positions fit it, contact with it is wanted
+};
+
+/// In the order of Against.
+inline constexpr std::array<ContactRule, 2> kContactRules{{
+    {Against::part, "part", &ToolVariants::against_part, &ToolVariants::non_cutting, &ToolVariants::part_depths, true},
+    {Against::fixture, "fixture", &ToolVariants::against_fixture, &ToolVariants::against_fixture,
+     &ToolVariants::fixture_depths, false},
+}};
+
+[[nodiscard]] inline const ContactRule& rule_of(Against against) {
+  return kContactRules[static_cast<std::size_t>(against)];
+}
+
+[[nodiscard]] inline const char* against_name(Against against) { return rule_of(against).name; }
+
+/// The meshes of a scene that have one rule.
+struct ObstacleMeshes {
+  const ContactRule& rule;
+  const std::vector<IndexedMesh>& meshes;
+};
+
+/// One for each row of the table, in its order. The scene must outlive it.
+[[nodiscard]] inline std::vector<ObstacleMeshes> obstacles_of(const Scene& scene) {
+  return {{kContactRules[0], scene.parts}, {kContactRules[1], scene.fixtures}};
+}
+
+/// The obstacle of each mesh, counted through all obstacles.
+[[nodiscard]] inline std::vector<Against> obstacle_of_meshes(const Scene& scene) {
+  std::vector<Against> all;
+  for (const ObstacleMeshes& obstacle : obstacles_of(scene))
+    all.insert(all.end(), obstacle.meshes.size(), obstacle.rule.against);
+  return all;
+}
+
+/// The meshes whose surface the cutter makes.
+[[nodiscard]] inline const std::vector<IndexedMesh>& workpiece_of(const Scene& scene) { return scene.parts; }
+
+/// A scene of a workpiece alone.
+[[nodiscard]] inline Scene scene_of_workpiece(std::vector<IndexedMesh> meshes) { return {std::move(meshes), {}}; }
+
+}  // namespace gouge
