@@ -110,6 +110,7 @@ TEST(Repository, TheVerifierSharesNothingWithTheCheckButReadersAndVectors) {
   EXPECT_GT(sources, 10U);
 }
 TEST(Repository, NothingBelowCliPrintsEndsOrThrows) { EXPECT_EQ(listed(check_banned_words(repository())), ""); }
+TEST(Repository, MotionsAndObstaclesHaveOnePlace) { EXPECT_EQ(listed(check_seams(repository())), ""); }
 TEST(Repository, RandomNumbersAreTheSameEverywhere) { EXPECT_EQ(listed(check_random_numbers(repository())), ""); }
 TEST(Repository, FilesAreShortAndHeadersGuarded) { EXPECT_EQ(listed(check_shape(repository())), ""); }
 TEST(Repository, HasNoNotesToSelfAndNoMachinePaths) { EXPECT_EQ(listed(check_stray_text(repository())), ""); }

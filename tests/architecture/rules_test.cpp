@@ -101,6 +101,24 @@ TEST(BannedWords, MayStandInCommentsInTextInLongerNamesAndInCli) {
             Complaints{});
 }
 
+TEST(Seams, MotionsAreMadeByTheirLawAlone) {
+  for (const char* line : {"const Motion m(from, to);", "Motion(start, end)", "f(Motion(motion.at(0), to));"})
+    EXPECT_EQ(check_seams({{"lib/tilt/t.cpp", line}}).size(), 1U) << line;
+  EXPECT_EQ(check_seams(
+                {{"lib/motion/motion_law.cpp", "Motion(from, to)"},
+                 {"lib/tilt/t.cpp", "void f(const Motion& a); Motion shifted(std::size_t i); law.straight(from, to)"}}),
+            Complaints{});
+}
+
+TEST(Seams, KindsOfObstaclesAreNamedInTheContactTableAlone) {
+  const std::string both = "f(scene.parts); g(scene.fixtures);";
+  EXPECT_EQ(check_seams({{"lib/head/h.cpp", both}}).size(), 1U);
+  EXPECT_EQ(check_seams({{"lib/head/h.cpp", "a = Against::part; b = Against::fixture;"}}).size(), 1U);
+  EXPECT_EQ(check_seams(
+                {{"lib/check/contact_rule.h", both}, {"lib/verify/v.cpp", both}, {"lib/head/h.cpp", "f(scene.parts)"}}),
+            Complaints{});
+}
+
 TEST(RandomNumbers, OfAStandardLibraryAreRefused) {
   for (const char* line : {"std::mt19937 r(1);", "std::uniform_real_distribution<double> u;", "std::shuffle(a, b, r);",
                            "p = Vec3::Random();", "n = rand() % 6;"}) {

@@ -177,6 +177,28 @@ Complaints check_banned_words(const std::vector<SourceFile>& files) {
   return complaints;
 }
 
+Complaints check_seams(const std::vector<SourceFile>& files) {
+  static const std::regex kMadeMotion(R"(\bMotion(\s+\w+)?[({]\s*(from|to|start|end|a|b|before|pose|\*|[\w.]+\.at\())");
+  static const std::regex kParts(R"(Against::part\b|\bscene\w*(\.scene)?(->|\.)parts\b)"),
+      kFixtures(R"(Against::fixture\b|\bscene\w*(\.scene)?(->|\.)fixtures\b|&ToolVariants::against_fixture)");
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    if (!is_code(file.path) || !starts_with(file.path, "lib/") || starts_with(file.path, "lib/verify/")) continue;
+    const std::string code = without_comments_and_literals(file.text);
+    std::size_t number = 0;
+    for (const std::string& line : lines_of(code)) {
+      ++number;
+      if (!starts_with(file.path, "lib/motion/") && std::regex_search(line, kMadeMotion))
+        complain(complaints, file, number, "makes a motion from poses; ask a MotionLaw (lib/motion)");
+    }
+    if (file.path != "lib/check/contact_rule.h" && std::regex_search(code, kParts) &&
+        std::regex_search(code, kFixtures))
+      complain(complaints, file, 1,
+               "names both kinds of obstacles; go by the contact table (lib/check/contact_rule.h)");
+  }
+  return complaints;
+}
+
 Complaints check_random_numbers(const std::vector<SourceFile>& files) {
   static const std::regex kForeign(
       R"(_distribution\b|\bmt19937|\brandom_device\b|\bstd::shuffle\b|::Random\(|\bs?rand\()");

@@ -12,7 +12,6 @@
 #include "lib/motion/motion_law.h"
 #include "postproc/cldata/rewriting/list_written.h"
 #include "tests/support/brute_force.h"
-#include "tests/support/motions.h"
 
 // The laws of a correction, held against the corrected file as it is read and checked, by means of their own: which
 // moves belong together, what the tool meets on a shift, how far a path is off. Nothing of lib/correct/laws.h is used.
@@ -126,7 +125,7 @@ class LawBook {
       const double u = length2 > 0 ? std::clamp((p - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
       return (a + u * (b - a) - p).norm();
     };
-    const Motion piece = MotionLaw().of(*c_.after, k);
+    const Motion piece = options_.law.of(*c_.after, k);
     const Vec3 start = c_.before->start_of(i).tip, end = old.end.tip;
     const Vec3 new_start = c_.after->moves[first_[i] - 1].end.tip, new_end = c_.after->moves[first_[i + 1] - 1].end.tip;
     double farthest = 0;
@@ -262,7 +261,7 @@ class LawBook {
     constexpr int kSamples = 16;
     for (int s = 1; s + 1 < kSamples; ++s) {
       const double t = static_cast<double>(s) / kSamples, around = 1.5 / kSamples;
-      const Motion part = test::straight(motion.at(std::max(0.0, t - around)), motion.at(std::min(1.0, t + around)));
+      const Motion part = options_.law.straight(motion.at(std::max(0.0, t - around)), motion.at(std::min(1.0, t + around)));
       CheckOptions strict = options_;
       strict.tolerance_mm *= 0.5;
       if (checker_.check(part, old.kind, *tool, strict, true).state != MoveState::clean) continue;

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <sstream>
 
 #include "lib/base/files.h"
@@ -18,6 +19,7 @@
 #include "samples/write_sample.h"
 #include "tests/laws/correction_scenes.h"
 #include "tests/laws/guarantee.h"
+#include "tests/support/rotary_head_law.h"
 #include "tests/support/source_folder.h"
 
 namespace gouge::laws {
@@ -46,8 +48,8 @@ std::string places(const Figures& figures) {
          std::to_string(figures.listed_samples) + " of them on moves listed as left\n";
 }
 
-/// Figures of all random programs, corrected by these strategies.
-Figures hold_for_random(const BodyStrategies& strategies) {
+/// Figures of all random programs, corrected by these strategies under this law of motion.
+Figures hold_for_random(const BodyStrategies& strategies, const MotionLaw& law = {}) {
   const std::size_t first = number_of("GOUGE_FIRST_CORRECTION", 0), count = number_of("GOUGE_CORRECTIONS", 40);
   Figures figures;
   std::size_t with_gouges = 0;
@@ -58,6 +60,7 @@ Figures hold_for_random(const BodyStrategies& strategies) {
     options.threads = 1;
     options.budget_per_move = 200'000;
     options.tolerance_mm = made.tolerance_mm;
+    options.law = law;
     const PreparedScene scene = prepare_scene(made.scene, 1);
     const std::vector<HeadBody> heads;
     const CheckSetup setup{{&made.tool}, heads, scene, options};
@@ -103,6 +106,11 @@ TEST(CorrectionLaws, HoldForRandomPrograms) {
 
 TEST(CorrectionLaws, HoldForRandomProgramsThatAreTrimmed) {
   EXPECT_GT(hold_for_random(BodyStrategies::all(Strategy::trim)).uncut, number_of("GOUGE_CORRECTIONS", 40) / 4);
+}
+
+TEST(CorrectionLaws, HoldUnderALawOfRotaryAxes) {
+  const MotionLaw law(RapidMode::straight, std::make_shared<test::RotaryHeadLaw>());
+  EXPECT_GT(hold_for_random(BodyStrategies(), law).changed, number_of("GOUGE_CORRECTIONS", 40));
 }
 
 /// Corrects this toolpath as the program does and holds the laws against what was written.
