@@ -36,8 +36,7 @@ struct DepthQuery::Content {
   Content& operator=(const Content&) = delete;
 
   [[nodiscard]] Contact at(const gouge::Pose& pose) const {
-    const gouge::MoveVerdict verdict =
-        checker.check(gouge::options.law.at(pose), gouge::MoveKind::feed, variants, options);
+    const gouge::MoveVerdict verdict = checker.check(options.law.at(pose), gouge::MoveKind::feed, variants, options);
     Contact contact;
     contact.state = static_cast<State>(verdict.state);
     contact.depth = verdict.depth_mm;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/check/check_options.h"
 #include "lib/check/check_result.h"
 #include "lib/path/path_change.h"
 #include "lib/path/toolpath.h"

@@ -10,6 +10,7 @@
 #include "tests/bench/fcl_model.h"
 #include "tests/bench/peer_support.h"
 #include "tests/bench/scene_files.h"
+#include "tests/support/motions.h"
 
 // A machine head, given as a mesh, over contact moves of the wavy block: certified moves of ours beside FCL's exact
 // distance, and its yes or no, at one pose each. Names: <measurement>/<facets of the head>/<mm from tip to head>.
@@ -53,7 +54,7 @@ std::shared_ptr<const Heads> prepare(const std::shared_ptr<const Work>& of, cons
   }
   for (std::size_t k = 0; k < kMoves; ++k) {
     const std::size_t i = contact[k * contact.size() / kMoves];
-    prepared->motions.emplace_back(work.positions[i - 1].pose, work.positions[i].pose);
+    prepared->motions.push_back(test::straight(work.positions[i - 1].pose, work.positions[i].pose));
   }
   return prepared;
 }

@@ -16,7 +16,7 @@
 namespace gouge {
 namespace {
 
-constexpr CheckOptions kOptions{};
+const CheckOptions kOptions{};
 
 MoveVerdict check(const Motion& motion, const ToolVariants& tool, const std::vector<IndexedMesh>& parts,
                   std::uint64_t* bounds = nullptr, const CheckOptions& options = kOptions) {

@@ -146,7 +146,7 @@ Case aligned_case(std::uint64_t seed) {
     Pose to{from.tip + even(scatter, displacement) * axis, axis};
     if (scatter.below(4) == 0) to.tip += even(scatter, displacement) * side;
     if (scatter.below(6) == 0) to.axis = side;
-    made.motions.emplace_back(from, to);
+    made.motions.push_back(test::straight(from, to));
     from = to;
     from.axis = axis;
   }

@@ -8,6 +8,7 @@
 #include "lib/check/sweep_filter.h"
 #include "lib/tool/convex_cover.h"
 #include "lib/tool/evaluate.h"
+#include "tests/support/motions.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -26,7 +27,7 @@ std::vector<Motion> random_motions(Scatter& scatter, const Vec3& origin) {
   Pose from{origin + scatter.point(1), scatter.axis(lean)};
   for (std::size_t k = 0; k < count; ++k) {
     const Pose to{from.tip + scatter.point(displacement), scatter.axis(lean)};
-    motions.emplace_back(from, to);
+    motions.push_back(test::straight(from, to));
     from = to;
   }
   return motions;
@@ -231,7 +232,7 @@ TEST(Sweep, AClearPassOverASurfaceNeedsNoExactSearch) {
     const Vec3 out(std::sin(angle), 0, std::cos(angle));
     return Pose{50.005 * out, out};
   };
-  for (int k = 0; k < 256; ++k) motions.emplace_back(over(0.005 * k), over(0.005 * (k + 1)));
+  for (int k = 0; k < 256; ++k) motions.push_back(test::straight(over(0.005 * k), over(0.005 * (k + 1))));
   const std::vector<SearchTarget> targets{{&tool.against_part, &tree, Against::part}};
   std::size_t seeds = 0;
   std::uint64_t bounds = 0;

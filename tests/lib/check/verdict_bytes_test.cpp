@@ -102,9 +102,12 @@ TEST(VerdictBytes, WhatNoVerdictCanBeIsNotTaken) {
   EXPECT_FALSE(is_taken([](MoveVerdict& v) { v.reason.kind = static_cast<Reason::Kind>(200); }));
   EXPECT_FALSE(is_taken([](MoveVerdict& v) { v.reason.body = static_cast<Body>(9); }));
   EXPECT_FALSE(is_taken([](MoveVerdict& v) { v.reason = {Reason::Kind::link_gouges, Body::cutter, 1e300}; }));
-  EXPECT_TRUE(is_of_meshes(gouge_with_all(), 0, 8));
-  EXPECT_FALSE(is_of_meshes(gouge_with_all(), 9, 7));
-  EXPECT_TRUE(is_of_meshes({}, 0, 0)) << "it names none";
+  const auto scene = [](std::size_t parts, std::size_t fixtures) {
+    return Scene{std::vector<IndexedMesh>(parts), std::vector<IndexedMesh>(fixtures)};
+  };
+  EXPECT_TRUE(is_of_meshes(gouge_with_all(), scene(0, 8)));
+  EXPECT_FALSE(is_of_meshes(gouge_with_all(), scene(9, 7)));
+  EXPECT_TRUE(is_of_meshes({}, scene(0, 0))) << "it names none";
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ Motion random_motion(test::Scatter& random) {
   const double path = random.is(0.2) ? 0 : std::pow(10, random.in(-2, 1.5));
   const Vec3 way = random.is(0.5) ? random.direction() : beside;
   const Vec3 tip = random.point(3);
-  return {{tip, axis}, {tip + path * way, std::cos(angle) * axis + std::sin(angle) * beside}};
+  return test::straight({tip, axis}, {tip + path * way, std::cos(angle) * axis + std::sin(angle) * beside});
 }
 
 std::vector<ToolVariants> all_tools() {

@@ -127,7 +127,7 @@ std::size_t expect_deepest(const std::vector<FieldPoint>& points, const std::vec
 
 std::vector<FieldPoint> wavy_field() {
   std::vector<FieldPoint> points;
-  for (const Vec3& point : wavy_points(3000)) points.push_back({point, false});
+  for (const Vec3& point : wavy_points(3000)) points.push_back({point});
   return points;
 }
 

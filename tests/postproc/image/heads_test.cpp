@@ -188,7 +188,7 @@ TEST(HeadField, IsTheDepthInTheHeadsAtEveryPoint) {
   ASSERT_EQ(small.result.counts.gouge, 3U);
   std::vector<FieldPoint> points;
   for (double x = 0.25; x < 40; x += 1) {
-    for (double y = 0.25; y < 30; y += 1) points.push_back({{x, y, 10}, false});
+    for (double y = 0.25; y < 30; y += 1) points.push_back({{x, y, 10}, Against::part});
   }
   const DepthField field(small.input);
   const std::vector<float> depth = field.depth_at(points);

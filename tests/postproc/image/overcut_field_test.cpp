@@ -44,7 +44,7 @@ TEST(OvercutField, SaysHowFarBelowTheSurfaceTheToolReachedWhereDepthCannot) {
     }
   }
   // Depth saturates at the radius.
-  EXPECT_NEAR(static_cast<double>(depths.depth_at({{Vec3(20, 15, 30), false}})[0]), 3, 0.05);
+  EXPECT_NEAR(static_cast<double>(depths.depth_at({{Vec3(20, 15, 30), Against::part}})[0]), 3, 0.05);
 }
 
 TEST(OvercutField, StopsHalfwayThroughAThinWall) {
@@ -77,7 +77,7 @@ TEST(OvercutField, FindsTheToolBelowASurfaceItDoesNotPierce) {
   const DepthField depths(plunge.input);
   const OvercutField field(plunge.input, depths);
   const Vec3 above(8, 15, 30);
-  EXPECT_EQ(depths.depth_at({{above, false}})[0], 0.0F);
+  EXPECT_EQ(depths.depth_at({{above, Against::part}})[0], 0.0F);
   EXPECT_NEAR(static_cast<double>(field.overcut_at({{above, -Vec3::UnitZ(), 0}})[0]), 8, 0.4);
 }
 

@@ -42,7 +42,7 @@ TEST(DepthField, IsTheDeepestOfTheMovesAtEveryPoint) {
   ASSERT_GT(small.result.counts.gouge, 0U);
   std::vector<DepthField::Point> points;
   for (double x = 0.25; x < 40; x += 0.5) {
-    for (double y = 12.05; y < 18; y += 0.1) points.push_back({{x, y, 10}, false});
+    for (double y = 12.05; y < 18; y += 0.1) points.push_back({{x, y, 10}, Against::part});
   }
   const std::vector<float> depth = DepthField(small.input).depth_at(points);
   std::size_t gouged = 0;
@@ -81,7 +81,7 @@ TEST(DepthField, CoversTheWholePathHoweverFewPosesItMayHave) {
   ASSERT_GT(small.result.counts.gouge, 250U);
   const DepthField field(small.input, 40);
   for (const double x : {6.0, 20.0, 36.0}) {
-    EXPECT_NEAR(static_cast<double>(field.depth_at({{{x, 15, 10}, false}})[0]), 0.3, 0.1) << x;
+    EXPECT_NEAR(static_cast<double>(field.depth_at({{{x, 15, 10}, Against::part}})[0]), 0.3, 0.1) << x;
   }
 }
 
@@ -110,7 +110,7 @@ TEST(DepthField, LooksOnceWhereMovesMeetAndMissesNoCorner) {
   EXPECT_LE(field.poses().size(), 3 * moves / 2);
   std::vector<DepthField::Point> points;
   for (double x = 1.05; x < 32; x += 0.7) {
-    for (double y = 9.5; y < 17; y += 0.13) points.push_back({{x, y, 10}, false});
+    for (double y = 9.5; y < 17; y += 0.13) points.push_back({{x, y, 10}, Against::part});
   }
   const std::vector<float> depth = field.depth_at(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -134,7 +134,7 @@ TEST(DepthField, IsEmptyForACleanPath) {
   ASSERT_EQ(small.result.counts.gouge, 0U);
   const DepthField field(small.input);
   EXPECT_TRUE(field.is_empty());
-  EXPECT_EQ(field.depth_at({{{20, 15, 10}, false}}), std::vector<float>{0.0F});
+  EXPECT_EQ(field.depth_at({{{20, 15, 10}, Against::part}}), std::vector<float>{0.0F});
 }
 
 TEST(PictureEvents, AreNumberedFromTheDeepestAndKeepApart) {
