@@ -18,7 +18,7 @@ using laws::RandomScene;
 using laws::SceneScatter;
 
 constexpr double kRounding_mm = 1e-9;
-constexpr CheckOptions kOptions{};
+const CheckOptions kOptions{};
 
 CheckResult check(const Toolpath& path, const ToolVariants& tool, const Scene& scene,
                   const CheckOptions& options = kOptions) {
