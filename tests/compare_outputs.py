@@ -107,14 +107,14 @@ def write_scene(folder, rng):
 
 
 def job_of_toolpath(folder, program, toolpath):
-    """Options for a block below the toolpath, and a tool for each of its numbers; nothing where it cannot be read."""
+    """Options for a block under the lowest cut of a toolpath and its tools; nothing where it cannot be read."""
     told = subprocess.run([program, "path", "info", str(toolpath), "--json", "-"], capture_output=True, text=True)
     if told.returncode not in (0, 1, 4) or not told.stdout:
         return None
     info = json.loads(told.stdout)
     scale = 25.4 if info["unit"] == "inch" else 1.0
     low, high = ([scale * x for x in info["box"][end]] for end in ("from", "to"))
-    top = low[2] + 0.2 * (high[2] - low[2])
+    top = low[2] + 0.05  # what cuts deepest comes out as a shallow gouge
     write_stl(folder / "part.stl", [block([low[0] - 5, low[1] - 5, low[2] - 20], [high[0] + 5, high[1] + 5, top])])
     numbers = sorted({tool["number"] for tool in info["tools"] if tool["number"] is not None} or {1})
     tools = [{"number": n, "name": "tool %d" % n, "cutter": {"shape": "ball", "diameter": 6, "length": 20},
