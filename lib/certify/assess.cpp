@@ -5,6 +5,7 @@
 #include "lib/base/number_text.h"
 #include "lib/certify/check.h"
 #include "lib/certify/placement.h"
+#include "lib/motion/motion_law.h"
 
 namespace gouge {
 namespace {
@@ -83,8 +84,9 @@ std::size_t count_turns(const Toolpath& path) {
   return turns;
 }
 
-Assumption motion_law_fact(const Toolpath& path) {
-  Assumption fact{.subject = Subject::motion_law, .value = "great circle", .code = "motion-law"};
+Assumption motion_law_fact(const Toolpath& path, const MotionLaw& law) {
+  Assumption fact{.subject = Subject::motion_law, .value = law.name(), .code = "motion-law"};
+  std::ranges::replace(fact.value, '-', ' ');
   fact.file = path.file;
   fact.remedy = "state that the machine keeps to it with --assume motion-law";
   const std::size_t turns = count_turns(path);
@@ -127,7 +129,7 @@ void assess(const Toolpath& path, const CheckSetup& setup, CheckResult& result) 
   result.closeness = measure_closeness(path, setup.tools, setup.scene, result.verdicts, threads);
   result.fit = find_path_fit(path, result.verdicts, setup.tools, setup.scene, threads);
   Assumptions facts = path.assumptions;
-  facts.push_back(motion_law_fact(path));
+  facts.push_back(motion_law_fact(path, setup.options.law));
   facts.insert(facts.end(), setup.basis.inputs.begin(), setup.basis.inputs.end());
   if (!setup.scene.workpiece().meshes.empty()) {
     facts.push_back(mesh_unit_fact(path, setup, result));
