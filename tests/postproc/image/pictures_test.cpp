@@ -225,6 +225,7 @@ TEST(ReportPictures, SurviveWhatIsMissing) {
   small.input.tools = {nullptr};
   EXPECT_TRUE(draw_report_pictures({small.model, small.input}));
   small.scene.parts.clear();
+  small.prepared.emplace(small.scene);
   const Result<std::vector<NamedFile>> without_part = draw_report_pictures({small.model, small.input});
   ASSERT_TRUE(without_part);
   EXPECT_EQ(names(*without_part), std::vector<std::string>{"depth_along_path.png"});
