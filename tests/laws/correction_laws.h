@@ -261,7 +261,8 @@ class LawBook {
     constexpr int kSamples = 16;
     for (int s = 1; s + 1 < kSamples; ++s) {
       const double t = static_cast<double>(s) / kSamples, around = 1.5 / kSamples;
-      const Motion part = options_.law.straight(motion.at(std::max(0.0, t - around)), motion.at(std::min(1.0, t + around)));
+      const Motion part =
+          options_.law.straight(motion.at(std::max(0.0, t - around)), motion.at(std::min(1.0, t + around)));
       CheckOptions strict = options_;
       strict.tolerance_mm *= 0.5;
       if (checker_.check(part, old.kind, *tool, strict, true).state != MoveState::clean) continue;
