@@ -74,7 +74,11 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepInt
       return first.turn_rad > kSmallTurn_rad || first.tip_path_mm > kShortPath_mm || first.tip_sag_mm > kSmallSag_mm;
     };
     int parts = 1;
-    while (parts < kMostSteps && is_long(motion.rates(segment.t0, segment.t0 + length / parts, s))) parts *= 2;
+    MotionRates first = motion.rates(segment.t0, segment.t0 + length, s);
+    while (parts < kMostSteps && is_long(first)) {
+      parts *= 2;
+      first = motion.rates(segment.t0, segment.t0 + length / parts, s);
+    }
     Pose from = motion.at(segment.t0);
     for (int k = 0; k < parts; ++k) {
       SweepInterval step;
@@ -84,7 +88,7 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepInt
       step.t1 = k + 1 == parts ? segment.t0 + length : segment.t0 + length * (k + 1) / parts;
       step.from = from;
       step.to = motion.is_alone() ? from : motion.at(step.t1);
-      step.rates = motion.rates(step.t0, step.t1, s);
+      step.rates = k == 0 ? first : motion.rates(step.t0, step.t1, s);
       steps.push_back(step);
       from = step.to;
     }
