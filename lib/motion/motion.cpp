@@ -31,7 +31,7 @@ std::vector<MotionSegment> dogleg(const Vec3& from, const Vec3& to) {
 }
 
 /// An axis that is turned about a direction square to it.
-Vec3 turned(const Vec3& axis, const Vec3& about, double angle) {
+Vec3 axis_turned(const Vec3& axis, const Vec3& about, double angle) {
   return std::cos(angle) * axis + std::sin(angle) * about.cross(axis);
 }
 
@@ -172,7 +172,7 @@ MotionRates Motion::rates(double t0, double t1, std::uint32_t segment) const {
 
 Eigen::Matrix3d Motion::axes_at(double t) const {
   if (axis_path_) return axis_path_->axes_at(t);
-  const Vec3 axis = turned(start_.axis, rotation_axis_, angle_ * t);
+  const Vec3 axis = axis_turned(start_.axis, rotation_axis_, angle_ * t);
   Eigen::Matrix3d axes;
   axes.col(0) = rotation_axis_;
   axes.col(1) = axis.cross(rotation_axis_);
@@ -191,7 +191,8 @@ Pose Motion::at(double t) const {
   const std::span<const MotionSegment> ways = segments();
   const auto segment = std::lower_bound(ways.begin(), ways.end() - 1, t,
                                         [](const MotionSegment& s, double instant) { return s.t1 < instant; });
-  const Vec3 axis = axis_path_ ? Vec3(axis_path_->axes_at(t).col(2)) : turned(start_.axis, rotation_axis_, angle_ * t);
+  const Vec3 axis =
+      axis_path_ ? Vec3(axis_path_->axes_at(t).col(2)) : axis_turned(start_.axis, rotation_axis_, angle_ * t);
   return {tip_at(t, static_cast<std::uint32_t>(segment - ways.begin())), axis.normalized()};
 }
 
