@@ -17,8 +17,9 @@ using Targets = std::vector<SearchTarget>;
 template <typename FormOf>
 Targets targets_of(const ToolVariants& tool, const PreparedScene& scene, const FormOf& form_of) {
   Targets targets;
+  targets.reserve(scene.obstacles().size());
   for (const PreparedObstacle& obstacle : scene.obstacles())
-    targets.push_back({&(tool.*form_of(obstacle.rule)), &obstacle.tree, obstacle.rule.against});
+    targets.push_back(target_on(tool.*form_of(obstacle.rule), obstacle));
   return targets;
 }
 

@@ -49,8 +49,7 @@ struct Distance {
 };
 
 Distance distance_from_part(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
-  const ContactRule& rule = scene.workpiece().rule;
-  const SearchTarget part{&(tool.*rule.form), &scene.workpiece_tree(), rule.against};
+  const SearchTarget part = target_on(tool.*scene.workpiece().rule.form, scene.workpiece());
   const SearchResult result = sweep_and_search(MotionLaw::tool_at(pose), {part},
                                                {{0, kAccuracy_mm, kAccuracy_mm, kClosenessBudget}, Closeness::kFar_mm});
   const double seen =

@@ -56,7 +56,7 @@ double corner_radius_mm(const CompiledTool& tool) {
 /// Of the cutter alone: what is above it may collide on a path that fits.
 Contact contact_of(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
   const double touch = touch_mm(tool);
-  const SearchTarget part{&tool.cutting, &scene.workpiece_tree(), scene.workpiece().rule.against};
+  const SearchTarget part = target_on(tool.cutting, scene.workpiece());
   const SearchResult result = sweep_and_search(MotionLaw::tool_at(pose), {part},
                                                {{0, kAccuracy * touch, kAccuracy * touch, kFitBudget}, touch});
   if (result.value_mm > 2 * touch) return Contact::gouging;
@@ -153,7 +153,7 @@ class FitFinder {
     // With no surface near it the cutter may be deep inside.
     if (contact_of(pose, tool, scene_) == Contact::apart) return is_core_inside(pose, tool, *scene_.scene);
     const double deep = kDeep * tool.bare.core_depth_mm, gap = kAccuracy * deep;
-    const SearchTarget part{&tool.cutting, &scene_.workpiece_tree(), scene_.workpiece().rule.against};
+    const SearchTarget part = target_on(tool.cutting, scene_.workpiece());
     return sweep_and_search(MotionLaw::tool_at(pose), {part}, {{deep, gap, gap, kFitBudget}, 0}).value_mm > deep;
   }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lib/base/best_first_search.h"
+#include "lib/check/prepared_scene.h"
 #include "lib/check/verdict.h"
 #include "lib/hierarchy/block_tree.h"
 #include "lib/motion/motion.h"
@@ -22,6 +23,11 @@ struct SearchTarget {
   const BlockTree* tree = nullptr;
   Against against = Against::part;
 };
+
+/// This form of a tool against all meshes of an obstacle. Both must outlive it.
+[[nodiscard]] inline SearchTarget target_on(const CompiledTool& form, const PreparedObstacle& obstacle) {
+  return {&form, &obstacle.tree, obstacle.rule.against};
+}
 
 struct SearchQuery : SearchGoal {
   /// What is sought is the largest `reach_mm - signed distance`: 0 for the depth, a near-miss distance for

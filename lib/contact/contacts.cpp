@@ -124,11 +124,11 @@ std::vector<AimedTarget> aimed_targets(const ToolVariants& tool, const PreparedS
   std::vector<AimedTarget> all;
   for (const PreparedObstacle& obstacle : scene.obstacles()) {
     const double aim_mm = obstacle.rule.is_workpiece ? aim.workpiece_mm : aim.others_mm;
-    all.push_back({{&(tool.*obstacle.rule.form), &obstacle.tree, obstacle.rule.against}, aim_mm});
+    all.push_back({target_on(tool.*obstacle.rule.form, obstacle), aim_mm});
   }
   if (tool.with_clearance.elements.empty()) return all;
   for (const PreparedObstacle& obstacle : scene.obstacles())
-    all.push_back({{&tool.with_clearance, &obstacle.tree, obstacle.rule.against}, aim.clearance_mm});
+    all.push_back({target_on(tool.with_clearance, obstacle), aim.clearance_mm});
   return all;
 }
 
@@ -179,8 +179,7 @@ double largest_excess(const Pose& pose, const ToolVariants& tool, const Prepared
 double largest_excess(const Pose& pose, const CompiledTool& tool, const PreparedScene& scene, double aim_mm,
                       double accuracy_mm) {
   std::uint64_t spent = 0;
-  return excess_of(MotionLaw::tool_at(pose), {{&tool, &scene.workpiece_tree(), scene.workpiece().rule.against}, aim_mm},
-                   accuracy_mm, spent);
+  return excess_of(MotionLaw::tool_at(pose), {target_on(tool, scene.workpiece()), aim_mm}, accuracy_mm, spent);
 }
 
 }  // namespace gouge

@@ -23,19 +23,19 @@ class MotionLaw {
   MotionLaw(RapidMode rapid, std::shared_ptr<const AxisLaw> axes) : rapid_(rapid), axes_(std::move(axes)) {}
 
   [[nodiscard]] RapidMode rapid() const { return rapid_; }
-  /// Whether the motion between the poses at two instants of a motion without a curve is surely a part of it.
+  /// True where the motion between the poses at two instants of a motion without a curve is surely a part of it.
   [[nodiscard]] bool is_divisible(MoveKind kind) const {
     return !axes_ && (kind != MoveKind::rapid || rapid_ != RapidMode::dogleg);
   }
-  /// Of the axis: "great-circle", or that of the AxisLaw.
+  /// Names the law of the axis: "great-circle", or as the AxisLaw does.
   [[nodiscard]] std::string name() const { return axes_ ? axes_->name() : "great-circle"; }
 
-  /// Of a move of a path, along its arc or spline where it has one.
+  /// Makes the motion of a move, along its arc or spline where it has one.
   [[nodiscard]] Motion of(const Toolpath& toolpath, std::size_t move) const;
   /// The straight motion to a position alone from where the tool was before it (Move::is_linked); nothing where the path
   /// has no link there. It is not what the file says; that it is clean is what the check asks of it.
   [[nodiscard]] std::optional<Motion> link_of(const Toolpath& toolpath, std::size_t move) const;
-  /// At rest at a pose.
+  /// Makes the motion of a tool that rests at a pose.
   [[nodiscard]] Motion at(const Pose& pose) const;
   /// The same for a tool alone: a solid of revolution, which stands alike under every law.
   [[nodiscard]] static Motion tool_at(const Pose& pose) { return MotionLaw().at(pose); }

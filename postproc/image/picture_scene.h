@@ -50,7 +50,7 @@ class PictureScene {
     const auto next = std::upper_bound(first_faces_.begin(), first_faces_.end(), face);
     return static_cast<Against>(next - first_faces_.begin() - 1);
   }
-  /// Of the surface that the cutter makes, or of a head.
+  /// True for the surface that the cutter makes, and for heads.
   [[nodiscard]] bool is_of_workpiece(std::uint32_t face) const {
     return first_faces_.empty() || rule_of(against(face)).is_workpiece;
   }

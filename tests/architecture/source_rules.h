@@ -34,8 +34,8 @@ using Complaints = std::vector<std::string>;
 /// does.
 [[nodiscard]] Complaints check_random_numbers(const std::vector<SourceFile>& files);
 
-/// What one place of lib decides for all: only lib/motion makes motions from poses, and only the contact table names the
-/// kinds of obstacles (lib/verify, which shares nothing with the check, has its own of both).
+/// Only lib/motion makes motions from poses. Only the contact table names both kinds of obstacles. lib/verify shares
+/// nothing with the check and is left out.
 [[nodiscard]] Complaints check_seams(const std::vector<SourceFile>& files);
 
 /// Headers begin with #pragma once; no file is longer than 500 lines; the median is at most 150.
