@@ -66,6 +66,12 @@ std::optional<StatedCycle> of_clt(const Values& values, std::string& doubt) {
   return std::nullopt;
 }
 
+// CAMWorks writes `CYCLE/ ON CYCLE/ DRILL,..` on one line too (docs/formats/cycles.md).
+std::vector<LooseArgument> without_leading_on(const std::vector<LooseArgument>& arguments) {
+  const bool is_joined = arguments.size() > 2 && arguments[0].text == "ON" && arguments[1].text == "CYCLE/";
+  return {arguments.begin() + (is_joined ? 2 : 0), arguments.end()};
+}
+
 struct CycleWords {
   std::vector<std::string_view> depth, clearance, retract;
 };
@@ -93,9 +99,10 @@ bool may_be_height(const CycleWords& words, std::string_view word) {
 
 std::optional<StatedCycle> stated_cycle(const std::vector<LooseArgument>& arguments, std::string_view dialect,
                                         std::string& doubt) {
-  const std::optional<Values> values = values_by_word(arguments, doubt);
+  const bool is_clt = dialect == "camworks-clt";
+  const std::optional<Values> values = values_by_word(is_clt ? without_leading_on(arguments) : arguments, doubt);
   if (!values) return std::nullopt;
-  if (dialect == "camworks-clt") return of_clt(*values, doubt);
+  if (is_clt) return of_clt(*values, doubt);
   if (dialect == "apt-catia" && values->size() == 1 && values->contains("DRILL") && values->at("DRILL").size() == 2 &&
       values->at("DRILL")[0] > 0)
     return StatedCycle{-values->at("DRILL")[0], values->at("DRILL")[1], values->at("DRILL")[1]};

@@ -89,6 +89,8 @@ void StatementExpander::move_to(const Pose& to) {
   if (!now_.lost_word.empty()) return doubt(now_.lost_word);
   if (!now_.unknown_word.empty()) return doubt(now_.unknown_word);
   if (!now_.tool_doubt.empty()) return doubt(now_.tool_doubt);
+  if (!now_.cutter_doubt.empty()) return doubt(now_.cutter_doubt);
+  if (!now_.matrix_doubt.empty()) return doubt(now_.matrix_doubt);
   if (now_.diameter_mm && *now_.diameter_mm < 0) return doubt("a tool whose cutter nothing defines");
   const bool is_on_arc = now_.arc.has_value();
   if (now_.cycle) {

@@ -6,14 +6,6 @@
 #include "tests/laws/expander_words.h"
 
 namespace gouge::laws {
-namespace {
-
-bool is_all_numbers(const std::vector<LooseArgument>& arguments) {
-  return std::all_of(arguments.begin(), arguments.end(), [](const LooseArgument& a) { return a.number.has_value(); });
-}
-
-}  // namespace
-
 bool StatementExpander::numbers(const Arguments& arguments, std::vector<double>& values) {
   if (arguments.empty() || !is_all_numbers(arguments)) {
     doubt("an argument that is no number");
@@ -85,7 +77,7 @@ void StatementExpander::comment(const LooseStatement& statement) {
   if (text.starts_with("OPERATIONNAME")) contradict_cycle("an operation");
   if (!is("apt-catia")) return;
   const Arguments row = loose_arguments(statement.rest);
-  if (row.size() == 4 && is_all_numbers(row)) doubt("a row of a matrix that does not begin");
+  if (row.size() == 4 && is_all_numbers(row)) now_.matrix_doubt = "a row of a matrix that does not begin";
 }
 
 bool StatementExpander::is_matrix_begun(const LooseStatement& statement) {
@@ -118,6 +110,7 @@ std::size_t StatementExpander::matrix(const std::vector<LooseStatement>& stateme
     doubt("a matrix that is not whole");
     return last;
   }
+  now_.matrix_doubt.clear();
   set_frame(
       {rows[3], rows[7], rows[11], rows[0], rows[4], rows[8], rows[1], rows[5], rows[9], rows[2], rows[6], rows[10]},
       true);

@@ -135,7 +135,9 @@ void StatementExpander::tool_data(const LooseStatement& s) {
   std::vector<double> v;
   if (s.word == "CUTTER") {
     if (is("camworks-clt") && !arguments.empty() && arguments.back().text.empty()) arguments.pop_back();
-    if (numbers(arguments, v)) cutter(v, v.front() * now_.mm);
+    now_.cutter_doubt =
+        arguments.empty() || !is_all_numbers(arguments) ? "a cutter with an argument that is no number" : "";
+    if (now_.cutter_doubt.empty() && numbers(arguments, v)) cutter(v, v.front() * now_.mm);
     return;
   }
   if (!is("nx-clsf")) return doubt("TLDATA");

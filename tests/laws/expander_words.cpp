@@ -70,6 +70,10 @@ bool is_one_letter_away(std::string_view a, std::string_view b) {
   return i + 1 < a.size() && a[i] == b[i + 1] && a[i + 1] == b[i] && a.substr(i + 2) == b.substr(i + 2);
 }
 
+bool is_all_numbers(const std::vector<LooseArgument>& arguments) {
+  return std::all_of(arguments.begin(), arguments.end(), [](const LooseArgument& a) { return a.number.has_value(); });
+}
+
 bool is_meaningful(std::string_view word) {
   return std::find(kMeaningful.begin(), kMeaningful.end(), word) != kMeaningful.end();
 }

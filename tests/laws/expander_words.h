@@ -2,6 +2,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "tests/laws/loose_statements.h"
 
 // Which words of a toolpath show the mutation law's reader what moves, and which leave the cutter where it
 // is.
@@ -13,6 +16,9 @@ namespace gouge::laws {
 
 /// Known to leave the cutter and the meaning of positions as they are.
 [[nodiscard]] bool is_passive(std::string_view word);
+
+/// Accepts an empty list.
+[[nodiscard]] bool is_all_numbers(const std::vector<LooseArgument>& arguments);
 
 /// What follows its slash is a name or a free text.
 [[nodiscard]] bool is_naming(std::string_view word);

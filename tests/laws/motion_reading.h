@@ -62,6 +62,8 @@ struct MotionReading {
   std::string lost_word;     ///< a line that may have switched something; empty: none
   std::string unknown_word;  ///< before any motion; empty: none
   std::string tool_doubt;    ///< why nobody knows which tool is in; empty: it is known
+  std::string cutter_doubt;  ///< why the cutter is unknown until the next CUTTER; empty: it is known
+  std::string matrix_doubt;  ///< why the frame is unknown until the next whole matrix; empty: it is known
   std::optional<double> diameter_mm;
   std::optional<double> stated_diameter;  ///< of `$$-> CUTTER`, in the unit of the file
   bool is_cutter_new = false;             ///< nothing was cut with it yet

@@ -116,7 +116,7 @@ void emit(States& s, const Position& position) {
   resolve_tool(s);
   (void)s.operation.resolve();
   const bool is_from = position.form == PositionForm::from;
-  if (s.cycle.is_doubtful() && !is_from) return emit_doubtful(s, position);
+  if (s.cycle.is_doubtful()) return emit_doubtful(s, position);
   const bool is_cycle =
       s.cycle.is_on() && (position.form == PositionForm::go_to || position.form == PositionForm::godlta);
   if (is_cycle && s.cycle.drill() && s.doubts.reason() == nullptr) return emit_hole(s, position, *s.cycle.drill());
