@@ -113,6 +113,8 @@ void StatementExpander::tool_number(std::string_view word, const Arguments& argu
   const auto known = now_.known_tools.find(number);
   if (!now_.is_cutter_new && known != now_.known_tools.end())
     now_.diameter_mm = known->second;
+  else if (!now_.is_cutter_new && now_.library_tools.contains(number))
+    now_.diameter_mm.reset();
   else if (!now_.is_cutter_new && now_.diameter_mm && now_.has_moved)
     now_.diameter_mm = -1;
 }

@@ -44,11 +44,12 @@ bool holds_lone_return(std::string_view bytes) {
 
 }  // namespace
 
-Expansion expand_motions(std::string_view bytes, std::string_view dialect) {
+Expansion expand_motions(std::string_view bytes, std::string_view dialect, const std::set<int>& library_tools) {
   if (dialect == "mastercam-nci") return expand_nci(bytes);
   Expansion expansion;
   const std::vector<LooseStatement> statements = loose_statements(bytes);
   StatementExpander expander(dialect, expansion);
+  expander.reading().library_tools = library_tools;
   expander.reading().mm = first_unit(statements, expansion);
   for (const LooseStatement& statement : statements) {
     if (statement.word == "MSYS") expander.reading().has_frames = true;

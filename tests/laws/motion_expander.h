@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +38,8 @@ struct Expansion {
 
 [[nodiscard]] Expansion expand_nci(std::string_view bytes);
 
-/// `dialect` is one of docs/formats/apt_cl.md, in text.
-[[nodiscard]] Expansion expand_motions(std::string_view bytes, std::string_view dialect);
+/// `dialect` is one of docs/formats/apt_cl.md, in text. The cutters of `library_tools` need no statement.
+[[nodiscard]] Expansion expand_motions(std::string_view bytes, std::string_view dialect,
+                                       const std::set<int>& library_tools = {});
 
 }  // namespace gouge::laws

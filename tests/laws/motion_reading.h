@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,7 @@ struct MotionReading {
   std::optional<double> diameter_mm;
   std::optional<double> stated_diameter;  ///< of `$$-> CUTTER`, in the unit of the file
   bool is_cutter_new = false;             ///< nothing was cut with it yet
+  std::set<int> library_tools;            ///< whose cutters no statement has to define
   std::map<int, double> known_tools;      ///< number -> diameter
   bool has_moved = false;
 };
