@@ -75,6 +75,8 @@ class ResultReader {
     if (role == "fixture") a.fixtures.push_back(name);
     if (role == "head") a.heads.push_back(name);
     if (role == "tools") a.tools_file = name;
+    if (role == "part") named_parts_.push_back(as_named);
+    if (role == "fixture") named_fixtures_.push_back(as_named);
     if (role == "part" || role == "fixture")
       meshes_[role + " " + as_named] = (role == "part" ? a.parts : a.fixtures).size() - 1;
   }
@@ -102,6 +104,20 @@ class ResultReader {
     a.holder = given("holder");
     a.is_extended_up = more.find("extend-up").has_value();
     a.tool_names = all_given(more, "tool");
+    read_limits(more, "part", Against::part, named_parts_);
+    read_limits(more, "fixture", Against::fixture, named_fixtures_);
+  }
+
+  void read_limits(const JsonField& more, const char* option, Against against, const std::vector<std::string>& named) {
+    std::vector<std::string> files;
+    LimitTexts texts;
+    split_limits(all_given(more, option), files, texts);
+    const Result<std::vector<MeshLimit>> limits =
+        understand_limits("--" + std::string(option), against, named, texts, result_.options.check.tolerance_mm);
+    if (!limits) return more.at(option).fail("limits of the files that are named");
+    std::vector<MeshLimit>& all = result_.options.limits;
+    all.insert(all.end(), limits->begin(), limits->end());
+    if (limits->size() != texts.size()) more.at(option).fail("a file that is named among the inputs");
   }
 
   // Of an option that may be given several times: a text, or a list of them.
@@ -170,6 +186,7 @@ class ResultReader {
 
   const std::string& file_;
   JsonField root_;
+  std::vector<std::string> named_parts_, named_fixtures_;
   std::map<std::string, std::size_t> meshes_;  // by role and name: which of its kind
   ClaimedResult result_;
 };
@@ -238,10 +255,12 @@ Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_v
   ClaimedResult result = ResultReader(file, JsonField(root, errors)).read();
   if (errors.first) return *errors.first;
   const CheckOptions check = result.options.check;
+  const std::vector<MeshLimit> limits = result.options.limits;
   const Result<JobOptions> understood = understand(result.arguments);
   if (!understood) return invalid(file, "an option in it cannot be (" + understood.error().message + ")");
   result.options = *understood;
   result.options.check = check;
+  result.options.limits = limits;
   return result;
 }
 

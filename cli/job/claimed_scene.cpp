@@ -35,6 +35,9 @@ ClaimedScene claimed_scene(const Job& job) {
   scene.tolerance_mm = options.tolerance_mm;
   scene.resolution_mm = options.resolution_mm;
   scene.threads = options.threads;
+  for (const MeshLimit& limit : job.scene().limits)
+    scene.limits.push_back({!rule_of(limit.against).is_workpiece, limit.mesh, limit.clearance_mm,
+                            std::min(limit.tolerance_mm, options.tolerance_mm)});
   return scene;
 }
 

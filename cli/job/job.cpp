@@ -68,7 +68,7 @@ class JobLoader {
   void read_scene(const SceneSource& scenes) {
     const JobArguments& a = arguments_;
     job_.files = scenes({a.parts, a.fixtures, a.heads, stl_unit(), job_.options.place, a.place, a.input.most_bytes,
-                         job_.options.check.threads},
+                         job_.options.check.threads, nullptr, job_.options.limits},
                         progress_);
     errors_.insert(errors_.end(), job_.files->errors.begin(), job_.files->errors.end());
     job_.inputs.insert(job_.inputs.end(), job_.files->inputs.begin(), job_.files->inputs.end());
@@ -190,6 +190,9 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   if (!arguments.holder.empty()) model.more_options.push_back({"holder", arguments.holder});
   if (arguments.is_extended_up) model.more_options.push_back({"extend-up", "yes"});
   for (const std::string& name : arguments.allowed_overlaps) model.more_options.push_back({"allow-overlap", name});
+  for (const auto& [file, limits] : arguments.part_limits) model.more_options.push_back({"part", file + "," + limits});
+  for (const auto& [file, limits] : arguments.fixture_limits)
+    model.more_options.push_back({"fixture", file + "," + limits});
   for (const std::string& head : arguments.heads) model.more_options.push_back({"head", head});
   for (const std::string& name : arguments.tool_names) model.more_options.push_back({"tool", name});
   for (const std::string& fact : arguments.assumed) model.more_options.push_back({"assume", fact});

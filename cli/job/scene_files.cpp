@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "lib/base/number_text.h"
 #include "lib/base/parallel.h"
 #include "lib/base/view_file.h"
 #include "lib/certify/assess.h"
@@ -22,10 +23,19 @@ class SceneLoader {
     read_meshes(request_.parts, "part", files_->scene.parts, files_->parts, request_.place);
     read_meshes(request_.fixtures, "fixture", files_->scene.fixtures, files_->fixtures, request_.place);
     read_heads();
+    if (files_->errors.empty()) add_limits();
     return std::move(files_);
   }
 
  private:
+  void add_limits() {
+    files_->scene.limits = request_.limits;
+    for (const MeshLimit& limit : request_.limits) {
+      std::vector<MeshFacts>& facts = rule_of(limit.against).is_workpiece ? files_->parts : files_->fixtures;
+      facts[limit.mesh].clearance_mm = limit.clearance_mm;
+    }
+  }
+
   void read_heads() {
     std::vector<IndexedMesh> meshes;
     read_meshes(request_.heads, "head", meshes, files_->head_facts, RigidTransform());
@@ -121,6 +131,10 @@ std::string SceneRequest::key() const {
       {"\npart ", parts}, {"\nfixture ", fixtures}, {"\nhead ", heads}};
   for (const auto& [role, names] : roles) {
     for (const std::string& name : names) key += role + std::to_string(name.size()) + ' ' + name;
+  }
+  for (const MeshLimit& limit : limits) {
+    key += '\n' + std::string(against_name(limit.against)) + ' ' + std::to_string(limit.mesh) + ' ' +
+           exact_text(limit.clearance_mm) + ' ' + exact_text(limit.tolerance_mm);
   }
   return key;
 }

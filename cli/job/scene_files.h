@@ -29,6 +29,7 @@ struct SceneRequest {
   std::uint64_t most_bytes = 0;
   unsigned threads = 0;
   MeshCopies* copies = nullptr;  ///< where files are read from; none: where they are
+  std::vector<MeshLimit> limits{};
 
   /// Equal for requests that read the same files in the same way.
   [[nodiscard]] std::string key() const;

@@ -20,11 +20,23 @@ void add_path(CLI::App& command, JobArguments& a) {
 void add_input_options(CLI::App& command, JobArguments& a, bool needs_part) {
   command.option_defaults()->group("Input");
   add_reading_options(command, a.reading);
-  command.add_option("--part", a.parts, "Finished part that must not be cut into (STL; repeatable)")
+  const auto take_parts = [&a](const std::vector<std::string>& typed) { split_limits(typed, a.parts, a.part_limits); };
+  const auto take_fixtures = [&a](const std::vector<std::string>& typed) {
+    split_limits(typed, a.fixtures, a.fixture_limits);
+  };
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--part", take_parts,
+          "Finished part that must not be cut into (STL; repeatable); with a tolerance of its own: "
+          "part.stl,tolerance=0.002")
       ->type_name("FILE")
       ->required(needs_part)
       ->allow_extra_args(false);
-  command.add_option("--fixture", a.fixtures, "Fixture that must not be touched (STL; repeatable)")
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--fixture", take_fixtures,
+          "Fixture that must not be touched (STL; repeatable); with a distance to keep, or a tolerance of its own: "
+          "vise.stl,clearance=1")
       ->type_name("FILE")
       ->allow_extra_args(false);
   command
@@ -159,6 +171,22 @@ void add_job_options(CLI::App& command, JobArguments& arguments) {
   add_output_options(command, arguments);
 }
 
+namespace {
+
+/// Requires that the tolerance is known.
+std::optional<Diagnostic> add_limits(const JobArguments& a, JobOptions& options) {
+  const double tolerance_mm = options.check.tolerance_mm;
+  for (const Result<std::vector<MeshLimit>>& limits :
+       {understand_limits("--part", Against::part, a.parts, a.part_limits, tolerance_mm),
+        understand_limits("--fixture", Against::fixture, a.fixtures, a.fixture_limits, tolerance_mm)}) {
+    if (!limits) return limits.error();
+    options.limits.insert(options.limits.end(), limits->begin(), limits->end());
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<JobOptions> understand(const JobArguments& a) {
   JobOptions options;
   const Result<ReadOptions> reading = understand(a.reading);
@@ -203,6 +231,7 @@ Result<JobOptions> understand(const JobArguments& a) {
       return usage_error("--export", file, "a file whose name ends in .glb, .vtp or .ply");
   }
   if (a.report_folder == "-") return usage_error("--report", a.report_folder, "a folder");
+  if (auto error = add_limits(a, options)) return *error;
   if (!a.clearance.empty()) {
     if (const auto wrong = parse_clearance(a.clearance, options.check)) {
       return make_error("usage", "--clearance: " + *wrong);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/options/mesh_limits.h"
 #include "cli/options/reading_options.h"
 #include "cli/terminal/listing_options.h"
 #include "cli/terminal/print_diagnostics.h"
@@ -32,6 +33,7 @@ struct JobArguments : Verbosity {
   ReadingArguments reading;
   InputLimit input;
   std::vector<std::string> parts, fixtures, heads;
+  LimitTexts part_limits, fixture_limits;
   std::vector<std::string> allowed_overlaps;  ///< of `fixtures`: those that may penetrate a part
   std::string place, stl_units;
   std::string tools_file, holder;
@@ -60,6 +62,7 @@ struct JobOptions {
   ReadOptions reading;
   CheckOptions check;
   RigidTransform place;
+  std::vector<MeshLimit> limits;  ///< of parts and fixtures
   std::vector<Vouched> vouched;
   ProgressMode progress = ProgressMode::automatic;
   std::string date;  ///< of the report

@@ -24,7 +24,21 @@ Targets targets_of(const ToolVariants& tool, const PreparedScene& scene, const F
 }
 
 Targets whole_tool(const ToolVariants& tool, const PreparedScene& scene) {
-  return targets_of(tool, scene, [](const ContactRule& rule) { return rule.form; });
+  Targets targets = targets_of(tool, scene, [](const ContactRule& rule) { return rule.form; });
+  for (const LimitedMesh& mesh : scene.limited_meshes())
+    if (mesh.limit.clearance_mm > 0) targets.push_back(target_on(tool.bare, mesh));
+  return targets;
+}
+
+/// A limit that is stricter than the tolerance of the check.
+struct StrictLimit {
+  Targets targets;
+  double tolerance_mm = 0;
+  const MeshLimit* of_mesh = nullptr;  ///< null: the clearances of bodies
+};
+
+SearchTarget limited_target(const ToolVariants& tool, const LimitedMesh& mesh) {
+  return target_on(mesh.limit.clearance_mm > 0 ? tool.bare : tool.*mesh.obstacle->rule.form, mesh);
 }
 
 Targets clearance_bodies(const ToolVariants& tool, const PreparedScene& scene) {
@@ -37,6 +51,17 @@ Targets watched_bodies(const ToolVariants& tool, const PreparedScene& scene, Mov
                     [&](const ContactRule& rule) { return is_cutting ? rule.form_beside_cuts : rule.form; });
 }
 
+std::vector<StrictLimit> strict_limits(const ToolVariants& tool, const PreparedScene& scene,
+                                       const CheckOptions& options) {
+  std::vector<StrictLimit> all;
+  if (!tool.with_clearance.elements.empty()) all.push_back({clearance_bodies(tool, scene), 0, nullptr});
+  for (const LimitedMesh& mesh : scene.limited_meshes()) {
+    const bool is_stricter = mesh.limit.tolerance_mm < options.tolerance_mm;
+    if (is_stricter) all.push_back({{limited_target(tool, mesh)}, mesh.limit.tolerance_mm, &mesh.limit});
+  }
+  return all;
+}
+
 SearchQuery query(const CheckOptions& options, double reach, double tolerance) {
   const double gap = options.gouge_gap_mm > 0 ? options.gouge_gap_mm : options.resolution_mm;
   return {{tolerance, options.resolution_mm, gap, options.budget_per_move}, reach};
@@ -45,15 +70,15 @@ SearchQuery query(const CheckOptions& options, double reach, double tolerance) {
 /// What the wide sweep says of one move: a result for each query, null where it was not asked.
 struct Swept {
   const SweptMove* depth = nullptr;
-  const SweptMove* clearance = nullptr;
+  std::vector<const SweptMove*> limits{};  ///< one a strict limit, or empty
   const SweptMove* near_miss = nullptr;
 };
 
 class MoveChecker {
  public:
   MoveChecker(const Motion& motion, MoveKind kind, const ToolVariants& tool, const PreparedScene& scene,
-              const CheckOptions& options, const Swept& swept)
-      : motion_(motion), kind_(kind), tool_(tool), scene_(scene), options_(options), swept_(swept) {}
+              const CheckOptions& options, std::span<const StrictLimit> limits, const Swept& swept)
+      : motion_(motion), kind_(kind), tool_(tool), scene_(scene), options_(options), limits_(limits), swept_(swept) {}
 
   MoveVerdict run() {
     const SearchResult depth = finish(whole(), 0, options_.tolerance_mm, swept_.depth);
@@ -63,8 +88,8 @@ class MoveChecker {
     if (!is_deep && verdict_.depth_upper_mm > options_.tolerance_mm + options_.resolution_mm) is_decided_ = false;
     if (is_deep) {
       verdict_.state = MoveState::gouge;
-    } else if (!tool_.with_clearance.elements.empty()) {
-      check_clearances(depth);
+    } else {
+      for (std::size_t k = 0; k < limits_.size() && verdict_.state != MoveState::gouge; ++k) check_limit(k, depth);
     }
     if (!is_decided_ && verdict_.state != MoveState::gouge) give_up();
     if (!is_decided_ && verdict_.state == MoveState::gouge) verdict_.reason = out_of_budget();
@@ -101,10 +126,13 @@ class MoveChecker {
     const SearchTarget& target = targets[outcome.at.target];
     const ToolPoint position = locate(outcome);
     const ToolDistance at = evaluate(*target.tool, position.r, position.z);
-    if (!(at.signed_distance_mm < 0)) return;
-    verdict_.depth_mm = -at.signed_distance_mm;
+    if (!(at.signed_distance_mm < target.reach_mm)) return;
+    verdict_.depth_mm = target.reach_mm - at.signed_distance_mm;
     verdict_.depth_upper_mm = std::max(verdict_.depth_upper_mm, verdict_.depth_mm);
     verdict_.witness = witness(outcome, target, position, at);
+    verdict_.reason = {};
+    if (target.reach_mm > 0)
+      verdict_.reason = {Reason::Kind::mesh_clearance_entered, verdict_.witness->body, verdict_.depth_mm};
   }
 
   /// A surface point as the pose sees it.
@@ -134,40 +162,51 @@ class MoveChecker {
     result.normal = -(at.normal.x() * position.out + at.normal.y() * position.pose.axis).normalized();
     result.body = target.tool->elements[at.element].body;
     result.against = target.against;
-    result.mesh = static_cast<std::uint32_t>(target.tree->mesh_of(outcome.at.triangle));
+    result.mesh = target.first_mesh + static_cast<std::uint32_t>(target.tree->mesh_of(outcome.at.triangle));
     result.triangle = target.tree->file_triangle(outcome.at.triangle);
     return result;
   }
 
-  // Any depth in a body with a clearance is a gouge, so the whole depth is then wanted to the resolution.
-  void check_clearances(const SearchResult& depth) {
-    const Targets offset_targets = clearance_bodies(tool_, scene_);
-    const SearchResult entered = finish(offset_targets, 0, 0, swept_.clearance);
+  // Depth beyond a strict limit is a gouge, so the whole depth is then wanted to the resolution.
+  void check_limit(std::size_t index, const SearchResult& depth) {
+    const StrictLimit& limit = limits_[index];
+    const SweptMove* swept = swept_.limits.empty() ? nullptr : swept_.limits[index];
+    const SearchResult entered = finish(limit.targets, 0, limit.tolerance_mm, swept);
     if (!entered.has_witness) return;
+    const SearchTarget& target = limit.targets[entered.at.target];
     const ToolPoint position = locate(entered);
-    if (!(signed_distance_mm(*offset_targets[entered.at.target].tool, position.r, position.z) < 0)) {
-      // It touches, and no point is in the clearance but for rounding.
-      if (entered.value_upper_mm > options_.resolution_mm) is_decided_ = false;
+    const double depth_mm = target.reach_mm - signed_distance_mm(*target.tool, position.r, position.z);
+    if (!(depth_mm > limit.tolerance_mm)) {
+      // It touches, and no point is beyond the limit but for rounding.
+      if (entered.value_upper_mm > limit.tolerance_mm + options_.resolution_mm) is_decided_ = false;
       return;
     }
     const bool is_closed = depth.value_upper_mm - depth.value_mm <= options_.resolution_mm;
     const SearchResult closed = is_closed ? depth : ask(whole(), 0, 0);
     set_depth(closed, whole());
     verdict_.state = MoveState::gouge;
-    show_clearance(entered, offset_targets[entered.at.target]);
+    show_limit(limit, entered);
   }
 
-  // The body that must keep its clearance is better evidence than a cutter's lawful contact, as long as it
-  // realises the depth.
-  void show_clearance(const SearchResult& entered, const SearchTarget& target) {
+  // The body beyond its limit is better evidence than a cutter's lawful contact, as long as it realises the depth.
+  void show_limit(const StrictLimit& limit, const SearchResult& entered) {
+    const SearchTarget& target = limit.targets[entered.at.target];
     const ToolPoint position = locate(entered);
     const ToolDistance at = evaluate(*target.tool, position.r, position.z);
-    const SearchTarget all = whole()[entered.at.target];
-    const double depth = -signed_distance_mm(*all.tool, position.r, position.z);
-    verdict_.reason = {Reason::Kind::clearance_entered, target.tool->elements[at.element].body, entered.value_mm};
-    if (!(depth > 0) || verdict_.depth_upper_mm - depth > options_.resolution_mm) return;
+    const CompiledTool& whole_form = limit.of_mesh == nullptr ? tool_.*rule_of(target.against).form : *target.tool;
+    const double depth = target.reach_mm - signed_distance_mm(whole_form, position.r, position.z);
+    verdict_.reason = {reason_of(limit), target.tool->elements[at.element].body, entered.value_mm};
+    // What is deeper elsewhere, within the tolerance there, is no evidence against a mesh.
+    const bool is_evidence = limit.of_mesh != nullptr || verdict_.depth_upper_mm - depth <= options_.resolution_mm;
+    if (!(depth > 0) || !is_evidence) return;
     verdict_.depth_mm = depth;
     verdict_.witness = witness(entered, target, position, at);
+  }
+
+  static Reason::Kind reason_of(const StrictLimit& limit) {
+    if (limit.of_mesh == nullptr) return Reason::Kind::clearance_entered;
+    return limit.of_mesh->clearance_mm > 0 ? Reason::Kind::mesh_clearance_entered
+                                           : Reason::Kind::mesh_tolerance_exceeded;
   }
 
   // What comes no deeper than the tolerance may reach far into a solid with a blade or a point: where a tool has such,
@@ -230,6 +269,7 @@ class MoveChecker {
   const ToolVariants& tool_;
   const PreparedScene& scene_;
   const CheckOptions& options_;
+  std::span<const StrictLimit> limits_;
   Swept swept_;
   MoveVerdict verdict_;
   bool is_decided_ = true;
@@ -290,14 +330,16 @@ void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kind
                        std::all_of(motions.begin(), motions.end(),
                                    [](const Motion& motion) { return why_unfit(motion) == Reason::Kind::none; });
   if (!are_fit) return check_fit_moves(motions, kinds, tool, scene, options, verdicts, bounds);
-  std::vector<SweptMove> clearance, near_feed, near_rapid;
+  const std::vector<StrictLimit> limits = strict_limits(tool, scene, options);
+  std::vector<std::vector<SweptMove>> beyond;  // one a limit
+  std::vector<SweptMove> near_feed, near_rapid;
   const SearchQuery deep = query(options, 0, options.tolerance_mm);
   const std::vector<SweptMove> depth = sweep_moves(motions, whole_tool(tool, scene), deep);
   // Where it is enough that all gouge nothing else is asked of them.
   const bool is_told =
       std::ranges::all_of(depth, [&](const SweptMove& swept) { return deep.is_met_by(swept.start.value_mm); });
-  if (!is_told && !tool.with_clearance.elements.empty())
-    clearance = sweep_moves(motions, clearance_bodies(tool, scene), query(options, 0, 0));
+  for (std::size_t k = 0; k < limits.size() && !is_told; ++k)
+    beyond.push_back(sweep_moves(motions, limits[k].targets, query(options, 0, limits[k].tolerance_mm)));
   if (!is_told && options.near_miss_mm > 0) {
     const SearchQuery near = query(options, options.near_miss_mm, 0);
     const auto is_rapid = [](MoveKind kind) { return kind == MoveKind::rapid; };
@@ -308,10 +350,10 @@ void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kind
   }
   for (std::size_t m = 0; m < motions.size(); ++m) {
     Swept swept{&depth[m]};
-    if (!clearance.empty()) swept.clearance = &clearance[m];
+    for (const std::vector<SweptMove>& of_limit : beyond) swept.limits.push_back(&of_limit[m]);
     if (const std::vector<SweptMove>& near = kinds[m] == MoveKind::rapid ? near_rapid : near_feed; !near.empty())
       swept.near_miss = &near[m];
-    MoveChecker checker(motions[m], kinds[m], tool, scene, options, swept);
+    MoveChecker checker(motions[m], kinds[m], tool, scene, options, limits, swept);
     verdicts[m] = checker.run();
     bounds[m] += checker.bounds();
   }

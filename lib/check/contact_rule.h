@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -12,9 +11,6 @@
 // the kinds of obstacles.
 
 namespace gouge {
-
-/// An obstacle of a scene: its row of the contact table.
-enum class Against : std::uint8_t { part, fixture };
 
 /// A form of the tool, offset for the obstacle that it is held against.
 using ToolForm = CompiledTool ToolVariants::*;
@@ -58,6 +54,18 @@ struct ObstacleMeshes {
   std::vector<Against> all;
   for (const ObstacleMeshes& obstacle : obstacles_of(scene))
     all.insert(all.end(), obstacle.meshes.size(), obstacle.rule.against);
+  return all;
+}
+
+/// The clearance of each mesh, counted through all obstacles; 0: none.
+[[nodiscard]] inline std::vector<double> clearance_of_meshes(const Scene& scene) {
+  std::vector<double> all;
+  for (const ObstacleMeshes& obstacle : obstacles_of(scene)) {
+    const std::size_t first = all.size();
+    all.resize(first + obstacle.meshes.size(), 0);
+    for (const MeshLimit& limit : scene.limits)
+      if (limit.against == obstacle.rule.against) all[first + limit.mesh] = limit.clearance_mm;
+  }
   return all;
 }
 

@@ -31,6 +31,20 @@ PreparedScene::PreparedScene(const Scene& of, unsigned threads, const ProgressCa
     }
     obstacle.surfaces = surfaces_of(obstacle.meshes, obstacle.tree, threads);
   }
+  if (is_within_reach) prepare_limits(threads, progress);
+}
+
+void PreparedScene::prepare_limits(unsigned threads, const ProgressCall& progress) {
+  for (const MeshLimit& limit : scene->limits) {
+    const PreparedObstacle& of = obstacle(limit.against);
+    const BlockTree* tree = &of.tree;
+    if (of.meshes.size() > 1) {
+      trees_of_limited_.push_back(
+          build_block_tree(of.meshes.subspan(limit.mesh, 1), threads, "indexing limited meshes", progress));
+      tree = &trees_of_limited_.back();
+    }
+    limited_.push_back({limit, &of, tree});
+  }
 }
 
 const PreparedObstacle& PreparedScene::workpiece() const {

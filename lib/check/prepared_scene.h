@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deque>
+#include <span>
 #include <vector>
 
 #include "lib/check/scene.h"
@@ -16,6 +18,13 @@ struct PreparedObstacle {
   std::span<const IndexedMesh> meshes;
   BlockTree tree;                 ///< of all meshes, for the sweep
   std::vector<Surface> surfaces;  ///< one a mesh
+};
+
+/// A mesh with limits of its own.
+struct LimitedMesh {
+  MeshLimit limit;
+  const PreparedObstacle* obstacle;
+  const BlockTree* tree;  ///< of this mesh alone
 };
 
 /// The scene with each index of its meshes, made once whoever asks: the trees of the sweep at once, all else when first
@@ -38,6 +47,9 @@ class PreparedScene {
 
   [[nodiscard]] const BlockTree& workpiece_tree() const { return workpiece().tree; }
 
+  /// The meshes with limits of their own, in the order of Scene::limits.
+  [[nodiscard]] std::span<const LimitedMesh> limited_meshes() const { return limited_; }
+
   /// Distances from a mesh. Its index is that of the sweep where the obstacle has no other mesh. Requires
   /// is_within_reach. Cost of the first call for a mesh: else its tree.
   [[nodiscard]] const Surface& surface(Against against, std::size_t mesh) const {
@@ -54,7 +66,11 @@ class PreparedScene {
   bool is_within_reach;  ///< no mesh reaches beyond kFarthest_mm
 
  private:
+  void prepare_limits(unsigned threads, const ProgressCall& progress);
+
   std::vector<PreparedObstacle> obstacles_;
+  std::deque<BlockTree> trees_of_limited_;  // where a mesh is not alone in its obstacle
+  std::vector<LimitedMesh> limited_;
   SceneSides sides_;
 };
 

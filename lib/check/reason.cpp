@@ -46,6 +46,8 @@ constexpr std::array kTexts{
     Text{Reason::Kind::head_out_of_budget,
          "the head comes too close to the surface for too long: the budget of bounds ran out"},
     Text{Reason::Kind::clearance_entered, "the clearance of the {body} is entered by {mm} mm"},
+    Text{Reason::Kind::mesh_clearance_entered, "the {body} enters the clearance of this mesh by {mm} mm"},
+    Text{Reason::Kind::mesh_tolerance_exceeded, "the {body} is {mm} mm deep, beyond the tolerance of this mesh"},
 };
 
 // Two digits, rounded up.

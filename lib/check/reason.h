@@ -29,7 +29,9 @@ struct Reason {
     thin_feature,   ///< may reach `amount` mm into the solid (rounded up; infinite: any amount)
     out_of_budget,  ///< of `amount` bounds
     head_out_of_budget,
-    clearance_entered,  ///< of `body`, by `amount` mm
+    clearance_entered,        ///< of `body`, by `amount` mm
+    mesh_clearance_entered,   ///< of the witness's mesh, by `body` and `amount` mm
+    mesh_tolerance_exceeded,  ///< of the witness's mesh: `body` is `amount` mm deep
   };
 
   Kind kind = Kind::none;
@@ -38,6 +40,8 @@ struct Reason {
   std::string detail{};
 
   [[nodiscard]] bool is(Kind of) const { return kind == of; }
+  /// Says which limit a gouge passed, and leaves nothing open.
+  [[nodiscard]] bool names_limit() const { return kind >= Kind::clearance_entered; }
   [[nodiscard]] bool is_same(const Reason& other) const {
     return kind == other.kind && body == other.body && !(amount < other.amount) && !(other.amount < amount) &&
            detail == other.detail;

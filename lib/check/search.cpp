@@ -56,10 +56,13 @@ class Search : public BestFirstSearch<Search, Candidate> {
   }
 
  private:
+  [[nodiscard]] double reach_mm(std::uint32_t target) const { return query_.reach_mm + targets_[target].reach_mm; }
+
   void add_piece(std::uint32_t index, const SearchSeed& seed, const std::array<Vec3, 3>& piece) {
     ++result_.bounds;
     const ToolInterval& interval = intervals_[index];
-    const PieceBound bound = bound_piece(*targets_[seed.target].tool, piece, interval, query_.reach_mm, threshold_mm());
+    const PieceBound bound =
+        bound_piece(*targets_[seed.target].tool, piece, interval, reach_mm(seed.target), threshold_mm());
     if (bound.value_mm > result_.value_mm)
       take(bound.value_mm, bound.is_at_end ? interval.t1 : interval.t0, piece[bound.corner], seed);
     Candidate c;
@@ -79,7 +82,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
     const Vec3 p = (c.piece[0] + c.piece[1] + c.piece[2]) / 3.0;
     const ToolFrame frame = tool_frame(motion_, t, interval.segment);
     const ToolSample sample = sample_tool(*targets_[c.seed.target].tool, frame.to_tool(p));
-    const double value = query_.reach_mm - sample.nearest.signed_distance_mm;
+    const double value = reach_mm(c.seed.target) - sample.nearest.signed_distance_mm;
     if (value > result_.value_mm) take(value, t, p, c.seed);
   }
 

@@ -36,8 +36,9 @@ constexpr float kSmallSwing_mm = 0.01F;
 
 /// What is known of one move so far.
 struct MoveWork {
-  float least_pruned = std::numeric_limits<float>::max();
-  std::vector<SearchSeed> open;  ///< what no bound has pruned
+  float least_pruned = std::numeric_limits<float>::max();       ///< of the target at hand
+  double certified_mm = std::numeric_limits<double>::lowest();  ///< the value of what was pruned is no larger
+  std::vector<SearchSeed> open;                                 ///< what no bound has pruned
 };
 
 /// What a group leaves to its parts.
@@ -63,6 +64,7 @@ class Sweep {
     for (target_ = 0; target_ < targets_.size(); ++target_) {
       tool_ = targets_[target_].tool;
       tree_ = targets_[target_].tree;
+      reach_mm_ = query_.reach_mm + targets_[target_].reach_mm;
       if (tree_->nodes.empty() || steps_.empty()) continue;
       forget_frames();
       for (const CoverPiece& piece : targets_[target_].cover->pieces) {
@@ -71,12 +73,19 @@ class Sweep {
         all.nodes.push_back(0);
         visit_group(frames_.size() - 1, 0, all, std::numeric_limits<float>::max());
       }
+      for (MoveWork& work : work_) close_target(work);
     }
     for (std::size_t m = 0; m < motions_.size(); ++m) finish(m);
     return std::move(swept_);
   }
 
  private:
+  // Targets may differ in their reach: what they certify is joined by value, not by distance.
+  void close_target(MoveWork& work) const {
+    const float least = std::exchange(work.least_pruned, std::numeric_limits<float>::max());
+    work.certified_mm = std::max(work.certified_mm, reach_mm_ - static_cast<double>(least));
+  }
+
   // Most are never asked for: what a group prunes needs no frames of its parts.
   void forget_frames() {
     frames_.clear();
@@ -104,7 +113,7 @@ class Sweep {
   [[nodiscard]] float need(double value_mm) const {
     // Which any bound meets, that of what no piece bounds, too.
     if (query_.is_met_by(value_mm)) return std::numeric_limits<float>::lowest();
-    const double distance = query_.reach_mm - query_.pruning_threshold_mm(value_mm);
+    const double distance = reach_mm_ - query_.pruning_threshold_mm(value_mm);
     return std::nextafter(static_cast<float>(distance), std::numeric_limits<float>::max());
   }
 
@@ -342,7 +351,7 @@ class Sweep {
     SearchStart& swept = swept_[step.move].start;
     const Vec3 p = closest_on_triangle(about, tree_->corners(triangle)).point;
     for (const double t : {step.t0, step.middle(), step.t1}) {
-      const double value = query_.reach_mm - signed_distance_mm(*tool_, motions_[step.move].at(t), p);
+      const double value = reach_mm_ - signed_distance_mm(*tool_, motions_[step.move].at(t), p);
       if (value <= swept.value_mm) continue;
       swept.value_mm = value;
       swept.t = t;
@@ -360,7 +369,7 @@ class Sweep {
     open.erase(std::unique(open.begin(), open.end(), [key](const auto& a, const auto& b) { return key(a) == key(b); }),
                open.end());
     swept_[m].start.seeds = std::move(open);
-    swept_[m].start.certified_mm = query_.reach_mm - static_cast<double>(work_[m].least_pruned);
+    swept_[m].start.certified_mm = work_[m].certified_mm;
   }
 
   std::span<const Motion> motions_;
@@ -375,6 +384,7 @@ class Sweep {
   std::uint32_t target_ = 0;
   const CompiledTool* tool_ = nullptr;
   const BlockTree* tree_ = nullptr;
+  double reach_mm_ = 0;
   KernelPiece piece_;
   std::vector<std::vector<std::optional<SweepFrame>>> frames_;  // [level][index]; level 0: one for each step
   std::vector<Remainder> remainders_;                           // one for each level
@@ -397,7 +407,7 @@ std::vector<SweptMove> sweep_moves(std::span<const Motion> motions, const std::v
   std::vector<CoverTarget> covered(targets.size());
   for (std::size_t i = 0; i < targets.size(); ++i) {
     if (!targets[i].tree->nodes.empty()) covers[i] = make_convex_cover(*targets[i].tool);
-    covered[i] = {&covers[i], targets[i].tree, targets[i].tool};
+    covered[i] = {&covers[i], targets[i].tree, targets[i].tool, targets[i].reach_mm};
   }
   return sweep_covers(motions, covered, query, kernel);
 }

@@ -35,9 +35,10 @@ struct CoverTarget {
   const ConvexCover* cover = nullptr;
   const BlockTree* tree = nullptr;
   const CompiledTool* tool = nullptr;
+  double reach_mm = 0;  ///< of SearchTarget
 };
 
-/// The same for covers that were made before, and of other bodies than tools. Requires a query of reach 0 for those.
+/// The same for covers that were made before, and of other bodies than tools.
 [[nodiscard]] std::vector<SweptMove> sweep_covers(std::span<const Motion> motions, std::span<const CoverTarget> targets,
                                                   const SearchQuery& query,
                                                   const SweepKernel& kernel = fastest_sweep_kernel());

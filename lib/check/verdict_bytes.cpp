@@ -78,7 +78,7 @@ bool is_possible(const Reason& reason) {
   constexpr double kMostCounted = 9e15;
   const bool is_counted = reason.is(link_gouges) || reason.is(out_of_budget) || reason.is(head_out_of_budget);
   if (is_counted && !(reason.amount >= 0 && reason.amount <= kMostCounted)) return false;
-  return reason.kind <= clearance_entered && is_possible(reason.body) && !std::isnan(reason.amount);
+  return reason.kind <= mesh_tolerance_exceeded && is_possible(reason.body) && !std::isnan(reason.amount);
 }
 
 bool is_possible(const MoveVerdict& v) {

@@ -120,15 +120,26 @@ struct AimedTarget {
   double aim_mm = 0;
 };
 
+/// Halfway to the tolerance of a workpiece, which cutters touch; out of the clearance of any other mesh.
+AimedTarget aimed_at(const ToolVariants& tool, const LimitedMesh& mesh, const CorrectionAim& aim) {
+  const MeshLimit& limit = mesh.limit;
+  SearchTarget target = target_on(limit.clearance_mm > 0 ? tool.bare : tool.*mesh.obstacle->rule.form, mesh);
+  target.reach_mm = 0;  // an aim below 0 asks for it
+  if (mesh.obstacle->rule.is_workpiece) return {target, std::min(aim.workpiece_mm, 0.5 * limit.tolerance_mm)};
+  return {target, aim.clearance_mm - limit.clearance_mm};
+}
+
 std::vector<AimedTarget> aimed_targets(const ToolVariants& tool, const PreparedScene& scene, const CorrectionAim& aim) {
   std::vector<AimedTarget> all;
   for (const PreparedObstacle& obstacle : scene.obstacles()) {
     const double aim_mm = obstacle.rule.is_workpiece ? aim.workpiece_mm : aim.others_mm;
     all.push_back({target_on(tool.*obstacle.rule.form, obstacle), aim_mm});
   }
-  if (tool.with_clearance.elements.empty()) return all;
-  for (const PreparedObstacle& obstacle : scene.obstacles())
-    all.push_back({target_on(tool.with_clearance, obstacle), aim.clearance_mm});
+  if (!tool.with_clearance.elements.empty()) {
+    for (const PreparedObstacle& obstacle : scene.obstacles())
+      all.push_back({target_on(tool.with_clearance, obstacle), aim.clearance_mm});
+  }
+  for (const LimitedMesh& mesh : scene.limited_meshes()) all.push_back(aimed_at(tool, mesh, aim));
   return all;
 }
 

@@ -86,8 +86,11 @@ class PoseList {
   bool may_go_ = false;      ///< it
 };
 
-/// For each row of the contact table, whether points of it are asked about.
-using AskedRules = std::array<bool, kContactRules.size()>;
+/// What points are asked about.
+struct AskedRules {
+  std::array<bool, kContactRules.size()> has{};  ///< by row of the contact table
+  double clearance_mm = 0;                       ///< the largest of a mesh
+};
 
 /// A tool where it was sampled, or about there at several instants that follow each other, as PointDepths asks.
 class PlacedTool {
@@ -113,7 +116,7 @@ class PlacedTool {
   [[nodiscard]] bool is_apart(const PointTree::Node& node) const { return spread_mm(node) > kSpread * node.radius; }
   [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return node.child == 0 || is_apart(node); }
 
-  [[nodiscard]] double floor_mm() const { return has_clearance() ? 0.0 : tolerance_mm_; }
+  [[nodiscard]] double floor_mm() const { return has_clearance() || asked_.clearance_mm > 0 ? 0.0 : tolerance_mm_; }
 
   // The form held against the workpiece holds every other one inside it up to its clearances, so it decides what is far away.
   [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double, Memory&) const {
@@ -123,10 +126,10 @@ class PlacedTool {
     const double r = across.norm();
     const double spread = parts > 0 ? spread_mm(node) : 0;
     std::optional<DepthRange> range;
-    const auto ask = [&](const CompiledTool& form) {
+    const auto ask = [&](const CompiledTool& form, double clearance_mm) {
       const ToolDistance here = evaluate(form, r, z);
       DepthRange one{-here.signed_distance_mm - node.radius - spread, 0, 0, Vec3::Zero()};
-      one.at_centre_mm = -here.signed_distance_mm + spread;
+      one.at_centre_mm = clearance_mm - here.signed_distance_mm + spread;
       if (is_bounded_by_tangent(form, here, r, z, node.radius)) {
         one.slope = -here.normal.x() / r * across - here.normal.y() * pose_->axis;
         one.most_mm = one.at_centre_mm + PointTree::reach_mm(node, one.slope);
@@ -136,8 +139,9 @@ class PlacedTool {
       range = range ? either(*range, one) : one;
     };
     for (std::size_t k = 0; k < kContactRules.size(); ++k) {
-      if (asked_[k] || (kContactRules[k].is_workpiece && has_clearance())) ask(tool_->*kContactRules[k].form);
+      if (asked_.has[k] || (kContactRules[k].is_workpiece && has_clearance())) ask(tool_->*kContactRules[k].form, 0);
     }
+    if (asked_.clearance_mm > 0) ask(tool_->bare, asked_.clearance_mm);
     if (range->least_mm <= tolerance_mm_) range->least_mm = 0;
     return *range;
   }
@@ -145,7 +149,9 @@ class PlacedTool {
   [[nodiscard]] double depth_mm(const FieldPoint& point, double, Memory&) const {
     const double depth = -signed_distance_mm(tool_->*rule_of(point.against).form, *pose_, point.at);
     const double in_clearance = has_clearance() ? -signed_distance_mm(tool_->with_clearance, *pose_, point.at) : 0;
-    return std::max({depth > tolerance_mm_ ? depth : 0.0, in_clearance, 0.0});
+    const double below_clearance =
+        point.clearance_mm > 0 ? point.clearance_mm - signed_distance_mm(tool_->bare, *pose_, point.at) : 0;
+    return std::max({depth > tolerance_mm_ ? depth : 0.0, in_clearance, below_clearance, 0.0});
   }
 
  private:
@@ -172,6 +178,8 @@ class PlacedTool {
 
 DepthField::DepthField(const CheckedToolpath& input, std::size_t most_poses)
     : heads_(input, most_poses / kPosesPerHeadPose + 1), tolerance_mm_(input.options.tolerance_mm) {
+  for (const double clearance_mm : clearance_of_meshes(*input.scene))
+    largest_clearance_mm_ = std::max(largest_clearance_mm_, clearance_mm);
   const auto variants_of = [&](std::size_t move) { return input.tools[input.toolpath->moves[move].tool]; };
   const auto closeness = [&](const Motion& motion, std::size_t move) {
     return closeness_of(motion, variants_of(move)->against_part, input.result->verdicts[move]);
@@ -210,8 +218,11 @@ std::pair<std::vector<PlacedTool>, std::size_t> grouped_tools(const std::vector<
 
 std::vector<float> DepthField::tool_depth_at(const std::vector<Point>& points) const {
   if (poses_.empty()) return std::vector<float>(points.size(), 0.0F);
-  AskedRules asked{};
-  for (const Point& point : points) asked[static_cast<std::size_t>(point.against)] = true;
+  AskedRules asked;
+  for (const Point& point : points) {
+    asked.has[static_cast<std::size_t>(point.against)] = true;
+    asked.clearance_mm = std::max(asked.clearance_mm, point.clearance_mm);
+  }
   const auto [tools, roots] = grouped_tools(poses_, asked, tolerance_mm_);
   return PointDepths(points).deepest(tools, roots);
 }
@@ -224,7 +235,8 @@ std::vector<std::uint8_t> DepthField::may_be_deep(const std::vector<Vec3>& centr
   std::vector<float> found(points.size(), 0.0F);
   if (!poses_.empty()) {
     AskedRules asked;
-    asked.fill(true);
+    asked.has.fill(true);
+    asked.clearance_mm = largest_clearance_mm_;
     const auto [tools, roots] = grouped_tools(poses_, asked, tolerance_mm_);
     const double floor_mm = around_mm > 0 ? 0 : std::numeric_limits<double>::infinity();
     const std::vector<AnyDepth<PlacedTool>> any = any_depths(tools, radius_mm + around_mm, floor_mm);

@@ -46,7 +46,7 @@ class DepthField {
  private:
   std::vector<FieldPose> poses_;
   HeadField heads_;
-  double tolerance_mm_ = 0;
+  double tolerance_mm_ = 0, largest_clearance_mm_ = 0;  ///< the latter of a mesh
 };
 
 }  // namespace gouge

@@ -17,6 +17,7 @@ namespace gouge {
 struct FieldPoint {
   Vec3 at = Vec3::Zero();
   Against against = Against::part;  ///< of which obstacle
+  double clearance_mm = 0;          ///< of its mesh
 };
 
 /// What is known of the depth of all points p of a node in a body, mm: least <= depth <= most, and

@@ -32,6 +32,12 @@ void decide_side(const SideResult& outcome, MoveVerdict& verdict) {
     decide(MoveState::not_certified, {Reason::Kind::side_unknown, Body::head, 0, outcome.why}, verdict);
 }
 
+Reason reason_of(const MeshLimit& limit, double depth_mm) {
+  const bool has_clearance = limit.clearance_mm > 0;
+  return {has_clearance ? Reason::Kind::mesh_clearance_entered : Reason::Kind::mesh_tolerance_exceeded, Body::head,
+          depth_mm};
+}
+
 bool is_open_to_judgement(const MoveVerdict& verdict) {
   return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
 }
@@ -52,7 +58,15 @@ std::pair<RigidTransform, RigidTransform> ends_of(const Toolpath& toolpath, std:
 
 HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene)
     : heads_(heads), sides_(scene.sides()), obstacles_(scene.obstacles()) {
-  for (const PreparedObstacle& obstacle : obstacles_) trees_.push_back(&obstacle.tree);
+  Group all;
+  for (const PreparedObstacle& obstacle : obstacles_) all.targets.push_back({&obstacle.tree, 0});
+  groups_.push_back(std::move(all));
+  for (const LimitedMesh& mesh : scene.limited_meshes())
+    groups_.push_back({{{mesh.tree, mesh.limit.clearance_mm}}, mesh.limit});
+}
+
+double HeadChecker::Group::tolerance_mm(const CheckOptions& options) const {
+  return limit ? std::min(limit->tolerance_mm, options.tolerance_mm) : options.tolerance_mm;
 }
 
 std::uint64_t HeadChecker::check(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict) const {
@@ -86,26 +100,38 @@ void HeadChecker::sweep_all(std::span<const Motion> motions, const CheckOptions&
       index.push_back(m);
     }
   }
-  const SearchGoal goal{options.tolerance_mm, options.resolution_mm,
+  std::vector<HeadResult> results(fit.size());
+  for (const HeadBody& head : heads_) {
+    for (const Group& group : groups_) {
+      search_group(group, head, fit, options, results);
+      for (std::size_t k = 0; k < fit.size(); ++k) {
+        const std::size_t m = index[k];
+        bounds[m] += results[k].bounds;
+        if (!group.limit) uppers_mm[m].push_back(results[k].depth_upper_mm);
+        join(results[k], group, options, *verdicts[m]);
+      }
+    }
+  }
+}
+
+void HeadChecker::search_group(const Group& group, const HeadBody& head, std::span<const Motion> motions,
+                               const CheckOptions& options, std::span<HeadResult> results) const {
+  const SearchGoal goal{group.tolerance_mm(options), options.resolution_mm,
                         std::max(options.resolution_mm, options.gouge_gap_mm),
                         std::min(kMostBounds, options.budget_per_move)};
-  for (const HeadBody& head : heads_) {
-    const bool is_covered = !head.cover.pieces.empty();
-    std::vector<SweptMove> swept;
-    if (is_covered) {
-      std::vector<CoverTarget> targets;
-      for (const BlockTree* tree : trees_) targets.push_back({&head.cover, tree});
-      swept = sweep_covers(fit, targets, {goal, 0});
-    }
-    for (std::size_t k = 0; k < fit.size(); ++k) {
-      const BodyMotion moving(fit[k]);
-      const HeadResult found = is_covered ? search_head(moving, head, trees_, goal, swept[k].start)
-                                          : search_head(moving, head, trees_, goal);
-      const std::size_t m = index[k];
-      bounds[m] += found.bounds + (is_covered ? swept[k].bounds : 0);
-      uppers_mm[m].push_back(found.depth_upper_mm);
-      join(found, options, *verdicts[m]);
-    }
+  const bool is_covered = !head.cover.pieces.empty();
+  std::vector<SweptMove> swept;
+  if (is_covered) {
+    std::vector<CoverTarget> targets;
+    for (const HeadTarget& target : group.targets)
+      targets.push_back({&head.cover, target.tree, nullptr, target.reach_mm});
+    swept = sweep_covers(motions, targets, {goal, 0});
+  }
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const BodyMotion moving(motions[k]);
+    results[k] = is_covered ? search_head(moving, head, group.targets, goal, swept[k].start)
+                            : search_head(moving, head, group.targets, goal);
+    if (is_covered) results[k].bounds += swept[k].bounds;
   }
 }
 
@@ -116,36 +142,42 @@ double HeadChecker::excess_at(const Pose& pose, const MotionLaw& law, double all
   options.resolution_mm = accuracy_mm;
   MoveVerdict verdict;
   bounds += check(law.at(pose), options, verdict);
-  if (verdict.state == MoveState::gouge) return verdict.depth_mm - allowed_mm;
+  // Beyond the limit of a mesh a gouge may be shallower than what is allowed elsewhere.
+  if (verdict.state == MoveState::gouge)
+    return verdict.depth_mm > allowed_mm ? verdict.depth_mm - allowed_mm : verdict.depth_mm;
   return verdict.state == MoveState::clean ? 0 : std::numeric_limits<double>::infinity();
 }
 
-void HeadChecker::join(const HeadResult& found, const CheckOptions& options, MoveVerdict& verdict) const {
+void HeadChecker::join(const HeadResult& found, const Group& group, const CheckOptions& options,
+                       MoveVerdict& verdict) const {
+  const double tolerance_mm = group.tolerance_mm(options);
   verdict.depth_upper_mm = std::max(verdict.depth_upper_mm, found.depth_upper_mm);
-  const bool is_gouge = found.depth_mm > options.tolerance_mm;
-  const bool is_open = found.depth_upper_mm > options.tolerance_mm + options.resolution_mm;
+  const bool is_gouge = found.depth_mm > tolerance_mm;
+  const bool is_open = found.depth_upper_mm > tolerance_mm + options.resolution_mm;
   const bool is_worse = found.has_witness && found.depth_mm > verdict.depth_mm;
-  if (is_gouge ? is_worse || verdict.state != MoveState::gouge : is_worse) take(found, verdict);
+  const bool is_taken = is_gouge ? is_worse || verdict.state != MoveState::gouge : is_worse;
+  if (is_taken) take(found, group, verdict);
   if (is_gouge) {
     verdict.state = MoveState::gouge;
     verdict.clearance_mm.reset();
-    verdict.reason = {};
+    if (!group.limit) verdict.reason = {};
+    if (group.limit && is_taken) verdict.reason = reason_of(*group.limit, verdict.depth_mm);
   } else if (is_open && verdict.state != MoveState::gouge && verdict.state != MoveState::buried) {
     verdict.state = MoveState::not_certified;
     verdict.reason = {Reason::Kind::head_out_of_budget};
   }
 }
 
-void HeadChecker::take(const HeadResult& found, MoveVerdict& verdict) const {
-  const BlockTree& tree = *trees_[found.tree];
+void HeadChecker::take(const HeadResult& found, const Group& group, MoveVerdict& verdict) const {
+  const BlockTree& tree = *group.targets[found.target].tree;
   verdict.depth_mm = found.depth_mm;
   Witness w;
   w.t = found.t;
   w.point = found.point;
   w.normal = found.normal;
   w.body = Body::head;
-  w.against = obstacles_[found.tree].rule.against;
-  w.mesh = static_cast<std::uint32_t>(tree.mesh_of(found.triangle));
+  w.against = group.limit ? group.limit->against : obstacles_[found.target].rule.against;
+  w.mesh = static_cast<std::uint32_t>((group.limit ? group.limit->mesh : 0) + tree.mesh_of(found.triangle));
   w.triangle = tree.file_triangle(found.triangle);
   verdict.witness = w;
 }

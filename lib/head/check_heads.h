@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -69,14 +70,24 @@ class HeadChecker {
                                  std::uint64_t& bounds) const;
 
  private:
-  void join(const HeadResult& found, const CheckOptions& options, MoveVerdict& verdict) const;
-  void take(const HeadResult& found, MoveVerdict& verdict) const;
+  /// Surfaces searched together, and the depth that heads may have in them.
+  struct Group {
+    std::vector<HeadTarget> targets;
+    std::optional<MeshLimit> limit;  ///< of the one mesh; none: all of the scene, with the tolerance of the check
+
+    [[nodiscard]] double tolerance_mm(const CheckOptions& options) const;
+  };
+
+  void search_group(const Group& group, const HeadBody& head, std::span<const Motion> motions,
+                    const CheckOptions& options, std::span<HeadResult> results) const;
+  void join(const HeadResult& found, const Group& group, const CheckOptions& options, MoveVerdict& verdict) const;
+  void take(const HeadResult& found, const Group& group, MoveVerdict& verdict) const;
   void look_inside(const Motion& motion, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const;
 
   const std::vector<HeadBody>& heads_;
   const SceneSides& sides_;
   std::span<const PreparedObstacle> obstacles_;
-  std::vector<const BlockTree*> trees_;  ///< of the obstacles
+  std::vector<Group> groups_;  ///< first the one of all surfaces
 };
 
 /// Checks bodies that move with the tool, and that its profile does not hold, along every move that the tool was

@@ -34,18 +34,17 @@ class Search : public BestFirstSearch<Search, Candidate> {
   // A descent would measure other points first, and which of equally deep ones is the witness would change.
   static constexpr bool kDescends = false;
 
-  Search(const BodyMotion& motion, const HeadBody& head, std::span<const BlockTree* const> trees,
-         const SearchGoal& goal)
-      : motion_(motion), intervals_(motion, motion.motion()), head_(head), trees_(trees), goal_(goal) {}
+  Search(const BodyMotion& motion, const HeadBody& head, std::span<const HeadTarget> targets, const SearchGoal& goal)
+      : motion_(motion), intervals_(motion, motion.motion()), head_(head), targets_(targets), goal_(goal) {}
 
   HeadResult find() {
     for (std::uint32_t s = 0; s < intervals_.segments(); ++s) {
-      for (std::uint32_t k = 0; k < trees_.size(); ++k) {
+      for (std::uint32_t k = 0; k < targets_.size(); ++k) {
         Candidate root;
         root.kind = Candidate::Kind::root;
         root.interval = s;
         root.tree = k;
-        if (!trees_[k]->nodes.empty()) add_node(root);
+        if (!targets_[k].tree->nodes.empty()) add_node(root);
       }
     }
     return finish();
@@ -56,7 +55,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
     std::uint32_t facet = 0;
     for (const SearchSeed& seed : start.seeds) {
       for (std::uint32_t s = 0; s < intervals_.segments(); ++s)
-        facet = add_piece(s, seed.target, seed.triangle, trees_[seed.target]->corners(seed.triangle), facet);
+        facet = add_piece(s, seed.target, seed.triangle, targets_[seed.target].tree->corners(seed.triangle), facet);
     }
     return finish();
   }
@@ -91,7 +90,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
   }
 
   void open(const Candidate& c) {
-    const BlockTree& tree = *trees_[c.tree];
+    const BlockTree& tree = *targets_[c.tree].tree;
     if (c.kind == Candidate::Kind::leaf) {
       const TriangleBlock& leaf = tree.leaves[c.index];
       for (std::size_t k = 0; k < leaf.count; ++k)
@@ -113,7 +112,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
   }
 
   [[nodiscard]] LaneBound bound_of(const Candidate& c) const {
-    const BlockTree& tree = *trees_[c.tree];
+    const BlockTree& tree = *targets_[c.tree].tree;
     return c.kind == Candidate::Kind::root ? LaneBound(tree) : LaneBound(tree, tree.nodes[c.parent], c.lane);
   }
 
@@ -153,11 +152,12 @@ class Search : public BestFirstSearch<Search, Candidate> {
   /// by the signed distance of its middle, which changes by no more than the distance moved, and last by planes near it.
   template <typename Region>
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
-    if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + kSearchRounding_mm) return false;
+    const double reach_mm = targets_[c.tree].reach_mm;
+    if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + reach_mm + kSearchRounding_mm) return false;
     ++result_.bounds;
     c.upper_mm = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < plane_count_ && c.upper_mm > threshold_mm(); ++k)
-      c.upper_mm = std::min(c.upper_mm, depth_by_support(region, planes_[k].plane));
+      c.upper_mm = std::min(c.upper_mm, depth_by_support(region, raised(planes_[k].plane, reach_mm)));
     if (c.upper_mm > threshold_mm()) bound_by_foot(c, region);
     c.is_time_next = region.travel_mm > 2 * region.size_mm && intervals_.can_halve(c.interval);
     return true;
@@ -167,7 +167,8 @@ class Search : public BestFirstSearch<Search, Candidate> {
   void bound_by_foot(Candidate& c, const Region& region) {
     const ClosestPoint foot = head_.surface.closest_point_from(region.middle, c.facet);
     c.facet = foot.triangle;
-    c.upper_mm = std::min(c.upper_mm, region.radius_mm - foot.signed_mm() + kSearchRounding_mm);
+    c.upper_mm =
+        std::min(c.upper_mm, targets_[c.tree].reach_mm + region.radius_mm - foot.signed_mm() + kSearchRounding_mm);
     if (c.upper_mm > threshold_mm()) bound_by_planes(c, region, foot);
   }
 
@@ -177,9 +178,11 @@ class Search : public BestFirstSearch<Search, Candidate> {
     const auto support = head_.supports.plane(at.triangle);
     if (support) {
       keep_plane(at.triangle, *support);
-      c.upper_mm = std::min(c.upper_mm, depth_by_support(region, *support));
+      c.upper_mm = std::min(c.upper_mm, depth_by_support(region, raised(*support, targets_[c.tree].reach_mm)));
       if (c.upper_mm <= threshold_mm() || at.normal.dot(support->normal) > kFacetsOwn) return;
     }
+    // A prism shows that points are outside, and not how far.
+    if (targets_[c.tree].reach_mm > 0) return;
     const auto depth_mm = depth_by_plane(head_, region, HeadPlane(at), is_middle_inside, threshold_mm());
     if (depth_mm) c.upper_mm = std::min(c.upper_mm, *depth_mm);
   }
@@ -210,31 +213,40 @@ class Search : public BestFirstSearch<Search, Candidate> {
     std::rotate(planes_.begin(), place, place + 1);
   }
 
+  /// All of the head is below the plane, so a point above it is as far from the head, at least.
+  static OuterPlane raised(OuterPlane plane, double reach_mm) {
+    plane.height_mm += reach_mm;
+    return plane;
+  }
+
   /// Whether a kept plane leaves a point no deeper than the deepest known one.
-  [[nodiscard]] bool is_no_deeper(const Vec3& q) const {
-    return std::any_of(
-        planes_.begin(), planes_.begin() + static_cast<std::ptrdiff_t>(plane_count_),
-        [&](const Kept& kept) { return kept.plane.height_mm - kept.plane.normal.dot(q) <= result_.depth_mm; });
+  [[nodiscard]] bool is_no_deeper(const Vec3& q, double reach_mm) const {
+    return std::any_of(planes_.begin(), planes_.begin() + static_cast<std::ptrdiff_t>(plane_count_),
+                       [&](const Kept& kept) {
+                         return reach_mm + kept.plane.height_mm - kept.plane.normal.dot(q) <= result_.depth_mm;
+                       });
   }
 
   void try_points(const Candidate& c, const Vec3& centre) {
     const BodyInterval& interval = intervals_[c.interval];
+    const double reach_mm = targets_[c.tree].reach_mm;
     for (const Vec3& p : {centre, c.piece[0], c.piece[1], c.piece[2]}) {
       for (const double t : {interval.t0, interval.t1}) {
         const RigidTransform& to_tool = t > interval.t0 ? interval.to_tool1 : interval.to_tool0;
         const Vec3 q = to_tool.point(p);
-        if (is_no_deeper(q)) continue;
+        if (is_no_deeper(q, reach_mm)) continue;
         const double near2_mm2 = closest_on_triangle(q, head_.surface.corners(c.facet)).distance2_mm2;
-        if (near2_mm2 <= result_.depth_mm * result_.depth_mm) continue;
+        if (!(reach_mm > 0) && near2_mm2 <= result_.depth_mm * result_.depth_mm) continue;
         const ClosestPoint foot = head_.surface.closest_point_from(q, c.facet);
         if (const auto support = head_.supports.plane(foot.triangle)) keep_plane(foot.triangle, *support);
-        if (!foot.is_inside || foot.distance_mm <= result_.depth_mm) continue;
-        result_.depth_mm = foot.distance_mm;
+        const double value_mm = reach_mm - foot.signed_mm();
+        if (value_mm <= result_.depth_mm) continue;
+        result_.depth_mm = value_mm;
         result_.has_witness = true;
         result_.t = t;
         result_.point = p;
         result_.normal = -to_tool.inverse().direction(foot.normal);
-        result_.tree = c.tree;
+        result_.target = c.tree;
         result_.triangle = c.index;
       }
     }
@@ -243,7 +255,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
   const BodyMotion& motion_;
   IntervalTree<BodyInterval, BodyMotion> intervals_;
   const HeadBody& head_;
-  std::span<const BlockTree* const> trees_;
+  std::span<const HeadTarget> targets_;
   const SearchGoal& goal_;
   HeadResult result_;
   struct Kept {
@@ -256,14 +268,14 @@ class Search : public BestFirstSearch<Search, Candidate> {
 
 }  // namespace
 
-HeadResult search_head(const BodyMotion& motion, const HeadBody& head, std::span<const BlockTree* const> trees,
+HeadResult search_head(const BodyMotion& motion, const HeadBody& head, std::span<const HeadTarget> targets,
                        const SearchGoal& goal) {
-  return Search(motion, head, trees, goal).find();
+  return Search(motion, head, targets, goal).find();
 }
 
-HeadResult search_head(const BodyMotion& motion, const HeadBody& head, std::span<const BlockTree* const> trees,
+HeadResult search_head(const BodyMotion& motion, const HeadBody& head, std::span<const HeadTarget> targets,
                        const SearchGoal& goal, const SearchStart& start) {
-  if (!start.seeds.empty()) return Search(motion, head, trees, goal).find(start);
+  if (!start.seeds.empty()) return Search(motion, head, targets, goal).find(start);
   HeadResult result;
   result.depth_upper_mm = std::max(0.0, start.certified_mm);
   return result;

@@ -11,6 +11,12 @@
 
 namespace gouge {
 
+/// A surface that a head must keep clear of.
+struct HeadTarget {
+  const BlockTree* tree = nullptr;
+  double reach_mm = 0;  ///< the clearance: what is sought is the largest reach - signed distance
+};
+
 /// The largest depth of a surface in a head along one motion.
 struct HeadResult {
   double depth_mm = 0;        ///< realised at the witness; at least 0
@@ -19,7 +25,7 @@ struct HeadResult {
   double t = 0;
   Vec3 point = Vec3::Zero();    ///< of the surface, part coordinates
   Vec3 normal = Vec3::UnitZ();  ///< in which the head must move away by the depth
-  std::size_t tree = 0;         ///< which of those asked
+  std::size_t target = 0;       ///< which of those asked
   std::uint32_t triangle = 0;   ///< of that tree
   std::uint64_t bounds = 0;
 };
@@ -30,15 +36,15 @@ struct HeadResult {
 /// distance is 1-Lipschitz, so over the interval and a ball about the point it is nowhere below half of (sum of both
 /// ends - path length) - radius.
 ///
-/// `trees`: over the surfaces asked for. Requires resolution and gap > 0.
+/// Requires resolution and gap > 0, and no negative reach.
 /// Ensures  depth <= true depth <= depth_upper, at any budget.
 /// Source   space-time bounds, thesis 2.4.14; chord and bulge as in docs/algorithms/certified_sweep.md.
 [[nodiscard]] HeadResult search_head(const BodyMotion& motion, const HeadBody& head,
-                                     std::span<const BlockTree* const> trees, const SearchGoal& goal);
+                                     std::span<const HeadTarget> targets, const SearchGoal& goal);
 
-/// The same of what `start` leaves: its seeds name a tree and a triangle of it, and it has no value.
+/// The same of what `start` leaves: its seeds name a target and a triangle of its tree, and it has no value.
 [[nodiscard]] HeadResult search_head(const BodyMotion& motion, const HeadBody& head,
-                                     std::span<const BlockTree* const> trees, const SearchGoal& goal,
+                                     std::span<const HeadTarget> targets, const SearchGoal& goal,
                                      const SearchStart& start);
 
 }  // namespace gouge

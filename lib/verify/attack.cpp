@@ -95,6 +95,12 @@ class Attack {
       targets.push_back({&tool.clearance, &orders_.parts, scene_.resolution_mm});
       targets.push_back({&tool.clearance, &orders_.fixtures, scene_.resolution_mm});
     }
+    for (std::size_t k = 0; k < scene_.limits.size(); ++k) {
+      const ClaimedLimit& limit = scene_.limits[k];
+      const ToolContour* form = limit.clearance_mm > 0 ? &tool.bare : limit.is_fixture ? &tool.fixture : &tool.part;
+      const double deepest = claims_clean(claims_[move]) ? limit.tolerance_mm + scene_.resolution_mm : allowed;
+      targets.push_back({form, &orders_.limited[k], deepest - limit.clearance_mm});
+    }
     if (!scene_.heads.empty() && draws_.below(looks_per_head_) == 0) {
       targets.push_back({nullptr, &orders_.parts, allowed});
       targets.push_back({nullptr, &orders_.fixtures, allowed});

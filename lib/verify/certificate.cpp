@@ -24,8 +24,10 @@ class Questions {
     }
   }
 
-  /// Whether a proof can be about this move at all.
+  /// Whether a proof can be about this move at all. The lemma of a certificate is about depths, not distances.
   [[nodiscard]] bool is_askable(std::size_t move, const MoveClaim& claim) const {
+    const auto has_clearance = [](const ClaimedLimit& limit) { return limit.clearance_mm > 0; };
+    if (std::ranges::any_of(scene_.limits, has_clearance)) return false;
     const std::size_t tool = scene_.path.moves[move].tool;
     if (tool >= forms_.size() || !forms_[tool] || !forms_[tool]->is_closed) return false;
     return claims_clean(claim) || (claim.state == ClaimedState::gouge && claim.depth_upper_mm);
@@ -41,6 +43,11 @@ class Questions {
     if (claims_clean(claim)) {
       all.push_back({forms.clearance, orders_.parts, scene_.resolution_mm});
       all.push_back({forms.clearance, orders_.fixtures, scene_.resolution_mm});
+      for (std::size_t k = 0; k < scene_.limits.size(); ++k) {
+        const ClaimedLimit& limit = scene_.limits[k];
+        const double allowed_mm = limit.tolerance_mm + scene_.resolution_mm;
+        all.push_back({limit.is_fixture ? forms.fixture : forms.part, orders_.limited[k], allowed_mm});
+      }
     }
     return all;
   }

@@ -34,6 +34,14 @@ struct MoveClaim {
   std::optional<ClaimedWitness> witness;
 };
 
+/// What is claimed of one mesh besides.
+struct ClaimedLimit {
+  bool is_fixture = true;
+  std::size_t mesh = 0;
+  double clearance_mm = 0;  ///< of the bare tool and of the heads from the mesh
+  double tolerance_mm = 0;  ///< how deep it may be in the tool, or within the clearance
+};
+
 /// The law of motion that is evaluated here.
 inline constexpr const char* kGreatCircle = "great-circle";
 
@@ -47,6 +55,7 @@ struct ClaimedScene {
   bool is_dogleg = false;               ///< how rapids run
   double tolerance_mm = 0.01, resolution_mm = 0.001;
   unsigned threads = 0;
+  std::vector<ClaimedLimit> limits{};
 
   [[nodiscard]] double largest_clean_mm() const { return tolerance_mm + resolution_mm; }
 };

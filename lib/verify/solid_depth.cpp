@@ -153,6 +153,13 @@ double SolidDepth::at(const Vec3& point) const {
   return depth;
 }
 
+double SolidDepth::distance_to_surface(const Vec3& point) const {
+  double nearest2_mm2 = std::numeric_limits<double>::infinity();
+  for (std::uint32_t t = 0; t < mesh_->triangles.size(); ++t)
+    nearest2_mm2 = std::min(nearest2_mm2, closest_on_triangle(point, corners(t)).distance2_mm2);
+  return std::sqrt(nearest2_mm2);
+}
+
 bool SolidDepth::is_outside(const Vec3& point) const { return std::abs(winding_number(*mesh_, point)) < 0.5; }
 
 bool SolidDepth::has_outside_beside(std::uint32_t triangle, const Vec3& point) const {

@@ -50,8 +50,12 @@ class TriangleOrder {
 
 /// Those of all parts and of all fixtures of a scene, which must outlive them.
 struct SceneOrders {
-  explicit SceneOrders(const ClaimedScene& scene) : parts(scene.parts), fixtures(scene.fixtures) {}
+  explicit SceneOrders(const ClaimedScene& scene) : parts(scene.parts), fixtures(scene.fixtures) {
+    for (const ClaimedLimit& limit : scene.limits)
+      limited.emplace_back((limit.is_fixture ? scene.fixtures : scene.parts).subspan(limit.mesh, 1));
+  }
   TriangleOrder parts, fixtures;
+  std::vector<TriangleOrder> limited;  ///< one a limit of the scene, of its mesh alone
 };
 
 }  // namespace gouge

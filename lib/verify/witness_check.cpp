@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lib/base/number_text.h"
 #include "lib/geom/point_triangle.h"
@@ -21,6 +22,14 @@ Eigen::Quaterniond turn_from_z(const Vec3& axis) {
 
 bool is_near(double a, double b) { return std::abs(a - b) <= kExact_mm; }
 
+/// Null: the mesh of the witness has no limit of its own.
+const ClaimedLimit* limit_of(const ClaimedScene& scene, const ClaimedWitness& witness) {
+  const auto found = std::ranges::find_if(scene.limits, [&](const ClaimedLimit& limit) {
+    return limit.is_fixture == witness.is_fixture && limit.mesh == witness.mesh;
+  });
+  return found == scene.limits.end() ? nullptr : &*found;
+}
+
 class WitnessChecker {
  public:
   WitnessChecker(const ClaimedScene& scene, const ClaimedTool& tool, std::size_t move, const MoveClaim& claim)
@@ -31,6 +40,8 @@ class WitnessChecker {
     if (!w_.point.allFinite() || !is_near(w_.normal.norm(), 1)) return "its point or normal is none";
     if (auto off = find_off_triangle()) return off;
     const double depth = depth_with({0, 0, 0});
+    const std::optional<double> within = depth_in_clearance({0, 0, 0});
+    if (within && is_near(*within, claim_.depth_mm)) return find_wrong_way_out_of_clearance();
     if (!is_near(depth, claim_.depth_mm))
       return "the point is " + mm(depth) + " deep, and said to be " + mm(claim_.depth_mm);
     if (claim_.depth_mm > 0) return find_wrong_way_out();
@@ -61,6 +72,22 @@ class WitnessChecker {
     if (w_.body == Body::head) return depth_in_heads(scene_, head_frame(scene_, move_, w_.t), w_.point - shift);
     const double distance = contour().nearest(in_tool(pose(), w_.point - shift)).signed_distance_mm;
     return std::max(0.0, -distance);
+  }
+
+  /// How far below the clearance of its mesh the point is once the tool has given way; nothing where it has none.
+  [[nodiscard]] std::optional<double> depth_in_clearance(const Vec3& shift) const {
+    const ClaimedLimit* limit = limit_of(scene_, w_);
+    if (limit == nullptr || !(limit->clearance_mm > 0)) return std::nullopt;
+    const Vec3 point = w_.point - shift;
+    const double distance = w_.body == Body::head ? distance_from_heads(scene_, head_frame(scene_, move_, w_.t), point)
+                                                  : tool_.bare.nearest(in_tool(pose(), point)).signed_distance_mm;
+    return std::max(0.0, limit->clearance_mm - distance);
+  }
+
+  [[nodiscard]] std::optional<std::string> find_wrong_way_out_of_clearance() const {
+    const double left = *depth_in_clearance(claim_.depth_mm * w_.normal);
+    if (left <= kExact_mm) return std::nullopt;
+    return "the point is still " + mm(left) + " within the clearance after the tool has given way";
   }
 
   [[nodiscard]] std::optional<std::string> find_wrong_way_out() const {
@@ -120,6 +147,16 @@ double depth_in_heads(const ClaimedScene& scene, const RigidTransform& frame, co
   return deepest;
 }
 
+double distance_from_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point) {
+  const Vec3 q = frame.inverse().point(point);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const SolidDepth& head : scene.heads) {
+    const double depth = head.at(q);
+    nearest = std::min(nearest, depth > 0 ? -depth : head.distance_to_surface(q));
+  }
+  return nearest;
+}
+
 std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const ClaimedTools& tools, std::size_t move,
                                               const MoveClaim& claim) {
   const std::size_t tool = scene.path.moves[move].tool;
@@ -134,6 +171,8 @@ std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const C
   if (claim.state != ClaimedState::gouge || claim.depth_mm > scene.tolerance_mm) return std::nullopt;
   const Vec2 at = in_tool(pose_at(scene.path, move, claim.witness->t, scene.is_dogleg), claim.witness->point);
   if (tools[tool]->clearance.has(at)) return std::nullopt;
+  const ClaimedLimit* limit = limit_of(scene, *claim.witness);
+  if (limit != nullptr && claim.depth_mm > limit->tolerance_mm) return std::nullopt;
   return "its depth is no more than the tolerance";
 }
 

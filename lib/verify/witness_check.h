@@ -37,6 +37,9 @@ using ClaimedTools = std::vector<std::unique_ptr<ClaimedTool>>;  ///< by Toolpat
 /// How deep a point is in the heads; 0 where it is in none. Cost: O(facets).
 [[nodiscard]] double depth_in_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point);
 
+/// The signed distance of a point from the heads, negative in one; infinite where there are none. Cost: O(facets).
+[[nodiscard]] double distance_from_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point);
+
 /// Why what a claim says of its witness, or of its numbers, is not so; nothing where it is.
 [[nodiscard]] std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const ClaimedTools& tools,
                                                             std::size_t move, const MoveClaim& claim);

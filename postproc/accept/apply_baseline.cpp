@@ -127,7 +127,7 @@ class Baseline {
     MoveAnswer answer;
     answer.why_not = line + " was not accepted";
     if (verdict.state != MoveState::gouge || !verdict.witness) return answer;
-    if (!verdict.reason.is(Reason::Kind::none) && !verdict.reason.is(Reason::Kind::clearance_entered)) {
+    if (!verdict.reason.is(Reason::Kind::none) && !verdict.reason.names_limit()) {
       answer.why_not = line + " leaves more open: " + reason_text(verdict.reason);
       return answer;
     }

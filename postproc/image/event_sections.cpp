@@ -134,6 +134,7 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
   if (!event.has_witness) return add_buried_section(page, set, event);
   const ToolVariants& variants = variants_of(set, event);
   const CompiledTool& checked = variants.*rule_of(event.event.against).form;
+  const double clearance_mm = event.head ? 0 : mesh_clearance_mm(set.model, event.witness);
   const Section section = cut(set, event, tool_size_mm(set, event));
   const SectionPlane& plane = section.plane;
   const LengthUnit unit = set.model.toolpath->unit;
@@ -151,10 +152,10 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
   const std::string title = whole_title(set, plane);
   page.text({kWhole.x, kWhole.y - 10}, title, fitting_size(title, 15, kWhole.width, true), kInk, TextAnchor::left,
             true);
-  draw_section(page, whole, section, has_inside(set), variants.bare, checked);
+  draw_section(page, whole, section, has_inside(set), variants.bare, checked, clearance_mm);
   frame_detail(page, whole, detail);
   page.text({kDetail.x, kDetail.y - 10}, "The framed region enlarged", 15, kInk, TextAnchor::left, true);
-  draw_section(page, detail, section, has_inside(set), variants.bare, checked);
+  draw_section(page, detail, section, has_inside(set), variants.bare, checked, clearance_mm);
   add_depth_arrow(page, detail, plane, event, words);
   add_panel_scale(page, detail, unit);
   page.frame(kDetail, kSoftInk, 1);

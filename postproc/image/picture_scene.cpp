@@ -54,7 +54,8 @@ std::array<Normal, 3> PictureScene::Mesh::normals(std::uint32_t triangle, std::s
   return out;
 }
 
-PictureScene::PictureScene(const PreparedScene& scene) : prepared_(&scene) {
+PictureScene::PictureScene(const PreparedScene& scene)
+    : prepared_(&scene), clearances_mm_(clearance_of_meshes(*scene.scene)) {
   for (const PreparedObstacle& obstacle : scene.obstacles()) {
     first_faces_.push_back(face_count());
     for (std::size_t m = 0; m < obstacle.meshes.size(); ++m) {

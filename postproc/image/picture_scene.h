@@ -56,6 +56,8 @@ class PictureScene {
   }
   /// Counted through all obstacles.
   [[nodiscard]] std::uint32_t mesh_of(std::uint32_t face) const;
+  /// Of the mesh of the face; 0: none. Requires a scene that was made of obstacles.
+  [[nodiscard]] double clearance_mm(std::uint32_t face) const { return clearances_mm_[mesh_of(face)]; }
 
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   [[nodiscard]] const Vec3& vertex(std::uint32_t index) const;
@@ -89,6 +91,7 @@ class PictureScene {
   [[nodiscard]] const Mesh& owner_of(std::uint32_t face) const;
 
   const PreparedScene* prepared_ = nullptr;  ///< none of heads
+  std::vector<double> clearances_mm_;        // by mesh
   std::vector<Mesh> meshes_;
   std::deque<std::vector<Vec3>> moved_;  ///< vertices of heads
   std::vector<Edge> edges_;

@@ -215,8 +215,10 @@ std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& 
   const std::vector<PixelPoint> seen = points_in(buffer, squares_with(field, buffer));
   std::vector<FieldPoint> points;
   points.reserve(seen.size());
-  for (const PixelPoint& p : seen)
-    points.push_back({buffer.point(p.x, p.y), scene.against(buffer.face[buffer.index(p.x, p.y)])});
+  for (const PixelPoint& p : seen) {
+    const std::uint32_t face = buffer.face[buffer.index(p.x, p.y)];
+    points.push_back({buffer.point(p.x, p.y), scene.against(face), scene.clearance_mm(face)});
+  }
   return spread(buffer, seen, field.depth_at(points));
 }
 

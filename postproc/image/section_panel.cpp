@@ -249,6 +249,32 @@ void draw_outline(Page& page, const SectionPanel& panel, double beside_mm, const
   }
 }
 
+// Dashes along lines of short pieces.
+void draw_clearance(Page& page, const SectionPanel& panel, double beside_mm, const CompiledTool& tool,
+                    double clearance_mm) {
+  constexpr double kDash = 6, kGap = 4;
+  for (const std::vector<Vec2>& points : outline_at(tool, clearance_mm)) {
+    double along = 0;
+    for (const auto& [from, to] : seen_profile(points, beside_mm)) {
+      const double length = (to - from).norm() / panel.mm_per_unit;
+      for (double begin = 0; begin < length;) {
+        const double in_period = std::fmod(along + begin, kDash + kGap);
+        const bool is_dash = in_period < kDash;
+        const double end = std::min(length, begin + (is_dash ? kDash : kDash + kGap) - in_period + 1e-9);
+        for (const double side : is_dash ? std::vector<double>{1, -1} : std::vector<double>{}) {
+          const auto place = [&](double share) {
+            const Vec2 p = from + (to - from) * (share / length);
+            return panel.place({side * p.x(), p.y()});
+          };
+          clipped_line(page, panel.area, place(begin), place(end), kSoftInk, 1.2);
+        }
+        begin = end;
+      }
+      along += length;
+    }
+  }
+}
+
 bool is_offset(const CompiledTool& bare, const CompiledTool& checked) {
   return std::abs(bare.r_max_mm - checked.r_max_mm) > 1e-9 || std::abs(bare.z_min_mm - checked.z_min_mm) > 1e-9 ||
          bare.elements.size() != checked.elements.size();
@@ -257,7 +283,7 @@ bool is_offset(const CompiledTool& bare, const CompiledTool& checked) {
 }  // namespace
 
 void draw_section(Page& page, const SectionPanel& panel, const Section& section, bool is_closed,
-                  const CompiledTool& bare, const CompiledTool& checked) {
+                  const CompiledTool& bare, const CompiledTool& checked, double clearance_mm) {
   page.rasters.push_back({static_cast<int>(panel.area.x), static_cast<int>(panel.area.y),
                           paint_panel(panel, section, is_closed, checked.elements.empty() ? bare : checked)});
   for (const SectionLine& line : section.lines) {
@@ -272,6 +298,7 @@ void draw_section(Page& page, const SectionPanel& panel, const Section& section,
   const double beside = section.plane.beside_mm;
   draw_outline(page, panel, beside, bare, false);
   if (!checked.elements.empty() && is_offset(bare, checked)) draw_outline(page, panel, beside, checked, true);
+  if (clearance_mm > 0) draw_clearance(page, panel, beside, bare, clearance_mm);
   clipped_line(page, panel.area, panel.place({0, bare.z_min_mm - 1e3}), panel.place({0, bare.z_max_mm + 1e3}), kSoftInk,
                1, {14, 4, 3, 4});
 }

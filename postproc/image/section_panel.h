@@ -19,8 +19,8 @@ struct SectionPanel {
 
 /// Paints material (only where `is_closed`, else just its outline), the tool, the heads and where they
 /// overlap with material, with the outline that was checked dashed where clearances or stock to leave make it
-/// larger than the tool.
+/// larger than the tool; `clearance_mm`: of the mesh, around all of the tool.
 void draw_section(Page& page, const SectionPanel& panel, const Section& section, bool is_closed,
-                  const CompiledTool& bare, const CompiledTool& checked);
+                  const CompiledTool& bare, const CompiledTool& checked, double clearance_mm = 0);
 
 }  // namespace gouge

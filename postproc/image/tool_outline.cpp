@@ -1,8 +1,12 @@
 #include "postproc/image/tool_outline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+
+#include "lib/tool/evaluate.h"
 
 namespace gouge {
 namespace {
@@ -24,7 +28,54 @@ void append_arc(std::vector<Vec2>& points, const BoundaryElement& e) {
   points.push_back(e.b);
 }
 
+// About `centre` the shorter way from `from` to `to`, both of one radius.
+std::vector<Vec2> arc_about(const Vec2& centre, const Vec2& from, const Vec2& to) {
+  BoundaryElement arc;
+  arc.center = centre;
+  arc.a = centre + from;
+  arc.b = centre + to;
+  std::vector<Vec2> points{arc.a};
+  append_arc(points, arc);
+  return points;
+}
+
+// The outer side of an element at both ends.
+std::array<Vec2, 2> outward(const BoundaryElement& e) {
+  if (e.kind == ElementKind::segment) return {e.normal, e.normal};
+  const double sign = e.is_reflex ? -1 : 1;
+  return {Vec2(sign * (e.a - e.center).normalized()), Vec2(sign * (e.b - e.center).normalized())};
+}
+
 }  // namespace
+
+std::vector<std::vector<Vec2>> outline_at(const CompiledTool& tool, double distance_mm) {
+  constexpr double kInside = 1e-6;
+  constexpr int kStepsOfSegment = 64;
+  std::vector<std::vector<Vec2>> pieces;
+  const auto add = [&](std::vector<Vec2> points) {
+    // Beside reflex corners pieces reach into what is nearer to another one.
+    std::erase_if(points, [&](const Vec2& p) {
+      return p.x() < 0 || signed_distance_mm(tool, p.x(), p.y()) < (1 - kInside) * distance_mm;
+    });
+    if (points.size() > 1) pieces.push_back(std::move(points));
+  };
+  std::optional<Vec2> before;
+  for (const BoundaryElement& e : tool.elements) {
+    if (e.kind == ElementKind::vertex) continue;
+    const auto [at_a, at_b] = outward(e);
+    if (before && before->dot(at_a) < 1 - kInside) add(arc_about(e.a, distance_mm * *before, distance_mm * at_a));
+    if (e.kind == ElementKind::segment) {
+      std::vector<Vec2> points;
+      for (int k = 0; k <= kStepsOfSegment; ++k)
+        points.emplace_back(e.a + (e.b - e.a) * k / kStepsOfSegment + distance_mm * at_a);
+      add(std::move(points));
+    } else {
+      add(arc_about(e.center, e.a - e.center + distance_mm * at_a, e.b - e.center + distance_mm * at_b));
+    }
+    before = at_b;
+  }
+  return pieces;
+}
 
 std::vector<OutlineRun> tool_outline(const CompiledTool& tool) {
   std::vector<OutlineRun> runs;

@@ -33,11 +33,24 @@ std::string tool_phrase(const ReportModel& model, const Event& event) {
   return std::string(body_name(event.body)) + " " + tool_label(*model.toolpath, event.tool);
 }
 
+const MeshFacts* facts_of(const ReportModel& model, const Witness& witness) {
+  const std::vector<MeshFacts>& meshes = rule_of(witness.against).is_workpiece ? model.parts : model.fixtures;
+  return witness.mesh < meshes.size() ? &meshes[witness.mesh] : nullptr;
+}
+
+// A depth against a mesh with a clearance counts from there.
+std::string clearance_phrase(const ReportModel& model, const Witness& witness) {
+  const double clearance_mm = mesh_clearance_mm(model, witness);
+  if (!(clearance_mm > 0)) return {};
+  return " and its clearance of " + depth_text(clearance_mm, model.toolpath->unit, model.options);
+}
+
 std::string counterpart(const ReportModel& model, const Witness& witness) {
   const std::string name = mesh_name(model, witness);
   const bool is_plain = witness.against == Against::part && model.parts.size() < 2;
   if (is_plain) return {};
-  return " against " + std::string(against_name(witness.against)) + (name.empty() ? "" : " " + name);
+  return " against " + std::string(against_name(witness.against)) + (name.empty() ? "" : " " + name) +
+         clearance_phrase(model, witness);
 }
 
 }  // namespace
@@ -209,8 +222,13 @@ std::string tool_key(const Toolpath& toolpath, std::size_t tool) {
 }
 
 std::string mesh_name(const ReportModel& model, const Witness& witness) {
-  const std::vector<MeshFacts>& meshes = witness.against == Against::part ? model.parts : model.fixtures;
-  return witness.mesh < meshes.size() ? meshes[witness.mesh].name : std::string();
+  const MeshFacts* mesh = facts_of(model, witness);
+  return mesh == nullptr ? std::string() : mesh->name;
+}
+
+double mesh_clearance_mm(const ReportModel& model, const Witness& witness) {
+  const MeshFacts* mesh = facts_of(model, witness);
+  return mesh == nullptr ? 0 : mesh->clearance_mm;
 }
 
 std::string operation_name(const Toolpath& toolpath, std::size_t operation) {

@@ -69,6 +69,8 @@ struct UncutTotal {
 [[nodiscard]] std::string tool_key(const Toolpath& toolpath, std::size_t tool);
 /// Name of the mesh a witness lies on; empty when the model does not say.
 [[nodiscard]] std::string mesh_name(const ReportModel& model, const Witness& witness);
+/// The clearance of the mesh of a witness; 0: none.
+[[nodiscard]] double mesh_clearance_mm(const ReportModel& model, const Witness& witness);
 [[nodiscard]] std::string operation_name(const Toolpath& toolpath, std::size_t operation);
 /// The bytes of a move's statement, line end included; empty where the path does not say.
 [[nodiscard]] std::string_view statement_text(const Toolpath& toolpath, const Move& move);

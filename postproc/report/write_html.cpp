@@ -58,7 +58,10 @@ class HtmlReport {
   [[nodiscard]] std::string against() const {
     std::string text;
     for (const MeshFacts& mesh : model_.parts) text += (text.empty() ? "part " : ", part ") + mesh.name;
-    for (const MeshFacts& mesh : model_.fixtures) text += ", fixture " + mesh.name;
+    for (const MeshFacts& mesh : model_.fixtures) {
+      text += ", fixture " + mesh.name;
+      if (mesh.clearance_mm > 0) text += " (clearance " + depth_text(mesh.clearance_mm, unit_) + ")";
+    }
     const char* before = "; with the tool moves head ";
     for (const MeshFacts& mesh : model_.heads) {
       text += before + mesh.name;

@@ -188,10 +188,16 @@ class JsonReport {
                      {"tool_index", event.tool < model_.toolpath->tools.size() ? Json(event.tool) : Json(nullptr)},
                      {"body", body_name(event.body)},
                      {"against", against_name(event.against)},
+                     {"obstacle", obstacle(event)},
                      {"acceptance", acceptance_json(model_, k)},
                      {"cures", cures(k)}});
     }
     return all;
+  }
+
+  [[nodiscard]] Json obstacle(const Event& event) const {
+    const std::optional<Witness>& witness = model_.result->verdicts[event.worst_move].witness;
+    return witness ? Json(text(mesh_name(model_, *witness))) : Json(nullptr);
   }
 
   [[nodiscard]] Json cures(std::size_t event) const {

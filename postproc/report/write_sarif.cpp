@@ -89,6 +89,7 @@ class SarifReport {
         {"message", {{"text", valid_utf8(finding.message)}}},
         {"locations", Json::array({{{"physicalLocation", location}}})},
         {"partialFingerprints", {{"gougecheckFinding/v2", finding.fingerprint + ":" + std::to_string(occurrence)}}}};
+    if (!finding.against.empty()) result["properties"] = {{"obstacle", valid_utf8(finding.against)}};
     if (!finding.baseline_state.empty()) {
       result["baselineState"] = finding.baseline_state;
       result["suppressions"] = suppressions(finding);

@@ -63,9 +63,11 @@ std::vector<float> SurfaceValues::at(const std::vector<SurfacePoint>& points, Su
     sorted = quantity == SurfaceQuantity::overcut ? path_.overcuts.overcut_at(rays) : path_.overcuts.at(rays);
   } else {
     const std::vector<Against> obstacles = obstacle_of_meshes(*path_.input.scene);
+    const std::vector<double> clearances_mm = clearance_of_meshes(*path_.input.scene);
     std::vector<FieldPoint> asked;
     asked.reserve(points.size());
-    for (const std::uint32_t i : order) asked.push_back({points[i].at, obstacles[points[i].mesh]});
+    for (const std::uint32_t i : order)
+      asked.push_back({points[i].at, obstacles[points[i].mesh], clearances_mm[points[i].mesh]});
     sorted = path_.depths.depth_at(asked);
   }
   for (std::size_t k = 0; k < order.size(); ++k) values[order[k]] = sorted[k];

@@ -58,12 +58,31 @@ struct Core {
   }
 };
 
+/// A solid and all within a distance of it.
+template <class Solid>
+class Grown {
+ public:
+  Grown(const Solid& solid, double distance_mm) : solid_(solid), distance_mm_(distance_mm) {}
+  using Frame = typename Solid::Frame;
+  [[nodiscard]] Frame frame(double t) const { return solid_.frame(t); }
+  [[nodiscard]] double depth(const Frame& frame, const Vec3& p) const { return solid_.depth(frame, p) + distance_mm_; }
+  [[nodiscard]] double turn_rad() const { return solid_.turn_rad(); }
+  [[nodiscard]] const reference::Movement& movement() const { return solid_.movement(); }
+
+ private:
+  const Solid& solid_;
+  double distance_mm_;
+};
+
+struct CampaignKind {
+  bool has_rotaries = false;   ///< the axis runs as a head of two rotary axes takes it
+  bool is_mismatched = false;  ///< the reference has another axis or distance; failures are only counted
+  double keep_mm = 0;          ///< among the obstacles is one that must be kept at this distance; 0: none
+};
+
 class Campaign {
  public:
-  /// `has_rotaries`: the axis runs as a head of two rotary axes takes it. `is_mismatched`: the reference takes it along
-  /// the great circle all the same, and failures are only counted.
-  explicit Campaign(bool has_rotaries, bool is_mismatched = false)
-      : has_rotaries_(has_rotaries), is_mismatched_(is_mismatched) {}
+  explicit Campaign(CampaignKind kind) : kind_(kind) {}
 
   void run(std::size_t moves) {
     const auto begin = std::chrono::steady_clock::now();
@@ -81,10 +100,20 @@ class Campaign {
   }
 
   std::map<std::string, Tally> by_kind;
-  std::size_t heads = 0, tools_seen = 0, failures = 0;
+  std::size_t heads = 0, tools_seen = 0, failures = 0, kept_witnesses = 0, kept_freed = 0;
 
  private:
-  void check(const laws::RandomJob& job) {
+  /// A copy of the part in another place, which no point of the tool may come near.
+  void add_kept_obstacle(laws::RandomJob& job) {
+    test::Scatter random(done_ + 1);
+    const double away_mm = random.in(0.5, 2) * kind_.keep_mm + job.tool.bare.r_max_mm;
+    job.scene.fixtures = {shapes::moved(job.scene.parts.front(), away_mm * random.axis(1))};
+    job.scene.limits = {{Against::fixture, 0, kind_.keep_mm, random.below(2) == 0 ? 0 : 0.003}};
+    job.is_closed = false;  // it may overlap the part
+  }
+
+  void check(laws::RandomJob job) {
+    if (kind_.keep_mm > 0) add_kept_obstacle(job);
     CheckOptions options;
     options.threads = 1;
     options.tolerance_mm = std::array{0.01, 0.0, 0.1}[done_ % 3];
@@ -92,7 +121,7 @@ class Campaign {
     // What is guaranteed holds at any budget; a small one for most lets many more moves be tried.
     const bool is_patient = ++jobs_ % 32 == 0;
     if (!is_patient) options.budget_per_move = kBounds;
-    if (has_rotaries_) options.law = {RapidMode::straight, std::make_shared<test::RotaryHeadLaw>()};
+    if (kind_.has_rotaries) options.law = {RapidMode::straight, std::make_shared<test::RotaryHeadLaw>()};
     std::vector<HeadBody> bodies;
     for (const IndexedMesh& head : job.heads) bodies.push_back(*build_head_body(head));
     const CheckResult result = whole_check(job.path, &job.tool, job.scene, options, bodies);
@@ -110,13 +139,13 @@ class Campaign {
 
   [[nodiscard]] reference::Movement movement_of(const Toolpath& path, std::size_t i) const {
     reference::Movement movement = reference::movement(path, i);
-    if (has_rotaries_ && !is_mismatched_) movement.rotaries.emplace(movement.from.axis, movement.to.axis);
+    if (kind_.has_rotaries && !kind_.is_mismatched) movement.rotaries.emplace(movement.from.axis, movement.to.axis);
     return movement;
   }
 
   void fail(const laws::RandomJob& job, std::size_t move, const std::string& what) {
     ++failures;
-    if (!is_mismatched_) ADD_FAILURE() << where_ << ", " << job.tool_name << ", move " << move << ": " << what;
+    if (!kind_.is_mismatched) ADD_FAILURE() << where_ << ", " << job.tool_name << ", move " << move << ": " << what;
   }
 
   void judge(const laws::RandomJob& job, const CheckOptions& options, const MoveVerdict& v, std::size_t i,
@@ -133,17 +162,28 @@ class Campaign {
     if (v.state == MoveState::buried) return;
     if (v.state == MoveState::clean && v.depth_upper_mm > options.tolerance_mm + options.resolution_mm)
       fail(job, i, "clean, yet only proved to " + std::to_string(v.depth_upper_mm));
-    if (v.state == MoveState::gouge && !(v.depth_mm > options.tolerance_mm))
+    const MeshLimit* limit = limit_of(job, v);
+    const double tolerance_mm =
+        limit == nullptr ? options.tolerance_mm : std::min(limit->tolerance_mm, options.tolerance_mm);
+    if (v.state == MoveState::gouge && !(v.depth_mm > tolerance_mm))
       fail(job, i,
            "a gouge within the tolerance of " + std::to_string(options.tolerance_mm) + ": " + exact_text(v.depth_mm) +
                " to " + std::to_string(v.depth_upper_mm) + " " + reason_text(v.reason));
-    if (v.state == MoveState::gouge && v.depth_upper_mm - v.depth_mm > options.resolution_mm) {
+    // Elsewhere the tool may be as deep as the tolerance.
+    const double gap_mm = options.resolution_mm + (limit == nullptr ? 0 : options.tolerance_mm);
+    if (v.state == MoveState::gouge && v.depth_upper_mm - v.depth_mm > gap_mm) {
       ++tally.wide;
       if (job.heads.empty() && options.budget_per_move > kBounds)
         fail(job, i, "a gouge known only to " + std::to_string(v.depth_upper_mm - v.depth_mm));
     }
     if (v.witness) judge_witness(job, v, i, movement, tool);
-    hunt(job, v, i, movement, tool, tally);
+    hunt(job, options, v, i, movement, tool, tally);
+  }
+
+  /// Null: the obstacle of its witness has none.
+  static const MeshLimit* limit_of(const laws::RandomJob& job, const MoveVerdict& v) {
+    const bool has_limit = v.witness && v.witness->against == Against::fixture && !job.scene.limits.empty();
+    return has_limit ? &job.scene.limits.front() : nullptr;
   }
 
   /// A clean tool is outside of what is closed, a buried one inside.
@@ -166,6 +206,8 @@ class Campaign {
 
   void judge_witness(const laws::RandomJob& job, const MoveVerdict& v, std::size_t i,
                      const reference::Movement& movement, const guarantee::Contours& tool) {
+    if (const MeshLimit* limit = limit_of(job, v); limit != nullptr && v.depth_mm > 0)
+      return judge_kept_witness(job, v, i, movement, limit->clearance_mm);
     if (v.witness->body != Body::head) {
       for (const std::string& doubt : guarantee::doubts(*v.witness, v.depth_mm, movement, tool, job.scene)) {
         // Giving way by the depth frees a point, but on a concave boundary by no plain sum.
@@ -182,8 +224,49 @@ class Campaign {
       fail(job, i, "the head's witness is " + std::to_string(deepest) + " deep, not " + std::to_string(v.depth_mm));
   }
 
-  void hunt(const laws::RandomJob& job, const MoveVerdict& v, std::size_t i, const reference::Movement& movement,
-            const guarantee::Contours& tool, Tally& tally) {
+  /// As far within the distance as was reported, and at its edge once the tool or the head has given way.
+  void judge_kept_witness(const laws::RandomJob& job, const MoveVerdict& v, std::size_t i,
+                          const reference::Movement& movement, double keep_mm) {
+    const auto look = [&](const auto& solid) {
+      double depth = -1e300, left = -1e300;
+      for (const auto& one : solid) {
+        auto frame = one.frame(v.witness->t);
+        depth = std::max(depth, keep_mm + one.depth(frame, v.witness->point));
+        frame.tip += v.depth_mm * v.witness->normal;
+        left = std::max(left, keep_mm + one.depth(frame, v.witness->point));
+      }
+      if (std::abs(depth - v.depth_mm) > kWitness_mm)
+        fail(job, i, "within the distance by " + exact_text(depth) + ", not " + exact_text(v.depth_mm));
+      // Where the surface of the tool is concave no single step frees a point.
+      kept_freed += left <= kWitness_mm ? 1 : 0;
+      ++kept_witnesses;
+    };
+    if (v.witness->body == Body::head) {
+      std::vector<reference::MovingHead> all;
+      for (const IndexedMesh& head : job.heads) all.emplace_back(head, movement);
+      return look(all);
+    }
+    const reference::Contour bare(job.tool.bare);
+    look(std::array{reference::MovingTool(bare, movement)});
+  }
+
+  /// How far within the distance from the kept obstacle the tool and the heads come.
+  [[nodiscard]] reference::Found hunt_kept(const laws::RandomJob& job, const reference::Movement& movement,
+                                           double mark) const {
+    reference::Found found;
+    const auto look = [&](const auto& solid, int looks) {
+      const double keep_mm = job.scene.limits.front().clearance_mm + (kind_.is_mismatched ? 0.05 : 0);
+      const reference::Found one = reference::Hunt(Grown(solid, keep_mm), job.scene.fixtures, looks).run(mark);
+      if (one.depth_mm > found.depth_mm) found = one;
+    };
+    const reference::Contour bare(job.tool.bare);
+    look(reference::MovingTool(bare, movement), kLooks);
+    for (const IndexedMesh& head : job.heads) look(reference::MovingHead(head, movement), kLooksOfHeads);
+    return found;
+  }
+
+  void hunt(const laws::RandomJob& job, const CheckOptions& options, const MoveVerdict& v, std::size_t i,
+            const reference::Movement& movement, const guarantee::Contours& tool, Tally& tally) {
     const bool is_gouge = v.state == MoveState::gouge;
     const double mark = is_gouge ? v.depth_mm - 0.005 : v.depth_upper_mm;
     reference::Found found;
@@ -197,6 +280,13 @@ class Campaign {
       const reference::MovingHead moving(head, movement);
       take(reference::Hunt(moving, job.scene.parts, kLooksOfHeads).run(mark));
       take(reference::Hunt(moving, job.scene.fixtures, kLooksOfHeads).run(mark));
+    }
+    if (!job.scene.limits.empty()) {
+      const reference::Found kept = hunt_kept(job, movement, mark);
+      take(kept);
+      const double allowed = job.scene.limits.front().tolerance_mm + options.resolution_mm;
+      if (v.state == MoveState::clean && kept.depth_mm > allowed + kRounding_mm)
+        fail(job, i, "clean, yet " + exact_text(kept.depth_mm) + " within the distance to keep");
     }
     tally.seen += is_gouge && found.depth_mm > v.depth_mm - 0.001 ? 1 : 0;
     if (found.depth_mm <= v.depth_upper_mm + kRounding_mm) return;
@@ -223,13 +313,13 @@ class Campaign {
     std::cout << heads << " moves with a head; " << seconds << " s\n";
   }
 
-  bool has_rotaries_, is_mismatched_;
+  CampaignKind kind_;
   std::size_t done_ = 0, jobs_ = 0;
   std::string where_;
 };
 
-/// Both laws of motion that tests have: whether the axis runs as two rotary axes take it.
-class RandomMoves : public testing::TestWithParam<bool> {};
+/// Both laws of motion that tests have, and a third kind of obstacle.
+class RandomMoves : public testing::TestWithParam<CampaignKind> {};
 
 TEST_P(RandomMoves, NothingIsDeeperThanItsBoundAndEveryWitnessIsReal) {
   Campaign campaign(GetParam());
@@ -247,15 +337,28 @@ TEST_P(RandomMoves, NothingIsDeeperThanItsBoundAndEveryWitnessIsReal) {
   EXPECT_GT(all.clean * 10, all.moves) << "too few clean moves to try";
   EXPECT_GT(all.gouge * 10, all.moves) << "too few gouges to try";
   EXPECT_GE(all.seen * 10, all.gouge * 9) << "the reference is too weak";
+  EXPECT_EQ(campaign.kept_witnesses > 0, GetParam().keep_mm > 0);
+  EXPECT_GE(campaign.kept_freed * 10, campaign.kept_witnesses * 8);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, RandomMoves, testing::Values(false, true),
-                         [](const auto& law) { return law.param ? "RotaryHead" : "GreatCircle"; });
+INSTANTIATE_TEST_SUITE_P(Laws, RandomMoves,
+                         testing::Values(CampaignKind{}, CampaignKind{.has_rotaries = true},
+                                         CampaignKind{.keep_mm = 5}),
+                         [](const auto& kind) {
+                           if (kind.param.keep_mm > 0) return "KeptObstacle";
+                           return kind.param.has_rotaries ? "RotaryHead" : "GreatCircle";
+                         });
 
 /// The reference of the other law finds depths above the bounds: it tells the two apart.
 TEST(RandomMovesOfRotaries, AreNotThoseOnTheGreatCircle) {
-  Campaign campaign(true, true);
+  Campaign campaign({.has_rotaries = true, .is_mismatched = true});
   campaign.run(500);
+  EXPECT_GT(campaign.failures, 0U);
+}
+
+TEST(RandomMovesBesideKeptObstacle, ReachFartherThanALargerDistanceAllows) {
+  Campaign campaign({.is_mismatched = true, .keep_mm = 5});
+  campaign.run(300);
   EXPECT_GT(campaign.failures, 0U);
 }
 

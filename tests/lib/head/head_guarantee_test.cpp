@@ -106,7 +106,7 @@ Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const
   const Result<HeadBody> head = build_head_body(head_mesh);
   EXPECT_TRUE(head.has_value()) << head_mesh.name;
   const BlockTree tree = build_block_tree({&part, 1});
-  const std::array trees{&tree};
+  const std::array targets{HeadTarget{&tree}};
   const std::array<CoverTarget, 1> covers{{{&head->cover, &tree}}};
   const bool is_covered = !head->cover.pieces.empty();
   const Expectation of{*head, part, goal};
@@ -120,11 +120,11 @@ Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const
     for (std::size_t m = 0; m < group.size(); ++m) {
       SCOPED_TRACE(head_mesh.name + ", motion " + std::to_string(i));
       const BodyMotion moving(group[m]);
-      const HeadResult reported = search_head(moving, *head, trees, goal);
+      const HeadResult reported = search_head(moving, *head, targets, goal);
       const double sampled = sampled_depth(moving, *head, part, reported, random);
       expect_reported(of, moving, reported, sampled);
       if (is_covered) {
-        const HeadResult left = search_head(moving, *head, trees, goal, swept[m].start);
+        const HeadResult left = search_head(moving, *head, targets, goal, swept[m].start);
         expect_reported(of, moving, left, sampled);
         EXPECT_LE(left.depth_mm, reported.depth_upper_mm + 1e-9);
         EXPECT_LE(reported.depth_mm, left.depth_upper_mm + 1e-9);

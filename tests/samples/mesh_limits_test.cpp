@@ -1,0 +1,57 @@
+// Limits of single meshes, from the command line to the verification of the result.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
+
+namespace gouge::testing_samples {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kClamp = "clamp.stl,clearance=5";
+
+std::vector<std::string> words(const std::string& command, const std::string& path,
+                               const std::vector<std::string>& more = {}) {
+  std::vector<std::string> all{command, path, "--tools", "tools.json", "--part", "part.stl", "--fixture", kClamp};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+TEST(MeshLimits, MakeAMoveWithinTheClearanceAGouge) {
+  const SampleFolder sample = open_sample("pocket");
+  const Outcome ran = run_gougecheck(sample.path, words("check", "pocket.apt", {"--json", "result.json"}));
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+  EXPECT_NE(ran.out.find("6.000 mm cutter T3 against fixture clamp.stl and its clearance of 5.000 mm"),
+            std::string::npos)
+      << ran.out;
+  const json result = json::parse(text_of(sample.path + "/result.json"));
+  EXPECT_EQ(result.at("events").back().at("obstacle"), "clamp.stl");
+  EXPECT_EQ(result.at("options").at("more").at("fixture"), kClamp);
+}
+
+TEST(MeshLimits, AreVerifiedFromTheResult) {
+  const SampleFolder sample = open_sample("pocket");
+  ASSERT_EQ(run_gougecheck(sample.path, words("check", "pocket.apt", {"--json", "result.json", "-q"})).exit_status, 1);
+  const Outcome verified = run_gougecheck(sample.path, {"verify", "result.json"});
+  EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
+  // The same result without the clearance claims a depth that the clamp does not have.
+  json result = json::parse(text_of(sample.path + "/result.json"));
+  result.at("options").at("more").erase("fixture");
+  write_text(sample.path + "/other.json", result.dump());
+  const Outcome refuted = run_gougecheck(sample.path, {"verify", "other.json"});
+  EXPECT_NE(refuted.exit_status, 0);
+  EXPECT_NE(refuted.out.find("refuted"), std::string::npos) << refuted.out;
+}
+
+TEST(MeshLimits, AreKeptByTheCorrectedToolpath) {
+  const SampleFolder sample = open_sample("pocket");
+  const Outcome corrected = run_gougecheck(sample.path, words("correct", "pocket.apt", {"-o", "corrected.apt"}));
+  EXPECT_EQ(corrected.exit_status, 0) << corrected.out << corrected.err;
+  EXPECT_EQ(run_gougecheck(sample.path, words("check", "corrected.apt")).exit_status, 0);
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples
