@@ -34,7 +34,8 @@ Json setup_json(const AcceptedSetup& s) {
           {"stock_to_leave_mm", s.stock_to_leave_mm},
           {"shank_clearance_mm", s.shank_clearance_mm},
           {"holder_clearance_mm", s.holder_clearance_mm},
-          {"rapid", text(s.rapid)}};
+          {"rapid", text(s.rapid)},
+          {"limits", texts(s.limits)}};
 }
 
 Json entry_json(const Acceptance& a) {
@@ -114,6 +115,7 @@ class EntryReader {
     s.shank_clearance_mm = length(field.at("shank_clearance_mm"));
     s.holder_clearance_mm = length(field.at("holder_clearance_mm"));
     s.rapid = field.at("rapid").text();
+    if (const auto limits = field.find("limits")) s.limits = texts_of(*limits);
   }
 
   static AcceptedMove read_move(const JsonField& field) {

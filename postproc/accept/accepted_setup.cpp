@@ -29,6 +29,14 @@ const char* rapid_word(RapidMode rapid) {
   return kWords.at(static_cast<std::size_t>(rapid));
 }
 
+std::vector<std::string> limits_of(const ReportModel& model) {
+  std::vector<std::string> all;
+  for (const OptionText& option : model.more_options)
+    if (option.name == "part" || option.name == "fixture") all.push_back(option.value);
+  std::ranges::sort(all);
+  return all;
+}
+
 }  // namespace
 
 AcceptedSetup setup_of(const StoredResult& result, const std::string& tool) {
@@ -43,7 +51,8 @@ AcceptedSetup setup_of(const StoredResult& result, const std::string& tool) {
           o.stock_to_leave_mm,
           o.shank_clearance_mm,
           o.holder_clearance_mm,
-          o.rapid};
+          o.rapid,
+          o.limits};
 }
 
 AcceptedSetup setup_of(const ReportModel& model, const std::string& tool) {
@@ -58,7 +67,8 @@ AcceptedSetup setup_of(const ReportModel& model, const std::string& tool) {
           o.stock_to_leave_mm,
           o.shank_clearance_mm,
           o.holder_clearance_mm,
-          rapid_word(o.law.rapid())};
+          rapid_word(o.law.rapid()),
+          limits_of(model)};
 }
 
 std::optional<std::string> find_change(const AcceptedSetup& accepted, const AcceptedSetup& now, LengthUnit unit) {
@@ -81,6 +91,7 @@ std::optional<std::string> find_change(const AcceptedSetup& accepted, const Acce
     return std::string(one.what) + " is " + length_text(now_mm, unit) + ", " + length_text(then_mm, unit) +
            " when it was accepted";
   }
+  if (accepted.limits != now.limits) return "the limits of single files are others";
   if (accepted.rapid != now.rapid) return "rapids are checked as " + now.rapid + ", then as " + accepted.rapid;
   return std::nullopt;
 }

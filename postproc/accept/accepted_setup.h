@@ -17,6 +17,7 @@ struct AcceptedSetup {
   std::string tool;       ///< ToolFacts::identity
   double tolerance_mm = 0, resolution_mm = 0, stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0;
   std::string rapid;
+  std::vector<std::string> limits{};  ///< StoredOptions::limits
 };
 
 /// That of a stored result; `tool` is the identity of the finding's.

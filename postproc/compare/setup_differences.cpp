@@ -30,6 +30,7 @@ std::vector<std::string> setup_differences(const StoredResult& before, const Sto
   lengths("the stock to leave", a.stock_to_leave_mm, b.stock_to_leave_mm);
   lengths("the shank's clearance", a.shank_clearance_mm, b.shank_clearance_mm);
   lengths("the holder's clearance", a.holder_clearance_mm, b.holder_clearance_mm);
+  if (a.limits != b.limits) all.push_back("the limits of single files are others");
   if (a.rapid != b.rapid) all.push_back("rapids are checked as " + b.rapid + ", " + a.rapid + " before");
   if (before.version != after.version) all.push_back("gougecheck " + after.version + ", " + before.version + " before");
   return all;

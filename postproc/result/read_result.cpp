@@ -69,6 +69,16 @@ class ResultReader {
     o.shank_clearance_mm = length(options.at("shank_clearance"));
     o.holder_clearance_mm = length(options.at("holder_clearance"));
     o.rapid = options.at("rapid").text();
+    for (const char* option : {"part", "fixture"}) read_limits(options.at("more"), option);
+    std::ranges::sort(o.limits);
+  }
+
+  // One is a text, several are a list.
+  void read_limits(const JsonField& more, const char* option) {
+    const std::optional<JsonField> value = more.find(option);
+    if (!value) return;
+    if (value->is_text()) return result_.options.limits.push_back(value->text());
+    for (const JsonField& text : value->list()) result_.options.limits.push_back(text.text());
   }
 
   void read_tool(const JsonField& tool) {

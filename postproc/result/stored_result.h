@@ -61,6 +61,7 @@ struct StoredInput {
 struct StoredOptions {
   double tolerance_mm = 0, resolution_mm = 0, stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0;
   std::string rapid;
+  std::vector<std::string> limits{};  ///< of single files, as typed: "vise.stl,clearance=1"; sorted
 
   bool operator==(const StoredOptions&) const = default;
 };
