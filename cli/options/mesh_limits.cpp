@@ -60,7 +60,9 @@ void split_limits(const std::vector<std::string>& typed, std::vector<std::string
   for (const std::string& value : typed) {
     const std::size_t begin = std::min(begin_of_limits(value), value.size());
     files.push_back(value.substr(0, begin));
-    if (begin < value.size()) limits[files.back()] = value.substr(begin + 1);
+    if (begin == value.size()) continue;
+    std::string& text = limits[files.back()];
+    text += (text.empty() ? "" : ",") + value.substr(begin + 1);  // a limit given twice is refused later
   }
 }
 

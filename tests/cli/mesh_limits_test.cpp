@@ -48,6 +48,13 @@ INSTANTIATE_TEST_SUITE_P(Typed, WrongLimits,
                                          "v.stl,clearance=1,colour=red", "v.stl,clearance=1e9",
                                          "v.stl,tolerance=0.02"));
 
+TEST(MeshLimits, OfAFileThatIsGivenTwiceAreRefused) {
+  std::vector<std::string> files;
+  LimitTexts texts;
+  split_limits({"v.stl,clearance=1", "v.stl,clearance=2"}, files, texts);
+  EXPECT_FALSE(understand_limits("--fixture", Against::fixture, files, texts, 0.01));
+}
+
 TEST(MeshLimits, GiveAPartNoClearance) {
   EXPECT_FALSE(limits_of("part.stl,clearance=1", Against::part));
   EXPECT_TRUE(limits_of("part.stl,tolerance=0.001", Against::part));
