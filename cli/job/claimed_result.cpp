@@ -100,7 +100,8 @@ class ResultReader {
     };
     a.place = given("place");
     a.stl_units = given("stl-units");
-    a.reading = {given("dialect"), given("toolpath-units"), given("cutcom"), all_given(more, "harmless-word")};
+    a.reading = {given("dialect"), given("toolpath-units"), given("cutcom"), all_given(more, "harmless-word"),
+                 given("retract-plane")};
     a.holder = given("holder");
     a.is_extended_up = more.find("extend-up").has_value();
     a.tool_names = all_given(more, "tool");

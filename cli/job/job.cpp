@@ -184,6 +184,8 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   if (!arguments.stl_units.empty()) model.more_options.push_back({"stl-units", arguments.stl_units});
   if (!arguments.reading.dialect.empty()) model.more_options.push_back({"dialect", arguments.reading.dialect});
   if (!arguments.reading.cutcom.empty()) model.more_options.push_back({"cutcom", arguments.reading.cutcom});
+  if (!arguments.reading.retract_plane.empty())
+    model.more_options.push_back({"retract-plane", arguments.reading.retract_plane});
   for (const std::string& word : arguments.reading.harmless_words)
     model.more_options.push_back({"harmless-word", word});
   if (!arguments.reading.units.empty()) model.more_options.push_back({"toolpath-units", arguments.reading.units});

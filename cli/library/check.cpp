@@ -67,6 +67,7 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
     gouge::ReadOptions as_before;
     as_before.dialect = gouge::dialect_called(path.dialect);
     as_before.harmless_words = path.harmless_words;
+    as_before.retract_plane_mm = path.retract_plane_mm;
     if (!path.is_unit_stated) as_before.unit = path.unit;
     gouge::Toolpath again = PathAccess::from_bytes(path.file, std::move(*bytes), as_before).content().path;
     for (const gouge::Subject fact : {gouge::Subject::dialect, gouge::Subject::path_unit})

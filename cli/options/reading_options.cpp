@@ -39,6 +39,12 @@ void add_reading_options(CLI::App& command, ReadingArguments& arguments) {
                   "moves are not checked)")
       ->check(CLI::IsMember({"centre"}));
   command
+      .add_option(
+          "--retract-plane", arguments.retract_plane,
+          "Z of the plane to which a drilling cycle retracts where it states no height (RTRCTO,AUTO of NX), in "
+          "the coordinates of the positions and no lower than the clearance (default: these paths up are not checked)")
+      ->type_name("LENGTH");
+  command
       .add_option("--harmless-word", arguments.harmless_words,
                   "Word of your own that moves and changes nothing: statements that begin with it are passed over "
                   "(repeatable)")
@@ -54,6 +60,11 @@ Result<ReadOptions> understand(const ReadingArguments& arguments) {
   }
   options.unit = unit_called(arguments.units);
   options.is_cutcom_centre = arguments.cutcom == "centre";
+  if (!arguments.retract_plane.empty()) {
+    options.retract_plane_mm = parse_length_mm(arguments.retract_plane);
+    if (!options.retract_plane_mm)
+      return usage_error("--retract-plane", arguments.retract_plane, "a length in mm, or with a unit (2in)");
+  }
   for (const std::string& word : arguments.harmless_words) {
     if (auto error = why_not_harmless(word)) return *error;
     options.harmless_words.push_back(word);

@@ -18,11 +18,12 @@ namespace gouge {
 struct ReadingArguments {
   std::string dialect, units, cutcom;
   std::vector<std::string> harmless_words;
+  std::string retract_plane;
 };
 
 void add_reading_options(CLI::App& command, ReadingArguments& arguments);
 
-/// Errors (code usage): a dialect that is not known, a harmless word that is none or that is read.
+/// Errors (code usage): a retract plane that is no length, a dialect that is not known, a harmless word that is none or that is read.
 [[nodiscard]] Result<ReadOptions> understand(const ReadingArguments& arguments);
 
 /// --max-input of a command, in bytes: no file it reads may have more.

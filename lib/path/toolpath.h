@@ -120,8 +120,10 @@ struct Toolpath {
   std::vector<PathTool> tools;
   std::vector<Operation> operations;
   Moves moves;
-  PagedVector<PathArc> arcs;                                ///< of moves whose curve_kind is arc
-  std::vector<PathSpline> splines;                          ///< of moves whose curve_kind is spline
+  PagedVector<PathArc> arcs;        ///< of moves whose curve_kind is arc
+  std::vector<PathSpline> splines;  ///< of moves whose curve_kind is spline
+  /// The user says that cycles without a height of their own retract to this plane, in the coordinates of positions, mm.
+  std::optional<double> retract_plane_mm;
   std::vector<std::string> harmless_words;                  ///< the user says that they move and change nothing
   std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; reported to the user
   Diagnostics notes;              ///< warnings and notes of reading; errors make reading fail instead

@@ -16,11 +16,15 @@ struct Remedy {
   const char* claim;
 };
 
-constexpr std::array<Remedy, 3> kRemedies = {{
+constexpr std::array<Remedy, 4> kRemedies = {{
     {[](const Reason& reason) {
        return reason.is(Reason::Kind::of_path) && kind_of(reason.detail) == ReasonKind::compensated;
      },
      "--cutcom centre", "it states that positions under CUTCOM are the cutter's centre"},
+    {[](const Reason& reason) {
+       return reason.is(Reason::Kind::of_path) && kind_of(reason.detail) == ReasonKind::around_hole;
+     },
+     "--retract-plane Z", "it states the height to which drilling cycles retract that name none"},
     {[](const Reason& reason) { return reason.is(Reason::Kind::no_tool); }, "--tool NAME",
      "it states which tool of the library (--tools) cuts where the file names none"},
     {[](const Reason& reason) { return reason.is(Reason::Kind::tool_undefined); }, "--tools LIBRARY",

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "postproc/cldata/interpreting/interpreter.h"
 #include "tests/laws/reading.h"
 #include "tests/support/shapes.h"
 
@@ -64,6 +65,34 @@ TEST(Retract, ToAPlaneWithoutItsHeightLeavesThePlungesChecked) {
   EXPECT_TRUE(path.moves.at(5).has_start);
   const IndexedMesh deep = shapes::box({50, -20, -20}, {70, 20, -4});
   EXPECT_EQ(check_states(path, deep, kMill).at(5), MoveState::gouge);
+}
+
+Toolpath read_with_plane(const std::string& text, double plane_mm) {
+  ReadOptions options;
+  options.retract_plane_mm = plane_mm;
+  ReadOutcome outcome = read_toolpath("real.apt", text, options);
+  EXPECT_TRUE(outcome.toolpath);
+  return outcome.toolpath ? std::move(*outcome.toolpath) : Toolpath{};
+}
+
+TEST(Retract, ToAPlaneWhoseHeightTheUserStatesIsChecked) {
+  const IndexedMesh wall = shapes::box({30, -20, -5}, {32, 20, 15});
+  for (const char* retract : {",RTRCTO,AUTO", ",RTRCTO"}) {
+    EXPECT_EQ(verdict(read_with_plane(nx_holes(retract), 20), wall), "clean") << retract;
+    EXPECT_EQ(verdict(read_with_plane(nx_holes(retract), 10), wall), "gouge") << retract;
+  }
+  EXPECT_EQ(verdict(read_with_plane(creo_holes(", RETURN, 0"), 20), wall, kMill), "clean");
+}
+
+TEST(Retract, ToAStatedPlaneCountsFromThePositionsOfItsHoles) {
+  const Toolpath path = read_with_plane(nx_holes(",RTRCTO,AUTO"), 50);
+  EXPECT_NEAR(path.moves.at(3).end.tip.z(), 50, 1e-12);
+  EXPECT_EQ(read_motion_records(path).of_move.size(), path.moves.size()) << "as a correction reads the file again";
+}
+
+TEST(Retract, ToAStatedPlaneIsNotReadWhereTheCycleContradictsIt) {
+  EXPECT_EQ(verdict(read_with_plane(nx_holes(",RETURN,20"), 50), clamp()), "not-checked") << "a height of another kind";
+  EXPECT_EQ(verdict(read_with_plane(nx_holes(",RTRCTO,AUTO"), 2), clamp()), "not-checked") << "below the clearance";
 }
 
 TEST(Retract, WordsOfCampleteWithoutANumberAreNoHeightOfZero) {

@@ -42,6 +42,18 @@ void emit_step(States& s, const Position& position, const Vec3& tip_local, bool 
   append(s, move, step);
 }
 
+// Above the position; nothing where neither the cycle nor the user gives the height. A plane holds for an upright tool,
+// and is no lower than the clearance.
+std::optional<double> retract_of(const States& s, const Position& position, const DrillCycle& cycle) {
+  if (cycle.is_retract_known) return cycle.retract_mm;
+  const std::optional<double>& plane_mm = s.in.path.retract_plane_mm;
+  const Vec3& axis = position.axis_local;
+  const bool is_upright = axis.z() > 0 && axis.cross(Vec3::UnitZ()).norm() <= kSameHoleAxis;
+  if (!plane_mm || !is_upright || !cycle.is_retract_left_open) return std::nullopt;
+  const double height_mm = *plane_mm - position.tip_local.z();
+  return height_mm >= cycle.retract_mm ? std::optional(height_mm) : std::nullopt;
+}
+
 // First up and across, or straight, or first across.
 void emit_rise(States& s, const Position& position, double height, double clearance_mm) {
   const Pose start = *s.chain.last_pose();
@@ -164,8 +176,8 @@ void emit_hole(States& s, const Position& own, const DrillCycle& cycle) {
   }
   emit_step(s, position, above(cycle.clearance_mm), true);
   emit_step(s, position, above(cycle.bottom_mm), false);
-  if (cycle.is_retract_known) {
-    emit_step(s, position, above(cycle.retract_mm), !cycle.is_fed_out);
+  if (const std::optional<double> retract_mm = retract_of(s, position, cycle)) {
+    emit_step(s, position, above(*retract_mm), !cycle.is_fed_out);
   } else {
     emit_retract(s, position, above(cycle.retract_mm));
   }

@@ -162,6 +162,7 @@ MotionRecords read_motion_records(const Toolpath& path) {
   again.file = path.file;
   again.source = path.source;
   again.harmless_words = path.harmless_words;
+  again.retract_plane_mm = path.retract_plane_mm;
   MotionRecords records;
   records.of_move.reserve(path.moves.size());
   const Dialect dialect = dialect_called(path.dialect).value_or(Dialect{});

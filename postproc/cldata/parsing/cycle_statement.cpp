@@ -44,6 +44,7 @@ std::optional<double> after_either(Arguments arguments, std::string_view first, 
 struct Retract {
   std::optional<double> height;
   bool is_known = true;
+  bool has_number = false;  ///< other than 0, behind a word of either kind
 };
 
 // Both words may stand in one statement; `own` is the one whose number is read. The other one alone says that there
@@ -55,13 +56,14 @@ Retract read_retract(Arguments arguments, std::string_view own) {
   retract.is_known = retract.height.has_value() || !is_named;
   const std::optional<double> rtrcto = number_after(arguments, "RTRCTO"), back = number_after(arguments, "RETURN");
   if (rtrcto && back && std::abs(*rtrcto - *back) > 0) retract = {std::nullopt, false};
+  retract.has_number = std::abs(rtrcto.value_or(0)) > 0 || std::abs(back.value_or(0)) > 0;
   return retract;
 }
 
 // RETURN,0 is the path to the retract plane, whose height Creo's statement does not have.
 Retract read_return(Arguments arguments) {
   Retract retract = read_retract(arguments, "RETURN");
-  if (retract.height && !(std::abs(*retract.height) > 0)) retract = {std::nullopt, false};
+  if (retract.height && !(std::abs(*retract.height) > 0)) retract = {std::nullopt, false, retract.has_number};
   return retract;
 }
 
@@ -70,6 +72,7 @@ DrillCycle make(double clearance, double bottom, const Retract& retract) {
   cycle.clearance_mm = clearance;
   cycle.bottom_mm = bottom;
   cycle.is_retract_known = retract.is_known;
+  cycle.is_retract_left_open = !retract.is_known && !retract.has_number;
   cycle.is_retract_stated = retract.height.has_value() || !retract.is_known;
   cycle.retract_mm = retract.height.value_or(clearance);
   return cycle;

@@ -31,6 +31,7 @@ struct DrillCycle {
       levels_mm;  ///< where is_bounding: heights above the position at which the tool may be between holes
   std::vector<double> planes_mm;  ///< the same as planes of the frame
   bool is_retract_known = true;   ///< false: a plane the statement names without its height, no lower than retract_mm
+  bool is_retract_left_open = false;  ///< is_retract_known is false, and no number stands with any word of a retract
 };
 
 /// NX's CYCLE/ON,word,value,..: the last cycle taken up with these values in place of its own. `cycle` are the

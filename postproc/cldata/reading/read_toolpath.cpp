@@ -260,6 +260,7 @@ ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const 
   const UnitGuess guess = unit_of(path.source, dialect, options);
   path.dialect = dialect.id;
   path.harmless_words = options.harmless_words;
+  path.retract_plane_mm = options.retract_plane_mm;
   path.unit = guess.unit;
   path.is_unit_stated = guess.source == UnitGuess::Source::stated;
 
