@@ -1,12 +1,14 @@
 #include "cli/commands/path_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <ostream>
+#include <string>
 #include <utility>
 
-#include "cli/commands/path_info_text.h"
 #include "cli/job/scene_files.h"
 #include "cli/options/job_options.h"
+#include "cli/output/json_text.h"
 #include "cli/output/output_file.h"
 #include "cli/output/picture_file.h"
 #include "cli/terminal/length_text.h"
@@ -14,11 +16,162 @@
 #include "cli/terminal/progress.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
+#include "lib/path/path_info.h"
 #include "postproc/cldata/writing/write_toolpath.h"
 #include "postproc/image/path_plot.h"
 
 namespace gouge {
 namespace {
+
+// What `path info` shows, as text for people and as JSON. Lengths in the file's unit.
+
+constexpr std::size_t kPathLabelWidth = 22;
+constexpr int kShownDecimals = 4;
+
+std::string path_row(const std::string& name, const std::string& value) {
+  return padded(name, kPathLabelWidth - 1) + " " + printable(value) + "\n";
+}
+
+std::string shown(double value) { return people_text(value, kShownDecimals); }
+
+std::string shown(const Vec3& point, double mm_per_unit) {
+  return shown(point.x() / mm_per_unit) + ", " + shown(point.y() / mm_per_unit) + ", " + shown(point.z() / mm_per_unit);
+}
+
+std::string tool_title(const PathTool& tool) {
+  return tool.number ? "T" + std::to_string(*tool.number) : std::string("unnumbered");
+}
+
+std::string cutter_text(const PathTool& tool, double mm_per_unit) {
+  if (!tool.cutter) return "cutter not given: it needs a tool library";
+  const CutterStatement& cutter = *tool.cutter;
+  std::string text = "D " + shown(cutter.d_mm / mm_per_unit) + "  R " + shown(cutter.r_mm / mm_per_unit);
+  const bool is_plain = std::max(cutter.alpha_deg, std::max(cutter.beta_deg, -cutter.beta_deg)) <= 0;
+  if (!is_plain) text += "  tip angle " + shown(cutter.alpha_deg) + "  flank angle " + shown(cutter.beta_deg);
+  if (cutter.h_mm > 0) text += "  length " + shown(cutter.h_mm / mm_per_unit);
+  if (tool.flute_length_mm > 0) text += "  flutes " + shown(tool.flute_length_mm / mm_per_unit);
+  return text;
+}
+
+std::string moves_text(const PathInfo& info) {
+  std::string text;
+  for (const MoveKind kind : {MoveKind::feed, MoveKind::rapid, MoveKind::arc, MoveKind::cycle}) {
+    const std::size_t count = info.moves_by_kind[static_cast<std::size_t>(kind)];
+    if (count == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + kind_name(kind);
+  }
+  return text;
+}
+
+std::string tools_text(const Toolpath& path, const PathInfo& info, double mm_per_unit) {
+  std::string text;
+  for (std::size_t i = 0; i < path.tools.size(); ++i) {
+    const PathTool& tool = path.tools[i];
+    text += path_row("tool " + tool_title(tool), cutter_text(tool, mm_per_unit) + "  (" +
+                                                     count_text(info.moves_of_tool[i], "move") + ", line " +
+                                                     std::to_string(tool.line) + ")");
+    if (!tool.name.empty()) text += path_row("", tool.name);
+  }
+  if (info.moves_without_tool > 0) text += path_row("no tool named", count_text(info.moves_without_tool, "move"));
+  for (std::size_t i = 0; i < path.operations.size(); ++i) {
+    const Operation& operation = path.operations[i];
+    text += path_row(i == 0 ? "operations" : "", (operation.name.empty() ? "(no name)" : operation.name) + "  (" +
+                                                     count_text(info.moves_of_operation[i], "move") + ", line " +
+                                                     std::to_string(operation.line) + ")");
+  }
+  return text;
+}
+
+std::string doubts_text(const Toolpath& path, const PathInfo& info) {
+  std::size_t count = 0;
+  for (const auto& reason : info.not_checkable) count += reason.second;
+  std::string text = path_row("cannot be checked", count == 0 ? "none" : count_text(count, "move"));
+  for (const auto& [reason, moves] : info.not_checkable) text += path_row("", std::to_string(moves) + ": " + reason);
+  if (path.words_not_understood.empty()) return text + path_row("words not understood", "none");
+  std::string words;
+  for (const auto& [word, times] : path.words_not_understood) {
+    words += (words.empty() ? "" : ", ") + word + " " + std::to_string(times);
+  }
+  return text + path_row("words not understood", words);
+}
+
+Json tool_json(const PathTool& tool, std::size_t moves, double mm_per_unit) {
+  Json json;
+  json["number"] = tool.number ? Json(*tool.number) : Json(nullptr);
+  json["name"] = tool.name;
+  json["line"] = tool.line;
+  json["moves"] = moves;
+  if (tool.flute_length_mm > 0) json["flute_length"] = tool.flute_length_mm / mm_per_unit;
+  if (!tool.cutter) return json;
+  const CutterStatement& cutter = *tool.cutter;
+  json["cutter"] = {{"d", cutter.d_mm / mm_per_unit}, {"r", cutter.r_mm / mm_per_unit},
+                    {"e", cutter.e_mm / mm_per_unit}, {"f", cutter.f_mm / mm_per_unit},
+                    {"alpha", cutter.alpha_deg},      {"beta", cutter.beta_deg},
+                    {"h", cutter.h_mm / mm_per_unit}};
+  return json;
+}
+
+std::string path_info_text(const Toolpath& path, const PathInfo& info, const std::string& dialect_title) {
+  const double mm_per_unit = mm_per(path.unit);
+  const std::string unit = unit_name(path.unit);
+  std::string text = path_row("file", path.file);
+  text += path_row("dialect", path.dialect + " (" + dialect_title + ")");
+  text += path_row("unit", unit + (path.is_unit_stated ? " (stated)" : " (not stated)"));
+  text += path_row("moves", std::to_string(path.moves.size()) + ": " + moves_text(info));
+  text += path_row("positions alone", std::to_string(info.alone) + " (nothing known leads to them)");
+  if (!info.box.isEmpty()) {
+    text += path_row("box from", shown(info.box.min(), mm_per_unit) + " " + unit);
+    text += path_row("box to", shown(info.box.max(), mm_per_unit) + " " + unit);
+  }
+  text += path_row("length", shown(info.feed_length_mm / mm_per_unit) + " " + unit + " feed, " +
+                                 shown(info.rapid_length_mm / mm_per_unit) + " " + unit + " rapid");
+  text += path_row("orientations", std::to_string(info.orientations));
+  if (info.largest_turn_move != kNone) {
+    text += path_row("largest turn", shown(info.largest_turn_deg) + " degrees in move " +
+                                         std::to_string(info.largest_turn_move) + ", line " +
+                                         std::to_string(path.moves[info.largest_turn_move].line));
+  }
+  return text + tools_text(path, info, mm_per_unit) + doubts_text(path, info);
+}
+
+std::string path_info_json(const Toolpath& path, const PathInfo& info) {
+  const double mm_per_unit = mm_per(path.unit);
+  Json json;
+  json["file"] = path.file;
+  json["dialect"] = path.dialect;
+  json["unit"] = path.unit == LengthUnit::inch ? "inch" : "mm";
+  json["unit_stated"] = path.is_unit_stated;
+  json["moves"] = path.moves.size();
+  for (const MoveKind kind : {MoveKind::feed, MoveKind::rapid, MoveKind::arc, MoveKind::cycle}) {
+    json["moves_by_kind"][kind_name(kind)] = info.moves_by_kind[static_cast<std::size_t>(kind)];
+  }
+  json["positions_alone"] = info.alone;
+  if (!info.box.isEmpty()) {
+    json["box"] = {{"from", point_json(info.box.min(), mm_per_unit)}, {"to", point_json(info.box.max(), mm_per_unit)}};
+  }
+  json["feed_length"] = info.feed_length_mm / mm_per_unit;
+  json["rapid_length"] = info.rapid_length_mm / mm_per_unit;
+  json["orientations"] = info.orientations;
+  json["largest_turn_deg"] = info.largest_turn_deg;
+  if (info.largest_turn_move != kNone) json["largest_turn_line"] = std::size_t{path.moves[info.largest_turn_move].line};
+  json["tools"] = Json::array();
+  for (std::size_t i = 0; i < path.tools.size(); ++i) {
+    json["tools"].push_back(tool_json(path.tools[i], info.moves_of_tool[i], mm_per_unit));
+  }
+  json["moves_without_tool"] = info.moves_without_tool;
+  json["operations"] = Json::array();
+  for (std::size_t i = 0; i < path.operations.size(); ++i) {
+    json["operations"].push_back(
+        {{"name", path.operations[i].name}, {"line", path.operations[i].line}, {"moves", info.moves_of_operation[i]}});
+  }
+  json["not_checkable"] = Json::object();
+  for (const auto& [reason, moves] : info.not_checkable) json["not_checkable"][reason] = moves;
+  json["words_not_understood"] = Json::object();
+  for (const auto& [word, times] : path.words_not_understood) json["words_not_understood"][word] = times;
+  return json_text(json);
+}
 
 int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream& out, std::ostream& err) {
   const PathInfo info = describe_path(path);

@@ -2,20 +2,58 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
-#include "cli/job/identity.h"
 #include "cli/options/length_rule.h"
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "lib/base/sha256.h"
+#include "lib/base/units.h"
 #include "lib/check/reach.h"
 #include "lib/check/scene_reach.h"
+#include "lib/geom/rigid_transform.h"
 #include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"
+#include "toolmodels/assembly.h"
 #include "toolmodels/compile_tool.h"
 #include "toolmodels/import/read_any_tools.h"
+#include "toolmodels/tool_library.h"
 
 namespace gouge {
 namespace {
+
+constexpr std::size_t kDigits = 32;
+
+// 32 hexadecimal digits, the same for equal units and equal places of the STL files, however they were typed.
+std::string placement_identity(const RigidTransform& place, LengthUnit stl_unit) {
+  std::string text = unit_name(stl_unit);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) text += ' ' + exact_text(place.rotation(row, column));
+    text += ' ' + exact_text(place.shift[row]);
+  }
+  return sha256_of(text).substr(0, kDigits);
+}
+
+// ToolFacts::identity and ::bodies of a tool as it is checked: by its dimensions, whatever its name and number.
+// `is_extended_up`: with a top body that goes on without end.
+void identify_tool(const ToolAssembly& tool, bool is_extended_up, ToolFacts& facts) {
+  ToolLibrary library;
+  library.tools = {tool};
+  ToolAssembly& bare = library.tools.front();
+  bare.number.reset();
+  bare.name.clear();
+  bare.gauge_length_mm = 0;
+  for (ToolExtension& extension : bare.extensions) extension.name.clear();
+  facts.identity = sha256_of(write_tool_library(library) + (is_extended_up ? "extended up" : "")).substr(0, kDigits);
+  const auto counts_as = [&](Body body) {
+    return std::ranges::any_of(tool.extensions, [&](const ToolExtension& one) { return one.counts_as == body; });
+  };
+  facts.bodies = {Body::cutter};
+  if (!tool.shank.empty() || counts_as(Body::shank)) facts.bodies.push_back(Body::shank);
+  if (!tool.holder.empty() || counts_as(Body::holder)) facts.bodies.push_back(Body::holder);
+}
 
 class JobLoader {
  public:

@@ -22,11 +22,11 @@ struct Candidate : SearchCandidate {
   std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 };
 
-class Search : public BestFirstSearch<Search, Candidate> {
+class MoveSearch : public BestFirstSearch<MoveSearch, Candidate> {
  public:
   static constexpr bool kDescends = true;
 
-  Search(const Motion& motion, const std::vector<SearchTarget>& targets, const SearchQuery& query)
+  MoveSearch(const Motion& motion, const std::vector<SearchTarget>& targets, const SearchQuery& query)
       : motion_(motion), intervals_(motion, motion), targets_(targets), query_(query) {}
 
   SearchResult find(const SearchStart& start) {
@@ -105,7 +105,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
 
 SearchResult search_move(const Motion& motion, const std::vector<SearchTarget>& targets, const SearchQuery& query,
                          const SearchStart& start) {
-  if (!start.seeds.empty()) return Search(motion, targets, query).find(start);
+  if (!start.seeds.empty()) return MoveSearch(motion, targets, query).find(start);
   SearchResult result;
   result.value_mm = std::max(0.0, start.value_mm);
   result.has_witness = start.value_mm > 0;

@@ -29,12 +29,13 @@ struct Candidate : SearchCandidate {
   std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of a facet
 };
 
-class Search : public BestFirstSearch<Search, Candidate> {
+class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
  public:
   // A descent would measure other points first, and which of equally deep ones is the witness would change.
   static constexpr bool kDescends = false;
 
-  Search(const BodyMotion& motion, const HeadBody& head, std::span<const HeadTarget> targets, const SearchGoal& goal)
+  HeadSearch(const BodyMotion& motion, const HeadBody& head, std::span<const HeadTarget> targets,
+             const SearchGoal& goal)
       : motion_(motion), intervals_(motion, motion.motion()), head_(head), targets_(targets), goal_(goal) {}
 
   HeadResult find() {
@@ -270,12 +271,12 @@ class Search : public BestFirstSearch<Search, Candidate> {
 
 HeadResult search_head(const BodyMotion& motion, const HeadBody& head, std::span<const HeadTarget> targets,
                        const SearchGoal& goal) {
-  return Search(motion, head, targets, goal).find();
+  return HeadSearch(motion, head, targets, goal).find();
 }
 
 HeadResult search_head(const BodyMotion& motion, const HeadBody& head, std::span<const HeadTarget> targets,
                        const SearchGoal& goal, const SearchStart& start) {
-  if (!start.seeds.empty()) return Search(motion, head, targets, goal).find(start);
+  if (!start.seeds.empty()) return HeadSearch(motion, head, targets, goal).find(start);
   HeadResult result;
   result.depth_upper_mm = std::max(0.0, start.certified_mm);
   return result;

@@ -14,9 +14,9 @@ constexpr double kSingle = 1.2e-7;     // twice what single precision does to a 
 constexpr double kDouble = 1.0e-14;    // more than double precision does to a distance, relative to the coordinates
 constexpr double kRoundUp = 1 + 1e-6;  // to single precision
 
-class Search {
+class ClosestTriangleSearch {
  public:
-  Search(const BlockTree& tree, const Vec3& point, double within_mm) : tree_(tree), point_(point) {
+  ClosestTriangleSearch(const BlockTree& tree, const Vec3& point, double within_mm) : tree_(tree), point_(point) {
     const Vec3 local = point - tree.origin;
     for (std::size_t k = 0; k < 3; ++k) query_.point[k] = static_cast<float>(local[static_cast<Eigen::Index>(k)]);
     const double size = point.norm() + tree.origin.norm() + tree.radius_mm;
@@ -100,11 +100,11 @@ class Search {
 }  // namespace
 
 std::optional<ClosestTriangle> closest_triangle(const BlockTree& tree, const Vec3& point_part, double within_mm) {
-  return Search(tree, point_part, within_mm).run();
+  return ClosestTriangleSearch(tree, point_part, within_mm).run();
 }
 
 ClosestTriangle closest_triangle_from(const BlockTree& tree, const Vec3& point_part, std::uint32_t near) {
-  Search search(tree, point_part, std::numeric_limits<double>::infinity());
+  ClosestTriangleSearch search(tree, point_part, std::numeric_limits<double>::infinity());
   search.begin_at(near);
   return *search.run();
 }

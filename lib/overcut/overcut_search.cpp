@@ -44,12 +44,12 @@ struct Cell : SearchCandidate {
   double kept = 1;             ///< of the volume, when it was made smaller
 };
 
-class Search : public BestFirstSearch<Search, Cell> {
+class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
  public:
   // A point that is deep is pushed on to where it is deepest nearby: no descent does that better.
   static constexpr bool kDescends = false;
 
-  Search(SweptSolid& tool, const Surface& part, const OvercutOptions& options)
+  OvercutSearch(SweptSolid& tool, const Surface& part, const OvercutOptions& options)
       : tool_(tool), part_(part), options_(options) {}
 
   Overcut find(const Vec3& seed, double seed_t) {
@@ -330,14 +330,14 @@ class Search : public BestFirstSearch<Search, Cell> {
   Vec3 deeper_ = -Vec3::UnitZ();
   std::size_t looked_ = 0;
 
-  friend class BestFirstSearch<Search, Cell>;
+  friend class BestFirstSearch<OvercutSearch, Cell>;
 };
 
 }  // namespace
 
 Overcut find_overcut(SweptSolid& tool, const Surface& part, const Vec3& seed, double seed_t,
                      const OvercutOptions& options) {
-  return Search(tool, part, options).find(seed, seed_t);
+  return OvercutSearch(tool, part, options).find(seed, seed_t);
 }
 
 }  // namespace gouge

@@ -2,15 +2,180 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
+#include <vector>
 
 #include "lib/path/chords.h"
-#include "lib/path/draw_tilt_curve.h"
 #include "lib/path/path_info.h"
 #include "lib/path/programmed_axis.h"
 
 namespace gouge {
 namespace {
+
+constexpr double kCurveError_mm = 0.05;
+constexpr double kLeastMargin_mm = 1, kMostMargin_mm = 10, kMarginOfLength = 0.1;
+constexpr double kCosOfCorner = 0.9;  // of about 26 degrees: below, the feed bends, above it turns a corner
+constexpr double kNoDirection = 1e-9;
+constexpr double kPlunge =
+    0.3;  // sine of some 17 degrees: a tip that goes nearer to the axis plunges, its feed has no side
+
+/// A place of the curve: what leads to it is straight.
+struct Place {
+  double length_mm = 0;
+  Vec3 tip = Vec3::Zero(), programmed = Vec3::UnitZ(), corrected = Vec3::UnitZ();
+};
+
+Place between(const Place& a, const Place& b, double length_mm) {
+  const double t = (length_mm - a.length_mm) / (b.length_mm - a.length_mm);
+  return {length_mm, a.tip + t * (b.tip - a.tip), axis_between(a.programmed, b.programmed, t),
+          axis_between(a.corrected, b.corrected, t)};
+}
+
+class TiltCurve {
+ public:
+  TiltCurve(const Toolpath& after, const std::vector<Vec3>& programmed) : after_(after), programmed_(programmed) {}
+
+  TiltedRun run(std::size_t first, std::size_t last) {
+    TiltedRun run;
+    run.first = first;
+    run.last = last;
+    double length_mm = 0;
+    for (std::size_t k = first; k < last; ++k) length_mm += after_.moves[k].has_start ? move_length_mm(after_, k) : 0;
+    const double margin_mm = std::clamp(kMarginOfLength * length_mm, kLeastMargin_mm, kMostMargin_mm);
+    const std::size_t from = margin_before(first, margin_mm), to = margin_behind(last, margin_mm);
+    if (after_.moves[from].has_start) append_start_of(from);
+    for (std::size_t k = from; k < to; ++k) {
+      if (k == first) run.begin_mm = end_mm();
+      append(k);
+      if (k + 1 == last) run.end_mm = end_mm();
+    }
+    cut(run, margin_mm);
+    set_reference();
+    run.curve = angles();
+    return run;
+  }
+
+ private:
+  [[nodiscard]] bool is_margin(std::size_t k) const {
+    return after_.moves[k].has_start && after_.moves[k].kind != MoveKind::rapid;
+  }
+  [[nodiscard]] std::size_t margin_before(std::size_t first, double margin_mm) const {
+    if (!after_.moves[first].has_start) return first;
+    for (double left_mm = margin_mm; left_mm > 0 && first > 0 && is_margin(first - 1); --first)
+      left_mm -= move_length_mm(after_, first - 1);
+    return first;
+  }
+  [[nodiscard]] std::size_t margin_behind(std::size_t last, double margin_mm) const {
+    for (double left_mm = margin_mm; left_mm > 0 && last < after_.moves.size() && is_margin(last); ++last)
+      left_mm -= move_length_mm(after_, last);
+    return last;
+  }
+
+  [[nodiscard]] double end_mm() const { return places_.empty() ? 0 : places_.back().length_mm; }
+
+  void append_start_of(std::size_t k) {
+    const Pose& start = after_.start_of(k);
+    places_.push_back({0, start.tip, programmed_[k - 1], start.axis});
+  }
+
+  void append(std::size_t k) {
+    const Move& move = after_.moves[k];
+    if (!move.has_start) {
+      places_.push_back({end_mm(), move.end.tip, programmed_[k], move.end.axis});
+      return;
+    }
+    const std::vector<Pose> poses = chords_of(after_, k, kCurveError_mm);
+    const Vec3 from = programmed_[k - 1];
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const double t = static_cast<double>(i + 1) / static_cast<double>(poses.size());
+      const double length_mm = end_mm() + (poses[i].tip - places_.back().tip).norm();
+      places_.push_back({length_mm, poses[i].tip, axis_between(from, programmed_[k], t), poses[i].axis});
+    }
+  }
+
+  // The margins reach to the ends of their moves, which may be long ones.
+  void cut(TiltedRun& run, double margin_mm) {
+    const double begin_mm = std::max(0.0, run.begin_mm - margin_mm);
+    const double end_mm = std::min(this->end_mm(), run.end_mm + margin_mm);
+    std::vector<Place> kept;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Place& here = places_[i];
+      const bool is_last = i + 1 == places_.size();
+      if (here.length_mm >= begin_mm && here.length_mm <= end_mm) kept.push_back(here);
+      if (is_last) break;
+      const Place& next = places_[i + 1];
+      if (here.length_mm < begin_mm && next.length_mm > begin_mm) kept.push_back(between(here, next, begin_mm));
+      if (here.length_mm < end_mm && next.length_mm > end_mm) kept.push_back(between(here, next, end_mm));
+    }
+    for (Place& place : kept) place.length_mm -= begin_mm;
+    run.begin_mm -= begin_mm;
+    run.end_mm -= begin_mm;
+    places_ = std::move(kept);
+  }
+
+  void set_reference() {
+    Vec3 sum = 1e-6 * places_.front().programmed;
+    for (std::size_t i = 1; i < places_.size(); ++i) {
+      sum +=
+          0.5 * (places_[i].length_mm - places_[i - 1].length_mm) * (places_[i].programmed + places_[i - 1].programmed);
+    }
+    up_ = sum.norm() > kNoDirection ? sum.normalized() : places_.front().programmed;
+  }
+
+  /// Where the tip goes from place i - 1 to i, seen along the reference; zero where it goes nowhere, or plunges.
+  [[nodiscard]] Vec3 forward_to(std::size_t i) const {
+    const Vec3 along = places_[i].tip - places_[i - 1].tip;
+    const Vec3 across = along - along.dot(up_) * up_;
+    return across.norm() > kPlunge * along.norm() && across.norm() > kNoDirection ? Vec3(across.normalized())
+                                                                                  : Vec3(Vec3::Zero());
+  }
+
+  [[nodiscard]] TiltPlace angles_at(const Place& place, const Vec3& forward) const {
+    const Vec3 left = up_.cross(forward);
+    const auto angle = [&](const Vec3& axis, const Vec3& towards) {
+      return std::atan2(axis.dot(towards), axis.dot(up_));
+    };
+    return {place.length_mm, angle(place.programmed, forward), angle(place.programmed, left),
+            angle(place.corrected, forward), angle(place.corrected, left)};
+  }
+
+  [[nodiscard]] std::vector<TiltPlace> angles() const {
+    std::vector<Vec3> forward(places_.size() + 1, Vec3::Zero());  // [i] leads to place i
+    for (std::size_t i = 1; i < places_.size(); ++i) forward[i] = forward_to(i);
+    for (std::size_t i = 1; i < forward.size(); ++i) {
+      if (forward[i].isZero()) forward[i] = forward[i - 1];
+    }
+    for (std::size_t i = forward.size() - 1; i-- > 0;) {
+      if (forward[i].isZero()) forward[i] = forward[i + 1];
+    }
+    std::vector<TiltPlace> curve;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Vec3 in = forward[i].isZero() ? Vec3(up_.unitOrthogonal()) : forward[i];
+      const Vec3 out = forward[i + 1].isZero() ? in : forward[i + 1];
+      if (in.dot(out) > kCosOfCorner) {
+        curve.push_back(angles_at(places_[i], (in + out).normalized()));
+      } else {
+        curve.push_back(angles_at(places_[i], in));
+        curve.push_back(angles_at(places_[i], out));
+      }
+    }
+    return curve;
+  }
+
+  const Toolpath& after_;
+  const std::vector<Vec3>& programmed_;
+  std::vector<Place> places_;
+  Vec3 up_ = Vec3::UnitZ();
+};
+
+// The run of the moves [first, last) of a corrected path with its curve: these moves, and up to a tenth of their
+// length (1 to 10 mm) of the feed moves on each side. `programmed` has the programmed axis at the end of every move.
+// All but tilt_rad, which is left as it is.
+TiltedRun draw_tilt_curve(const Toolpath& after, const std::vector<Vec3>& programmed, std::size_t first,
+                          std::size_t last) {
+  return TiltCurve(after, programmed).run(first, last);
+}
 
 constexpr double kGap_mm = 2;
 

@@ -30,9 +30,9 @@ double squared_distance(const ContourStretch& stretch, const Vec2& q) {
   return du * du + dv * dv;
 }
 
-class Search {
+class NearestElementSearch {
  public:
-  Search(const CompiledTool& tool, const Vec2& q) : tool_(tool), q_(q) {}
+  NearestElementSearch(const CompiledTool& tool, const Vec2& q) : tool_(tool), q_(q) {}
 
   std::uint32_t run() {
     push(0, squared_distance(tool_.stretches.front(), q_));
@@ -96,7 +96,7 @@ class Search {
 
 ToolDistance evaluate_by_stretches(const CompiledTool& tool, double r_mm, double z_mm) {
   if (tool.stretches.empty() || tool.borders.empty()) return evaluate_brute_force(tool, r_mm, z_mm);
-  return evaluate_element(tool, Search(tool, Vec2(r_mm, z_mm)).run(), r_mm, z_mm);
+  return evaluate_element(tool, NearestElementSearch(tool, Vec2(r_mm, z_mm)).run(), r_mm, z_mm);
 }
 
 }  // namespace gouge
