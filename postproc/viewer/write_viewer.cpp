@@ -10,7 +10,7 @@
 #include "postproc/report/report_text.h"
 #include "postproc/viewer/finding_texts.h"
 #include "postproc/viewer/scene_writer.h"
-#include "postproc/viewer/viewer_page.h"
+#include "postproc/viewer/viewer_sources.h"
 
 namespace gouge {
 namespace {
@@ -166,6 +166,20 @@ class ViewerWriter {
   Json json_;
   bool is_overcut_ = false;
 };
+
+// The view stands behind what the page has to show where the view cannot.
+std::string viewer_page(const std::string& scene) {
+  std::string page = "<style>\n";
+  page += kViewerStyle;
+  page += "</style>\n";
+  page += kViewerMarkup;
+  page += "<script type=\"text/plain\" id=\"desk-data\">";
+  page += scene;
+  // The table of findings is behind it in the page, and is asked for the first one.
+  page += "</script>\n<script>\n\"use strict\";\ndocument.addEventListener(\"DOMContentLoaded\", () => {\n";
+  page += kViewerScript;
+  return page + "});\n</script>\n";
+}
 
 }  // namespace
 
