@@ -43,9 +43,9 @@ struct MeshFacts {
   std::size_t triangles = 0, vertices = 0;
   std::size_t dropped = 0;  ///< degenerate triangles of the file that have no area
   bool is_closed = false;
-  double clearance_mm = 0;  ///< distance that the tool and the heads keep from it
   std::string meaning;      ///< what that means for the result, a sentence; may be empty
   Assumption solid = {};    ///< whether it bounds a solid
+  double clearance_mm = 0;  ///< distance that the tool and the heads keep from it
 };
 
 /// One entry per Toolpath::tools, in its order.

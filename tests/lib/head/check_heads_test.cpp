@@ -177,13 +177,13 @@ TEST(Heads, BoundsHoldAgainstSampling) {
   const IndexedMesh part = shapes::star_prism();
   const HeadBody head = *build_head_body(shapes::torus(20, 6, 24, 12));
   const BlockTree tree = build_block_tree({&part, 1});
-  const std::array trees{&tree};
+  const std::array targets{HeadTarget{&tree}};
   std::size_t gouges = 0;
   for (int i = 0; i < 12; ++i) {
     const Motion motion = test::straight(Pose{45 * random.direction(), random.direction()},
                                          Pose{45 * random.direction(), random.direction()});
     const BodyMotion moving(motion);
-    const HeadResult reported = search_head(moving, head, trees, {0.01, 0.02, 0.02, 20000});
+    const HeadResult reported = search_head(moving, head, targets, {0.01, 0.02, 0.02, 20000});
     double sampled = 0;
     for (std::size_t t = 0; t < part.triangles.size(); ++t) {
       for (int k = 0; k < 20; ++k) {

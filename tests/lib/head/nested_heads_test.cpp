@@ -37,7 +37,7 @@ TEST(NestedHeads, BoundTheDepthInAllShellsTogether) {
   test::Scatter random(31);
   const IndexedMesh part = shapes::star_prism(4, 8, 3, 14);
   const BlockTree tree = build_block_tree({&part, 1});
-  const std::array trees{&tree};
+  const std::array targets{HeadTarget{&tree}};
   std::size_t heads = 0, gouges = 0, inner = 0;
   for (int i = 0; i < 200; ++i) {
     SCOPED_TRACE(i);
@@ -51,7 +51,7 @@ TEST(NestedHeads, BoundTheDepthInAllShellsTogether) {
     const Motion motion = test::straight(Pose{25 * random.direction(), random.direction()},
                                          Pose{25 * random.direction(), random.direction()});
     const BodyMotion moving(motion);
-    const HeadResult found = search_head(moving, *head, trees, {0.01, 0.02, 0.02, 20000});
+    const HeadResult found = search_head(moving, *head, targets, {0.01, 0.02, 0.02, 20000});
     double sampled = 0;
     for (std::size_t t = 0; t < part.triangles.size(); ++t) {
       for (int k = 0; k < 8; ++k) {
