@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "cli/options/mesh_limits.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/number_text.h"
 #include "lib/base/word_list.h"
@@ -19,9 +20,19 @@ bool is_length(const CLI::Option& option) {
   return type == "LENGTH" || type == "X,Y,Z" || type == "BODY=LENGTH";
 }
 
-// Of "x,y,z,rx,ry,rz" the lengths alone.
+// Names a file with limits of its own.
+bool may_have_limits(const CLI::Option& option) {
+  return option.check_name("--part") || option.check_name("--fixture");
+}
+
+// Of "x,y,z,rx,ry,rz" the lengths alone, of "vise.stl,clearance=1" the limits alone.
 std::vector<std::string> lengths_of(const CLI::Option& option, const std::string& typed) {
-  std::vector<std::string> parts = CLI::detail::split(typed, ',');
+  std::vector<std::string> files;
+  LimitTexts limits;
+  if (may_have_limits(option)) split_limits({typed}, files, limits);
+  std::string text = typed;
+  if (may_have_limits(option)) text = limits.empty() ? "" : limits.begin()->second;
+  std::vector<std::string> parts = CLI::detail::split(text, ',');
   if (option.get_type_name() == "X,Y,Z") parts.resize(std::min<std::size_t>(parts.size(), 3));
   for (std::string& part : parts) part.erase(0, part.find('=') + 1);
   return parts;
@@ -44,7 +55,7 @@ std::string length_rule(const CLI::App& command) {
 std::vector<std::string> lengths_in_mm(const CLI::App& command) {
   std::vector<std::string> found;
   for (const CLI::Option* option : command.get_options()) {
-    if (option->count() == 0 || !is_length(*option)) continue;
+    if (option->count() == 0 || !(is_length(*option) || may_have_limits(*option))) continue;
     for (const std::string& typed : option->results()) {
       const std::vector<std::string> lengths = lengths_of(*option, typed);
       if (std::any_of(lengths.begin(), lengths.end(), is_number_but_0))

@@ -69,7 +69,9 @@ class ResultReader {
     o.shank_clearance_mm = length(options.at("shank_clearance"));
     o.holder_clearance_mm = length(options.at("holder_clearance"));
     o.rapid = options.at("rapid").text();
-    for (const char* option : {"part", "fixture"}) read_limits(options.at("more"), option);
+    const std::optional<JsonField> more = options.find("more");
+    for (const char* option : {"part", "fixture"})
+      if (more) read_limits(*more, option);
     std::ranges::sort(o.limits);
   }
 

@@ -46,6 +46,16 @@ TEST(MeshLimits, AreVerifiedFromTheResult) {
   EXPECT_NE(refuted.out.find("refuted"), std::string::npos) << refuted.out;
 }
 
+TEST(MeshLimits, WithoutAUnitAreInMmWhateverThePathIsIn) {
+  const SampleFolder sample = open_sample("inch");
+  const auto check_with = [&](const std::string& part) {
+    return run_gougecheck(sample.path, {"check", "inch.apt", "--tools", "tools.json", "--part", part});
+  };
+  const Outcome bare = check_with("part.stl,tolerance=0.005"), with_unit = check_with("part.stl,tolerance=0.0002in");
+  EXPECT_NE((bare.out + bare.err).find("tolerance=0.005 is taken in mm"), std::string::npos) << bare.out << bare.err;
+  EXPECT_EQ((with_unit.out + with_unit.err).find("taken in mm"), std::string::npos) << with_unit.out;
+}
+
 TEST(MeshLimits, AreKeptByTheCorrectedToolpath) {
   const SampleFolder sample = open_sample("pocket");
   const Outcome corrected = run_gougecheck(sample.path, words("correct", "pocket.apt", {"-o", "corrected.apt"}));
