@@ -48,10 +48,16 @@ class Reader {
             library_.file, lines_.at(pointer + "/" + key)));
   }
 
+  // Behind "tool T1", which the printed doubt begins with.
+  static std::string without_owner(const std::string& message) {
+    return message.substr(std::min(message.find(" has a key "), message.size()));
+  }
+
   // A key that was mistyped may have been a body.
   [[nodiscard]] std::string first_unknown_key(std::size_t notes_before) const {
     for (std::size_t i = notes_before; i < library_.notes.size(); ++i)
-      if (library_.notes[i].code == "library-unknown-key") return library_.notes[i].message;
+      if (library_.notes[i].code == "library-unknown-key")
+        return "its entry" + without_owner(library_.notes[i].message);
     return {};
   }
 
