@@ -1,6 +1,7 @@
 // Where a drilling cycle leaves the tool: parts and clamps that only a wrong reading passes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "postproc/cldata/interpreting/interpreter.h"
@@ -92,7 +93,12 @@ TEST(Retract, ToAStatedPlaneCountsFromThePositionsOfItsHoles) {
 
 TEST(Retract, ToAStatedPlaneIsNotReadWhereTheCycleContradictsIt) {
   EXPECT_EQ(verdict(read_with_plane(nx_holes(",RETURN,20"), 50), clamp()), "not-checked") << "a height of another kind";
-  EXPECT_EQ(verdict(read_with_plane(nx_holes(",RTRCTO,AUTO"), 2), clamp()), "not-checked") << "below the clearance";
+  const Toolpath low = read_with_plane(nx_holes(",RTRCTO,AUTO"), 2);
+  EXPECT_EQ(verdict(low, clamp()), "not-checked") << "below the clearance";
+  const auto is_about_plane = [](const Diagnostic& note) {
+    return note.message.find("--retract-plane") != std::string::npos;
+  };
+  EXPECT_EQ(std::ranges::count_if(low.notes, is_about_plane), 1);
 }
 
 TEST(Retract, WordsOfCampleteWithoutANumberAreNoHeightOfZero) {

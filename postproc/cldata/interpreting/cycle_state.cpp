@@ -99,6 +99,9 @@ void CycleState::write_notes() const {
       "say, so they are not checked");
   in_.report(Severity::warning, "path-cycle", never_begun_, "CYCLE/OFF statement",
              " without a cycle: the positions before it may be holes, so they are not checked");
+  in_.report(Severity::warning, "path-cycle", below_clearance_, "hole",
+             " with a clearance above the retract plane that is stated: the plane is not used there, and the paths up "
+             "are not checked; expected a --retract-plane no lower than every clearance");
   in_.report(Severity::note, "path-cycle", without_retract_, "cycle",
              " without a retract height: taken to stay at the clearance between holes");
 }

@@ -45,6 +45,8 @@ class CycleState {
   void leave_hole() { last_hole_.reset(); }
   /// [first, last) of the moves that are holes or motions of their own, the first time after begin(); else nothing.
   [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> doubt();
+  /// The plane that the user states is below the clearance of this hole.
+  void note_low_plane() { below_clearance_.add(in_.line()); }
   void note_stray_end() { never_begun_.add(in_.line()); }
 
   /// How deep the tool goes for DrillCycle::csink_mm; nothing: not known, so that the cycle is not understood.
@@ -80,7 +82,7 @@ class CycleState {
   std::size_t first_possible_hole_ = 0;  // while none is in force
   std::optional<Pose> last_hole_;
   std::vector<Argument> words_;  // of the last cycle that was described
-  Tally never_begun_, never_ended_, without_retract_;
+  Tally never_begun_, never_ended_, without_retract_, below_clearance_;
 };
 
 }  // namespace gouge

@@ -44,14 +44,16 @@ void emit_step(States& s, const Position& position, const Vec3& tip_local, bool 
 
 // Above the position; nothing where neither the cycle nor the user gives the height. A plane holds for an upright tool,
 // and is no lower than the clearance.
-std::optional<double> retract_of(const States& s, const Position& position, const DrillCycle& cycle) {
+std::optional<double> retract_of(States& s, const Position& position, const DrillCycle& cycle) {
   if (cycle.is_retract_known) return cycle.retract_mm;
   const std::optional<double>& plane_mm = s.in.path.retract_plane_mm;
   const Vec3& axis = position.axis_local;
   const bool is_upright = axis.z() > 0 && axis.cross(Vec3::UnitZ()).norm() <= kSameHoleAxis;
   if (!plane_mm || !is_upright || !cycle.is_retract_left_open) return std::nullopt;
   const double height_mm = *plane_mm - position.tip_local.z();
-  return height_mm >= cycle.retract_mm ? std::optional(height_mm) : std::nullopt;
+  if (height_mm >= cycle.retract_mm) return height_mm;
+  s.cycle.note_low_plane();
+  return std::nullopt;
 }
 
 // First up and across, or straight, or first across.
