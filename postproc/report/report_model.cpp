@@ -22,6 +22,17 @@ namespace {
 // Moves that could not be checked or certified, but for rapids left out on request.
 bool has_open_moves(const StateCounts& n) { return n.not_checked > n.skipped || n.not_certified > 0; }
 
+// Of the fixtures that must be kept at a distance, each.
+std::string clearances_text(const ReportModel& model) {
+  std::string text;
+  for (const MeshFacts& mesh : model.fixtures) {
+    if (!(mesh.clearance_mm > 0)) continue;
+    text += ", and no approach to " + mesh.name + " below its clearance of " +
+            length_text(mesh.clearance_mm, model.toolpath->unit) + " by more than its own tolerance + resolution";
+  }
+  return text;
+}
+
 }  // namespace
 
 OverallVerdict overall_verdict(const CheckResult& result) {
@@ -59,7 +70,8 @@ std::string guarantee_text(const ReportModel& model) {
   const CheckOptions& options = model.options;
   const double limit_mm = options.tolerance_mm + options.resolution_mm;
   const std::string limit = "no gouge deeper than tolerance + resolution = " + length_text(limit_mm, unit) +
-                            " is missed, and where none is reported the tool reaches at most 3 times that into a solid";
+                            " is missed" + clearances_text(model) +
+                            ", and where none is reported the tool reaches at most 3 times that into a solid";
   const StateCounts& n = model.result->counts;
   const std::size_t left_out = n.not_checked + n.not_certified;
   const std::size_t covered = model.result->verdicts.size() - left_out;
