@@ -179,6 +179,8 @@ gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
   model.notes = toolpath.notes;
   for (const Mesh& part : scene.parts()) model.parts.push_back(facts_of(part));
   for (const Mesh& fixture : scene.fixtures()) model.fixtures.push_back(facts_of(fixture));
+  for (std::size_t i = 0; i < scene.fixture_clearances().size(); ++i)
+    model.fixtures[i].clearance_mm = scene.fixture_clearances()[i];
   for (const auto& meshes : {scene.parts(), scene.fixtures()}) {
     for (const Mesh& mesh : meshes)
       model.notes.insert(model.notes.end(), mesh.content().notes.begin(), mesh.content().notes.end());

@@ -79,6 +79,7 @@ struct MeshAccess {
 
 struct Scene::Content {
   std::vector<Mesh> parts, fixtures;
+  std::vector<double> fixture_clearances;
   std::shared_ptr<const SceneIndex> index;
 
   /// True where a file of it was read without a unit.

@@ -104,7 +104,8 @@ Scene scene_in(const Scene& scene, gouge::LengthUnit unit) {
     };
     const std::vector<Mesh> parts = taken(content.parts);
     const bool is_one_part = parts.size() == 1 && content.fixtures.empty();
-    content.in_inches = is_one_part ? Scene(parts.front()) : Scene(parts, taken(content.fixtures));
+    content.in_inches =
+        is_one_part ? Scene(parts.front()) : Scene(parts, taken(content.fixtures), content.fixture_clearances);
   });
   return *content.in_inches;
 }
@@ -129,8 +130,28 @@ Scene::Scene(const Mesh& part) {
   content_ = std::move(content);
 }
 
-Scene::Scene(std::vector<Mesh> parts, std::vector<Mesh> fixtures) {
+namespace {
+
+std::vector<gouge::MeshLimit> limits_of(const std::vector<double>& clearances, std::size_t fixtures) {
+  if (clearances.empty()) return {};
+  if (clearances.size() != fixtures)
+    raise(gouge::make_error("usage", "fixture_clearances: found " + std::to_string(clearances.size()) + " for " +
+                                         std::to_string(fixtures) + " fixtures; expected one for each"));
+  std::vector<gouge::MeshLimit> limits;
+  for (std::size_t i = 0; i < fixtures; ++i) {
+    if (!(clearances[i] >= 0) || !(clearances[i] <= gouge::kFarthest_mm))
+      raise(gouge::make_error(
+          "usage", "fixture_clearances[" + std::to_string(i) + "]: expected a length from 0 to 100 m, in mm"));
+    if (clearances[i] > 0) limits.push_back({gouge::Against::fixture, i, clearances[i], 0});
+  }
+  return limits;
+}
+
+}  // namespace
+
+Scene::Scene(std::vector<Mesh> parts, std::vector<Mesh> fixtures, std::vector<double> fixture_clearances) {
   gouge::Scene scene;
+  scene.limits = limits_of(fixture_clearances, fixtures.size());
   for (const Mesh& part : parts) scene.parts.push_back(part.content().mesh());
   for (const Mesh& fixture : fixtures) scene.fixtures.push_back(fixture.content().mesh());
   if (parts.empty() && fixtures.empty())
@@ -138,6 +159,7 @@ Scene::Scene(std::vector<Mesh> parts, std::vector<Mesh> fixtures) {
   auto content = std::make_shared<Content>();
   content->parts = std::move(parts);
   content->fixtures = std::move(fixtures);
+  content->fixture_clearances = std::move(fixture_clearances);
   content->index = std::make_shared<const SceneIndex>(std::move(scene));
   content_ = std::move(content);
 }
@@ -147,6 +169,7 @@ bool Scene::Content::has_unknown_unit() const {
   return std::ranges::any_of(parts, is_unknown) || std::ranges::any_of(fixtures, is_unknown);
 }
 
+std::span<const double> Scene::fixture_clearances() const { return content_->fixture_clearances; }
 std::span<const Mesh> Scene::parts() const { return content_->parts; }
 std::span<const Mesh> Scene::fixtures() const { return content_->fixtures; }
 

@@ -22,6 +22,16 @@ ToolSegment segment_of(const py::handle& object, const std::string& name) {
   return {at(0), at(1), at(2)};
 }
 
+std::vector<double> lengths_of(const py::object& object) {
+  const std::string name = "fixture_clearances";
+  if (!py::isinstance<py::sequence>(object) || py::isinstance<py::str>(object))
+    refuse_argument(name, "a list of lengths in mm", object);
+  std::vector<double> lengths;
+  for (const py::handle& item : object)
+    lengths.push_back(number_of(item, name + "[" + std::to_string(lengths.size()) + "]"));
+  return lengths;
+}
+
 std::vector<ToolSegment> segments_of(const py::object& object, const std::string& name) {
   std::vector<ToolSegment> segments;
   if (object.is_none()) return segments;
@@ -88,13 +98,14 @@ void bind_meshes(py::module_& module) {
       .def("__repr__", [](const Mesh& mesh) {
         return "<gougecheck.Mesh '" + mesh.name() + "' of " + std::to_string(mesh.faces().size()) + " triangles>";
       });
-  py::class_<Scene>(module, "Scene",
-                    "What stands still: Scene(parts, fixtures=[]), lists of Mesh. Parts must not be cut into, fixtures "
-                    "not be touched. Immutable; keep it when several checks use it, since it holds their index.")
-      .def(py::init([](const py::object& parts, const py::object& fixtures) {
-             return Scene(meshes_of(parts, "parts"), meshes_of(fixtures, "fixtures"));
+  py::class_<Scene>(
+      module, "Scene",
+      "What stands still: Scene(parts, fixtures=[], fixture_clearances=[]), lists of Mesh. Parts must not be "
+      "cut into, fixtures not be touched; a fixture with a clearance in mm is kept at that distance. Immutable; keep it when several checks use it, since it holds their index.")
+      .def(py::init([](const py::object& parts, const py::object& fixtures, const py::object& clearances) {
+             return Scene(meshes_of(parts, "parts"), meshes_of(fixtures, "fixtures"), lengths_of(clearances));
            }),
-           py::arg("parts"), py::arg("fixtures") = py::tuple())
+           py::arg("parts"), py::arg("fixtures") = py::tuple(), py::arg("fixture_clearances") = py::tuple())
       .def("__repr__", [](const Scene& scene) {
         return "<gougecheck.Scene of " + std::to_string(scene.parts().size()) + " parts and " +
                std::to_string(scene.fixtures().size()) + " fixtures>";

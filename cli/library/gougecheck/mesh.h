@@ -50,10 +50,14 @@ class GOUGECHECK_EXPORT Scene {
  public:
   /// Of one part. The index stays with the mesh: a scene of the same mesh costs nothing.
   Scene(const Mesh& part);  // NOLINT: a part is a scene
-  explicit Scene(std::vector<Mesh> parts, std::vector<Mesh> fixtures = {});
+  /// `fixture_clearances`: the distance that the tool keeps from each fixture, mm; empty: none has one.
+  /// Errors  usage: no mesh, another count of clearances than of fixtures, or a clearance that is no length of 0 or more.
+  explicit Scene(std::vector<Mesh> parts, std::vector<Mesh> fixtures = {}, std::vector<double> fixture_clearances = {});
 
   [[nodiscard]] std::span<const Mesh> parts() const;
   [[nodiscard]] std::span<const Mesh> fixtures() const;
+  /// One a fixture, mm; empty: none has one.
+  [[nodiscard]] std::span<const double> fixture_clearances() const;
 
   struct Content;
   [[nodiscard]] const Content& content() const { return *content_; }

@@ -56,7 +56,8 @@ class Mesh:
     def notes(self) -> List[Note]: ...
 
 class Scene:
-    def __init__(self, parts: Sequence[Mesh], fixtures: Sequence[Mesh] = ...) -> None: ...
+    def __init__(self, parts: Sequence[Mesh], fixtures: Sequence[Mesh] = ...,
+        fixture_clearances: Sequence[float] = ...) -> None: ...
 
 class Tool:
     @staticmethod

@@ -58,6 +58,22 @@ def test_fixtures_and_options():
         gougecheck.check(PATH, MESH, TOOL, tolerance=-1)
 
 
+def test_a_fixture_may_have_a_clearance():
+    below = gougecheck.Mesh(VERTICES - [0, 0, 50], FACES)
+    beside = gougecheck.Mesh(VERTICES - [0, 0, 10], FACES)
+    assert gougecheck.check(PATH, gougecheck.Scene([below], [beside]), TOOL).is_clean
+    near = gougecheck.Scene([below], [beside], fixture_clearances=[20])
+    report = gougecheck.check(PATH, near, TOOL)
+    assert not report.is_clean and report.is_fixture.any()
+    assert report.depth[4] == pytest.approx(20 - 9.75)
+    with pytest.raises(gougecheck.Error, match="expected one for each"):
+        gougecheck.Scene([below], [beside], [1, 2])
+    with pytest.raises(gougecheck.Error, match=r"fixture_clearances\[0\]: expected a length"):
+        gougecheck.Scene([below], [beside], [-1])
+    with pytest.raises(TypeError, match=r"fixture_clearances\[0\]: expected a number"):
+        gougecheck.Scene([below], [beside], ["1"])
+
+
 def test_buried_is_never_clean():
     small = gougecheck.Tool.ball(diameter=1, length=2)
     report = gougecheck.check(gougecheck.Path(np.array([[20.0, 10, -8]]), UP), MESH, small)
