@@ -15,19 +15,15 @@ bool ReplacedStatements::begins_with(std::size_t statement, std::string_view wor
   return starts_with_ignoring_case(trim(bytes_of(statement)), word);
 }
 
-void ReplacedStatements::append_source(std::string& text, std::size_t from, std::size_t to) const {
-  const std::string_view source = path_.source;
+void ReplacedStatements::append_edits(Edits& edits, std::size_t from, std::size_t to) const {
   const auto first =
       std::lower_bound(path_.statements.begin(), path_.statements.end(), from,
                        [](const SourceStatement& statement, std::size_t byte) { return statement.first_byte < byte; });
   auto next = text_of_.lower_bound(static_cast<std::size_t>(first - path_.statements.begin()));
   for (; next != text_of_.end() && path_.statements[next->first].first_byte < to; ++next) {
     const SourceStatement& span = path_.statements[next->first];
-    text += source.substr(from, span.first_byte - from);
-    text += next->second;
-    from = span.last_byte;
+    edits.push_back({span.first_byte, span.last_byte, next->second});
   }
-  text += source.substr(from, to - from);
 }
 
 }  // namespace gouge

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "lib/path/toolpath.h"
+#include "postproc/program/edits.h"
 
 namespace gouge {
 
@@ -24,8 +25,8 @@ class ReplacedStatements {
   /// False where a sequence number or label, which belongs to its statement alone, stands before the word.
   [[nodiscard]] bool begins_with(std::size_t statement, std::string_view word) const;
 
-  /// Appends the bytes `from` to `to` of the file, with what statements became that begin there.
-  void append_source(std::string& text, std::size_t from, std::size_t to) const;
+  /// Appends the edits of the statements that begin in the bytes [from, to) of the file.
+  void append_edits(Edits& edits, std::size_t from, std::size_t to) const;
 
  private:
   const Toolpath& path_;

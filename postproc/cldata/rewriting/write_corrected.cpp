@@ -36,7 +36,7 @@ class CorrectedWriter {
     }
   }
 
-  Result<std::string> write();
+  Result<Edits> edits();
 
  private:
   [[nodiscard]] std::optional<Diagnostic> find_unwritable() const;
@@ -332,12 +332,10 @@ std::optional<Diagnostic> CorrectedWriter::find_unwritable() const {
   return std::nullopt;
 }
 
-Result<std::string> CorrectedWriter::write() {
+Result<Edits> CorrectedWriter::edits() {
   if (auto error = find_unwritable()) return std::move(*error);
-  const std::string_view source = path_.source;
-  std::string result;
-  result.reserve(source.size() + source.size() / 8);
-  std::size_t copied = 0;
+  Edits edits;
+  std::size_t edited = 0;
   for (std::size_t first = 0, last = 0; first < records_.size(); first = last) {
     const MotionRecord& record = records_[first];
     last = first + 1;
@@ -358,27 +356,33 @@ Result<std::string> CorrectedWriter::write() {
       if (auto error = redescribe_arc(first)) return std::move(*error);
     }
     const SourceStatement& span = path_.statements[record.statement];
-    replaced_.append_source(result, copied, span.first_byte);
-    copied = span.last_byte;
-    result += rewritten(first, last);
+    replaced_.append_edits(edits, edited, span.first_byte);
+    edited = span.last_byte;
+    edits.push_back({span.first_byte, span.last_byte, rewritten(first, last)});
   }
-  replaced_.append_source(result, copied, source.size());
-  return result;
+  replaced_.append_edits(edits, edited, path_.source.size());
+  return edits;
+}
+
+Result<Edits> edits_of(const Toolpath& path, const std::vector<PathChange>& changes) {
+  switch (form_of(path.dialect)) {
+    case FileForm::nccs_records:
+      return edits_of_nccs(path, changes);
+    case FileForm::nci_lines:
+      return edits_of_nci(path, changes);
+    case FileForm::text:
+      break;
+  }
+  return CorrectedWriter(path, changes).edits();
 }
 
 }  // namespace
 
 Result<std::string> write_corrected(const Toolpath& path, const std::vector<PathChange>& changes) {
   if (auto error = find_wrong_change(path, changes)) return std::move(*error);
-  switch (form_of(path.dialect)) {
-    case FileForm::nccs_records:
-      return write_corrected_nccs(path, changes);
-    case FileForm::nci_lines:
-      return write_corrected_nci(path, changes);
-    case FileForm::text:
-      break;
-  }
-  return CorrectedWriter(path, changes).write();
+  const Result<Edits> edits = edits_of(path, changes);
+  if (!edits) return edits.error();
+  return apply_edits(path.source, *edits);
 }
 
 }  // namespace gouge

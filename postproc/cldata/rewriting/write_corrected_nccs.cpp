@@ -23,10 +23,11 @@ class NccsCorrector {
         records_(read_.of_move),
         changes_(path.moves.size(), changes) {}
 
-  Result<std::string> run();
+  Result<Edits> edits();
 
  private:
   [[nodiscard]] std::string laid_out() const;
+  [[nodiscard]] Edits changed_words() const;
   [[nodiscard]] std::size_t first_word_of(std::size_t statement) const {
     return NccsWords::word_at(path_.statements[statement].first_byte);
   }
@@ -209,7 +210,17 @@ std::string NccsCorrector::laid_out() const {
   return bytes;
 }
 
-Result<std::string> NccsCorrector::run() {
+Edits NccsCorrector::changed_words() const {
+  Edits edits;
+  for (std::size_t word = 0; word < source_.words(); ++word) {
+    const std::string_view now = std::string_view(words_).substr(word * kWord, kWord);
+    const std::size_t first = NccsWords::offset(word);
+    if (now != source_.bytes(word)) edits.push_back({first, first + kWord, std::string(now)});
+  }
+  return edits;
+}
+
+Result<Edits> NccsCorrector::edits() {
   drop_circles();
   if (auto error = find_broken_arc()) return std::move(*error);
   std::size_t copied = 0;
@@ -230,17 +241,14 @@ Result<std::string> NccsCorrector::run() {
   }
   const std::size_t count = source_.words();
   copy_source(copied, count);
-  if (words_.size() != count * kWord) return laid_out();
-  std::string bytes(path_.source.view());
-  for (std::size_t word = 0; word < count; ++word)
-    bytes.replace(NccsWords::offset(word), kWord, words_, word * kWord, kWord);
-  return bytes;
+  if (words_.size() != count * kWord) return Edits{{0, path_.source.size(), laid_out()}};
+  return changed_words();
 }
 
 }  // namespace
 
-Result<std::string> write_corrected_nccs(const Toolpath& path, const std::vector<PathChange>& changes) {
-  return NccsCorrector(path, changes).run();
+Result<Edits> edits_of_nccs(const Toolpath& path, const std::vector<PathChange>& changes) {
+  return NccsCorrector(path, changes).edits();
 }
 
 }  // namespace gouge

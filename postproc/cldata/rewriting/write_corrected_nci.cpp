@@ -224,7 +224,7 @@ class NciCorrector {
   NciCorrector(const Toolpath& path, const std::vector<PathChange>& changes)
       : path_(path), read_(read_motion_records(path)), text_(path, read_), changes_(path.moves.size(), changes) {}
 
-  Result<std::string> write();
+  Result<Edits> edits();
 
  private:
   [[nodiscard]] Pose in_file(std::size_t move, const Pose& pose) const;
@@ -292,28 +292,23 @@ std::string NciCorrector::own_pair(std::size_t move, const NciMotionPair& pair) 
   return path_.source.substr(pair.lines.first_byte, pair.lines.last_byte - pair.lines.first_byte);
 }
 
-Result<std::string> NciCorrector::write() {
-  std::string result;
-  result.reserve(path_.source.size() + path_.source.size() / 8);
-  std::size_t copied = 0;
+Result<Edits> NciCorrector::edits() {
+  Edits edits;
   for (std::size_t i = 0; i < path_.moves.size(); ++i) {
     const bool is_straightened = changes_.is_straightened(i) && path_.moves[i].curve_kind != CurveKind::none;
     if (is_straightened || changes_.has_new_end(i) || changes_.has_insertion(i)) {
       const NciMotionPair pair = text_.pair_of(i);
       if (auto error = find_error(i, pair)) return std::move(*error);
-      result.append(path_.source, copied, pair.lines.first_byte - copied);
-      copied = pair.lines.last_byte;
-      result += insertions(i, pair) + own_pair(i, pair);
+      edits.push_back({pair.lines.first_byte, pair.lines.last_byte, insertions(i, pair) + own_pair(i, pair)});
     }
   }
-  result.append(path_.source, copied);
-  return result;
+  return edits;
 }
 
 }  // namespace
 
-Result<std::string> write_corrected_nci(const Toolpath& path, const std::vector<PathChange>& changes) {
-  return NciCorrector(path, changes).write();
+Result<Edits> edits_of_nci(const Toolpath& path, const std::vector<PathChange>& changes) {
+  return NciCorrector(path, changes).edits();
 }
 
 }  // namespace gouge
