@@ -175,7 +175,7 @@ std::string path_info_json(const Toolpath& path, const PathInfo& info) {
 
 int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream& out, std::ostream& err) {
   const PathInfo info = describe_path(path);
-  const Dialect dialect = dialect_called(path.dialect).value_or(Dialect{});
+  const Dialect dialect = dialect_or_apt(path.dialect);
   const std::string title(dialect.title);
   Outcome written = Done{};
   if (!arguments.json_file.empty()) written = write_output(arguments.json_file, path_info_json(path, info), out);

@@ -284,7 +284,7 @@ class Resolver {
     constexpr int kWhole = 7;
     const CutterStatement& c = *tool.cutter;
     const bool is_plain = !(std::abs(c.alpha_deg) > 0) && !(std::abs(c.beta_deg) > 0);
-    const bool has_angles = dialect_called(path_.dialect).value_or(Dialect{}).has_tool_angles;
+    const bool has_angles = dialect_or_apt(path_.dialect).has_tool_angles;
     if (c.given < kWhole || (is_plain && !has_angles)) return;
     const double reach = std::min(reach_mm(tool, known), reach_of_ball_mm(tool, known));
     if (reach <= kReach_mm) return;

@@ -17,14 +17,6 @@ namespace {
 
 constexpr std::size_t kLongestShownMajor = 24;  // of a word that is shown
 
-std::string cut_short_text(FileForm form) {
-  if (form == FileForm::nccs_records)
-    return "the file ends within this record, or the record has no length: it is cut short or damaged";
-  if (form == FileForm::nci_lines)
-    return "the file ends after a code; expected the line of its parameters: the file is cut short";
-  return "the file ends within a statement that a $ continues; expected its next line: the file is cut short";
-}
-
 bool is_within_curve(Word word) { return word == Word::cntrl || word == Word::knot || word == Word::comment; }
 
 // Of words that say where the tool is, or that nothing follows.
@@ -83,7 +75,7 @@ bool Interpreter::refuse() {
 void Interpreter::take(const Statement& statement) {
   States& s = states_;
   s.in.begin(statement);
-  if (statement.is_unterminated) return s.in.fail("path-unterminated", cut_short_text(s.in.dialect.form));
+  if (statement.is_unterminated) return s.in.fail("path-unterminated", std::string(s.in.dialect.cut_statement));
   if (starts_with_ignoring_case(statement.major, "IF(")) return s.in.refuse_part_program(statement.major);
   if (take_control_nurbs(s) || s.program.take_assignment()) return;
   const bool is_comment = statement.word == Word::comment;
@@ -142,13 +134,11 @@ void Interpreter::gather_facts() {
   const States& s = states_;
   facts_.end_line = s.end_line;
   const bool is_ended = s.end_line > 0;
-  const bool needs_end = s.in.dialect.has_end_word || s.has_begin || s.in.dialect.form == FileForm::nci_lines;
+  const bool needs_end = s.in.dialect.has_end_word || s.has_begin;
   if (s.blocks.is_open()) {
     facts_.cut_short = "the last TOOL PATH has no END-OF-PATH, so the file may be cut short";
   } else if (needs_end && !is_ended) {
-    facts_.cut_short = s.in.dialect.form == FileForm::nci_lines
-                           ? "the file ends without a line 1003, so it may be cut short"
-                           : "the file ends without END or FINI, so it may be cut short";
+    facts_.cut_short = "the file ends without " + std::string(s.in.dialect.end_name) + ", so it may be cut short";
   } else if (s.feed.is_rapid() && !is_ended) {
     facts_.cut_short = "the file ends with a RAPID that no motion follows, so it may be cut short";
   }
@@ -165,7 +155,7 @@ MotionRecords read_motion_records(const Toolpath& path) {
   again.retract_plane_mm = path.retract_plane_mm;
   MotionRecords records;
   records.of_move.reserve(path.moves.size());
-  const Dialect dialect = dialect_called(path.dialect).value_or(Dialect{});
+  const Dialect dialect = dialect_or_apt(path.dialect);
   Interpreter interpreter(again, dialect, path.unit, &records);
   StatementReader reader(again.source, dialect.form);
   Statement statement;

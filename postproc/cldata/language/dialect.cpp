@@ -28,6 +28,10 @@ constexpr Dialect in_records(Dialect dialect) {
   dialect.id = "nccs-binary";
   dialect.title = "NCCS NCL CL data (binary)";
   dialect.form = FileForm::nccs_records;
+  dialect.is_binary = true;
+  dialect.has_apt_words = false;
+  dialect.cut_statement = "the file ends within this record, or the record has no length: it is cut short or damaged";
+  dialect.no_position = "is a binary NCCS file without a position; expected motion records";
   dialect.has_points_at_multax_off = true;
   dialect.may_go_on_round = false;
   dialect.cutter_form = CutterForm::without_angles;
@@ -126,7 +130,9 @@ constexpr std::array<Dialect, 13> kDialects = {{
      .id = "mastercam-nci",
      .title = "Mastercam NCI",
      .form = FileForm::nci_lines,
-     .has_end_word = false,
+     .has_apt_words = false,
+     .end_name = "a line 1003",
+     .cut_statement = "the file ends after a code; expected the line of its parameters: the file is cut short",
      .names_operations = true,
      .arc_form = ArcForm::nci,
      .cycle_form = CycleForm::unknown,
@@ -159,7 +165,7 @@ std::optional<Dialect> dialect_called(std::string_view id) {
   return std::nullopt;
 }
 
-FileForm form_of(std::string_view id) { return dialect_called(id).value_or(Dialect{}).form; }
+Dialect dialect_or_apt(std::string_view id) { return dialect_called(id).value_or(Dialect{}); }
 
 std::string dialect_names() {
   std::string names;

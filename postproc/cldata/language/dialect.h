@@ -28,7 +28,7 @@ enum class DialectKind : std::uint8_t {
   nci
 };
 
-/// How the bytes of a file hold its statements.
+/// How the bytes of a file hold its statements: what opens, rewrites and writes them.
 enum class FileForm : std::uint8_t { text, nccs_records, nci_lines };
 
 /// Which comments say something.
@@ -69,8 +69,16 @@ struct Dialect {
   std::string_view id = "apt";             ///< Toolpath::dialect, and what --dialect takes
   std::string_view title = "APT CL data";  ///< for people
   FileForm form = FileForm::text;
+  bool is_binary = false;     ///< records without lines, decimals or units; else text
+  bool has_apt_words = true;  ///< its file spells the words of APT: arcs, holes and rapids can be rewritten
   CommentForm comments = CommentForm::none;
-  bool has_end_word = true;  ///< ends with END or FINI, so that a file without is cut short
+  bool has_end_word = true;  ///< ends with `end_name`, so that a file without is cut short
+  std::string_view end_name = "END or FINI";
+  /// The error of a file that ends within a statement.
+  std::string_view cut_statement =
+      "the file ends within a statement that a $ continues; expected its next line: the file is cut short";
+  /// The error of a file without a position; empty: that of text.
+  std::string_view no_position = {};
   bool is_fallback = false;  ///< what a file without the marks of any dialect is taken for
 
   // Positions.
@@ -121,8 +129,8 @@ struct Dialect {
 /// The dialect called `id`, upper or lower case, also without a leading "apt-"; nothing for other names.
 [[nodiscard]] std::optional<Dialect> dialect_called(std::string_view id);
 
-/// How the bytes of a file of that dialect hold statements; text where there is no such dialect.
-[[nodiscard]] FileForm form_of(std::string_view id);
+/// The dialect called `id`; plain APT where there is no such dialect.
+[[nodiscard]] Dialect dialect_or_apt(std::string_view id);
 
 /// "nx-clsf, apt-catia, ...": what `dialect_called` takes.
 [[nodiscard]] std::string dialect_names();

@@ -102,7 +102,7 @@ bool read_sense_word(std::span<const Argument> arguments, ArcStatement& statemen
 // Of the centre, or of the radius where that is in whole numbers; the vector has decimals of its own. Records hold
 // numbers of no known decimals.
 double rounding_of_circle(const Dialect& dialect, std::span<const Argument> arguments) {
-  if (dialect.form == FileForm::nccs_records) return kEndsError_mm / kRadiusError;
+  if (dialect.is_binary) return kEndsError_mm / kRadiusError;
   constexpr std::size_t kCenter = 3;
   const std::size_t first = arguments.front().number ? 0 : 1;  // behind CENTER
   const double center = rounding_of_points(arguments.subspan(first, std::min(kCenter, arguments.size() - first)));
@@ -162,7 +162,7 @@ ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> argument
   statement.sense = dialect.arc_sense;
   const bool has_word = has_argument(arguments, "CLOCKWISE") || has_argument(arguments, "COUNTERCLOCKWISE");
   const bool has_sense =
-      statement.sense != ArcSense::unknown || (dialect.arc_form == ArcForm::ncl && dialect.form == FileForm::text);
+      statement.sense != ArcSense::unknown || (dialect.arc_form == ArcForm::ncl && !dialect.is_binary);
   if (has_word && has_sense) return unreadable_arc(ArcProblems::kBothSenses);
   if (!read_sense_word(arguments, statement)) return unreadable_arc(ArcProblems::kBothSenses);
 

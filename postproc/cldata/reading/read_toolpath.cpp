@@ -144,7 +144,7 @@ std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_v
   if (dialect.is_fallback && !is_dialect_given) {
     if (auto sentence = describe_foreign(bytes)) return make_error("path-not-cl-data", std::move(*sentence), file);
   }
-  if (dialect.form == FileForm::nccs_records) return std::nullopt;
+  if (dialect.is_binary) return std::nullopt;
   if (const std::size_t at = find_separator(bytes); at < bytes.size()) {
     return make_error("path-line-end",
                       "a line separator of Unicode (NEL, LS or PS) stands within this line; expected lines that end "
@@ -200,8 +200,8 @@ Diagnostic no_motion(const Toolpath& path, const Dialect& dialect) {
               (count == 1 ? " statement" : " statements") + " that may be motions, the first in line " +
               std::to_string(path.moves.front().line) + "; " + kExpected;
   }
-  if (dialect.form == FileForm::nccs_records) {
-    message = "is a binary NCCS file without a position; expected motion records";
+  if (!dialect.no_position.empty()) {
+    message = dialect.no_position;
   } else if (!path.statements.empty()) {
     const SourceStatement& first = path.statements.front();
     const std::string_view all = path.source;
@@ -237,7 +237,7 @@ void name_unnamed_tool(const std::string& name, Toolpath& path) {
 // A file that was cut off ends within its last line, which then reads as nonsense.
 void report_last_line(std::string_view bytes, const Dialect& dialect, Diagnostics& errors) {
   const bool is_ended = bytes.empty() || bytes.back() == '\n' || bytes.back() == '\r';
-  if (is_ended || dialect.form == FileForm::nccs_records) return;
+  if (is_ended || dialect.is_binary) return;
   const auto last = static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n')) + 1;
   for (Diagnostic& error : errors) {
     if (error.line == last) error.message += "; this is the last line, without an end: the file may be cut off";

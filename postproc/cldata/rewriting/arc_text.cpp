@@ -81,10 +81,10 @@ Statement lexed(std::string_view text) {
 ArcText::ArcText(const Toolpath& path, const MotionRecords& records)
     : path_(path),
       records_(records.of_move),
-      dialect_(dialect_called(path.dialect).value_or(Dialect{})),
+      dialect_(dialect_or_apt(path.dialect)),
       arcs_of_statement_(path.statements.size(), SmallIndex(0)) {
   std::size_t learned = 0;
-  const bool is_text = dialect_.form == FileForm::text;
+  const bool is_text = dialect_.has_apt_words;
   for (std::size_t i = 0; is_text && i < records_.size(); ++i) {
     const MotionRecord& record = records_[i];
     if (record.curve_statement == kNone) continue;

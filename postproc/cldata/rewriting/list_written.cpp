@@ -121,7 +121,7 @@ const char* written_name(WrittenKind kind) {
 
 std::vector<WrittenStatement> list_written(const Toolpath& before, const std::vector<PathChange>& changes,
                                            const Toolpath& after) {
-  if (form_of(before.dialect) == FileForm::nccs_records) return of_changes(before, changes);
+  if (dialect_or_apt(before.dialect).is_binary) return of_changes(before, changes);
   return Comparison(before, after).run(changes);
 }
 

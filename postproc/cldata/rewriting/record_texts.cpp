@@ -21,7 +21,7 @@ RecordTexts::RecordTexts(const Toolpath& before, const std::vector<PathChange>& 
       after_{&after, std::vector<bool>(after.statements.size(), false)},
       first_(before.moves.size(), 0),
       inserted_(before.moves.size(), 0),
-      is_text_(form_of(before.dialect) != FileForm::nccs_records) {
+      is_text_(!dialect_or_apt(before.dialect).is_binary) {
   for (const WrittenStatement& statement : written) {
     if (statement.before != kNone) before_.is_written[statement.before] = true;
     if (statement.after != kNone) after_.is_written[statement.after] = true;

@@ -46,11 +46,12 @@ RewritableMoves rewritable_moves(const Toolpath& path) {
 RewritableMoves rewritable_moves(const Toolpath& path, const MotionRecords& read, const ArcText& arcs) {
   const std::vector<MotionRecord>& records = read.of_move;
   const std::vector<bool> none(records.size(), false);
+  const Dialect dialect = dialect_or_apt(path.dialect);
   RewritableMoves can;
   can.arc = can.split = can.hole = none;
-  can.has_axes = form_of(path.dialect) == FileForm::nccs_records || states_axes(path, records);
+  can.has_axes = dialect.is_binary || states_axes(path, records);
   can.has_rapids = can_say_rapid(path.dialect);
-  if (form_of(path.dialect) != FileForm::text) return can;
+  if (!dialect.has_apt_words) return can;
   for (std::size_t first = 0, last = 0; first < records.size(); first = last) {
     last = first + 1;
     while (last < records.size() && is_same_hole(records[first], records[last])) ++last;

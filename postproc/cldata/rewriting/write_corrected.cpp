@@ -25,8 +25,8 @@ class CorrectedWriter {
         records_(read_.of_move),
         goto_text_(path, read_),
         arc_text_(path, read_),
-        is_axis_modal_(dialect_called(path.dialect).value_or(Dialect{}).is_axis_modal),
-        is_axis_left_(!dialect_called(path.dialect).value_or(Dialect{}).has_known_plain_axis),
+        is_axis_modal_(dialect_or_apt(path.dialect).is_axis_modal),
+        is_axis_left_(!dialect_or_apt(path.dialect).has_known_plain_axis),
         has_no_axes_(!is_axis_modal_ &&
                      std::ranges::none_of(records_, [](const MotionRecord& r) { return r.numbers == 6; })),
         changes_(path.moves.size(), changes),
@@ -365,7 +365,7 @@ Result<Edits> CorrectedWriter::edits() {
 }
 
 Result<Edits> edits_of(const Toolpath& path, const std::vector<PathChange>& changes) {
-  switch (form_of(path.dialect)) {
+  switch (dialect_or_apt(path.dialect).form) {
     case FileForm::nccs_records:
       return edits_of_nccs(path, changes);
     case FileForm::nci_lines:

@@ -6,7 +6,8 @@
 namespace gouge {
 
 bool can_say_rapid(std::string_view dialect) {
-  return form_of(dialect) == FileForm::text && !dialect_called(dialect).value_or(Dialect{}).has_positions_alone;
+  const Dialect traits = dialect_or_apt(dialect);
+  return traits.has_apt_words && !traits.has_positions_alone;
 }
 
 namespace {
@@ -73,7 +74,7 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
 
 // What only dialects of text can say.
 std::optional<Diagnostic> find_unsaid(const Toolpath& path, const std::vector<PathChange>& changes) {
-  const bool is_text = form_of(path.dialect) == FileForm::text;
+  const bool is_text = dialect_or_apt(path.dialect).has_apt_words;
   for (const PathChange& change : changes) {
     if (is_text || (!change.has_arc() && !change.hole_shift_mm)) continue;
     return make_error("write-arc", "arcs and holes of this dialect cannot be rewritten; straighten or leave them",

@@ -83,7 +83,7 @@ std::optional<Diagnostic> Verification::find_other_tool() const {
 std::optional<Diagnostic> Verification::find_other_feed() const {
   if (target.has_positions_alone) return std::nullopt;
   // Binary NCCS files say their feeds, like their positions, without a unit.
-  const bool has_no_unit = target.form == FileForm::nccs_records;
+  const bool has_no_unit = target.is_binary;
   const double scale = has_no_unit ? factor() : 1;
   for (std::size_t i = 0; i < std::min(again.moves.size(), expected.size()); ++i) {
     const Feed found = again.moves[i].feed();

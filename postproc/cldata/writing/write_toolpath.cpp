@@ -158,7 +158,7 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
   options.name = name.substr(0, name.find('.'));
   options.is_on_centre = is_on_centre_;
   options.is_tilted = std::ranges::any_of(path_.moves, is_tilted);
-  const bool is_text = form_of(path_.dialect) != FileForm::nccs_records;
+  const bool is_text = !dialect_or_apt(path_.dialect).is_binary;
   if (is_text) {
     const GotoText source(path_, records_);
     options.decimals = source.coordinate_decimals();
