@@ -255,11 +255,12 @@ std::optional<Diagnostic> find_wrong_value(const CorrectArguments& arguments) {
 
 int run_correct(const CorrectArguments& arguments, const JobContext& context) {
   std::ostream& err = context.err;
-  const Result<JobOptions> options = understand(arguments.job);
+  Result<JobOptions> options = understand(arguments.job);
   const Result<CorrectOptions> correct = understand_correction(arguments);
   if (!options || !correct) return fail(err, {!options ? options.error() : correct.error()});
   const Result<RotaryLimit> limit = understand_rotary_limit(arguments.max_rotary_speed);
   if (!limit) return fail(err, {limit.error()});
+  options->reading.keeps_origins = true;
   JobOutputs outputs(arguments.job, arguments.output);
   if (const auto status = outputs.refuse(err)) return *status;
   Progress progress(err, options->progress);

@@ -264,8 +264,9 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
 }
 
 int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err) {
-  const Result<ReadOptions> options = understand(arguments.reading);
+  Result<ReadOptions> options = understand(arguments.reading);
   if (!options) return fail(err, {options.error()});
+  options->keeps_origins = arguments.is_convert;
   const bool is_plot = !arguments.is_info && !arguments.is_convert;
   const Result<bool> is_svg = is_plot ? is_svg_file(arguments.output) : false;
   if (!is_svg) return fail(err, {is_svg.error()});

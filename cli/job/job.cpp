@@ -264,6 +264,7 @@ LoadedJob load_job(const JobArguments& arguments, const JobOptions& options, Pro
 Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes) {
   ReadOptions reading = job.options.reading;
   reading.dialect = dialect_called(job.toolpath.dialect);
+  reading.keeps_origins = false;
   ReadOutcome outcome = read_toolpath(file, std::move(bytes), reading);
   if (!outcome.toolpath) return outcome.errors.front();
   // The dialect was given here; how that of the first file is known is what counts.

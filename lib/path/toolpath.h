@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -110,6 +111,15 @@ struct SourceStatement {
   SmallIndex first_byte, last_byte;  ///< [first, last)
 };
 
+/// Where in its file each move of a path stands, and in which state it was read: what a correction needs to rewrite it.
+/// Each reader keeps its own kind.
+struct MoveOrigins {
+  MoveOrigins() = default;
+  MoveOrigins(const MoveOrigins&) = delete;
+  MoveOrigins& operator=(const MoveOrigins&) = delete;
+  virtual ~MoveOrigins() = default;
+};
+
 struct Toolpath {
   std::string file;     ///< as the user named it
   std::string dialect;  ///< "apt", "nx-clsf", "apt-autodesk", ...: docs/formats/apt_cl.md
@@ -129,6 +139,8 @@ struct Toolpath {
   Diagnostics notes;              ///< warnings and notes of reading; errors make reading fail instead
   Assumptions assumptions;        ///< unit, dialect, completeness, statements and frame of a file that was read
   bool has_turned_frame = false;  ///< the file's X, Y and Z are not the part's in some of its moves
+  /// Null where the path was read without; whoever needs them then reads the file again.
+  std::shared_ptr<const MoveOrigins> origins;
 
   /// Where a move starts: whoever takes moves out of a path changes where those behind them start.
   /// Requires moves[move].has_start and move > 0.

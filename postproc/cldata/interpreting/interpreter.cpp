@@ -147,16 +147,17 @@ void Interpreter::gather_facts() {
   facts_.offset_line = s.offsets_chosen.first_line;
 }
 
-MotionRecords read_motion_records(const Toolpath& path) {
+std::shared_ptr<const MotionRecords> motion_records_of(const Toolpath& path) {
+  if (auto kept = std::dynamic_pointer_cast<const MotionRecords>(path.origins)) return kept;
   Toolpath again;
   again.file = path.file;
   again.source = path.source;
   again.harmless_words = path.harmless_words;
   again.retract_plane_mm = path.retract_plane_mm;
-  MotionRecords records;
-  records.of_move.reserve(path.moves.size());
+  auto records = std::make_shared<MotionRecords>();
+  records->of_move.reserve(path.moves.size());
   const Dialect dialect = dialect_or_apt(path.dialect);
-  Interpreter interpreter(again, dialect, path.unit, &records);
+  Interpreter interpreter(again, dialect, path.unit, records.get());
   StatementReader reader(again.source, dialect.form);
   Statement statement;
   while (reader.next(statement)) interpreter.take(statement);

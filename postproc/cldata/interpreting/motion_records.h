@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "lib/geom/rigid_transform.h"
@@ -41,13 +42,14 @@ struct MotionRecord {
   const MotionFrame* frame = nullptr;       ///< one of MotionRecords::frames
 };
 
-struct MotionRecords {
+struct MotionRecords final : MoveOrigins {
   std::vector<MotionRecord> of_move;  ///< one for each of Toolpath::moves, in the same order
   std::deque<MotionFrame> frames;     ///< a deque, because records point into it while it grows
 };
 
-/// The records of `path`'s moves, by reading its bytes once more.
-[[nodiscard]] MotionRecords read_motion_records(const Toolpath& path);
+/// The records of `path`'s moves.
+/// Cost     Nothing where the path has them (Toolpath::origins); else its bytes are read once more.
+[[nodiscard]] std::shared_ptr<const MotionRecords> motion_records_of(const Toolpath& path);
 
 /// A position of one statement, before it becomes a move: the file's numbers made mm, in the block's frame.
 struct Position {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -267,7 +268,9 @@ ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const 
   const LineCount lines = count_lines(path.source);
   path.statements.reserve(lines.with_text);
   path.moves.reserve(lines.with_position);
-  Interpreter interpreter(path, dialect, guess.unit, nullptr);
+  const auto records = options.keeps_origins ? std::make_shared<MotionRecords>() : nullptr;
+  if (records) records->of_move.reserve(lines.with_position);
+  Interpreter interpreter(path, dialect, guess.unit, records.get());
   if (options.is_cutcom_centre) interpreter.set_cutter_centre();
   StatementReader reader(path.source, dialect.form);
   Statement statement;
@@ -292,6 +295,7 @@ ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const 
   const FileFacts& facts = interpreter.facts();
   path.assumptions = assume_file(path, guess, dialect, options.dialect.has_value(), facts);
   path.has_turned_frame = facts.has_turned_frame;
+  path.origins = records;
   if (!options.unnamed_tool.empty()) name_unnamed_tool(options.unnamed_tool, path);
   outcome.toolpath = std::move(path);
   return outcome;

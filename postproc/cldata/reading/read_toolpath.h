@@ -20,6 +20,7 @@ struct ReadOptions {
   std::optional<Dialect> dialect;
   std::optional<LengthUnit> unit;           ///< of a file that states none
   bool is_cutcom_centre = false;            ///< positions under CUTCOM are the cutter's centre
+  bool keeps_origins = false;               ///< Toolpath::origins: the path is to be rewritten
   std::optional<double> retract_plane_mm;   ///< where cycles retract to that name a plane without its height
   std::vector<std::string> harmless_words;  ///< of the user's own: they move and change nothing
   std::string unnamed_tool;  ///< name of the tool of moves for which the file names none; empty: they have none

@@ -23,7 +23,7 @@ struct WrittenPosition {
 
 class GotoText {
  public:
-  /// Learns from the first GOTO statements of the file. `records` as read_motion_records gives them.
+  /// Learns from the first GOTO statements of the file. `records` as motion_records_of gives them.
   GotoText(const Toolpath& path, const MotionRecords& records);
 
   /// The bytes of statement `index` with positions put in: `positions[k]` replaces the k-th where it has a

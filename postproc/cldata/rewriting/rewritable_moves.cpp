@@ -39,8 +39,8 @@ bool states_axes(const Toolpath& path, const std::vector<MotionRecord>& records)
 }  // namespace
 
 RewritableMoves rewritable_moves(const Toolpath& path) {
-  const MotionRecords records = read_motion_records(path);
-  return rewritable_moves(path, records, ArcText(path, records));
+  const auto records = motion_records_of(path);
+  return rewritable_moves(path, *records, ArcText(path, *records));
 }
 
 RewritableMoves rewritable_moves(const Toolpath& path, const MotionRecords& read, const ArcText& arcs) {

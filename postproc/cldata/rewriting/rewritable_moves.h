@@ -15,7 +15,7 @@ namespace gouge {
 ///          is a GOTO, nothing is counted from that position (GODLTA) and no arc begins where the cycle ends. Nothing
 ///          is rewritable in Mastercam NCI and binary NCCS files, nor arcs of which one statement describes several
 ///          (lists of NCL), or that state turns (TIMES).
-/// Cost     one more reading of the file.
+/// Cost     motion_records_of(path), and one pass over the moves.
 [[nodiscard]] RewritableMoves rewritable_moves(const Toolpath& path);
 
 /// The same for one who has read the file.

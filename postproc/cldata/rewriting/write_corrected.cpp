@@ -21,10 +21,10 @@ class CorrectedWriter {
  public:
   CorrectedWriter(const Toolpath& path, const std::vector<PathChange>& changes)
       : path_(path),
-        read_(read_motion_records(path)),
-        records_(read_.of_move),
-        goto_text_(path, read_),
-        arc_text_(path, read_),
+        read_(motion_records_of(path)),
+        records_(read_->of_move),
+        goto_text_(path, *read_),
+        arc_text_(path, *read_),
         is_axis_modal_(dialect_or_apt(path.dialect).is_axis_modal),
         is_axis_left_(!dialect_or_apt(path.dialect).has_known_plain_axis),
         has_no_axes_(!is_axis_modal_ &&
@@ -68,7 +68,7 @@ class CorrectedWriter {
   [[nodiscard]] std::string framed(const MotionRecord& record, const WrittenPosition& position, std::string text) const;
 
   const Toolpath& path_;
-  MotionRecords read_;
+  std::shared_ptr<const MotionRecords> read_;
   const std::vector<MotionRecord>& records_;  // of read_
   GotoText goto_text_;
   ArcText arc_text_;
@@ -320,7 +320,7 @@ std::optional<Diagnostic> CorrectedWriter::find_unwritable() const {
   std::optional<RewritableMoves> can;
   for (std::size_t i = 0; i < path_.moves.size(); ++i) {
     if (!changes_.is_rewritten(i)) continue;
-    if (!can) can = rewritable_moves(path_, read_, arc_text_);
+    if (!can) can = rewritable_moves(path_, *read_, arc_text_);
     const bool is_split = !changes_[i]->inserted_arcs.empty();
     if (is_split ? can->split[i] : changes_[i]->new_arc ? can->arc[i] : can->hole[i]) continue;
     return make_error("write-arc",

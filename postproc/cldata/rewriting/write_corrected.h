@@ -28,7 +28,8 @@ namespace gouge {
 ///          words; an arc or spline whose statement's other positions are not straightened with it; one that
 ///          stays but begins at a position that moves), write-alone (positions before a move that has no
 ///          start), write-axis (a tilted position where a Mastercam NCI file cannot say one).
-/// Cost     One pass over the file, and one to read it again: memory beyond `path` is about 5 times a usual file.
+/// Cost     One pass over the file, and one to read it again unless `path` has its origins: memory beyond `path` is then
+///          about 5 times a usual file.
 [[nodiscard]] Result<std::string> write_corrected(const Toolpath& path, const std::vector<PathChange>& changes);
 
 }  // namespace gouge

@@ -19,8 +19,8 @@ class NccsCorrector {
   NccsCorrector(const Toolpath& path, const std::vector<PathChange>& changes)
       : path_(path),
         source_(path.source),
-        read_(read_motion_records(path)),
-        records_(read_.of_move),
+        read_(motion_records_of(path)),
+        records_(read_->of_move),
         changes_(path.moves.size(), changes) {}
 
   Result<Edits> edits();
@@ -50,7 +50,7 @@ class NccsCorrector {
 
   const Toolpath& path_;
   NccsWords source_;
-  MotionRecords read_;
+  std::shared_ptr<const MotionRecords> read_;
   const std::vector<MotionRecord>& records_;  // of read_
   ChangeTable changes_;
   std::vector<std::size_t> dropped_;  // statements of circles that become straight, in order

@@ -60,8 +60,8 @@ class PathWriter {
   PathWriter(const Toolpath& path, const Dialect& target)
       : path_(path),
         target_(target),
-        records_(read_motion_records(path)),
-        is_on_centre_(are_on_centre(path, records_)) {}
+        records_(motion_records_of(path)),
+        is_on_centre_(are_on_centre(path, *records_)) {}
 
   Result<WrittenToolpath> run();
 
@@ -82,7 +82,7 @@ class PathWriter {
 
   const Toolpath& path_;
   Dialect target_;
-  MotionRecords records_;
+  std::shared_ptr<const MotionRecords> records_;
   bool is_on_centre_;
   std::unique_ptr<MotionSink> sink_;
   WrittenToolpath written_;
@@ -119,9 +119,9 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
                       path_.file, first->line);
   }
   const auto tapping =
-      std::ranges::find_if(records_.of_move, [](const MotionRecord& record) { return record.is_tapping; });
-  if (!target_.has_positions_alone && tapping != records_.of_move.end()) {
-    const auto index = static_cast<std::size_t>(tapping - records_.of_move.begin());
+      std::ranges::find_if(records_->of_move, [](const MotionRecord& record) { return record.is_tapping; });
+  if (!target_.has_positions_alone && tapping != records_->of_move.end()) {
+    const auto index = static_cast<std::size_t>(tapping - records_->of_move.begin());
     return make_error("convert-cycle",
                       "a tapping cycle cannot be written as plain moves, in which the spindle would not turn back; "
                       "without --to the file is copied as it is",
@@ -160,7 +160,7 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
   options.is_tilted = std::ranges::any_of(path_.moves, is_tilted);
   const bool is_text = !dialect_or_apt(path_.dialect).is_binary;
   if (is_text) {
-    const GotoText source(path_, records_);
+    const GotoText source(path_, *records_);
     options.decimals = source.coordinate_decimals();
     options.axis_decimals = source.axis_decimals();
   } else {
@@ -213,7 +213,7 @@ bool PathWriter::write_arc(std::size_t index) {
 }
 
 void PathWriter::write_cutcom(std::size_t index) {
-  const CutcomSide side = records_.of_move[index].cutcom;
+  const CutcomSide side = records_->of_move[index].cutcom;
   if (side != cutcom_ && !sink_->set_cutcom(side)) ++lost_cutcoms_;
   cutcom_ = side;
 }

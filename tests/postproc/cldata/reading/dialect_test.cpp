@@ -149,7 +149,7 @@ TEST(Unknown, AWordThatWasDeclaredHarmlessIsPassedOverAndCounted) {
   EXPECT_TRUE(path.words_not_understood.empty());
   const auto is_note = [](const Diagnostic& note) { return note.code == "path-harmless-words" && note.line == 3; };
   EXPECT_TRUE(std::ranges::any_of(path.notes, is_note));
-  EXPECT_EQ(read_motion_records(path).of_move.size(), 2u) << "writers read it in the same way";
+  EXPECT_EQ(motion_records_of(path)->of_move.size(), 2u) << "writers read it in the same way";
   EXPECT_EQ(path_with(text, {"WHEEL"}).moves.size(), 3u) << "the other word is none";
 }
 

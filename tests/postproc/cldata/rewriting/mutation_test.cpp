@@ -179,5 +179,33 @@ TEST(MutatedNci, CanBeCorrectedAndReadAgain) {
   EXPECT_GT(written, 1000u);
 }
 
+// What a reader keeps of a file is what reading it again finds.
+TEST(MutatedPath, IsCorrectedTheSameWithOriginsKept) {
+  test::Scatter random(41);
+  const std::string nci = bytes_of(corpus() / "five_axis.nci");
+  ReadOptions keeping;
+  keeping.keeps_origins = true;
+  std::size_t corrected = 0;
+  for (int i = 0; i < 6000; ++i) {
+    const std::string text = mutated(i % 3 == 0 ? kApt : i % 3 == 1 ? kClsf : nci, random);
+    const ReadOutcome plain = read_toolpath("mutated", text), kept = read_toolpath("mutated", text, keeping);
+    ASSERT_EQ(plain.toolpath.has_value(), kept.toolpath.has_value());
+    if (!plain.toolpath) continue;
+    ASSERT_FALSE(plain.toolpath->origins);
+    ASSERT_TRUE(kept.toolpath->origins);
+    const std::vector<PathChange> changes = changes_everywhere(*plain.toolpath);
+    const Result<std::string> again = write_corrected(*plain.toolpath, changes);
+    const Result<std::string> once = write_corrected(*kept.toolpath, changes);
+    ASSERT_EQ(again.has_value(), once.has_value()) << text;
+    if (again) {
+      ASSERT_EQ(*again, *once) << text;
+    } else {
+      ASSERT_EQ(again.error().message, once.error().message) << text;
+    }
+    if (again) ++corrected;
+  }
+  EXPECT_GT(corrected, 500u);
+}
+
 }  // namespace
 }  // namespace gouge
