@@ -18,8 +18,7 @@
 #include "lib/tilt/axes_outside.h"
 #include "postproc/cldata/rewriting/list_written.h"
 #include "postproc/cldata/rewriting/record_texts.h"
-#include "postproc/cldata/rewriting/rewritable_moves.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/formats/write_corrected.h"
 #include "postproc/report/axis_text.h"
 #include "postproc/report/report_text.h"
 

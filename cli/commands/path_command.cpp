@@ -19,7 +19,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "lib/path/path_info.h"
-#include "postproc/cldata/writing/write_toolpath.h"
+#include "postproc/formats/write_toolpath.h"
 #include "postproc/image/path_plot.h"
 
 namespace gouge {

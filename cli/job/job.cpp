@@ -13,7 +13,7 @@
 #include "lib/check/reach.h"
 #include "lib/check/scene_reach.h"
 #include "lib/geom/rigid_transform.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"
 #include "toolmodels/assembly.h"

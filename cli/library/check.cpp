@@ -7,8 +7,7 @@
 
 #include "cli/library/checked_path.h"
 #include "lib/correct/correct_path.h"
-#include "postproc/cldata/rewriting/rewritable_moves.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/formats/write_corrected.h"
 
 namespace gougecheck {
 namespace {

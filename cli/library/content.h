@@ -14,7 +14,7 @@
 #include "lib/check/prepared_scene.h"
 #include "lib/mesh/mesh_findings.h"
 #include "lib/path/toolpath.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "toolmodels/tool_library.h"
 
 // What the public classes hold, for the sources of this module. A Result becomes a value or an Error here, and nowhere

@@ -6,7 +6,7 @@
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/check/reach.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 
 namespace gougecheck {
 namespace {

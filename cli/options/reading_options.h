@@ -6,7 +6,7 @@
 
 #include "lib/base/files.h"
 #include "lib/base/result.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 
 namespace CLI {
 class App;

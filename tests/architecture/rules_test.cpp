@@ -119,6 +119,16 @@ TEST(Seams, KindsOfObstaclesAreNamedInTheContactTableAlone) {
             Complaints{});
 }
 
+TEST(Seams, FormatsAreNamedInTheirTableAlone) {
+  const std::string line = "#include \"postproc/cldata/nccs/nccs_records.h\"\n";
+  EXPECT_EQ(check_formats({{"postproc/cldata/reading/read_cl_data.cpp", line}}).size(), 1U);
+  EXPECT_EQ(check_formats({{"cli/job/job.cpp", line}}).size(), 1U);
+  EXPECT_EQ(check_formats({{"postproc/formats/toolpath_format.cpp", line},
+                           {"postproc/cldata/nccs/nccs_edits.cpp", line},
+                           {"tests/postproc/cldata/nccs_file.h", line}}),
+            Complaints{});
+}
+
 TEST(RandomNumbers, OfAStandardLibraryAreRefused) {
   for (const char* line : {"std::mt19937 r(1);", "std::uniform_real_distribution<double> u;", "std::shuffle(a, b, r);",
                            "p = Vec3::Random();", "n = rand() % 6;"}) {

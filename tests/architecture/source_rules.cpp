@@ -199,6 +199,28 @@ Complaints check_seams(const std::vector<SourceFile>& files) {
   return complaints;
 }
 
+Complaints check_formats(const std::vector<SourceFile>& files) {
+  constexpr std::string_view kTable = "postproc/formats/toolpath_format.cpp";
+  Complaints complaints;
+  for (const std::string folder : {"postproc/cldata/nccs/", "postproc/cldata/nci/"}) {
+    const std::string include = "#include \"" + folder;
+    for (const SourceFile& file : files) {
+      const bool may_include =
+          starts_with(file.path, folder) || starts_with(file.path, "tests/") || file.path == kTable;
+      if (!is_code(file.path) || may_include) continue;
+      std::size_t number = 0;
+      for (const std::string& line : lines_of(file.text)) {
+        ++number;
+        if (starts_with(line, include)) {
+          complain(complaints, file, number,
+                   "names a format; ask the table of formats (postproc/formats/toolpath_format.h)");
+        }
+      }
+    }
+  }
+  return complaints;
+}
+
 Complaints check_random_numbers(const std::vector<SourceFile>& files) {
   static const std::regex kForeign(
       R"(_distribution\b|\bmt19937|\brandom_device\b|\bstd::shuffle\b|::Random\(|\bs?rand\()");

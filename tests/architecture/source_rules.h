@@ -37,6 +37,8 @@ using Complaints = std::vector<std::string>;
 /// Only lib/motion makes motions from poses. Only the contact table names both kinds of obstacles. lib/verify shares
 /// nothing with the check and is left out.
 [[nodiscard]] Complaints check_seams(const std::vector<SourceFile>& files);
+/// Formats of toolpath files (binary, pairs of lines) are known to their own folder and to the table of formats.
+[[nodiscard]] Complaints check_formats(const std::vector<SourceFile>& files);
 
 /// Headers begin with #pragma once; no file is longer than 500 lines; the median is at most 150.
 [[nodiscard]] Complaints check_shape(const std::vector<SourceFile>& files);

@@ -16,7 +16,7 @@
 #include "lib/mesh/mesh_builder.h"
 #include "lib/mesh/read_stl.h"
 #include "lib/mesh/write_stl.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "tests/bench/peer_support.h"
 
 // From files to what the check needs: a large STL file to a welded mesh and its tree, the memory that takes,

@@ -9,9 +9,9 @@
 
 #include "lib/path/chords.h"
 #include "lib/path/path_info.h"
-#include "postproc/cldata/reading/read_toolpath.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
-#include "postproc/cldata/writing/write_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
+#include "postproc/formats/write_corrected.h"
+#include "postproc/formats/write_toolpath.h"
 #include "tests/fuzz/require.h"
 
 // One target for each reader: GOUGE_FUZZ_DIALECT names it, "" lets the content decide. What was read is sound,

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "lib/motion/motion_law.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "tests/laws/guarantee.h"
 #include "tests/support/real_arcs.h"
 #include "tests/support/shapes.h"

@@ -13,8 +13,7 @@
 #include <sstream>
 
 #include "lib/base/files.h"
-#include "postproc/cldata/rewriting/rewritable_moves.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/formats/write_corrected.h"
 #include "samples/cases.h"
 #include "samples/write_sample.h"
 #include "tests/laws/correction_scenes.h"

@@ -9,7 +9,7 @@
 
 #include "lib/check/scene.h"
 #include "lib/path/toolpath.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"

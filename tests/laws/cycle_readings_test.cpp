@@ -5,6 +5,7 @@
 #include <string>
 
 #include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/formats/toolpath_format.h"
 #include "tests/laws/reading.h"
 #include "tests/support/shapes.h"
 
@@ -88,7 +89,7 @@ TEST(Retract, ToAPlaneWhoseHeightTheUserStatesIsChecked) {
 TEST(Retract, ToAStatedPlaneCountsFromThePositionsOfItsHoles) {
   const Toolpath path = read_with_plane(nx_holes(",RTRCTO,AUTO"), 50);
   EXPECT_NEAR(path.moves.at(3).end.tip.z(), 50, 1e-12);
-  EXPECT_EQ(motion_records_of(path)->of_move.size(), path.moves.size()) << "as a correction reads the file again";
+  EXPECT_EQ(format_of(path).records(path)->of_move.size(), path.moves.size()) << "as a correction reads the file again";
 }
 
 TEST(Retract, ToAStatedPlaneIsNotReadWhereTheCycleContradictsIt) {

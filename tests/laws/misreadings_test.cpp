@@ -5,8 +5,8 @@
 #include <ostream>
 #include <string>
 
-#include "postproc/cldata/reading/read_toolpath.h"
-#include "postproc/cldata/reading/recognise_dialect.h"
+#include "postproc/formats/read_toolpath.h"
+#include "postproc/formats/toolpath_format.h"
 #include "tests/laws/reading.h"
 
 namespace gouge {

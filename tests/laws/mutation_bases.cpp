@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "tests/laws/loose_statements.h"
 #include "tests/laws/motion_coverage.h"
 #include "tests/laws/motion_expander.h"

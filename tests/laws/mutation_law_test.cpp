@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "tests/laws/motion_expander.h"
 #include "tests/laws/mutation_bases.h"
 #include "tests/laws/reading.h"

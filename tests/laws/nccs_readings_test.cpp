@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "tests/postproc/cldata/nccs_file.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "postproc/cldata/interpreting/reasons.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "tests/laws/reading.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"

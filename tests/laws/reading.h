@@ -8,7 +8,7 @@
 
 #include "cli/tools/resolve_tools.h"
 #include "lib/certify/check.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "tests/support/shapes.h"
 #include "toolmodels/compile_tool.h"
 

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "tests/laws/reading.h"
 
 namespace gouge {

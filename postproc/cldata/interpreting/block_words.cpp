@@ -6,8 +6,8 @@
 #include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/misreading.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
+#include "postproc/cldata/language/post_words.h"
 #include "postproc/cldata/language/text.h"
-#include "postproc/cldata/nccs/nccs_words.h"
 
 // Blocks, operations, the end of a program, and words that carry text.
 
@@ -191,7 +191,7 @@ void take_ppword(States& s) {
   const double code = *arguments[1].number;
   if (code >= kFirstOfGpost && code <= kLastOfGpost) return;
   const bool is_code = code >= 1 && code <= 9999;
-  if (is_code && equals_ignoring_case(nccs_major(static_cast<std::uint16_t>(code)), arguments[0].text)) return;
+  if (is_code && equals_ignoring_case(major_of_code(static_cast<std::uint16_t>(code)), arguments[0].text)) return;
   s.in.fail("path-statement",
             "PPWORD gives " + quoted_text(arguments[0].text) +
                 " another meaning; expected the words themselves: write them in place of their synonyms");

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "postproc/cldata/interpreting/statement_context.h"
-#include "postproc/cldata/language/cutcom.h"
+#include "postproc/program/cutcom.h"
 
 namespace gouge {
 

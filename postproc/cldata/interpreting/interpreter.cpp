@@ -9,7 +9,6 @@
 #include "postproc/cldata/interpreting/modal_states.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
-#include "postproc/cldata/lexing/statement_reader.h"
 #include "postproc/cldata/parsing/run_on.h"
 
 namespace gouge {
@@ -147,7 +146,7 @@ void Interpreter::gather_facts() {
   facts_.offset_line = s.offsets_chosen.first_line;
 }
 
-std::shared_ptr<const MotionRecords> motion_records_of(const Toolpath& path) {
+std::shared_ptr<const MotionRecords> read_motion_records(const Toolpath& path, OpenStatements open) {
   if (auto kept = std::dynamic_pointer_cast<const MotionRecords>(path.origins)) return kept;
   Toolpath again;
   again.file = path.file;
@@ -158,9 +157,9 @@ std::shared_ptr<const MotionRecords> motion_records_of(const Toolpath& path) {
   records->of_move.reserve(path.moves.size());
   const Dialect dialect = dialect_or_apt(path.dialect);
   Interpreter interpreter(again, dialect, path.unit, records.get());
-  StatementReader reader(again.source, dialect.form);
+  const auto source = open(again.source, 0, 1);
   Statement statement;
-  while (reader.next(statement)) interpreter.take(statement);
+  while (source->next(statement)) interpreter.take(statement);
   interpreter.finish();
   return records;
 }

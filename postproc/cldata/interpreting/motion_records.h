@@ -8,7 +8,8 @@
 
 #include "lib/geom/rigid_transform.h"
 #include "lib/path/toolpath.h"
-#include "postproc/cldata/language/cutcom.h"
+#include "postproc/cldata/language/statement.h"
+#include "postproc/program/cutcom.h"
 
 // In which state (axis, frame, unit, rapid) each position of a file was read: what a writer must know to change it.
 
@@ -47,9 +48,8 @@ struct MotionRecords final : MoveOrigins {
   std::deque<MotionFrame> frames;     ///< a deque, because records point into it while it grows
 };
 
-/// The records of `path`'s moves.
-/// Cost     Nothing where the path has them (Toolpath::origins); else its bytes are read once more.
-[[nodiscard]] std::shared_ptr<const MotionRecords> motion_records_of(const Toolpath& path);
+/// The records of `path`'s moves: its origins where it has them; else its bytes are read once more.
+[[nodiscard]] std::shared_ptr<const MotionRecords> read_motion_records(const Toolpath& path, OpenStatements open);
 
 /// A position of one statement, before it becomes a move: the file's numbers made mm, in the block's frame.
 struct Position {

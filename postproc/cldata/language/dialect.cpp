@@ -27,7 +27,7 @@ constexpr Dialect in_records(Dialect dialect) {
   dialect.kind = DialectKind::nccs_binary;
   dialect.id = "nccs-binary";
   dialect.title = "NCCS NCL CL data (binary)";
-  dialect.form = FileForm::nccs_records;
+  dialect.format = "nccs-records";
   dialect.is_binary = true;
   dialect.has_apt_words = false;
   dialect.cut_statement = "the file ends within this record, or the record has no length: it is cut short or damaged";
@@ -129,7 +129,7 @@ constexpr std::array<Dialect, 13> kDialects = {{
     {.kind = DialectKind::nci,
      .id = "mastercam-nci",
      .title = "Mastercam NCI",
-     .form = FileForm::nci_lines,
+     .format = "nci-lines",
      .has_apt_words = false,
      .end_name = "a line 1003",
      .cut_statement = "the file ends after a code; expected the line of its parameters: the file is cut short",

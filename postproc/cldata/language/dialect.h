@@ -28,9 +28,6 @@ enum class DialectKind : std::uint8_t {
   nci
 };
 
-/// How the bytes of a file hold its statements: what opens, rewrites and writes them.
-enum class FileForm : std::uint8_t { text, nccs_records, nci_lines };
-
 /// Which comments say something.
 enum class CommentForm : std::uint8_t {
   none,
@@ -68,8 +65,8 @@ struct Dialect {
   DialectKind kind = DialectKind::apt;     ///< its row in the tables of dialects, and nothing to ask for
   std::string_view id = "apt";             ///< Toolpath::dialect, and what --dialect takes
   std::string_view title = "APT CL data";  ///< for people
-  FileForm form = FileForm::text;
-  bool is_binary = false;     ///< records without lines, decimals or units; else text
+  std::string_view format = "text";        ///< its row in the table of formats
+  bool is_binary = false;                  ///< records without lines, decimals or units; else text
   bool has_apt_words = true;  ///< its file spells the words of APT: arcs, holes and rapids can be rewritten
   CommentForm comments = CommentForm::none;
   bool has_end_word = true;  ///< ends with `end_name`, so that a file without is cut short

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -45,5 +46,21 @@ struct Statement {
     decoded.clear();
   }
 };
+
+/// The statements of a file one after another, whatever way it writes them. Whoever takes them need not know which.
+class StatementSource {
+ public:
+  StatementSource() = default;
+  StatementSource(const StatementSource&) = delete;
+  StatementSource& operator=(const StatementSource&) = delete;
+  virtual ~StatementSource() = default;
+
+  /// The next statement into `statement` (whose memory is used again); false at the end.
+  [[nodiscard]] virtual bool next(Statement& statement) = 0;
+};
+
+/// The statements of `bytes`, which must outlive them, from that of line `line` on, which begins at `first_byte`.
+using OpenStatements = std::unique_ptr<StatementSource> (*)(std::string_view bytes, std::size_t first_byte,
+                                                            std::size_t line);
 
 }  // namespace gouge

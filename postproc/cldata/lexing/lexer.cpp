@@ -204,4 +204,8 @@ bool Lexer::next(Statement& statement) {
   return false;
 }
 
+std::unique_ptr<StatementSource> open_text(std::string_view bytes, std::size_t first_byte, std::size_t line) {
+  return std::make_unique<Lexer>(bytes, first_byte, line);
+}
+
 }  // namespace gouge

@@ -11,13 +11,13 @@
 
 namespace gouge {
 
-class Lexer {
+class Lexer final : public StatementSource {
  public:
   /// `bytes` must outlive the statements.
   explicit Lexer(std::string_view bytes, std::size_t first_byte = 0, std::size_t line = 1);
 
   /// The next statement that is not blank, into `statement` (whose memory is used again); false at the end.
-  [[nodiscard]] bool next(Statement& statement);
+  [[nodiscard]] bool next(Statement& statement) override;
 
  private:
   [[nodiscard]] std::string_view take_line();
@@ -33,5 +33,9 @@ class Lexer {
   std::string_view last_major_;  // statements repeat the word of the one before them
   Word last_word_ = Word::unknown;
 };
+
+/// A Lexer of its own.
+[[nodiscard]] std::unique_ptr<StatementSource> open_text(std::string_view bytes, std::size_t first_byte,
+                                                         std::size_t line);
 
 }  // namespace gouge

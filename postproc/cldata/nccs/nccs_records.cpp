@@ -7,7 +7,6 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kWord = 8;
 constexpr std::size_t kWordsOfBlock = 35;
 constexpr std::size_t kBlock = 288;
 constexpr std::size_t kLeastBytes = 8;
@@ -55,15 +54,19 @@ bool is_nccs_binary(std::string_view bytes) {
 }
 
 std::size_t NccsWords::words() const {
-  const std::size_t rest = std::min(bytes_.size() % kBlock / kWord, kWordsOfBlock);
+  const std::size_t rest = std::min(bytes_.size() % kBlock / kNccsWordBytes, kWordsOfBlock);
   return bytes_.size() / kBlock * kWordsOfBlock + rest;
 }
 
-std::size_t NccsWords::offset(std::size_t word) { return word / kWordsOfBlock * kBlock + word % kWordsOfBlock * kWord; }
+std::size_t NccsWords::offset(std::size_t word) {
+  return word / kWordsOfBlock * kBlock + word % kWordsOfBlock * kNccsWordBytes;
+}
 
-std::size_t NccsWords::word_at(std::size_t offset) { return offset / kBlock * kWordsOfBlock + offset % kBlock / kWord; }
+std::size_t NccsWords::word_at(std::size_t offset) {
+  return offset / kBlock * kWordsOfBlock + offset % kBlock / kNccsWordBytes;
+}
 
-std::string_view NccsWords::bytes(std::size_t word) const { return bytes(word, kWord); }
+std::string_view NccsWords::bytes(std::size_t word) const { return bytes(word, kNccsWordBytes); }
 
 std::string_view NccsWords::bytes(std::size_t word, std::size_t count) const {
   return bytes_.substr(offset(word), count);
@@ -72,7 +75,7 @@ std::string_view NccsWords::bytes(std::size_t word, std::size_t count) const {
 double NccsWords::number(std::size_t word) const {
   const std::string_view text = bytes(word);
   std::uint64_t bits = 0;
-  for (std::size_t i = kWord; i-- > 0;) bits = (bits << 8U) | byte_at(text, i);
+  for (std::size_t i = kNccsWordBytes; i-- > 0;) bits = (bits << 8U) | byte_at(text, i);
   return std::bit_cast<double>(bits);
 }
 
@@ -91,13 +94,13 @@ std::string nccs_word(const NccsHeader& header) {
 std::string nccs_word(double number) {
   std::string text;
   auto bits = std::bit_cast<std::uint64_t>(number);
-  for (std::size_t i = 0; i < kWord; ++i, bits >>= 8U) text += static_cast<char>(bits & 0xffU);
+  for (std::size_t i = 0; i < kNccsWordBytes; ++i, bits >>= 8U) text += static_cast<char>(bits & 0xffU);
   return text;
 }
 
 std::string nccs_blocks(std::string_view words) {
   std::string text;
-  constexpr std::size_t kData = kWordsOfBlock * kWord;
+  constexpr std::size_t kData = kWordsOfBlock * kNccsWordBytes;
   for (std::size_t at = 0; at < words.size(); at += kData) {
     text += words.substr(at, kData);
     text.resize((text.size() + kBlock - 1) / kBlock * kBlock, '\0');

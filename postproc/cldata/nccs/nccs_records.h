@@ -27,6 +27,15 @@ struct NccsClass {
                                  kFini = 14000;
 };
 
+/// What a record of a class is, where more than one file of this folder must know it.
+struct NccsSubclass {
+  static constexpr std::uint16_t kPoints = 5, kRapid = 5, kMultaxOn = 0, kMultaxOff = 1;
+};
+
+inline constexpr std::size_t kNccsWordBytes = 8;
+/// Components of two axes that records hold are the same.
+inline constexpr double kSameNccsAxis = 1e-12;
+
 /// Data words of each point in a record of expanded motion.
 inline constexpr std::size_t kNccsExpandedWords = 21;
 

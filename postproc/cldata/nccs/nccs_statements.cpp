@@ -6,14 +6,13 @@
 
 #include "lib/geom/vec.h"
 #include "postproc/cldata/language/arguments.h"
-#include "postproc/cldata/nccs/nccs_words.h"
+#include "postproc/cldata/language/post_words.h"
 
 namespace gouge {
 namespace {
 
-constexpr std::uint16_t kPoints = 5, kMorePoints = 6, kFrom = 3, kStep = 4;
+constexpr std::uint16_t kMorePoints = 6, kFrom = 3, kStep = 4;
 constexpr std::uint16_t kCutter = 6, kInnerTolerance = 4, kOuterTolerance = 5;
-constexpr std::uint16_t kMultaxOff = 1;
 constexpr std::uint16_t kFirstText = 1043, kLastText = 1046, kOtherText = 1199;
 constexpr std::size_t kTextLetters = 66;  // what follows in the record is not part of the text
 constexpr std::size_t kCircleNumbers = 7;
@@ -31,7 +30,7 @@ bool is_plausible(double value) {
 }
 
 Word motion_word(std::uint16_t subclass) {
-  if (subclass == kPoints || subclass == kMorePoints) return Word::go_to;
+  if (subclass == NccsSubclass::kPoints || subclass == kMorePoints) return Word::go_to;
   if (subclass == kFrom) return Word::from;
   return subclass == kStep ? Word::godlta : Word::unread_motion;
 }
@@ -64,7 +63,7 @@ Argument NccsStatements::number_at(std::size_t index) const {
 Argument NccsStatements::argument_at(std::size_t index) const {
   const NccsHeader parts = words_.header(word_ + index);
   if (parts.sequence != 0 || parts.words == 0) return number_at(index);
-  const std::string_view name = nccs_minor(parts.words);
+  const std::string_view name = minor_of_code(parts.words);
   return name.empty() ? kNotKnown : Argument{name, std::nullopt};
 }
 
@@ -79,12 +78,12 @@ std::string_view NccsStatements::text_of(const NccsHeader& header) const {
 
 void NccsStatements::take_post(const NccsHeader& header, Statement& statement) {
   if (is_text(header.subclass)) {
-    statement.major = header.subclass == kOtherText ? "text" : nccs_major(header.subclass);
+    statement.major = header.subclass == kOtherText ? "text" : major_of_code(header.subclass);
     statement.word = header.subclass == kOtherText ? Word::free_text : find_word(statement.major);
     if (header.words > 1) statement.pieces.front() = text_of(header);
     return;
   }
-  statement.major = nccs_major(header.subclass);
+  statement.major = major_of_code(header.subclass);
   if (find_word(statement.major) == Word::harmless) {
     statement.word = Word::harmless;
     return;
@@ -106,7 +105,7 @@ void NccsStatements::take_expanded(const NccsHeader& header, Statement& statemen
   statement.word = Word::unread_motion;
   statement.major = "expanded motion";
   const std::size_t count = header.words - std::size_t{1};
-  const bool is_known_form = header.subclass == kPoints || header.subclass == kMorePoints;
+  const bool is_known_form = header.subclass == NccsSubclass::kPoints || header.subclass == kMorePoints;
   if (!is_known_form || count == 0 || count % kNccsExpandedWords != 0) return;
   for (std::size_t point = 1; point < header.words; point += kNccsExpandedWords) {
     const Vec3 axis(words_.number(word_ + point + 3), words_.number(word_ + point + 4),
@@ -170,9 +169,9 @@ void NccsStatements::take_record(const NccsHeader& header, Statement& statement)
       if (header.subclass != kInnerTolerance && header.subclass != kOuterTolerance) statement.major = "tool record";
       return;
     case NccsClass::kMode:
-      statement.word = header.subclass <= kMultaxOff ? Word::multax : Word::unread_frame;
-      statement.major = header.subclass <= kMultaxOff ? "MULTAX" : "mode record";
-      is_multax_off_ = header.subclass == kMultaxOff;
+      statement.word = header.subclass <= NccsSubclass::kMultaxOff ? Word::multax : Word::unread_frame;
+      statement.major = header.subclass <= NccsSubclass::kMultaxOff ? "MULTAX" : "mode record";
+      is_multax_off_ = header.subclass == NccsSubclass::kMultaxOff;
       if (is_multax_off_) statement.decoded.push_back({"OFF", std::nullopt});
       return;
     case NccsClass::kFini:
@@ -208,6 +207,10 @@ bool NccsStatements::next(Statement& statement) {
   take_record(header, statement);
   word_ += header.words;
   return true;
+}
+
+std::unique_ptr<StatementSource> open_nccs(std::string_view bytes, std::size_t, std::size_t) {
+  return std::make_unique<NccsStatements>(bytes);
 }
 
 }  // namespace gouge

@@ -12,14 +12,14 @@
 
 namespace gouge {
 
-class NccsStatements {
+class NccsStatements final : public StatementSource {
  public:
   /// `bytes` must outlive the statements.
   explicit NccsStatements(std::string_view bytes) : words_(bytes) {}
 
   /// The next record; false after FINI or at the end. A record that does not fit in the file is a statement
   /// that is unterminated.
-  [[nodiscard]] bool next(Statement& statement);
+  [[nodiscard]] bool next(Statement& statement) override;
 
  private:
   void take_record(const NccsHeader& header, Statement& statement);
@@ -38,5 +38,9 @@ class NccsStatements {
   bool is_over_ = false;
   bool is_multax_off_ = false;
 };
+
+/// From the first record on, whatever the line.
+[[nodiscard]] std::unique_ptr<StatementSource> open_nccs(std::string_view bytes, std::size_t first_byte,
+                                                         std::size_t line);
 
 }  // namespace gouge

@@ -186,4 +186,8 @@ bool NciStatements::next(Statement& statement) {
   return true;
 }
 
+std::unique_ptr<StatementSource> open_nci(std::string_view bytes, std::size_t first_byte, std::size_t line) {
+  return std::make_unique<NciStatements>(bytes, first_byte, line);
+}
+
 }  // namespace gouge

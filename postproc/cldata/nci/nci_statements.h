@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "postproc/cldata/language/cutcom.h"
 #include "postproc/cldata/language/statement.h"
 #include "postproc/cldata/nci/nci_lines.h"
 #include "postproc/cldata/nci/nci_motion.h"
+#include "postproc/program/cutcom.h"
 
 // The pairs of lines of a Mastercam NCI file as statements: what each says in words of APT. Lines, arcs and
 // five-axis lines are motion; drilling and tool planes become motion or frames that are not read.
@@ -17,14 +17,14 @@
 
 namespace gouge {
 
-class NciStatements {
+class NciStatements final : public StatementSource {
  public:
   /// `bytes` must outlive the statements.
   NciStatements(std::string_view bytes, std::size_t first_byte, std::size_t line) : lines_(bytes, first_byte, line) {}
 
   /// The next statement; a pair may say several, of which all but the last span no bytes. Of a motion the
   /// last is its GOTO, whose numbers are those of the pair, but for the axis, which has no text.
-  [[nodiscard]] bool next(Statement& statement);
+  [[nodiscard]] bool next(Statement& statement) override;
 
  private:
   void take_pair();
@@ -48,5 +48,8 @@ class NciStatements {
   std::optional<std::string_view> wcs_;
   std::optional<double> diameter_;  // of the next tool
 };
+
+[[nodiscard]] std::unique_ptr<StatementSource> open_nci(std::string_view bytes, std::size_t first_byte,
+                                                        std::size_t line);
 
 }  // namespace gouge

@@ -3,6 +3,7 @@
 #include "lib/path/assumption.h"
 #include "lib/path/toolpath.h"
 #include "postproc/cldata/interpreting/file_facts.h"
+#include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/reading/unit_guess.h"
 
 namespace gouge {

@@ -4,7 +4,6 @@
 
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/unit_words.h"
-#include "postproc/cldata/lexing/statement_reader.h"
 
 namespace gouge {
 namespace {
@@ -19,13 +18,13 @@ bool names_unit(Word word) { return word == Word::units || word == Word::fedrat 
 
 }  // namespace
 
-UnitGuess find_unit(std::string_view bytes, const Dialect& dialect) {
+UnitGuess find_unit(std::string_view bytes, OpenStatements open) {
   UnitGuess guess;
-  StatementReader reader(bytes, dialect.form);
+  const auto source = open(bytes, 0, 1);
   Statement statement;
   std::vector<Argument> arguments;
   bool has_position = false;
-  for (std::size_t i = 0; i < kMaxStatements && reader.next(statement); ++i) {
+  for (std::size_t i = 0; i < kMaxStatements && source->next(statement); ++i) {
     if (is_position(statement.word)) {
       has_position = true;
       if (guess.source != UnitGuess::Source::none) return guess;

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "lib/base/units.h"
-#include "postproc/cldata/language/dialect.h"
+#include "postproc/cldata/language/statement.h"
 
 namespace gouge {
 
@@ -28,6 +28,6 @@ struct UnitGuess {
 ///
 /// Ensures  UNITS or UNIT before the first position decides; else the first feed word of FEDRAT or CYCLE.
 /// Cost     The statements up to the first position, at most 20,000 where no unit is found there.
-[[nodiscard]] UnitGuess find_unit(std::string_view bytes, const Dialect& dialect);
+[[nodiscard]] UnitGuess find_unit(std::string_view bytes, OpenStatements open);
 
 }  // namespace gouge

@@ -8,7 +8,7 @@
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/lexing/lexer.h"
-#include "postproc/cldata/lexing/statement_reader.h"
+#include "postproc/cldata/lexing/statement_at.h"
 #include "postproc/cldata/parsing/arc_statement.h"
 
 namespace gouge {

@@ -22,7 +22,7 @@ struct WrittenArc {
 
 class ArcText {
  public:
-  /// Learns from the first arcs of the file. `records` as motion_records_of gives them.
+  /// Learns from the first arcs of the file. `records` as read_motion_records gives them.
   ArcText(const Toolpath& path, const MotionRecords& records);
 
   /// True where the statements of the arc that is move `move` can say another one: those of a dialect of

@@ -4,7 +4,7 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
-#include "postproc/cldata/lexing/statement_reader.h"
+#include "postproc/cldata/lexing/statement_at.h"
 
 namespace gouge {
 namespace {
@@ -16,7 +16,7 @@ constexpr int kUsualDecimals = 6;
 
 }  // namespace
 
-GotoText::GotoText(const Toolpath& path, const MotionRecords& records) : path_(path) {
+GotoText::GotoText(const Toolpath& path, const MotionRecords& records, OpenStatements open) : path_(path), open_(open) {
   line_end_ = line_end_of(path.source);
   std::size_t learned = 0;
   for (const MotionRecord& record : records.of_move) {
@@ -42,7 +42,7 @@ void GotoText::learn_holes(const MotionRecords& records) {
 }
 
 void GotoText::learn(const MotionRecord& record) {
-  const Statement statement = statement_at(path_, record.statement);
+  const Statement statement = statement_at(path_, record.statement, open_);
   std::vector<Argument> arguments;
   split_arguments(statement, arguments);
   const std::string_view bytes = path_.source;
@@ -80,7 +80,7 @@ bool GotoText::is_same_axis(const Vec3& a, const Vec3& b) const {
 
 std::string GotoText::replaced(std::size_t index, std::size_t numbers,
                                const std::vector<std::optional<WrittenPosition>>& positions) const {
-  const Statement statement = statement_at(path_, index);
+  const Statement statement = statement_at(path_, index, open_);
   std::vector<Argument> arguments;
   split_arguments(statement, arguments);
   const std::string_view bytes = path_.source;
@@ -107,7 +107,7 @@ std::string GotoText::replaced(std::size_t index, std::size_t numbers,
 }
 
 std::string GotoText::shifted(std::size_t index, std::size_t numbers, const std::vector<Vec3>& shifts) const {
-  const Statement statement = statement_at(path_, index);
+  const Statement statement = statement_at(path_, index, open_);
   std::vector<Argument> arguments;
   split_arguments(statement, arguments);
   std::string result;

@@ -8,6 +8,7 @@
 #include "lib/geom/pose.h"
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/language/arguments.h"
+#include "postproc/cldata/lexing/statement_at.h"
 #include "postproc/cldata/rewriting/number_style.h"
 
 // GOTO statements as one file writes them: learned from the file, used to change its positions and to add new
@@ -23,8 +24,8 @@ struct WrittenPosition {
 
 class GotoText {
  public:
-  /// Learns from the first GOTO statements of the file. `records` as motion_records_of gives them.
-  GotoText(const Toolpath& path, const MotionRecords& records);
+  /// Learns from the first GOTO statements of the file. `records` as read_motion_records gives them.
+  GotoText(const Toolpath& path, const MotionRecords& records, OpenStatements open = &open_text);
 
   /// The bytes of statement `index` with positions put in: `positions[k]` replaces the k-th where it has a
   /// value. Numbers that stay the same at the file's decimals keep their bytes. Requires a statement with
@@ -54,6 +55,7 @@ class GotoText {
   void append_number(std::string& text, const NumberStyle& style, double value) const;
 
   const Toolpath& path_;
+  OpenStatements open_;
   NumberStyle coordinates_, components_;
   std::string prefix_ = "GOTO/";
   std::string separator_ = ",";

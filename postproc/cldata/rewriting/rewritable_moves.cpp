@@ -38,11 +38,6 @@ bool states_axes(const Toolpath& path, const std::vector<MotionRecord>& records)
 
 }  // namespace
 
-RewritableMoves rewritable_moves(const Toolpath& path) {
-  const auto records = motion_records_of(path);
-  return rewritable_moves(path, *records, ArcText(path, *records));
-}
-
 RewritableMoves rewritable_moves(const Toolpath& path, const MotionRecords& read, const ArcText& arcs) {
   const std::vector<MotionRecord>& records = read.of_move;
   const std::vector<bool> none(records.size(), false);

@@ -38,7 +38,7 @@ std::string certain_name(const std::string& name, const std::string& size) {
 
 }  // namespace
 
-TextSink::TextSink(const TextSinkOptions& options)
+TextSink::TextSink(const SinkOptions& options)
     : options_(options), format_(text_format(options.dialect.kind)), is_block_due_(options.dialect.has_blocks) {
   format_.decimals = std::max(format_.decimals, options.decimals);
   format_.axis_decimals = std::max(format_.axis_decimals, options.axis_decimals);
@@ -266,5 +266,7 @@ std::string TextSink::finish() {
   fill(format_.end);
   return std::move(text_);
 }
+
+std::unique_ptr<MotionSink> make_text_sink(const SinkOptions& options) { return std::make_unique<TextSink>(options); }
 
 }  // namespace gouge

@@ -1,29 +1,22 @@
 #pragma once
 
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "postproc/cldata/writing/motion_sink.h"
+#include "postproc/cldata/writing/sink_options.h"
 #include "postproc/cldata/writing/text_format.h"
+#include "postproc/program/motion_sink.h"
 
 // Writes a toolpath as the text of one dialect.
 
 namespace gouge {
 
-struct TextSinkOptions {
-  Dialect dialect;
-  LengthUnit unit = LengthUnit::mm;
-  int decimals = 0, axis_decimals = 0;  ///< no fewer than these
-  bool is_tilted = false;               ///< an axis of the path is not +Z
-  bool is_on_centre = true;             ///< all positions are the cutter's centre
-  std::string name;                     ///< of the part program
-};
-
 class TextSink final : public MotionSink {
  public:
-  explicit TextSink(const TextSinkOptions& options);
+  explicit TextSink(const SinkOptions& options);
 
   void begin_operation(const std::string& name) override;
   void change_tool(const PathTool& tool) override;
@@ -51,7 +44,7 @@ class TextSink final : public MotionSink {
   [[nodiscard]] bool is_inch() const { return options_.unit == LengthUnit::inch; }
   [[nodiscard]] double scaled(double mm) const { return mm / mm_per(options_.unit); }
 
-  TextSinkOptions options_;
+  SinkOptions options_;
   TextFormat format_;
   std::string text_;
   std::string operation_;
@@ -62,5 +55,7 @@ class TextSink final : public MotionSink {
   bool is_alone_ = true;  // nothing leads to the next position
   bool has_feed_per_turn_ = false;
 };
+
+[[nodiscard]] std::unique_ptr<MotionSink> make_text_sink(const SinkOptions& options);
 
 }  // namespace gouge

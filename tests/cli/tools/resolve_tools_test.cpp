@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge {

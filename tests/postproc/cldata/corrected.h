@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/formats/write_corrected.h"
 
 namespace gouge {
 

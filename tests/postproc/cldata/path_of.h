@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 
 namespace gouge {
 

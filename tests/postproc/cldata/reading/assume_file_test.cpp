@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 
 // What a file establishes about itself.
 

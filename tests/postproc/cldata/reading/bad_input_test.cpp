@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lib/base/files.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 #include "tests/support/source_folder.h"
 
 namespace gouge {

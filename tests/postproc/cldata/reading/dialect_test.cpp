@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "postproc/cldata/interpreting/interpreter.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
+#include "postproc/formats/toolpath_format.h"
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/path_of.h"
 
@@ -149,7 +150,7 @@ TEST(Unknown, AWordThatWasDeclaredHarmlessIsPassedOverAndCounted) {
   EXPECT_TRUE(path.words_not_understood.empty());
   const auto is_note = [](const Diagnostic& note) { return note.code == "path-harmless-words" && note.line == 3; };
   EXPECT_TRUE(std::ranges::any_of(path.notes, is_note));
-  EXPECT_EQ(motion_records_of(path)->of_move.size(), 2u) << "writers read it in the same way";
+  EXPECT_EQ(format_of(path).records(path)->of_move.size(), 2u) << "writers read it in the same way";
   EXPECT_EQ(path_with(text, {"WHEEL"}).moves.size(), 3u) << "the other word is none";
 }
 

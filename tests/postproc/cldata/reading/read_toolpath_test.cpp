@@ -1,4 +1,4 @@
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 
 #include <gtest/gtest.h>
 

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "postproc/cldata/reading/read_toolpath.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
-#include "postproc/cldata/writing/write_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
+#include "postproc/formats/write_corrected.h"
+#include "postproc/formats/write_toolpath.h"
 
 // How much memory reading takes at its peak, for each byte of the file: every allocation is counted. The
 // files are the worst of their kind, of statements as short as they can be.

@@ -8,8 +8,8 @@
 
 #include "lib/base/files.h"
 #include "lib/path/path_info.h"
-#include "postproc/cldata/reading/read_toolpath.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/formats/read_toolpath.h"
+#include "postproc/formats/write_corrected.h"
 #include "tests/support/source_folder.h"
 
 namespace gouge {

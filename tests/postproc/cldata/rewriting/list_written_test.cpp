@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "postproc/cldata/reading/read_toolpath.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/formats/read_toolpath.h"
+#include "postproc/formats/write_corrected.h"
 
 namespace gouge {
 namespace {

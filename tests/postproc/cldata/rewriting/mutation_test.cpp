@@ -5,8 +5,8 @@
 
 #include "lib/path/chords.h"
 #include "postproc/cldata/interpreting/reasons.h"
-#include "postproc/cldata/reading/read_toolpath.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/formats/read_toolpath.h"
+#include "postproc/formats/write_corrected.h"
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/support/scatter.h"
 

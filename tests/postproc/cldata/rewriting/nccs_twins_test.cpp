@@ -7,7 +7,7 @@
 #include "lib/base/number_text.h"
 #include "lib/path/chords.h"
 #include "postproc/cldata/interpreting/reasons.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/formats/write_corrected.h"
 #include "tests/postproc/cldata/nccs_file.h"
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/postproc/cldata/same_moves.h"

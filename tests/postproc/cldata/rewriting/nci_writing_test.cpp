@@ -1,7 +1,7 @@
 // Corrections written into Mastercam NCI files.
 
 #include "lib/path/chords.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/formats/write_corrected.h"
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/corrected.h"
 #include "tests/postproc/cldata/path_of.h"

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "lib/path/curve.h"
-#include "postproc/cldata/rewriting/rewritable_moves.h"
-#include "postproc/cldata/writing/write_toolpath.h"
+#include "postproc/formats/write_corrected.h"
+#include "postproc/formats/write_toolpath.h"
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/corrected.h"
 #include "tests/postproc/cldata/path_of.h"

@@ -1,7 +1,7 @@
 // Holes of drilling cycles that go elsewhere: one GOTO is all that changes.
 #include <set>
 
-#include "postproc/cldata/rewriting/rewritable_moves.h"
+#include "postproc/formats/write_corrected.h"
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/corrected.h"
 #include "tests/postproc/cldata/path_of.h"

@@ -1,7 +1,7 @@
 // Corrections of binary NCCS files: arcs that become straight positions, and what stays as it was.
 #include "lib/path/chords.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
-#include "postproc/cldata/writing/write_toolpath.h"
+#include "postproc/formats/write_corrected.h"
+#include "postproc/formats/write_toolpath.h"
 #include "tests/postproc/cldata/nccs_file.h"
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/postproc/cldata/same_moves.h"

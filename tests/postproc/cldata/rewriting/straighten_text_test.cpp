@@ -1,6 +1,6 @@
 // Arcs and splines that become straight positions, in the file's own way of writing them.
 #include "lib/path/chords.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/formats/write_corrected.h"
 #include "tests/postproc/cldata/path_of.h"
 
 namespace gouge {

@@ -1,4 +1,4 @@
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/formats/write_corrected.h"
 
 #include <gtest/gtest.h>
 

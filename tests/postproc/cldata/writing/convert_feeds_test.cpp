@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "postproc/cldata/reading/read_toolpath.h"
-#include "postproc/cldata/writing/write_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
+#include "postproc/formats/write_toolpath.h"
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/postproc/cldata/written_states.h"

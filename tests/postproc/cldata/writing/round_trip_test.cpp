@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "postproc/cldata/reading/read_toolpath.h"
-#include "postproc/cldata/reading/recognise_dialect.h"
-#include "postproc/cldata/rewriting/write_corrected.h"
-#include "postproc/cldata/writing/write_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
+#include "postproc/formats/toolpath_format.h"
+#include "postproc/formats/write_corrected.h"
+#include "postproc/formats/write_toolpath.h"
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/path_of.h"
 

@@ -1,4 +1,4 @@
-#include "postproc/cldata/nccs/nccs_words.h"
+#include "postproc/cldata/language/post_words.h"
 
 #include <algorithm>
 #include <array>
@@ -52,8 +52,8 @@ std::string_view name_in(std::span<const Code> codes, std::uint16_t code) {
 
 }  // namespace
 
-std::string_view nccs_major(std::uint16_t subclass) { return name_in(kMajors, subclass); }
+std::string_view major_of_code(std::uint16_t subclass) { return name_in(kMajors, subclass); }
 
-std::string_view nccs_minor(std::uint16_t code) { return name_in(kMinors, code); }
+std::string_view minor_of_code(std::uint16_t code) { return name_in(kMinors, code); }
 
 }  // namespace gouge

@@ -1,11 +1,11 @@
-#include "postproc/cldata/writing/verify_written.h"
+#include "postproc/formats/verify_written.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "lib/base/number_text.h"
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/formats/read_toolpath.h"
 
 namespace gouge {
 namespace {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "postproc/cldata/nccs/nccs_records.h"
-#include "postproc/cldata/writing/motion_sink.h"
+#include "postproc/cldata/writing/sink_options.h"
+#include "postproc/program/motion_sink.h"
 
 // Writes a toolpath as binary NCCS records.
 
@@ -33,5 +35,7 @@ class NccsSink final : public MotionSink {
   std::uint16_t sequence_ = 0;
   bool has_feed_per_turn_ = false;
 };
+
+[[nodiscard]] std::unique_ptr<MotionSink> make_nccs_sink(const SinkOptions& options);
 
 }  // namespace gouge

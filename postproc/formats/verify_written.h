@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "postproc/cldata/language/dialect.h"
-#include "postproc/cldata/writing/write_toolpath.h"
+#include "postproc/formats/write_toolpath.h"
 
 namespace gouge {
 

@@ -1,4 +1,4 @@
-#include "postproc/cldata/rewriting/rewriters.h"
+#include "postproc/cldata/nccs/nccs_edits.h"
 
 #include <algorithm>
 
@@ -10,17 +10,13 @@
 namespace gouge {
 namespace {
 
-constexpr double kSameNccsAxis = 1e-12;
-constexpr std::size_t kWord = 8;
-constexpr std::uint16_t kPoints = 5, kRapid = 5, kMultaxOn = 0, kMultaxOff = 1;
-
 class NccsCorrector {
  public:
-  NccsCorrector(const Toolpath& path, const std::vector<PathChange>& changes)
+  NccsCorrector(const Toolpath& path, const MotionRecords& records, const std::vector<PathChange>& changes)
       : path_(path),
         source_(path.source),
-        read_(motion_records_of(path)),
-        records_(read_->of_move),
+        read_(records),
+        records_(read_.of_move),
         changes_(path.moves.size(), changes) {}
 
   Result<Edits> edits();
@@ -50,7 +46,7 @@ class NccsCorrector {
 
   const Toolpath& path_;
   NccsWords source_;
-  std::shared_ptr<const MotionRecords> read_;
+  const MotionRecords& read_;
   const std::vector<MotionRecord>& records_;  // of read_
   ChangeTable changes_;
   std::vector<std::size_t> dropped_;  // statements of circles that become straight, in order
@@ -123,7 +119,8 @@ void NccsCorrector::copy_source(std::size_t first_word, std::size_t last_word) {
 }
 
 void NccsCorrector::add(std::uint16_t klass, std::uint16_t subclass, std::uint16_t sequence, const std::string& words) {
-  words_ += nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + words.size() / kWord), klass, subclass, sequence});
+  words_ +=
+      nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + words.size() / kNccsWordBytes), klass, subclass, sequence});
   words_ += words;
 }
 
@@ -133,9 +130,9 @@ void NccsCorrector::add_position(const MotionRecord& record, const Pose& local, 
   const bool has_axis = record.numbers == 6 || (record.numbers == 0 && !record.is_multax_off) || is_new_axis;
   const bool is_expanded = source_.header(first_word_of(record.statement)).klass == NccsClass::kExpanded;
   const bool is_switched = record.is_multax_off && has_axis && (record.numbers != 6 || is_expanded);
-  if (is_switched) add(NccsClass::kMode, kMultaxOn, sequence, {});
-  add(NccsClass::kMotion, kPoints, sequence, numbers(record, local, has_axis));
-  if (is_switched) add(NccsClass::kMode, kMultaxOff, sequence, {});
+  if (is_switched) add(NccsClass::kMode, NccsSubclass::kMultaxOn, sequence, {});
+  add(NccsClass::kMotion, NccsSubclass::kPoints, sequence, numbers(record, local, has_axis));
+  if (is_switched) add(NccsClass::kMode, NccsSubclass::kMultaxOff, sequence, {});
 }
 
 void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
@@ -144,11 +141,11 @@ void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
   const bool is_rapid = path_.moves[move].kind == MoveKind::rapid;
   bool is_pending = record.is_rapid;
   for (const Pose& pose : changes_[move]->inserted_before) {
-    if (is_rapid && !is_pending) add(NccsClass::kPost, kRapid, sequence, {});
+    if (is_rapid && !is_pending) add(NccsClass::kPost, NccsSubclass::kRapid, sequence, {});
     is_pending = false;
     add_position(record, record.frame->to_part.inverse().pose(pose), sequence);
   }
-  if (record.is_rapid) add(NccsClass::kPost, kRapid, sequence, {});
+  if (record.is_rapid) add(NccsClass::kPost, NccsSubclass::kRapid, sequence, {});
 }
 
 // As a record of its own.
@@ -157,7 +154,8 @@ void NccsCorrector::copy_point(std::size_t move, const NccsHeader& header) {
   const bool is_expanded = header.klass == NccsClass::kExpanded;
   const std::size_t count = is_expanded ? kNccsExpandedWords : record.numbers;
   const std::size_t begin = first_word_of(record.statement) + 1 + record.point * count;
-  words_ += nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + count), header.klass, kPoints, header.sequence});
+  words_ += nccs_word(
+      NccsHeader{static_cast<std::uint16_t>(1 + count), header.klass, NccsSubclass::kPoints, header.sequence});
   copy(begin, begin + count);
 }
 
@@ -206,16 +204,16 @@ std::string NccsCorrector::laid_out() const {
   std::string bytes = nccs_blocks(words_);
   const std::size_t last_record = first_word_of(path_.statements.size() - 1);
   if (source_.header(last_record).klass != NccsClass::kFini)
-    bytes.resize(NccsWords::offset(words_.size() / kWord - 1) + kWord);
+    bytes.resize(NccsWords::offset(words_.size() / kNccsWordBytes - 1) + kNccsWordBytes);
   return bytes;
 }
 
 Edits NccsCorrector::changed_words() const {
   Edits edits;
   for (std::size_t word = 0; word < source_.words(); ++word) {
-    const std::string_view now = std::string_view(words_).substr(word * kWord, kWord);
+    const std::string_view now = std::string_view(words_).substr(word * kNccsWordBytes, kNccsWordBytes);
     const std::size_t first = NccsWords::offset(word);
-    if (now != source_.bytes(word)) edits.push_back({first, first + kWord, std::string(now)});
+    if (now != source_.bytes(word)) edits.push_back({first, first + kNccsWordBytes, std::string(now)});
   }
   return edits;
 }
@@ -241,14 +239,15 @@ Result<Edits> NccsCorrector::edits() {
   }
   const std::size_t count = source_.words();
   copy_source(copied, count);
-  if (words_.size() != count * kWord) return Edits{{0, path_.source.size(), laid_out()}};
+  if (words_.size() != count * kNccsWordBytes) return Edits{{0, path_.source.size(), laid_out()}};
   return changed_words();
 }
 
 }  // namespace
 
-Result<Edits> edits_of_nccs(const Toolpath& path, const std::vector<PathChange>& changes) {
-  return NccsCorrector(path, changes).edits();
+Result<Edits> edits_of_nccs(const Toolpath& path, const MotionRecords& records,
+                            const std::vector<PathChange>& changes) {
+  return NccsCorrector(path, records, changes).edits();
 }
 
 }  // namespace gouge

@@ -1,12 +1,10 @@
-#include "postproc/cldata/reading/recognise_dialect.h"
+#include "postproc/cldata/reading/recognise_text.h"
 
 #include <array>
 #include <cstddef>
 #include <string>
 
 #include "postproc/cldata/language/text.h"
-#include "postproc/cldata/nccs/nccs_records.h"
-#include "postproc/cldata/nci/nci_lines.h"
 
 namespace gouge {
 namespace {
@@ -100,10 +98,7 @@ FirstLines look_at(std::string_view bytes) {
 
 }  // namespace
 
-Dialect recognise_dialect(std::string_view bytes) {
-  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
-  if (is_nccs_binary(bytes)) return dialect_of(DialectKind::nccs_binary);
-  if (is_nci(bytes)) return dialect_of(DialectKind::nci);
+Dialect recognise_text(std::string_view bytes) {
   const FirstLines found = look_at(bytes);
   for (std::size_t i = 0; i < kMarks.size(); ++i) {
     if (counts(found, i)) return dialect_of(kMarks[i].kind);

@@ -1,4 +1,4 @@
-#include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/cldata/rewriting/rewriters.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,7 +6,7 @@
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/dialect.h"
-#include "postproc/cldata/lexing/statement_reader.h"
+#include "postproc/cldata/lexing/statement_at.h"
 #include "postproc/cldata/rewriting/arc_text.h"
 #include "postproc/cldata/rewriting/change_table.h"
 #include "postproc/cldata/rewriting/goto_text.h"
@@ -19,12 +19,12 @@ namespace {
 
 class CorrectedWriter {
  public:
-  CorrectedWriter(const Toolpath& path, const std::vector<PathChange>& changes)
+  CorrectedWriter(const Toolpath& path, const MotionRecords& records, const std::vector<PathChange>& changes)
       : path_(path),
-        read_(motion_records_of(path)),
-        records_(read_->of_move),
-        goto_text_(path, *read_),
-        arc_text_(path, *read_),
+        read_(records),
+        records_(read_.of_move),
+        goto_text_(path, read_),
+        arc_text_(path, read_),
         is_axis_modal_(dialect_or_apt(path.dialect).is_axis_modal),
         is_axis_left_(!dialect_or_apt(path.dialect).has_known_plain_axis),
         has_no_axes_(!is_axis_modal_ &&
@@ -68,7 +68,7 @@ class CorrectedWriter {
   [[nodiscard]] std::string framed(const MotionRecord& record, const WrittenPosition& position, std::string text) const;
 
   const Toolpath& path_;
-  std::shared_ptr<const MotionRecords> read_;
+  const MotionRecords& read_;
   const std::vector<MotionRecord>& records_;  // of read_
   GotoText goto_text_;
   ArcText arc_text_;
@@ -320,7 +320,7 @@ std::optional<Diagnostic> CorrectedWriter::find_unwritable() const {
   std::optional<RewritableMoves> can;
   for (std::size_t i = 0; i < path_.moves.size(); ++i) {
     if (!changes_.is_rewritten(i)) continue;
-    if (!can) can = rewritable_moves(path_, *read_, arc_text_);
+    if (!can) can = rewritable_moves(path_, read_, arc_text_);
     const bool is_split = !changes_[i]->inserted_arcs.empty();
     if (is_split ? can->split[i] : changes_[i]->new_arc ? can->arc[i] : can->hole[i]) continue;
     return make_error("write-arc",
@@ -364,25 +364,11 @@ Result<Edits> CorrectedWriter::edits() {
   return edits;
 }
 
-Result<Edits> edits_of(const Toolpath& path, const std::vector<PathChange>& changes) {
-  switch (dialect_or_apt(path.dialect).form) {
-    case FileForm::nccs_records:
-      return edits_of_nccs(path, changes);
-    case FileForm::nci_lines:
-      return edits_of_nci(path, changes);
-    case FileForm::text:
-      break;
-  }
-  return CorrectedWriter(path, changes).edits();
-}
-
 }  // namespace
 
-Result<std::string> write_corrected(const Toolpath& path, const std::vector<PathChange>& changes) {
-  if (auto error = find_wrong_change(path, changes)) return std::move(*error);
-  const Result<Edits> edits = edits_of(path, changes);
-  if (!edits) return edits.error();
-  return apply_edits(path.source, *edits);
+Result<Edits> edits_of_text(const Toolpath& path, const MotionRecords& records,
+                            const std::vector<PathChange>& changes) {
+  return CorrectedWriter(path, records, changes).edits();
 }
 
 }  // namespace gouge

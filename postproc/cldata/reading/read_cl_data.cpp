@@ -1,4 +1,4 @@
-#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/cldata/reading/read_cl_data.h"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +14,8 @@
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/language/words.h"
-#include "postproc/cldata/lexing/statement_reader.h"
 #include "postproc/cldata/reading/assume_file.h"
 #include "postproc/cldata/reading/foreign_file.h"
-#include "postproc/cldata/reading/recognise_dialect.h"
 #include "postproc/cldata/reading/unit_guess.h"
 
 namespace gouge {
@@ -211,8 +209,8 @@ Diagnostic no_motion(const Toolpath& path, const Dialect& dialect) {
   return make_error("path-no-motion", std::move(message), path.file);
 }
 
-UnitGuess unit_of(std::string_view bytes, const Dialect& dialect, const ReadOptions& options) {
-  const UnitGuess guess = find_unit(bytes, dialect);
+UnitGuess unit_of(std::string_view bytes, OpenStatements open, const ReadOptions& options) {
+  const UnitGuess guess = find_unit(bytes, open);
   if (guess.source == UnitGuess::Source::stated || !options.unit) return guess;
   return {*options.unit, UnitGuess::Source::option, {}, 0};
 }
@@ -247,10 +245,9 @@ void report_last_line(std::string_view bytes, const Dialect& dialect, Diagnostic
 
 }  // namespace
 
-ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const ReadOptions& options,
-                          const ProgressCall& progress) {
+ReadOutcome read_cl_data(const std::string& file_name, SourceText bytes, const Dialect& dialect, OpenStatements open,
+                         const ReadOptions& options, const ProgressCall& progress) {
   ReadOutcome outcome;
-  const Dialect dialect = options.dialect.value_or(recognise_dialect(bytes));
   if (auto error = find_unreadable(file_name, bytes, dialect, options.dialect.has_value())) {
     outcome.errors.push_back(std::move(*error));
     return outcome;
@@ -258,7 +255,7 @@ ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const 
   Toolpath path;
   path.file = file_name;
   path.source = std::move(bytes);
-  const UnitGuess guess = unit_of(path.source, dialect, options);
+  const UnitGuess guess = unit_of(path.source, open, options);
   path.dialect = dialect.id;
   path.harmless_words = options.harmless_words;
   path.retract_plane_mm = options.retract_plane_mm;
@@ -272,10 +269,10 @@ ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const 
   if (records) records->of_move.reserve(lines.with_position);
   Interpreter interpreter(path, dialect, guess.unit, records.get());
   if (options.is_cutcom_centre) interpreter.set_cutter_centre();
-  StatementReader reader(path.source, dialect.form);
+  const auto source = open(path.source, 0, 1);
   Statement statement;
   Stage stage(progress, "reading " + file_name, lines.with_text);
-  for (std::size_t i = 0; !interpreter.is_hopeless() && reader.next(statement); ++i) {
+  for (std::size_t i = 0; !interpreter.is_hopeless() && source->next(statement); ++i) {
     stage.pass(i);
     interpreter.take(statement);
   }

@@ -21,7 +21,7 @@ namespace gouge {
 ///              only the numbers change, in the file's own way of writing arcs, and positions inserted before it stand
 ///              before all of these; those that inserted_arcs reaches on an arc have its statement with other numbers
 ///              before them. (6) Of a hole that is shifted the numbers of its position change and nothing else; its
-///              moves, and the path to the next hole, follow from there. rewritable_moves.h says where (5) and (6) can
+///              moves, and the path to the next hole, follow from there. rewritable_moves says where (5) and (6) can
 ///              be had.
 /// Errors   write-move (no such move, one named twice, or changes that exclude each other), write-arc (what is not in
 ///          RewritableMoves; an arc that its ends do not lie on, or whose dialect would say it in other
@@ -31,5 +31,17 @@ namespace gouge {
 /// Cost     One pass over the file, and one to read it again unless `path` has its origins: memory beyond `path` is then
 ///          about 5 times a usual file.
 [[nodiscard]] Result<std::string> write_corrected(const Toolpath& path, const std::vector<PathChange>& changes);
+
+/// What write_corrected can write of `path` within its own statements.
+///
+/// Shape    two entries a move. Requires `path` as read by read_toolpath.
+/// Ensures  an arc that is rewritable can be written as any arc that turns less than a whole turn (or a whole one,
+///          where it does now), but that CATIA's stays on its side of half a turn and the vector of a CLT arc stays. It
+///          can be split where its position is a GOTO, which CATIA's is not. A hole can be shifted where its position
+///          is a GOTO, nothing is counted from that position (GODLTA) and no arc begins where the cycle ends. Nothing
+///          is rewritable in Mastercam NCI and binary NCCS files, nor arcs of which one statement describes several
+///          (lists of NCL), or that state turns (TIMES).
+/// Cost     One pass over the moves, and one to read the file again unless `path` has its origins.
+[[nodiscard]] RewritableMoves rewritable_moves(const Toolpath& path);
 
 }  // namespace gouge

@@ -1,3 +1,5 @@
+#include "postproc/cldata/nci/nci_edits.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,7 +17,6 @@
 #include "postproc/cldata/nci/nci_motion.h"
 #include "postproc/cldata/rewriting/change_table.h"
 #include "postproc/cldata/rewriting/number_style.h"
-#include "postproc/cldata/rewriting/rewriters.h"
 
 namespace gouge {
 namespace {
@@ -221,8 +222,8 @@ bool is_plain(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCo
 
 class NciCorrector {
  public:
-  NciCorrector(const Toolpath& path, const std::vector<PathChange>& changes)
-      : path_(path), read_(motion_records_of(path)), text_(path, *read_), changes_(path.moves.size(), changes) {}
+  NciCorrector(const Toolpath& path, const MotionRecords& records, const std::vector<PathChange>& changes)
+      : path_(path), read_(records), text_(path, read_), changes_(path.moves.size(), changes) {}
 
   Result<Edits> edits();
 
@@ -236,13 +237,13 @@ class NciCorrector {
   }
 
   const Toolpath& path_;
-  std::shared_ptr<const MotionRecords> read_;
+  const MotionRecords& read_;
   NciText text_;
   ChangeTable changes_;
 };
 
 Pose NciCorrector::in_file(std::size_t move, const Pose& pose) const {
-  const MotionFrame& frame = *read_->of_move[move].frame;
+  const MotionFrame& frame = *read_.of_move[move].frame;
   Pose local = frame.to_part.inverse().pose(pose);
   local.tip /= frame.mm_per_unit;
   return local;
@@ -255,7 +256,7 @@ std::optional<Diagnostic> NciCorrector::find_error(std::size_t move, const NciMo
                          path_.moves[next].has_start && !changes_.is_straightened(next);
   if (change.new_end && meets_arc)
     return error("write-arc", move, "ends where an arc that stays begins; expected that arc straightened as well");
-  const bool is_axis_stated_next = next >= path_.moves.size() || read_->of_move[next].numbers == kPointAndAxis;
+  const bool is_axis_stated_next = next >= path_.moves.size() || read_.of_move[next].numbers == kPointAndAxis;
   const bool is_newly_tilted = change.new_end && is_plain(in_file(move, path_.moves[move].end).axis) &&
                                !is_plain(in_file(move, *change.new_end).axis);
   if (is_newly_tilted && !is_axis_stated_next)
@@ -307,8 +308,8 @@ Result<Edits> NciCorrector::edits() {
 
 }  // namespace
 
-Result<Edits> edits_of_nci(const Toolpath& path, const std::vector<PathChange>& changes) {
-  return NciCorrector(path, changes).edits();
+Result<Edits> edits_of_nci(const Toolpath& path, const MotionRecords& records, const std::vector<PathChange>& changes) {
+  return NciCorrector(path, records, changes).edits();
 }
 
 }  // namespace gouge

@@ -1,4 +1,4 @@
-#include "postproc/cldata/writing/write_toolpath.h"
+#include "postproc/formats/write_toolpath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,8 @@
 #include "lib/path/chords.h"
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/reasons.h"
-#include "postproc/cldata/rewriting/goto_text.h"
-#include "postproc/cldata/writing/nccs_sink.h"
-#include "postproc/cldata/writing/text_sink.h"
-#include "postproc/cldata/writing/verify_written.h"
+#include "postproc/formats/toolpath_format.h"
+#include "postproc/formats/verify_written.h"
 
 namespace gouge {
 namespace {
@@ -60,7 +58,7 @@ class PathWriter {
   PathWriter(const Toolpath& path, const Dialect& target)
       : path_(path),
         target_(target),
-        records_(motion_records_of(path)),
+        records_(format_of(path).records(path)),
         is_on_centre_(are_on_centre(path, *records_)) {}
 
   Result<WrittenToolpath> run();
@@ -150,24 +148,16 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
 std::unique_ptr<MotionSink> PathWriter::make_sink() const {
   std::string_view name = path_.file;
   name.remove_prefix(std::min(name.find_last_of('/') + 1, name.size()));
-  if (target_.form == FileForm::nccs_records)
-    return std::make_unique<NccsSink>(path_.unit, std::string(name.substr(0, name.find('.'))));
-  TextSinkOptions options;
+  SinkOptions options;
   options.dialect = target_;
   options.unit = path_.unit;
   options.name = name.substr(0, name.find('.'));
   options.is_on_centre = is_on_centre_;
   options.is_tilted = std::ranges::any_of(path_.moves, is_tilted);
-  const bool is_text = !dialect_or_apt(path_.dialect).is_binary;
-  if (is_text) {
-    const GotoText source(path_, *records_);
-    options.decimals = source.coordinate_decimals();
-    options.axis_decimals = source.axis_decimals();
-  } else {
-    options.decimals = 7;
-    options.axis_decimals = 9;
-  }
-  return std::make_unique<TextSink>(options);
+  const Decimals decimals = format_of(path_).decimals(path_, *records_);
+  options.decimals = decimals.coordinates;
+  options.axis_decimals = decimals.axes;
+  return format_called(target_.format).make_sink(options);
 }
 
 void PathWriter::expect(const Pose& end, bool is_alone, double sweep_rad) {

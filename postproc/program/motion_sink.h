@@ -3,7 +3,7 @@
 #include <string>
 
 #include "lib/path/toolpath.h"
-#include "postproc/cldata/language/cutcom.h"
+#include "postproc/program/cutcom.h"
 
 // What a neutral toolpath is written into: one motion after another, in the order of the path. Poses and
 // feeds in mm and part coordinates; a sink knows the unit and the words of its dialect.

@@ -1,4 +1,4 @@
-#include "postproc/cldata/writing/nccs_sink.h"
+#include "postproc/cldata/nccs/nccs_sink.h"
 
 #include <array>
 #include <cmath>
@@ -8,16 +8,14 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kWord = 8;
 constexpr double kSameNccsPoint_mm = 1e-6;
-constexpr double kSameNccsAxis = 1e-12;
 constexpr double kLongestSweep_rad = 2.5;  // clearly less than half a turn, so that the other way is longer
 constexpr double kShortestChord_mm = 0.01;
 constexpr double kCircleKind = 5;  // the first of the five words before a circle's numbers
 constexpr std::size_t kHeaderWords = 16, kNameWords = 8, kProgramWord = 12;
 
 struct PostCode {
-  static constexpr std::uint16_t kRapid = 5, kRetrct = 7, kGohome = 14, kCutcom = 1007, kFedrat = 1009, kPprint = 1044,
+  static constexpr std::uint16_t kRetrct = 7, kGohome = 14, kCutcom = 1007, kFedrat = 1009, kPprint = 1044,
                                  kLoadtl = 1055;
 };
 
@@ -29,7 +27,7 @@ std::uint16_t minor_code(CutcomSide side) {
 
 // `text` in whole words, filled with blanks.
 std::string text_words(std::string text, std::size_t words) {
-  text.resize(words * kWord, ' ');
+  text.resize(words * kNccsWordBytes, ' ');
   return text;
 }
 
@@ -43,12 +41,12 @@ NccsSink::NccsSink(LengthUnit unit, const std::string& name) : unit_(unit) {
 }
 
 void NccsSink::add(std::uint16_t klass, std::uint16_t subclass, const std::string& words) {
-  const auto count = static_cast<std::uint16_t>(1 + words.size() / kWord);
+  const auto count = static_cast<std::uint16_t>(1 + words.size() / kNccsWordBytes);
   words_ += nccs_word(NccsHeader{count, klass, subclass, ++sequence_}) + words;
 }
 
 void NccsSink::begin_operation(const std::string& name) {
-  add(NccsClass::kPost, PostCode::kPprint, text_words(name, (name.size() + kWord - 1) / kWord));
+  add(NccsClass::kPost, PostCode::kPprint, text_words(name, (name.size() + kNccsWordBytes - 1) / kNccsWordBytes));
 }
 
 // The number first: a number seen before brings its old cutter with it.
@@ -90,7 +88,7 @@ bool NccsSink::set_feed(const Feed& feed) {
 }
 
 bool NccsSink::make_rapid() {
-  add(NccsClass::kPost, PostCode::kRapid, {});
+  add(NccsClass::kPost, NccsSubclass::kRapid, {});
   return true;
 }
 
@@ -110,7 +108,7 @@ bool NccsSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) 
   const bool is_short =
       std::abs(arc.sweep_rad) <= kLongestSweep_rad && (end.tip - start.tip).norm() >= kShortestChord_mm;
   if (!is_planar || !keeps_axis || !is_short) return false;
-  std::string words = nccs_word(kCircleKind) + std::string(4 * kWord, '\0');
+  std::string words = nccs_word(kCircleKind) + std::string(4 * kNccsWordBytes, '\0');
   for (Eigen::Index i = 0; i < 3; ++i) words += nccs_word(arc.center[i] / mm_per(unit_));
   for (Eigen::Index i = 0; i < 3; ++i) words += nccs_word(arc.axis[i]);
   words += nccs_word(radial.norm() / mm_per(unit_));
@@ -122,6 +120,10 @@ bool NccsSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) 
 std::string NccsSink::finish() {
   add(NccsClass::kFini, 0, {});
   return nccs_blocks(words_);
+}
+
+std::unique_ptr<MotionSink> make_nccs_sink(const SinkOptions& options) {
+  return std::make_unique<NccsSink>(options.unit, options.name);
 }
 
 }  // namespace gouge

@@ -11,9 +11,9 @@
 namespace gouge {
 
 /// The major word, or nothing where the code is not known.
-[[nodiscard]] std::string_view nccs_major(std::uint16_t subclass);
+[[nodiscard]] std::string_view major_of_code(std::uint16_t subclass);
 
 /// The minor word, or nothing where the code is not known.
-[[nodiscard]] std::string_view nccs_minor(std::uint16_t code);
+[[nodiscard]] std::string_view minor_of_code(std::uint16_t code);
 
 }  // namespace gouge

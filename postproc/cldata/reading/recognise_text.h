@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string_view>
+
+#include "postproc/cldata/language/dialect.h"
+
+namespace gouge {
+
+/// The dialect of a file of text, by its first lines. One without the marks of any dialect is plain "apt".
+[[nodiscard]] Dialect recognise_text(std::string_view bytes);
+
+}  // namespace gouge
