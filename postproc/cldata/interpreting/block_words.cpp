@@ -23,7 +23,7 @@ void take_creo_comment(States& s, std::string_view text) {
     split_arguments(values, s.in.arguments);
     note_creo_csys(s);
   } else if (starts_with_ignoring_case(text, "FEATNO")) {
-    s.operation.name("FEATNO " + name_text(rest));
+    s.operation.name("FEATNO " + name_text(rest), s.in.line());
     break_motion(s);  // between sequences the machine goes home
   } else if (starts_with_ignoring_case(text, "CUTCOM_GEOMETRY_TYPE")) {
     const bool is_on_centre = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER");
@@ -107,7 +107,7 @@ void take_comment(States& s) {
     s.doubts.set(Doubt::matrix, s.in.named(Reasons::kMatrixRow, "$$", s.in.line()));
   } else if (is_catia && starts_with_ignoring_case(text, "OPERATION NAME")) {
     const std::size_t colon = text.find(':');
-    if (colon != std::string_view::npos) s.operation.name(name_text(text.substr(colon + 1)));
+    if (colon != std::string_view::npos) s.operation.name(name_text(text.substr(colon + 1)), s.in.line());
   } else {
     note_point(s, text);
   }
@@ -118,7 +118,7 @@ void take_tool_path(States& s) {
   s.blocks.begin(s.in.moves());
   const std::string_view text = s.in.first_piece();
   const std::size_t cut = text.find(",TOOL,");
-  s.operation.name(name_text(text.substr(0, cut)));
+  s.operation.name(name_text(text.substr(0, cut)), s.in.line());
   s.tool.begin_block(cut == std::string_view::npos ? std::string() : name_text(text.substr(cut + 6)));
   break_motion(s);
   s.axes.begin_block();
@@ -143,7 +143,7 @@ void take_end_of_path(States& s) {
 
 void take_operation(States& s) {
   if (s.in.dialect.operations_are_blocks) s.blocks.begin(s.in.moves());
-  s.operation.name(name_text(s.in.first_piece()));
+  s.operation.name(name_text(s.in.first_piece()), s.in.line());
 }
 
 void take_fini(States& s) {
@@ -176,7 +176,7 @@ void take_pprint(States& s) {
     return s.in.count_unknown();
   }
   note_point(s, s.in.first_piece());
-  if (!s.in.dialect.names_operations) s.operation.name(name_text(s.in.first_piece()));
+  if (!s.in.dialect.names_operations) s.operation.name(name_text(s.in.first_piece()), s.in.line());
 }
 
 // PPWORD/word,code: a word of the post-processor and its number in the table of words. One that is read here must keep

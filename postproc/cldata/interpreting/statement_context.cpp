@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::size_t kErrorsListed = 20;
 constexpr std::size_t kUnknownWordsListed = 200;
-constexpr double kShareThatDecides = 0.02;  // of a file, to expect the same of its rest
-constexpr double kFirstGrowth = 4, kLeastGrowth = 1.125, kMargin = 1.01;
 constexpr const char* kOtherWords = "(other words)";
 
 bool begins_with_letter(std::string_view text) { return !text.empty() && is_letter(text.front()); }
@@ -33,14 +31,7 @@ std::string_view StatementContext::text_behind_major() const {
 
 void StatementContext::begin(const Statement& next) {
   statement_ = &next;
-  make_room(path.statements);
-  path.statements.push_back({next.line, next.first_byte, next.last_byte});
-}
-
-std::size_t StatementContext::expected_count(std::size_t until_here) const {
-  const double share = static_cast<double>(statement_->last_byte) / static_cast<double>(path.source.size());
-  const double growth = share < kShareThatDecides ? kFirstGrowth : std::max(kMargin / share, kLeastGrowth);
-  return static_cast<std::size_t>(std::ceil(static_cast<double>(until_here) * growth));
+  add_statement({next.line, next.first_byte, next.last_byte});
 }
 
 bool StatementContext::has_numbers_alone(std::size_t count) const {
@@ -68,12 +59,6 @@ void StatementContext::count_unknown(std::string_view major) {
   auto& words = path.words_not_understood;
   if (words.size() >= kUnknownWordsListed && !words.contains(word)) word = kOtherWords;
   ++words[word];
-}
-
-void StatementContext::report(Severity severity, const char* code, const Tally& seen, std::string_view noun,
-                              std::string_view rest) {
-  if (seen.count == 0) return;
-  path.notes.push_back({severity, code, path.file, seen.first_line, count_text(seen.count, noun) + std::string(rest)});
 }
 
 void StatementContext::fail(std::string code, std::string message) {

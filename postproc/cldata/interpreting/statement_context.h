@@ -10,23 +10,15 @@
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/language/statement.h"
+#include "postproc/program/path_builder.h"
 
 namespace gouge {
 
-/// How often something was seen in a file, and the line of the first.
-struct Tally {
-  std::size_t count = 0, first_line = 0;
-
-  void add(std::size_t line) {
-    if (count++ == 0) first_line = line;
-  }
-};
-
 /// The statement being taken, the file it stands in, and what is wrong with either: what every state of the
 /// interpreter looks at.
-class StatementContext {
+class StatementContext : public PathBuilder {
  public:
-  StatementContext(Toolpath& path_read, const Dialect& of_file) : path(path_read), dialect(of_file) {}
+  StatementContext(Toolpath& path_read, const Dialect& of_file) : PathBuilder(path_read), dialect(of_file) {}
 
   /// The next statement. `arguments` stay those of the one before until they are split.
   void begin(const Statement& next);
@@ -36,9 +28,6 @@ class StatementContext {
   /// To the end of its line. A decoded statement, whose word the file does not spell, has its first piece there.
   [[nodiscard]] std::string_view text_behind_major() const;
   [[nodiscard]] std::size_t line() const { return statement_->line; }
-  /// Of the statement, in Toolpath::statements.
-  [[nodiscard]] std::size_t index() const { return path.statements.size() - 1; }
-  [[nodiscard]] std::size_t moves() const { return path.moves.size(); }
 
   /// Of the arguments.
   [[nodiscard]] bool has(std::string_view word) const { return has_argument(arguments, word); }
@@ -57,9 +46,6 @@ class StatementContext {
   /// The statement is taken as harmless because the user declared its word so.
   void count_declared() { declared_.add(line()); }
   [[nodiscard]] const Tally& declared() const { return declared_; }
-  /// How often something was seen in the file: `noun` in the number that was counted, then `rest`. Nothing where it
-  /// never was.
-  void report(Severity severity, const char* code, const Tally& seen, std::string_view noun, std::string_view rest);
   void fail(std::string code, std::string message);
   /// The file is no CL data: of all errors this one is left, and reading further has no use.
   void refuse_part_program(std::string_view what) { refuse_part_program(what, line()); }
@@ -69,21 +55,10 @@ class StatementContext {
   [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
   [[nodiscard]] Diagnostics take_errors();
 
-  /// `all` with memory for `more`, or for as many as the rest of the file holds if it goes on like this: growing
-  /// by doubling would need three times the memory while it copies.
-  template <class Things>
-  void make_room(Things& all, std::size_t more = 1) const {
-    const std::size_t needed = all.size() + more;
-    if (needed > all.capacity()) all.reserve(expected_count(needed));
-  }
-
-  Toolpath& path;
   const Dialect dialect;
   std::vector<Argument> arguments;  // of the statement
 
  private:
-  [[nodiscard]] std::size_t expected_count(std::size_t until_here) const;
-
   const Statement* statement_ = nullptr;
   NamedReasons reasons_;
   Diagnostics errors_;

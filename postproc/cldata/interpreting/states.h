@@ -19,12 +19,12 @@
 #include "postproc/cldata/interpreting/doubts.h"
 #include "postproc/cldata/interpreting/feed_units.h"
 #include "postproc/cldata/interpreting/frame_state.h"
-#include "postproc/cldata/interpreting/motion_chain.h"
 #include "postproc/cldata/interpreting/nurbs_state.h"
 #include "postproc/cldata/interpreting/part_program.h"
 #include "postproc/cldata/interpreting/statement_context.h"
 #include "postproc/cldata/interpreting/tool_state.h"
 #include "postproc/cldata/parsing/feed_statement.h"
+#include "postproc/program/motion_chain.h"
 
 namespace gouge {
 
@@ -59,34 +59,6 @@ class FeedState {
   bool has_feed_per_turn_ = false;  // a FEDRAT stated one: what one without a unit means is then not known
   bool is_rapid_ = false;
   std::size_t rapid_statement_ = kNone;
-};
-
-/// The operation of the positions that follow. One without a position is none.
-class OperationState {
- public:
-  explicit OperationState(StatementContext& in) : in_(in) {}
-
-  void name(std::string text) {
-    name_ = std::move(text);
-    line_ = in_.line();
-    is_new_ = true;
-  }
-  /// At a motion: its operation in Toolpath::operations, or kNone.
-  [[nodiscard]] std::size_t resolve() {
-    if (!std::exchange(is_new_, false)) return index_;
-    index_ = in_.path.operations.size();
-    in_.make_room(in_.path.operations);
-    in_.path.operations.push_back({name_, line_});
-    return index_;
-  }
-  [[nodiscard]] std::size_t index() const { return index_; }
-
- private:
-  StatementContext& in_;
-  std::string name_;
-  std::size_t line_ = 0;
-  bool is_new_ = false;
-  std::size_t index_ = kNone;
 };
 
 /// Text for the control that SolidWorks CAM may have written as the name of the tool that follows.

@@ -2,14 +2,14 @@
 
 #include <optional>
 
-#include "postproc/cldata/interpreting/statement_context.h"
+#include "postproc/program/path_builder.h"
 
 namespace gouge {
 
 /// Where the tool is, and how the next motion hangs together with the last one.
 class MotionChain {
  public:
-  explicit MotionChain(StatementContext& in) : in_(in) {}
+  explicit MotionChain(PathBuilder& builder) : builder_(builder) {}
 
   /// In part coordinates; nothing: the next position is alone.
   [[nodiscard]] const std::optional<Pose>& last_pose() const { return last_pose_; }
@@ -44,7 +44,7 @@ class MotionChain {
  private:
   void attach_link(Move& move);
 
-  StatementContext& in_;
+  PathBuilder& builder_;
   std::optional<Pose> last_pose_;
   const char* unknown_start_ = nullptr;
   const char* last_doubt_ = nullptr;

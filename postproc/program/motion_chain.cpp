@@ -1,4 +1,4 @@
-#include "postproc/cldata/interpreting/motion_chain.h"
+#include "postproc/program/motion_chain.h"
 
 #include <utility>
 
@@ -7,7 +7,7 @@ namespace gouge {
 // The machine does not go home between two positions only because a FROM, a CUTTER or another sequence stands there.
 void MotionChain::break_off() {
   is_broken_ = is_broken_ || last_pose_.has_value();
-  if (last_pose_) can_link_ = unknown_start_ == nullptr && last_doubt_ == nullptr && !in_.path.moves.empty();
+  if (last_pose_) can_link_ = unknown_start_ == nullptr && last_doubt_ == nullptr && !builder_.path.moves.empty();
   last_pose_.reset();
   unknown_start_ = nullptr;
   last_doubt_ = nullptr;
@@ -17,7 +17,7 @@ void MotionChain::break_off() {
 void MotionChain::attach_link(Move& move) {
   const bool can_link = std::exchange(can_link_, false);
   const bool was_loaded = std::exchange(was_loaded_, false);
-  const Toolpath& path = in_.path;
+  const Toolpath& path = builder_.path;
   if (!can_link || move.has_start || move.tool == kNone || path.moves.back().tool == kNone) return;
   const std::size_t tool = path.moves.back().tool;
   const std::optional<int> before = path.tools[tool].number, now = path.tools[move.tool].number;
@@ -41,7 +41,7 @@ void MotionChain::stand(const Pose& end, const char* reason) {
 }
 
 void MotionChain::write_note() const {
-  in_.report(
+  builder_.report(
       Severity::note, "path-not-swept", not_swept_, "time",
       " the machine goes home or changes its tool, frame or sequence between two positions: nothing is swept there");
 }
