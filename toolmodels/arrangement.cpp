@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "toolmodels/box_tree.h"
 #include "toolmodels/offset_curves.h"
 
@@ -110,7 +111,7 @@ class CurveCutter {
 
 double turn_between(const Vec2& u, const Vec2& v) {
   const double turn = std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
-  return turn < -std::numbers::pi + 1e-7 ? std::numbers::pi : turn;
+  return turn < -std::numbers::pi + Tolerance::kTangent ? std::numbers::pi : turn;
 }
 
 double curvature(const ProfileElement& e) {
@@ -167,7 +168,7 @@ class Walker {
     for (const std::size_t i : leaving_[pieces_[piece].to])
       if (!is_used_[i]) turns.emplace_back(turn_between(arriving, start_direction(pieces_[i].curve)), i);
     std::sort(turns.begin(), turns.end(), [&](const auto& p, const auto& q) {
-      if (std::abs(p.first - q.first) > 1e-7) return p.first > q.first;
+      if (std::abs(p.first - q.first) > Tolerance::kTangent) return p.first > q.first;
       const double bend = curvature(pieces_[p.second].curve) - curvature(pieces_[q.second].curve);
       return bend > 0 || (!(bend < 0) && p.second > q.second);
     });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/tolerance.h"
 #include "toolmodels/cutter_shapes.h"
 #include "toolmodels/unite.h"
 
@@ -9,8 +10,6 @@ namespace gouge {
 namespace {
 
 using detail::mm;
-
-constexpr double kSame_mm = 1e-9;  // lengths closer than this are the same
 
 Diagnostic named_within(const ToolAssembly& tool, const std::string& field, const Diagnostic& error) {
   Diagnostic reported = error;
@@ -91,12 +90,12 @@ Outcome check_stickout(const ToolAssembly& tool) {
     return named_within(tool, "", good.error());
   if (!(tool.stickout_mm > 0)) return Done{};
   const double flutes = length_mm(tool.cutter), end = shank_end_mm(tool);
-  if (tool.stickout_mm < flutes - kSame_mm)
+  if (tool.stickout_mm < flutes - Tolerance::kSamePoint_mm)
     return named_within(
         tool, "",
         make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) + " is less than the length of the flutes, " +
                                         mm(flutes) + ": the holder would swallow the cutter; give at least that"));
-  if (tool.stickout_mm > end + kSame_mm)
+  if (tool.stickout_mm > end + Tolerance::kSamePoint_mm)
     return named_within(
         tool, "",
         make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) + " is more than flutes and shank reach, " +
@@ -120,7 +119,7 @@ class Placer {
   void add(Body body, const std::string& name, const std::vector<ToolSegment>& segments, double end_mm) {
     for (std::size_t i = 0; i < segments.size(); ++i) {
       ToolSegment s = segments[i];
-      if (z_ >= end_mm - kSame_mm) return;
+      if (z_ >= end_mm - Tolerance::kSamePoint_mm) return;
       if (z_ + s.length_mm > end_mm) {
         s.upper_diameter_mm =
             s.lower_diameter_mm + (s.upper_diameter_mm - s.lower_diameter_mm) * ((end_mm - z_) / s.length_mm);

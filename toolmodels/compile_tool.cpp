@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/cross.h"
 #include "lib/tool/evaluate.h"
 #include "toolmodels/bsp.h"
@@ -46,7 +47,7 @@ double deepest_on_axis(const CompiledTool& tool, double low, double high) {
     const double z = low + i * step;
     if (depth_on_axis(tool, z) > depth_on_axis(tool, best)) best = z;
   }
-  for (; step > 1e-12 * (high - low); step /= 2)
+  for (; step > Tolerance::kFewRoundings * (high - low); step /= 2)
     for (const double z : {best - step, best + step})
       if (z > low && z < high && depth_on_axis(tool, z) > depth_on_axis(tool, best)) best = z;
   return best;

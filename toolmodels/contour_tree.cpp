@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/cross.h"
 #include "toolmodels/voronoi.h"
 
@@ -73,7 +74,8 @@ std::vector<ContourStretch> make_contour_tree(const std::vector<BoundaryElement>
 std::vector<DomainBorder> make_borders(const std::vector<BoundaryElement>& elements) {
   std::vector<DomainBorder> borders;
   for (const detail::DirectedLine& line : detail::make_domains(elements).lines) {
-    const bool is_cusp = !borders.empty() && borders.back().direction.dot(line.direction) < -1 + 1e-12;
+    const bool is_cusp =
+        !borders.empty() && borders.back().direction.dot(line.direction) < -1 + Tolerance::kFewRoundings;
     if (is_cusp) return {};
     borders.push_back({line.through, line.direction, 0});
   }

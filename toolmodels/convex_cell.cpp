@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge::detail {
 namespace {
 
-constexpr double kCellSlack = 1e-13;       // of the size; two of these keep results within 1e-12
-constexpr double kDirectionSlack = 1e-14;  // of a unit direction
+constexpr double kLeastNorm = 1e-300;
+constexpr double kCellSlack = 1e-13;  // of the size; two of these keep results within 1e-12
 
 double value(const DirectedLine& line, const Vec3& c) {
   return c.z() > 0 ? line.at(c.head<2>()) : line.direction.dot(c.head<2>());
@@ -17,7 +19,7 @@ Vec3 between(const Vec3& p, double vp, const Vec3& q, double vq) {
   // Positive combination of the homogeneous corners on which the line's value vanishes.
   const Vec3 mix = std::abs(vq) * p + std::abs(vp) * q;
   if (mix.z() > 0) return mix / mix.z();
-  return Vec3(mix.x(), mix.y(), 0) / std::max(mix.head<2>().norm(), 1e-300);
+  return Vec3(mix.x(), mix.y(), 0) / std::max(mix.head<2>().norm(), kLeastNorm);
 }
 
 }  // namespace
@@ -26,7 +28,7 @@ ConvexCell::ConvexCell(double size_mm)
     : corners_{Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, size_mm_(size_mm) {}
 
 double ConvexCell::slack_at(const Vec3& c) const {
-  if (!(c.z() > 0)) return kDirectionSlack;
+  if (!(c.z() > 0)) return Tolerance::kSingular;
   return kCellSlack * (size_mm_ + std::abs(c.x()) + std::abs(c.y()));
 }
 

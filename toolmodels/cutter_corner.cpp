@@ -2,14 +2,13 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "toolmodels/cutter_shapes.h"
 
 // The shapes of one corner: a bottom line, a corner arc, a straight side.
 
 namespace gouge::detail {
 namespace {
-
-constexpr double kAtTop = 1e-10;  // of the size: flutes that end where the corner does have no side
 
 bool is_plain(const AptCutter& t) { return std::abs(t.alpha_deg) <= 0 && std::abs(t.beta_deg) <= 0; }
 
@@ -29,7 +28,8 @@ Outcome check_corner(const Corner& corner, const Vec2& low, const Vec2& high) {
                                                     mm(corner.radius_mm) + " would begin at r = " + mm(low.x()) +
                                                     " and end at r = " + mm(high.x()) +
                                                     "; give a larger diameter or a smaller corner radius");
-  if (corner.length_mm < high.y() - kAtTop * size) return too_short(corner.length_mm, "the tip", high.y());
+  if (corner.length_mm < high.y() - Tolerance::kConstruction * size)
+    return too_short(corner.length_mm, "the tip", high.y());
   return Done{};
 }
 
@@ -41,7 +41,7 @@ Result<Profile> make_from_corner(const Corner& c) {
   if (Outcome good = check_corner(c, low, high); !good) return good.error();
   const double size = std::max(c.length_mm, high.x());
   if (low.x() <= kRelativeSlack * size) low.x() = 0;
-  if (std::abs(c.length_mm - high.y()) <= kAtTop * size) high.y() = c.length_mm;
+  if (std::abs(c.length_mm - high.y()) <= Tolerance::kConstruction * size) high.y() = c.length_mm;
   const double top_r = high.x() + (c.length_mm - high.y()) * sine(c.beta_deg) / cosine(c.beta_deg);
   if (top_r <= kRelativeSlack * size)
     return make_error("tool-taper-closes",

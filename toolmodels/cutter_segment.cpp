@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "toolmodels/cutter_shapes.h"
 
 // The shapes of circle segments: lollipop, barrel, oval, lens.
@@ -46,7 +47,7 @@ Outcome check_barrel(const BarrelCutter& t) {
                       ": the flank meets the axis below the top of the flutes at " + mm(t.length_mm) +
                       "; give a larger profile_radius or a smaller length");
   const double largest = std::min(flank.largest_corner_mm(), t.profile_radius_mm);
-  if (t.corner_radius_mm > largest * (1 + 1e-6))
+  if (t.corner_radius_mm > largest * (1 + Tolerance::kSingleSum))
     return make_error("tool-corner-radius-too-large", "corner_radius " + mm(t.corner_radius_mm) +
                                                           " would begin beyond the axis; at most " + mm(largest) +
                                                           " is possible, which is a ball tip");

@@ -2,14 +2,15 @@
 
 #include <string>
 
+#include "lib/base/tolerance.h"
 #include "toolmodels/cutter.h"
 
 // How each shape makes its contour, by family, and the checks they share.
 
 namespace gouge::detail {
 
-constexpr double kLargest_mm = 1e5;      ///< keeps every later square far from overflow
-constexpr double kRelativeSlack = 1e-9;  ///< dimensions closer than this to a limit are at the limit
+constexpr double kLargest_mm = 1e5;                      ///< keeps every later square far from overflow
+constexpr double kRelativeSlack = Tolerance::kRounding;  ///< dimensions closer than this to a limit are at the limit
 
 /// "12.5 mm", rounded to what a reader can use.
 [[nodiscard]] std::string mm(double value_mm);

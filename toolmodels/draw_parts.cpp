@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "lib/tool/evaluate.h"
 #include "toolmodels/trace_regions.h"
 
@@ -81,7 +82,7 @@ void draw_within(Drawing& drawing, const std::vector<Vec2>& points, const std::v
       continue;
     }
     const Vec2 from = view.at(part->first);
-    if (line.points.empty() || (line.points.back() - from).norm() > 1e-6) {
+    if (line.points.empty() || (line.points.back() - from).norm() > Tolerance::kNoSide) {
       flush();
       line.points.push_back(from);
     }

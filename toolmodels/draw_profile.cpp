@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "toolmodels/compile_tool.h"
 #include "toolmodels/draw_parts.h"
 #include "toolmodels/offset_curves.h"
@@ -125,8 +126,8 @@ class Sheet {
   };
 
   [[nodiscard]] std::string diameters(double lower, double upper) const {
-    return std::abs(lower - upper) <= 1e-9 * upper ? "D " + length(upper)
-                                                   : "D " + length(lower) + " to " + length(upper);
+    return std::abs(lower - upper) <= Tolerance::kRounding * upper ? "D " + length(upper)
+                                                                   : "D " + length(lower) + " to " + length(upper);
   }
 
   // Where the flutes are widest, which for an arc may lie between its ends.
@@ -135,8 +136,9 @@ class Sheet {
     for (const ProfileElement& e : bodies_[0].elements)
       for (const Vec2& p : {e.a, e.b, Vec2(e.center + Vec2(e.radius_mm, 0))}) {
         const bool is_on_it =
-            p == e.a || p == e.b || (e.is_arc && !e.is_concave && detail::passes(e, p, 1e-12 * compiled_.r_max_mm));
-        if (is_on_it && p.x() > widest.x() + 1e-9 * compiled_.r_max_mm) widest = p;
+            p == e.a || p == e.b ||
+            (e.is_arc && !e.is_concave && detail::passes(e, p, Tolerance::kFewRoundings * compiled_.r_max_mm));
+        if (is_on_it && p.x() > widest.x() + Tolerance::kRounding * compiled_.r_max_mm) widest = p;
       }
     return widest;
   }
@@ -145,7 +147,7 @@ class Sheet {
     std::vector<Label> labels;
     const Vec2 top = bodies_[0].elements.back().a, widest = widest_of_cutter();
     const double below = std::max(0.7 * top.y(), top.y() - 8 / view.scale);
-    const bool is_at_top = widest.x() <= top.x() * (1 + 1e-9);
+    const bool is_at_top = widest.x() <= top.x() * (1 + Tolerance::kRounding);
     const Vec2 at = view.at(is_at_top ? Vec2(top.x(), below) : widest);
     labels.push_back({at.y(), at, diameters(2 * widest.x(), 2 * widest.x())});
     for (const PositionedSegment& placed : position_segments(tool_)) {
@@ -180,7 +182,8 @@ class Sheet {
     const auto [low, high] = heights_of_tip();
     ProfileView view;
     const double tall = kProfileBottom - kProfileTop;
-    view.scale = std::min((kTipRight - kTipLeft) / (1.45 * widest.x()), 0.72 * tall / std::max(high - low, 1e-9));
+    view.scale = std::min((kTipRight - kTipLeft) / (1.45 * widest.x()),
+                          0.72 * tall / std::max(high - low, Tolerance::kRounding));
     view.origin = Vec2(kTipLeft, kProfileBottom - 0.17 * tall + view.scale * low);
     view.low = Vec2(0, (view.origin.y() - kProfileBottom) / view.scale);
     view.high = Vec2((kTipRight - kTipLeft) / view.scale, (view.origin.y() - kProfileTop) / view.scale);
@@ -245,7 +248,7 @@ class Sheet {
         const Vec2 from = view.at(middle), to = from + Vec2(60, 50);
         detail::draw_arrow(drawing_, to, from, kProfileInk, 1.2);
         detail::draw_text(drawing_, to + Vec2(4, 6), "R " + length(e.radius_mm), 15, TextAnchor::left, true);
-      } else if (direction.y() > 0.02 && std::abs(direction.x()) > 1e-9) {
+      } else if (direction.y() > 0.02 && std::abs(direction.x()) > Tolerance::kRounding) {
         draw_slope(view, e, direction);
       }
     }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/cross.h"
 
 namespace gouge {
@@ -12,8 +13,6 @@ namespace {
 
 // A turn at an arc below this is a tangency found to half the digits, as where a growing arc meets a line:
 // the joint is then put where it belongs. Between segments a joint is smooth only when it is straight.
-constexpr double kSmoothElementTurn = 1e-7;
-constexpr double kStraightTurn = 1e-12;
 constexpr double kLargestShift = 1e-3;  // of the shorter element, by which a joint may be put right
 constexpr double kLargestSweep_rad = 150 * std::numbers::pi / 180;
 
@@ -40,7 +39,7 @@ double opening(const ProfileElement& e, const ProfileElement& next) {
 struct Joint {
   Vec2 at, before, after;  // position, and directions of travel
   Body body = Body::cutter;
-  double smooth_turn = kStraightTurn;
+  double smooth_turn = Tolerance::kExactDirection;
   double opening = 0;
 };
 
@@ -58,7 +57,7 @@ std::optional<BoundaryElement> vertex(const Joint& joint) {
   element.is_reflex = is_cusp ? joint.opening > 0 : turn < 0;
   const Vec2 mean = outward_normal(joint.before) + outward_normal(joint.after);
   const Vec2 along = element.is_reflex ? joint.after : joint.before;
-  element.normal = !is_cusp && mean.norm() > 1e-9 ? Vec2(mean.normalized()) : along;
+  element.normal = !is_cusp && mean.norm() > Tolerance::kRounding ? Vec2(mean.normalized()) : along;
   return element;
 }
 
@@ -126,7 +125,8 @@ std::vector<BoundaryElement> make_elements(const Profile& profile) {
     elements.push_back(boundary(parts[i]));
     if (i + 1 == parts.size()) break;
     // Between two bodies the lower one names the vertex.
-    const double smooth_turn = parts[i].is_arc || parts[i + 1].is_arc ? kSmoothElementTurn : kStraightTurn;
+    const double smooth_turn =
+        parts[i].is_arc || parts[i + 1].is_arc ? Tolerance::kTangent : Tolerance::kExactDirection;
     add(vertex({parts[i].b, end_direction(parts[i]), start_direction(parts[i + 1]), parts[i].body, smooth_turn,
                 opening(parts[i], parts[i + 1])}));
   }

@@ -26,7 +26,8 @@ double assumed_height(const AptCutter& c) {
 
 // A height that is just the tip's is what writers put that do not know it.
 bool ends_within_tip(AptCutter cutter) {
-  cutter.h_mm *= 1 - 1e-6;
+  constexpr double kShorter = 1 - 1e-6;
+  cutter.h_mm *= kShorter;
   const Result<Profile> profile = make_cutter_profile(cutter);
   return !profile && (profile.error().code == "tool-length-too-short");
 }

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/cross.h"
 
 namespace gouge::detail {
 namespace {
-
-constexpr double kSmoothOffsetTurn = 1e-12;  // sine of the turn below which two normals are one
 
 Vec2 mirrored(const Vec2& v) { return {-v.x(), v.y()}; }
 
@@ -36,8 +35,8 @@ bool survives(const ProfileElement& e, double growth, double slack) {
 
 void add_corner(Body body, const Vec2& corner, const Vec2& before, const Vec2& after, double growth,
                 std::vector<ProfileElement>& curves) {
-  if (cross(before, after) < -kSmoothOffsetTurn) return;
-  if (cross(before, after) <= kSmoothOffsetTurn && before.dot(after) > 0) return;
+  if (cross(before, after) < -Tolerance::kExactDirection) return;
+  if (cross(before, after) <= Tolerance::kExactDirection && before.dot(after) > 0) return;
   curves.push_back(make_convex_arc(body, corner + growth * before, corner + growth * after, corner, growth));
 }
 
@@ -45,7 +44,7 @@ std::vector<Vec2> meet_lines(const ProfileElement& c, const ProfileElement& d) {
   const Vec2 u = c.b - c.a;
   const Vec2 v = d.b - d.a;
   const double det = cross(u, v);
-  if (std::abs(det) <= 1e-14 * u.norm() * v.norm()) return {};
+  if (std::abs(det) <= Tolerance::kSingular * u.norm() * v.norm()) return {};
   return {c.a + cross(d.a - c.a, v) / det * u};
 }
 
@@ -83,7 +82,7 @@ std::vector<Vec2> meet_circles(const ProfileElement& one, const ProfileElement& 
 std::vector<ProfileElement> offset_curves(const Profile& profile, double growth) {
   if (!(growth > 0)) return profile.elements;
   std::vector<ProfileElement> curves;
-  const double slack = 1e-10 * (size_of(profile) + growth);
+  const double slack = Tolerance::kConstruction * (size_of(profile) + growth);
   const std::vector<ProfileElement>& elements = profile.elements;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const ProfileElement& e = elements[i];

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/tolerance.h"
 #include "toolmodels/box_tree.h"
 #include "toolmodels/offset_curves.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kRelativeSlack = 1e-9;  // far above rounding, far below any dimension of a tool
 constexpr std::size_t kMostNamed = 100;  // a contour may cross itself as often as the square of its elements
 
 Vec2 direction_at(const ProfileElement& element, const Vec2& point) {
@@ -161,7 +161,7 @@ double size_of(const Profile& profile) {
 }
 
 bool is_single_valued(const Profile& profile) {
-  const double slack = kRelativeSlack;
+  const double slack = Tolerance::kRounding;
   return std::all_of(profile.elements.begin(), profile.elements.end(), [&](const ProfileElement& e) {
     // The height never falls along the contour. Directions on an arc of half a circle at most are all between
     // those at its ends, once the middle one shows which way round.
@@ -173,7 +173,7 @@ bool is_single_valued(const Profile& profile) {
 std::vector<std::string> verify_profile(const Profile& profile) {
   std::vector<std::string> broken;
   if (profile.elements.empty()) return {"the contour is empty"};
-  const double slack = kRelativeSlack * size_of(profile);
+  const double slack = Tolerance::kRounding * size_of(profile);
   for (std::size_t i = 0; i < profile.elements.size(); ++i)
     verify_element(profile.elements[i], slack, "element " + std::to_string(i), broken);
   for (std::size_t i = 0; i + 1 < profile.elements.size(); ++i)

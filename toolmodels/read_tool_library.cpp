@@ -4,6 +4,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "lib/json/json_file.h"
 #include "toolmodels/cutter_fields.h"
 #include "toolmodels/cutter_shapes.h"
@@ -324,7 +325,8 @@ class Reader {
       library_.notes.push_back(make_warning(
           "library-duplicate-name", who + " has the name of an earlier tool; asked for by name, the first is taken",
           library_.file, lines_.at(pointer + "/name")));
-    if (const double height = height_mm(tool); tool.gauge_length_mm > height * (1 + 1e-9) && !tool.holder.empty())
+    if (const double height = height_mm(tool);
+        tool.gauge_length_mm > height * (1 + Tolerance::kRounding) && !tool.holder.empty())
       library_.notes.push_back(make_warning("tool-gauge-length",
                                             who + ": gauge_length " + detail::mm(tool.gauge_length_mm) +
                                                 " is more than the assembly, which ends at " + detail::mm(height) +

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "toolmodels/box_tree.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kSameHeight_mm = 1e-3;
 constexpr int kSteps = 256;
 
 std::vector<Vec2> profile_outline(const Profile& profile) {
@@ -75,7 +75,8 @@ double reach_beyond_mm(const Cutter& cutter, const Cutter& other) {
   double reach = 0;
   const Widths own(points), other_widths(others);
   for (const double z : heights) {
-    const double beside = std::max(0.0, other_widths.within(z - kSameHeight_mm, z + kSameHeight_mm));
+    const double beside =
+        std::max(0.0, other_widths.within(z - Tolerance::kFilePoint_mm, z + Tolerance::kFilePoint_mm));
     reach = std::max(reach, std::max(0.0, own.within(z, z)) - beside);
   }
   return reach;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/cross.h"
 #include "toolmodels/bsp.h"
 #include "toolmodels/contour_tree.h"
@@ -12,8 +13,6 @@ namespace gouge {
 namespace {
 
 constexpr double kEndless = 1e300;
-constexpr double kSupportSlack = 1e-12;          // of the size
-constexpr double kHorizontal = 1e-9;             // |n.r| below this: the plane is horizontal
 constexpr std::size_t kMostOfAnyContour = 1000;  // elements, of which every pair is looked at
 constexpr int kHalvings = 40;                    // of an element, to where it comes before a plane
 constexpr double kNearlyHorizontal = 1e-6;       // below this a foot may be bounded by a horizontal plane
@@ -35,7 +34,9 @@ struct Planes {
 class Support {
  public:
   Support(const Profile& profile, std::vector<BoundaryElement>& elements)
-      : elements_(elements), slack_(kSupportSlack * size_of(profile)), stretches_(make_contour_tree(elements)) {
+      : elements_(elements),
+        slack_(Tolerance::kFewRoundings * size_of(profile)),
+        stretches_(make_contour_tree(elements)) {
     if (elements.size() <= kMostBspElements) stretches_.assign(1, {0, static_cast<std::uint32_t>(elements.size())});
   }
 
@@ -143,7 +144,7 @@ class Support {
 
   SupportRange range(std::size_t i) const {
     const Planes own = planes(i);
-    if (own.n0.x() < kHorizontal && own.n1.x() < kHorizontal && own.n0.dot(own.n1) > 0)
+    if (own.n0.x() < Tolerance::kSameDirection && own.n1.x() < Tolerance::kSameDirection && own.n0.dot(own.n1) > 0)
       return own.n0.y() < 0 ? below_step(i) : above_step(i);
     SupportRange claim{-kEndless, kEndless, 0};
     if (const auto j = last_ahead(0, i, own)) claim.z_lo_mm = behind_until(elements_[*j], own, End::b);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/tolerance.h"
 #include "lib/tool/evaluate.h"
 #include "toolmodels/elements.h"
 
@@ -33,7 +34,7 @@ double angle_between(const Vec2& u, const Vec2& v) { return std::atan2(u.x() * v
 class Tracer {
  public:
   Tracer(const CompiledTool& tool, const Vec2& low, const Vec2& high) : tool_(tool), low_(low), high_(high) {
-    slack_ = 1e-9 * std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm});
+    slack_ = Tolerance::kSamePoint_mm * std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm});
   }
 
   std::vector<TracedRegion> trace() {
@@ -94,11 +95,12 @@ class Tracer {
 
   // How far a ray runs before it leaves the window; 0 when it starts outside.
   double length_in_window(const Ray& ray) const {
+    constexpr double kNoSpeed = 1e-15;
     double length = 1e300;
     const auto limit = [&](double at, double speed, double low, double high) {
       if (at < low - slack_ || at > high + slack_) length = 0;
-      if (speed > 1e-15) length = std::min(length, (high - at) / speed);
-      if (speed < -1e-15) length = std::min(length, (low - at) / speed);
+      if (speed > kNoSpeed) length = std::min(length, (high - at) / speed);
+      if (speed < -kNoSpeed) length = std::min(length, (low - at) / speed);
     };
     limit(ray.from.x(), ray.direction.x(), 0, high_.x());
     limit(ray.from.y(), ray.direction.y(), low_.y(), high_.y());

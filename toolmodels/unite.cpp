@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "lib/tool/evaluate.h"
 #include "toolmodels/arrangement.h"
 #include "toolmodels/bsp.h"
@@ -13,9 +14,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kUnionSlack = 1e-10;  // of the size: points closer than this are one
-constexpr double kSameCurve = 1e-12;   // of the size: lines and circles closer than this are one
-constexpr double kNudge = 3e-10;       // of the size: growth that breaks a tie no one can see
+constexpr double kNudge = 3e-10;  // of the size: growth that breaks a tie no one can see
 
 // A body as the distances to it are asked.
 struct Solid {
@@ -66,13 +65,13 @@ std::optional<Profile> try_unite(const std::vector<OffsetBody>& bodies, double s
     tool.borders = make_borders(tool.elements);
     tool.stretches = make_contour_tree(tool.elements);
   }
-  detail::Arrangement arrangement = detail::arrange(curves, kUnionSlack * size);
+  detail::Arrangement arrangement = detail::arrange(curves, Tolerance::kConstruction * size);
   std::erase_if(arrangement.pieces, [&](const detail::CurvePiece& piece) {
-    return is_covered(detail::middle(piece.curve), solids, 10 * kUnionSlack * size);
+    return is_covered(detail::middle(piece.curve), solids, 10 * Tolerance::kConstruction * size);
   });
   const auto contour = detail::outer_contour(arrangement);
   if (!contour) return std::nullopt;
-  return merge_neighbours(*contour, kSameCurve * size);
+  return merge_neighbours(*contour, Tolerance::kFewRoundings * size);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge::detail {
 namespace {
 
@@ -87,7 +89,7 @@ DirectedLine line_of(const Vec2& origin, const Vec2& gradient, double offset) {
 Comparison compare_linear(const DistanceForm& f, const DistanceForm& g) {
   const Vec2 gradient = f.direction - g.direction;
   const double offset = g.direction.dot(g.through - f.through);  // value at f.through
-  if (gradient.norm() <= 1e-14) return decided(offset <= 0);
+  if (gradient.norm() <= Tolerance::kSingular) return decided(offset <= 0);
   return straight(line_of(f.through, gradient, offset));
 }
 
@@ -109,7 +111,7 @@ Comparison compare_difference(const Vec2& origin, const Vec2& w, double k, doubl
   if (k >= distance) return decided(factor > 0);
   const double constant = (distance - k) * (distance + k);
   const DirectedLine limit = line_of(origin, -2 * w, constant);
-  if (k <= 1e-14 * distance) return straight({limit.through, factor * limit.direction});
+  if (k <= Tolerance::kSingular * distance) return straight({limit.through, factor * limit.direction});
   const CellSides sides = cell.sides(limit);
   if (!sides.has_positive) return decided(factor > 0);
   if (sides.has_negative) return split(limit);

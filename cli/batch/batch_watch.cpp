@@ -10,19 +10,21 @@
 
 #include "cli/batch/settled_files.h"
 #include "lib/base/printable_text.h"
+#include "lib/base/tolerance.h"
 
 namespace gouge {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kNanosecond_s = 1 / 1e9;
 constexpr int kWhileUnsettled_ms = 300;
 constexpr int kWhileQuiet_ms = 5000;  // network drives tell nothing of what others write there
 
 double now_s() {
   timespec clock{};
   ::clock_gettime(CLOCK_MONOTONIC, &clock);
-  return static_cast<double>(clock.tv_sec) + 1e-9 * static_cast<double>(clock.tv_nsec);
+  return static_cast<double>(clock.tv_sec) + kNanosecond_s * static_cast<double>(clock.tv_nsec);
 }
 
 /// The system's word that something happens in a folder; where it gives none, only time passes.

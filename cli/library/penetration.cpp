@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cli/library/content.h"
+#include "lib/base/tolerance.h"
 #include "lib/check/finest_resolution.h"
 #include "lib/check/mesh_reach.h"
 #include "lib/clash/clash.h"
@@ -11,8 +12,6 @@
 
 namespace gougecheck {
 namespace {
-
-constexpr double kProper = 1e-9;  // how far a rotation may be from a proper one
 
 gouge::RigidTransform to_transform(const Transform& pose) {
   gouge::RigidTransform transform;
@@ -23,7 +22,7 @@ gouge::RigidTransform to_transform(const Transform& pose) {
   transform.shift = to_vector(pose.shift);
   const Eigen::Matrix3d& r = transform.rotation;
   const double off = (r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (!(off <= kProper) || !(r.determinant() > 0) || !transform.shift.allFinite()) {
+  if (!(off <= Tolerance::kSameDirection) || !(r.determinant() > 0) || !transform.shift.allFinite()) {
     raise(gouge::make_error("usage",
                             "pose: expected a proper rotation to 1e-9 (no scale, no reflection) and a finite shift"));
   }

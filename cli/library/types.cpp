@@ -4,6 +4,7 @@
 #include <gougecheck/version.h>
 
 #include "cli/library/content.h"
+#include "lib/base/tolerance.h"
 #include "lib/check/reach.h"
 
 namespace gougecheck {
@@ -34,7 +35,7 @@ std::optional<gouge::Pose> to_pose(const Vec3& tip, const Vec3& axis) {
   if (!std::isfinite(length) || !(length > 0) || !gouge::is_within_reach(point)) return std::nullopt;
   const gouge::Vec3 unit = direction / length;
   // A length that overflows or underflows has no digits left.
-  if (std::abs(unit.norm() - 1) > 1e-9) return std::nullopt;
+  if (std::abs(unit.norm() - 1) > Tolerance::kRounding) return std::nullopt;
   return gouge::Pose{point, unit};
 }
 

@@ -11,6 +11,7 @@
 #include "cli/options/length_rule.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 
 namespace gouge {
 namespace {
@@ -41,7 +42,8 @@ std::optional<Strategy> strategy_called(const std::string& name, std::size_t bod
 
 std::optional<Vec3> direction_of(const std::vector<double>& numbers) {
   const Vec3 vector(numbers[0], numbers[1], numbers[2]);
-  return vector.norm() > 1e-6 && vector.norm() < 1e6 ? std::optional<Vec3>(vector.normalized()) : std::nullopt;
+  return vector.norm() > Tolerance::kNoSide && vector.norm() < 1e6 ? std::optional<Vec3>(vector.normalized())
+                                                                   : std::nullopt;
 }
 
 /// [BODY=]NAME; the body is empty where it is for all.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/base/units.h"
 #include "lib/check/finest_resolution.h"
 #include "lib/check/reach.h"
@@ -34,7 +35,7 @@ Eigen::Matrix3d turn(double degrees, const Vec3& axis) {
   const double quarters = degrees / 90;
   const double whole = std::round(quarters);
   // Quarter turns are exact, so that a part set on its side keeps its coordinates.
-  if (std::abs(quarters - whole) < 1e-12) {
+  if (std::abs(quarters - whole) < Tolerance::kFewRoundings) {
     const Eigen::Matrix3d exact = Eigen::AngleAxisd(whole * M_PI / 2, axis).toRotationMatrix();
     return exact.unaryExpr([](double x) { return std::round(x); });
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/base/word_list.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/report/report_text.h"
@@ -18,7 +19,6 @@
 namespace gouge {
 namespace {
 
-constexpr double kSameSize_mm = 1e-3;
 constexpr double kReach_mm = 5e-3;
 
 std::string name_of(const PathTool& tool) {
@@ -244,17 +244,18 @@ class Resolver {
     if (named != nullptr && named != &known && known.name != tool.name)
       report_difference(tool, "called " + tool.name, known.name.empty() ? "not" : known.name, true);
     const auto [diameter, corner] = nominal_size(known.cutter);
-    if (tool.stated_diameter_mm > 0 && std::abs(diameter - tool.stated_diameter_mm) > kSameSize_mm) {
+    if (tool.stated_diameter_mm > 0 && std::abs(diameter - tool.stated_diameter_mm) > Tolerance::kFilePoint_mm) {
       return report_difference(tool, size_text(tool.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit),
                                diameter < tool.stated_diameter_mm);
     }
     if (!tool.cutter || tool.cutter->given == 0) return;
     const double given_corner = tool.cutter->given > 1 ? tool.cutter->r_mm : corner;
-    if (std::abs(diameter - tool.cutter->d_mm) <= kSameSize_mm && std::abs(corner - given_corner) <= kSameSize_mm)
+    if (std::abs(diameter - tool.cutter->d_mm) <= Tolerance::kFilePoint_mm &&
+        std::abs(corner - given_corner) <= Tolerance::kFilePoint_mm)
       return compare_outlines(tool, known);
     const bool is_round = tool.cutter->given > 1;
     const bool is_smaller =
-        diameter < tool.cutter->d_mm - kSameSize_mm || (is_round && reach_mm(tool, known) > kReach_mm);
+        diameter < tool.cutter->d_mm - Tolerance::kFilePoint_mm || (is_round && reach_mm(tool, known) > kReach_mm);
     report_difference(tool, size_text(tool.cutter->d_mm, given_corner, path_.unit),
                       size_text(diameter, corner, path_.unit), is_smaller);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/certify/check.h"
 #include "lib/certify/placement.h"
 #include "lib/motion/motion_law.h"
@@ -11,7 +12,6 @@ namespace gouge {
 namespace {
 
 constexpr double kTouch_mm = 0.01;
-constexpr double kSameAxis = 1e-9;
 
 double reach_of_tools_mm(const std::vector<const ToolVariants*>& tools) {
   double reach_mm = 0;
@@ -79,7 +79,7 @@ std::size_t count_turns(const Toolpath& path) {
   std::size_t turns = 0;
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
     if (!path.moves[i].has_start) continue;
-    if ((path.moves[i].end.axis - path.start_of(i).axis).norm() > kSameAxis) ++turns;
+    if ((path.moves[i].end.axis - path.start_of(i).axis).norm() > Tolerance::kSameDirection) ++turns;
   }
   return turns;
 }

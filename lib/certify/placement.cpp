@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/check/scene_reach.h"
 
 namespace gouge {
@@ -16,7 +17,9 @@ std::string unit_hint(double times_smaller, LengthUnit unit) {
   return words.empty() ? words : "; with " + words + " it would be about as large as the path";
 }
 
-std::string percent(double share) { return std::to_string(static_cast<int>(std::floor(100 * share + 1e-9))) + " %"; }
+std::string percent(double share) {
+  return std::to_string(static_cast<int>(std::floor(100 * share + Tolerance::kRounding))) + " %";
+}
 
 std::string percent(std::size_t some, std::size_t all) {
   return percent(all == 0 ? 0.0 : static_cast<double>(some) / static_cast<double>(all));

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "lib/base/tolerance.h"
 #include "lib/check/depth_limit.h"
 #include "lib/check/scene_sides.h"
 #include "lib/tool/free_regions.h"
@@ -28,7 +29,8 @@ class ToolRegions {
  private:
   [[nodiscard]] double rounded_up(double depth_mm) const {
     if (!(depth_mm > 0) || !(usual_mm_ > 0)) return std::max(depth_mm, 0.0);
-    const int power = std::max(finest_, static_cast<int>(std::ceil(2 * std::log2(depth_mm / usual_mm_) - 1e-9)));
+    const int power =
+        std::max(finest_, static_cast<int>(std::ceil(2 * std::log2(depth_mm / usual_mm_) - Tolerance::kRounding)));
     return std::max(depth_mm, usual_mm_ * std::exp2(0.5 * power));
   }
   const FreeRegions& stored(double depth_mm) {

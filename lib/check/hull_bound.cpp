@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
@@ -149,7 +151,7 @@ class PieceBounder {
     for (std::size_t i = 0; i < kCorners; ++i) {
       for (std::size_t j = i + 1; j < kCorners; ++j) {
         const double slope = (a[i] - b[i]) - (a[j] - b[j]);
-        if (std::abs(slope) < 1e-12) continue;
+        if (std::abs(slope) < Tolerance::kFewRoundings) continue;
         const double share = (b[j] - b[i]) / slope;
         if (share > 0 && share < 1) try_blend(share);
       }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "lib/base/parallel.h"
+#include "lib/base/tolerance.h"
 #include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/check/usual_mistakes.h"
@@ -241,7 +242,7 @@ class FitFinder {
   // touches.
   [[nodiscard]] bool is_size_better(const UndoneMistake& mistake) const {
     const double scale = std::cbrt(std::abs(mistake.tip.determinant())) / mistake.part_scale;
-    if (std::abs(scale - 1) < 1e-9) return true;
+    if (std::abs(scale - 1) < Tolerance::kRounding) return true;
     Box3 cuts;
     for (const std::size_t move : cuts_) cuts.extend(path_.moves[move].end.tip);
     const double ratio = cuts.diagonal().norm() / box_of(scene_.workpiece().meshes).diagonal().norm();

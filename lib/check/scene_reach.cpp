@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "lib/mesh/mesh_box.h"
 
 namespace gouge {
@@ -61,7 +62,7 @@ std::optional<PartsBesidePath> compare_parts(const Toolpath& path, const Scene& 
   if (parts.isEmpty() || tips.isEmpty()) return std::nullopt;
   PartsBesidePath found;
   found.gap_mm = std::sqrt(parts.squaredExteriorDistance(tips));
-  if (!cuts.isEmpty()) found.times_smaller = size_of(cuts) / std::max(size_of(parts), 1e-9);
+  if (!cuts.isEmpty()) found.times_smaller = size_of(cuts) / std::max(size_of(parts), Tolerance::kSamePoint_mm);
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "lib/check/hull_bound.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/geom/triangle.h"
@@ -12,7 +13,6 @@ namespace gouge {
 namespace {
 
 // Covers the rounding of coordinates up to 1e5 mm in all bounds together.
-constexpr double kRounding_mm = 1e-9;
 
 /// A piece of a triangle, over a time interval.
 struct Candidate : SearchCandidate {
@@ -66,7 +66,7 @@ class MoveSearch : public BestFirstSearch<MoveSearch, Candidate> {
     if (bound.value_mm > result_.value_mm)
       take(bound.value_mm, bound.is_at_end ? interval.t1 : interval.t0, piece[bound.corner], seed);
     Candidate c;
-    c.upper_mm = bound.upper_mm + kRounding_mm;
+    c.upper_mm = bound.upper_mm + Tolerance::kRounding_mm;
     c.interval = index;
     c.seed = seed;
     c.piece = piece;

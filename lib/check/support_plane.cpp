@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
@@ -12,7 +14,6 @@ Vec3 radial(const Vec3& q, double r) { return r > 0 ? Vec3(q.x() / r, q.y() / r,
 double radius(const Vec3& q) { return std::sqrt(q.x() * q.x() + q.y() * q.y()); }
 
 // What points to the axis by no more does so for rounding.
-constexpr double kRoundedNormal = 1e-12;
 constexpr std::size_t kMostBesideFace = 256;  // elements of a tool that are worth looking at all
 
 /// The widest radius of an element within the heights [z_lo, z_hi], which it reaches into; of an arc, of all of it.
@@ -63,7 +64,7 @@ SupportPlane support_plane(const CompiledTool& tool, const ToolSample& sample) {
   plane.foot = nearest.foot.x() * out + nearest.foot.y() * Vec3::UnitZ();
   plane.offset_mm = plane.normal.dot(plane.foot);
   plane.element = nearest.element;
-  if (nearest.normal.x() >= -kRoundedNormal) plane.range = tool.elements[nearest.element].support;
+  if (nearest.normal.x() >= -Tolerance::kExactDirection) plane.range = tool.elements[nearest.element].support;
   return plane;
 }
 

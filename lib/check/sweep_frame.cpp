@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
@@ -36,7 +38,7 @@ class Line {
         displacement_(steps.back().to.tip - steps.front().from.tip) {
     double spread2 = 0;
     for (const SweepInterval& step : steps) spread2 = std::max(spread2, (step.to.tip - middle_).squaredNorm());
-    is_by_path_ = displacement_.squaredNorm() > 1e-6 * spread2 && steps.size() > 1;
+    is_by_path_ = displacement_.squaredNorm() > Tolerance::kNoSide * spread2 && steps.size() > 1;
     if (is_by_path_) per_length2_ = 1 / displacement_.squaredNorm();
   }
   [[nodiscard]] const Vec3& displacement() const { return displacement_; }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/instruction_sets.h"
+#include "lib/base/tolerance.h"
 #include "lib/tool/convex_cover.h"
 
 namespace gouge {
@@ -24,12 +25,10 @@ static_assert(KernelPiece::kMaxLines + 1 == CoverPiece::kMaxChain);
 
 namespace {
 
-constexpr double kOnAxis = 1e-9;  // as a share of the piece's size
-
 /// The direction of a chain's line, upright where it leans by rounding only.
 Vec2 along(const std::vector<Vec2>& chain, std::size_t line) {
   const Vec2 displacement = (chain[line + 1] - chain[line]).normalized();
-  return std::abs(displacement.x()) < kOnAxis ? Vec2(0, displacement.y() < 0 ? -1 : 1) : displacement;
+  return std::abs(displacement.x()) < Tolerance::kSameDirection ? Vec2(0, displacement.y() < 0 ? -1 : 1) : displacement;
 }
 
 void set_core(const CoverPiece& piece, double size, KernelPiece& k) {
@@ -41,19 +40,17 @@ void set_core(const CoverPiece& piece, double size, KernelPiece& k) {
     reach = std::max(reach, chain[i].lpNorm<1>());
   }
   if (k.count == 1) widest = std::max(chain[0].x(), chain[1].x());
-  k.core_r_mm = widest > kOnAxis * size ? static_cast<float>(widest) : 0.0F;
-  k.is_steady = k.count > 1 && narrowest >= -kOnAxis * size;
+  k.core_r_mm = widest > Tolerance::kRounding * size ? static_cast<float>(widest) : 0.0F;
+  k.is_steady = k.count > 1 && narrowest >= -Tolerance::kRounding * size;
   if (!k.is_steady) return;
-  k.is_level_below = std::abs(along(chain, 0).y()) < kOnAxis;
-  k.is_level_above = std::abs(along(chain, k.count - 1).y()) < kOnAxis;
+  k.is_level_below = std::abs(along(chain, 0).y()) < Tolerance::kSameDirection;
+  k.is_level_above = std::abs(along(chain, k.count - 1).y()) < Tolerance::kSameDirection;
   k.is_pin = k.count == 2 && !(k.core_r_mm > 0) && k.is_level_below && std::abs(along(chain, 1).x()) <= 0;
   k.is_disc = !k.is_sharp && k.core_r_mm > 0 && k.is_level_below && k.core_r_mm <= k.lines[1].r;
   k.core_mm = static_cast<float>(reach);
 }
 
 }  // namespace
-
-constexpr double kSharp_mm = 1e-6;  // what stands off a piece by more is rounded
 
 KernelPiece kernel_piece(const CoverPiece& piece) {
   KernelPiece k;
@@ -77,7 +74,7 @@ KernelPiece kernel_piece(const CoverPiece& piece) {
     k.lines[i].in_r = static_cast<float>(in.x());
     k.lines[i].in_z = static_cast<float>(in.y());
   }
-  k.is_sharp = k.count > 1 && piece.radius_mm < kSharp_mm;
+  k.is_sharp = k.count > 1 && piece.radius_mm < Tolerance::kWitness_mm;
   k.radius_mm = static_cast<float>(piece.radius_mm);
   k.z_lo_mm = static_cast<float>(piece.z_lo_mm);
   k.z_hi_mm = static_cast<float>(piece.z_hi_mm);
@@ -88,7 +85,7 @@ KernelPiece kernel_piece(const CoverPiece& piece) {
   k.r_below_mm = piece.r_below_mm > 0 ? static_cast<float>(piece.r_below_mm) : -3e38F;
   k.r_above_mm = piece.r_above_mm > 0 ? static_cast<float>(piece.r_above_mm) : -3e38F;
   set_core(piece, size, k);
-  k.rounding_mm = static_cast<float>(1e-6 * size);
+  k.rounding_mm = static_cast<float>(Tolerance::kSingleSum * size);
   return k;
 }
 

@@ -3,12 +3,13 @@
 #include <array>
 #include <string_view>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
 using Matrix = Eigen::Matrix3d;
 
-constexpr double kUpright = 1e-6;
 constexpr std::array<std::string_view, 3> kComponents = {"I", "J", "K"}, kCoordinates = {"X", "Y", "Z"};
 
 Matrix with_sign(Eigen::Index component) {
@@ -88,7 +89,7 @@ class Mistakes {
 }  // namespace
 
 Pose UndoneMistake::pose(const Pose& given, double corner_radius_mm) const {
-  if (is_of_tilted && given.axis.cross(Vec3::UnitZ()).norm() < kUpright) return given;
+  if (is_of_tilted && given.axis.cross(Vec3::UnitZ()).norm() < Tolerance::kNoSide) return given;
   Pose undone{tip * given.tip, axis * given.axis};
   undone.tip += corner_radii * corner_radius_mm * undone.axis;
   return undone;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "lib/base/tolerance.h"
 #include "lib/clash/convex_region.h"
 #include "lib/clash/local_maximum.h"
 #include "lib/clash/surface_query.h"
@@ -80,7 +81,6 @@ double greatest_distance_mm(const Surface& surface, std::span<const Vec3> points
   return least;
 }
 
-constexpr double kDepthRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
 // A cut along the outline of a facet is worth it where the facet is no smaller than this share of the piece.
 constexpr double kLeastShare = 0.125;
 // The share of the threshold by which a surface may reach over the near side of a region that is outside.
@@ -173,12 +173,12 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
     const ClosestPoint foot = measured(centre, region.kind);
     region.is_over_face = is_over(foot, centre);
     const double inside = -foot.signed_mm();
-    if (inside < -radius - kDepthRounding_mm) return;
+    if (inside < -radius - Tolerance::kRounding_mm) return;
     region.nearest = foot.triangle;
-    region.upper_mm = inside + radius + kDepthRounding_mm;
+    region.upper_mm = inside + radius + Tolerance::kRounding_mm;
     if (region.upper_mm > threshold_mm()) {
       if (region.kind == Region::Kind::cell && !may_hold_maximum(centre, radius, foot)) return;
-      region.upper_mm = std::min(region.upper_mm, bound(region, centre, radius, foot) + kDepthRounding_mm);
+      region.upper_mm = std::min(region.upper_mm, bound(region, centre, radius, foot) + Tolerance::kRounding_mm);
     }
     offer(region);
   }
@@ -203,8 +203,8 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
   /// Whether a point of the cell in both bodies may be a local maximum of the depth.
   [[nodiscard]] bool may_hold_maximum(const Vec3& centre, double radius, const ClosestPoint& foot) {
     ++best_.bounds;
-    if (of_.closest_point(centre - shift_).signed_mm() > radius + kDepthRounding_mm) return false;
-    return in_.maxima().may_hold(centre, radius + kDepthRounding_mm, foot);
+    if (of_.closest_point(centre - shift_).signed_mm() > radius + Tolerance::kRounding_mm) return false;
+    return in_.maxima().may_hold(centre, radius + Tolerance::kRounding_mm, foot);
   }
 
   double bound(const Region& region, const Vec3& centre, double radius, const ClosestPoint& foot) {
@@ -232,7 +232,7 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
     const double from = lowest - graze;
     if (!(from > graze)) return radius + foot.distance_mm;
     const auto none_allowed = [](std::uint32_t) { return false; };
-    const BallCap rest{centre, radius + kDepthRounding_mm, -down, -from};
+    const BallCap rest{centre, radius + Tolerance::kRounding_mm, -down, -from};
     if (find_in_cap(in_.boundary(), rest, none_allowed)) return radius + foot.distance_mm;
     return graze * radius / from;
   }

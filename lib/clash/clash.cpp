@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 
+#include "lib/base/tolerance.h"
 #include "lib/clash/body_depth.h"
 #include "lib/mesh/enclosure.h"
 #include "lib/mesh/union_find.h"
@@ -13,7 +14,6 @@ namespace {
 
 // Surfaces this near to each other count as meeting: the side of a point nearer to a surface is not looked
 // for.
-constexpr double kMeeting_mm = 1e-6;
 constexpr double kUnknown_mm = std::numeric_limits<double>::infinity();
 
 constexpr std::uint32_t kOfA = 0, kOfB = 1;
@@ -68,8 +68,8 @@ class Finder {
         is_near_(a.whole().mesh().box().intersects(b.whole().mesh().box().translated(shift_b))) {}
 
   Clash run() {
-    clash_.closest = surface_distance(surface_of(a_), surface_of(b_), shift_b_, kMeeting_mm);
-    if (clash_.closest.distance_mm > kMeeting_mm) {
+    clash_.closest = surface_distance(surface_of(a_), surface_of(b_), shift_b_, Tolerance::kWitness_mm);
+    if (clash_.closest.distance_mm > Tolerance::kWitness_mm) {
       decide_apart();
     } else {
       measure();

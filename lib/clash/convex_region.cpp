@@ -4,10 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
-constexpr double kOnPlane_mm = 1e-10;  // a corner this near to a plane is on it: no slivers are cut off
+constexpr double kOnPlane_mm =
+    Tolerance::kConstruction;  // a corner this near to a plane is on it: no slivers are cut off
 
 /// Signed distances of a polygon's corners from a plane.
 using Heights = std::array<double, ConvexRegion::kMostPoints>;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "lib/clash/surface_query.h"
 
 namespace gouge {
@@ -12,7 +13,6 @@ namespace {
 constexpr double kLeastCosine = 0.02;
 // ... and from a vertex whose facets all are within 45 degrees of it.
 constexpr double kVertexCosine = 0.7072;
-constexpr double kFlat = 1e-9;
 constexpr int kTries = 10;
 
 }  // namespace
@@ -28,7 +28,7 @@ LocalMaxima::LocalMaxima(Surface surface)
     if (!(own.squaredNorm() > 0 && other.squaredNorm() > 0)) return false;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 across = mesh.corner(edge.first[1], k) - mesh.corner(edge.first[0], 0);
-      if (own.dot(across) > kFlat * across.norm()) return false;
+      if (own.dot(across) > Tolerance::kSameDirection * across.norm()) return false;
     }
     return true;
   };

@@ -7,13 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/point_triangle.h"
 #include "lib/hierarchy/lane_bound.h"
 
 namespace gouge {
 namespace {
-
-constexpr double kDistanceRounding_mm = 1e-9;  // of a bound
 
 void take(const Vec3& a, const Vec3& b, ClosestPair& best) {
   const double distance = (b - a).norm();
@@ -89,7 +88,7 @@ class PairSearch {
       const Vec3 unit = direction / length;
       least = std::max(least, std::abs(unit.dot(between)) - a.bound.extent_mm(unit) - b.bound.extent_mm(unit));
     }
-    return std::max(0.0, least - kDistanceRounding_mm);
+    return std::max(0.0, least - Tolerance::kRounding_mm);
   }
 
   void visit(const Node& a, const Node& b) {
@@ -135,7 +134,7 @@ class PairSearch {
       return std::tie(one.least2, one.a, one.b) < std::tie(other.least2, other.a, other.b);
     });
     for (const FacetPair& pair : pairs_) {
-      if (is_done() || std::sqrt(pair.least2) - kDistanceRounding_mm >= best_.distance_mm) return;
+      if (is_done() || std::sqrt(pair.least2) - Tolerance::kRounding_mm >= best_.distance_mm) return;
       const ClosestPair found = closest_points(a_.corners(a.triangle[pair.a]), facets_b[pair.b]);
       if (found.distance_mm < best_.distance_mm) best_ = found;
     }

@@ -2,19 +2,16 @@
 
 #include <algorithm>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/point_triangle.h"
 
 namespace gouge::detail {
-namespace {
-
-constexpr double kQueryRounding_mm = 1e-9;  // of a bound
-
-}  // namespace
+namespace {}  // namespace
 
 bool may_reach(const LaneBound& bound, const BallCap& cap) {
   const double highest = cap.direction.dot(bound.center - cap.centre) + bound.extent_mm(cap.direction);
-  return highest >= cap.from_mm - kQueryRounding_mm &&
-         bound.least_distance_mm(cap.centre) <= cap.radius_mm + kQueryRounding_mm;
+  return highest >= cap.from_mm - Tolerance::kRounding_mm &&
+         bound.least_distance_mm(cap.centre) <= cap.radius_mm + Tolerance::kRounding_mm;
 }
 
 std::optional<Vec3> nearest_in_cap(const std::array<Vec3, 3>& facet, const BallCap& cap) {

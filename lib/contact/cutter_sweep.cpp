@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/cross.h"
 #include "lib/path/path_info.h"
 #include "lib/tool/evaluate.h"
@@ -26,7 +27,7 @@ bool is_convex(const CompiledTool& tool) {
     if (e.is_reflex) return false;
     if (e.kind != ElementKind::segment) continue;
     const Vec2 next = (e.b - e.a).normalized();
-    if (cross(along, next) < -1e-9) return false;
+    if (cross(along, next) < -Tolerance::kRounding) return false;
     along = next;
   }
   return true;

@@ -6,13 +6,14 @@
 #include <limits>
 #include <span>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/pose.h"
 #include "lib/tool/compiled_tool.h"
 
 namespace gouge {
 
 /// To which the distance at the nearest instant is found.
-inline constexpr double kInstantGap_mm = 2e-4;
+inline constexpr double kInstantGap_mm = Tolerance::kCorrection_mm;
 
 /// A cutter on a stretch of its motion: tip on a straight line at constant speed, axis on the great circle at constant
 /// rate, from t = 0 to 1.

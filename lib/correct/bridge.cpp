@@ -6,15 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "lib/correct/bridger.h"
 #include "lib/correct/lifts.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kGap_mm = 0.02;       // how well the worst instant of a gouging motion is found
-constexpr double kStraight_mm = 1e-3;  // how far off its neighbours' straight path a position may be left out
-constexpr double kStraightAxis = 1e-5;
+constexpr double kGap_mm = 0.02;     // how well the worst instant of a gouging motion is found
 constexpr double kAirMargin = 1.05;  // of the clearance, for positions: between them a rapid keeps it all
 constexpr int kHalvings = 6;
 
@@ -69,7 +68,7 @@ std::optional<BridgeNodes> Bridger::corner(const BridgeNode& u, const BridgeNode
   const Pose on = task_.programmed->at(near.t);
   // A lift is one along the axis of its own instant.
   const double lift = off.dot(far.pose().axis);
-  const bool is_lift = (off - lift * far.pose().axis).norm() <= kStraight_mm;
+  const bool is_lift = (off - lift * far.pose().axis).norm() <= Tolerance::kFilePoint_mm;
   const Pose turn{on.tip + (is_lift ? Vec3(lift * near.pose().axis) : off), near.pose().axis};
   if (!is_clean(near.pose(), turn) || !is_clean(turn, far.pose())) return std::nullopt;
   return BridgeNodes{{bridge_stop(on, turn, off.norm(), depth_mm), near.t}};
@@ -147,7 +146,8 @@ bool Bridger::is_between(const Pose& from, const Pose& to, const Pose& pose) con
   const Vec3 along = to.tip - from.tip;
   if (!motion.is_defined() || along.squaredNorm() <= 0) return false;
   const Pose there = motion.at(std::clamp((pose.tip - from.tip).dot(along) / along.squaredNorm(), 0.0, 1.0));
-  return (there.tip - pose.tip).norm() <= kStraight_mm && (there.axis - pose.axis).norm() <= kStraightAxis;
+  return (there.tip - pose.tip).norm() <= Tolerance::kFilePoint_mm &&
+         (there.axis - pose.axis).norm() <= Tolerance::kFileAxis;
 }
 
 Motion Bridger::motion_between(const Pose& from, const Pose& to) const {

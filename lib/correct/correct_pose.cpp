@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
-constexpr double kAccuracy_mm = 2e-4;
 constexpr double kSmallestStep_mm = 1e-3;  // keeps the lift from creeping where the surface runs along the axis
 // Contacts count by the square of their excess: those below this share of the largest are of no account.
 constexpr double kNotable = 0.1;
@@ -17,7 +18,7 @@ constexpr double kMargin_mm = 2e-3;  // how much further than asked the weighted
 double tool_excess(const Pose& pose, const ToolVariants& tool, const MotionChecker& checker, const CorrectionAim& aim) {
   if (checker.is_out_of_budget()) return std::numeric_limits<double>::infinity();
   std::uint64_t bounds = 0;
-  const double excess = largest_excess(pose, tool, checker.scene(), aim, kAccuracy_mm, &bounds);
+  const double excess = largest_excess(pose, tool, checker.scene(), aim, Tolerance::kCorrection_mm, &bounds);
   checker.charge(bounds + 1);
   return excess;
 }
@@ -92,7 +93,7 @@ std::optional<CorrectedPose> correct_along_normal(const Pose& pose, const ToolVa
 }
 
 double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLimits& limits) {
-  return checker.head_excess(pose, std::max(0.0, limits.aim.workpiece_mm), kAccuracy_mm);
+  return checker.head_excess(pose, std::max(0.0, limits.aim.workpiece_mm), Tolerance::kCorrection_mm);
 }
 
 std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolVariants& tool,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "lib/contact/aims.h"
 #include "lib/correct/free_pose.h"
 #include "lib/correct/shift_arc.h"
@@ -12,7 +13,6 @@
 namespace gouge {
 namespace {
 
-constexpr double kKeptPoint_mm = 1e-9;
 constexpr int kKeptPlaces = 16;
 constexpr int kGrowths = 3;
 
@@ -112,7 +112,7 @@ class ArcKeeper {
     const double sign = first.dot(out_first) + last.dot(out_last) < 0 ? -1 : 1;
     const double tolerance = k_.checker.options().tolerance_mm;
     const double radial = deepest(task) - kPositionAimShare * tolerance;
-    if (std::abs(rise) > kKeptPoint_mm && try_ends(change, task, rise * axis, rise * axis)) return true;
+    if (std::abs(rise) > Tolerance::kSamePoint_mm && try_ends(change, task, rise * axis, rise * axis)) return true;
     for (int g = 0; g < kGrowths; ++g) {
       const double growth = sign * (radial + 0.1 * g * tolerance);
       const Vec3 s = rise * axis + growth * out_first, e = rise * axis + growth * out_last;

@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "lib/correct/bridger.h"
 
 namespace gouge {
@@ -148,6 +149,8 @@ BridgeNode Bridger::hold(double t) const {
 
 Vec3 Bridger::offset_mm(const BridgeNode& node) const { return node.pose().tip - task_.programmed->at(node.t).tip; }
 
-bool Bridger::is_on_programmed(const BridgeNode& node) const { return offset_mm(node).norm() <= 1e-9; }
+bool Bridger::is_on_programmed(const BridgeNode& node) const {
+  return offset_mm(node).norm() <= Tolerance::kSamePoint_mm;
+}
 
 }  // namespace gouge

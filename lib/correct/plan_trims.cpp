@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/base/units.h"
 #include "lib/contact/aims.h"
 #include "lib/correct/clean_intervals.h"
@@ -18,7 +19,6 @@ namespace {
 
 // A clean stretch between two that are left out is cut only where it is longer: nobody wants a plunge for less.
 constexpr double kLeastCut_mm = 2;
-constexpr double kParallel = 1e-6;
 // How far before and behind the stretch another place to retract is sought.
 constexpr std::array kAway_mm = {0.0, 0.05, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
@@ -224,7 +224,8 @@ class TrimChain {
       if (move(i).tool != move(from.move).tool) return false;
       if (move(i).kind != MoveKind::rapid) continue;
       const Pose& entry = move(i).end;
-      return (entry.axis - begin.axis).norm() <= kParallel && lift_mm >= (entry.tip - begin.tip).dot(begin.axis);
+      return (entry.axis - begin.axis).norm() <= Tolerance::kNoSide &&
+             lift_mm >= (entry.tip - begin.tip).dot(begin.axis);
     }
     return false;
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 
 bool is_curve(const Move& move) {
@@ -64,10 +66,9 @@ ReworkedPath with_positions(const Toolpath& path, const CheckResult& result, con
 
 namespace {
 
-constexpr double kSamePose = 1e-9;
-
 bool is_kept_pose(const Pose& a, const Pose& b) {
-  return (a.tip - b.tip).cwiseAbs().maxCoeff() <= kSamePose && (a.axis - b.axis).cwiseAbs().maxCoeff() <= kSamePose;
+  return (a.tip - b.tip).cwiseAbs().maxCoeff() <= Tolerance::kRounding &&
+         (a.axis - b.axis).cwiseAbs().maxCoeff() <= Tolerance::kRounding;
 }
 
 /// A move of the path as it was, with what its pieces became.

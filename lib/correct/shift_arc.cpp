@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/tolerance.h"
 #include "lib/contact/aims.h"
 #include "lib/correct/free_pose.h"
 
@@ -15,7 +16,6 @@ constexpr double kHeightShare = 0.2;
 constexpr double kTooDeepShare = 0.5;
 constexpr double kMostOfIt = 0.9;
 constexpr double kSweepChange_rad = 0.2;
-constexpr double kShiftedPoint_mm = 1e-9, kShiftedAxis = 1e-12;
 constexpr double kLeastRadius_mm = 1e-3;
 constexpr int kShiftPlaces = 16;
 constexpr double kNearby = 0.2;  // of the motion
@@ -27,15 +27,15 @@ class ArcShift {
  public:
   ArcShift(const ArcTask& task, const MotionChecker& checker)
       : task_(task), checker_(checker), options_(checker.options()) {
-    is_full_ = (task.start.tip - task.end.tip).norm() <= kShiftedPoint_mm;
+    is_full_ = (task.start.tip - task.end.tip).norm() <= Tolerance::kSamePoint_mm;
     options_.tolerance_mm *= kMotionAimShare;
     options_.near_miss_mm = 0;
   }
 
   [[nodiscard]] std::optional<PathArc> run() const {
-    const bool keeps_axes = (task_.start.axis - task_.new_start.axis).norm() <= kShiftedAxis &&
-                            (task_.end.axis - task_.new_end.axis).norm() <= kShiftedAxis;
-    if (!keeps_axes || std::abs(task_.arc.sweep_rad) > kTurn + 1e-9) return std::nullopt;
+    const bool keeps_axes = (task_.start.axis - task_.new_start.axis).norm() <= Tolerance::kExactDirection &&
+                            (task_.end.axis - task_.new_end.axis).norm() <= Tolerance::kExactDirection;
+    if (!keeps_axes || std::abs(task_.arc.sweep_rad) > kTurn + Tolerance::kRounding) return std::nullopt;
     const bool ends_meet = task_.new_start.tip == task_.new_end.tip;
     if (is_full_ != ends_meet) return std::nullopt;
     const Vec3 shift = 0.5 * (task_.new_start.tip - task_.start.tip + task_.new_end.tip - task_.end.tip);

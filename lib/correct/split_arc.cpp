@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/tolerance.h"
 #include "lib/contact/aims.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kSamePoint_mm = 1e-9, kSameAxis = 1e-12;
 constexpr int kSplitPlaces = 32;
 constexpr int kSplitHalvings = 10;
 constexpr double kLeastSection_mm = 0.05;          // shorter ones are not worth a statement, and digits blur them
@@ -25,13 +25,13 @@ class ArcSplit {
         whole_(options_.law.along(task.start, task.end, task.arc)) {
     options_.tolerance_mm *= kMotionAimShare;
     options_.near_miss_mm = 0;
-    keeps_start_ = (task.start.tip - task.new_start.tip).norm() <= kSamePoint_mm;
-    keeps_end_ = (task.end.tip - task.new_end.tip).norm() <= kSamePoint_mm;
+    keeps_start_ = (task.start.tip - task.new_start.tip).norm() <= Tolerance::kSamePoint_mm;
+    keeps_end_ = (task.end.tip - task.new_end.tip).norm() <= Tolerance::kSamePoint_mm;
   }
 
   std::optional<std::vector<ArcPiece>> run() {
     for (const Pose* pose : {&task_.end, &task_.new_start, &task_.new_end}) {
-      if ((pose->axis - task_.start.axis).norm() > kSameAxis) return std::nullopt;
+      if ((pose->axis - task_.start.axis).norm() > Tolerance::kExactDirection) return std::nullopt;
     }
     find_segments();
     if (sections_.empty()) return std::nullopt;

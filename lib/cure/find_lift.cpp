@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/parallel.h"
+#include "lib/base/tolerance.h"
 #include "lib/certify/motion_checker.h"
 #include "lib/motion/motion_law.h"
 #include "lib/path/chords.h"
@@ -15,9 +16,7 @@ constexpr std::size_t kMovesPerChunk = 8;
 constexpr int kStepsByDepth = 64;     // before lifts double
 constexpr int kWholeChecks = 8;       // below a lift that is free where it is not certified that less is not
 constexpr double kChordShare = 0.25;  // of the tolerance, how far chords may be off their curve
-constexpr double kLeastChordError_mm = 2e-4;
-constexpr double kSameAxis = 1e-9;
-constexpr double kAlmost = 1e-6;  // of a step
+constexpr double kAlmost = 1e-6;      // of a step
 
 bool is_lifted_free(const MoveVerdict& verdict) {
   return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
@@ -45,8 +44,8 @@ class LiftSearch {
         setup_{setup.tools, setup.heads, setup.scene, options_},
         checker_(setup_),
         step_mm_(step_mm),
-        most_(static_cast<std::size_t>(std::max(1.0, std::floor(most_mm / step_mm + 1e-9)))),
-        chord_error_mm_(std::max(kChordShare * setup.options.tolerance_mm, kLeastChordError_mm)) {
+        most_(static_cast<std::size_t>(std::max(1.0, std::floor(most_mm / step_mm + Tolerance::kRounding)))),
+        chord_error_mm_(std::max(kChordShare * setup.options.tolerance_mm, Tolerance::kCorrection_mm)) {
     options_.near_miss_mm = 0;
   }
 
@@ -193,7 +192,7 @@ class LiftSearch {
 };
 
 bool keeps_axis(const Toolpath& path, std::size_t i) {
-  return (path.start_of(i).axis - path.moves[i].end.axis).norm() <= kSameAxis;
+  return (path.start_of(i).axis - path.moves[i].end.axis).norm() <= Tolerance::kSameDirection;
 }
 
 }  // namespace

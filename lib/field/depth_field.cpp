@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "lib/field/field_instants.h"
 #include "lib/field/group_neighbours.h"
 #include "lib/field/tangent_bound.h"
@@ -34,7 +35,7 @@ PoseCloseness closeness_of(const Motion& motion, const CompiledTool& tool, const
   const std::optional<Witness>& witness = verdict.witness;
   PoseCloseness out;
   out.lever_mm = witness ? (witness->point - motion.at(witness->t).tip).norm() : tool.z_max_mm - tool.z_min_mm;
-  out.unseen_mm = kUnseenShare * std::max(verdict.depth_mm, 1e-3);
+  out.unseen_mm = kUnseenShare * std::max(verdict.depth_mm, Tolerance::kFilePoint_mm);
   out.step_mm = std::max(std::sqrt(8 * reach * out.unseen_mm), 0.02 * reach);
   return out;
 }
@@ -59,8 +60,8 @@ class PoseList {
  private:
   // As where one move ends and the next begins.
   static bool is_same(const DepthField::FieldPose& a, const DepthField::FieldPose& b) {
-    constexpr double kSame = 1e-9;
-    return a.tool == b.tool && (a.pose.tip - b.pose.tip).norm() <= kSame && (a.pose.axis - b.pose.axis).norm() <= kSame;
+    return a.tool == b.tool && (a.pose.tip - b.pose.tip).norm() <= Tolerance::kRounding &&
+           (a.pose.axis - b.pose.axis).norm() <= Tolerance::kRounding;
   }
 
   // Whether the last pose lies on the way from the one before it to `c`, and these are close enough.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "lib/base/tolerance.h"
 #include "lib/field/field_instants.h"
 #include "lib/geom/point_triangle.h"
 #include "lib/mesh/mesh_box.h"
@@ -28,8 +29,8 @@ double reach_of(std::span<const HeadBody> heads) {
 // Instants so close that what a swing leaves between two of them stays a small part of the depth.
 std::size_t head_instants(const Motion& motion, double reach_mm, double depth_mm, double most_step_mm) {
   const double travel = BodyMotion(motion).turn_rad() * reach_mm + path_length_mm(motion);
-  const double step = std::clamp(std::sqrt(8 * reach_mm * 0.01 * std::max(depth_mm, 1e-3)), 0.1 * most_step_mm,
-                                 std::max(most_step_mm, 1e-6));
+  const double step = std::clamp(std::sqrt(8 * reach_mm * 0.01 * std::max(depth_mm, Tolerance::kFilePoint_mm)),
+                                 0.1 * most_step_mm, std::max(most_step_mm, Tolerance::kWitness_mm));
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
 }
 

@@ -46,8 +46,8 @@ inline TrianglePoint closest_on_rim(const Vec3& p, const std::array<Vec3, 3>& t)
 
 /// Whether the weights of a foot by products of dot products have lost about half of their digits or more.
 inline bool is_sliver(const Vec3& ab, const Vec3& ac) {
-  constexpr double kSliver =
-      1e-4;  // the square of width over length: of its error the foot gets eps * length / kSliver
+  // The square of width over length: of its error the foot gets eps * length / kSliver.
+  constexpr double kSliver = 1e-4;
   const double ab2 = ab.squaredNorm(), ac2 = ac.squaredNorm(), b = ab.dot(ac);
   const double length2 = std::max({ab2, ac2, ab2 + ac2 - 2 * b});
   return !(ab2 * ac2 - b * b > kSliver * length2 * length2);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/vec.h"
 
 namespace gouge {
@@ -11,7 +12,7 @@ namespace gouge {
 /// source that calls it five seconds to compile.)
 [[nodiscard]] inline Eigen::Quaterniond shortest_turn(const Vec3& from, const Vec3& to) {
   const double w = 1 + from.dot(to);
-  if (w < 1e-12) {
+  if (w < Tolerance::kNoDirection) {
     const Vec3 across = from.unitOrthogonal();
     return {0, across.x(), across.y(), across.z()};
   }

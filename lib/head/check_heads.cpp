@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/base/parallel.h"
+#include "lib/base/tolerance.h"
 #include "lib/check/check_path.h"
 #include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
@@ -18,7 +19,6 @@ namespace {
 
 constexpr std::size_t kMovesPerChunk = 64;
 constexpr std::uint64_t kMostBounds = 100'000;
-constexpr double kSamePoint_mm = 1e-9;
 
 void decide(MoveState state, Reason reason, MoveVerdict& verdict) {
   verdict.state = state;
@@ -219,7 +219,8 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
       if (i == 0 || !toolpath.moves[i].has_start) continue;
       chains.add(i * cores.size() + c, start.point(core(c)));
       // A law may turn a head about the tool axis between two moves.
-      const bool goes_on = is_free(i - 1, c) && (start.point(core(c)) - before.point(core(c))).norm() < kSamePoint_mm;
+      const bool goes_on =
+          is_free(i - 1, c) && (start.point(core(c)) - before.point(core(c))).norm() < Tolerance::kSamePoint_mm;
       if (goes_on) chains.join(i * cores.size() + c, (i - 1) * cores.size() + c);
     }
     before = end;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "lib/check/mesh_reach.h"
 #include "lib/head/revolved_cover.h"
 #include "lib/mesh/union_find.h"
@@ -13,8 +14,8 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kTries = 200;
-constexpr double kLeastBall = 1e-7;    // of the size: thinner parts of a body are not looked for
-constexpr double kTouching_mm = 1e-9;  // a ball that comes so near to a point of the surface touches it there
+constexpr double kLeastBall = 1e-7;   // of the size: thinner parts of a body are not looked for
+constexpr double kLeastDepth = 1e-4;  // of the size: where the search for a ball inside begins at last
 constexpr int kMostClimbs = 40;
 
 /// Piece of surface each triangle belongs to, numbered from 0 as they come.
@@ -48,7 +49,7 @@ void add_cores_of_pieces(HeadBody& head) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (t % step != 0 && head.core_depths_mm[piece[t]] > 0) continue;
     const Vec3 centre = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
-    for (double depth = 0.5 * size; depth > 1e-4 * size; depth *= 0.5) {
+    for (double depth = 0.5 * size; depth > kLeastDepth * size; depth *= 0.5) {
       const Vec3 core = centre - depth * head.surface.face_normal(t);
       const auto foot = head.surface.closest_point(core);
       if (!foot || !foot->is_inside || piece[foot->triangle] != piece[t]) continue;
@@ -71,7 +72,7 @@ class CoreBalls {
     for (double depth = 0.5 * size_mm_; depth > kLeastBall * size_mm_; depth *= 0.5) {
       Ball ball{start - depth * surface_.face_normal(triangle), 0};
       const auto foot = surface_.closest_point(ball.centre);
-      if (!foot->is_inside || foot->distance_mm < depth - kTouching_mm) continue;
+      if (!foot->is_inside || foot->distance_mm < depth - Tolerance::kSamePoint_mm) continue;
       ball.radius_mm = foot->distance_mm;
       return keep(grown(ball, *foot));
     }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/triangle.h"
 #include "lib/head/plane_bound.h"
 #include "lib/hierarchy/lane_bound.h"
@@ -13,10 +14,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kSearchRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
-constexpr std::size_t kMostKept = 8;         // planes
-constexpr double kFacetsOwn = 1 - 1e-12;     // cosine: what rounding makes of a facet's normal
-constexpr double kSameNormal = 0.9999;       // cosine: a second plane as steep as the first bounds nothing more
+constexpr std::size_t kMostKept = 8;                         // planes
+constexpr double kFacetsOwn = 1 - Tolerance::kFewRoundings;  // cosine: what rounding makes of a facet's normal
+constexpr double kSameNormal = 0.9999;  // cosine: a second plane as steep as the first bounds nothing more
 
 /// A node or leaf of a tree or a piece of a facet, over a time interval.
 struct Candidate : SearchCandidate {
@@ -154,7 +154,8 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
   template <typename Region>
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
     const double reach_mm = targets_[c.tree].reach_mm;
-    if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + reach_mm + kSearchRounding_mm) return false;
+    if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + reach_mm + Tolerance::kRounding_mm)
+      return false;
     ++result_.bounds;
     c.upper_mm = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < plane_count_ && c.upper_mm > threshold_mm(); ++k)
@@ -169,7 +170,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     const ClosestPoint foot = head_.surface.closest_point_from(region.middle, c.facet);
     c.facet = foot.triangle;
     c.upper_mm =
-        std::min(c.upper_mm, targets_[c.tree].reach_mm + region.radius_mm - foot.signed_mm() + kSearchRounding_mm);
+        std::min(c.upper_mm, targets_[c.tree].reach_mm + region.radius_mm - foot.signed_mm() + Tolerance::kRounding_mm);
     if (c.upper_mm > threshold_mm()) bound_by_planes(c, region, foot);
   }
 

@@ -2,18 +2,20 @@
 
 #include <algorithm>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
-constexpr double kAbove_mm = 1e-6;          // of the plane over the facet it touches, and of the box about the region
-constexpr double kPlaneRounding_mm = 1e-9;  // what the search of a box may miss, and a few additions
+constexpr double kAbove_mm = 1e-6;  // of the plane over the facet it touches, and of the box about the region
 
 constexpr std::size_t kMostSides = 8;
 
 /// At right angles to n, along the region as far as may be.
 Vec3 along_region(const Vec3& n, const Vec3& longest) {
   const Vec3 across = longest - n * n.dot(longest);
-  return across.squaredNorm() > 1e-6 * longest.squaredNorm() ? Vec3(across.normalized()) : n.unitOrthogonal();
+  return across.squaredNorm() > Tolerance::kNoSide * longest.squaredNorm() ? Vec3(across.normalized())
+                                                                           : n.unitOrthogonal();
 }
 
 template <typename Region>
@@ -33,7 +35,7 @@ std::optional<double> depth_below(const HeadBody& head, const Region& region, co
   prism.reserve(kMostSides + 4);
   region.add_sides(n, prism);
   const auto holds = [&](double depth_mm) {
-    const double base_mm = height.low_mm + depth_mm - kPlaneRounding_mm;
+    const double base_mm = height.low_mm + depth_mm - Tolerance::kRounding_mm;
     const double top_mm = std::max(height.high_mm, base_mm) + kAbove_mm;
     prism[0] = {n, n.dot(region.middle) + base_mm};
     prism[1] = {-n, -n.dot(region.middle) - top_mm};
@@ -51,7 +53,7 @@ std::optional<double> depth_below(const HeadBody& head, const Region& region, co
 template <typename Region>
 double depth_below_support(const Region& region, const OuterPlane& plane) {
   const double low_mm = plane.normal.dot(region.middle) + region.along(plane.normal).low_mm;
-  return std::max(0.0, plane.height_mm - low_mm + kPlaneRounding_mm);
+  return std::max(0.0, plane.height_mm - low_mm + Tolerance::kRounding_mm);
 }
 
 }  // namespace
@@ -86,10 +88,10 @@ void PieceRegion::add_sides(const Vec3& n, std::vector<HalfSpace>& sides) const 
     for (const Vec3& to : corners) {
       const Vec3 inward = n.cross(to - from);
       const double length = inward.norm();
-      if (!(length > 1e-9 * radius_mm) || sides.size() - first >= kMostSides) continue;
+      if (!(length > Tolerance::kRounding * radius_mm) || sides.size() - first >= kMostSides) continue;
       const Vec3 direction = inward / length;
       const double low_mm = along(direction).low_mm + bulge_mm;
-      if (direction.dot(from - middle) > low_mm + 1e-9 * radius_mm) continue;
+      if (direction.dot(from - middle) > low_mm + Tolerance::kRounding * radius_mm) continue;
       sides.push_back({direction, direction.dot(middle) + low_mm - bulge_mm - kAbove_mm});
     }
   }

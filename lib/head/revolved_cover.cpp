@@ -8,15 +8,15 @@
 #include <optional>
 #include <span>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/cross.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kStandOff_mm = 1e-9;  // so that rounding in the making never cuts into the mesh
-constexpr double kShort = 1e-6;        // of the mesh's size: shorter lines have no direction worth keeping
-constexpr double kMostEmpty = 3;       // how many times the mesh's volume a cover may take to be worth asking
-constexpr double kLeastGain = 0.03;    // of a cover's volume, for another piece
+constexpr double kShort = 1e-6;      // of the mesh's size: shorter lines have no direction worth keeping
+constexpr double kMostEmpty = 3;     // how many times the mesh's volume a cover may take to be worth asking
+constexpr double kLeastGain = 0.03;  // of a cover's volume, for another piece
 constexpr std::size_t kMostPieces = 6, kMostHeights = 48, kMostRoundings = 24, kMostLines = CoverPiece::kMaxChain - 1;
 constexpr int kDirections = 128;
 
@@ -134,7 +134,8 @@ class PieceMaker {
     const std::size_t step = std::max<std::size_t>(1, hull_.size() / kMostRoundings);
     for (std::size_t k = 1; k + 1 < hull_.size(); k += step) {
       const Vec2 a = hull_[k] - hull_[k - 1], b = hull_[k + 1] - hull_[k];
-      const double radius = 0.5 * a.norm() * b.norm() * (a + b).norm() / std::max(cross(a, b), 1e-12);
+      const double radius =
+          0.5 * a.norm() * b.norm() * (a + b).norm() / std::max(cross(a, b), Tolerance::kFewRoundings);
       if (radius < size_mm_) all.push_back(radius);
     }
     return all;
@@ -160,12 +161,12 @@ class PieceMaker {
     const Vec2 last = lines.size() > 1 ? piece.chain.back() : first;
     piece.chain.push_back(last + far * lines.back().along);
     for (std::size_t k = 1; k + 1 < piece.chain.size(); ++k) {
-      if (piece.chain[k].x() < -1e-12 * size_mm_) return std::nullopt;
+      if (piece.chain[k].x() < -Tolerance::kFewRoundings * size_mm_) return std::nullopt;
     }
     piece.radius_mm = rounding_mm;
     double outside = 0;
     for (const Vec2& p : hull_) outside = std::max(outside, cover_distance(piece, p));
-    piece.radius_mm += outside + kStandOff_mm;
+    piece.radius_mm += outside + Tolerance::kRounding_mm;
     return piece;
   }
 
@@ -281,8 +282,9 @@ class CoverMaker {
   }
 
   static double end_radius(const Points& hull, double height) {
-    double radius = kStandOff_mm;
-    for (const Vec2& p : hull) radius = std::max(radius, std::abs(p.y() - height) > 0 ? 0 : p.x() + kStandOff_mm);
+    double radius = Tolerance::kRounding_mm;
+    for (const Vec2& p : hull)
+      radius = std::max(radius, std::abs(p.y() - height) > 0 ? 0 : p.x() + Tolerance::kRounding_mm);
     return radius;
   }
 

@@ -5,12 +5,12 @@
 #include <limits>
 
 #include "lib/base/instruction_sets.h"
+#include "lib/base/tolerance.h"
 
 namespace gouge::detail {
 namespace {
 
 // Twice what single precision does to a number, relative to it.
-constexpr double kLeafSingle = 1.2e-7;
 
 // Loops over sixteen numbers, which the compiler cuts to the width of the processor. (Vectors of sixteen, where that is
 // less, it takes apart into single numbers wherever they are compared.)
@@ -125,7 +125,7 @@ void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, 
   // Differences, products and sums in single precision are off by no more than 7 units of 6e-8 of the
   // distance from the center, and the stored normal is longer or shorter than 1 by 1e-7.
   const double radius = std::sqrt(largest(reach.radius2));
-  const double more = rounding_mm + 8 * kLeafSingle * radius + 1e-9;
+  const double more = rounding_mm + 8 * Tolerance::kSingleRounding * radius + Tolerance::kRounding_mm;
   node.half_thickness_mm[lane] = rounded_up(largest(reach.height) + more);
   node.disc_radius_mm[lane] = rounded_up(std::sqrt(largest(reach.disc2)) + more);
   node.radius_mm[lane] = rounded_up(radius + more);

@@ -8,6 +8,7 @@
 #include "lib/base/large_pages.h"
 #include "lib/base/parallel.h"
 #include "lib/base/stage.h"
+#include "lib/base/tolerance.h"
 #include "lib/hierarchy/block_tree.h"
 #include "lib/hierarchy/bound_leaves.h"
 #include "lib/hierarchy/cut_entries.h"
@@ -18,8 +19,7 @@ namespace {
 using detail::Entry;
 
 // Twice what single precision does to a coordinate of that size.
-constexpr double kBlockSingle = 1.2e-7;
-constexpr double kBlockRoundUp = 1 + 1e-9;
+constexpr double kBlockRoundUp = 1 + Tolerance::kRounding;
 
 // Subtrees of this many triangles are made whole, one by one: their leaves stay in the processor's cache.
 constexpr std::size_t kSubtree = kBlockLanes * kBlockLanes * kBlockLanes;
@@ -71,7 +71,7 @@ class Builder {
     if (total_ == 0) return;
     tree_.origin = box.center();
     tree_.radius_mm = kBlockRoundUp * 0.5 * box.diagonal().norm();
-    tree_.rounding_mm = kBlockSingle * 0.5 * box.diagonal().norm();
+    tree_.rounding_mm = Tolerance::kSingleRounding * 0.5 * box.diagonal().norm();
   }
 
   BlockTree build(std::string_view name, const ProgressCall& progress) {

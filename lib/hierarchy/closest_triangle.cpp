@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/tolerance.h"
 #include "lib/hierarchy/distance_kernel.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kSingle = 1.2e-7;     // twice what single precision does to a number, relative to it
 constexpr double kDouble = 1.0e-14;    // more than double precision does to a distance, relative to the coordinates
 constexpr double kRoundUp = 1 + 1e-6;  // to single precision
 
@@ -20,7 +20,7 @@ class ClosestTriangleSearch {
     const Vec3 local = point - tree.origin;
     for (std::size_t k = 0; k < 3; ++k) query_.point[k] = static_cast<float>(local[static_cast<Eigen::Index>(k)]);
     const double size = point.norm() + tree.origin.norm() + tree.radius_mm;
-    const double slack_mm = kSingle * local.norm() + kDouble * size;
+    const double slack_mm = Tolerance::kSingleRounding * local.norm() + kDouble * size;
     query_.node_slack_mm = static_cast<float>(slack_mm * kRoundUp);
     const double farthest_mm = local.norm() + tree.radius_mm;
     query_.triangle_slack_mm =

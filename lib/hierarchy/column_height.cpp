@@ -4,13 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "lib/hierarchy/bound_leaves.h"
 #include "lib/hierarchy/lane_bound.h"
 
 namespace gouge {
 namespace {
-
-constexpr double kColumnRounding_mm = 1e-9;
 
 class Climb {
  public:
@@ -43,10 +42,11 @@ class Climb {
       const double height = column_.direction.dot(from);
       if (height + lane.radius_mm <= highest_ || height - lane.radius_mm > column_.high_mm) continue;
       const double beside2 = from.squaredNorm() - height * height;
-      const double reach = column_.radius_mm + lane.radius_mm + kColumnRounding_mm;
+      const double reach = column_.radius_mm + lane.radius_mm + Tolerance::kRounding_mm;
       if (beside2 > reach * reach) continue;
-      const double up = lane.extent_mm(column_.direction) + kColumnRounding_mm;
-      if (height + up <= highest_ || height - lane.extent_mm(-column_.direction) - kColumnRounding_mm > column_.high_mm)
+      const double up = lane.extent_mm(column_.direction) + Tolerance::kRounding_mm;
+      if (height + up <= highest_ ||
+          height - lane.extent_mm(-column_.direction) - Tolerance::kRounding_mm > column_.high_mm)
         continue;
       if (height + up <= enough_) {
         highest_ = std::max(highest_, height + up);
@@ -91,19 +91,19 @@ class Climb {
     const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const double along = std::abs(column_.direction.dot(normal));
     double highest = high;
-    if (along > 1e-6 * normal.norm()) {
+    if (along > Tolerance::kNoSide * normal.norm()) {
       // The plane's height on the column's axis, and how far it rises from there.
       const double middle = normal.dot(corners[0] - column_.through) / column_.direction.dot(normal);
       const double across = std::sqrt(std::max(0.0, normal.squaredNorm() - along * along));
       highest = std::min(highest, middle + across / along * column_.radius_mm);
     }
-    return highest + kColumnRounding_mm;
+    return highest + Tolerance::kRounding_mm;
   }
 
   /// Whether the triangle, seen along the column, is proven to miss its disc: by a line through an edge or by a line
   /// square to the direction of its nearest corner.
   [[nodiscard]] bool is_beside(const std::array<Vec3, 3>& flat) const {
-    const double reach = column_.radius_mm + kColumnRounding_mm;
+    const double reach = column_.radius_mm + Tolerance::kRounding_mm;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& a = flat[k];
       const Vec3& b = flat[(k + 1) % 3];
@@ -136,7 +136,7 @@ class Climb {
   double height_ = 0;             // of the column's point along the first, in the tree's frame
   std::array<double, 2> beside_;  // along the others
   // Single precision is off by less than eight units of the largest coordinate in the tree's frame.
-  double off_mm_ = 8 * tree_.rounding_mm + kColumnRounding_mm;
+  double off_mm_ = 8 * tree_.rounding_mm + Tolerance::kRounding_mm;
 };
 
 }  // namespace

@@ -5,14 +5,13 @@
 #include <limits>
 
 #include "lib/base/instruction_sets.h"
+#include "lib/base/tolerance.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kLaneRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
 // More than single precision is off in what is added up here, relative to coordinates in the tree's frame, and in where
 // corners are stored.
-constexpr double kLaneSingle = 1e-6;
 constexpr float kNormal = 1e-6F;  // the stored normal of a node is longer or shorter than 1 by less
 
 // Loops over sixteen numbers, which the compiler cuts to the width of the processor. (Vectors of sixteen, where that is
@@ -40,7 +39,7 @@ LaneSpace::LaneSpace(const BlockTree& tree, std::span<const HalfSpace> space)
     : count_(std::min(space.size(), halves_.size())) {
   for (std::size_t i = 0; i < count_; ++i) {
     const double least_mm = space[i].least_mm - space[i].direction.dot(tree.origin);
-    const double slack_mm = kLaneSingle * (tree.radius_mm + std::abs(least_mm)) + kLaneRounding_mm;
+    const double slack_mm = Tolerance::kSingleSum * (tree.radius_mm + std::abs(least_mm)) + Tolerance::kRounding_mm;
     for (std::size_t k = 0; k < 3; ++k)
       halves_[i].direction[k] = static_cast<float>(space[i].direction[static_cast<Eigen::Index>(k)]);
     halves_[i].least_mm = static_cast<float>(least_mm - slack_mm);

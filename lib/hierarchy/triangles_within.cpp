@@ -4,12 +4,11 @@
 #include <array>
 #include <bit>
 
+#include "lib/base/tolerance.h"
 #include "lib/hierarchy/lane_space.h"
 
 namespace gouge {
 namespace {
-
-constexpr double kReachRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
 
 /// Calls `visit(leaf)` for the leaves whose bounds reach into each half-space, until it returns true. Whether it did.
 template <typename Visit>
@@ -45,7 +44,7 @@ std::vector<std::uint32_t> triangles_within(const BlockTree& tree, std::span<con
 bool is_entered(const BlockTree& tree, std::span<const HalfSpace> space) {
   std::array<HalfSpace, kMostHalfSpaces> wider;
   const std::size_t count = std::min(space.size(), wider.size());
-  for (std::size_t i = 0; i < count; ++i) wider[i] = {space[i].direction, space[i].least_mm - kReachRounding_mm};
+  for (std::size_t i = 0; i < count; ++i) wider[i] = {space[i].direction, space[i].least_mm - Tolerance::kRounding_mm};
   const LaneSpace lane_space(tree, space);
   return visit_leaves(tree, lane_space, [&](const TriangleBlock& leaf) {
     for (std::uint32_t lanes = lane_space.reached(leaf); lanes != 0; lanes &= lanes - 1) {

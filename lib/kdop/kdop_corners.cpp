@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
-
-constexpr double kSameCorner = 1e-9;
-constexpr double kInside = 1e-12;  // a flat volume keeps its faces although rounding crosses them
 
 using Polygon = std::vector<Vec3>;
 
@@ -31,7 +30,7 @@ double size_of(std::span<const Interval> intervals) {
 
 class Corners {
  public:
-  explicit Corners(double size) : same_(kSameCorner * size) {}
+  explicit Corners(double size) : same_(Tolerance::kRounding * size) {}
 
   void add(const Vec3& corner) {
     for (const Vec3& known : all_) {
@@ -63,7 +62,7 @@ std::vector<Interval> intervals_of(const DirectionSet& directions, std::span<con
 
 std::vector<Vec3> kdop_corners(const DirectionSet& directions, std::span<const Interval> intervals) {
   const double size = size_of(intervals);
-  const double reach = 16 * size + 1, slack = kInside * size;
+  const double reach = 16 * size + 1, slack = Tolerance::kFewRoundings * size;
   Corners corners(size);
   for (std::size_t i = 0; i < directions.axes.size(); ++i) {
     for (const double sign : {1.0, -1.0}) {

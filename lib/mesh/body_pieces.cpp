@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "lib/base/tolerance.h"
 #include "lib/mesh/adjacency.h"
 #include "lib/mesh/double_walls.h"
 #include "lib/mesh/opposite_half_edges.h"
@@ -63,7 +64,7 @@ class Pairer {
       return Vec3(v - v.dot(along) * along);
     };
     const Vec3 e1 = away(leaves[0]).normalized(), e2 = along.cross(e1);
-    constexpr double kStep = 1e-9, kTurn = 2 * std::numbers::pi;
+    constexpr double kStep = Tolerance::kRounding, kTurn = 2 * std::numbers::pi;
     for (Leaf& leaf : leaves) {
       const Vec3 v = away(leaf);
       const double angle = std::round(std::atan2(v.dot(e2), v.dot(e1)) / kStep) * kStep;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/mesh/body_pieces.h"
 #include "lib/mesh/cavity.h"
 #include "lib/mesh/free_ray.h"
@@ -18,7 +19,6 @@ namespace gouge {
 namespace {
 
 // Rounding of a transformed vertex and of a point of the tool, relative to their coordinates.
-constexpr double kMargin = 1e-9;
 // What is missing at a hole lies within this many widths of its rim's middle line: a half sphere over a round hole.
 constexpr double kReach = 1;
 // A winding number with all gaps filled is whole up to rounding.
@@ -79,7 +79,7 @@ class Shells {
   /// are only turned triangles nothing is to be closed.
   [[nodiscard]] bool is_clear_of_holes(const Vec3& point) const {
     const auto is_near = [&](const SurfaceGap& gap) {
-      return gap.distance_mm(point) <= kReach * gap.width_mm + kMargin * (1 + point.cwiseAbs().maxCoeff());
+      return gap.distance_mm(point) <= kReach * gap.width_mm + Tolerance::kRounding * (1 + point.cwiseAbs().maxCoeff());
     };
     return faults_.open == 0 || std::none_of(faults_.gaps.begin(), faults_.gaps.end(), is_near);
   }
@@ -186,7 +186,8 @@ struct Enclosure::Surface {
 Enclosure::Enclosure(std::span<const IndexedMesh> meshes)
     : meshes_(meshes), box_(box_of(meshes)), surface_(std::make_unique<Surface>()) {
   if (box_.isEmpty()) return;
-  const Vec3 margin = Vec3::Constant(kMargin * (1 + box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs()).maxCoeff()));
+  const Vec3 margin =
+      Vec3::Constant(Tolerance::kRounding * (1 + box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs()).maxCoeff()));
   beyond_ = Box3(box_.min() - margin, box_.max() + margin);
 }
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
 // A triple product of corners a, b seen from the origin is off by a few units in the last place of |a| |b|.
-constexpr double kRounding = 1e-12;
 
 }  // namespace
 
@@ -19,10 +20,10 @@ RayCone::RayCone(const std::array<Vec3, 3>& triangle, const Vec3& origin) {
   }
   for (std::size_t k = 0; k < 3; ++k) {
     sides_[k] = corners_[k].cross(corners_[(k + 1) % 3]);
-    slack_[k] = kRounding * length[k] * length[(k + 1) % 3];
+    slack_[k] = Tolerance::kFewRoundings * length[k] * length[(k + 1) % 3];
   }
   volume_ = sides_[0].dot(corners_[2]);
-  volume_slack_ = kRounding * length[0] * length[1] * length[2];
+  volume_slack_ = Tolerance::kFewRoundings * length[0] * length[1] * length[2];
 }
 
 RayCrossing RayCone::crossing(const Vec3& direction) const {
@@ -34,8 +35,9 @@ RayCrossing RayCone::crossing(const Vec3& direction) const {
     is_doubtful = is_doubtful || std::abs(turn) <= slack_[k];
   }
   if (has_left && has_right) return RayCrossing::none;  // the line passes beside it
-  const bool is_behind = std::all_of(corners_.begin(), corners_.end(),
-                                     [&](const Vec3& c) { return c.dot(direction) < -kRounding * c.norm(); });
+  const bool is_behind = std::all_of(corners_.begin(), corners_.end(), [&](const Vec3& c) {
+    return c.dot(direction) < -Tolerance::kFewRoundings * c.norm();
+  });
   if (is_behind) return RayCrossing::none;
   if (is_doubtful || std::abs(volume_) <= volume_slack_) return RayCrossing::doubtful;
   const bool is_ahead = has_left == (volume_ > 0);

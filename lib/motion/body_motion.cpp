@@ -2,15 +2,13 @@
 
 #include <cmath>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
-namespace {
-
-constexpr double kOpposite = 1e-9;
-
-}  // namespace
+namespace {}  // namespace
 
 Eigen::Matrix3d rotation_to_axis(const Vec3& axis) {
-  if (1 + axis.z() < kOpposite) return Vec3(1, -1, -1).asDiagonal();
+  if (1 + axis.z() < Tolerance::kSameDirection) return Vec3(1, -1, -1).asDiagonal();
   Eigen::Matrix3d cross;
   const Vec3 v = Vec3::UnitZ().cross(axis);
   cross << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;

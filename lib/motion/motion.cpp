@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
@@ -63,7 +65,7 @@ void Motion::turn_on_great_circle() {
   // For axes that all but agree the cross product is mostly rounding; any perpendicular axis serves a
   // rotation of that size, but it must be perpendicular.
   rotation_axis_ -= rotation_axis_.dot(start_.axis) * start_.axis;
-  if (sine <= 1e-12 || rotation_axis_.norm() < 0.5) {
+  if (sine <= Tolerance::kNoDirection || rotation_axis_.norm() < 0.5) {
     rotation_axis_ = start_.axis.unitOrthogonal();
     if (angle_ < 1) angle_ = 0;
   }

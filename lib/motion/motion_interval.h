@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "lib/motion/motion.h"
 
 // Time intervals of a motion and their halving: what is known of an interval is the caller's.
@@ -48,7 +49,7 @@ class IntervalTree {
   [[nodiscard]] const Interval& operator[](std::uint32_t index) const { return intervals_[index]; }
   /// Whether halving can still distinguish instants.
   [[nodiscard]] bool can_halve(std::uint32_t index) const {
-    constexpr double kShortest = 1e-12;
+    constexpr double kShortest = Tolerance::kFewRoundings;
     return intervals_[index].t1 - intervals_[index].t0 > kShortest;
   }
   /// Index of the first half; the second follows. Requires can_halve.

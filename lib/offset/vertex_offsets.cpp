@@ -3,15 +3,13 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "lib/mesh/face_normal.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kSameNormal = 1e-9;
 // Squared sines of the angles between nearly equal normals are the smallest eigenvalues that mean something.
-constexpr double kNoSpread = 1e-14;
-constexpr double kMeets = 1e-9;
 
 }  // namespace
 
@@ -19,7 +17,7 @@ std::vector<Vec3> distinct_normals(std::span<const Vec3> normals) {
   std::vector<Vec3> kept;
   for (const Vec3& n : normals) {
     bool is_new = true;
-    for (const Vec3& known : kept) is_new = is_new && (known - n).cwiseAbs().maxCoeff() > kSameNormal;
+    for (const Vec3& known : kept) is_new = is_new && (known - n).cwiseAbs().maxCoeff() > Tolerance::kSameDirection;
     if (is_new) kept.push_back(n);
   }
   return kept;
@@ -39,7 +37,7 @@ VertexOffset offset_of_planes(std::span<const Vec3> normals) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread);
   int rank = 0;
   for (int i = 0; i < 3; ++i) {
-    if (eigen.eigenvalues()[i] <= kNoSpread * eigen.eigenvalues()[2]) continue;
+    if (eigen.eigenvalues()[i] <= Tolerance::kSingular * eigen.eigenvalues()[2]) continue;
     const Vec3 axis = eigen.eigenvectors().col(i);
     result.move += axis * (axis.dot(sum) / eigen.eigenvalues()[i]);
     ++rank;
@@ -51,7 +49,9 @@ VertexOffset offset_of_planes(std::span<const Vec3> normals) {
     const Vec3 direction = length > 0 ? Vec3(result.move / length) : planes[0].unitOrthogonal();
     return {kLongestOffset * direction, PlaneCase::knife};
   }
-  result.planes = miss > kMeets ? PlaneCase::many_planes : rank == 2 ? PlaneCase::two_planes : PlaneCase::three_planes;
+  result.planes = miss > Tolerance::kRounding ? PlaneCase::many_planes
+                  : rank == 2                 ? PlaneCase::two_planes
+                                              : PlaneCase::three_planes;
   return result;
 }
 
@@ -66,7 +66,7 @@ Vec3 angle_weighted_normal(const IndexedMesh& mesh, const MeshAdjacency& adjacen
   Vec3 sum = Vec3::Zero();
   for (const std::uint32_t t : adjacency.triangles_of_vertex(vertex)) sum += angle_at(mesh, t, vertex) * normals[t];
   const double length = sum.norm();
-  return length > 1e-12 ? Vec3(sum / length) : Vec3(Vec3::Zero());
+  return length > Tolerance::kNoDirection ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
 std::vector<VertexOffset> offset_by_planes(const IndexedMesh& mesh, const MeshAdjacency& adjacency) {

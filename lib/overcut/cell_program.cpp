@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/tolerance.h"
+
 // Any weights of limits, adding up to 1, and of planes, none negative, bound the program:
 //   sum of weighted values + half . |sum of weighted gradients|.
 // Good weights come from the dual simplex method: it begins at the corner of the box where the first limit is largest,
@@ -19,7 +21,7 @@ using Mat5 = Eigen::Matrix<double, 5, 5>;
 constexpr double kPivot = 1e-11;
 constexpr double kViolated_mm = 1e-8;
 constexpr int kMostPivots = 30;
-constexpr double kRangeRounding = 1e-9, kLevel = 1e-4;  // what is steeper tells its end that exactly
+constexpr double kLevel = 1e-4;  // what is steeper tells its end that exactly
 
 /// Largest v with  v <= limit(y)  of all limits,  plane(y) >= 0  of all planes, y in a box: rows n . (y, v) <= b.
 class DualSimplex {
@@ -177,8 +179,8 @@ CellProgram::Range CellProgram::where_at_least(double value, const Bound& bound)
       const double slope = part.gradient[i];
       if (!(std::abs(slope) > kLevel)) continue;
       const double end = (most[i] - all) / slope;  // where the part is `least` with all others at their best
-      if (slope > 0) range.low[i] = std::max(range.low[i], end - kRangeRounding);
-      if (slope < 0) range.high[i] = std::min(range.high[i], end + kRangeRounding);
+      if (slope > 0) range.low[i] = std::max(range.low[i], end - Tolerance::kRounding);
+      if (slope < 0) range.high[i] = std::min(range.high[i], end + Tolerance::kRounding);
     }
   };
   for (int round = 0; round < 2; ++round) {

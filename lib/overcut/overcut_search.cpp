@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lib/base/best_first_search.h"
+#include "lib/base/tolerance.h"
 #include "lib/check/overcut_gap.h"
 #include "lib/hierarchy/lane_bound.h"
 #include "lib/overcut/ceiling.h"
@@ -14,9 +15,6 @@
 namespace gouge {
 namespace {
 
-constexpr double kInTool_mm = 1e-9;  // a point this little outside the tool counts as in it: rounding of its foot
-constexpr double kSeed_mm = 1e-6;    // the witness of a move is that exact
-constexpr double kSearchRounding_mm = 1e-9;
 constexpr double kNotable_mm = 0.1 * kOvercutGap_mm;
 constexpr double kNear_mm = 0.02;  // a climb ends when it looks no farther than that
 constexpr int kClimbs = 24;
@@ -53,12 +51,12 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
       : tool_(tool), part_(part), options_(options) {}
 
   Overcut find(const Vec3& seed, double seed_t) {
-    if (tool_.distance_at(seed, seed_t) <= kSeed_mm) take(seed, seed_t);
+    if (tool_.distance_at(seed, seed_t) <= Tolerance::kWitness_mm) take(seed, seed_t);
     climb();
     const Vec3 displacement = tool_.motion().at(1).tip - tool_.motion().at(0).tip;
     const Vec3 across = displacement - displacement.dot(deeper_) * deeper_;
     frame_.row(0) = deeper_;
-    frame_.row(1) = across.norm() > 1e-6 ? Vec3(across.normalized()) : deeper_.unitOrthogonal();
+    frame_.row(1) = across.norm() > Tolerance::kNoSide ? Vec3(across.normalized()) : deeper_.unitOrthogonal();
     frame_.row(2) = Vec3(frame_.row(0)).cross(Vec3(frame_.row(1)));
     Box3 all;
     for (const Vec3& corner : LaneBound(part_.tree()).hull()) all.extend(Vec3(frame_ * corner));
@@ -131,7 +129,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     ++looked_;
     cell.kept = 1;
     const double radius = cell.half.norm();
-    cell.upper_mm = cell.inside_mm + radius + kSearchRounding_mm;
+    cell.upper_mm = cell.inside_mm + radius + Tolerance::kRounding_mm;
     if (cell.upper_mm <= threshold_mm()) return prune(cell.upper_mm);
     const SweptBound swept = tool_.bound(cell.centre, radius, cell.interval);
     if (!swept.is_reached) return;
@@ -248,8 +246,8 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     Column column;
     column.through = cell.centre;
     column.direction = outward;
-    column.radius_mm = std::sqrt(beside2) + kSearchRounding_mm;
-    const double reach = cell.half.dot(up.cwiseAbs()) + kSearchRounding_mm;
+    column.radius_mm = std::sqrt(beside2) + Tolerance::kRounding_mm;
+    const double reach = cell.half.dot(up.cwiseAbs()) + Tolerance::kRounding_mm;
     return ceiling(part_, column, reach, enough, most, cell.inside_mm < 0, cell.triangle);
   }
 
@@ -277,7 +275,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     }
     if (cell.inside_mm + distance <= best_.depth_mm) return;
     const Vec3 beside = cell.centre - distance * tool_.outward_at(cell.centre, swept.t);
-    if (tool_.distance_at(beside, swept.t) <= kInTool_mm && take(beside, swept.t)) climb();
+    if (tool_.distance_at(beside, swept.t) <= Tolerance::kRounding_mm && take(beside, swept.t)) climb();
   }
 
   /// Keeps the point when it is deeper in the part than any so far; it must be in the tool at t.
@@ -299,7 +297,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
       next -= out * tool_.outward_at(next, t);
       out = tool_.distance_at(next, t);
     }
-    return out <= kInTool_mm && take(next, t);
+    return out <= Tolerance::kRounding_mm && take(next, t);
   }
 
   void climb() {

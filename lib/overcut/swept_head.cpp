@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "lib/overcut/ceiling.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kHeadRounding_mm = 1e-9;
 constexpr double kSteep = 0.1;  // how much higher than its closest point, by the cell's size, the surface may be
 
 }  // namespace
@@ -43,7 +43,7 @@ SweptBound SweptHead::bound(const Vec3& centre, double radius, std::uint32_t ind
       bound.t = interval.t1;
     }
   }
-  bound.is_reached = least <= radius + kHeadRounding_mm;
+  bound.is_reached = least <= radius + Tolerance::kRounding_mm;
   if (bound.is_reached) bound.half = half_space(centre, 0, centre, radius, index);
   return bound;
 }
@@ -58,12 +58,12 @@ std::optional<DriftingHalfSpace> SweptHead::half_space(const Vec3& point, double
   const Vec3& up = foot->normal;
   const Vec3 chord = q1 - q0;
   const double along = up.dot(chord);
-  const double around = radius + bulge + kHeadRounding_mm;
+  const double around = radius + bulge + Tolerance::kRounding_mm;
   Column column;
   column.through = 0.5 * (q0 + q1);
   column.direction = up;
   column.radius_mm = around + 0.5 * (chord - along * up).norm();
-  const double enough = up.dot(foot->point - column.through) + kSteep * radius + kHeadRounding_mm;
+  const double enough = up.dot(foot->point - column.through) + kSteep * radius + Tolerance::kRounding_mm;
   const auto height = ceiling(head_.surface, column, around + 0.5 * std::abs(along), enough, enough);
   if (!height) return std::nullopt;
   const Vec3 n0 = interval.to_tool0.rotation.transpose() * up, n1 = interval.to_tool1.rotation.transpose() * up;
@@ -80,8 +80,8 @@ std::vector<Box3> SweptHead::extents(const Eigen::Matrix3d& frame, std::uint32_t
     for (int corner = 0; corner < 8; ++corner)
       box.extend(Vec3(frame * to_part.point(box_.corner(static_cast<Box3::CornerType>(corner)))));
   }
-  box.min().array() -= bulge + kHeadRounding_mm;
-  box.max().array() += bulge + kHeadRounding_mm;
+  box.min().array() -= bulge + Tolerance::kRounding_mm;
+  box.max().array() += bulge + Tolerance::kRounding_mm;
   return {box};
 }
 

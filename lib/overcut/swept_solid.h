@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "lib/motion/motion.h"
 #include "lib/motion/motion_interval.h"
 
@@ -21,7 +22,7 @@ struct DriftingHalfSpace {
 /// than at the start. The mean of both normals serves, with half their difference at the cell's rim added.
 [[nodiscard]] inline DriftingHalfSpace behind_plane(const Vec3& n0, const Vec3& n1, double depth_mm, double drift_mm,
                                                     double bulge_mm, double radius_mm) {
-  constexpr double kRounding_mm = 1e-9;
+  constexpr double kRounding_mm = Tolerance::kRounding_mm;
   return {0.5 * (n0 + n1), depth_mm + bulge_mm + 0.5 * (n1 - n0).norm() * radius_mm + kRounding_mm, drift_mm};
 }
 

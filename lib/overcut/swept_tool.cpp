@@ -5,13 +5,13 @@
 #include <limits>
 #include <numbers>
 
+#include "lib/base/tolerance.h"
 #include "lib/check/support_plane.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kToolRounding_mm = 1e-9;
 constexpr double kAngleRounding = 1e-7;  // of an arc sine, next to a pole
 constexpr double kLeastAcross = 0.1;
 constexpr int kArcs = 24;  // of a sharp edge, each searched for itself
@@ -102,7 +102,7 @@ class Hull {
     const Vec2 from = e.a - e.center, to = e.b - e.center;
     const bool is_steep = e.center.x() < 0 && least_across_ < kLeastAcross;
     if (e.is_reflex || is_steep) {
-      const double out = e.is_reflex ? 0 : e.radius_mm - (0.5 * (from + to)).norm() + kToolRounding_mm;
+      const double out = e.is_reflex ? 0 : e.radius_mm - (0.5 * (from + to)).norm() + Tolerance::kRounding_mm;
       add(e.a, out);
       add(e.b, out);
       // Where it turns back over itself the part that faces outwards ends in the middle of it.
@@ -132,7 +132,7 @@ class Hull {
 /// reaches along it changes with the instant nearly linearly. Proof: docs/algorithms/overcut.md, section 4.
 DriftingHalfSpace behind(const CompiledTool& tool, const Vec3& direction, const Vec3& centre, const Chord& chord,
                          const ToolInterval& interval) {
-  const double around = chord.radius_mm + chord.bulge_mm + kToolRounding_mm;
+  const double around = chord.radius_mm + chord.bulge_mm + Tolerance::kRounding_mm;
   const double z_lo = std::min(chord.q0.z(), chord.q1.z()) - around;
   const double z_hi = std::max(chord.q0.z(), chord.q1.z()) + around;
   const double along0 = direction.dot(interval.f0.rows.row(2)), along1 = direction.dot(interval.f1.rows.row(2));
@@ -144,7 +144,7 @@ DriftingHalfSpace behind(const CompiledTool& tool, const Vec3& direction, const 
   const double end0 = direction.dot(interval.f0.tip) + hull.support_mm(along0);
   const double end1 = direction.dot(interval.f1.tip) + hull.support_mm(along1);
   const double over = interval.rates.axis_acceleration_rad() * hull.bulge_mm() + interval.rates.tip_sag_mm;
-  return {direction, 0.5 * (end0 + end1) - direction.dot(centre) + over + kToolRounding_mm, end1 - end0};
+  return {direction, 0.5 * (end0 + end1) - direction.dot(centre) + over + Tolerance::kRounding_mm, end1 - end0};
 }
 
 /// A vector of tool coordinates in the part at the instant of s, near enough.
@@ -165,7 +165,8 @@ DriftingHalfSpace beside(const CompiledTool& tool, const ToolSample& sample, con
   };
   const DriftingHalfSpace half = behind_square_to(support_plane(tool, sample).normal);
   const Vec3 radial(sample.q.x(), sample.q.y(), 0);
-  if (room(half) < 0 || sample.nearest.signed_distance_mm <= 0 || !(radial.norm() > kToolRounding_mm)) return half;
+  if (room(half) < 0 || sample.nearest.signed_distance_mm <= 0 || !(radial.norm() > Tolerance::kRounding_mm))
+    return half;
   const DriftingHalfSpace other = behind_square_to(radial);
   return room(other) < room(half) ? other : half;
 }
@@ -197,11 +198,11 @@ SweptBound SweptTool::bound(const Vec3& centre, double radius, std::uint32_t ind
   bound.t = interval.middle();
   bound.path_length_mm = length + 2 * chord.bulge_mm;
   bound.can_halve = intervals_.can_halve(index);
-  if (bound.distance_mm - 0.5 * length - chord.bulge_mm > radius + kToolRounding_mm) return bound;
+  if (bound.distance_mm - 0.5 * length - chord.bulge_mm > radius + Tolerance::kRounding_mm) return bound;
   bound.is_reached = true;
   if (sharp_zones_) {
     const Vec2 q(middle.q.head<2>().norm(), middle.q.z());
-    const double around = radius + 0.5 * length + chord.bulge_mm + kToolRounding_mm;
+    const double around = radius + 0.5 * length + chord.bulge_mm + Tolerance::kRounding_mm;
     bound.is_blunt = std::none_of(sharp_zones_->begin(), sharp_zones_->end(),
                                   [&](const Box2& zone) { return zone.squaredExteriorDistance(q) <= around * around; });
   }
@@ -251,7 +252,7 @@ Box3 SweptTool::extent_of_arc(const Eigen::Matrix3d& frame, std::uint32_t index,
     }
   }
   // What is between the two ends of an arc is no farther from their chord than that.
-  const double out = ring.max().x() * (1 - std::cos(0.5 * kAngle)) + bulge + kToolRounding_mm;
+  const double out = ring.max().x() * (1 - std::cos(0.5 * kAngle)) + bulge + Tolerance::kRounding_mm;
   return Box3(Vec3(box.min().array() - out), Vec3(box.max().array() + out));
 }
 
@@ -265,7 +266,8 @@ Box3 SweptTool::extent(const Eigen::Matrix3d& frame, std::uint32_t index, const 
     for (int k = 0; k < 3; ++k) {
       const Vec3 direction = frame.row(k);
       const double along = at->rows.row(2).dot(direction);
-      const double across = ring.max().x() * std::sqrt(std::max(0.0, 1 - along * along)) + bulge + kToolRounding_mm;
+      const double across =
+          ring.max().x() * std::sqrt(std::max(0.0, 1 - along * along)) + bulge + Tolerance::kRounding_mm;
       const double tip = at->tip.dot(direction);
       const double a = tip + along * ring.min().y(), b = tip + along * ring.max().y();
       box.min()[k] = std::min(box.min()[k], std::min(a, b) - across);

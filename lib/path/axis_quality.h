@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "lib/base/tolerance.h"
 #include "lib/path/toolpath.h"
 
 // How smoothly the tool axis turns along a path, and what that costs in time: docs/algorithms/correction.md, "Quality".
@@ -33,7 +34,7 @@ struct AxisQuality {
   /// No file says where a tip is more closely than this.
   static constexpr double kSpot_mm = 0.001;
   /// Axes as near as this are the same but for the digits of a file.
-  static constexpr double kSameAxis_rad = 1e-5;
+  static constexpr double kSameAxis_rad = Tolerance::kFileAxis;
 
   [[nodiscard]] bool has_turns() const { return turn_rad.value > kSameAxis_rad; }
 };

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "lib/path/chords.h"
 #include "lib/path/path_info.h"
 #include "lib/path/programmed_axis.h"
@@ -16,7 +17,6 @@ namespace {
 constexpr double kCurveError_mm = 0.05;
 constexpr double kLeastMargin_mm = 1, kMostMargin_mm = 10, kMarginOfLength = 0.1;
 constexpr double kCosOfCorner = 0.9;  // of about 26 degrees: below, the feed bends, above it turns a corner
-constexpr double kNoDirection = 1e-9;
 constexpr double kPlunge =
     0.3;  // sine of some 17 degrees: a tip that goes nearer to the axis plunges, its feed has no side
 
@@ -115,20 +115,21 @@ class TiltCurve {
   }
 
   void set_reference() {
-    Vec3 sum = 1e-6 * places_.front().programmed;
+    Vec3 sum = Tolerance::kNoSide * places_.front().programmed;
     for (std::size_t i = 1; i < places_.size(); ++i) {
       sum +=
           0.5 * (places_[i].length_mm - places_[i - 1].length_mm) * (places_[i].programmed + places_[i - 1].programmed);
     }
-    up_ = sum.norm() > kNoDirection ? sum.normalized() : places_.front().programmed;
+    up_ = sum.norm() > Tolerance::kSameDirection ? sum.normalized() : places_.front().programmed;
   }
 
   /// Where the tip goes from place i - 1 to i, seen along the reference; zero where it goes nowhere, or plunges.
   [[nodiscard]] Vec3 forward_to(std::size_t i) const {
     const Vec3 along = places_[i].tip - places_[i - 1].tip;
     const Vec3 across = along - along.dot(up_) * up_;
-    return across.norm() > kPlunge * along.norm() && across.norm() > kNoDirection ? Vec3(across.normalized())
-                                                                                  : Vec3(Vec3::Zero());
+    return across.norm() > kPlunge * along.norm() && across.norm() > Tolerance::kSameDirection
+               ? Vec3(across.normalized())
+               : Vec3(Vec3::Zero());
   }
 
   [[nodiscard]] TiltPlace angles_at(const Place& place, const Vec3& forward) const {

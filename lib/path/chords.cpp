@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
@@ -48,7 +50,7 @@ void append_spline(const PathSpline& spline, const Pose& start, const Pose& end,
 Vec3 axis_between(const Vec3& from, const Vec3& to, double t) {
   const double sine = from.cross(to).norm();
   const double angle = std::atan2(sine, from.dot(to));
-  if (!(sine > 1e-12)) return t < 1 ? from : to;
+  if (!(sine > Tolerance::kNoDirection)) return t < 1 ? from : to;
   return (from * (std::sin((1 - t) * angle) / sine) + to * (std::sin(t * angle) / sine)).normalized();
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "lib/base/parallel.h"
+#include "lib/base/tolerance.h"
 #include "lib/geom/half_space.h"
 
 namespace gouge {
@@ -26,7 +27,7 @@ class Prism {
       prism_[k] = {inward, rim + 0.5 * kFaceRim * (inward.dot(opposite) - rim)};
     }
     const double top = up.dot(facet[0]);
-    prism_[3] = {-up, -(top - 1e-9 * depth)};
+    prism_[3] = {-up, -(top - Tolerance::kRounding * depth)};
     prism_[4] = {up, top - depth};
   }
 

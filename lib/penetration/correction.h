@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "lib/penetration/contact.h"
 
 namespace gouge {
@@ -22,7 +23,7 @@ enum class CorrectionEnd {
 };
 
 struct CorrectionOptions {
-  double free_mm = 1e-3;
+  double free_mm = Tolerance::kFilePoint_mm;
   std::size_t iterations = 64;
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/vec.h"
 #include "lib/mesh/adjacency.h"
 #include "lib/mesh/indexed_mesh.h"
@@ -100,7 +101,7 @@ void InnerReach::find_wedges(const MeshAdjacency& adjacency) {
       const std::uint32_t other = is_plain ? (uses[0].triangle == t ? uses[1].triangle : uses[0].triangle) : t;
       const Vec3 sum = normals_[t] + normals_[other];
       const bool has_areas = normals_[t].squaredNorm() > 0 && normals_[other].squaredNorm() > 0;
-      if (!is_plain || !has_areas || sum.norm() < 1e-6) {
+      if (!is_plain || !has_areas || sum.norm() < Tolerance::kNoSide) {
         wedge = {Vec3::UnitZ(), -1};
         continue;
       }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/tolerance.h"
 #include "lib/penetration/depth_body.h"
 
 namespace gouge {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kMostCells = 4e6;
 constexpr double kFewestCells = 100;  // along the longest side: the finer, the fewer points need a search
-constexpr double kRoundUp = 1 + 1e-9;
+constexpr double kRoundUp = 1 + Tolerance::kRounding;
 // Of the body's slack, which is single precision's: some roundings of doubles, on which side of a border a
 // point is found.
 constexpr double kRounding = 1e-3;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
@@ -203,7 +205,8 @@ void PenetrationFinder::search_points(std::uint32_t index) {
     const Vec3 position = pose_.point(points_.points[point]);
     if (body_.depths.at(position) == DepthGrid::Cover::outside) continue;
     ++result_.counters.exact_pairs;
-    const double within = (last_mm + (position - last_position).norm()) * (1 + 1e-9) + 1e-9;
+    const double within =
+        (last_mm + (position - last_position).norm()) * (1 + Tolerance::kRounding) + Tolerance::kRounding;
     const auto foot = body_.surface.closest_point(position, within);
     if (!foot) continue;
     last_mm = foot->distance_mm;

@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "lib/base/parallel.h"
+#include "lib/base/tolerance.h"
 #include "lib/certify/motion_checker.h"
 #include "lib/motion/motion_law.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kSame_steps = 1e-9;  // a length so near a multiple of the step is one
 constexpr std::size_t kMovesPerChunk = 8;
 
 bool is_free(const MoveVerdict& verdict) {
@@ -68,7 +68,7 @@ class ToolSearch {
         obstacles_(path.moves.size()),
         was_uncertain_(path.moves.size(), false) {
     check_options_.near_miss_mm = 0;
-    const double first = std::floor(now_mm / options.step_mm + kSame_steps);
+    const double first = std::floor(now_mm / options.step_mm + Tolerance::kRounding);
     first_mm_ = first * options.step_mm;
     most_ = static_cast<std::size_t>(std::max(1.0, std::floor(options.most_longer_mm / options.step_mm)));
   }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "lib/hierarchy/block_tree.h"
 #include "lib/hierarchy/closest_triangle.h"
 #include "lib/hierarchy/lane_bound.h"
@@ -21,9 +22,6 @@
 
 namespace gouge {
 namespace {
-
-constexpr double kRayRounding_mm = 1e-9;
-constexpr double kSinglePrecision = 1e-6;  // more than a dozen roundings
 
 class RayWalk {
  public:
@@ -37,8 +35,8 @@ class RayWalk {
       at_[a] = static_cast<float>(beside[a].dot(local));
     }
     // Of coordinates and sums in single precision.
-    off_mm_ =
-        static_cast<float>(kRayRounding_mm + 2 * tree.rounding_mm + kSinglePrecision * (tree.radius_mm + local.norm()));
+    off_mm_ = static_cast<float>(Tolerance::kRounding_mm + 2 * tree.rounding_mm +
+                                 Tolerance::kSingleSum * (tree.radius_mm + local.norm()));
   }
 
   std::optional<int> run() {
@@ -53,7 +51,7 @@ class RayWalk {
     for (std::uint32_t i = 0; i < node.count; ++i) {
       const LaneBound lane(tree_, node, i);
       const Vec3 from = lane.center - point_;
-      const double along = from.dot(direction_), reach = lane.radius_mm + kRayRounding_mm;
+      const double along = from.dot(direction_), reach = lane.radius_mm + Tolerance::kRounding_mm;
       if (along < -reach || from.squaredNorm() - along * along > reach * reach) continue;
       if (!(node.has_leaves ? visit_leaf(node.child[i]) : visit(node.child[i]))) return false;
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "lib/base/tolerance.h"
 #include "lib/mesh/face_normal.h"
 
 namespace gouge {
@@ -51,7 +52,7 @@ Vec3 SurfaceSign::at_vertex(Corner vertex) const {
     sum += angle_at(*mesh_, t, vertex) * normal;
   }
   const double length = sum.norm();
-  return length > 1e-12 ? Vec3(sum / length) : Vec3(Vec3::Zero());
+  return length > Tolerance::kNoDirection ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
 /// Whether each edge at the vertex has two triangles, one in either direction: each of its other ends then follows it

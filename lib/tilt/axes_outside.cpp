@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
+#include "lib/base/tolerance.h"
 #include "lib/path/path_info.h"
 
 namespace gouge {
 
 AxesOutside find_axes_outside(const Toolpath& path, const AxisCone& cone) {
-  constexpr double kDigitsOfFiles_rad = 1e-5;
   AxesOutside outside;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const double angle = angle_between_rad(path.moves[i].end.axis, cone.axis);
-    if (angle <= cone.half_angle_rad + kDigitsOfFiles_rad) continue;
+    if (angle <= cone.half_angle_rad + Tolerance::kFileAxis) continue;
     if (outside.positions++ == 0) outside.first_move = i;
     outside.most_rad = std::max(outside.most_rad, angle);
   }

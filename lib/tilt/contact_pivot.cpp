@@ -5,13 +5,11 @@
 #include <functional>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/cross.h"
 
 namespace gouge {
 namespace {
-
-constexpr double kAsFar = 1e-9;     // of the size of the tool: points this close in a direction are equally far in it
-constexpr double kParallel = 1e-7;  // a direction that leads away from the axis by less has no side
 
 /// A direction as seen from a tool axis.
 struct Split {
@@ -20,7 +18,7 @@ struct Split {
 
   Split(const Vec3& direction, const Vec3& axis) : along(direction.dot(axis)) {
     const Vec3 across = direction - along * axis;
-    if (across.norm() < kParallel) return;
+    if (across.norm() < Tolerance::kTangent) return;
     away = across.norm();
     outward = across / away;
   }
@@ -38,7 +36,7 @@ Vec2 nearest_on(const SupportStretch& stretch, const Vec2& point) {
 SupportStretch support_stretch(const CompiledTool& tool, const Vec2& direction) {
   const Vec2 unit = direction.normalized();
   const Vec2 across(-unit.y(), unit.x());
-  const double slack = kAsFar * (tool.z_max_mm - tool.z_min_mm + tool.r_max_mm);
+  const double slack = Tolerance::kRounding * (tool.z_max_mm - tool.z_min_mm + tool.r_max_mm);
   SupportStretch best{tool.elements.front().a, tool.elements.front().a};
   double farthest = unit.dot(best.a);
   const auto offer = [&](const Vec2& point) {
@@ -69,7 +67,7 @@ ContactPivot::ContactPivot(const Pose& programmed, const CompiledTool& cutter, s
     return e.kind != ElementKind::vertex && e.body == Body::cutter;
   });
   if (lowest == cutter.elements.end() || lowest->kind != ElementKind::arc || lowest->is_reflex) return;
-  const double slack = kAsFar * lowest->radius_mm;
+  const double slack = Tolerance::kRounding * lowest->radius_mm;
   if (std::abs(lowest->center.x()) <= slack && lowest->center.y() > 0) ball_mm_ = lowest->center.y();
 }
 

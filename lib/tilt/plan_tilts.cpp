@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/base/units.h"
 #include "lib/path/path_info.h"
 #include "lib/tilt/closed_contours.h"
@@ -20,7 +21,6 @@ constexpr double kMostSpacing_mm = 5, kLeastSpacing_mm = 0.2;
 constexpr int kFinerSpacings = 2;                  // how often a run is tried again with half the spacing
 constexpr int kSlowerBlends = 5;                   // how often the blend is doubled where the tool turns too fast
 constexpr double kStraight_rad = 0.005 * kDegree;  // an added position whose tilt is that of its neighbours is left out
-constexpr double kSame_rad = 1e-9;
 
 double spacing_mm(const TiltOptions& options) {
   return std::clamp(options.blend_mm / kStepsPerBlend, kLeastSpacing_mm, kMostSpacing_mm);
@@ -106,7 +106,7 @@ class RunPlanner {
   void close_contours(Tilted& way) const {
     const auto axis_at = [&](std::size_t i) { return way.space[i].axis_for(way.tilts[i]); };
     for (const auto& [begin, end] : contours_.loops(way.space)) {
-      if (angle_between_rad(axis_at(begin), axis_at(end)) < kSame_rad) continue;
+      if (angle_between_rad(axis_at(begin), axis_at(end)) < Tolerance::kSameDirection) continue;
       for (const std::size_t as : {begin, end}) {
         const std::size_t other_end = begin + end - as;
         if (way.space[other_end].is_fixed()) continue;
@@ -183,7 +183,7 @@ class RunPlanner {
     for (std::size_t i = 0; i < space.size(); ++i) {
       const TiltPosition& at = space[i];
       const bool is_end = !(at.t < 1), is_first = i == 0, is_last = i + 1 == space.size();
-      const bool is_untilted = tilts[i].norm() <= kSame_rad;
+      const bool is_untilted = tilts[i].norm() <= Tolerance::kSameDirection;
       if (!is_end && !is_first && !is_last && is_needless(space, tilts, last_kept, i)) continue;
       last_kept = i;
       // The start of a run that is the start of a move is the end of the one before it, which stays.

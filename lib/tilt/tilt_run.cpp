@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "lib/base/parallel.h"
+#include "lib/base/tolerance.h"
 #include "lib/contact/contacts.h"
 #include "lib/geom/shortest_turn.h"
 #include "lib/path/path_info.h"
@@ -17,9 +18,7 @@ namespace {
 // cut.
 constexpr std::array kContacts_mm = {0.05, 1.0};
 constexpr std::array kShares = {0.5, 0.8, 0.95};  // of the tolerance, how deep the cutter may be at a position
-constexpr double kContactAccuracy_mm = 2e-4;
-constexpr double kArm_mm = 10;  // at which a turn of the programmed axis counts as way
-constexpr double kNoWay_mm = 1e-9;
+constexpr double kArm_mm = 10;                    // at which a turn of the programmed axis counts as way
 
 /// A position of a chain before anything is measured there.
 struct Station {
@@ -105,9 +104,9 @@ class Chain {
   [[nodiscard]] TiltRun run_over(const Stretch& stretch) const {
     const auto by_way = [](const Station& station) { return station.way_mm; };
     // The last one before the stretch, and the first one after it.
-    const auto behind = std::ranges::upper_bound(stations_, stretch.begin_mm + kNoWay_mm, {}, by_way);
+    const auto behind = std::ranges::upper_bound(stations_, stretch.begin_mm + Tolerance::kSamePoint_mm, {}, by_way);
     const auto begin = behind == stations_.begin() ? behind : behind - 1;
-    auto end = std::ranges::lower_bound(stations_, stretch.end_mm - kNoWay_mm, {}, by_way);
+    auto end = std::ranges::lower_bound(stations_, stretch.end_mm - Tolerance::kSamePoint_mm, {}, by_way);
     if (end == stations_.end()) --end;
     TiltRun run;
     run.tool = job_.path.moves[begin->move].tool;
@@ -209,7 +208,8 @@ class Measurer {
   [[nodiscard]] double share_at(const Pose& pose) const {
     const double tolerance = job_.checker.options().tolerance_mm;
     const auto is_enough = [&](double share) {
-      return largest_excess(pose, tool_.cutting, job_.checker.scene(), share * tolerance, kContactAccuracy_mm) <= 0;
+      return largest_excess(pose, tool_.cutting, job_.checker.scene(), share * tolerance, Tolerance::kCorrection_mm) <=
+             0;
     };
     const auto found = std::ranges::find_if(kShares, is_enough);
     return found == kShares.end() ? kShares.back() : *found;
@@ -265,7 +265,7 @@ TiltRun with_freedom(TiltRun run, TiltFreedom freedom) {
     if (freedom != TiltFreedom::both) {
       const Vec3 feed = all[std::min(i + 1, all.size() - 1)].programmed.tip - all[i > 0 ? i - 1 : 0].programmed.tip;
       const Vec3 across = feed - feed.dot(axis) * axis;
-      if (across.norm() > 1e-3 * feed.norm() && across.norm() > 1e-6) first = across;
+      if (across.norm() > 1e-3 * feed.norm() && across.norm() > Tolerance::kNoSide) first = across;
       if (is_corner(all, i)) all[i].given = Tilt::Zero();
     }
     first = (first - first.dot(axis) * axis).normalized();

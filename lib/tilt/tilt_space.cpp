@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lib/base/best_first_search.h"
+#include "lib/base/tolerance.h"
 #include "lib/contact/aims.h"
 #include "lib/contact/contacts.h"
 #include "lib/contact/cutter_sweep.h"
@@ -17,14 +18,11 @@ namespace gouge {
 namespace {
 
 constexpr double kBend = 0.5;  // of the tolerance
-constexpr double kAccuracy_mm = 2e-4;
-constexpr double kSurely_mm = 1e-6;  // beyond rounding
 constexpr std::size_t kMostRefusing = 24;
 constexpr int kMostRaises = 12;
 constexpr double kLimitMargin_rad = 2e-4;  // positions keep so much of the limits for what lies between them
 constexpr double kSure_rad = 1e-7;
 constexpr int kMostHalvings = 24;
-constexpr double kOnTheSpot_mm = 1e-6;
 constexpr double kMostShare = 0.97;  // of the tolerance, for a motion that is deeper than kMotionAimShare of it
 
 void learn(const Witness& witness, RefusingPoints& refusing) {
@@ -87,9 +85,10 @@ std::optional<double> TiltSpace::raise_mm(std::size_t i, const Tilt& tilt, Refus
   const double aim = at.tolerance_share * task_.checker->options().tolerance_mm;
   double raised_mm = 0;
   for (int k = 0; k < kMostRaises; ++k) {
-    const double excess = largest_excess(pose, task_.tool->cutting, task_.checker->scene(), aim, kAccuracy_mm);
+    const double excess =
+        largest_excess(pose, task_.tool->cutting, task_.checker->scene(), aim, Tolerance::kCorrection_mm);
     if (excess <= 0) return raised_mm;
-    raised_mm += excess + kAccuracy_mm;
+    raised_mm += excess + Tolerance::kCorrection_mm;
     if (raised_mm > task_.options.max_raise_mm) break;
     pose.tip = kept.tip + raised_mm * at.pivot.normal();
   }
@@ -107,7 +106,7 @@ std::optional<double> TiltSpace::raise_mm(std::size_t i, const Tilt& tilt, Refus
 
 bool TiltSpace::is_refused(const Pose& pose, double deeper_mm, const CheckOptions& options,
                            RefusingPoints& refusing) const {
-  const double allowed = options.tolerance_mm + options.resolution_mm + kSurely_mm + deeper_mm;
+  const double allowed = options.tolerance_mm + options.resolution_mm + Tolerance::kWitness_mm + deeper_mm;
   const auto found = std::ranges::find_if(refusing, [&](const Witness& in) {
     return signed_distance_mm(task_.tool->*rule_of(in.against).form, pose, in.point) < -allowed;
   });
@@ -128,7 +127,8 @@ bool TiltSpace::is_refused_by(RefusingPoints& refusing, std::size_t i, const Til
 bool TiltSpace::stays_too_deep(std::size_t i, const Pose& kept, const RefusingPoints& refusing) const {
   if (!is_cutter_convex_) return false;
   const TiltPosition& at = positions_[i];
-  const double allowed = at.tolerance_share * task_.checker->options().tolerance_mm + kAccuracy_mm + kSurely_mm;
+  const double allowed =
+      at.tolerance_share * task_.checker->options().tolerance_mm + Tolerance::kCorrection_mm + Tolerance::kWitness_mm;
   const Pose raised{kept.tip + most_raise_mm() * at.pivot.normal(), kept.axis};
   const CompiledTool& cutter = task_.tool->cutting;
   return std::ranges::any_of(refusing, [&](const Witness& in) {
@@ -167,7 +167,7 @@ bool TiltSpace::may_turn(std::size_t i, const Tilt& from, std::size_t k, const T
   const auto start = pose(i, from), end = pose(k, to);
   const double way_mm = start && end ? (end->tip - start->tip).norm() : 0;
   const double allowed =
-      std::min(limits.max_turn_step_rad, limits.max_turn_rad_per_mm * std::max(way_mm, kOnTheSpot_mm));
+      std::min(limits.max_turn_step_rad, limits.max_turn_rad_per_mm * std::max(way_mm, Tolerance::kWitness_mm));
   return turn <= std::max(allowed, programmed);
 }
 
@@ -237,7 +237,7 @@ bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, 
 /// As programmed, by more than any motion that is certified clean.
 bool TiltSpace::is_gouge(std::size_t i, MoveKind kind) const {
   CheckOptions options = options_for(1);
-  options.tolerance_mm += options.resolution_mm + kSurely_mm;
+  options.tolerance_mm += options.resolution_mm + Tolerance::kWitness_mm;
   options.gouge_gap_mm = kAnyGap_mm;
   const Motion stays = options.law.at(positions_[i].programmed);
   return task_.checker->check(stays, kind, *task_.tool, options, true).state == MoveState::gouge;

@@ -4,16 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/cross.h"
 
 namespace gouge {
 namespace {
 
 // How far the cover stands off the tool, so that rounding in its making never cuts into it.
-constexpr double kStandOff_mm = 1e-9;
-constexpr double kTangent = 1e-7;   // sine of the turn between elements that still count as tangent
-constexpr double kApart = 1e-7;     // points of a chain nearer than this part of the tool are one
-constexpr double kStraight = 1e-9;  // sine of the turn between lines that rounding may give
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 // A contour of more lines and arcs than the first is covered by chords of it, as many as the second at the most if
 // chords over kMostHeld elements allow it.
@@ -27,7 +24,8 @@ Vec2 direction_at(const BoundaryElement& e, const Vec2& point) {
 }
 
 bool is_rising(const BoundaryElement& e) {
-  return direction_at(e, e.a).y() >= -kTangent && direction_at(e, e.b).y() >= -kTangent && e.b.y() >= e.a.y();
+  return direction_at(e, e.a).y() >= -Tolerance::kTangent && direction_at(e, e.b).y() >= -Tolerance::kTangent &&
+         e.b.y() >= e.a.y();
 }
 
 /// How far a line or arc is from the segment between two points at most.
@@ -82,11 +80,12 @@ struct Run {
     if ((last.b - e.a).squaredNorm() > 0) return false;  // a step between them
     const double turn = cross(direction_at(last, last.b), direction_at(e, e.a));
     const bool has_arc = arc_radius_mm > 0 || e.kind == ElementKind::arc;
-    if (has_arc && std::abs(turn) > kTangent) return false;
+    if (has_arc && std::abs(turn) > Tolerance::kTangent) return false;
     if (has_arc && corners > 0 && arc_radius_mm <= 0) return false;  // sharp corners cannot be rounded
-    if (e.kind == ElementKind::arc && arc_radius_mm > 0 && std::abs(e.radius_mm - arc_radius_mm) > kStandOff_mm)
+    if (e.kind == ElementKind::arc && arc_radius_mm > 0 &&
+        std::abs(e.radius_mm - arc_radius_mm) > Tolerance::kRounding_mm)
       return false;
-    return turn >= -kTangent;
+    return turn >= -Tolerance::kTangent;
   }
 
   void add(const BoundaryElement& e) {
@@ -129,7 +128,9 @@ class CoverMaker {
   }
 
  private:
-  [[nodiscard]] bool is_level(const Vec2& a, const Vec2& b) const { return b.y() - a.y() <= 1e-12 * cover_.size_mm; }
+  [[nodiscard]] bool is_level(const Vec2& a, const Vec2& b) const {
+    return b.y() - a.y() <= Tolerance::kFewRoundings * cover_.size_mm;
+  }
 
   // What holds for the chord holds for what lies off it by no more than its radius: distances change no faster.
   void take_chords() {
@@ -184,13 +185,13 @@ class CoverMaker {
     }
     push(inner(last, last.b, rounding) + far * length_at(last, last.b));
     straighten(piece.chain);
-    piece.radius_mm = rounding + kStandOff_mm;
+    piece.radius_mm = rounding + Tolerance::kRounding_mm;
     double outside = 0;
     for (const BoundaryElement* e : run.elements) outside = std::max(outside, farthest_out(piece, *e));
     piece.radius_mm += outside;
     piece.z_lo_mm = piece.foot_lo_mm = first.a.y();
     piece.z_hi_mm = piece.foot_hi_mm = last.b.y();
-    keep(piece, has_face ? first.b.x() : first.a.x(), last.b.x(), has_face && outside <= kStandOff_mm);
+    keep(piece, has_face ? first.b.x() : first.a.x(), last.b.x(), has_face && outside <= Tolerance::kRounding_mm);
   }
 
   // A line needs two points apart, or its direction is noise, and the chain must turn left everywhere. Halved arcs
@@ -198,8 +199,9 @@ class CoverMaker {
   void straighten(std::vector<Vec2>& chain) const {
     for (std::size_t k = 1; k + 1 < chain.size();) {
       const Vec2 in = chain[k] - chain[k - 1], out = chain[k + 1] - chain[k];
-      const bool is_line = out.norm() > kApart * cover_.size_mm && out.y() >= -kTangent * out.norm();
-      if (is_line && cross(in.normalized(), out.normalized()) >= -kStraight) {
+      const bool is_line =
+          out.norm() > Tolerance::kTangent * cover_.size_mm && out.y() >= -Tolerance::kTangent * out.norm();
+      if (is_line && cross(in.normalized(), out.normalized()) >= -Tolerance::kSameDirection) {
         ++k;
       } else {
         chain.erase(chain.begin() + static_cast<std::ptrdiff_t>(k));
@@ -227,7 +229,7 @@ class CoverMaker {
     for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
       const double low = std::max(heights[k], tool_.z_min_mm);
       const double high = std::min(heights[k + 1], tool_.z_max_mm);
-      if (high - low <= 1e-12 * cover_.size_mm) continue;
+      if (high - low <= Tolerance::kNoDirection * cover_.size_mm) continue;
       double radius = 0;
       for (const BoundaryElement* e : curves_) {
         if (top_of(*e) <= low || bottom_of(*e) >= high) continue;
@@ -237,7 +239,7 @@ class CoverMaker {
       piece.z_lo_mm = piece.foot_lo_mm = low;
       piece.z_hi_mm = piece.foot_hi_mm = high;
       piece.chain = {{radius, low - 4 * cover_.size_mm}, {radius, high + 4 * cover_.size_mm}};
-      piece.radius_mm = kStandOff_mm;
+      piece.radius_mm = Tolerance::kRounding_mm;
       keep(piece, radius, radius, false);
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
@@ -30,7 +31,7 @@ Body FreeRegions::uncovered() const {
 }
 
 RegionFinder::RegionFinder(const CompiledTool& tool)
-    : tool_(tool), least_mm_(std::max(kLeast * (tool.z_max_mm - tool.z_min_mm), 1e-9)) {
+    : tool_(tool), least_mm_(std::max(kLeast * (tool.z_max_mm - tool.z_min_mm), Tolerance::kSamePoint_mm)) {
   find_rings();
   for (std::size_t k = 0; k < has_body_.size(); ++k) {
     double low = tool.z_max_mm, high = tool.z_min_mm;
@@ -90,7 +91,7 @@ void RegionFinder::find_rings() {
 RegionFinder::Ring RegionFinder::climb(Vec2 point) const {
   double depth = depth_at(point.x(), point.y());
   const double size = tool_.r_max_mm + tool_.z_max_mm - tool_.z_min_mm;
-  for (double step = 0.5 * depth; step > 1e-5 * size;) {
+  for (double step = 0.5 * depth; step > kLeast * size;) {
     Vec2 best = point;
     double best_depth = depth;
     for (int k = 0; k < 8; ++k) {

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kBallRounding = 1e-10;  // of the tool's size
-constexpr double kUpright = 1e-12;
 constexpr double kShrink = 0.97;  // where that takes long, a smaller ball will do
 constexpr int kMostShrinks = 30, kQuickShrinks = 10;
 constexpr std::size_t kMostStretches = 100'000;  // beyond, what would be cut further counts as having no ball
@@ -17,9 +16,9 @@ constexpr std::size_t kMostStretches = 100'000;  // beyond, what would be cut fu
 /// Whether heights do not fall along the element.
 bool faces_outwards(const BoundaryElement& e) {
   if (e.kind == ElementKind::vertex) return true;
-  if (e.kind == ElementKind::segment) return e.normal.x() >= -kUpright;
+  if (e.kind == ElementKind::segment) return e.normal.x() >= -Tolerance::kExactDirection;
   const double out = e.is_reflex ? -1 : 1;
-  return std::min(out * (e.a - e.center).x(), out * (e.b - e.center).x()) >= -kUpright * e.radius_mm;
+  return std::min(out * (e.a - e.center).x(), out * (e.b - e.center).x()) >= -Tolerance::kExactDirection * e.radius_mm;
 }
 
 Box2 feet_of(const FootCell& cell) {
@@ -41,7 +40,7 @@ InscribedBall inscribed_ball(const CompiledTool& tool, const FootCell& cell, dou
   if (inward.x() < 0) t = std::min(t, foot.x() / -inward.x());
   for (int k = 0; k < kMostShrinks && t > least_mm; ++k) {
     Vec2 center = foot + t * inward;
-    if (center.x() < kBallRounding * size) center.x() = 0;
+    if (center.x() < Tolerance::kConstruction * size) center.x() = 0;
     const ToolDistance at = evaluate(tool, center.x(), center.y());
     if (-at.signed_distance_mm >= t - nearly_mm) return {center, -at.signed_distance_mm};
     const Vec2 across = at.foot - foot;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "lib/tool/evaluate.h"
 #include "lib/tool/foot_cells.h"
 #include "lib/tool/inscribed_balls.h"
@@ -11,7 +12,6 @@
 namespace gouge {
 namespace {
 
-constexpr double kReachRounding = 1e-10;  // of the tool's size
 constexpr double kRegionRounding = 2e-5;  // of the height: what RegionFinder passes over, twice
 constexpr double kNearly = 0.01;          // of the depth: how nearly the largest ball is found
 constexpr double kFine = 0.02;            // of the bound: cells no wider are not cut
@@ -50,13 +50,13 @@ class ReachSearch {
     if (std::none_of(balls_.begin(), balls_.end(), [](const Ball& b) { return b.is_joined; })) return kNoReach_mm;
     double reach = 0;
     for (std::size_t k = 0; k < cells_.size(); ++k) reach = std::max(reach, bound(k, reach));
-    return reach + kReachRounding * size_mm_;
+    return reach + Tolerance::kConstruction * size_mm_;
   }
 
  private:
   [[nodiscard]] double free_at(const Vec2& q) const {
     looks_ += kLooksOfEvaluation;
-    return -signed_distance_mm(form_, std::max(0.0, q.x()), q.y()) - depth_mm_ - kReachRounding * size_mm_;
+    return -signed_distance_mm(form_, std::max(0.0, q.x()), q.y()) - depth_mm_ - Tolerance::kConstruction * size_mm_;
   }
 
   /// What is deeper than asked of the largest ball that touches the boundary at the middle ray's foot, or nearly.
@@ -64,7 +64,7 @@ class ReachSearch {
     looks_ += 4 * kLooksOfEvaluation;
     const InscribedBall ball = inscribed_ball(form_, cell, cell.middle(), depth_mm_, kNearly * depth_mm_);
     if (!(ball.radius_mm > 0)) return {};
-    return {ball.center, ball.radius_mm - depth_mm_ - kReachRounding * size_mm_};
+    return {ball.center, ball.radius_mm - depth_mm_ - Tolerance::kConstruction * size_mm_};
   }
 
   /// Where every ray of the cell enters the ball, what lies on it before is nearer than its foot, and what lies behind
@@ -214,7 +214,8 @@ class ReachSearch {
     const double longest = std::min(cell.longest_ray_mm(), size_mm_);
     for (double t = depth_mm_; t < longest; t *= 1.25) {
       const Vec2 q = cell.at(cell.middle(), t);  // beyond the axis the mirrored tool goes on
-      if (-signed_distance_mm(form_, std::abs(q.x()), q.y()) < t - cell.width_mm(t) - kReachRounding * size_mm_)
+      if (-signed_distance_mm(form_, std::abs(q.x()), q.y()) <
+          t - cell.width_mm(t) - Tolerance::kConstruction * size_mm_)
         return t;
     }
     return longest;

@@ -120,10 +120,11 @@ class Nesting {
 /// Which way each piece faces; nothing where the sign of a volume drowns in rounding.
 std::optional<std::vector<bool>> facings(const IndexedMesh& mesh, const std::vector<MeasuredPiece>& pieces) {
   // Eight roundings a product and one for each sum on its way, doubled for the rounding of the magnitude.
-  const double share = 2.3e-16 * (static_cast<double>(mesh.triangles.size()) + 8);
+  constexpr double kTwoRoundings = 2.3e-16, kUnderflow = 1e-200;
+  const double share = kTwoRoundings * (static_cast<double>(mesh.triangles.size()) + 8);
   std::vector<bool> are_outward;
   for (const MeasuredPiece& piece : pieces) {
-    if (!(std::abs(piece.six_volumes) > share * piece.magnitude + 1e-200)) return std::nullopt;
+    if (!(std::abs(piece.six_volumes) > share * piece.magnitude + kUnderflow)) return std::nullopt;
     are_outward.push_back(piece.six_volumes > 0);
   }
   return are_outward;

@@ -4,13 +4,13 @@
 #include <map>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
 namespace {
 
 // As far as the depths of a text read back in another unit may be from what they were.
-constexpr double kRounding_mm = 1e-9;
 
 // The one reason of a gouge that leaves nothing open.
 bool is_of_clearance(const std::string& reason) { return reason.starts_with("the clearance of the "); }
@@ -26,7 +26,7 @@ class Accepter {
     if (!finding_.tool_index || result_.tools[*finding_.tool_index].identity.empty())
       return "its tool is not defined, so that a later one could not be compared with it";
     for (const StoredMove* move : result_.moves_of(finding_)) {
-      const double gap_mm = result_.options.resolution_mm + kRounding_mm;
+      const double gap_mm = result_.options.resolution_mm + Tolerance::kRounding_mm;
       if (!move->depth_upper_mm || *move->depth_upper_mm > *move->depth_mm + gap_mm)
         return "the depth of move " + std::to_string(move->move) + " (line " + std::to_string(move->line) +
                ") is not certified to the resolution";

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -21,7 +22,7 @@ std::vector<std::string> checksums(const Inputs& inputs, std::string_view role) 
 
 // A length in inches comes back from its text in millimetres but for the last bit.
 bool is_same_length(double a_mm, double b_mm) {
-  return std::abs(a_mm - b_mm) <= 1e-12 * std::max(std::abs(a_mm), std::abs(b_mm));
+  return std::abs(a_mm - b_mm) <= Tolerance::kFewRoundings * std::max(std::abs(a_mm), std::abs(b_mm));
 }
 
 const char* rapid_word(RapidMode rapid) {

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/path/motion_key.h"
 #include "postproc/report/report_text.h"
 
@@ -163,9 +164,10 @@ class Baseline {
 
   // Both depths are of one motion in one set-up, so that they can differ by how closely they are known alone.
   [[nodiscard]] std::optional<std::string> why_deeper(const MoveVerdict& now, const AcceptedMove& then) const {
-    constexpr double kRounding = 1e-12;  // of lengths in inches that were written and read again
     const LengthUnit unit = model_.toolpath->unit;
-    const auto is_within = [](double a_mm, double b_mm) { return a_mm <= b_mm + kRounding * (1 + b_mm); };
+    const auto is_within = [](double a_mm, double b_mm) {
+      return a_mm <= b_mm + Tolerance::kFewRoundings * (1 + b_mm);
+    };
     const double resolution_mm = model_.options.resolution_mm;
     if (!is_within(now.depth_mm, then.depth_upper_mm))
       return depth_text(now.depth_mm, unit) + " deep, accepted up to " + depth_text(then.depth_upper_mm, unit);

@@ -5,12 +5,12 @@
 #include <string>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/formats/read_toolpath.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kWrittenPoint_mm = 1e-3;
 constexpr double kWrittenAxis = 1e-4;
 constexpr double kSameFeed = 1e-4;  // relative
 
@@ -100,7 +100,7 @@ std::optional<Diagnostic> Verification::find_other_feed() const {
 }
 
 bool Verification::is_same_motion(const Move& found, const ExpectedMotion& meant) const {
-  if ((found.end.tip * factor() - meant.end.tip).norm() > kWrittenPoint_mm) return false;
+  if ((found.end.tip * factor() - meant.end.tip).norm() > Tolerance::kFilePoint_mm) return false;
   if ((found.end.axis - meant.end.axis).norm() > kWrittenAxis || found.has_start == meant.is_alone) return false;
   const bool is_checked = found.not_checked_reason.empty();
   if (is_checked != meant.is_checked) return false;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/path/chords.h"
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/reasons.h"
@@ -16,8 +17,6 @@
 
 namespace gouge {
 namespace {
-
-constexpr double kTilt = 1e-12;
 
 bool is_after_retract(const Move& move) { return kind_of(move.not_checked_reason) == ReasonKind::after_retract; }
 
@@ -34,7 +33,9 @@ bool are_on_centre(const Toolpath& path, const MotionRecords& records) {
   return true;
 }
 
-bool is_tilted(const Move& move) { return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt; }
+bool is_tilted(const Move& move) {
+  return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > Tolerance::kExactDirection;
+}
 
 // The dialect cannot say the whole shape of this cutter.
 bool loses_shape(CutterForm form, const PathTool& tool) {
@@ -180,8 +181,8 @@ bool PathWriter::write_arc(std::size_t index) {
   PathArc arc = path_.arcs[move.curve];
   Pose start = path_.start_of(index);
   const double sweep = std::abs(arc.sweep_rad);
-  const bool is_flat_circle =
-      (start.tip - move.end.tip).norm() <= 0 && (start.axis - move.end.axis).cwiseAbs().maxCoeff() <= kTilt;
+  const bool is_flat_circle = (start.tip - move.end.tip).norm() <= 0 &&
+                              (start.axis - move.end.axis).cwiseAbs().maxCoeff() <= Tolerance::kExactDirection;
   const bool is_open =
       std::abs(sweep - kHalfTurn) <= kNear_rad || (std::abs(sweep - 2 * kHalfTurn) <= kNear_rad && !is_flat_circle);
   if (target_.arc_rule != ArcRule::by_vector_or_against || !is_open) {

@@ -1,3 +1,4 @@
+#include "lib/base/tolerance.h"
 #include "postproc/image/heat_map.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ struct Candidate {
 Vec3 mean_axis(const Toolpath& toolpath) {
   Vec3 sum = Vec3::Zero();
   for (const Move& move : toolpath.moves) sum += move.end.axis;
-  return sum.norm() > 1e-6 ? Vec3(sum.normalized()) : Vec3(Vec3::UnitZ());
+  return sum.norm() > Tolerance::kNoSide ? Vec3(sum.normalized()) : Vec3(Vec3::UnitZ());
 }
 
 std::vector<Candidate> candidates(const Vec3& axis) {

@@ -1,3 +1,4 @@
+#include "lib/base/tolerance.h"
 #include "postproc/image/heat_map.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ Vec3 best_direction(const PictureSet& set, const PictureEvent& event) {
       score += 0.5 * gouged_share(set, near, toward, clear_mm);
       if (event.has_witness) score += 0.3 * event.witness.normal.dot(toward);
       if (rise < 0.5) score += 0.05;
-      if (score > best_score + 1e-9) {
+      if (score > best_score + Tolerance::kRounding) {
         best_score = score;
         best = toward;
       }

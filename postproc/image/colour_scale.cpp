@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 
 namespace gouge {
 namespace {
@@ -56,7 +57,7 @@ double round_up(double value) {
   while (power > value) power /= 10;
   while (power * 10 <= value) power *= 10;
   for (const double m : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0}) {
-    if (m * power >= value * (1 - 1e-9)) return m * power;
+    if (m * power >= value * (1 - Tolerance::kRounding)) return m * power;
   }
   return 10 * power;
 }
@@ -72,12 +73,12 @@ double round_down(double value) {
 }
 
 double round_step(double high, int count) {
-  const double raw = std::max(high, 1e-12) / std::max(count, 1);
+  const double raw = std::max(high, Tolerance::kFewRoundings) / std::max(count, 1);
   double power = 1;
   while (power > raw) power /= 10;
   while (power * 10 <= raw) power *= 10;
   for (const double m : {1.0, 2.0, 5.0}) {
-    if (m * power >= raw * (1 - 1e-9)) return m * power;
+    if (m * power >= raw * (1 - Tolerance::kRounding)) return m * power;
   }
   return 10 * power;
 }
@@ -90,7 +91,7 @@ std::string tick_text(double value, double step) {
 
 ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit, double headroom) {
   const double scale = mm_per(unit);
-  const double worst = std::max({worst_mm * headroom, 2 * tolerance_mm, 1e-6}) / scale;
+  const double worst = std::max({worst_mm * headroom, 2 * tolerance_mm, Tolerance::kWitness_mm}) / scale;
   return {tolerance_mm, round_up(worst) * scale, worst_mm > kRootRatio * tolerance_mm && tolerance_mm > 0};
 }
 
@@ -100,7 +101,8 @@ std::vector<Tick> make_ticks(const ColourScale& scale, LengthUnit unit, double g
   if (!scale.is_root) {
     const double step = round_step(high, std::clamp(static_cast<int>(1 / gap), 1, 6));
     std::vector<Tick> ticks;
-    for (int k = 0; k * step <= high * (1 + 1e-9); ++k) ticks.push_back({k * step * per, tick_text(k * step, step)});
+    for (int k = 0; k * step <= high * (1 + Tolerance::kRounding); ++k)
+      ticks.push_back({k * step * per, tick_text(k * step, step)});
     return ticks;
   }
   std::vector<Tick> ticks{{scale.high_mm, length_digits(high)}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/tolerance.h"
 #include "postproc/image/tool_outline.h"
 
 namespace gouge {
@@ -55,7 +56,7 @@ void FlatExtent::take(const Vec2& p, double reach) {
 
 double FlatExtent::mm_per_unit(double width, double height) const {
   const Vec2 size = high - low;
-  return std::max({size.x() / (kFilled * width), size.y() / (kFilled * height), 1e-9});
+  return std::max({size.x() / (kFilled * width), size.y() / (kFilled * height), Tolerance::kSamePoint_mm});
 }
 
 }  // namespace gouge

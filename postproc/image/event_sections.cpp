@@ -1,3 +1,4 @@
+#include "lib/base/tolerance.h"
 #include "postproc/image/heat_map.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ void add_depth_arrow(Page& page, const SectionPanel& panel, const SectionPlane& 
   const Vec2 from = panel.place(plane.flat(event.at));
   const Vec2 to = panel.place(plane.flat(Vec3(event.at - event.witness.normal * event.depth_mm)));
   const double length = (to - from).norm();
-  if (length > 1e-6) {
+  if (length > Tolerance::kNoSide) {
     const Vec2 along = (to - from) / length;
     const Vec2 across(-along.y(), along.x());
     page.line(from, to, {255, 255, 255, 0.9}, 5);

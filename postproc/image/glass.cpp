@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lib/base/parallel.h"
+#include "lib/base/tolerance.h"
 #include "postproc/image/shade.h"
 #include "postproc/image/walk_line.h"
 
@@ -130,7 +131,7 @@ class ToolPane {
     const FaceCorners& corners = tool_.faces[face];
     const Vec3& a = tool_.vertices[corners[0]];
     const Vec3 square = (tool_.vertices[corners[1]] - a).cross(tool_.vertices[corners[2]] - a);
-    return square.norm() < 1e-12 ? pane_.buffer().view.toward : Vec3(square.normalized());
+    return square.norm() < Tolerance::kNoDirection ? pane_.buffer().view.toward : Vec3(square.normalized());
   }
 
   Pane pane_;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lib/base/printable_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/image/render_drawing.h"
 #include "postproc/report/report_text.h"
 
@@ -69,7 +70,7 @@ std::string fitted(const std::string& words, double size, double width, bool is_
 }
 
 double fitting_size(const std::string& words, double size, double width, bool is_bold) {
-  return size * std::min(1.0, width / std::max(text_width(words, size, is_bold), 1e-9));
+  return size * std::min(1.0, width / std::max(text_width(words, size, is_bold), Tolerance::kSamePoint_mm));
 }
 
 Page make_page(const std::string& title, const std::string& verdict, const Colour& verdict_colour,

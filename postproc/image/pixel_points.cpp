@@ -8,6 +8,7 @@
 
 #include "lib/base/instruction_sets.h"
 #include "lib/base/large_pages.h"
+#include "lib/base/tolerance.h"
 
 namespace gouge {
 namespace {
@@ -180,7 +181,8 @@ std::vector<Square> squares_with(const Field& field, const SurfaceBuffer& buffer
     is_kept.push_back(fitting == balls.end() ? 1 : 0);
   }
   for (const Balls& some : balls) {
-    const std::vector<std::uint8_t> may_be = field.may_be_deep(some.centres, some.radius_mm * (1 + 1e-9));
+    const std::vector<std::uint8_t> may_be =
+        field.may_be_deep(some.centres, some.radius_mm * (1 + Tolerance::kRounding));
     for (std::size_t k = 0; k < some.of.size(); ++k) is_kept[some.of[k]] = may_be[k];
   }
   std::vector<Square> kept;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/mesh/face_normal.h"
 
 namespace gouge {
@@ -35,7 +36,7 @@ void draw_ticks(const PlotPanel& panel, LengthUnit unit, bool is_horizontal, Dra
   const double high = is_horizontal ? panel.x + panel.width - 8 : panel.y + panel.height - kBottom + 8;
   const double shift = is_horizontal ? panel.shift.x() : panel.shift.y(), sign = is_horizontal ? 1 : -1;
   const double first = sign * (low - shift) / per_unit, last = sign * (high - shift) / per_unit;
-  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
+  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + Tolerance::kRounding)));
   for (double k = std::ceil(std::min(first, last) / step); k * step <= std::max(first, last); ++k) {
     const double at = shift + sign * k * step * per_unit;
     const std::string text = people_text(k * step, decimals);
@@ -57,7 +58,7 @@ void draw_scale(const PlotPanel& panel, LengthUnit unit, Drawing& drawing) {
   const double b = panel.x + panel.width - 14, a = b - length * per_unit, y = panel.y + 26;
   add_line(drawing, {a, y}, {b, y}, kPlotInk, 2);
   for (const double end : {a, b}) add_line(drawing, {end, y - 4}, {end, y + 4}, kPlotInk);
-  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(length) + 1e-9)));
+  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(length) + Tolerance::kRounding)));
   add_text(drawing, {(a + b) / 2, y - 7}, people_text(length, decimals) + " " + unit_name(unit), TextAnchor::middle);
 }
 
@@ -153,7 +154,7 @@ class ShadedCells {
 }  // namespace
 
 bool PlotPanel::is_along_axes() const {
-  return right.cwiseAbs().maxCoeff() > 1 - 1e-9 && up.cwiseAbs().maxCoeff() > 1 - 1e-9;
+  return right.cwiseAbs().maxCoeff() > 1 - Tolerance::kRounding && up.cwiseAbs().maxCoeff() > 1 - Tolerance::kRounding;
 }
 
 void PlotPanel::fit(const Box3& box) {
@@ -163,7 +164,7 @@ void PlotPanel::fit(const Box3& box) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const Vec2 size = (high - low).cwiseMax(1e-9);
+  const Vec2 size = (high - low).cwiseMax(Tolerance::kSamePoint_mm);
   const double left = is_along_axes() ? kLeft : kRight;
   scale = std::min((width - left - kRight) / size.x(), (height - kTop - kBottom) / size.y());
   shift = Vec2(x + (width + left - kRight) / 2, y + (height + kTop - kBottom) / 2) - scale * 0.5 * (low + high);
@@ -187,9 +188,9 @@ void draw_parts(const PlotPanel& panel, const std::vector<IndexedMesh>& parts, D
 }
 
 double round_length(double length) {
-  const double power = std::pow(10, std::floor(std::log10(length) + 1e-9));
+  const double power = std::pow(10, std::floor(std::log10(length) + Tolerance::kRounding));
   for (const double digit : {5.0, 2.0}) {
-    if (digit * power <= length * (1 + 1e-9)) return digit * power;
+    if (digit * power <= length * (1 + Tolerance::kRounding)) return digit * power;
   }
   return power;
 }

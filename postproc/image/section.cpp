@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "lib/hierarchy/triangles_within.h"
 
 namespace gouge {
@@ -11,6 +12,7 @@ namespace {
 
 // Beyond this sine of its angle to the plane through the axis a direction would end off the outline in it.
 constexpr double kInPlane = 0.05;
+constexpr double kBeside = 1e-4;  // of the size: planes beside one that runs along faces
 
 Vec3 normal_of(const SectionPlane& plane) { return plane.pose.axis.cross(plane.u); }
 
@@ -64,7 +66,7 @@ std::vector<SectionPlane> planes(const Pose& pose, const Vec3& point_part, doubl
                                  const std::optional<Vec3>& way_out) {
   const Vec3 d = point_part - pose.tip;
   const Vec3 across = d - pose.axis * d.dot(pose.axis);
-  const bool is_on_axis = across.norm() < 1e-6 * size_mm;
+  const bool is_on_axis = across.norm() < Tolerance::kNoSide * size_mm;
   const Vec3 u = is_on_axis ? pose.axis : Vec3(across.normalized());
   const Vec3 aside = way_out ? Vec3(*way_out - pose.axis * way_out->dot(pose.axis)) : Vec3(Vec3::Zero());
   if (aside.norm() > kInPlane && (is_on_axis || std::abs(aside.dot(pose.axis.cross(u))) > kInPlane)) {
@@ -126,7 +128,7 @@ Section make_section(const PreparedScene& scene, const Pose& pose, const Vec3& p
   Section best;
   double most = -1;
   for (const SectionPlane& plane : planes(pose, point_part, size_mm, way_out)) {
-    for (const double side : {0.0, 1e-4, -1e-4}) {
+    for (const double side : {0.0, kBeside, -kBeside}) {
       Section one{plane, {}, {}};
       one.plane.offset_mm += side * size_mm;
       one.lines = cut_scene(scene, one.plane);

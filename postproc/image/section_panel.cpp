@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "lib/base/tolerance.h"
 #include "lib/tool/evaluate.h"
 #include "postproc/image/shade.h"
 #include "postproc/image/tool_outline.h"
@@ -260,7 +261,8 @@ void draw_clearance(Page& page, const SectionPanel& panel, double beside_mm, con
       for (double begin = 0; begin < length;) {
         const double in_period = std::fmod(along + begin, kDash + kGap);
         const bool is_dash = in_period < kDash;
-        const double end = std::min(length, begin + (is_dash ? kDash : kDash + kGap) - in_period + 1e-9);
+        const double end =
+            std::min(length, begin + (is_dash ? kDash : kDash + kGap) - in_period + Tolerance::kRounding);
         for (const double side : is_dash ? std::vector<double>{1, -1} : std::vector<double>{}) {
           const auto place = [&](double share) {
             const Vec2 p = from + (to - from) * (share / length);
@@ -276,7 +278,8 @@ void draw_clearance(Page& page, const SectionPanel& panel, double beside_mm, con
 }
 
 bool is_offset(const CompiledTool& bare, const CompiledTool& checked) {
-  return std::abs(bare.r_max_mm - checked.r_max_mm) > 1e-9 || std::abs(bare.z_min_mm - checked.z_min_mm) > 1e-9 ||
+  return std::abs(bare.r_max_mm - checked.r_max_mm) > Tolerance::kSamePoint_mm ||
+         std::abs(bare.z_min_mm - checked.z_min_mm) > Tolerance::kSamePoint_mm ||
          bare.elements.size() != checked.elements.size();
 }
 

@@ -6,6 +6,7 @@
 
 #include "lib/base/instruction_sets.h"
 #include "lib/base/parallel.h"
+#include "lib/base/tolerance.h"
 
 namespace gouge {
 namespace {
@@ -59,7 +60,7 @@ GOUGE_WIDE void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, c
   if (!(std::abs(area) > 0)) return;  // seen edge on
   // Barycentric coordinates are linear; each bounds a row from one side. The slack closes the hair-line gaps that
   // rounding would leave between neighbours.
-  constexpr double kSlack = 1e-9;
+  constexpr double kSlack = Tolerance::kRounding;
   const double per_area = 1 / area, y0 = rows.first + 0.5;
   const double du = -(c.y() - b.y()) * per_area, dv = -(a.y() - c.y()) * per_area;
   const double du_down = (c.x() - b.x()) * per_area, dv_down = (a.x() - c.x()) * per_area;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/segment.h"
 
 namespace gouge {
@@ -24,7 +25,8 @@ ThinLines::ThinLines(const Vec2& low, const Vec2& high) : low_(low) {
 
 void ThinLines::add(const std::vector<Vec2>& points, std::uint8_t ink, const DrawnLine& style) {
   if (points.size() < 2) return;
-  const bool goes_on = ink == ink_ && !passed_.empty() && (passed_.back() - points.front()).norm() <= 1e-9;
+  const bool goes_on =
+      ink == ink_ && !passed_.empty() && (passed_.back() - points.front()).norm() <= Tolerance::kSamePoint_mm;
   if (!goes_on) {
     end_stroke();
     ink_ = ink;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/image/path_overlay.h"
 #include "postproc/image/shade.h"
 #include "postproc/report/axis_text.h"
@@ -70,7 +71,7 @@ Vec3 direction_to_look(const std::vector<TiltedPose>& poses) {
   way = poses.back().pose.tip - poses.front().pose.tip;
   axis = axis.norm() > 0 ? axis.normalized() : Vec3::UnitZ();
   way -= way.dot(axis) * axis;
-  const Vec3 along = way.norm() > 1e-6 ? way.normalized() : axis.unitOrthogonal();
+  const Vec3 along = way.norm() > Tolerance::kNoSide ? way.normalized() : axis.unitOrthogonal();
   return (0.75 * along + 0.35 * axis.cross(along) + 0.55 * axis).normalized();
 }
 
@@ -114,7 +115,7 @@ Page draw_tilt_field(const PictureSet& set) {
              scale.at(share * scale.high_mm));
   }
   const double step = round_step(scale.high_mm, 5);
-  for (double tick = 0; tick <= scale.high_mm * (1 + 1e-9); tick += step) {
+  for (double tick = 0; tick <= scale.high_mm * (1 + Tolerance::kRounding); tick += step) {
     const double y = bar.bottom() - bar.height * tick / scale.high_mm;
     page.line({bar.right(), y}, {bar.right() + 6, y}, kInk, 1);
     page.text({bar.right() + 11, y + 5}, tick_text(tick, step) + "\u00b0", 14, kInk);

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "lib/base/tolerance.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
@@ -81,8 +82,8 @@ std::vector<OutlineRun> tool_outline(const CompiledTool& tool) {
   std::vector<OutlineRun> runs;
   for (const BoundaryElement& e : tool.elements) {
     if (e.kind == ElementKind::vertex) continue;
-    const bool is_joined =
-        !runs.empty() && runs.back().body == e.body && (runs.back().points.back() - e.a).norm() < 1e-9;
+    const bool is_joined = !runs.empty() && runs.back().body == e.body &&
+                           (runs.back().points.back() - e.a).norm() < Tolerance::kSamePoint_mm;
     if (!is_joined) runs.push_back({e.body, {e.a}});
     if (e.kind == ElementKind::arc)
       append_arc(runs.back().points, e);

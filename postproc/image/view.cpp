@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 
 View make_view(const Vec3& toward, const Vec3& up_hint, int width, int height) {
@@ -11,8 +13,8 @@ View make_view(const Vec3& toward, const Vec3& up_hint, int width, int height) {
   view.toward = toward.normalized();
   Vec3 right = up_hint.cross(view.toward);
   // Looking along the hint leaves "up" open; y, then x, are what people expect then.
-  if (right.norm() < 1e-6) right = Vec3::UnitY().cross(view.toward);
-  if (right.norm() < 1e-6) right = Vec3::UnitX().cross(view.toward);
+  if (right.norm() < Tolerance::kNoSide) right = Vec3::UnitY().cross(view.toward);
+  if (right.norm() < Tolerance::kNoSide) right = Vec3::UnitX().cross(view.toward);
   view.right = right.normalized();
   view.up = view.toward.cross(view.right);
   view.width = width;
@@ -35,8 +37,8 @@ void fit_view(View& view, std::span<const std::span<const Vec3>> points, double 
   const Vec3 middle = 0.5 * (low + high);
   view.centre = view.right * middle.x() + view.up * middle.y() + view.toward * middle.z();
   const double inner = 1 - 2 * margin;
-  view.mm_per_pixel =
-      std::max({(high.x() - low.x()) / (inner * view.width), (high.y() - low.y()) / (inner * view.height), 1e-9});
+  view.mm_per_pixel = std::max({(high.x() - low.x()) / (inner * view.width),
+                                (high.y() - low.y()) / (inner * view.height), Tolerance::kRounding});
 }
 
 }  // namespace gouge

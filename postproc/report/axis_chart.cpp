@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -160,7 +161,7 @@ class AxisChart {
              words(kLeft - 8, y + 4.5, "end", people_text(k * step, tick_decimals(step)) + "°");
     }
     const double along = tick_step(length_ / scale_, 12);
-    for (double k = 0; k * along * scale_ <= length_ * (1 + 1e-9); ++k) {
+    for (double k = 0; k * along * scale_ <= length_ * (1 + Tolerance::kRounding); ++k) {
       const double x = x_of(k * along * scale_);
       out += line(x, bottom, x, bottom + 4, "frame");
       if (is_lowest) out += words(x, bottom + 18, "middle", people_text(k * along, tick_decimals(along)));

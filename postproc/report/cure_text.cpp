@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -14,9 +15,9 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 std::string tilt_words(const TiltCure& tilt) {
   // Rounded up: it is what the machine must be able to do.
-  constexpr double kDecimals = 100, kExact = 1e-9;
+  constexpr double kDecimals = 100;
   if (tilt.tilt_rad) {
-    const double degrees = std::ceil(*tilt.tilt_rad / kDegree * kDecimals - kExact) / kDecimals;
+    const double degrees = std::ceil(*tilt.tilt_rad / kDegree * kDecimals - Tolerance::kRounding) / kDecimals;
     return "a tilt of up to " + people_text(degrees, 2) + " deg";
   }
   return "no tilt (" + tilt.reason + ")";

@@ -7,6 +7,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/sha256.h"
+#include "lib/base/tolerance.h"
 #include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"
@@ -129,7 +130,7 @@ std::string closeness_words(const std::optional<double>& distance_mm, LengthUnit
   // Rounded up: it is as near as that.
   const int decimals = facts_of(unit).decimals - 1;
   const double steps = std::pow(10, decimals);
-  const double reported = std::ceil(*distance_mm / mm_per(unit) * steps - 1e-6) / steps;
+  const double reported = std::ceil(*distance_mm / mm_per(unit) * steps - Tolerance::kWitness_mm) / steps;
   return "within " + fixed_text(reported, decimals) + " " + unit_name(unit);
 }
 

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/report/tightness.h"
 
 namespace gouge {
 namespace {
-
-constexpr double kLeastReported_mm = 1e-6;
 
 // Power of ten of the first digit, found by comparing so that no rounding of a logarithm enters.
 int first_digit(double value) {
@@ -66,14 +65,14 @@ std::string depth_text(double length_mm, LengthUnit unit) {
   if (!std::isfinite(value)) return "any depth";
   const int usual = unit == LengthUnit::inch ? 4 : 3;
   // Below a millionth of a millimetre it is rounding, whose digits would only look like a finding.
-  const bool is_reported = length_mm >= kLeastReported_mm;
+  const bool is_reported = length_mm >= Tolerance::kWitness_mm;
   const int decimals = is_reported ? std::clamp(1 - first_digit(value), usual, kMostDecimals) : usual;
   return people_text(value, decimals, Zeros::kept) + " " + unit_name(unit);
 }
 
 std::string depth_text(double length_mm, LengthUnit unit, const CheckOptions& limits) {
   const std::string usual = depth_text(length_mm, unit);
-  if (!std::isfinite(length_mm) || length_mm < kLeastReported_mm) return usual;
+  if (!std::isfinite(length_mm) || length_mm < Tolerance::kWitness_mm) return usual;
   const double value = length_mm / mm_per(unit);
   std::string text = usual;
   for (int decimals = decimals_of(usual);;

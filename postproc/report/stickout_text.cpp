@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "lib/base/tolerance.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
 namespace {
-
-constexpr double kSame_mm = 1e-6;
 
 /// The length looked at before `stickout_mm`.
 double one_step_less(const ReportModel& model, const StickoutFacts& tool, double stickout_mm) {
@@ -39,7 +38,7 @@ std::string stickout_need_text(const ReportModel& model, const StickoutFacts& to
   std::string text = length_text(*need.stickout_mm, unit) + " needed, " +
                      length_text(*need.stickout_mm - tool.found.now_mm, unit) + " longer; at " +
                      length_text(one_step_less(model, tool, *need.stickout_mm), unit) + " the " + where;
-  if (tool.shank_end_mm && *need.stickout_mm > *tool.shank_end_mm + kSame_mm)
+  if (tool.shank_end_mm && *need.stickout_mm > *tool.shank_end_mm + Tolerance::kWitness_mm)
     text += "; flutes and shank reach " + length_text(*tool.shank_end_mm, unit) + ", so it takes a longer tool";
   return text;
 }

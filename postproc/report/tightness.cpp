@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/check/overcut_gap.h"
 #include "postproc/report/report_text.h"
 
@@ -11,7 +12,6 @@ namespace gouge {
 namespace {
 
 // Bounds are sums of many doubles; the gap itself was asked of them.
-constexpr double kRounding_mm = 1e-9;
 
 /// How far two bounds are apart, and how far they may be.
 struct Gap {
@@ -26,7 +26,7 @@ Gaps gaps_of(const ReportModel& model, const GapOf& gap_of) {
     const std::optional<Gap> gap = gap_of(model.result->verdicts[i]);
     if (!gap) continue;
     ++gaps.known;
-    if (gap->mm <= gap->asked_mm + kRounding_mm) continue;
+    if (gap->mm <= gap->asked_mm + Tolerance::kRounding_mm) continue;
     ++gaps.wide;
     if (gap->mm <= gaps.widest_mm) continue;
     gaps.widest_mm = gap->mm;
@@ -39,7 +39,7 @@ Gaps gaps_of(const ReportModel& model, const GapOf& gap_of) {
 
 bool has_wide_depth(const ReportModel& model, const MoveVerdict& verdict) {
   return verdict.state == MoveState::gouge &&
-         verdict.depth_upper_mm - verdict.depth_mm > model.options.resolution_mm + kRounding_mm;
+         verdict.depth_upper_mm - verdict.depth_mm > model.options.resolution_mm + Tolerance::kRounding_mm;
 }
 
 Gaps depth_gaps(const ReportModel& model) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "lib/base/tolerance.h"
 #include "postproc/viewer/gouged_cells.h"
 
 namespace gouge {
@@ -12,6 +13,7 @@ namespace {
 constexpr double kLooks = 60'000;                      // points that are looked at
 constexpr std::size_t kMostTriangles = 150'000;        // that may be added
 constexpr double kFinest = 1.0 / 400, kCoarser = 1.4;  // of the parts' size; what follows where that is too many
+constexpr double kLeastApart = 1e-6;                   // of the parts' size: points of a flat part without area
 constexpr int kMostCuts = 24;                          // of a triangle, one in the other
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -162,7 +164,7 @@ std::vector<SurfacePoint> vertex_points(const ViewerMesh& mesh, const std::vecto
 
 VertexValues refine_surface(ViewerMesh& mesh, const std::vector<AskedValues>& asked, const std::vector<Vec3>& points,
                             double size_mm) {
-  const double apart_mm = std::max(std::sqrt(area_of(mesh) / kLooks), 1e-6 * size_mm + 1e-9);
+  const double apart_mm = std::max(std::sqrt(area_of(mesh) / kLooks), kLeastApart * size_mm + Tolerance::kSamePoint_mm);
   GougedCells cells(apart_mm);
   for (const Vec3& point : points) cells.add(point);
   const std::vector<SurfacePoint> looks = spread_points(mesh, apart_mm);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
@@ -22,7 +24,7 @@ struct Grid {
   Grid(const Box3& box, double count) : levels(count) {
     if (box.isEmpty()) return;
     origin = box.min();
-    step = std::max(box.sizes().maxCoeff(), 1e-9) / count;
+    step = std::max(box.sizes().maxCoeff(), Tolerance::kSamePoint_mm) / count;
   }
   [[nodiscard]] std::uint32_t place(const Vec3& p, int axis) const {
     return rounded((p[axis] - origin[axis]) / step, levels);

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
@@ -21,7 +23,7 @@ std::uint64_t spread_bits(std::uint64_t x) {
 std::vector<std::uint32_t> in_space(const std::vector<SurfacePoint>& points) {
   Box3 box;
   for (const SurfacePoint& p : points) box.extend(p.at);
-  const double side = std::max(box.sizes().maxCoeff(), 1e-9);
+  const double side = std::max(box.sizes().maxCoeff(), Tolerance::kSamePoint_mm);
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::uint64_t key = 0;

@@ -129,6 +129,15 @@ TEST(Seams, FormatsAreNamedInTheirTableAlone) {
             Complaints{});
 }
 
+TEST(Tolerances, AreNamedInTheirHeader) {
+  for (const char* line : {"constexpr double kRounding_mm = 1e-9;", "if (x < 1e-12) f();", "if (x > 2.5e-6) f();"})
+    EXPECT_EQ(check_tolerances({{"lib/tilt/t.cpp", line}}).size(), 1U) << line;
+  for (const char* line : {"constexpr double kLeast = 1e-6;", "if (x < 1e-3) f();", "max(x, 1e-30F);", "// 1e-9",
+                           "f(Tolerance::kRounding_mm);"})
+    EXPECT_EQ(check_tolerances({{"lib/tilt/t.cpp", line}}), Complaints{}) << line;
+  EXPECT_EQ(check_tolerances({{"lib/verify/v.cpp", "if (x < 1e-12) f();"}}), Complaints{});
+}
+
 TEST(RandomNumbers, OfAStandardLibraryAreRefused) {
   for (const char* line : {"std::mt19937 r(1);", "std::uniform_real_distribution<double> u;", "std::shuffle(a, b, r);",
                            "p = Vec3::Random();", "n = rand() % 6;"}) {

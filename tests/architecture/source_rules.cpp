@@ -221,6 +221,28 @@ Complaints check_formats(const std::vector<SourceFile>& files) {
   return complaints;
 }
 
+Complaints check_tolerances(const std::vector<SourceFile>& files) {
+  static const std::regex kSmall(R"((^|[^\w.])[0-9.]+e-(0?[4-9]|[1-9][0-9]+)\b)");
+  static const std::regex kShared(R"((^|[^\w.])(1e-9|1e-10|1e-12|1e-14|1\.2e-7)\b)");
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    const bool is_free = starts_with(file.path, "lib/verify/") || starts_with(file.path, "tests/") ||
+                         starts_with(file.path, "samples/") || file.path == "lib/base/tolerance.h";
+    if (!is_code(file.path) || is_free) continue;
+    std::size_t number = 0;
+    for (const std::string& line : lines_of(without_comments_and_literals(file.text))) {
+      ++number;
+      const bool is_named = line.find("constexpr") != std::string::npos;
+      if (std::regex_search(line, kShared)) {
+        complain(complaints, file, number, "has a tolerance that lib/base/tolerance.h names");
+      } else if (!is_named && std::regex_search(line, kSmall)) {
+        complain(complaints, file, number, "has a small number without a name; see lib/base/tolerance.h");
+      }
+    }
+  }
+  return complaints;
+}
+
 Complaints check_random_numbers(const std::vector<SourceFile>& files) {
   static const std::regex kForeign(
       R"(_distribution\b|\bmt19937|\brandom_device\b|\bstd::shuffle\b|::Random\(|\bs?rand\()");

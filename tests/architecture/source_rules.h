@@ -40,6 +40,10 @@ using Complaints = std::vector<std::string>;
 /// Formats of toolpath files (binary, pairs of lines) are known to their own folder and to the table of formats.
 [[nodiscard]] Complaints check_formats(const std::vector<SourceFile>& files);
 
+/// Tolerances have their names and derivations in lib/base/tolerance.h; other small numbers are named constants. Free are
+/// single precision, tests, and lib/verify, which shares nothing with the check.
+[[nodiscard]] Complaints check_tolerances(const std::vector<SourceFile>& files);
+
 /// Headers begin with #pragma once; no file is longer than 500 lines; the median is at most 150.
 [[nodiscard]] Complaints check_shape(const std::vector<SourceFile>& files);
 

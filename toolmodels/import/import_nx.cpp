@@ -113,8 +113,9 @@ class RowImporter {
     }
     const auto [height, shank_diameter, shank_length, taper_length, offset] = values;
     if (!(height > 0)) return Done{};
+    constexpr double kWrittenDigit_mm = 1e-4;
     Dimensions& d = tool_.dimensions;
-    if (d.value_or(Dimension::flute_length, 0) > height + 1e-4)
+    if (d.value_or(Dimension::flute_length, 0) > height + kWrittenDigit_mm)
       return make_error("import-field", d.text(Dimension::flute_length) + " is greater than HEI " + mm_text(height) +
                                             "; the flutes cannot be longer than the tool");
     d.set(Dimension::shoulder_length, height, "HEI");

@@ -6,15 +6,13 @@
 #include <string>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/reasons.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kShortest_mm = 1e-3;  // of a straight path whose direction means anything
-constexpr double kSmooth = 0.999;      // cosine between a line and an arc that go on in each other
-constexpr double kSameArcAxis = 1e-9;  // sine of an angle
-constexpr double kSameArcPoint_mm = 1e-3;
+constexpr double kSmooth = 0.999;         // cosine between a line and an arc that go on in each other
 constexpr double kLeavesPlane_mm = 0.02;  // as far as start and end of an arc may differ in radius
 constexpr double kTurningAxis = 1e-4;     // sine of an angle
 constexpr std::size_t kClearVotes = 10;   // times as many as for the other sense
@@ -48,7 +46,7 @@ void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& s
     open_.push_back({in_.moves(), arc, other_doubt});
   }
   fit(arc, start.tip, move);
-  const bool turns = start.axis.cross(move.end.axis).norm() > kSameArcAxis;
+  const bool turns = start.axis.cross(move.end.axis).norm() > Tolerance::kSameDirection;
   if (turns && move.not_checked_reason == ArcProblems::kTiny) {
     move.cover = Cover::none;
     move.curve_kind = CurveKind::none;
@@ -61,7 +59,8 @@ void ArcSenses::doubt_sense(ArcStatement& arc, const Pose& start, const Move& mo
   constexpr double kOpposite = -0.999;
   const Vec3& end = move.end.tip;
   if (fits_both_ways(arc, start.tip, end)) {
-    const bool is_flat_circle = (end - start.tip).norm() <= 0 && start.axis.cross(move.end.axis).norm() <= kSameArcAxis;
+    const bool is_flat_circle =
+        (end - start.tip).norm() <= 0 && start.axis.cross(move.end.axis).norm() <= Tolerance::kSameDirection;
     if (!is_flat_circle) arc.sense = ArcSense::unknown;
     return;
   }
@@ -77,7 +76,7 @@ void ArcSenses::doubt_sense(ArcStatement& arc, const Pose& start, const Move& mo
 bool ArcSenses::is_round(const ArcStatement& arc, const Position& position, const Pose& start, Move& move) const {
   const Vec3 way = move.end.tip - start.tip;
   const bool turns = start.axis.cross(move.end.axis).norm() > kTurningAxis;
-  if (position.points > 1 && position.point == 0 && way.norm() <= kSameArcPoint_mm) return false;
+  if (position.points > 1 && position.point == 0 && way.norm() <= Tolerance::kFilePoint_mm) return false;
   if (!turns && std::abs(way.dot(arc.axis)) <= kLeavesPlane_mm) return true;
   move.not_checked_reason = Reasons::kNccsArc;
   return false;
@@ -132,7 +131,7 @@ void ArcSenses::note_motion(const Move& move, const std::optional<Pose>& start) 
   if (!move.has_start || move.kind == MoveKind::cycle || move.kind == MoveKind::arc) return;
   const Vec3 way = move.end.tip - start->tip;
   const double length = way.norm();
-  if (!(length > kShortest_mm)) return;
+  if (!(length > Tolerance::kFilePoint_mm)) return;
   last_direction_ = way / length;
   if (!open_.empty() && open_.back().move + 1 == in_.moves()) vote(open_.back().arc, start->tip, *last_direction_);
 }
@@ -166,11 +165,10 @@ void ArcSenses::close() {
 }
 
 void ArcSenses::cover_both_senses() {
-  constexpr double kSameAxis = 1e-9;
   for (const OpenArc& open : open_) {
     Move& move = in_.path.moves[open.move];
     const bool is_covered = move.not_checked_reason == ArcProblems::kSense && open.not_checked_reason.empty() &&
-                            in_.path.start_of(open.move).axis.cross(move.end.axis).norm() <= kSameAxis;
+                            in_.path.start_of(open.move).axis.cross(move.end.axis).norm() <= Tolerance::kSameDirection;
     if (is_covered) cover_by_circle(open.arc, in_.path.start_of(open.move).tip, move);
   }
 }

@@ -5,14 +5,13 @@
 #include <string>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/reasons.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kAxisLengthError = 1e-3;     // beyond it an axis is refused
-constexpr double kAxisLengthReported = 1e-5;  // 5 decimals are what axes have; below it nothing is reported
-constexpr double kTiltReported = 1e-3;        // sine of the angle to +Z from which an axis counts as tilted
+constexpr double kTiltReported = 1e-3;  // sine of the angle to +Z from which an axis counts as tilted
 
 bool is_tilted(const Vec3& axis, const Vec3& upright = Vec3::UnitZ()) {
   return axis.cross(upright).squaredNorm() > kTiltReported * kTiltReported || axis.dot(upright) < 0;
@@ -80,7 +79,7 @@ void AxisState::note_frame(bool says_axis) {
 
 bool AxisState::are_axes_unit() const {
   for (std::size_t i = 3; i < in_.arguments.size(); i += 6) {
-    if (std::abs(in_.vector(i).norm() - 1) > kAxisLengthError) return false;
+    if (std::abs(in_.vector(i).norm() - 1) > Tolerance::kUnitVectorError) return false;
   }
   return true;
 }
@@ -119,7 +118,7 @@ bool AxisState::may_have_normals() const {
   const std::size_t count = in_.arguments.size();
   if (count == 0 || count % kNumbers != 0 || in_.statement().is_decoded) return false;
   for (std::size_t i = 3; i < count; i += kNumbers) {
-    if (std::abs(in_.vector(i).norm() - 1) > kAxisLengthError) return false;
+    if (std::abs(in_.vector(i).norm() - 1) > Tolerance::kUnitVectorError) return false;
   }
   return true;
 }
@@ -164,12 +163,12 @@ std::optional<Vec3> AxisState::read(std::size_t first) {
   const Vec3 axis = in_.vector(first);
   const double length = axis.norm();
   const double error = std::abs(length - 1);
-  if (!(error <= kAxisLengthError)) {
+  if (!(error <= Tolerance::kUnitVectorError)) {
     in_.fail("path-axis", in_.major() + ": the tool axis has length " + fixed_text(length, 6) +
                               "; expected a unit vector i,j,k (length 1 within 0.001)");
     return std::nullopt;
   }
-  if (error > kAxisLengthReported) {
+  if (error > Tolerance::kFileAxis) {
     ++renormalised_;
     if (error > std::abs(worst_length_ - 1)) worst_length_ = length;
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/frame_state.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/text.h"
@@ -12,7 +13,6 @@
 namespace gouge {
 namespace {
 
-constexpr double kSameTurn = 1e-5;  // angles in radians and axes have 6 decimals
 constexpr std::array<std::string_view, 3> kTables = {"AAXIS", "BAXIS", "CAXIS"};
 
 }  // namespace
@@ -53,7 +53,7 @@ bool CltSetup::take_turn() {
   } else {
     turns_.push_back(*turn);
   }
-  if (std::abs(turns_.back().angle) <= 1e-9) turns_.pop_back();
+  if (std::abs(turns_.back().angle) <= Tolerance::kRounding) turns_.pop_back();
   return true;
 }
 
@@ -81,9 +81,9 @@ void CltSetup::choose_decimals() {
   doubts_.clear(Doubt::clt_setup);
   if (!axis_) {
     doubt(Reasons::kCltAxis);
-  } else if ((setup.col(2) - *axis_).norm() > kSameTurn) {
+  } else if ((setup.col(2) - *axis_).norm() > Tolerance::kFileAxis) {
     doubt(turns_.empty() ? Reasons::kCltAxis : Reasons::kSetupAxis);
-  } else if (first_ && (setup - *first_).cwiseAbs().maxCoeff() > kSameTurn) {
+  } else if (first_ && (setup - *first_).cwiseAbs().maxCoeff() > Tolerance::kFileAxis) {
     doubt(Reasons::kOtherSetup);
   } else if (!first_) {
     first_ = setup;

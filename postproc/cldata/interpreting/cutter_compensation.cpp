@@ -6,13 +6,12 @@
 #include <string>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
 namespace {
-
-constexpr double kSameAxis = 1e-9;  // sine of an angle
 
 bool is_in_xy(const Argument& argument) {
   constexpr std::array<std::string_view, 5> kWords = {"LEFT", "RIGHT", "ON", "XYPLAN", "OSETNO"};
@@ -29,7 +28,7 @@ void CutterCompensation::begin() {
 }
 
 Cover CutterCompensation::cover(const Move& move, const std::optional<Pose>& start, const Vec3& plane_normal) const {
-  const auto is_across = [&](const Vec3& axis) { return axis.cross(plane_normal).norm() <= kSameAxis; };
+  const auto is_across = [&](const Vec3& axis) { return axis.cross(plane_normal).norm() <= Tolerance::kSameDirection; };
   const bool is_covered = is_across_axis_ && is_across(move.end.axis) && (!start || is_across(start->axis)) &&
                           move.curve_kind != CurveKind::spline;
   return is_covered ? Cover::wide : Cover::none;

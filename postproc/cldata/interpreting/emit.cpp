@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/further_readings.h"
 
 namespace gouge {
@@ -65,8 +66,6 @@ double rounding_mm(const States& s, const Position& position) {
   return rounding_of_points(all.subspan(position.first_argument, kCoordinates)) * s.frame.mm_per_unit();
 }
 
-constexpr double kSameRise_mm = 1e-3;
-
 double rise_mm(const States& s, const Vec3& axis, const Move& move) {
   return std::abs((move.end.tip - s.chain.last_pose()->tip).dot(axis));
 }
@@ -76,7 +75,7 @@ bool rises_with_turns(const States& s, double slope_mm, const Move& move) {
   if (move.curve_kind != CurveKind::arc) return true;
   const PathArc& arc = s.in.path.arcs[move.curve];
   const double of_turns = std::abs(slope_mm * arc.sweep_rad) / (2 * std::numbers::pi);
-  return std::abs(rise_mm(s, arc.axis, move) - of_turns) <= kSameRise_mm;
+  return std::abs(rise_mm(s, arc.axis, move) - of_turns) <= Tolerance::kFilePoint_mm;
 }
 
 void attach_curve(States& s, const Position& position, Move& move) {
@@ -87,8 +86,8 @@ void attach_curve(States& s, const Position& position, Move& move) {
     arc.center = s.frame.to_part().point(arc.center);
     arc.axis = s.frame.to_part().direction(arc.axis);
     arc.rounding_mm = std::max(arc.rounding_mm, rounding_mm(s, position));
-    const bool rises_otherwise =
-        s.arc_slope_mm && !(std::abs(rise_mm(s, arc.axis, move) - std::abs(*s.arc_slope_mm)) <= kSameRise_mm);
+    const bool rises_otherwise = s.arc_slope_mm && !(std::abs(rise_mm(s, arc.axis, move) - std::abs(*s.arc_slope_mm)) <=
+                                                     Tolerance::kFilePoint_mm);
     if (rises_otherwise && arc.sense == ArcSense::unknown && arc.problem.empty()) arc.problem = ArcProblems::kSlope;
     s.senses.attach(arc, position, *s.chain.last_pose(), s.cutcom.reason(), move);
     if (rises_otherwise && !rises_with_turns(s, *s.arc_slope_mm, move)) move.not_checked_reason = ArcProblems::kSlope;

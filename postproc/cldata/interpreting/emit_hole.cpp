@@ -4,13 +4,11 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/emit.h"
 
 namespace gouge {
 namespace {
-
-constexpr double kSameHolePoint_mm = 1e-9;
-constexpr double kSameHoleAxis = 1e-9;  // sine of an angle
 
 Position step_to(const Position& position, const Vec3& tip_local) {
   Position step = position;
@@ -33,8 +31,8 @@ void emit_step(States& s, const Position& position, const Vec3& tip_local, bool 
   const Position step = step_to(position, tip_local);
   Move move = make_move(s, step, MoveKind::cycle);
   const std::optional<Pose>& last = s.chain.last_pose();
-  const bool is_same_point = move.has_start && (last->tip - move.end.tip).norm() <= kSameHolePoint_mm &&
-                             last->axis.cross(move.end.axis).norm() <= kSameHoleAxis;
+  const bool is_same_point = move.has_start && (last->tip - move.end.tip).norm() <= Tolerance::kSamePoint_mm &&
+                             last->axis.cross(move.end.axis).norm() <= Tolerance::kSameDirection;
   if (is_same_point) return;
   if (is_rapid) move.set_feed({0, FeedUnit::rapid});
   const Feed& plunge = s.cycle.drill()->feed;
@@ -48,7 +46,7 @@ std::optional<double> retract_of(States& s, const Position& position, const Dril
   if (cycle.is_retract_known) return cycle.retract_mm;
   const std::optional<double>& plane_mm = s.in.path.retract_plane_mm;
   const Vec3& axis = position.axis_local;
-  const bool is_upright = axis.z() > 0 && axis.cross(Vec3::UnitZ()).norm() <= kSameHoleAxis;
+  const bool is_upright = axis.z() > 0 && axis.cross(Vec3::UnitZ()).norm() <= Tolerance::kSameDirection;
   if (!plane_mm || !is_upright || !cycle.is_retract_left_open) return std::nullopt;
   const double height_mm = *plane_mm - position.tip_local.z();
   if (height_mm >= cycle.retract_mm) return height_mm;
@@ -89,7 +87,7 @@ bool emit_bounds_from(States& s, const Position& position, const std::vector<Pos
   const Vec3 here = s.frame.to_local(start).tip;
   const double height = (here - position.tip_local).dot(position.axis_local);
   const Vec3 across = position.tip_local + height * position.axis_local;
-  if ((across - here).norm() <= kSameHolePoint_mm) return true;
+  if ((across - here).norm() <= Tolerance::kSamePoint_mm) return true;
   if (height < top_mm) return false;
   emit_step(s, position, across, true);
   const Pose end = s.in.path.moves.back().end;
@@ -106,7 +104,7 @@ bool emit_bounds_between(States& s, const Position& position, const std::vector<
   const Vec3 up = s.frame.to_part().direction(position.axis_local);
   if (from.size() != places.size()) return false;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    if (std::abs((from[i].tip - places[i].tip).dot(up)) > kSameHolePoint_mm) return false;
+    if (std::abs((from[i].tip - places[i].tip).dot(up)) > Tolerance::kSamePoint_mm) return false;
   }
   emit_step(s, position, position.tip_local + top_mm * position.axis_local, true);
   const Pose end = s.in.path.moves.back().end;
@@ -128,12 +126,13 @@ void emit_bounds(States& s, const Position& own, const DrillCycle& cycle) {
   for (const double mm : levels)
     places.push_back(s.frame.to_part().pose({Vec3(own.tip_local + mm * own.axis_local), own.axis_local}));
   const std::vector<Pose> from = std::exchange(s.open_places, {});
-  const bool is_upright = own.axis_local.cross(Vec3::UnitZ()).norm() <= kSameHoleAxis && own.axis_local.z() > 0;
+  const bool is_upright =
+      own.axis_local.cross(Vec3::UnitZ()).norm() <= Tolerance::kSameDirection && own.axis_local.z() > 0;
   bool is_read = is_upright && own.doubt == nullptr;
   if (is_read && s.chain.last_pose()) {
     const bool is_start_read =
         s.chain.is_start_certain() &&
-        s.frame.to_local(*s.chain.last_pose()).axis.cross(own.axis_local).norm() <= kSameHoleAxis;
+        s.frame.to_local(*s.chain.last_pose()).axis.cross(own.axis_local).norm() <= Tolerance::kSameDirection;
     is_read = is_start_read && (from.empty() ? emit_bounds_from(s, position, places, top_mm)
                                              : emit_bounds_between(s, position, from, places, top_mm));
   }
@@ -166,9 +165,9 @@ void emit_hole(States& s, const Position& own, const DrillCycle& cycle) {
   if (s.chain.is_start_certain()) {
     const Pose here = s.frame.to_local(*s.chain.last_pose());
     const double height = (here.tip - position.tip_local).dot(axis);
-    if (here.axis.cross(axis).norm() > kSameHoleAxis) {
+    if (here.axis.cross(axis).norm() > Tolerance::kSameDirection) {
       emit_step(s, position, above(cycle.retract_mm), true);
-    } else if (height < cycle.clearance_mm && (here.tip - above(height)).norm() > kSameHolePoint_mm) {
+    } else if (height < cycle.clearance_mm && (here.tip - above(height)).norm() > Tolerance::kSamePoint_mm) {
       emit_rise(s, position, height, cycle.clearance_mm);
     } else if (height < cycle.clearance_mm) {
       emit_step(s, position, here.tip + (cycle.clearance_mm - height) * axis, true);

@@ -3,14 +3,17 @@
 #include <deque>
 #include <optional>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/rigid_transform.h"
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/statement_context.h"
 
 namespace gouge {
 
-inline constexpr double kFrameError = 1e-3;     ///< of length or of a right angle; beyond it a frame is refused
-inline constexpr double kIdentityError = 1e-9;  ///< matrices are written with 5 decimals or more; this is rounding
+inline constexpr double kFrameError =
+    Tolerance::kUnitVectorError;  ///< of length or of a right angle; beyond it a frame is refused
+inline constexpr double kIdentityError =
+    Tolerance::kSameDirection;  ///< matrices are written with 5 decimals or more; this is rounding
 
 /// The unit of positions and the frame they are in. Both hold until the file states others.
 class FrameState {

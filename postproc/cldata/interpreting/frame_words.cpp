@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/misreading.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
@@ -198,7 +199,8 @@ void take_mode(States& s) {
                                                         "EDM",  "ABSOL", "ABSOLUTE", "ABS"};
     const std::optional<LengthUnit> unit = unit_of_word(argument.text);
     if (equals_ignoring_case(argument.text, "METRIC")) return false;  // millimetres, or centimetres
-    return unit ? std::abs(mm_per(*unit) / s.frame.mm_per_unit() - 1) <= 1e-9 : is_one_of(argument.text, kWords);
+    return unit ? std::abs(mm_per(*unit) / s.frame.mm_per_unit() - 1) <= Tolerance::kRounding
+                : is_one_of(argument.text, kWords);
   };
   if (!s.in.arguments.empty() && std::ranges::all_of(s.in.arguments, leaves_positions_alone)) return;
   s.in.count_unknown();

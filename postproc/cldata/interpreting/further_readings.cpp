@@ -5,12 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/emit.h"
 
 namespace gouge {
 namespace {
-
-constexpr double kSameWay = 1e-9;  // sine of the angle between two tool axes that are one
 
 // The last move is clean only where its other readings are.
 void open_last_move(States& s, const char* reason) {
@@ -81,7 +80,8 @@ void emit_from_retract(States& s, const Position& position) {
   const std::optional<Pose> plane = std::exchange(s.retracted, std::nullopt);
   if (!plane || !s.in.path.moves.back().has_start) return;
   Move& last = s.in.path.moves.back();
-  const bool is_same_axis = plane->axis.cross(last.end.axis).norm() <= kSameWay && plane->axis.dot(last.end.axis) > 0;
+  const bool is_same_axis =
+      plane->axis.cross(last.end.axis).norm() <= Tolerance::kSameDirection && plane->axis.dot(last.end.axis) > 0;
   if (!is_same_axis || last.curve_kind != CurveKind::none) {
     if (last.not_checked_reason.empty()) last.not_checked_reason = Reasons::kAfterRetract;
     return;
@@ -110,7 +110,6 @@ void emit_from_open_places(States& s, const Position& position) {
 // CATIA's RETURN,0: whatever it means ends no higher than where the tool goes next, straight above it. A plane of the
 // setup (RTRCTO,AUTO of NX) may be higher.
 void settle_retract(States& s, const Position& position) {
-  constexpr double kSame_mm = 1e-9;
   if (s.in.dialect.cycle_form != CycleForm::catia) return;
   if (s.in.path.moves.empty() || !s.chain.last_pose() || s.chain.unknown_start() == nullptr) return;
   Move& last = s.in.path.moves.back();
@@ -118,8 +117,8 @@ void settle_retract(States& s, const Position& position) {
   const Pose here = s.frame.to_local(*s.chain.last_pose());
   const Vec3 way = position.tip_local - here.tip;
   const double height = way.dot(here.axis);
-  if (height < 0 || (way - height * here.axis).norm() > kSame_mm ||
-      here.axis.cross(position.axis_local).norm() > kSameWay)
+  if (height < 0 || (way - height * here.axis).norm() > Tolerance::kSamePoint_mm ||
+      here.axis.cross(position.axis_local).norm() > Tolerance::kSameDirection)
     return;
   last.not_checked_reason = {};
   s.chain.find_start();

@@ -2,6 +2,7 @@
 #include <array>
 #include <string>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/frame_state.h"
 #include "postproc/cldata/interpreting/misreading.h"
@@ -62,11 +63,10 @@ void take_positions(States& s, PositionForm form) {
 // is the post-processor's. After the last one the tool is elsewhere, and files do not show which of both positions
 // counts.
 std::optional<Pose> start_of_step(const States& s) {
-  constexpr double kSamePoint_mm = 1e-9;
   if (s.chain.last_doubt() != nullptr || s.cycle.is_doubtful()) return std::nullopt;
   const std::optional<Pose>& hole = s.cycle.last_hole();
   if (hole && s.cycle.is_on()) return hole;
-  const bool is_elsewhere = hole && (hole->tip - s.chain.last_pose()->tip).norm() > kSamePoint_mm;
+  const bool is_elsewhere = hole && (hole->tip - s.chain.last_pose()->tip).norm() > Tolerance::kSamePoint_mm;
   if (s.chain.unknown_start() != nullptr || is_elsewhere) return std::nullopt;
   return s.chain.last_pose();
 }
@@ -139,12 +139,11 @@ void take_clear_plane(States& s) {
 
 // Up to the plane of CLEARP where it is known; else the tool is somewhere above.
 void take_retract(States& s) {
-  constexpr double kSameAxis = 1e-9;
   const bool is_known = s.in.arguments.empty() && s.clear_plane_mm && s.chain.is_start_certain() &&
                         s.doubts.reason() == nullptr && s.cutcom.reason().empty() && !s.cycle.is_on() &&
                         !s.cycle.is_doubtful() && !s.curve.is_open();
   const Pose here = is_known ? s.frame.to_local(*s.chain.last_pose()) : Pose{};
-  if (!is_known || here.axis.cross(Vec3::UnitZ()).norm() > kSameAxis || here.axis.z() < 0 ||
+  if (!is_known || here.axis.cross(Vec3::UnitZ()).norm() > Tolerance::kSameDirection || here.axis.z() < 0 ||
       here.tip.z() > *s.clear_plane_mm)
     return s.chain.lose_start(Reasons::kAfterRetract);
   Position position;

@@ -4,14 +4,11 @@
 #include <string>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/reasons.h"
 
 namespace gouge {
-namespace {
-
-constexpr double kSameKnotAxis = 1e-9;  // sine of an angle
-
-}  // namespace
+namespace {}  // namespace
 
 void NurbsState::begin() {
   statement_ = in_.index();
@@ -51,7 +48,7 @@ void NurbsState::take_control_point() {
   position.form = PositionForm::curve;
   position.tip_local = *tip;
   position.axis_local = *axis;
-  is_turning_ = is_turning_ || (end_ && end_->axis_local.cross(*axis).norm() > kSameKnotAxis) ||
+  is_turning_ = is_turning_ || (end_ && end_->axis_local.cross(*axis).norm() > Tolerance::kSameDirection) ||
                 (end_ && end_->axis_local.dot(*axis) < 0);
   in_.make_room(control_local_);
   control_local_.push_back(*tip);
@@ -67,7 +64,7 @@ std::optional<Position> NurbsState::end() {
 
 void NurbsState::attach(const Pose& start, Move& move) {
   move.not_checked_reason = Reasons::kSpline;
-  const bool is_turning = is_turning_ || start.axis.cross(move.end.axis).norm() > kSameKnotAxis;
+  const bool is_turning = is_turning_ || start.axis.cross(move.end.axis).norm() > Tolerance::kSameDirection;
   if (!is_understood_ || is_turning || knots_.empty() || std::abs(knots_.back() - 1) > 0) return;
   std::vector<Vec3> control;
   control.reserve(control_local_.size() + 1);

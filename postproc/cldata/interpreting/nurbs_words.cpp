@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
@@ -12,8 +13,6 @@
 namespace gouge {
 namespace {
 
-constexpr double kSame = 1e-9;
-
 // The inner knots of a cubic with simple ends, from 0 to 1; nothing of any other curve.
 std::optional<std::vector<double>> inner_knots(const MovnrbState& curve) {
   constexpr std::size_t kOrder = 4;
@@ -21,9 +20,10 @@ std::optional<std::vector<double>> inner_knots(const MovnrbState& curve) {
   if (curve.order != kOrder || knots.size() != curve.control_local.size() + kOrder || knots.size() < 2 * kOrder)
     return std::nullopt;
   const double first = knots.front(), length = knots.back() - knots.front();
-  if (!(length > kSame)) return std::nullopt;
+  if (!(length > Tolerance::kRounding)) return std::nullopt;
   for (std::size_t i = 0; i < kOrder; ++i) {
-    if (knots[i] - first > kSame || knots.back() - knots[knots.size() - 1 - i] > kSame) return std::nullopt;
+    if (knots[i] - first > Tolerance::kRounding || knots.back() - knots[knots.size() - 1 - i] > Tolerance::kRounding)
+      return std::nullopt;
   }
   std::vector<double> inner;
   for (std::size_t i = kOrder; i + kOrder < knots.size(); ++i) inner.push_back((knots[i] - first) / length);
@@ -32,7 +32,6 @@ std::optional<std::vector<double>> inner_knots(const MovnrbState& curve) {
 
 // The curve as one move from where the tool stands.
 std::optional<Move> curve_move(States& s) {
-  constexpr double kSamePoint_mm = 1e-3;
   const std::optional<std::vector<double>> inner = inner_knots(s.movnrb);
   if (!inner || s.movnrb.is_five_axis || !s.chain.is_start_certain() || s.doubts.reason() != nullptr ||
       !s.cutcom.reason().empty())
@@ -40,7 +39,7 @@ std::optional<Move> curve_move(States& s) {
   std::vector<Vec3> control;
   for (const Vec3& point : s.movnrb.control_local) control.push_back(s.frame.to_part().point(point));
   const Pose start = *s.chain.last_pose();
-  if ((control.front() - start.tip).norm() > kSamePoint_mm) return std::nullopt;
+  if ((control.front() - start.tip).norm() > Tolerance::kFilePoint_mm) return std::nullopt;
   control.front() = start.tip;
   PathSpline spline = make_spline(control, *inner);
   if (spline.pieces.empty()) return std::nullopt;
@@ -70,10 +69,10 @@ void begin_positions(States& s) {
 }
 
 void end_positions(States& s) {
-  constexpr double kSamePoint_mm = 1e-3;
   s.doubts.clear(Doubt::spline);
   if (!std::exchange(s.movnrb.is_on, false)) return;
-  const bool is_end = s.chain.last_pose() && (s.chain.last_pose()->tip - s.movnrb.end).norm() <= kSamePoint_mm;
+  const bool is_end =
+      s.chain.last_pose() && (s.chain.last_pose()->tip - s.movnrb.end).norm() <= Tolerance::kFilePoint_mm;
   for (std::size_t i = s.movnrb.begin; i < s.in.moves() && !is_end; ++i) s.in.path.moves[i].cover = Cover::none;
 }
 

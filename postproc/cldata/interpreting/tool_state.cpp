@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/text.h"
 
@@ -138,9 +139,8 @@ void ToolState::take_name(std::string_view text) {
 void ToolState::take_insert(std::string_view text) { last_insert_ = name_text(text); }
 
 std::optional<double> ToolState::countersink_depth(double diameter_mm) const {
-  constexpr double kRounding_mm = 1e-3;
   if (!tool_.cutter || !(tool_.cutter->alpha_deg > 0) || tool_.cutter->r_mm > 0 ||
-      diameter_mm > tool_.cutter->d_mm + kRounding_mm)
+      diameter_mm > tool_.cutter->d_mm + Tolerance::kFilePoint_mm)
     return std::nullopt;
   return diameter_mm / 2 * std::tan(tool_.cutter->alpha_deg * std::numbers::pi / 180);
 }

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/tolerance.h"
+
 // The container of binary NCCS (NCL, PostWorks) CL files: physical blocks of 35 words of 8 bytes and 8 bytes
 // of padding; in the words, ignoring the blocks, logical records. A record is a header word of four 16-bit
 // numbers, low byte first (words in the record with its header, class, subclass, sequence number), and its
@@ -34,7 +36,7 @@ struct NccsSubclass {
 
 inline constexpr std::size_t kNccsWordBytes = 8;
 /// Components of two axes that records hold are the same.
-inline constexpr double kSameNccsAxis = 1e-12;
+inline constexpr double kSameNccsAxis = Tolerance::kExactDirection;
 
 /// Data words of each point in a record of expanded motion.
 inline constexpr std::size_t kNccsExpandedWords = 21;

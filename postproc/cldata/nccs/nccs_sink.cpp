@@ -5,10 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
-constexpr double kSameNccsPoint_mm = 1e-6;
 constexpr double kLongestSweep_rad = 2.5;  // clearly less than half a turn, so that the other way is longer
 constexpr double kShortestChord_mm = 0.01;
 constexpr double kCircleKind = 5;  // the first of the five words before a circle's numbers
@@ -102,8 +103,8 @@ void NccsSink::go_to(const Pose& end) {
 // A planar arc with one tool axis, reached the shorter arc: which sense it has the record does not say.
 bool NccsSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) {
   const Vec3 radial = start.tip - arc.center;
-  const bool is_planar = std::abs(radial.dot(arc.axis)) <= kSameNccsPoint_mm &&
-                         std::abs((end.tip - start.tip).dot(arc.axis)) <= kSameNccsPoint_mm;
+  const bool is_planar = std::abs(radial.dot(arc.axis)) <= Tolerance::kWitness_mm &&
+                         std::abs((end.tip - start.tip).dot(arc.axis)) <= Tolerance::kWitness_mm;
   const bool keeps_axis = (start.axis - end.axis).cwiseAbs().maxCoeff() <= kSameNccsAxis;
   const bool is_short =
       std::abs(arc.sweep_rad) <= kLongestSweep_rad && (end.tip - start.tip).norm() >= kShortestChord_mm;

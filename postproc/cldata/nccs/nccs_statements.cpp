@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/vec.h"
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/post_words.h"
@@ -18,15 +19,15 @@ constexpr std::size_t kTextLetters = 66;  // what follows in the record is not p
 constexpr std::size_t kCircleNumbers = 7;
 // Before them five words that say which geometry it was.
 constexpr std::size_t kCircleWords = 12;
-constexpr double kAxisLengthError = 1e-3;
 
 // What is neither a number nor a word that is known.
 constexpr Argument kNotKnown = {"?", std::nullopt};
 
 // Numbers that a CL file may hold; words and text read as a number are far from it.
 bool is_plausible(double value) {
+  constexpr double kLargest = 1e9, kSmallest = 1e-30;
   const double size = std::abs(value);
-  return size <= 1e9 && (size <= 0 || size >= 1e-30);
+  return size <= kLargest && (size <= 0 || size >= kSmallest);
 }
 
 Word motion_word(std::uint16_t subclass) {
@@ -111,8 +112,8 @@ void NccsStatements::take_expanded(const NccsHeader& header, Statement& statemen
     const Vec3 axis(words_.number(word_ + point + 3), words_.number(word_ + point + 4),
                     words_.number(word_ + point + 5));
     // Without MULTAX the post-processor would leave another axis out.
-    const bool is_dropped = is_multax_off_ && (axis - Vec3::UnitZ()).norm() > kAxisLengthError;
-    if (!(std::abs(axis.norm() - 1) <= kAxisLengthError) || is_dropped) {
+    const bool is_dropped = is_multax_off_ && (axis - Vec3::UnitZ()).norm() > Tolerance::kUnitVectorError;
+    if (!(std::abs(axis.norm() - 1) <= Tolerance::kUnitVectorError) || is_dropped) {
       statement.decoded.clear();
       return;
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
@@ -10,11 +12,10 @@ constexpr std::size_t kFieldsOfLinear = 5, kFieldsOfArc = 8, kFieldsOfFiveAxis =
 constexpr std::size_t kFullCircleField = 9;
 constexpr double kLeastComp = 40;
 constexpr double kRapidFeed = -2;
-constexpr double kSame = 1e-9;
 constexpr double kShortestVector = 1e-3;  // below it the digits of the points say nothing of a direction
 constexpr double kLargestFlags = 1e15;    // beyond it a number has no last digits
 
-bool is_equal(double a, double b) { return std::abs(a - b) < kSame; }
+bool is_equal(double a, double b) { return std::abs(a - b) < Tolerance::kRounding; }
 
 bool are_numbers(std::span<const Argument> fields, std::size_t count) {
   return fields.size() >= count && std::all_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(count),

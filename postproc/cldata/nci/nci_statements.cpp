@@ -5,12 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/base/tolerance.h"
+
 namespace gouge {
 namespace {
 
 constexpr std::size_t kToolField = 3;
 constexpr double kCompOff = 40, kCompLeft = 41, kCompRight = 42, kCompOffAtEnd = 140;
-constexpr double kIdentityError = 1e-9;
 
 // Behind the nine numbers of a matrix stand those of an origin, and the number of the plane.
 bool is_identity(const std::vector<Argument>& fields) {
@@ -20,13 +21,13 @@ bool is_identity(const std::vector<Argument>& fields) {
     if (!fields[i].number) return false;
     if (i == kOrigin) return *fields[i].number >= 0 && std::floor(*fields[i].number) >= *fields[i].number;
     const double expected = i < kMatrix && i % 4 == 0 ? 1 : 0;
-    if (std::abs(*fields[i].number - expected) > kIdentityError) return false;
+    if (std::abs(*fields[i].number - expected) > Tolerance::kSameDirection) return false;
   }
   return true;
 }
 
 CutcomSide side_of(double compensation) {
-  const auto is = [&](double value) { return std::abs(compensation - value) < kIdentityError; };
+  const auto is = [&](double value) { return std::abs(compensation - value) < Tolerance::kSameDirection; };
   if (is(kCompOff) || is(kCompOffAtEnd)) return CutcomSide::none;
   return is(kCompLeft) ? CutcomSide::left : is(kCompRight) ? CutcomSide::right : CutcomSide::unknown;
 }
@@ -60,7 +61,7 @@ void NciStatements::add(Word word, std::string_view major) {
 
 // A pair that may have switched compensation in a way that is not read leaves it on.
 void NciStatements::take_compensation(std::optional<double> value) {
-  if (value && std::abs(*value) < kIdentityError) return;
+  if (value && std::abs(*value) < Tolerance::kSameDirection) return;
   const CutcomSide side = value ? side_of(*value) : CutcomSide::unknown;
   if (side == cutcom_) return;
   cutcom_ = side;

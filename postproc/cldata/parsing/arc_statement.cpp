@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
@@ -16,11 +17,8 @@ constexpr double kPi = std::numbers::pi;
 // Points whose numbers are off by `rounding` are off each other's circle by no more than six times that. Coordinates of
 // 4 decimals of an inch give 0.008 mm.
 constexpr double kRadiusError = 6;
-constexpr double kLeastRadiusError_mm = 1e-3;
 constexpr double kEndsError_mm = 0.008;  // of positions that were rounded in inches, whatever decimals they have now
 constexpr double kNearFull_mm = 0.02;    // an arc that ends so near before its start may be meant as a full circle
-constexpr double kAxisLengthError = 1e-3;
-constexpr double kSamePoint_mm = 1e-9;
 constexpr double kTinyChord_mm = 2e-3;   // rounding could make of an arc this short a full circle
 constexpr double kTurnsChord_mm = 0.01;  // and of whole turns, which TIMES states, in inches of 4 decimals
 constexpr double kAngleError_rad = 0.01;
@@ -128,7 +126,7 @@ ArcStatement flat_arc(const Dialect& dialect, std::span<const Argument> argument
 
 // Start and end differ by no more than coordinates are rounded, and the stated radius from both by no more than they do.
 bool fits_radius(const ArcStatement& statement, double start_mm, double end_mm) {
-  const double rounding_mm = std::clamp(kRadiusError * statement.rounding_mm, kLeastRadiusError_mm, kEndsError_mm);
+  const double rounding_mm = std::clamp(kRadiusError * statement.rounding_mm, Tolerance::kFilePoint_mm, kEndsError_mm);
   const double ends_mm = std::abs(start_mm - end_mm);
   const double stated = statement.radius_mm.value_or(start_mm);
   const double stated_mm = std::max(std::abs(start_mm - stated), std::abs(end_mm - stated));
@@ -154,7 +152,7 @@ ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> argument
   if (dialect.arc_form == ArcForm::nci && has_argument(arguments, "ZXPLAN"))
     return unreadable_arc(ArcProblems::kXzPlane);
   const double length = statement.axis.norm();
-  if (!(std::abs(length - 1) <= kAxisLengthError)) return unreadable_arc(ArcProblems::kForm);
+  if (!(std::abs(length - 1) <= Tolerance::kUnitVectorError)) return unreadable_arc(ArcProblems::kForm);
   statement.axis /= length;
   statement.center *= mm_per_unit;
   if (statement.radius_mm) *statement.radius_mm *= mm_per_unit;
@@ -213,7 +211,7 @@ std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, doub
 
 ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start, const std::optional<Vec3>& tangent) {
   const Vec3 radial = start - tlon.center;
-  if (!(radial.norm() > kSamePoint_mm)) return unreadable_arc(ArcProblems::kPoint);
+  if (!(radial.norm() > Tolerance::kSamePoint_mm)) return unreadable_arc(ArcProblems::kPoint);
   if (!tangent || !(tangent->norm() > 0)) return unreadable_arc(ArcProblems::kTangent);
   const Vec3 direction = tangent->normalized();
   if (std::abs(direction.dot(radial.normalized())) > kLeastTangency) return unreadable_arc(ArcProblems::kTangent);
@@ -247,13 +245,13 @@ ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end
   const double stated = statement.radius_mm.value_or(r0);
   fit.radius_error_mm = std::max({std::abs(r0 - r1), std::abs(r0 - stated), std::abs(r1 - stated)});
   if (!fits_radius(statement, r0, r1)) fit.problem = ArcProblems::kRadius;
-  if (!(std::min(r0, r1) > kSamePoint_mm)) fit.problem = ArcProblems::kPoint;
+  if (!(std::min(r0, r1) > Tolerance::kSamePoint_mm)) fit.problem = ArcProblems::kPoint;
   if (statement.sense == ArcSense::unknown) fit.problem = ArcProblems::kSense;
   if (!fit.problem.empty()) return fit;
 
   const double sign = statement.sense == ArcSense::right_handed ? 1 : -1;
   const double chord = (b - a).norm();
-  const bool is_full = chord <= kSamePoint_mm;
+  const bool is_full = chord <= Tolerance::kSamePoint_mm;
   double sweep = 2 * kPi;
   if (!is_full) sweep = positive(sign * std::atan2(statement.axis.dot(a.cross(b)), a.dot(b)));
   const double tiny = statement.turns > 1 ? kTurnsChord_mm : kTinyChord_mm;

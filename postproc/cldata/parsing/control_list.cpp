@@ -139,8 +139,9 @@ constexpr auto kPhrases = std::to_array<ControlPhrase>({
 
 std::vector<const ControlCode*> find_control_code(char letter, double number) {
   std::vector<const ControlCode*> rows;
+  constexpr double kWholeTenth = 1e-6;  // of codes read from decimals
   const auto tenfold = static_cast<int>(std::lround(std::clamp(number, -1.0, 10000.0) * 10));
-  const bool is_tenth = std::abs(number * 10 - tenfold) < 1e-6;
+  const bool is_tenth = std::abs(number * 10 - tenfold) < kWholeTenth;
   for (const ControlCode& row : kCodes) {
     // A range of several numbers that do little is one of whole ones: G1.5 is none of G0 to G3.
     const bool does_little = row.meaning == harmless || row.meaning == path || row.meaning == offset;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/lexing/lexer.h"
@@ -22,7 +23,6 @@ constexpr int kUsualArcDecimals = 6;
 constexpr double kMoreThanOneTurn_rad = 2 * kPi + 1e-6;
 constexpr double kSameNumber_mm = 3e-4;  // half a digit of a file of the fewest decimals, in each direction
 constexpr double kSameAngle_rad = 1e-3;
-constexpr double kSameArcAxis = 1e-9;
 constexpr double kHalfTurn_rad = 0.01;  // within this of half a turn either word is right
 
 std::optional<std::size_t> index_of(const std::vector<Argument>& arguments, std::string_view word) {
@@ -66,7 +66,7 @@ bool reads_as(ArcStatement read, const WrittenArc& meant) {
   return fit.problem.empty() &&
          std::abs(fit.arc.sweep_rad - meant.arc.sweep_rad) <= kSameAngle_rad + kSameNumber_mm / radius_of(meant) &&
          (fit.arc.center - meant.arc.center).norm() <= kSameNumber_mm &&
-         (fit.arc.axis - meant.arc.axis).cwiseAbs().maxCoeff() <= 1e-5;
+         (fit.arc.axis - meant.arc.axis).cwiseAbs().maxCoeff() <= Tolerance::kFileAxis;
 }
 
 Statement lexed(std::string_view text) {
@@ -224,7 +224,7 @@ Result<std::string> ArcText::description(std::size_t move, const WrittenArc& arc
   add_point(fields, indices.axis, directions_, arc.arc.axis);
   // By as much as they change, since the file's own numbers need not agree with each other to the last digit.
   const WrittenArc old = as_read(move);
-  if (dialect_.has_z_alone && (arc.arc.axis - old.arc.axis).norm() > kSameArcAxis)
+  if (dialect_.has_z_alone && (arc.arc.axis - old.arc.axis).norm() > Tolerance::kSameDirection)
     return refuse(move, "the vector of a CLT arc is an axis of the part");
   if (indices.radius) {
     const double stated = *arguments[*indices.radius].number;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/rewriting/rewriters.h"
@@ -30,8 +31,9 @@ bool is_shiftable(const Toolpath& path, const std::vector<MotionRecord>& records
 
 bool states_axes(const Toolpath& path, const std::vector<MotionRecord>& records) {
   constexpr std::size_t kPointAndAxis = 6;
-  const bool is_any_tilted = std::any_of(path.moves.begin(), path.moves.end(),
-                                         [](const Move& move) { return !move.end.axis.isApprox(Vec3::UnitZ(), 1e-9); });
+  const bool is_any_tilted = std::any_of(path.moves.begin(), path.moves.end(), [](const Move& move) {
+    return !move.end.axis.isApprox(Vec3::UnitZ(), Tolerance::kRounding);
+  });
   return is_any_tilted || std::any_of(records.begin(), records.end(),
                                       [](const MotionRecord& record) { return record.numbers >= kPointAndAxis; });
 }

@@ -5,15 +5,15 @@
 #include <numbers>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "postproc/cldata/parsing/tool_name.h"
 
 namespace gouge {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kSameTextAxis = 1e-12;
 
-bool is_plus_z(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameTextAxis; }
+bool is_plus_z(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= Tolerance::kExactDirection; }
 
 // Enough for a feed to keep its value, which in inches per revolution may be small.
 int feed_decimals(double value, int usual) {
@@ -157,11 +157,11 @@ void TextSink::go_to(const Pose& end) {
 // Of the arc's vector each dialect has its own sense; the end is the position that follows.
 bool TextSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) {
   const double sweep = std::abs(arc.sweep_rad);
-  if (sweep > 2 * kPi * (1 + 1e-9)) return false;
+  if (sweep > 2 * kPi * (1 + Tolerance::kRounding)) return false;
   if (format_.has_tlon) return write_tlon(arc, start, end);
   if (format_.circle.empty() || is_block_due_) return false;
   const Vec3 right = arc.sweep_rad < 0 ? Vec3(-arc.axis) : arc.axis;
-  if (options_.dialect.has_z_alone && std::abs(std::abs(right.z()) - 1) > kSameTextAxis) return false;
+  if (options_.dialect.has_z_alone && std::abs(std::abs(right.z()) - 1) > Tolerance::kExactDirection) return false;
   const Vec3 radial = start.tip - arc.center;
   const CutterStatement cutter = tool_ && tool_->cutter ? *tool_->cutter : CutterStatement{};
   fill(format_.circle, {{"center", format_.point(arc.center / mm_per(options_.unit))},
@@ -185,7 +185,7 @@ bool TextSink::write_tlon(const PathArc& arc, const Pose& start, const Pose& end
   const double half_digit = 0.5 * std::pow(10.0, -format_.decimals);
   const bool is_planar =
       std::abs(radial.dot(right)) <= half_digit && std::abs((end.tip - start.tip).dot(right)) <= half_digit;
-  const bool keeps_axis = (start.axis - end.axis).cwiseAbs().maxCoeff() <= kSameTextAxis;
+  const bool keeps_axis = (start.axis - end.axis).cwiseAbs().maxCoeff() <= Tolerance::kExactDirection;
   if (!is_planar || !keeps_axis || sweep > 2 * kPi - 0.1) return false;
   const std::string center = format_.point(arc.center / mm_per(options_.unit));
   line("AUTOPS");
