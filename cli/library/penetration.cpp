@@ -22,7 +22,7 @@ gouge::RigidTransform to_transform(const Transform& pose) {
   transform.shift = to_vector(pose.shift);
   const Eigen::Matrix3d& r = transform.rotation;
   const double off = (r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (!(off <= Tolerance::kSameDirection) || !(r.determinant() > 0) || !transform.shift.allFinite()) {
+  if (!(off <= gouge::Tolerance::kSameDirection) || !(r.determinant() > 0) || !transform.shift.allFinite()) {
     raise(gouge::make_error("usage",
                             "pose: expected a proper rotation to 1e-9 (no scale, no reflection) and a finite shift"));
   }

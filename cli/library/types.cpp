@@ -35,7 +35,7 @@ std::optional<gouge::Pose> to_pose(const Vec3& tip, const Vec3& axis) {
   if (!std::isfinite(length) || !(length > 0) || !gouge::is_within_reach(point)) return std::nullopt;
   const gouge::Vec3 unit = direction / length;
   // A length that overflows or underflows has no digits left.
-  if (std::abs(unit.norm() - 1) > Tolerance::kRounding) return std::nullopt;
+  if (std::abs(unit.norm() - 1) > gouge::Tolerance::kRounding) return std::nullopt;
   return gouge::Pose{point, unit};
 }
 
