@@ -10,7 +10,7 @@
 #include <typeinfo>
 
 #include "cli/run.h"
-#include "cli/terminal/standard_output.h"
+#include "cli/terminal/terminal.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/temporary_name.h"
 

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "lib/geom/pose.h"
-#include "lib/geom/rigid_transform.h"
 
 // Writes cutter-location text and remembers which line each position stands on.
 

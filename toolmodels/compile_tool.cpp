@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "lib/base/tolerance.h"
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 #include "lib/tool/evaluate.h"
 #include "toolmodels/bsp.h"
-#include "toolmodels/contour_tree.h"
 #include "toolmodels/elements.h"
+#include "toolmodels/trace_regions.h"
 #include "toolmodels/unite.h"
 
 namespace gouge {

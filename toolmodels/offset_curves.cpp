@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "lib/base/tolerance.h"
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 
 namespace gouge::detail {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "lib/base/tolerance.h"
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 #include "toolmodels/bsp.h"
-#include "toolmodels/contour_tree.h"
 #include "toolmodels/elements.h"
+#include "toolmodels/trace_regions.h"
 
 namespace gouge {
 namespace {

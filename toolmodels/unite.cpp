@@ -7,9 +7,9 @@
 #include "lib/tool/evaluate.h"
 #include "toolmodels/arrangement.h"
 #include "toolmodels/bsp.h"
-#include "toolmodels/contour_tree.h"
 #include "toolmodels/elements.h"
 #include "toolmodels/offset_curves.h"
+#include "toolmodels/trace_regions.h"
 
 namespace gouge {
 namespace {

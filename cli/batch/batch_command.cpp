@@ -9,11 +9,10 @@
 #include <set>
 #include <thread>
 
-#include "cli/batch/batch_files.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/batch_watch.h"
+#include "cli/batch/settled_files.h"
 #include "cli/output/report_folder.h"
-#include "lib/base/byte_size.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"

@@ -14,7 +14,7 @@
 
 #include "cli/commands/correct_command.h"
 #include "cli/output/overwriting.h"
-#include "cli/output/report_manifest.h"
+#include "cli/output/report_folder.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"

@@ -9,7 +9,7 @@
 
 #include "cli/commands/job_words.h"
 #include "cli/output/overwriting.h"
-#include "cli/output/report_manifest.h"
+#include "cli/output/report_folder.h"
 #include "lib/base/files.h"
 #include "lib/base/printable_text.h"
 #include "lib/json/json_file.h"

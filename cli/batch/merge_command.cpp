@@ -9,8 +9,8 @@
 #include <ostream>
 #include <utility>
 
-#include "cli/batch/batch_files.h"
 #include "cli/batch/batch_job.h"
+#include "cli/batch/settled_files.h"
 #include "cli/output/overwriting.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"

@@ -18,7 +18,7 @@
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
-#include "postproc/accept/accept_finding.h"
+#include "postproc/accept/accepted.h"
 
 namespace gouge {
 namespace {

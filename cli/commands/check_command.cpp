@@ -1,20 +1,16 @@
 #include "cli/commands/check_command.h"
 
 #include <CLI/CLI.hpp>
-#include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "cli/commands/job_pipeline.h"
 #include "cli/job/claimed_scene.h"
-#include "cli/job/job.h"
 #include "cli/job/setup_notes.h"
-#include "cli/job/stickouts.h"
 #include "cli/options/baseline.h"
-#include "cli/output/outputs.h"
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
-#include "lib/base/exit_code.h"
-#include "lib/certify/check.h"
 #include "lib/cure/find_cures.h"
 
 namespace gouge {
@@ -76,66 +72,52 @@ std::optional<Diagnostic> find_wrong_value(const CheckArguments& arguments) {
   return std::nullopt;
 }
 
-int run_check(const CheckArguments& check_arguments, const JobContext& context) {
-  std::ostream& err = context.err;
-  const JobArguments& arguments = check_arguments.job;
-  const Result<JobOptions> options = understand(arguments);
-  if (!options) return fail(err, {options.error()});
-  const Result<StickoutOptions> stickout = understand_stickout(check_arguments);
-  if (!stickout) return fail(err, {stickout.error()});
-  JobOutputs outputs(arguments, {});
-  if (const auto status = outputs.refuse(err)) return *status;
-  const Result<LoadedBaseline> baseline = load_baseline(arguments.baseline_file, arguments.input);
-  if (!baseline) return fail(err, {baseline.error()});
-  Progress progress(err, options->progress);
-  LoadedJob loaded = load_job(arguments, *options, progress, context.scenes);
-  progress.end();
-  if (!loaded.job) return fail(err, loaded.errors);
-  Job& job = *loaded.job;
-  const PreparedScene& scene = job.files->prepared(options->check.threads, progress.call());
-  progress.begin("checking the set-up");
-  note_setup(job, arguments, scene);
-  CheckSetup setup = job.setup(scene);
-  if (context.keep_work) setup.kept = context.keep_work(job.inputs);
-  const CheckResult result = check(job.toolpath, setup, progress.call());
-  std::vector<StickoutFacts> stickouts;
-  if (check_arguments.finds_stickout) {
+namespace {
+
+/// What the options of `check` add to its report.
+Result<ReportParts> find_parts(const CheckArguments& arguments, const StickoutOptions& stickout,
+                               const CheckResult& result, JobPipeline& run) {
+  ReportParts parts;
+  const Job& job = run.job();
+  if (arguments.finds_stickout) {
     Result<std::vector<StickoutFacts>> found =
-        find_stickouts_of(job, scene, result, arguments.is_extended_up, *stickout, progress.call());
-    if (!found) {
-      progress.end();
-      return fail(err, {found.error()});
-    }
-    stickouts = std::move(*found);
+        find_stickouts_of(job, run.scene(), result, arguments.job.is_extended_up, stickout, run.progress().call());
+    if (!found) return found.error();
+    parts.stickout_options = stickout;
+    parts.stickouts = std::move(*found);
   }
-  const CureOptions cure_options;
-  std::vector<FindingCures> cures;
-  if (check_arguments.finds_cures)
-    cures = find_cures(job.toolpath, result, job.setup(scene), cure_options, progress.call());
-  progress.begin("summing up the result");
-  ReportModel model = job.report(arguments, job.toolpath, result);
-  if (check_arguments.finds_stickout) model.stickout_options = *stickout;
-  model.stickouts = std::move(stickouts);
-  if (check_arguments.finds_cures) model.cure_options = cure_options;
-  model.cures = std::move(cures);
-  baseline->apply(model);
+  if (arguments.finds_cures) {
+    parts.cure_options = CureOptions();
+    parts.cures = find_cures(job.toolpath, result, run.setup(), *parts.cure_options, run.progress().call());
+  }
+  return parts;
+}
+
+}  // namespace
+
+int run_check(const CheckArguments& arguments, const JobContext& context) {
+  const Result<JobOptions> options = understand(arguments.job);
+  if (!options) return fail(context.err, {options.error()});
+  const Result<StickoutOptions> stickout = understand_stickout(arguments);
+  if (!stickout) return fail(context.err, {stickout.error()});
+  JobPipeline run(arguments.job, *options, {}, context);
+  if (const auto status = run.load()) return *status;
+  const Job& job = run.job();
+  const CheckResult result = run.check();
+  Result<ReportParts> parts = find_parts(arguments, *stickout, result, run);
+  if (!parts) return run.fail_with(parts.error());
+  run.progress().begin("summing up the result");
   MadeCertificate certificate;
-  if (!arguments.certificate_file.empty()) {
-    certificate = make_certificate(claimed_scene(job), claims_of(result), inputs_digest(job.inputs), progress.call());
-    model.certificate_bytes = certificate.bytes;
+  if (!arguments.job.certificate_file.empty()) {
+    certificate =
+        make_certificate(claimed_scene(job), claims_of(result), inputs_digest(job.inputs), run.progress().call());
+    parts->certificate_bytes = certificate.bytes;
   }
-  progress.end();
-  print_notes(err, model.notes, arguments);
-  if (arguments.is_quiet) print(err, open_warnings(result.assumptions));
-  if (!certificate.not_proved.empty() && !arguments.is_quiet) print(err, {describe_unproved(job, certificate)});
-  if (arguments.is_verbose) {
-    err << "spent: " << result.evaluations << " bounds in " << result.verdicts.size() << " moves\n";
-  }
-  const bool is_written = outputs.write(job, scene, model, progress, context.out, err);
-  if (arguments.is_verbose) print_peak_memory(err);
-  if (!is_written) return kExitInternal;
-  if (context.on_result) context.on_result(model);
-  return exit_status(overall_verdict(model));
+  Diagnostics unproved;
+  if (!certificate.not_proved.empty()) unproved.push_back(describe_unproved(job, certificate));
+  const std::string spent = "spent: " + std::to_string(result.evaluations) + " bounds in " +
+                            std::to_string(result.verdicts.size()) + " moves\n";
+  return run.write(run.report(job.toolpath, result, std::move(*parts)), unproved, spent);
 }
 
 }  // namespace gouge

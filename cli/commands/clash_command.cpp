@@ -10,7 +10,7 @@
 #include "cli/output/output_file.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/exit_code.h"
-#include "lib/check/mesh_reach.h"
+#include "lib/check/scene_reach.h"
 #include "lib/mesh/load_mesh.h"
 
 namespace gouge {

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ostream>
 #include <utility>
 
-#include "cli/job/axis_facts.h"
-#include "cli/job/job.h"
+#include "cli/commands/job_pipeline.h"
 #include "cli/job/setup_notes.h"
-#include "cli/output/outputs.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
@@ -17,7 +14,6 @@
 #include "lib/correct/correct_path.h"
 #include "lib/tilt/axes_outside.h"
 #include "postproc/cldata/rewriting/list_written.h"
-#include "postproc/cldata/rewriting/record_texts.h"
 #include "postproc/formats/write_corrected.h"
 #include "postproc/report/axis_text.h"
 #include "postproc/report/report_text.h"
@@ -134,113 +130,58 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   return facts;
 }
 
-class CorrectRun {
- public:
-  CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const RotaryLimit& limit, Job& job,
-             JobOutputs& outputs, Progress& progress, const JobContext& context)
-      : arguments_(arguments),
-        correct_(correct),
-        limit_(limit),
-        job_(job),
-        outputs_(outputs),
-        context_(context),
-        err_(context.err),
-        progress_(progress) {}
+/// Tilts stay inside the cone; what was programmed stays as it is.
+void add_axes_outside(const Toolpath& path, const std::optional<AxisCone>& cone, Diagnostics& notes) {
+  if (!cone) return;
+  const AxesOutside outside = find_axes_outside(path, *cone);
+  if (outside.positions == 0) return;
+  notes.push_back(make_warning(
+      "axis-outside-cone",
+      count_text(outside.positions, "programmed position") + " " + (outside.positions == 1 ? "has" : "have") +
+          " a tool axis outside --axis-cone, up to " + angle_text(outside.most_rad, DegreeSign::word) +
+          " from its direction; no correction brings these inside",
+      path.file, path.moves[outside.first_move].line));
+}
 
-  int run() {
-    const PreparedScene& scene = job_.files->prepared(job_.options.check.threads, progress_.call());
-    progress_.begin("checking the set-up");
-    note_setup(job_, arguments_.job, scene);
-    const CheckSetup setup = job_.setup(scene);
-    const CheckResult before = check(job_.toolpath, setup, progress_.call());
-    progress_.end();
-    const std::optional<std::string> misfit = describe_misfit(job_.toolpath, before.fit);
-    if (misfit && is_beyond_correction(before.fit) && !arguments_.job.is_forced) return refuse(*misfit);
-    CorrectOptions correct = correct_;
-    const RewritableMoves rewritable = rewritable_moves(job_.toolpath);
-    correct.rewritable = &rewritable;
-    std::string text;
-    const auto rewrite = [&](const std::vector<PathChange>& changes) -> Result<Toolpath> {
-      Result<std::string> written = write_corrected(job_.toolpath, changes);
-      if (!written) return written.error();
-      text = std::move(*written);
-      progress_.begin("reading the corrected path");
-      return read_again(job_, arguments_.reported_output(), text);
-    };
-    Result<LawfulCorrection> corrected =
-        correct_lawfully(job_.toolpath, before, setup, correct, rewrite, progress_.call());
-    progress_.end();
-    if (!corrected) return fail(err_, {corrected.error()}, kExitInternal);
-    const Correction& correction = corrected->correction;
-    const Toolpath& path = corrected->after.path;
-    const CheckResult& after = corrected->after.result;
-    progress_.begin("summing up the result");
-    ReportModel model = job_.report(arguments_.job, path, after);
-    model.has_correction = true;
-    model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before, path);
-    model.correction.output_bytes = text;
-    model.correction.axes = measure_axes(job_.toolpath, correction.changes, path, limit_);
-    for (OptionText& limit : limits_in_force(arguments_)) model.more_options.push_back(std::move(limit));
-    add_axes_outside(model.notes);
-    add_not_tilted(correction.not_tilted, model.notes);
-    add_left_stock(model.correction, model.notes);
-    progress_.end();
-    print_notes(err_, model.notes, arguments_.job);
-    if (arguments_.job.is_quiet) print(err_, open_warnings(after.assumptions));
-    const bool is_written = outputs_.write(job_, scene, model, progress_, context_.out, err_);
-    if (arguments_.job.is_verbose) print_peak_memory(err_);
-    if (!is_written) return kExitInternal;
-    if (context_.on_result) context_.on_result(model);
-    return exit_status(overall_verdict(after));
+/// One for each run that is not tilted, the first as a warning: it is a correction, but not the one asked for.
+void add_not_tilted(const Toolpath& path, const std::vector<NotTilted>& runs, Diagnostics& notes) {
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const std::size_t first = path.moves[runs[k].first].line, last = path.moves[runs[k].last].line;
+    std::string message =
+        "lifted where that helps, not tilted, down to line " + std::to_string(last) + ": " + runs[k].reason;
+    if (k == 0 && runs.size() > 1) message += "; and " + count_text(runs.size() - 1, "more run") + " (-v)";
+    notes.push_back((k == 0 ? make_warning : make_note)("not-tilted", message, path.file, first));
   }
+}
 
- private:
-  /// Tilts stay inside the cone; what was programmed stays as it is.
-  void add_axes_outside(Diagnostics& notes) const {
-    if (!correct_.tilt.cone) return;
-    const AxesOutside outside = find_axes_outside(job_.toolpath, *correct_.tilt.cone);
-    if (outside.positions == 0) return;
-    notes.push_back(make_warning(
-        "axis-outside-cone",
-        count_text(outside.positions, "programmed position") + " " + (outside.positions == 1 ? "has" : "have") +
-            " a tool axis outside --axis-cone, up to " + angle_text(outside.most_rad, DegreeSign::word) +
-            " from its direction; no correction brings these inside",
-        job_.toolpath.file, job_.toolpath.moves[outside.first_move].line));
-  }
+/// Stock that a lift leaves is no gouge, so that a warning is all that reports it.
+void add_left_stock(const Toolpath& path, const CorrectionFacts& facts, Diagnostics& notes) {
+  if (facts.stock.empty()) return;
+  notes.push_back(make_warning("stock-left", stock_text(facts, path.unit), path.file, facts.stock.front().first_line));
+}
 
-  /// One for each run that is not tilted, the first as a warning: it is a correction, but not the one asked for.
-  void add_not_tilted(const std::vector<NotTilted>& runs, Diagnostics& notes) const {
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-      const std::size_t first = job_.toolpath.moves[runs[k].first].line, last = job_.toolpath.moves[runs[k].last].line;
-      std::string message =
-          "lifted where that helps, not tilted, down to line " + std::to_string(last) + ": " + runs[k].reason;
-      if (k == 0 && runs.size() > 1) message += "; and " + count_text(runs.size() - 1, "more run") + " (-v)";
-      notes.push_back((k == 0 ? make_warning : make_note)("not-tilted", message, job_.toolpath.file, first));
-    }
-  }
+/// Moving thousands of positions out of a part that lies elsewhere gives nothing of use.
+std::optional<Diagnostic> find_misfit(const Toolpath& path, const CheckResult& result) {
+  const std::optional<std::string> misfit = describe_misfit(path, result.fit);
+  if (!misfit || !is_beyond_correction(result.fit)) return std::nullopt;
+  return make_error("path-misfit", *misfit + "; nothing was written; --force corrects all the same", path.file);
+}
 
-  /// Nothing gouges there, so nothing else tells of it.
-  void add_left_stock(const CorrectionFacts& facts, Diagnostics& notes) const {
-    if (facts.stock.empty()) return;
-    notes.push_back(make_warning("stock-left", stock_text(facts, job_.toolpath.unit), job_.toolpath.file,
-                                 facts.stock.front().first_line));
-  }
-
-  // Moving thousands of positions out of a part that lies elsewhere makes nothing of use.
-  int refuse(const std::string& misfit) {
-    const std::string message = misfit + "; nothing was written; --force corrects all the same";
-    return fail(err_, {make_error("path-misfit", message, job_.toolpath.file)}, kExitGouges);
-  }
-
-  const CorrectArguments& arguments_;
-  const CorrectOptions& correct_;
-  const RotaryLimit& limit_;
-  Job& job_;
-  JobOutputs& outputs_;
-  const JobContext& context_;
-  std::ostream& err_;
-  Progress& progress_;
-};
+/// What `correct` adds to its report.
+ReportParts parts_of(const CorrectArguments& arguments, const CorrectOptions& options, const RotaryLimit& limit,
+                     const LawfulCorrection& corrected, const Toolpath& before, const CheckResult& result,
+                     std::string_view text) {
+  const Correction& correction = corrected.correction;
+  ReportParts parts;
+  parts.correction = facts_of(arguments, options, correction, before, result, corrected.after.path);
+  parts.correction->output_bytes = text;
+  parts.correction->axes = measure_axes(before, correction.changes, corrected.after.path, limit);
+  parts.more_options = limits_in_force(arguments);
+  add_axes_outside(before, options.tilt.cone, parts.notes);
+  add_not_tilted(before, correction.not_tilted, parts.notes);
+  add_left_stock(before, *parts.correction, parts.notes);
+  return parts;
+}
 
 }  // namespace
 
@@ -253,20 +194,34 @@ std::optional<Diagnostic> find_wrong_value(const CorrectArguments& arguments) {
 }
 
 int run_correct(const CorrectArguments& arguments, const JobContext& context) {
-  std::ostream& err = context.err;
   Result<JobOptions> options = understand(arguments.job);
-  const Result<CorrectOptions> correct = understand_correction(arguments);
-  if (!options || !correct) return fail(err, {!options ? options.error() : correct.error()});
+  Result<CorrectOptions> correct = understand_correction(arguments);
+  if (!options || !correct) return fail(context.err, {!options ? options.error() : correct.error()});
   const Result<RotaryLimit> limit = understand_rotary_limit(arguments.max_rotary_speed);
-  if (!limit) return fail(err, {limit.error()});
+  if (!limit) return fail(context.err, {limit.error()});
   options->reading.keeps_origins = true;
-  JobOutputs outputs(arguments.job, arguments.output);
-  if (const auto status = outputs.refuse(err)) return *status;
-  Progress progress(err, options->progress);
-  LoadedJob loaded = load_job(arguments.job, *options, progress, context.scenes);
-  progress.end();
-  if (!loaded.job) return fail(err, loaded.errors);
-  return CorrectRun(arguments, *correct, *limit, *loaded.job, outputs, progress, context).run();
+  JobPipeline run(arguments.job, *options, arguments.output, context);
+  if (const auto status = run.load()) return *status;
+  const Toolpath& path = run.job().toolpath;
+  const CheckResult before = run.check();
+  if (const auto misfit = find_misfit(path, before); misfit && !arguments.job.is_forced)
+    return run.fail_with(*misfit, kExitGouges);
+  const RewritableMoves rewritable = rewritable_moves(path);
+  correct->rewritable = &rewritable;
+  std::string text;
+  const auto rewrite = [&](const std::vector<PathChange>& changes) -> Result<Toolpath> {
+    Result<std::string> written = write_corrected(path, changes);
+    if (!written) return written.error();
+    text = std::move(*written);
+    run.progress().begin("reading the corrected path");
+    return read_again(run.job(), arguments.reported_output(), text);
+  };
+  const Result<LawfulCorrection> corrected =
+      correct_lawfully(path, before, run.setup(), *correct, rewrite, run.progress().call());
+  if (!corrected) return run.fail_with(corrected.error(), kExitInternal);
+  run.progress().begin("summing up the result");
+  ReportParts parts = parts_of(arguments, *correct, *limit, *corrected, path, before, text);
+  return run.write(run.report(corrected->after.path, corrected->after.result, std::move(parts)));
 }
 
 }  // namespace gouge

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "cli/commands/correct_command.h"
-#include "cli/options/command_text.h"
+#include "cli/options/help_text.h"
 #include "cli/options/length_rule.h"
 #include "cli/options/parse_errors.h"
 #include "postproc/report/report_model.h"

@@ -10,7 +10,6 @@
 #include "cli/options/job_options.h"
 #include "cli/output/json_text.h"
 #include "cli/output/output_file.h"
-#include "cli/output/picture_file.h"
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "cli/terminal/progress.h"

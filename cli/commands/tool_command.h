@@ -4,6 +4,8 @@
 #include <string>
 
 #include "cli/commands/tool_import.h"
+#include "lib/base/units.h"
+#include "toolmodels/tool_library.h"
 
 namespace CLI {
 class App;
@@ -27,5 +29,11 @@ void add_tool_options(CLI::App& command, ToolArguments& arguments);
 /// `gougecheck tool list|show|draw|import`: what is in a tool library, or in one of another program. Returns
 /// the exit status.
 [[nodiscard]] int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& err);
+
+/// One line a tool under a heading, columns aligned, lengths in the library's unit.
+[[nodiscard]] std::string tool_list_text(const ToolLibrary& library);
+
+/// Every dimension of a tool, and the contour it makes. Requires a tool that make_profile accepts.
+[[nodiscard]] std::string tool_text(const ToolAssembly& tool, LengthUnit unit);
 
 }  // namespace gouge

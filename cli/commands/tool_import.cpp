@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <ostream>
 
-#include "cli/commands/tool_text.h"
+#include "cli/commands/tool_command.h"
 #include "cli/output/output_file.h"
 #include "cli/output/overwriting.h"
 #include "cli/terminal/length_text.h"
@@ -11,7 +11,7 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "lib/base/printable_text.h"
-#include "toolmodels/import/beside_file.h"
+#include "toolmodels/import/collector.h"
 #include "toolmodels/import/import_tools.h"
 #include "toolmodels/import/read_any_tools.h"
 

@@ -2,10 +2,16 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/job/claimed_result.h"
 #include "cli/options/reading_options.h"
 #include "cli/terminal/print_diagnostics.h"
+#include "lib/verify/attack.h"
+#include "lib/verify/certificate.h"
+#include "lib/verify/outside_check.h"
 
 namespace CLI {
 class App;
@@ -27,5 +33,32 @@ void add_verify_options(CLI::App& command, VerifyArguments& arguments);
 /// of files. Returns the exit status: 0 verified, 1 refuted, 2 wrong command line, 3 unreadable, 4 not
 /// everything is covered.
 [[nodiscard]] int run_verify(const VerifyArguments& arguments, std::ostream& out, std::ostream& err);
+
+/// What a verification found.
+struct Verification {
+  struct Refuted {
+    std::optional<std::size_t> move = {};  ///< none: of the result as a whole
+    std::optional<double> t = {};
+    std::optional<Vec3> point = {};  ///< mm
+    std::string what = {};
+  };
+  std::vector<Refuted> refuted;
+  std::size_t witnesses = 0;  ///< that were recomputed
+  bool has_certificate = false;
+  std::size_t proved_clean = 0, proved_gouges = 0;    ///< moves whose bound is proved
+  std::size_t sampled_clean = 0, sampled_gouges = 0;  ///< moves whose bound is only sampled
+  std::vector<std::size_t> without_proof;             ///< clean moves the certificate has no proof for
+  std::size_t uncovered = 0;                          ///< moves that claim nothing that could be verified
+  OutsideCheck outside;
+  AttackResult attack;
+  bool has_heads = false;
+};
+
+/// 0, 1 or 4.
+[[nodiscard]] int exit_status(const Verification& verification);
+
+/// A line for each refutation, then what was verified, what was sampled and what was not covered.
+[[nodiscard]] std::string verification_text(const Verification& verification, const ClaimedResult& result,
+                                            const Toolpath* path);
 
 }  // namespace gouge

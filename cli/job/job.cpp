@@ -1,6 +1,7 @@
 #include "cli/job/job.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 
@@ -12,7 +13,7 @@
 #include "lib/base/units.h"
 #include "lib/check/reach.h"
 #include "lib/check/scene_reach.h"
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "postproc/formats/read_toolpath.h"
 #include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"
@@ -210,7 +211,34 @@ CheckSetup Job::setup(const PreparedScene& prepared) const {
   return {tools(), heads(), prepared, options.check, nullptr, basis};
 }
 
-ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result) const {
+namespace {
+
+/// The options in force beside CheckOptions, as they were typed.
+std::vector<OptionText> options_in_force(const JobArguments& arguments) {
+  std::vector<OptionText> options;
+  if (!arguments.place.empty()) options.push_back({"place", with_units(arguments.place)});
+  if (!arguments.stl_units.empty()) options.push_back({"stl-units", arguments.stl_units});
+  if (!arguments.reading.dialect.empty()) options.push_back({"dialect", arguments.reading.dialect});
+  if (!arguments.reading.cutcom.empty()) options.push_back({"cutcom", arguments.reading.cutcom});
+  if (!arguments.reading.retract_plane.empty()) options.push_back({"retract-plane", arguments.reading.retract_plane});
+  for (const std::string& word : arguments.reading.harmless_words) options.push_back({"harmless-word", word});
+  if (!arguments.reading.units.empty()) options.push_back({"toolpath-units", arguments.reading.units});
+  if (!arguments.holder.empty()) options.push_back({"holder", arguments.holder});
+  if (arguments.is_extended_up) options.push_back({"extend-up", "yes"});
+  for (const std::string& name : arguments.allowed_overlaps) options.push_back({"allow-overlap", name});
+  for (const auto& [file, limits] : arguments.part_limits) options.push_back({"part", file + "," + limits});
+  for (const auto& [file, limits] : arguments.fixture_limits) options.push_back({"fixture", file + "," + limits});
+  for (const std::string& head : arguments.heads) options.push_back({"head", head});
+  for (const std::string& name : arguments.tool_names) options.push_back({"tool", name});
+  for (const std::string& fact : arguments.assumed) options.push_back({"assume", fact});
+  if (arguments.is_strict) options.push_back({"strict", "yes"});
+  return options;
+}
+
+}  // namespace
+
+ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,
+                        ReportParts parts) const {
   ReportModel model;
   model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   model.sign_off = {options.date, arguments.command, arguments.project, arguments.reviewer};
@@ -218,25 +246,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   if (arguments.project_file) model.inputs.push_back(arguments.project_file->input);
   model.options = options.check;
   model.placement = placement_identity(options.place, stl_unit(arguments));
-  if (!arguments.place.empty()) model.more_options.push_back({"place", with_units(arguments.place)});
-  if (!arguments.stl_units.empty()) model.more_options.push_back({"stl-units", arguments.stl_units});
-  if (!arguments.reading.dialect.empty()) model.more_options.push_back({"dialect", arguments.reading.dialect});
-  if (!arguments.reading.cutcom.empty()) model.more_options.push_back({"cutcom", arguments.reading.cutcom});
-  if (!arguments.reading.retract_plane.empty())
-    model.more_options.push_back({"retract-plane", arguments.reading.retract_plane});
-  for (const std::string& word : arguments.reading.harmless_words)
-    model.more_options.push_back({"harmless-word", word});
-  if (!arguments.reading.units.empty()) model.more_options.push_back({"toolpath-units", arguments.reading.units});
-  if (!arguments.holder.empty()) model.more_options.push_back({"holder", arguments.holder});
-  if (arguments.is_extended_up) model.more_options.push_back({"extend-up", "yes"});
-  for (const std::string& name : arguments.allowed_overlaps) model.more_options.push_back({"allow-overlap", name});
-  for (const auto& [file, limits] : arguments.part_limits) model.more_options.push_back({"part", file + "," + limits});
-  for (const auto& [file, limits] : arguments.fixture_limits)
-    model.more_options.push_back({"fixture", file + "," + limits});
-  for (const std::string& head : arguments.heads) model.more_options.push_back({"head", head});
-  for (const std::string& name : arguments.tool_names) model.more_options.push_back({"tool", name});
-  for (const std::string& fact : arguments.assumed) model.more_options.push_back({"assume", fact});
-  if (arguments.is_strict) model.more_options.push_back({"strict", "yes"});
+  model.more_options = options_in_force(arguments);
   model.toolpath = &path;
   model.result = &result;
   model.parts = files->parts;
@@ -248,6 +258,15 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
     model.notes.push_back(make_note(kProjectFile, arguments.project_file->summary, arguments.project_file->input.name));
   const Diagnostics open = open_warnings(result.assumptions);
   model.notes.insert(model.notes.end(), open.begin(), open.end());
+  model.notes.insert(model.notes.end(), parts.notes.begin(), parts.notes.end());
+  std::ranges::move(parts.more_options, std::back_inserter(model.more_options));
+  model.has_correction = parts.correction.has_value();
+  if (parts.correction) model.correction = std::move(*parts.correction);
+  model.stickout_options = parts.stickout_options;
+  model.stickouts = std::move(parts.stickouts);
+  model.cure_options = parts.cure_options;
+  model.cures = std::move(parts.cures);
+  model.certificate_bytes = parts.certificate_bytes;
   return model;
 }
 

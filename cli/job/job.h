@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/job/scene_files.h"
@@ -13,6 +14,18 @@
 #include "toolmodels/assembly.h"
 
 namespace gouge {
+
+/// What a command adds to the report of a job beside the verdicts.
+struct ReportParts {
+  std::optional<CorrectionFacts> correction = {};
+  std::vector<OptionText> more_options = {};
+  Diagnostics notes = {};
+  std::optional<StickoutOptions> stickout_options = {};
+  std::vector<StickoutFacts> stickouts = {};
+  std::optional<CureOptions> cure_options = {};
+  std::vector<FindingCures> cures = {};
+  std::string_view certificate_bytes = {};
+};
 
 /// Everything a check needs, read and understood. Tools point into `variants`: move a Job, do not copy it.
 struct Job {
@@ -44,8 +57,8 @@ struct Job {
   /// As asked for, else the toolpath's.
   [[nodiscard]] LengthUnit stl_unit(const JobArguments& arguments) const;
   /// The report of `result`, which must outlive it, like the job.
-  [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path,
-                                   const CheckResult& result) const;
+  [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,
+                                   ReportParts parts) const;
 };
 
 struct LoadedJob {

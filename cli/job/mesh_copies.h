@@ -7,8 +7,8 @@
 #include <string>
 
 #include "lib/base/diagnostic.h"
+#include "lib/base/files.h"
 #include "lib/base/result.h"
-#include "lib/base/view_file.h"
 
 namespace gouge {
 

@@ -4,11 +4,11 @@
 #include <array>
 #include <utility>
 
+#include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/parallel.h"
-#include "lib/base/view_file.h"
 #include "lib/certify/assess.h"
-#include "lib/check/mesh_reach.h"
+#include "lib/check/scene_reach.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/validate_mesh.h"
 

@@ -14,7 +14,7 @@
 #include "lib/base/units.h"
 #include "lib/check/prepared_scene.h"
 #include "lib/check/scene.h"
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "lib/head/head_body.h"
 #include "postproc/report/report_model.h"
 

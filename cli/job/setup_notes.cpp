@@ -1,11 +1,20 @@
 #include "cli/job/setup_notes.h"
 
 #include <algorithm>
+#include <numbers>
+#include <utility>
 
-#include "lib/clash/setup_overlaps.h"
+#include "cli/terminal/length_text.h"
+#include "lib/base/number_text.h"
+#include "lib/clash/clash.h"
+#include "lib/correct/laws.h"
+#include "lib/path/axis_quality.h"
+#include "lib/path/axis_tilt.h"
 #include "postproc/report/report_text.h"
+#include "toolmodels/compile_tool.h"
 
 namespace gouge {
+
 namespace {
 
 constexpr double kGap_mm = 0.01;  // of a depth that is a warning
@@ -21,7 +30,8 @@ std::string overlap_text(const Clash& clash, const std::string& part, const std:
 
 }  // namespace
 
-void note_setup(Job& job, const JobArguments& arguments, const PreparedScene& scene) {
+Diagnostics setup_notes(const Job& job, const JobArguments& arguments, const PreparedScene& scene) {
+  Diagnostics notes;
   std::vector<bool> is_allowed;
   for (const MeshFacts& fixture : job.files->fixtures) {
     const auto& allowed = arguments.allowed_overlaps;
@@ -34,14 +44,77 @@ void note_setup(Job& job, const JobArguments& arguments, const PreparedScene& sc
   for (const SetupOverlap& overlap : find_setup_overlaps(scene, is_allowed, options)) {
     const std::string &part = job.files->parts[overlap.part].name, &fixture = job.files->fixtures[overlap.fixture].name;
     if (overlap.clash.state == ClashState::penetrating) {
-      job.notes.push_back(
+      notes.push_back(
           make_warning(kFixtureOverlap, overlap_text(overlap.clash, part, fixture, job.toolpath.unit), fixture));
     } else {
-      job.notes.push_back(make_warning(
+      notes.push_back(make_warning(
           kFixtureUndecided,
           "whether the fixture penetrates the part " + part + " is not certified: " + overlap.clash.reason, fixture));
     }
   }
+  return notes;
+}
+
+Result<std::vector<StickoutFacts>> find_stickouts_of(const Job& job, const PreparedScene& scene,
+                                                     const CheckResult& result, bool is_extended_up,
+                                                     const StickoutOptions& options, const ProgressCall& progress) {
+  const CheckOptions& check = job.options.check;
+  const MakeLongerTool make = [&](std::size_t tool, double longer_mm) -> Result<LongerTool> {
+    const ToolAssembly longer = with_longer_stickout(*job.assemblies[tool], longer_mm);
+    Result<ToolVariants> bodies = make_non_cutting_variants(is_extended_up ? job.without_end(longer) : longer,
+                                                            check.shank_clearance_mm, check.holder_clearance_mm);
+    if (!bodies) return bodies.error();
+    Result<std::vector<HeadBody>> heads = moved_up(job.heads(), longer_mm);
+    if (!heads) return heads.error();
+    return LongerTool{std::move(*bodies), std::move(*heads)};
+  };
+  std::vector<std::optional<double>> now_mm;
+  for (const auto& tool : job.assemblies) now_mm.push_back(tool ? std::optional(stickout_mm(*tool)) : std::nullopt);
+  Result<std::vector<ToolStickout>> found =
+      find_stickouts(job.toolpath, result, job.setup(scene), now_mm, make, options, progress);
+  if (!found) return found.error();
+  std::vector<StickoutFacts> facts;
+  for (ToolStickout& one : *found) {
+    const ToolAssembly& tool = *job.assemblies[one.tool];
+    const bool is_stated = tool.stickout_mm > 0;
+    facts.push_back({std::move(one), is_stated ? std::optional(shank_end_mm(tool)) : std::nullopt});
+  }
+  return facts;
+}
+
+namespace {
+
+constexpr double kSlowest = 0.001;                             // of degrees a minute: 120 days for half a turn
+constexpr double kRadPerSecond = std::numbers::pi / 180 / 60;  // of a degree a minute
+
+std::vector<std::size_t> origins_of(const Toolpath& before, const std::vector<PathChange>& changes) {
+  const std::vector<MovesAfter> spans = moves_after(before.moves.size(), changes);
+  std::vector<std::size_t> origins(spans.empty() ? 0 : spans.back().last);
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    std::fill(origins.begin() + static_cast<std::ptrdiff_t>(spans[i].first),
+              origins.begin() + static_cast<std::ptrdiff_t>(spans[i].last), i);
+  }
+  return origins;
+}
+
+}  // namespace
+
+Result<RotaryLimit> understand_rotary_limit(const std::string& typed) {
+  if (typed.empty()) return RotaryLimit();
+  const std::optional<double> speed = parse_number(typed);
+  if (speed && *speed >= kSlowest) return RotaryLimit(speed);
+  return usage_error("--max-rotary-speed", typed, "degrees a minute, at least 0.001");
+}
+
+AxisFacts measure_axes(const Toolpath& before, const std::vector<PathChange>& changes, const Toolpath& after,
+                       const RotaryLimit& limit) {
+  const std::optional<double> rad_per_s = limit ? std::optional(*limit * kRadPerSecond) : std::nullopt;
+  AxisFacts facts;
+  facts.before = measure_axis_quality(before, rad_per_s);
+  facts.after = measure_axis_quality(after, rad_per_s);
+  facts.tilts = find_axis_tilts(before, after, origins_of(before, changes));
+  facts.max_rotary_deg_per_min = limit;
+  return facts;
 }
 
 }  // namespace gouge

@@ -1,6 +1,13 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "cli/job/job.h"
+#include "lib/base/result.h"
+#include "lib/path/path_change.h"
+#include "postproc/report/report_model.h"
 
 namespace gouge {
 
@@ -9,9 +16,25 @@ inline constexpr const char* kFixtureOverlap = "fixture-overlap";
 /// Code of the warning that it could not be certified whether one does.
 inline constexpr const char* kFixtureUndecided = "fixture-not-certified";
 
-/// Adds to the notes of a job what there is to say about its fixtures against its parts, before its path is looked at: a
-/// warning for each that reaches deeper into a part than the tolerance, but for those of --allow-overlap. `scene`: that
-/// of the job.
-void note_setup(Job& job, const JobArguments& arguments, const PreparedScene& scene);
+/// Returns a warning for each fixture that penetrates a part deeper than the tolerance, except those of --allow-overlap.
+/// `scene`: that of the job.
+[[nodiscard]] Diagnostics setup_notes(const Job& job, const JobArguments& arguments, const PreparedScene& scene);
+
+/// find_stickouts for the tools of a job, with `result` from its check. `is_extended_up` as in JobArguments.
+/// Errors   those of make_non_cutting_variants for a longer tool.
+[[nodiscard]] Result<std::vector<StickoutFacts>> find_stickouts_of(const Job& job, const PreparedScene& scene,
+                                                                   const CheckResult& result, bool is_extended_up,
+                                                                   const StickoutOptions& options,
+                                                                   const ProgressCall& progress);
+
+/// The speed of --max-rotary-speed in degrees a minute; none: not given.
+using RotaryLimit = std::optional<double>;
+
+/// Nothing typed: no limit. Error (code usage): names the option, what was typed and what was expected.
+[[nodiscard]] Result<RotaryLimit> understand_rotary_limit(const std::string& typed);
+
+/// Axes of `before` and of `after`, which `changes` made of it.
+[[nodiscard]] AxisFacts measure_axes(const Toolpath& before, const std::vector<PathChange>& changes,
+                                     const Toolpath& after, const RotaryLimit& limit);
 
 }  // namespace gouge

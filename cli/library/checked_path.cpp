@@ -7,7 +7,7 @@
 
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/number_text.h"
-#include "lib/check/finest_resolution.h"
+#include "lib/check/check_options.h"
 #include "lib/check/reach.h"
 #include "toolmodels/compile_tool.h"
 

@@ -4,7 +4,7 @@
 
 #include "cli/library/content.h"
 #include "lib/base/number_text.h"
-#include "lib/check/mesh_reach.h"
+#include "lib/check/scene_reach.h"
 #include "lib/mesh/load_mesh.h"
 
 namespace gougecheck {

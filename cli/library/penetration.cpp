@@ -5,8 +5,8 @@
 
 #include "cli/library/content.h"
 #include "lib/base/tolerance.h"
-#include "lib/check/finest_resolution.h"
-#include "lib/check/mesh_reach.h"
+#include "lib/check/check_options.h"
+#include "lib/check/scene_reach.h"
 #include "lib/clash/clash.h"
 #include "lib/clash/free_shift.h"
 

@@ -6,7 +6,7 @@
 
 #include "cli/library/content.h"
 #include "lib/base/files.h"
-#include "lib/base/word_list.h"
+#include "lib/base/number_text.h"
 #include "toolmodels/import/read_any_tools.h"
 
 namespace gougecheck {

@@ -5,10 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/base/word_list.h"
+#include "lib/base/number_text.h"
 
 namespace CLI {
 class FormatterBase;
+}
+
+namespace CLI {
+class App;
 }
 
 namespace gouge {
@@ -19,5 +23,10 @@ namespace gouge {
 
 /// Lays out --help in 80 columns, whatever the length of the texts.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> make_help_formatter();
+
+/// The command line of a parsed command as it can be typed again: its name, then what was given of its options in the
+/// order of its help, quoted for a shell. Left out is what changes no result: outputs, threads, progress, how much is
+/// printed, and the words of a report's head. So it is the same for one check however it was started.
+[[nodiscard]] std::string repeatable_command(const CLI::App& command);
 
 }  // namespace gouge

@@ -12,7 +12,7 @@
 #include "cli/terminal/progress.h"
 #include "lib/base/result.h"
 #include "lib/check/check_options.h"
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "postproc/report/report_model.h"
 
 namespace CLI {
@@ -81,5 +81,9 @@ void add_progress_option(CLI::App& command, std::string& progress);
 
 /// Errors (code usage): names the option, what was typed and what was expected.
 [[nodiscard]] Result<JobOptions> understand(const JobArguments& arguments);
+
+/// "2026-11-23 14:05 UTC": now, or the instant that SOURCE_DATE_EPOCH names in seconds since 1970, so that reports can
+/// be made again to the byte (https://reproducible-builds.org/specs/source-date-epoch/). Errors: usage.
+[[nodiscard]] Result<std::string> date_of_report();
 
 }  // namespace gouge

@@ -9,7 +9,6 @@
 #include "cli/options/mesh_limits.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/number_text.h"
-#include "lib/base/word_list.h"
 #include "postproc/report/remedies.h"
 
 namespace gouge {

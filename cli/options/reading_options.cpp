@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "cli/terminal/length_text.h"
-#include "lib/base/byte_size.h"
+#include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/language/words.h"
 

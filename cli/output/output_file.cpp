@@ -1,7 +1,6 @@
 #include "cli/output/output_file.h"
 
 #include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -9,10 +8,13 @@
 #include <ostream>
 
 #include "cli/terminal/print_diagnostics.h"
-#include "cli/terminal/standard_output.h"
+#include "cli/terminal/terminal.h"
 #include "lib/base/exit_code.h"
+#include "lib/base/files.h"
+#include "postproc/image/font.h"
 
 namespace gouge {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,6 +111,20 @@ std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const 
   const Diagnostics unwritable = find_unwritable(outputs);
   if (!unwritable.empty()) return fail(err, unwritable, kExitInternal);
   return std::nullopt;
+}
+
+Result<bool> is_svg_file(const std::string& file) {
+  if (has_ending(file, ".svg")) return true;
+  if (has_ending(file, ".png")) return false;
+  return make_error("usage", "-o '" + file + "': the picture must be a .png or an .svg file");
+}
+
+Diagnostics find_missing_letters(const Toolpath& path, const std::vector<std::string>& meshes) {
+  std::vector<std::string> names = meshes;
+  names.push_back(path.file);
+  for (const PathTool& tool : path.tools) names.push_back(tool.name);
+  for (const Operation& operation : path.operations) names.push_back(operation.name);
+  return find_missing_letters(names);
 }
 
 }  // namespace gouge

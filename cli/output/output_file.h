@@ -6,12 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/output/output_table.h"
+#include "cli/output/outputs.h"
 #include "cli/output/overwriting.h"
 #include "lib/base/diagnostic.h"
 #include "lib/base/result.h"
 #include "lib/base/staged_file.h"
 #include "lib/base/text_writer.h"
+#include "lib/path/toolpath.h"
 
 // Outputs of commands: files, or standard output where their name is "-".
 
@@ -46,5 +47,13 @@ class PendingOutputs {
 /// where all is well.
 [[nodiscard]] std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
                                                 std::ostream& err);
+
+/// Whether the picture `file` is to be an SVG; else a PNG. Error (code usage) for another ending than .svg and .png, in
+/// any case.
+[[nodiscard]] Result<bool> is_svg_file(const std::string& file);
+
+/// The note of find_missing_letters (postproc/image/font.h) on the names a picture of this path may show: of the file,
+/// its tools and operations, and of `meshes`.
+[[nodiscard]] Diagnostics find_missing_letters(const Toolpath& path, const std::vector<std::string>& meshes = {});
 
 }  // namespace gouge

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "cli/output/report_manifest.h"
+#include "cli/output/report_folder.h"
 #include "lib/base/staged_file.h"
 
 namespace gouge {

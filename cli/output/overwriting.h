@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/output/output_table.h"
+#include "cli/output/outputs.h"
 #include "lib/base/diagnostic.h"
 
 namespace gouge {

@@ -7,7 +7,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
 #include "lib/base/units.h"
-#include "lib/check/finest_resolution.h"
+#include "lib/check/check_options.h"
 #include "lib/check/reach.h"
 
 namespace gouge {

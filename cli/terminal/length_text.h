@@ -6,7 +6,7 @@
 
 #include "lib/base/result.h"
 #include "lib/check/check_options.h"
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 
 // Values of command-line options. Lengths are millimetres unless they carry a unit: 0.5, 0.5mm, 0.02in, 0.02inch.
 

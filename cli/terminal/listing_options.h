@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lib/base/result.h"
-#include "postproc/report/findings_view.h"
+#include "postproc/report/findings.h"
 
 namespace CLI {
 class App;

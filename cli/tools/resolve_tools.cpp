@@ -9,7 +9,6 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
-#include "lib/base/word_list.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/report/report_text.h"
 #include "toolmodels/draw_profile.h"

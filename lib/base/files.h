@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -27,5 +29,23 @@ inline constexpr std::uint64_t kMaxInputBytes = 8'000'000'000;
 
 /// Creates `path` and its parents. Errors: folder-unwritable.
 [[nodiscard]] Outcome make_folder(const std::string& path);
+
+/// Whether a file's name has something before `ending` and then that, in any case. `ending`: in small letters, with its dot.
+[[nodiscard]] inline bool has_ending(std::string_view file, std::string_view ending) {
+  return file.size() > ending.size() && std::equal(ending.rbegin(), ending.rend(), file.rbegin(), [](char e, char f) {
+           return e == (f >= 'A' && f <= 'Z' ? static_cast<char>(f - 'A' + 'a') : f);
+         });
+}
+
+/// The bytes of a file, there as long as `keep` is.
+struct FileView {
+  std::string_view bytes;
+  std::shared_ptr<const void> keep;
+};
+
+/// As read_file, without the copy a string takes. The file is read and not mapped: a mapped file that is cut
+/// short ends the program, and one that is written meanwhile gives one content to its checksum and another to
+/// the check.
+[[nodiscard]] Result<FileView> view_file(const std::string& path, std::uint64_t most_bytes = kMaxInputBytes);
 
 }  // namespace gouge

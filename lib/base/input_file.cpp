@@ -9,10 +9,9 @@
 #include <optional>
 #include <utility>
 
-#include "lib/base/byte_size.h"
 #include "lib/base/files.h"
 #include "lib/base/large_pages.h"
-#include "lib/base/view_file.h"
+#include "lib/base/number_text.h"
 
 namespace gouge {
 namespace {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // Numbers as text, independent of any locale. Text that is not wholly a finite number is not a number:
 // "1.2.3", "nan", "inf", "1e400", "0x10" and "" are refused.
@@ -33,5 +35,15 @@ enum class Zeros { kept, dropped };
 
 /// "1 move", "7 moves".
 [[nodiscard]] std::string count_text(std::size_t count, std::string_view noun);
+
+/// "a, b and c" with `last` = " and ".
+[[nodiscard]] std::string listed(const std::vector<std::string>& words, std::string_view last = ", ");
+
+/// "8GB", "1.5 MiB" or "4096": bytes, where kB, MB, GB and TB are powers of 1000 and KiB, MiB, GiB and TiB of 1024, and
+/// a bare number or B is bytes; capitals or not. Nothing for other text, or for less than 1 or more than 2^62 bytes.
+[[nodiscard]] std::optional<std::uint64_t> parse_byte_size(std::string_view text);
+
+/// For people, in powers of 1000: "8 GB", "12.35 MB", "999 bytes"; cut, not rounded up.
+[[nodiscard]] std::string byte_size_text(std::uint64_t bytes);
 
 }  // namespace gouge

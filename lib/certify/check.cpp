@@ -3,7 +3,7 @@
 #include <string>
 
 #include "lib/check/check_path.h"
-#include "lib/check/summarise.h"
+#include "lib/check/check_result.h"
 #include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "lib/base/tolerance.h"
-#include "lib/check/depth_limit.h"
+#include "lib/check/check_options.h"
 #include "lib/check/scene_sides.h"
 #include "lib/tool/free_regions.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/depth_limit.h"
+#include "lib/check/check_options.h"
 #include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/tool/evaluate.h"

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
+#include "lib/check/prepared_scene.h"
 #include "lib/motion/motion_law.h"
 
 namespace gouge {
@@ -21,5 +23,19 @@ struct CheckOptions {
   unsigned threads = 0;                       ///< 0: all
   std::uint64_t budget_per_move = 2'000'000;  ///< bounds computed before a move is "not certified"
 };
+
+/// The least resolution of a depth that may be asked for, beyond which the search would work on rounding alone.
+inline constexpr double kFinestResolution_mm = 1e-6;
+
+/// How deep a surface may be in a tool without that the tool reaches farther into the solid than kReachPerDepth times
+/// tolerance + resolution.
+[[nodiscard]] inline SureDepth sure_depth(const ToolVariants& tool, const PreparedScene& scene,
+                                          const CheckOptions& options) {
+  std::vector<ToolVariants::SureForm> forms;
+  for (const PreparedObstacle& obstacle : scene.obstacles()) {
+    if (!obstacle.meshes.empty()) forms.push_back({&(tool.*obstacle.rule.form), &(tool.*obstacle.rule.sure_depths)});
+  }
+  return tool.sure_depth(forms, options.tolerance_mm + options.resolution_mm);
+}
 
 }  // namespace gouge

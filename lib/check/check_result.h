@@ -9,6 +9,7 @@
 #include "lib/check/path_fit.h"
 #include "lib/check/verdict.h"
 #include "lib/path/assumption.h"
+#include "lib/path/toolpath.h"
 
 namespace gouge {
 
@@ -26,5 +27,11 @@ struct CheckResult {
   std::optional<Closeness> closeness;  ///< none: not measured, or nothing to measure
   PathFit fit;                         ///< fits where it was not asked for
 };
+
+/// Fills the events, the counts and the worst move of a result from its verdicts, anew.
+///
+/// Neighbouring moves of one state, tool, operation, body and counterpart are one event, in path order; buried ones
+/// only with the same reason. Clean and not-checked moves make none.
+void summarise(const Toolpath& toolpath, CheckResult& result);
 
 }  // namespace gouge

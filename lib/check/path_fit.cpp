@@ -9,8 +9,8 @@
 #include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/check/usual_mistakes.h"
-#include "lib/mesh/mesh_box.h"
-#include "lib/mesh/winding.h"
+#include "lib/mesh/indexed_mesh.h"
+#include "lib/mesh/opposite_half_edges.h"
 
 namespace gouge {
 namespace {

@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "lib/base/tolerance.h"
-#include "lib/mesh/mesh_box.h"
+#include "lib/check/reach.h"
+#include "lib/mesh/indexed_mesh.h"
 
 namespace gouge {
+
 namespace {
 
 double from_axis(const PathArc& arc, const Vec3& point) {
@@ -78,6 +80,13 @@ std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit st
   std::vector<const UnitFacts*> units;
   for (const auto& [off, unit] : fitting) units.push_back(unit);
   return units;
+}
+
+std::optional<Diagnostic> find_too_far(const IndexedMesh& mesh, const std::string& body, const std::string& advice) {
+  if (std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_within_reach)) return std::nullopt;
+  return make_error("mesh-too-far",
+                    "reaches more than 100 m from the origin; expected a " + body + " within that; check " + advice,
+                    mesh.name);
 }
 
 }  // namespace gouge

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "lib/base/diagnostic.h"
 #include "lib/base/units.h"
 #include "lib/check/scene.h"
+#include "lib/mesh/indexed_mesh.h"
 #include "lib/path/toolpath.h"
 
 // Where a scene lies to a path and how large it is beside it, by boxes.
@@ -32,5 +35,10 @@ struct PartsBesidePath {
 /// The units that would make parts about as large as the path which are that many times smaller when read in
 /// `stl_unit`, the best first.
 [[nodiscard]] std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit stl_unit);
+
+/// The error for a mesh with a vertex beyond kFarthest_mm (reach.h) or that is no number, or nothing. `body`, such as
+/// "part", and `advice`, what to look at, are words of the message. Code: mesh-too-far.
+[[nodiscard]] std::optional<Diagnostic> find_too_far(const IndexedMesh& mesh, const std::string& body,
+                                                     const std::string& advice);
 
 }  // namespace gouge

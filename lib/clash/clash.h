@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "lib/check/prepared_scene.h"
 #include "lib/clash/clash_body.h"
 #include "lib/clash/surface_distance.h"
 #include "lib/penetration/contact.h"
@@ -49,5 +51,20 @@ struct Clash {
 /// Source   docs/algorithms/clash.md, with the proofs.
 [[nodiscard]] Clash find_clash(const ClashBody& a, const ClashBody& b, const Vec3& shift_b,
                                const ClashOptions& options);
+
+/// A fixture that penetrates a part, or that may.
+struct SetupOverlap {
+  std::size_t fixture = 0, part = 0;
+  Clash clash;  ///< of the part (A) and the fixture (B): penetrating or not certified
+};
+
+/// Every fixture of a scene against every part, in that order. `is_left_out`: by fixture.
+///
+/// Requires scene.is_within_reach.
+/// Cost  nothing for bodies whose bounding boxes have no more than the tolerance in common; else the surfaces of the
+///       scene and a search (body_depth.h).
+[[nodiscard]] std::vector<SetupOverlap> find_setup_overlaps(const PreparedScene& scene,
+                                                            const std::vector<bool>& is_left_out,
+                                                            const ClashOptions& options);
 
 }  // namespace gouge

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "lib/penetration/find_penetration.h"
-#include "lib/penetration/surface_points.h"
+#include "lib/penetration/point_body.h"
 
 namespace gouge {
 namespace {

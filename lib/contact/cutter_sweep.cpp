@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "lib/base/tolerance.h"
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 #include "lib/path/path_info.h"
 #include "lib/tool/evaluate.h"
 

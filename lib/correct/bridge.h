@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "lib/correct/free_pose.h"
+#include "lib/correct/correct_pose.h"
 
 namespace gouge {
 

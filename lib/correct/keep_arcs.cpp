@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "lib/base/tolerance.h"
-#include "lib/contact/aims.h"
-#include "lib/correct/free_pose.h"
+#include "lib/contact/contacts.h"
+#include "lib/correct/correct_pose.h"
 #include "lib/correct/shift_arc.h"
-#include "lib/correct/split_arc.h"
-#include "lib/geom/segment.h"
+#include "lib/geom/triangle.h"
 
 namespace gouge {
 namespace {

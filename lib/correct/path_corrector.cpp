@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "lib/base/parallel.h"
-#include "lib/check/depth_limit.h"
-#include "lib/contact/aims.h"
+#include "lib/check/check_options.h"
+#include "lib/contact/contacts.h"
 #include "lib/correct/laws.h"
 #include "lib/motion/motion_law.h"
 

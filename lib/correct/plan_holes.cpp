@@ -8,8 +8,8 @@
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
 #include "lib/check/prepared_scene.h"
-#include "lib/contact/aims.h"
-#include "lib/correct/free_pose.h"
+#include "lib/contact/contacts.h"
+#include "lib/correct/correct_pose.h"
 #include "lib/geom/pose.h"
 #include "lib/surface/surface.h"
 

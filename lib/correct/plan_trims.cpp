@@ -8,7 +8,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
 #include "lib/base/units.h"
-#include "lib/contact/aims.h"
+#include "lib/contact/contacts.h"
 #include "lib/correct/clean_intervals.h"
 #include "lib/correct/lifts.h"
 #include "lib/motion/motion_law.h"

@@ -8,7 +8,7 @@
 #include "lib/base/tolerance.h"
 #include "lib/field/field_instants.h"
 #include "lib/geom/point_triangle.h"
-#include "lib/mesh/mesh_box.h"
+#include "lib/mesh/indexed_mesh.h"
 #include "lib/motion/body_motion.h"
 #include "lib/motion/motion_law.h"
 

@@ -5,7 +5,7 @@
 
 #include "lib/field/checked_toolpath.h"
 #include "lib/field/point_depths.h"
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 
 namespace gouge {
 

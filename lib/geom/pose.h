@@ -10,4 +10,15 @@ struct Pose {
   Vec3 axis = Vec3::UnitZ();
 };
 
+/// x -> rotation * x + shift, the rotation being a proper one. mm.
+struct RigidTransform {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Vec3 shift = Vec3::Zero();
+
+  [[nodiscard]] Vec3 point(const Vec3& x) const { return rotation * x + shift; }
+  [[nodiscard]] Vec3 direction(const Vec3& x) const { return rotation * x; }
+  [[nodiscard]] Pose pose(const Pose& p) const { return {point(p.tip), direction(p.axis)}; }
+  [[nodiscard]] RigidTransform inverse() const { return {rotation.transpose(), -(rotation.transpose() * shift)}; }
+};
+
 }  // namespace gouge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -27,6 +28,16 @@ namespace gouge {
   std::array<std::array<Vec3, 3>, 2> parts{t, t};
   parts[0][edge] = parts[1][next] = middle;
   return parts;
+}
+
+/// Distance of `point` from the line segment from `a` to `b`, which may be one point; in the unit of the points, which
+/// are Eigen vectors of one kind in one frame.
+template <class Vector>
+[[nodiscard]] double distance_to_segment(const Vector& point, const Vector& a, const Vector& b) {
+  const Vector along = b - a;
+  const double length2 = along.squaredNorm();
+  const double t = length2 > 0 ? std::clamp((point - a).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return (point - a - t * along).norm();
 }
 
 }  // namespace gouge

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "lib/mesh/winding.h"
+#include "lib/mesh/opposite_half_edges.h"
 
 namespace gouge {
 namespace {

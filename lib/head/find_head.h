@@ -4,7 +4,7 @@
 #include <span>
 
 #include "lib/check/scene.h"
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "lib/head/head_body.h"
 
 // Which of the heads a finding is about: a verdict names the body "head" alone.

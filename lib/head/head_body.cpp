@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lib/base/tolerance.h"
-#include "lib/check/mesh_reach.h"
+#include "lib/check/scene_reach.h"
 #include "lib/head/revolved_cover.h"
 #include "lib/mesh/union_find.h"
 
@@ -167,6 +167,18 @@ std::vector<IndexedMesh> head_pieces(const IndexedMesh& mesh) {
   if (find_mesh_findings(mesh).cavities > 0) return {mesh};
   const Surface whole(mesh);
   return whole.is_boundary() ? shells_of(mesh) : std::vector{mesh};
+}
+
+Result<std::vector<HeadBody>> moved_up(const std::vector<HeadBody>& heads, double by_mm) {
+  std::vector<HeadBody> moved;
+  for (const HeadBody& head : heads) {
+    IndexedMesh mesh = head.whole.mesh();
+    for (Vec3& vertex : mesh.vertices) vertex.z() += by_mm;
+    Result<HeadBody> body = build_head_body(std::move(mesh));
+    if (!body) return body.error();
+    moved.push_back(std::move(*body));
+  }
+  return moved;
 }
 
 std::vector<IndexedMesh> shells_of(const IndexedMesh& mesh) {

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "lib/base/tolerance.h"
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 
 namespace gouge {
 namespace {

@@ -1,12 +1,12 @@
 #include "lib/hierarchy/closest_triangle.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "lib/base/tolerance.h"
 #include "lib/hierarchy/distance_kernel.h"
+#include "lib/hierarchy/traverse.h"
 
 namespace gouge {
 namespace {
@@ -32,48 +32,47 @@ class ClosestTriangleSearch {
   void begin_at(std::uint32_t near) { offer(near); }
 
   std::optional<ClosestTriangle> run() {
-    if (tree_.nodes.empty()) return std::nullopt;
-    visit_node(0);
+    traverse(tree_, *this);
     return best_;
   }
 
- private:
-  /// Lanes with their bounds, the nearest first.
-  struct Order {
-    std::array<std::uint8_t, kBlockLanes> lane;
-    std::size_t count = 0;
+  /// The lanes of a node, the nearest first, as long as they may be nearer than what is known when each is asked for.
+  class Children {
+   public:
+    Children(ClosestTriangleSearch& search, const NodeBlock& node) : within_mm_(search.within_mm_) {
+      MaskedLanes lanes(search.kernel_.nodes(node, search.query_, within_mm_, least_mm_));
+      while (const auto lane = lanes.next()) insert(*lane);
+    }
+    [[nodiscard]] std::optional<std::uint32_t> next() {
+      if (at_ == count_ || least_mm_[order_[at_]] > within_mm_) return std::nullopt;
+      return order_[at_++];
+    }
+
+   private:
+    void insert(std::uint32_t lane) {
+      std::size_t at = count_++;
+      for (; at > 0 && least_mm_[order_[at - 1]] > least_mm_[lane]; --at) order_[at] = order_[at - 1];
+      order_[at] = static_cast<std::uint8_t>(lane);
+    }
+
+    float& within_mm_;  // of the search; it shrinks
+    Lanes least_mm_;
+    std::array<std::uint8_t, kBlockLanes> order_;
+    std::size_t at_ = 0, count_ = 0;
   };
 
-  static Order nearest_first(std::uint32_t lanes, const Lanes& least_mm) {
-    Order order;
-    for (; lanes != 0; lanes &= lanes - 1) {
-      const auto lane = static_cast<std::uint8_t>(std::countr_zero(lanes));
-      std::size_t at = order.count++;
-      for (; at > 0 && least_mm[order.lane[at - 1]] > least_mm[lane]; --at) order.lane[at] = order.lane[at - 1];
-      order.lane[at] = lane;
-    }
-    return order;
-  }
+  [[nodiscard]] Children children(const NodeBlock& node) { return {*this, node}; }
 
-  void visit_node(std::uint32_t index) {
-    const NodeBlock& node = tree_.nodes[index];
+  [[nodiscard]] bool visit(const TriangleBlock& leaf) {
     Lanes least_mm;
-    const Order order = nearest_first(kernel_.nodes(node, query_, within_mm_, least_mm), least_mm);
-    for (std::size_t k = 0; k < order.count && least_mm[order.lane[k]] <= within_mm_; ++k) {
-      const std::uint32_t child = node.child[order.lane[k]];
-      node.has_leaves ? visit_leaf(child) : visit_node(child);
+    MaskedLanes near(kernel_.triangles(leaf, query_, within_mm_, least_mm));
+    while (const auto lane = near.next()) {
+      if (least_mm[*lane] <= within_mm_) offer(leaf.triangle[*lane]);
     }
+    return false;
   }
 
-  void visit_leaf(std::uint32_t index) {
-    const TriangleBlock& leaf = tree_.leaves[index];
-    Lanes least_mm;
-    for (std::uint32_t near = kernel_.triangles(leaf, query_, within_mm_, least_mm); near != 0; near &= near - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(near));
-      if (least_mm[lane] <= within_mm_) offer(leaf.triangle[lane]);
-    }
-  }
-
+ private:
   void offer(std::uint32_t triangle) {
     const TrianglePoint foot = closest_on_triangle(point_, tree_.corners(triangle));
     const bool is_nearer = foot.distance2_mm2 < best2_;

@@ -7,6 +7,7 @@
 #include "lib/base/tolerance.h"
 #include "lib/hierarchy/bound_leaves.h"
 #include "lib/hierarchy/lane_bound.h"
+#include "lib/hierarchy/traverse.h"
 
 namespace gouge {
 namespace {
@@ -28,37 +29,32 @@ class Climb {
   }
 
   std::optional<double> run() {
-    if (!tree_.nodes.empty() && !visit(0)) return std::nullopt;
+    if (traverse(tree_, *this)) return std::nullopt;
     return highest_;
   }
 
- private:
-  /// False as soon as something is too high.
-  bool visit(std::uint32_t index) {
-    const NodeBlock& node = tree_.nodes[index];
-    for (std::uint32_t i = 0; i < node.count; ++i) {
-      const LaneBound lane(tree_, node, i);
-      const Vec3 from = lane.center - column_.through;
-      const double height = column_.direction.dot(from);
-      if (height + lane.radius_mm <= highest_ || height - lane.radius_mm > column_.high_mm) continue;
-      const double beside2 = from.squaredNorm() - height * height;
-      const double reach = column_.radius_mm + lane.radius_mm + Tolerance::kRounding_mm;
-      if (beside2 > reach * reach) continue;
-      const double up = lane.extent_mm(column_.direction) + Tolerance::kRounding_mm;
-      if (height + up <= highest_ ||
-          height - lane.extent_mm(-column_.direction) - Tolerance::kRounding_mm > column_.high_mm)
-        continue;
-      if (height + up <= enough_) {
-        highest_ = std::max(highest_, height + up);
-        continue;
+  /// The lanes of a node that may be higher in the column than what is known when each is asked for.
+  class Children {
+   public:
+    Children(Climb& climb, const NodeBlock& node) : climb_(climb), node_(node) {}
+    [[nodiscard]] std::optional<std::uint32_t> next() {
+      while (at_ < node_.count) {
+        const std::uint32_t lane = at_++;
+        if (climb_.may_be_higher(LaneBound(climb_.tree_, node_, lane))) return lane;
       }
-      if (!(node.has_leaves ? visit_leaf(node.child[i]) : visit(node.child[i]))) return false;
+      return std::nullopt;
     }
-    return true;
-  }
 
-  bool visit_leaf(std::uint32_t index) {
-    const TriangleBlock& leaf = tree_.leaves[index];
+   private:
+    Climb& climb_;
+    const NodeBlock& node_;
+    std::uint32_t at_ = 0;
+  };
+
+  [[nodiscard]] Children children(const NodeBlock& node) { return {*this, node}; }
+
+  /// True as soon as something is too high.
+  [[nodiscard]] bool visit(const TriangleBlock& leaf) {
     // Most triangles are beside the column or lower than what is known already.
     const detail::LeafExtent extent = detail::extent_of(leaf, axes_);
     const auto is_out = [&](std::size_t k, std::size_t lane, double low, double high) {
@@ -70,10 +66,27 @@ class Climb {
       if (is_out(2, i, beside_[1] - column_.radius_mm, beside_[1] + column_.radius_mm)) continue;
       const std::uint32_t triangle = leaf.triangle[i];
       const double height = height_of(tree_.corners(triangle));
-      if (height > most_) return false;
+      if (height > most_) return true;
       highest_ = std::max(highest_, height);
     }
-    return true;
+    return false;
+  }
+
+ private:
+  /// Whether to enter a lane. One that ends below what is enough is not entered: its bound is taken as the height.
+  [[nodiscard]] bool may_be_higher(const LaneBound& lane) {
+    const Vec3 from = lane.center - column_.through;
+    const double height = column_.direction.dot(from);
+    if (height + lane.radius_mm <= highest_ || height - lane.radius_mm > column_.high_mm) return false;
+    const double beside2 = from.squaredNorm() - height * height;
+    const double reach = column_.radius_mm + lane.radius_mm + Tolerance::kRounding_mm;
+    if (beside2 > reach * reach) return false;
+    const double up = lane.extent_mm(column_.direction) + Tolerance::kRounding_mm;
+    const double down = lane.extent_mm(-column_.direction) + Tolerance::kRounding_mm;
+    if (height + up <= highest_ || height - down > column_.high_mm) return false;
+    if (height + up > enough_) return true;
+    highest_ = std::max(highest_, height + up);
+    return false;
   }
 
   /// No point of the triangle in the column is higher; low_mm where it does not come into the column.

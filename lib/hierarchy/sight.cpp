@@ -1,8 +1,7 @@
 #include "lib/hierarchy/sight.h"
 
-#include <vector>
-
 #include "lib/base/instruction_sets.h"
+#include "lib/hierarchy/traverse.h"
 
 namespace gouge {
 namespace {
@@ -48,42 +47,39 @@ GOUGE_WIDE void meet_triangles(const TriangleBlock& leaf, const Sight& sight, La
   }
 }
 
-bool any(const LaneFlags& flags, std::uint32_t count) {
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (flags[i] != 0) return true;
-  }
-  return false;
+std::uint32_t mask_of(const LaneFlags& flags, std::uint32_t count) {
+  std::uint32_t mask = 0;
+  for (std::uint32_t i = 0; i < count; ++i) mask |= std::uint32_t{flags[i]} << i;
+  return mask;
 }
+
+/// Ends at the first triangle that the ray meets.
+struct FirstMet {
+  const Sight& sight;
+
+  [[nodiscard]] MaskedLanes children(const NodeBlock& node) const {
+    LaneFlags is_met{};
+    meet_balls(node, sight, is_met);
+    return MaskedLanes(mask_of(is_met, node.count));
+  }
+  [[nodiscard]] bool visit(const TriangleBlock& leaf) const {
+    LaneFlags is_met{};
+    meet_triangles(leaf, sight, is_met);
+    return mask_of(is_met, leaf.count) != 0;
+  }
+};
 
 }  // namespace
 
 bool is_hidden(const BlockTree& tree, const Vec3& point, const Vec3& toward, double clear_mm) {
-  if (tree.nodes.empty()) return false;
   const Vec3 from = point + clear_mm * toward - tree.origin;
   Sight sight{};
   for (int k = 0; k < 3; ++k) {
     sight.from[static_cast<std::size_t>(k)] = static_cast<float>(from[k]);
     sight.toward[static_cast<std::size_t>(k)] = static_cast<float>(toward[k]);
   }
-  std::vector<std::uint32_t> open{0};
-  LaneFlags is_met{};
-  while (!open.empty()) {
-    const NodeBlock& node = tree.nodes[open.back()];
-    open.pop_back();
-    meet_balls(node, sight, is_met);
-    for (std::uint32_t i = 0; i < node.count; ++i) {
-      if (is_met[i] == 0) continue;
-      if (!node.has_leaves) {
-        open.push_back(node.child[i]);
-        continue;
-      }
-      LaneFlags met_triangles{};
-      const TriangleBlock& leaf = tree.leaves[node.child[i]];
-      meet_triangles(leaf, sight, met_triangles);
-      if (any(met_triangles, leaf.count)) return true;
-    }
-  }
-  return false;
+  FirstMet first{sight};
+  return traverse(tree, first);
 }
 
 }  // namespace gouge

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "lib/geom/segment.h"
+#include "lib/geom/triangle.h"
 #include "lib/mesh/adjacency.h"
 #include "lib/mesh/opposite_half_edges.h"
 #include "lib/mesh/union_find.h"

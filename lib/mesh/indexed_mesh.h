@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "lib/geom/vec.h"
 
 // The indexed mesh of thesis 4.2: every vertex once, triangles as indices. Exactly the surface of the file:
@@ -32,5 +34,36 @@ struct IndexedMesh {
     return all;
   }
 };
+
+/// The box of all meshes together; empty where none has a vertex.
+[[nodiscard]] inline Box3 box_of(std::span<const IndexedMesh> meshes) {
+  Box3 all;
+  for (const IndexedMesh& mesh : meshes) all.extend(mesh.box());
+  return all;
+}
+
+[[nodiscard]] inline Box3 box_of(const IndexedMesh& mesh, std::size_t triangle) {
+  Box3 box(mesh.corner(triangle, 0));
+  box.extend(mesh.corner(triangle, 1));
+  box.extend(mesh.corner(triangle, 2));
+  return box;
+}
+
+/// Unit normal of a triangle, outward of a closed mesh; zero for one without area.
+[[nodiscard]] inline Vec3 face_normal(const IndexedMesh& mesh, std::size_t triangle) {
+  const Vec3 across =
+      (mesh.corner(triangle, 1) - mesh.corner(triangle, 0)).cross(mesh.corner(triangle, 2) - mesh.corner(triangle, 0));
+  const double length = across.norm();
+  return length > 0 ? Vec3(across / length) : Vec3(Vec3::Zero());
+}
+
+/// The angle between the two edges of a triangle that meet at `vertex`, one of its corners.
+[[nodiscard]] inline double angle_at(const IndexedMesh& mesh, std::size_t triangle, Corner vertex) {
+  const TriangleCorners& c = mesh.triangles[triangle];
+  const std::size_t k = c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
+  const Vec3 a = mesh.corner(triangle, (k + 1) % 3) - mesh.vertices[vertex];
+  const Vec3 b = mesh.corner(triangle, (k + 2) % 3) - mesh.vertices[vertex];
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 }  // namespace gouge

@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "lib/base/files.h"
 #include "lib/base/parallel.h"
 #include "lib/base/result.h"
-#include "lib/base/view_file.h"
 #include "lib/mesh/mesh_builder.h"
 #include "lib/mesh/mesh_findings.h"
 

@@ -5,7 +5,7 @@
 #include "lib/base/parallel.h"
 #include "lib/base/result.h"
 #include "lib/base/units.h"
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "lib/geom/vec.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/triangle_soup.h"

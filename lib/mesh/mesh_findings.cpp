@@ -10,7 +10,6 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/opposite_half_edges.h"
 #include "lib/mesh/union_find.h"
-#include "lib/mesh/winding.h"
 
 namespace gouge {
 namespace {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "lib/base/tolerance.h"
 
 namespace gouge {
+
 namespace {
 
 // A triple product of corners a, b seen from the origin is off by a few units in the last place of |a| |b|.
@@ -43,6 +45,22 @@ RayCrossing RayCone::crossing(const Vec3& direction) const {
   const bool is_ahead = has_left == (volume_ > 0);
   if (!is_ahead) return RayCrossing::none;
   return has_left ? RayCrossing::out : RayCrossing::in;
+}
+
+bool has_free_ray(const IndexedMesh& mesh, std::span<const Vec3> origins, std::span<const Vec3> directions) {
+  std::vector<std::vector<Vec3>> open(origins.size());
+  for (std::vector<Vec3>& own : open) {
+    for (const Vec3& d : directions) own.push_back(d.normalized());
+  }
+  std::size_t left = origins.size() * directions.size();
+  for (std::size_t t = 0; t < mesh.triangles.size() && left > 0; ++t) {
+    for (std::size_t o = 0; o < origins.size(); ++o) {
+      if (open[o].empty()) continue;
+      const RayCone cone({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, origins[o]);
+      left -= std::erase_if(open[o], [&](const Vec3& d) { return cone.crossing(d) != RayCrossing::none; });
+    }
+  }
+  return left > 0;
 }
 
 }  // namespace gouge

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "lib/motion/motion.h"
 #include "lib/motion/motion_interval.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lib/base/tolerance.h"
-#include "lib/mesh/face_normal.h"
+#include "lib/mesh/indexed_mesh.h"
 
 namespace gouge {
 namespace {

@@ -13,7 +13,7 @@
 #include "lib/motion/motion.h"
 #include "lib/motion/motion_law.h"
 #include "lib/overcut/overcut_search.h"
-#include "lib/overcut/swept_head.h"
+#include "lib/overcut/swept_solid.h"
 #include "lib/overcut/swept_tool.h"
 #include "lib/tool/free_regions.h"
 #include "lib/tool/inscribed_balls.h"

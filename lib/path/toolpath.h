@@ -14,7 +14,6 @@
 #include "lib/base/paged_memory.h"
 #include "lib/base/units.h"
 #include "lib/geom/pose.h"
-#include "lib/geom/rigid_transform.h"
 #include "lib/path/apt_cutter.h"
 #include "lib/path/assumption.h"
 #include "lib/path/curve.h"

@@ -12,7 +12,7 @@
 #include "lib/mesh/adjacency.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/offset/vertex_offsets.h"
-#include "lib/penetration/below_facets.h"
+#include "lib/penetration/narrow_phase.h"
 
 namespace gouge {
 namespace {

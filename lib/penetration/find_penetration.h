@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "lib/penetration/contact.h"
 #include "lib/penetration/depth_body.h"
 #include "lib/penetration/narrow_phase.h"

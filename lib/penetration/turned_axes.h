@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "lib/kdop/directions.h"
 
 namespace gouge {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 
 namespace gouge {
 namespace {

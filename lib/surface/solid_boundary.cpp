@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lib/base/parallel.h"
-#include "lib/mesh/face_normal.h"
+#include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/union_find.h"
 #include "lib/surface/facet_cuts.h"
 #include "lib/surface/sheet_sides.h"

@@ -15,8 +15,8 @@
 #include "lib/hierarchy/closest_triangle.h"
 #include "lib/hierarchy/lane_bound.h"
 #include "lib/mesh/mesh_findings.h"
+#include "lib/mesh/opposite_half_edges.h"
 #include "lib/mesh/ray_cone.h"
-#include "lib/mesh/winding.h"
 #include "lib/surface/solid_boundary.h"
 #include "lib/surface/surface_sign.h"
 

@@ -10,7 +10,6 @@
 #include "lib/geom/point_triangle.h"
 #include "lib/geom/vec.h"
 #include "lib/hierarchy/block_tree.h"
-#include "lib/mesh/face_normal.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/vertex_triangles.h"
 

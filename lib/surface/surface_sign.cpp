@@ -5,7 +5,7 @@
 #include <span>
 
 #include "lib/base/tolerance.h"
-#include "lib/mesh/face_normal.h"
+#include "lib/mesh/indexed_mesh.h"
 
 namespace gouge {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lib/base/tolerance.h"
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 
 namespace gouge {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "lib/base/best_first_search.h"
 #include "lib/base/tolerance.h"
-#include "lib/contact/aims.h"
 #include "lib/contact/contacts.h"
 #include "lib/contact/cutter_sweep.h"
 #include "lib/path/path_info.h"

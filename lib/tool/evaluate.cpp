@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 
 namespace gouge {
 namespace {

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {

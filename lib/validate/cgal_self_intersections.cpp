@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lib/mesh/mesh_box.h"
+#include "lib/mesh/indexed_mesh.h"
 #include "lib/validate/cgal_bridge.h"
 #include "lib/validate/cgal_guard.h"
 

@@ -5,7 +5,7 @@
 
 #include "lib/base/large_pages.h"
 #include "lib/base/parallel.h"
-#include "lib/mesh/mesh_box.h"
+#include "lib/mesh/indexed_mesh.h"
 
 namespace gouge::detail {
 namespace {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <map>
 
-#include "lib/mesh/winding.h"
+#include "lib/mesh/opposite_half_edges.h"
 
 namespace gouge {
 namespace {
 
-Box3 box_of(std::span<const IndexedMesh> meshes) {
+Box3 box_around(std::span<const IndexedMesh> meshes) {
   Box3 box;
   for (const IndexedMesh& mesh : meshes) box.extend(mesh.box());
   return box;
@@ -58,7 +58,7 @@ bool covers_bodies(const ToolContour& tool, const Stretches& stretches) {
 class OutsideChecker {
  public:
   OutsideChecker(const ClaimedScene& scene, const ClaimedTools& tools, const std::vector<MoveClaim>& claims)
-      : scene_(scene), tools_(tools), claims_(claims), boxes_{box_of(scene.parts), box_of(scene.fixtures)} {}
+      : scene_(scene), tools_(tools), claims_(claims), boxes_{box_around(scene.parts), box_around(scene.fixtures)} {}
 
   OutsideCheck run() {
     for (std::size_t i = 0; i < claims_.size();) {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "lib/geom/point_triangle.h"
-#include "lib/mesh/face_normal.h"
-#include "lib/mesh/winding.h"
+#include "lib/mesh/indexed_mesh.h"
+#include "lib/mesh/opposite_half_edges.h"
 
 namespace gouge {
 namespace {

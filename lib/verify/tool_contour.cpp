@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 
 namespace gouge {
 namespace {

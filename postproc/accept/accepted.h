@@ -8,6 +8,7 @@
 
 #include "lib/base/result.h"
 #include "postproc/accept/accepted_setup.h"
+#include "postproc/result/stored_result.h"
 
 // Findings that somebody has accepted, as a file: docs/formats/accepted.md. Lengths are in mm.
 
@@ -38,5 +39,16 @@ struct Acceptance {
 
 /// The file, each entry with a seal of its contents. Reads back as the same entries.
 [[nodiscard]] std::string write_accepted(const std::vector<Acceptance>& entries);
+
+/// Who accepts, why and when.
+struct AcceptanceNote {
+  std::string reason, by, date;
+};
+
+/// Accepts finding `number` of a result, beside what `accepted` has already.
+/// Errors: usage (no finding of that number); accept-impossible (buried, a depth that is not certified, a tool that is not
+/// known: what nobody can compare later); accept-twice (it is accepted already).
+[[nodiscard]] Result<Acceptance> accept_finding(const StoredResult& result, std::size_t number,
+                                                const AcceptanceNote& note, const std::vector<Acceptance>& accepted);
 
 }  // namespace gouge

@@ -4,7 +4,6 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/batch/batch_text.h"
-#include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
 

@@ -12,7 +12,6 @@
 #include "lib/path/toolpath.h"
 #include "postproc/compare/judge_absence.h"
 #include "postproc/compare/match_findings.h"
-#include "postproc/compare/witness_grid.h"
 #include "postproc/report/report_text.h"
 #include "postproc/result/stored_result.h"
 

@@ -1,5 +1,4 @@
 #include "postproc/compare/write_comparison.h"
-#include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"

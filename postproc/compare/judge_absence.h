@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "postproc/compare/align_motions.h"
+#include "postproc/compare/match_findings.h"
 #include "postproc/result/stored_result.h"
 
 namespace gouge {

@@ -3,15 +3,13 @@
 #include <set>
 
 #include "lib/mesh/mesh_builder.h"
-#include "postproc/image/gouge_witnesses.h"
+#include "postproc/image/event_scale.h"
 #include "postproc/image/picture_events.h"
 #include "postproc/image/picture_scene.h"
-#include "postproc/image/report_scales.h"
 #include "postproc/image/tool_outline.h"
 #include "postproc/report/report_text.h"
 #include "postproc/viewer/refine_surface.h"
 #include "postproc/viewer/viewer_mesh.h"
-#include "postproc/viewer/viewer_path.h"
 
 namespace gouge {
 namespace {

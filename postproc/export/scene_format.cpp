@@ -1,6 +1,6 @@
 #include <string_view>
 
-#include "lib/base/file_ending.h"
+#include "lib/base/files.h"
 #include "postproc/export/write_scene.h"
 
 namespace gouge {

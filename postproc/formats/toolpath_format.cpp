@@ -11,7 +11,7 @@
 #include "postproc/cldata/nccs/nccs_sink.h"
 #include "postproc/cldata/nccs/nccs_statements.h"
 #include "postproc/cldata/nci/nci_edits.h"
-#include "postproc/cldata/nci/nci_lines.h"
+#include "postproc/cldata/nci/nci_motion.h"
 #include "postproc/cldata/nci/nci_statements.h"
 #include "postproc/cldata/reading/recognise_text.h"
 #include "postproc/cldata/rewriting/goto_text.h"

@@ -1,6 +1,5 @@
 #include "postproc/formats/write_corrected.h"
 
-#include "postproc/cldata/rewriting/rewritable_moves.h"
 #include "postproc/cldata/rewriting/rewriters.h"
 #include "postproc/formats/toolpath_format.h"
 

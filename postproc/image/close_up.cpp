@@ -9,7 +9,7 @@
 
 #include "postproc/image/event_scale.h"
 #include "postproc/image/glass.h"
-#include "postproc/image/gouge_witnesses.h"
+#include "postproc/image/picture_events.h"
 #include "postproc/image/pixel_points.h"
 #include "postproc/image/render_drawing.h"
 #include "postproc/image/shade.h"

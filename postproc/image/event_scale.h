@@ -1,8 +1,14 @@
 #pragma once
 
+#include "lib/field/checked_toolpath.h"
+#include "postproc/image/colour_scale.h"
 #include "postproc/image/heat_map.h"
+#include "postproc/report/report_model.h"
 
 // How large the pictures of a finding show what is about it.
+
+// The colours of a report, in every picture of it the same. Those of a correction cover the path before it, so that
+// both can be compared.
 
 namespace gouge {
 
@@ -27,5 +33,11 @@ struct FlatExtent {
   /// Picture units are so many mm for it to fit in, with a margin.
   [[nodiscard]] double mm_per_unit(double width, double height) const;
 };
+
+/// Of the depths of moves.
+[[nodiscard]] ColourScale depth_scale(const ReportModel& model, const CheckedToolpath& input);
+
+/// Of what colours the surface: overcuts, and the depths of gouges without one or of a head.
+[[nodiscard]] ColourScale surface_scale(const ReportModel& model, const CheckedToolpath& input);
 
 }  // namespace gouge

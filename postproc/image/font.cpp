@@ -13,7 +13,6 @@
 #include <set>
 
 #include "lib/base/printable_text.h"
-#include "lib/base/utf8.h"
 #include FT_FREETYPE_H
 #include FT_ADVANCES_H
 #include FT_MODULE_H

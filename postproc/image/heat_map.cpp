@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
-#include "postproc/image/path_overlay.h"
+#include "postproc/image/path_plot.h"
 #include "postproc/image/pixel_points.h"
 #include "postproc/image/shade.h"
 #include "postproc/report/report_text.h"

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "lib/field/overcut_field.h"
-#include "postproc/image/gouge_witnesses.h"
 #include "postproc/image/page.h"
 #include "postproc/image/picture_events.h"
 #include "postproc/image/picture_scene.h"

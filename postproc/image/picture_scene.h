@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lib/check/prepared_scene.h"
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "lib/head/head_body.h"
 #include "postproc/image/view.h"
 

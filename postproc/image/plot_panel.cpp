@@ -7,7 +7,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
-#include "lib/mesh/face_normal.h"
+#include "lib/mesh/indexed_mesh.h"
 
 namespace gouge {
 namespace {

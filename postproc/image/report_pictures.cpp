@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "postproc/image/event_scale.h"
 #include "postproc/image/heat_map.h"
 #include "postproc/image/mask_painter.h"
 #include "postproc/image/render_drawing.h"
-#include "postproc/image/report_scales.h"
 #include "postproc/image/tilt_field.h"
 #include "postproc/report/report_text.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "lib/base/tolerance.h"
-#include "lib/geom/segment.h"
+#include "lib/geom/triangle.h"
 
 namespace gouge {
 namespace {

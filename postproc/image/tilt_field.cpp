@@ -7,7 +7,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
-#include "postproc/image/path_overlay.h"
+#include "postproc/image/path_plot.h"
 #include "postproc/image/shade.h"
 #include "postproc/report/axis_text.h"
 #include "postproc/report/report_text.h"

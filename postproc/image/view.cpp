@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "lib/base/tolerance.h"
+#include "postproc/image/heat_map.h"
+#include "postproc/image/picture_events.h"
 
 namespace gouge {
 
@@ -39,6 +41,89 @@ void fit_view(View& view, std::span<const std::span<const Vec3>> points, double 
   const double inner = 1 - 2 * margin;
   view.mm_per_pixel = std::max({(high.x() - low.x()) / (inner * view.width),
                                 (high.y() - low.y()) / (inner * view.height), Tolerance::kRounding});
+}
+
+namespace {
+
+constexpr double kDistinctCosine = 0.643;  // of 50 degrees
+constexpr std::size_t kMostWitnessesSeen = 400;
+constexpr double kClear = 0.01;  // of the parts' size: what lies as near to a point does not hide it
+
+struct Candidate {
+  Vec3 toward;
+  double gouged = 0;
+  double score = 0;
+};
+
+Vec3 mean_axis(const Toolpath& toolpath) {
+  Vec3 sum = Vec3::Zero();
+  for (const Move& move : toolpath.moves) sum += move.end.axis;
+  return sum.norm() > Tolerance::kNoSide ? Vec3(sum.normalized()) : Vec3(Vec3::UnitZ());
+}
+
+std::vector<Candidate> candidates(const Vec3& axis) {
+  std::vector<Candidate> out;
+  for (const double z : {1.0, -1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      for (const double x : {1.0, -1.0}) out.push_back({Vec3(0.85 * x, 1.15 * y, 0.95 * z).normalized(), 0, 0});
+    }
+  }
+  out.push_back({axis, 0, 0});
+  for (const int k : {2, 1, 0}) {
+    for (const double sign : {1.0, -1.0}) {
+      Vec3 toward = Vec3::Zero();
+      toward[k] = sign;
+      out.push_back({toward, 0, 0});
+    }
+  }
+  return out;
+}
+
+// How much of what is gouged is seen.
+double gouged_area(const CheckedToolpath& input, const std::vector<GougeWitness>& gouges, const Vec3& toward,
+                   double clear_mm) {
+  double area = 0;
+  for (const GougeWitness& gouge : gouges) {
+    if (is_in_sight(input, gouge.at, toward, clear_mm)) area += gouge.weight;
+  }
+  return area;
+}
+
+}  // namespace
+
+std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene,
+                                    const std::vector<PictureEvent>& events, std::size_t count) {
+  const Vec3 axis = mean_axis(*input.toolpath);
+  const std::vector<GougeWitness> gouges = gouge_witnesses(input, kMostWitnessesSeen);
+  const double clear_mm = kClear * scene.part_size_mm();
+  std::vector<Candidate> all = candidates(axis);
+  double most_gouged = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Candidate& c = all[i];
+    c.gouged = gouged_area(input, gouges, c.toward, clear_mm);
+    double weight = 0;
+    double seen = 0;
+    for (const PictureEvent& event : events) {
+      const double share = 1.0 / event.number;
+      weight += share;
+      if (is_in_sight(input, event.at, c.toward, clear_mm)) seen += share;
+    }
+    most_gouged = std::max(most_gouged, c.gouged);
+    c.score = weight > 0 ? 0.6 * seen / weight : 0;
+    c.score += 0.25 * c.toward.dot(axis);      // the side the tool comes from is the one people know
+    if (i < 8) c.score += 0.45;                // corners show a body better than faces do
+    if (c.toward.z() > -0.1) c.score += 0.15;  // people look at parts from above
+    c.score -= 1e-3 * static_cast<double>(i);
+  }
+  for (Candidate& c : all) c.score += most_gouged > 0 ? c.gouged / most_gouged : 0;
+  std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  std::vector<Vec3> chosen;
+  for (const Candidate& c : all) {
+    const bool is_distinct = std::none_of(chosen.begin(), chosen.end(),
+                                          [&](const Vec3& other) { return other.dot(c.toward) > kDistinctCosine; });
+    if (is_distinct && chosen.size() < count) chosen.push_back(c.toward);
+  }
+  return chosen;
 }
 
 }  // namespace gouge

@@ -4,6 +4,7 @@
 
 #include "lib/base/units.h"
 #include "lib/path/axis_tilt.h"
+#include "postproc/report/report_model.h"
 
 namespace gouge {
 
@@ -12,5 +13,9 @@ namespace gouge {
 /// each pixel the least, the greatest, the first and the last.
 /// Empty for a run of no length, or of one beyond all numbers.
 [[nodiscard]] std::string axis_chart(const TiltedRun& run, LengthUnit unit);
+
+/// The section "Tool axis" of the HTML report: a table of what is measured before and after, and a chart of each run of
+/// tilted axes. Empty where nothing is measured or of interest.
+[[nodiscard]] std::string axis_section(const ReportModel& model);
 
 }  // namespace gouge

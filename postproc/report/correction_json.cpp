@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "postproc/report/report_text.h"
-#include "postproc/report/stickout_json.h"
+#include "postproc/report/stickout_text.h"
 
 namespace gouge {
 namespace {

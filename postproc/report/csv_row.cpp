@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "lib/base/utf8.h"
+#include "lib/base/printable_text.h"
 
 namespace gouge {
 namespace {

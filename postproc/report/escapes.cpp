@@ -1,7 +1,7 @@
 #include <array>
 #include <cstddef>
 
-#include "lib/base/utf8.h"
+#include "lib/base/printable_text.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {

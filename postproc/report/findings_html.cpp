@@ -5,9 +5,9 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/report/baseline_text.h"
-#include "postproc/report/cure_text.h"
 #include "postproc/report/findings.h"
 #include "postproc/report/html_table.h"
+#include "postproc/report/remedies.h"
 #include "postproc/report/report_sources.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"

@@ -8,7 +8,7 @@
 #include "lib/base/printable_text.h"
 #include "postproc/report/axis_text.h"
 #include "postproc/report/baseline_text.h"
-#include "postproc/report/cure_text.h"
+#include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"

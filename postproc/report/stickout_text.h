@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,11 @@ namespace gouge {
 
 /// A line for each tool, and for each of its operations in need.
 [[nodiscard]] std::string stickout_lines(const ReportModel& model);
+
+/// A length in `unit`; null for a bound that was never reached and so has no number.
+[[nodiscard]] nlohmann::ordered_json length_json(double length_mm, LengthUnit unit);
+
+/// What --find-stickout found; null where it was not asked.
+[[nodiscard]] nlohmann::ordered_json stickout_json(const ReportModel& model);
 
 }  // namespace gouge

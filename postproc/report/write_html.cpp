@@ -6,11 +6,10 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/report/assumption_report.h"
-#include "postproc/report/axis_html.h"
+#include "postproc/report/axis_chart.h"
 #include "postproc/report/axis_text.h"
 #include "postproc/report/baseline_text.h"
 #include "postproc/report/findings_html.h"
-#include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"

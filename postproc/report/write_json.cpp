@@ -6,11 +6,11 @@
 #include "lib/path/motion_key.h"
 #include "postproc/report/assumption_report.h"
 #include "postproc/report/correction_json.h"
-#include "postproc/report/cure_text.h"
 #include "postproc/report/findings.h"
 #include "postproc/report/identity_json.h"
+#include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
-#include "postproc/report/stickout_json.h"
+#include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"
 
 namespace gouge {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lib/base/text_writer.h"
-#include "postproc/report/findings_view.h"
+#include "postproc/report/findings.h"
 #include "postproc/report/named_file.h"
 #include "postproc/report/report_model.h"
 

@@ -57,4 +57,38 @@ class Database {
   std::unique_ptr<State> state_;
 };
 
+/// PRAGMA user_version of a store: other tables have another number.
+inline constexpr int kStoreVersion = 3;
+/// PRAGMA application_id: "goug".
+inline constexpr int kStoreApplication = 0x676f7567;
+
+/// Those that hold rows of a job beside `jobs`, each with a column `job`.
+inline constexpr std::string_view kTablesOfJob[] = {"counts", "findings", "cases", "warnings", "inputs", "outputs"};
+
+/// docs/formats/batch_store.md says what each column means.
+inline constexpr std::string_view kCreateTables[] = {
+    "CREATE TABLE runs(run INTEGER PRIMARY KEY, version TEXT NOT NULL, build TEXT NOT NULL, list TEXT NOT NULL, "
+    "jobs INTEGER NOT NULL, is_ended INTEGER NOT NULL)",
+    "CREATE TABLE names(job INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE)",
+    "CREATE TABLE jobs(job INTEGER PRIMARY KEY, name TEXT NOT NULL, command TEXT NOT NULL, path TEXT NOT NULL, "
+    "status INTEGER NOT NULL, verdict TEXT NOT NULL, unit TEXT NOT NULL, moves INTEGER NOT NULL, findings INTEGER NOT "
+    "NULL, deepest REAL, deepest_mm REAL NOT NULL, deepest_line INTEGER NOT NULL, report TEXT NOT NULL, key TEXT NOT "
+    "NULL, beside TEXT NOT NULL, messages TEXT NOT NULL, seconds REAL NOT NULL, memory_mb REAL NOT NULL, host TEXT NOT "
+    "NULL, rank INTEGER NOT NULL, digest TEXT NOT NULL)",
+    "CREATE TABLE counts(job INTEGER NOT NULL, state TEXT NOT NULL, moves INTEGER NOT NULL, PRIMARY KEY(job, state)) "
+    "WITHOUT ROWID",
+    "CREATE TABLE findings(job INTEGER NOT NULL, finding INTEGER NOT NULL, state TEXT NOT NULL, line INTEGER NOT NULL, "
+    "move INTEGER NOT NULL, moves INTEGER NOT NULL, tool TEXT NOT NULL, body TEXT NOT NULL, against TEXT NOT NULL, "
+    "depth REAL, depth_upper REAL, t REAL, x REAL, y REAL, z REAL, message TEXT NOT NULL, fingerprint TEXT NOT NULL, "
+    "baseline_state TEXT NOT NULL, justification TEXT NOT NULL, PRIMARY KEY(job, finding)) WITHOUT ROWID",
+    "CREATE TABLE cases(job INTEGER NOT NULL, number INTEGER NOT NULL, name TEXT NOT NULL, moves INTEGER NOT NULL, "
+    "failure_type TEXT NOT NULL, failure_message TEXT NOT NULL, failure_text TEXT NOT NULL, skipped_message TEXT NOT "
+    "NULL, error_message TEXT NOT NULL, PRIMARY KEY(job, number)) WITHOUT ROWID",
+    "CREATE TABLE warnings(job INTEGER NOT NULL, number INTEGER NOT NULL, severity INTEGER NOT NULL, code TEXT NOT "
+    "NULL, file TEXT NOT NULL, line INTEGER NOT NULL, message TEXT NOT NULL, PRIMARY KEY(job, number)) WITHOUT ROWID",
+    "CREATE TABLE inputs(job INTEGER NOT NULL, number INTEGER NOT NULL, role TEXT NOT NULL, file TEXT NOT NULL, bytes "
+    "INTEGER NOT NULL, checksum TEXT NOT NULL, PRIMARY KEY(job, number)) WITHOUT ROWID",
+    "CREATE TABLE outputs(job INTEGER NOT NULL, number INTEGER NOT NULL, file TEXT NOT NULL, bytes INTEGER NOT NULL, "
+    "sha256 TEXT NOT NULL, PRIMARY KEY(job, number)) WITHOUT ROWID"};
+
 }  // namespace gouge

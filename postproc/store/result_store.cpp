@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "postproc/store/database.h"
 #include "postproc/store/job_rows.h"
-#include "postproc/store/tables.h"
 
 namespace gouge {
 namespace {

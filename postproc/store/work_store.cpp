@@ -6,7 +6,7 @@
 
 #include "lib/base/files.h"
 #include "lib/base/sha256.h"
-#include "postproc/store/tables.h"
+#include "postproc/store/database.h"
 
 namespace gouge {
 

@@ -3,7 +3,7 @@
 #include "postproc/image/colour_scale.h"
 #include "postproc/viewer/payload.h"
 #include "postproc/viewer/refine_surface.h"
-#include "postproc/viewer/viewer_path.h"
+#include "postproc/viewer/viewer_mesh.h"
 
 // The parts of a scene as numbers of a Payload. Each returns what its JSON says of it: docs/formats/report_scene.md.
 

@@ -1,9 +1,14 @@
 #include "postproc/viewer/viewer_mesh.h"
 
+#include <algorithm>
 #include <limits>
 #include <unordered_map>
 
+#include "lib/motion/motion_law.h"
+#include "lib/path/chords.h"
+
 namespace gouge {
+
 namespace {
 
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
@@ -48,6 +53,58 @@ ViewerMesh ViewerMesh::from(const PictureScene& scene) {
       if (latest[edge.a] != kNoVertex && latest[edge.b] != kNoVertex)
         out.edges.push_back({latest[edge.a], latest[edge.b]});
     }
+  }
+  return out;
+}
+
+namespace {
+
+constexpr std::size_t kMostChords = 64;  // of a curve
+
+void add_motion(const CheckedToolpath& input, std::size_t move, double error_mm, std::vector<Station>& out) {
+  const Toolpath& path = *input.toolpath;
+  const Move& m = path.moves[move];
+  const Motion motion = input.options.law.of(path, move);
+  if (!motion.is_defined()) {
+    out.push_back({m.end, move, 1, true});
+    return;
+  }
+  if (m.curve_kind != CurveKind::none) {
+    const std::size_t chords = std::clamp<std::size_t>(chords_of(path, move, error_mm).size(), 1, kMostChords);
+    for (std::size_t k = 1; k < chords; ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(chords);
+      out.push_back({motion.at(t), move, t, false});
+    }
+  } else {
+    for (const MotionSegment& segment : motion.segments()) {
+      if (segment.t1 < 1) out.push_back({motion.at(segment.t1), move, segment.t1, false});
+    }
+  }
+  out.push_back({m.end, move, 1, false});
+}
+
+}  // namespace
+
+std::vector<Station> stations_of(const CheckedToolpath& input, double error_mm, std::size_t most) {
+  const Toolpath& path = *input.toolpath;
+  const std::size_t every = 1 + path.moves.size() / most;
+  std::vector<bool> is_kept(path.moves.size(), every == 1);
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if (i % every == 0 || !path.moves[i].has_start) is_kept[i] = true;
+  }
+  for (const Event& event : input.result->events) {
+    is_kept[event.worst_move] = true;
+    if (event.worst_move > 0) is_kept[event.worst_move - 1] = true;
+  }
+  std::vector<Station> out;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if (!is_kept[i]) continue;
+    if (!path.moves[i].has_start)
+      out.push_back({path.moves[i].end, i, 1, true});
+    else if (!is_kept[i - 1])
+      out.push_back({path.moves[i].end, i, 1, false});
+    else
+      add_motion(input, i, error_mm, out);
   }
   return out;
 }

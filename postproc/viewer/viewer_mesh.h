@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lib/field/checked_toolpath.h"
+#include "lib/geom/pose.h"
 #include "lib/geom/vec.h"
 #include "postproc/image/picture_scene.h"
 
@@ -21,5 +23,17 @@ struct ViewerMesh {
   /// Vertices are as in the meshes, in the order in which triangles first name them, once for each normal.
   [[nodiscard]] static ViewerMesh from(const PictureScene& scene);
 };
+
+/// A pose of the path that the viewer shows, and interpolates between: the end of a move, or an instant of a curve.
+struct Station {
+  Pose pose;
+  std::size_t move = 0;
+  double t = 1;
+  bool is_start = false;  ///< no motion leads here: the first position, or one after a motion that is not known
+};
+
+/// Stations of a path: curves with chords `error_mm` from them. Of a path of more than `most` moves every so manieth, and
+/// the worst move of each finding with its neighbours, where the next but one would not be told apart.
+[[nodiscard]] std::vector<Station> stations_of(const CheckedToolpath& input, double error_mm, std::size_t most);
 
 }  // namespace gouge

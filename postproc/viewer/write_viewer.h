@@ -1,10 +1,13 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "lib/base/parallel.h"
 #include "lib/base/result.h"
+#include "lib/field/checked_toolpath.h"
 #include "postproc/image/report_scene.h"
+#include "postproc/report/report_model.h"
 
 namespace gouge {
 
@@ -16,5 +19,11 @@ namespace gouge {
 /// Errors   page-not-packed.
 /// Cost     Less than a heat map; about 6 bytes a triangle.
 [[nodiscard]] Result<std::string> write_viewer(const ReportScene& shown, const ProgressCall& progress = {});
+
+/// The findings for the viewer, one for each gouge, buried tool and near miss of the events, in their order: where the
+/// tool is at the worst instant, the evidence, the numbers as the report writes them, and the lines of the file around
+/// the statement. Lengths of coordinates in mm. At most `most` of them, the first.
+[[nodiscard]] nlohmann::ordered_json finding_texts(const ReportModel& model, const CheckedToolpath& input,
+                                                   std::size_t most);
 
 }  // namespace gouge

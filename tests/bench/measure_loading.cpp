@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "lib/base/files.h"
-#include "lib/base/view_file.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/mesh/mesh_builder.h"
 #include "lib/mesh/read_stl.h"

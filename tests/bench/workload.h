@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lib/check/check_path.h"
-#include "lib/check/summarise.h"
+#include "lib/check/check_result.h"
 #include "tests/bench/bench_tool.h"
 #include "tests/bench/place_tool.h"
 

@@ -1,4 +1,4 @@
-#include "cli/job/axis_facts.h"
+#include "cli/job/setup_notes.h"
 
 #include <gtest/gtest.h>
 

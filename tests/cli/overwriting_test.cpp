@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cli/output/report_manifest.h"
+#include "cli/output/report_folder.h"
 
 namespace gouge {
 namespace {

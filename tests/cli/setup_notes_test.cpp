@@ -88,8 +88,7 @@ Diagnostics notes_of(IndexedMesh part, IndexedMesh fixture) {
   const PreparedScene prepared(files->scene);
   Job job;
   job.files = files;
-  note_setup(job, {}, prepared);
-  return job.notes;
+  return setup_notes(job, {}, prepared);
 }
 
 TEST(SetupNotes, AJawThatLiesFlatOnAFinePartIsProvedToTouchIt) {

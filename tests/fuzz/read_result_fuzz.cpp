@@ -10,7 +10,7 @@
 
 #include "lib/base/printable_text.h"
 #include "lib/base/sha256.h"
-#include "postproc/accept/accept_finding.h"
+#include "postproc/accept/accepted.h"
 #include "postproc/compare/write_comparison.h"
 #include "postproc/report/identity_json.h"
 #include "tests/fuzz/require.h"

@@ -8,7 +8,7 @@
 
 #include "lib/certify/motion_checker.h"
 #include "lib/correct/correct_path.h"
-#include "lib/mesh/winding.h"
+#include "lib/mesh/opposite_half_edges.h"
 #include "lib/motion/motion_law.h"
 #include "postproc/cldata/rewriting/list_written.h"
 #include "tests/support/brute_force.h"

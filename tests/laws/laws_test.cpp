@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "tests/laws/random_scenes.h"
 #include "tests/support/reference.h"
 #include "tests/support/tools.h"

@@ -11,7 +11,7 @@
 #include "lib/check/overcut_gap.h"
 #include "lib/motion/motion_law.h"
 #include "lib/overcut/overcut_search.h"
-#include "lib/overcut/swept_head.h"
+#include "lib/overcut/swept_solid.h"
 #include "lib/overcut/swept_tool.h"
 #include "lib/verify/solid_depth.h"
 #include "tests/laws/random_moves.h"

@@ -13,8 +13,8 @@
 #include "tests/support/verify_tool.h"
 #include "toolmodels/bsp.h"
 #include "toolmodels/compile_tool.h"
-#include "toolmodels/contour_tree.h"
 #include "toolmodels/elements.h"
+#include "toolmodels/trace_regions.h"
 
 // Cutters of many points: traced ones, and ones of many teeth. What they take grows with their points, and what they
 // answer is what every element together answers.

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <unordered_set>
 #include <vector>
 
+#include "lib/base/result.h"
 #include "toolmodels/import/catalogue_tool.h"
 #include "toolmodels/import/import_tools.h"
 
@@ -43,5 +45,18 @@ class Collector {
 
 /// A tool number this project can hold.
 [[nodiscard]] std::optional<int> tool_number(long long number);
+
+struct BesideFile {
+  std::string path;  ///< where it was found; the first place that was tried where it was not
+  std::string bytes;
+};
+
+/// Reads the file that a tool library names `name`: in the library's folder, else in the folder Bit beside that, where
+/// FreeCAD keeps them. Where none has exactly this name, upper and lower case count as equal.
+///
+/// Errors   file-not-found with both places; import-beside where several files differ in case alone; those of
+///          read_file.
+[[nodiscard]] Result<BesideFile> read_beside(const std::string& library_file, const std::string& name,
+                                             std::uint64_t most_bytes);
 
 }  // namespace gouge

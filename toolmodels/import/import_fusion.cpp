@@ -5,7 +5,7 @@
 #include "toolmodels/import/collector.h"
 #include "toolmodels/import/import_tools.h"
 #include "toolmodels/import/json_entry.h"
-#include "toolmodels/import/unzip.h"
+#include "toolmodels/import/read_any_tools.h"
 
 namespace gouge {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "toolmodels/import/json_entry.h"
 #include "toolmodels/import/quantity.h"
-#include "toolmodels/import/unzip.h"
+#include "toolmodels/import/read_any_tools.h"
 
 namespace gouge {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "lib/base/number_text.h"
-#include "lib/base/utf8.h"
+#include "lib/base/printable_text.h"
 
 namespace gouge {
 namespace {

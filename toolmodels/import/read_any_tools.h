@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lib/base/result.h"
-#include "toolmodels/import/beside_file.h"
+#include "toolmodels/import/collector.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge {
@@ -23,5 +23,11 @@ struct ReadTools {
 ///          names with what to do; library-empty: no tool of the file can be imported, with the first reason.
 [[nodiscard]] Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes,
                                                std::uint64_t most_bytes);
+
+[[nodiscard]] bool is_zip(std::string_view bytes);
+
+/// The first file of the archive whose name ends in `ending`. Errors: import-zip (also for one larger than
+/// 256 MB, which no library is).
+[[nodiscard]] Result<std::string> unzip_first(const std::string& file, std::string_view bytes, std::string_view ending);
 
 }  // namespace gouge

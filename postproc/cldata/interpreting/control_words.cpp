@@ -9,8 +9,8 @@
 #include "postproc/cldata/interpreting/misreading.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
+#include "postproc/cldata/parsing/cutter_statement.h"
 #include "postproc/cldata/parsing/machine_text.h"
-#include "postproc/cldata/parsing/tool_name.h"
 
 // Statements that carry text or codes for the machine's control, and choices of the setup: what of them may
 // move the tool or change where positions are.

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "postproc/cldata/language/statement.h"
-#include "postproc/cldata/language/unit_words.h"
+#include "postproc/cldata/language/words.h"
 
 namespace gouge {
 

@@ -1,12 +1,24 @@
 #include "postproc/cldata/interpreting/frame_state.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
+#include "postproc/cldata/interpreting/emit.h"
+#include "postproc/cldata/interpreting/misreading.h"
+#include "postproc/cldata/interpreting/word_handlers.h"
+#include "postproc/cldata/language/text.h"
+#include "postproc/cldata/language/words.h"
+
+// In which unit and frame positions are.
 
 namespace gouge {
+
 namespace {
 
 constexpr double kFarthest_mm = 1e7;  // ten kilometres: no machine is that large
@@ -77,6 +89,226 @@ void FrameState::write_note() const {
 const MotionFrame* FrameState::record(std::deque<MotionFrame>& frames) {
   if (!std::exchange(is_recorded_, true)) frames.push_back({mm_per_unit_, to_part_});
   return &frames.back();
+}
+
+namespace {
+
+constexpr std::array<double, 12> kIdentityByRows = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+bool is_identity(std::span<const Argument> arguments) {
+  if (arguments.size() != kIdentityByRows.size()) return false;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (!arguments[i].number || std::abs(*arguments[i].number - kIdentityByRows[i]) > kIdentityError) return false;
+  }
+  return true;
+}
+
+bool is_all_zero(std::span<const Argument> arguments) {
+  return std::ranges::all_of(arguments, [](const Argument& a) { return a.number && std::abs(*a.number) <= 0; });
+}
+
+// CATIA: the origin, the X axis and the Z axis of the system, here those of the positions as they are.
+bool is_same_system(std::span<const Argument> arguments) {
+  constexpr std::array<double, 9> kSame = {0, 0, 0, 1, 0, 0, 0, 0, 1};
+  return std::ranges::equal(arguments, kSame, [](const Argument& a, double expected) {
+    return a.number && std::abs(*a.number - expected) <= kIdentityError;
+  });
+}
+
+// Rows of three components of an axis and one of the origin.
+bool is_rigid_by_rows(const StatementContext& in) {
+  if (!in.has_numbers_alone(12)) return false;
+  Eigen::Matrix3d rotation;
+  for (Eigen::Index row = 0; row < 3; ++row)
+    rotation.row(row) = in.vector(static_cast<std::size_t>(4 * row)).transpose();
+  return (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= kFrameError &&
+         rotation.determinant() > 0;
+}
+
+void doubt_frame_word(States& s, const char* reason = Reasons::kUnreadFrame) {
+  s.doubts.set(Doubt::unread_frame, s.in.because(reason));
+}
+
+// MCSYS/ NUM,n,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k: its numbers, or nothing where it has another form.
+std::optional<std::array<Vec3, 3>> read_mcsys(std::span<const Argument> arguments) {
+  constexpr std::array<std::string_view, 14> kForm = {"NUM", "", "POINT", "", "", "", "VECTOR", "", "", "", "VECTOR"};
+  if (arguments.size() != kForm.size()) return std::nullopt;
+  std::array<Vec3, 3> vectors;
+  Eigen::Index count = 0;
+  for (std::size_t i = 0; i < kForm.size(); ++i) {
+    const bool is_word = !kForm[i].empty();
+    if (is_word ? !equals_ignoring_case(arguments[i].text, kForm[i]) : !arguments[i].number) return std::nullopt;
+    if (is_word || i == 1) continue;
+    vectors[static_cast<std::size_t>(count / 3)][count % 3] = *arguments[i].number;
+    ++count;
+  }
+  return vectors;
+}
+
+}  // namespace
+
+// Under another frame the machine has turned its table or head: nothing is known of the path there. A block and a
+// section have one frame, which stands before their positions.
+void set_frame(States& s, const RigidTransform& to_part, bool says_axis) {
+  const bool has_blocks = s.blocks.is_open() || s.in.dialect.operations_are_blocks;
+  const bool is_changed = s.frame.set(to_part);
+  if (is_changed || says_axis) s.axes.note_frame(says_axis);
+  if (is_changed) {
+    ++s.frame_changes;
+    s.clear_plane_mm.reset();
+  }
+  if (is_changed) {
+    break_motion(s);
+    s.chain.forbid_link();
+    if (has_blocks && s.blocks.has_positions(s.in.moves())) doubt_frame_word(s);
+  }
+  s.doubts.clear(Doubt::setup);  // the file says where it is
+  s.doubts.set(Doubt::skew, s.frame.is_skewed() ? s.in.because(Reasons::kSkewed) : nullptr);
+}
+
+void take_msys(States& s) {
+  if (!s.in.has_numbers_alone(9)) {
+    return s.in.fail("path-frame", "MSYS has " + std::to_string(s.in.arguments.size()) +
+                                       " arguments; expected 9 numbers: the origin, the X axis and the Y axis");
+  }
+  const double rounding = rounding_of(std::span<const Argument>(s.in.arguments).subspan(3));
+  const std::optional<RigidTransform> frame =
+      s.frame.make(s.in.vector(0), s.in.vector(3), s.in.vector(6), std::nullopt, rounding, "MSYS");
+  if (!frame) return;
+  set_frame(s, *frame);
+  s.blocks.require_frames();
+  if (!s.blocks.is_open()) return;
+  s.doubts.clear(Doubt::block);
+  if (!s.is_unknown_in_block) s.doubts.clear(Doubt::unknown);  // the block states tool, axis and frame
+  s.blocks.note_frame(s.in.moves());
+}
+
+void take_csys(States& s) {
+  if (s.in.dialect.is_in_world && s.is_world_stated) return;
+  s.doubts.set(Doubt::csys, is_identity(s.in.arguments) ? nullptr : s.in.because(Reasons::kCsys));
+}
+
+// Creo 9 writes it where older files have the comment $$-> CSYS, with the same twelve numbers.
+void take_camera(States& s) {
+  if (s.in.dialect.has_camera_csys && is_rigid_by_rows(s.in)) return note_creo_csys(s);
+  s.in.count_unknown();
+  doubt_frame_word(s);
+}
+
+void note_creo_csys(States& s) {
+  if (!is_identity(s.in.arguments)) s.frame.note_csys();
+}
+
+// CAMplete: the X, Y and Z axes, then the origin.
+void take_mcs(States& s) {
+  if (!s.in.has_numbers_alone(12)) {
+    return s.in.fail("path-frame", "MCS has " + std::to_string(s.in.arguments.size()) +
+                                       " arguments; expected 12 numbers: the X, Y and Z axes and the origin");
+  }
+  const double rounding = rounding_of(std::span<const Argument>(s.in.arguments).first(9));
+  const std::optional<RigidTransform> frame =
+      s.frame.make(s.in.vector(9), s.in.vector(0), s.in.vector(3), s.in.vector(6), rounding, "MCS");
+  if (!frame) return;
+  if ((s.in.vector(6) - frame->rotation.col(2)).norm() > kFrameError)
+    return s.in.fail("path-frame",
+                     "MCS: the third axis is not the first cross the second; expected a right-handed system");
+  set_frame(s, *frame);
+  // Files whose only system is the part's own need not repeat it.
+  const double turn = (frame->rotation - RigidTransform{}.rotation).cwiseAbs().maxCoeff();
+  if (turn > kIdentityError || frame->shift.norm() > kIdentityError) s.blocks.require_frames();
+  s.blocks.note_frame(s.in.moves());
+}
+
+// An origin, an X axis and a Y axis. Its writer turns positions into no other system before it writes them, and those
+// of three numbers have their axis from nowhere else.
+void take_mcsys(States& s) {
+  const std::optional<std::array<Vec3, 3>> vectors = read_mcsys(s.in.arguments);
+  s.doubts.set(Doubt::mcs, vectors ? nullptr : s.in.because(Reasons::kMcsys));
+  if (!vectors) return;
+  constexpr std::size_t kBehindOrigin = 6;
+  const double rounding = rounding_of(std::span<const Argument>(s.in.arguments).subspan(kBehindOrigin));
+  const std::optional<RigidTransform> frame =
+      s.frame.make((*vectors)[0], (*vectors)[1], (*vectors)[2], std::nullopt, rounding, "MCSYS");
+  if (frame) set_frame(s, *frame, true);
+}
+
+// But for CAMWorks CLT angles may be absolute or relative, and of one of several tables, so nothing undoes them.
+void take_rotabl(States& s) {
+  const std::vector<Argument>& arguments = s.in.arguments;
+  if (std::ranges::none_of(arguments, may_be_number)) {
+    distrust(s, Word::rotabl);
+    return s.in.count_unknown();
+  }
+  if (s.in.dialect.has_setups && s.setup.take_turn()) return;
+  const bool is_turned = std::ranges::any_of(
+      arguments, [](const Argument& a) { return a.number ? std::abs(*a.number) > 0 : may_be_number(a); });
+  if (is_turned) doubt_frame_word(s, Reasons::kTurned);
+}
+
+// All that is known of other systems than the part's is that these three numbers would shift them.
+void take_trntyp(States& s) {
+  const std::span<const Argument> all(s.in.arguments);
+  constexpr std::size_t kWorldAndPoint = 4;
+  const bool is_world =
+      all.size() == kWorldAndPoint && equals_ignoring_case(all.front().text, "WORLD") && is_all_zero(all.subspan(1));
+  s.doubts.set(Doubt::trntyp, is_world ? nullptr : s.in.because(Reasons::kTrntyp));
+  s.is_world_stated = is_world;
+  if (is_world && s.in.dialect.is_in_world) s.doubts.clear(Doubt::csys);
+}
+
+// TRANS and ORIGIN shift what a post-processor writes. Whether the part shifts with it no file shows. Zeros undo
+// their own word's shift, unless another word says how they are meant.
+void take_trans(States& s) {
+  if (s.in.arguments.empty()) return;
+  const bool is_origin = equals_ignoring_case(s.in.statement().major, "ORIGIN");
+  const bool is_none = is_all_zero(s.in.arguments) || (is_origin && is_same_system(s.in.arguments));
+  switch_doubt(s, is_origin ? Doubt::origin : Doubt::trans, !is_none, Reasons::kTrans);
+}
+
+// A lathe's or a wire's program has its positions in another plane.
+void take_mode(States& s) {
+  if (s.in.has("MILL")) s.doubts.clear(Doubt::mode);
+  for (const char* word : {"TURN", "LATHE", "WIRE", "EDM"}) {
+    if (s.in.has(word)) s.doubts.set(Doubt::mode, s.in.because(Reasons::kTurning));
+  }
+  const auto leaves_positions_alone = [&](const Argument& argument) {
+    constexpr std::array<std::string_view, 8> kWords = {"MILL", "TURN",  "LATHE",    "WIRE",
+                                                        "EDM",  "ABSOL", "ABSOLUTE", "ABS"};
+    const std::optional<LengthUnit> unit = unit_of_word(argument.text);
+    if (equals_ignoring_case(argument.text, "METRIC")) return false;  // millimetres, or centimetres
+    return unit ? std::abs(mm_per(*unit) / s.frame.mm_per_unit() - 1) <= Tolerance::kRounding
+                : is_one_of(argument.text, kWords);
+  };
+  if (!s.in.arguments.empty() && std::ranges::all_of(s.in.arguments, leaves_positions_alone)) return;
+  s.in.count_unknown();
+  doubt_frame_word(s);
+}
+
+void take_tlaxis(States& s) {
+  if (s.axes.is_tlaxis_ignored()) return;
+  s.in.dialect.has_setups ? s.setup.take_axis() : s.axes.take_tlaxis();
+}
+
+void take_units(States& s) {
+  std::optional<LengthUnit> stated;
+  for (const Argument& argument : s.in.arguments) {
+    const std::optional<LengthUnit> unit = unit_of_word(argument.text);
+    if (!unit) continue;
+    if (stated && *stated != *unit) {
+      return s.in.fail("path-statement",
+                       s.in.major() + " states two units; expected MM or INCHES: leave the right one");
+    }
+    stated = unit;
+  }
+  if (!stated) {
+    const std::string what = s.in.arguments.empty() ? std::string("nothing") : quoted_text(s.in.arguments.front().text);
+    return s.in.fail("path-statement", s.in.major() + ": " + what + " is not a unit; expected MM or INCHES");
+  }
+  s.feed_units.close();
+  // The guess of the unit knows of it; before it a reader takes mm.
+  const bool is_other = *stated != LengthUnit::mm || std::abs(mm_per(*stated) - s.frame.mm_per_unit()) > 0;
+  const bool is_late = s.frame.state_unit(mm_per(*stated)) && s.in.moves() > 0;
+  if (is_late && is_other) doubt_moves(s, 0, s.in.moves(), s.in.because(Reasons::kLateUnit));
 }
 
 }  // namespace gouge

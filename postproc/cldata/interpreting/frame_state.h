@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "lib/base/tolerance.h"
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/statement_context.h"
 

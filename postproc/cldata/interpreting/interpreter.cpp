@@ -6,10 +6,9 @@
 #include "lib/base/number_text.h"
 #include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/misreading.h"
-#include "postproc/cldata/interpreting/modal_states.h"
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
-#include "postproc/cldata/parsing/run_on.h"
+#include "postproc/cldata/parsing/known_arguments.h"
 
 namespace gouge {
 namespace {

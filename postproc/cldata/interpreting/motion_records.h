@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "lib/path/toolpath.h"
 #include "postproc/cldata/language/statement.h"
 #include "postproc/program/cutcom.h"

@@ -1,13 +1,22 @@
 #include "postproc/cldata/interpreting/nurbs_state.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lib/base/tolerance.h"
+#include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/reasons.h"
+#include "postproc/cldata/interpreting/word_handlers.h"
+#include "postproc/cldata/language/text.h"
+
+// MOVNRB of Creo: a NURBS, and the positions on it.
 
 namespace gouge {
+
 namespace {}  // namespace
 
 void NurbsState::begin() {
@@ -78,6 +87,104 @@ void NurbsState::attach(const Pose& start, Move& move) {
   move.curve_kind = CurveKind::spline;
   move.curve = in_.path.splines.size();
   in_.path.splines.push_back(std::move(spline));
+}
+
+namespace {
+
+// The inner knots of a cubic with simple ends, from 0 to 1; nothing of any other curve.
+std::optional<std::vector<double>> inner_knots(const MovnrbState& curve) {
+  constexpr std::size_t kOrder = 4;
+  const std::vector<double>& knots = curve.knots;
+  if (curve.order != kOrder || knots.size() != curve.control_local.size() + kOrder || knots.size() < 2 * kOrder)
+    return std::nullopt;
+  const double first = knots.front(), length = knots.back() - knots.front();
+  if (!(length > Tolerance::kRounding)) return std::nullopt;
+  for (std::size_t i = 0; i < kOrder; ++i) {
+    if (knots[i] - first > Tolerance::kRounding || knots.back() - knots[knots.size() - 1 - i] > Tolerance::kRounding)
+      return std::nullopt;
+  }
+  std::vector<double> inner;
+  for (std::size_t i = kOrder; i + kOrder < knots.size(); ++i) inner.push_back((knots[i] - first) / length);
+  return inner;
+}
+
+// The curve as one move from where the tool stands.
+std::optional<Move> curve_move(States& s) {
+  const std::optional<std::vector<double>> inner = inner_knots(s.movnrb);
+  if (!inner || s.movnrb.is_five_axis || !s.chain.is_start_certain() || s.doubts.reason() != nullptr ||
+      !s.cutcom.reason().empty())
+    return std::nullopt;
+  std::vector<Vec3> control;
+  for (const Vec3& point : s.movnrb.control_local) control.push_back(s.frame.to_part().point(point));
+  const Pose start = *s.chain.last_pose();
+  if ((control.front() - start.tip).norm() > Tolerance::kFilePoint_mm) return std::nullopt;
+  control.front() = start.tip;
+  PathSpline spline = make_spline(control, *inner);
+  if (spline.pieces.empty()) return std::nullopt;
+  Position position;
+  position.tip_local = s.movnrb.control_local.back();
+  position.axis_local = s.frame.to_local(start).axis;
+  Move move = make_move(s, position, MoveKind::feed);
+  move.curve_kind = CurveKind::spline;
+  move.curve = s.in.path.splines.size();
+  move.not_checked_reason = Reasons::kMovnrb;
+  move.cover = Cover::motion;
+  s.in.path.splines.push_back(std::move(spline));
+  return move;
+}
+
+// The control runs the curve, or the positions that follow: both are checked.
+void begin_positions(States& s) {
+  const std::optional<Move> curve = curve_move(s);
+  if (!curve) {
+    s.doubts.set(Doubt::spline, s.in.because(Reasons::kSpline));
+    return;
+  }
+  s.movnrb.begin = s.in.moves();
+  s.movnrb.end = curve->end.tip;
+  s.movnrb.is_on = true;
+  emit_curve_reading(s, *curve);
+}
+
+void end_positions(States& s) {
+  s.doubts.clear(Doubt::spline);
+  if (!std::exchange(s.movnrb.is_on, false)) return;
+  const bool is_end =
+      s.chain.last_pose() && (s.chain.last_pose()->tip - s.movnrb.end).norm() <= Tolerance::kFilePoint_mm;
+  for (std::size_t i = s.movnrb.begin; i < s.in.moves() && !is_end; ++i) s.in.path.moves[i].cover = Cover::none;
+}
+
+bool are_numbers(std::span<const Argument> arguments) {
+  return std::ranges::all_of(arguments, [](const Argument& a) { return a.number.has_value(); });
+}
+
+}  // namespace
+
+// ON,order,knots,weights,points,length; 1,knots; 2,points; NEXT before the positions; OFF behind them.
+void take_movnrb(States& s) {
+  const std::vector<Argument>& arguments = s.in.arguments;
+  const std::string_view what = arguments.empty() ? std::string_view() : arguments.front().text;
+  const std::span<const Argument> rest = std::span<const Argument>(arguments).subspan(arguments.empty() ? 0 : 1);
+  if (equals_ignoring_case(what, "M3AXIS")) {
+    s.movnrb = {};
+  } else if (equals_ignoring_case(what, "OFF")) {
+    end_positions(s);
+  } else if (equals_ignoring_case(what, "NEXT")) {
+    begin_positions(s);
+  } else if (equals_ignoring_case(what, "ON") && are_numbers(rest) && !rest.empty()) {
+    const bool is_five_axis = s.movnrb.is_five_axis;
+    s.movnrb = {};
+    s.movnrb.is_five_axis = is_five_axis;
+    s.movnrb.order = static_cast<std::size_t>(std::clamp(*rest.front().number, 0.0, 100.0));
+  } else if (what == "1" && are_numbers(rest)) {
+    for (const Argument& knot : rest) s.movnrb.knots.push_back(*knot.number);
+  } else if (what == "2" && are_numbers(rest) && rest.size() % 3 == 0) {
+    for (std::size_t i = 0; i < rest.size(); i += 3)
+      s.movnrb.control_local.push_back(Vec3(*rest[i].number, *rest[i + 1].number, *rest[i + 2].number) *
+                                       s.frame.mm_per_unit());
+  } else {
+    s.movnrb.is_five_axis = true;  // two curves, or what is not known
+  }
 }
 
 }  // namespace gouge

@@ -2,12 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string_view>
+#include <vector>
 
+#include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/reasons.h"
+#include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
 
+// INDEX and COPY of APT: positions that are run again, shifted.
+
 namespace gouge {
+
 namespace {
 
 constexpr std::size_t kLongestSymbol = 12;  // six to eight letters and a subscript
@@ -55,6 +63,98 @@ void PartProgram::refuse_assignments() {
   const bool has_position = std::ranges::any_of(
       moves, [](const Move& move) { return kind_of(move.not_checked_reason) != ReasonKind::may_be_unread; });
   if (has_position || in_.has_errors()) in_.refuse_part_program(first_, first_line_);
+}
+
+namespace {
+
+constexpr double kMostCopies = 1000;
+
+// Straight moves and arcs that are all checked, of the tool and in the frame that are in force.
+bool is_repeatable(const States& s, const IndexedMoves& range) {
+  if (range.begin == range.end || range.frames != s.frame_changes) return false;
+  const Moves& moves = s.in.path.moves;
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const Move& move = moves[i];
+    const bool can_begin = i > range.begin ? move.has_start : move.curve_kind == CurveKind::none;
+    if (!can_begin || !move.not_checked_reason.empty() || move.curve_kind == CurveKind::spline ||
+        move.kind == MoveKind::cycle || move.tool != moves[range.begin].tool)
+      return false;
+  }
+  return moves[range.begin].tool == s.tool.index() && s.chain.is_start_certain() && s.doubts.reason() == nullptr &&
+         s.cutcom.reason().empty() && !s.cycle.is_on() && !s.curve.is_open();
+}
+
+struct CopyStatement {
+  int id = 0;
+  Vec3 shift = Vec3::Zero();  // in the file's unit and frame
+  std::size_t copies = 1;
+};
+
+// COPY/id,TRANSL,dx,dy,dz[,copies] and COPY/id,SAME[,copies].
+std::optional<CopyStatement> read_copy(const std::vector<Argument>& arguments) {
+  if (arguments.size() < 2 || !arguments[0].number) return std::nullopt;
+  CopyStatement copy;
+  copy.id = static_cast<int>(*arguments[0].number);
+  const bool is_shifted = equals_ignoring_case(arguments[1].text, "TRANSL");
+  if (!is_shifted && !equals_ignoring_case(arguments[1].text, "SAME")) return std::nullopt;
+  const std::size_t numbers = is_shifted ? 3 : 0, size = arguments.size();
+  if (size != 2 + numbers && size != 3 + numbers) return std::nullopt;
+  if (std::any_of(arguments.begin() + 2, arguments.end(), [](const Argument& a) { return !a.number; }))
+    return std::nullopt;
+  if (is_shifted) copy.shift = {*arguments[2].number, *arguments[3].number, *arguments[4].number};
+  const double copies = size == 3 + numbers ? *arguments.back().number : 1;
+  if (!(copies >= 1 && copies <= kMostCopies) || std::floor(copies) < copies) return std::nullopt;
+  copy.copies = static_cast<std::size_t>(copies);
+  return copy;
+}
+
+void repeat_move(States& s, std::size_t index, const Vec3& shift) {
+  Move move = s.in.path.moves[index];
+  move.line = s.in.line();
+  move.statement = s.in.index();
+  move.end.tip += shift;
+  move.has_start = true;
+  move.is_linked = false;
+  if (move.curve_kind == CurveKind::arc) {
+    PathArc arc = s.in.path.arcs[move.curve];
+    arc.center += shift;
+    move.curve = s.in.path.arcs.size();
+    s.in.make_room(s.in.path.arcs);
+    s.in.path.arcs.push_back(arc);
+  }
+  Position position;
+  position.form = PositionForm::unread;  // it has no statement of its own to be changed
+  position.tip_local = s.frame.to_local(move.end).tip;
+  position.axis_local = s.frame.to_local(move.end).axis;
+  append(s, move, position);
+}
+
+}  // namespace
+
+// INDEX/id begins them, INDEX/id,NOMORE ends them.
+void take_index(States& s) {
+  const std::vector<Argument>& arguments = s.in.arguments;
+  const bool is_end = arguments.size() == 2 && equals_ignoring_case(arguments[1].text, "NOMORE");
+  if (arguments.empty() || !arguments[0].number || (arguments.size() > 1 && !is_end)) return take_part_program(s);
+  IndexedMoves& range = s.indexed[static_cast<int>(*arguments[0].number)];
+  if (is_end) {
+    if (range.end == kNone) range.end = s.in.moves();
+  } else {
+    range = {s.in.moves(), kNone, s.frame_changes};
+  }
+}
+
+void take_copy(States& s) {
+  const std::optional<CopyStatement> copy = read_copy(s.in.arguments);
+  const auto found = copy ? s.indexed.find(copy->id) : s.indexed.end();
+  if (found == s.indexed.end()) return take_repeat(s);
+  IndexedMoves range = found->second;
+  if (range.end == kNone) range.end = s.in.moves();
+  if (!is_repeatable(s, range) || (range.end - range.begin) * copy->copies > kMostCopied) return take_repeat(s);
+  const Vec3 shift = s.frame.to_part().direction(copy->shift * s.frame.mm_per_unit());
+  for (std::size_t k = 1; k <= copy->copies; ++k) {
+    for (std::size_t i = range.begin; i < range.end; ++i) repeat_move(s, i, static_cast<double>(k) * shift);
+  }
 }
 
 }  // namespace gouge

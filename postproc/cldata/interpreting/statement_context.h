@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lib/path/toolpath.h"
-#include "postproc/cldata/interpreting/named_reasons.h"
+#include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/language/statement.h"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "lib/base/utf8.h"
+#include "lib/base/printable_text.h"
 
 namespace gouge {
 namespace {

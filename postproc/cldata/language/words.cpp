@@ -9,6 +9,7 @@
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
+
 namespace {
 
 using Entry = std::pair<std::string_view, Word>;
@@ -227,6 +228,26 @@ std::size_t free_text_word_length(std::string_view line) {
     }
   }
   return tool_path_length(line);
+}
+
+std::optional<LengthUnit> unit_of_word(std::string_view word) {
+  for (const std::string_view mm : {"MM", "MMS", "MILLIMETER", "MILLIMETERS", "METRIC"}) {
+    if (equals_ignoring_case(word, mm)) return LengthUnit::mm;
+  }
+  for (const std::string_view inch : {"IN", "INCH", "INCHES"}) {
+    if (equals_ignoring_case(word, inch)) return LengthUnit::inch;
+  }
+  return std::nullopt;
+}
+
+std::optional<LengthUnit> unit_of_feed_word(std::string_view word) {
+  for (const std::string_view mm : {"MMPM", "MMPR"}) {
+    if (equals_ignoring_case(word, mm)) return LengthUnit::mm;
+  }
+  for (const std::string_view inch : {"IPM", "IPR", "FPM", "FPR"}) {
+    if (equals_ignoring_case(word, inch)) return LengthUnit::inch;
+  }
+  return std::nullopt;
 }
 
 }  // namespace gouge

@@ -4,10 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string_view>
+
+#include "lib/base/units.h"
 
 // The major words of CL data that change what a motion means, and those known to change nothing about where
 // the cutter is. Every other word is `unknown`: kept in the file, counted and reported.
+
+// The words that name a unit of length, alone or within a feed.
 
 namespace gouge {
 
@@ -119,5 +124,11 @@ class WordSet {
 /// word has, or 0 when it is no such word. PARTNO, PPRINT and their like need no delimiter after their six
 /// letters.
 [[nodiscard]] std::size_t free_text_word_length(std::string_view line);
+
+/// MM, MMS, MILLIMETERS, INCH, INCHES, IN; nothing for other words.
+[[nodiscard]] std::optional<LengthUnit> unit_of_word(std::string_view word);
+
+/// The length unit of a feed word (MMPM, MMPR, IPM, IPR, FPM, FPR); nothing for other words.
+[[nodiscard]] std::optional<LengthUnit> unit_of_feed_word(std::string_view word);
 
 }  // namespace gouge

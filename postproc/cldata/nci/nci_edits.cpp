@@ -13,10 +13,9 @@
 #include "lib/geom/pose.h"
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/language/text.h"
-#include "postproc/cldata/nci/nci_lines.h"
 #include "postproc/cldata/nci/nci_motion.h"
 #include "postproc/cldata/rewriting/change_table.h"
-#include "postproc/cldata/rewriting/number_style.h"
+#include "postproc/cldata/rewriting/goto_text.h"
 
 namespace gouge {
 namespace {

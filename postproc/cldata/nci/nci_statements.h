@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "postproc/cldata/language/statement.h"
-#include "postproc/cldata/nci/nci_lines.h"
 #include "postproc/cldata/nci/nci_motion.h"
 #include "postproc/program/cutcom.h"
 

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "lib/path/toolpath.h"
@@ -31,5 +32,13 @@ struct CutterOutcome {
 /// TLDATA/MILL,D,R,length,taper,tip[,x,y[,upper radius,x,y]] and TLDATA/DRILL[,MILL],D,R,length,point,flutes.
 /// `arguments` without the first word; `is_drill` shows which form.
 [[nodiscard]] CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_drill, double mm_per_unit);
+
+/// True of the text that SolidWorks CAM writes before a CUTTER: it has a dimension with its unit, or a word for a kind
+/// of tool, and nothing of a macro outside of square brackets.
+[[nodiscard]] bool is_tool_name(std::string_view text);
+
+/// True of the two other texts that SolidWorks CAM writes by itself: "Stock Size X95. Y95. Z10." and "STOP" with a
+/// message for the operator.
+[[nodiscard]] bool is_setup_text(std::string_view text);
 
 }  // namespace gouge

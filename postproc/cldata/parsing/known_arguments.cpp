@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
-#include "postproc/cldata/language/unit_words.h"
+#include "postproc/cldata/language/text.h"
+#include "postproc/cldata/language/words.h"
 #include "postproc/cldata/parsing/control_list.h"
+#include "postproc/cldata/parsing/machine_text.h"
 
 namespace gouge {
+
 namespace {
 
 struct KnownArguments {
@@ -60,6 +64,126 @@ bool are_known_arguments(Word word, std::span<const Argument> arguments) {
     if (is_quoted && argument.text.ends_with('\'') && (!begins_quoted || argument.text.size() > 1)) is_quoted = false;
   }
   return !is_quoted;
+}
+
+namespace {
+
+bool is_number_start(char c) { return is_digit(c) || c == '+' || c == '-' || c == '.'; }
+
+// Words that stand beside no other one, with or without numbers.
+bool is_major_only(Word word) {
+  return word == Word::go_to || word == Word::godlta || word == Word::gohome || word == Word::multax;
+}
+
+bool takes_position(Word word) { return word == Word::go_to || word == Word::godlta || word == Word::from; }
+
+// Real statements that hold another one's word: TLON,GOFWD/(CIRCLE/..), CYCLE/ON CYCLE/DRILL.
+bool is_part_of(const Statement& statement, Word word, std::string_view before) {
+  if (statement.word == Word::tlon) return word == Word::circle;
+  return statement.word == Word::cycle && word == Word::cycle && equals_ignoring_case(trim(before), "ON");
+}
+
+// Of "GODLTA" in "GODLTA-50", or all of `token`.
+std::size_t glued_length(std::string_view token) {
+  const auto letters = static_cast<std::size_t>(std::ranges::find_if_not(token, is_letter) - token.begin());
+  return takes_position(find_word(token.substr(0, letters))) ? letters : token.size();
+}
+
+// "G1" in "COOLNT/ON G1 Z-50", or "Z-50" and "Z50." alone.
+bool is_block_of_control(std::string_view token, std::string_view text) {
+  constexpr std::string_view kAxes = "XYZxyz";
+  const bool is_place = token.size() > 1 && kAxes.find(token[0]) != std::string_view::npos &&
+                        (token[1] == '-' || (is_digit(token[1]) && text.substr(token.size()).starts_with('.')));
+  if (is_place) return read_machine_text(token).moves;
+  return token.size() > 1 && (token[0] == 'G' || token[0] == 'g') && is_digit(token[1]) &&
+         read_machine_text(text).moves;
+}
+
+// Whether the word at the end of `token` begins a statement with what comes after it.
+bool begins_statement(Word word, std::string_view rest) {
+  rest = trim(rest);
+  const char next = rest.empty() ? '\0' : rest.front();
+  return next == '/' || (takes_position(word) && is_number_start(next));
+}
+
+// "16GOTO/" and "OFFCYCLE/": a line end is missing.
+bool ends_with_statement(std::string_view token, std::string_view rest) {
+  const std::string_view after = trim(rest);
+  if (after.empty() || (after.front() != '/' && !is_number_start(after.front()))) return false;
+  const Word word = find_word_at_end(token);
+  return word != Word::unknown && begins_statement(word, rest);
+}
+
+std::string_view find_in(const Statement& statement, std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t begin = i;
+    if (!is_word_character(text[i]) && text[i] != '\'') {
+      ++i;
+      continue;
+    }
+    ++i;
+    while (i < text.size() && is_word_character(text[i])) ++i;
+    const std::string_view token = text.substr(begin, i - begin);
+    if (statement.word != Word::unknown && ends_with_statement(token, text.substr(i))) return token;
+    if (!is_letter(token.front())) continue;  // a number's exponent, "4TH", "'TLAXIS'" begin no word
+    const bool is_known = statement.word != Word::unknown && statement.word != Word::comment;
+    if (is_known && is_block_of_control(token, text.substr(begin))) return token;
+    const Word word = find_word(token.substr(0, glued_length(token)));
+    if (!changes_motion(word) || is_part_of(statement, word, text.substr(0, begin))) continue;
+    if (begins_statement(word, text.substr(i)) || glued_length(token) < token.size()) return token;
+    if (is_major_only(word) && statement.word != Word::unknown) return token;
+  }
+  return {};
+}
+
+// "CENTERLOADTL/" in a text that is a name, or a statement that Creo writes as a comment.
+std::string_view find_glued(std::string_view text) {
+  for (std::size_t slash = text.find('/'); slash != std::string_view::npos; slash = text.find('/', slash + 1)) {
+    const std::string_view before = trim(text.substr(0, slash));
+    const std::string_view token = before.substr(before.find_last_of(" ,/>") + 1);
+    if (find_word(token) == Word::unknown && ends_with_statement(token, "/")) return token;
+  }
+  return {};
+}
+
+// "RAPID;CUTCOM" before a slash.
+std::string_view find_after_semicolon(std::string_view major) {
+  const std::size_t semicolon = major.rfind(';');
+  if (semicolon == std::string_view::npos) return {};
+  const std::string_view token = trim(major.substr(semicolon + 1));
+  return changes_motion(find_word(token)) ? token : std::string_view();
+}
+
+bool is_text(Word word) {
+  return word == Word::free_text || word == Word::pprint || word == Word::insert || word == Word::tprint ||
+         word == Word::operation || word == Word::tool_path || word == Word::syn;
+}
+
+}  // namespace
+
+std::string_view find_run_on(const Statement& statement) {
+  if (statement.word == Word::tool_path && !statement.pieces.empty()) {
+    const std::string_view text = statement.pieces.front();
+    return find_glued(text.substr(std::min(text.find(",TOOL,"), text.size())));
+  }
+  // Positions are numbers only, which their readers see to; a part program is refused anyway.
+  if (statement.is_decoded || is_text(statement.word) || takes_position(statement.word) ||
+      statement.word == Word::part_program)
+    return {};
+  if (statement.word == Word::unknown) {
+    const std::string_view hidden = find_after_semicolon(statement.major);
+    if (!hidden.empty()) return hidden;
+  }
+  const std::size_t first = statement.word == Word::comment ? 1 : 0;
+  if (first > 0 && !statement.pieces.empty() && statement.pieces.front().starts_with("->")) {
+    const std::string_view found = find_glued(statement.pieces.front());
+    if (!found.empty()) return found;
+  }
+  for (std::size_t i = first; i < statement.pieces.size(); ++i) {
+    const std::string_view found = find_in(statement, statement.pieces[i]);
+    if (!found.empty()) return found;
+  }
+  return {};
 }
 
 }  // namespace gouge

@@ -266,8 +266,8 @@ bool has_function_in_brackets(std::string_view text) {
 
 // Behind a semicolon stands a comment, or on other controls the next block.
 bool may_be_block(std::string_view comment) {
-  constexpr std::string_view kOfMacros = "#=[]<>";
-  if (comment.find_first_of(kOfMacros) != std::string_view::npos) return true;
+  constexpr std::string_view kMacroLetters = "#=[]<>";
+  if (comment.find_first_of(kMacroLetters) != std::string_view::npos) return true;
   const std::vector<Token> tokens = machine_tokens(comment);
   return !tokens.empty() && is_address(tokens.front()) && tokens.front().is_glued;
 }

@@ -1,7 +1,6 @@
 #include "postproc/cldata/reading/assume_file.h"
 
 #include "lib/base/number_text.h"
-#include "lib/base/word_list.h"
 
 namespace gouge {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "postproc/cldata/language/arguments.h"
-#include "postproc/cldata/language/unit_words.h"
+#include "postproc/cldata/language/words.h"
 
 namespace gouge {
 namespace {

@@ -7,7 +7,7 @@
 #include "lib/base/result.h"
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/language/dialect.h"
-#include "postproc/cldata/rewriting/number_style.h"
+#include "postproc/cldata/rewriting/goto_text.h"
 
 // The statements that describe an arc (CIRCLE, MOVARC, CATIA's INDIRV and TLON) with other numbers in them,
 // written as the file writes its arcs. Everything else of a statement keeps its bytes.

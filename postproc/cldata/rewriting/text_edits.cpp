@@ -10,9 +10,6 @@
 #include "postproc/cldata/rewriting/arc_text.h"
 #include "postproc/cldata/rewriting/change_table.h"
 #include "postproc/cldata/rewriting/goto_text.h"
-#include "postproc/cldata/rewriting/replaced_statements.h"
-#include "postproc/cldata/rewriting/rewritable_moves.h"
-#include "postproc/cldata/rewriting/rewriters.h"
 
 namespace gouge {
 namespace {

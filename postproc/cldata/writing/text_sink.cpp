@@ -6,7 +6,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
-#include "postproc/cldata/parsing/tool_name.h"
+#include "postproc/cldata/parsing/cutter_statement.h"
 
 namespace gouge {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "lib/penetration/depth_body.h"
 #include "lib/penetration/find_penetration.h"
 #include "lib/penetration/point_body.h"

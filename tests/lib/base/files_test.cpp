@@ -4,8 +4,6 @@
 
 #include <filesystem>
 
-#include "lib/base/view_file.h"
-
 namespace gouge {
 namespace {
 

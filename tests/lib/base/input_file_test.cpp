@@ -11,9 +11,8 @@
 #include <string>
 #include <thread>
 
-#include "lib/base/byte_size.h"
 #include "lib/base/files.h"
-#include "lib/base/view_file.h"
+#include "lib/base/number_text.h"
 
 namespace gouge {
 namespace {

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "lib/base/abandoned_files.h"
 #include "lib/base/files.h"
 #include "tests/support/other_user.h"
 

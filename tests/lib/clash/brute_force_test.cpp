@@ -7,7 +7,7 @@
 
 #include "lib/clash/clash.h"
 #include "lib/geom/point_triangle.h"
-#include "lib/mesh/winding.h"
+#include "lib/mesh/opposite_half_edges.h"
 #include "tests/lib/clash/pairs.h"
 
 // Random pairs of solids that are not convex, against a search that knows no tree, no convexity and no

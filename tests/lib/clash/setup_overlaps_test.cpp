@@ -1,4 +1,4 @@
-#include "lib/clash/setup_overlaps.h"
+#include "lib/clash/clash.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // No shift leads across the surface.
-#include "lib/correct/free_pose.h"
+#include "lib/correct/correct_pose.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/mesh/body_pieces.h"
-#include "lib/mesh/cavity.h"
-#include "lib/mesh/free_ray.h"
+#include "lib/mesh/ray_cone.h"
 #include "tests/support/crossing_parity.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"

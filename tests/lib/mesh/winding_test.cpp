@@ -1,4 +1,4 @@
-#include "lib/mesh/winding.h"
+#include "lib/mesh/opposite_half_edges.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "lib/path/programmed_axis.h"
-
 namespace gouge {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "lib/mesh/load_mesh.h"
-#include "lib/mesh/winding.h"
+#include "lib/mesh/opposite_half_edges.h"
 #include "lib/penetration/find_penetration.h"
 #include "tests/bench/penetration/cell_search.h"
 #include "tests/bench/penetration/direction_families.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lib/geom/rigid_transform.h"
+#include "lib/geom/pose.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "tests/support/scatter.h"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/penetration/find_penetration.h"
-#include "lib/penetration/surface_points.h"
+#include "lib/penetration/point_body.h"
 #include "tests/lib/penetration/random_points.h"
 #include "tests/support/solids.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/mesh/winding.h"
+#include "lib/mesh/opposite_half_edges.h"
 #include "lib/surface/surface.h"
 #include "tests/support/lattice_boxes.h"
 #include "tests/support/solids.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/mesh/adjacency.h"
-#include "lib/mesh/face_normal.h"
+#include "lib/mesh/indexed_mesh.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/mesh/winding.h"
+#include "lib/mesh/opposite_half_edges.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"

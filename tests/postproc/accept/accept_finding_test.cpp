@@ -1,4 +1,4 @@
-#include "postproc/accept/accept_finding.h"
+#include "postproc/accept/accepted.h"
 
 #include <gtest/gtest.h>
 

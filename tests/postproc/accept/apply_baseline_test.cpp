@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "postproc/accept/accept_finding.h"
+#include "postproc/accept/accepted.h"
 #include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
 

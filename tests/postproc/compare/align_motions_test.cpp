@@ -1,4 +1,4 @@
-#include "postproc/compare/align_motions.h"
+#include "postproc/compare/match_findings.h"
 
 #include <gtest/gtest.h>
 

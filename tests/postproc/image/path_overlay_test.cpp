@@ -1,4 +1,4 @@
-#include "postproc/image/path_overlay.h"
+#include "postproc/image/path_plot.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "postproc/report/axis_chart.h"
-#include "postproc/report/axis_html.h"
 #include "postproc/report/axis_text.h"
 #include "postproc/report/write_report.h"
 #include "tests/postproc/report/tilted_report.h"

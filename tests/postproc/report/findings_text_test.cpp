@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "postproc/report/cure_text.h"
+#include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"

@@ -1,4 +1,4 @@
-#include "postproc/cldata/interpreting/named_reasons.h"
+#include "postproc/cldata/interpreting/reasons.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "postproc/cldata/parsing/tool_name.h"
+#include "postproc/cldata/parsing/cutter_statement.h"
 
 namespace gouge {
 namespace {

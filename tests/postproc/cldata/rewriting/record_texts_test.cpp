@@ -1,4 +1,4 @@
-#include "postproc/cldata/rewriting/record_texts.h"
+#include "postproc/cldata/rewriting/list_written.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "postproc/cldata/rewriting/replaced_statements.h"
+#include "postproc/cldata/rewriting/change_table.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "lib/overcut/swept_head.h"
+#include "lib/overcut/swept_solid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "lib/check/summarise.h"
+#include "lib/check/check_result.h"
 
 #include <algorithm>
 #include <array>

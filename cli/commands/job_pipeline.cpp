@@ -1,0 +1,73 @@
+#include "cli/commands/job_pipeline.h"
+
+#include <ostream>
+#include <utility>
+
+#include "cli/job/setup_notes.h"
+#include "cli/terminal/length_text.h"
+#include "cli/terminal/print_diagnostics.h"
+#include "lib/base/exit_code.h"
+
+namespace gouge {
+
+JobPipeline::JobPipeline(const JobArguments& arguments, const JobOptions& options, const std::string& corrected,
+                         const JobContext& context)
+    : arguments_(arguments),
+      options_(options),
+      context_(context),
+      outputs_(arguments, corrected),
+      progress_(context.err, options.progress) {}
+
+std::optional<int> JobPipeline::load() {
+  if (const auto status = outputs_.refuse(context_.err)) return status;
+  Result<LoadedBaseline> accepted = load_baseline(arguments_.baseline_file, arguments_.input);
+  if (!accepted) return fail_with(accepted.error());
+  baseline_ = std::move(*accepted);
+  LoadedJob loaded = load_job(arguments_, options_, progress_, context_.scenes);
+  progress_.end();
+  if (!loaded.job) return fail(context_.err, loaded.errors);
+  job_ = std::move(*loaded.job);
+  scene_ = &job_->files->prepared(options_.check.threads, progress_.call());
+  progress_.begin("checking the set-up");
+  const Diagnostics notes = setup_notes(*job_, arguments_, *scene_);
+  job_->notes.insert(job_->notes.end(), notes.begin(), notes.end());
+  return std::nullopt;
+}
+
+CheckResult JobPipeline::check() {
+  CheckSetup checked = setup();
+  if (context_.keep_work) checked.kept = context_.keep_work(job_->inputs);
+  return gouge::check(job_->toolpath, checked, progress_.call());
+}
+
+ReportModel JobPipeline::report(const Toolpath& path, const CheckResult& result, ReportParts parts) const {
+  ReportModel model = job_->report(arguments_, path, result, std::move(parts));
+  baseline_.apply(model);
+  return model;
+}
+
+int JobPipeline::write(const ReportModel& model, const Diagnostics& last_notes, const std::string& spent) {
+  std::ostream& err = context_.err;
+  progress_.end();
+  print_notes(err, model.notes, arguments_);
+  if (arguments_.is_quiet) print(err, open_warnings(model.result->assumptions));
+  if (!arguments_.is_quiet) print(err, last_notes);
+  if (arguments_.is_verbose) err << spent;
+  const bool is_written = outputs_.write(*job_, *scene_, model, progress_, context_.out, err);
+  if (arguments_.is_verbose) print_peak_memory(err);
+  if (!is_written) return kExitInternal;
+  if (context_.on_result) context_.on_result(model);
+  return exit_status(overall_verdict(model));
+}
+
+int JobPipeline::fail_with(const Diagnostic& error) {
+  progress_.end();
+  return fail(context_.err, {error});
+}
+
+int JobPipeline::fail_with(const Diagnostic& error, int status) {
+  progress_.end();
+  return fail(context_.err, {error}, status);
+}
+
+}  // namespace gouge

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+
+#include "lib/hierarchy/block_tree.h"
+
+namespace gouge {
+
+/// The children of a node that a bit mask names, in their order.
+class MaskedLanes {
+ public:
+  explicit MaskedLanes(std::uint32_t mask) : mask_(mask) {}
+
+  [[nodiscard]] std::optional<std::uint32_t> next() {
+    if (mask_ == 0) return std::nullopt;
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(mask_));
+    mask_ &= mask_ - 1;
+    return lane;
+  }
+
+ private:
+  std::uint32_t mask_;
+};
+
+/// Visits a tree depth first, the one loop of all walks that need no order across nodes. BestFirstSearch is for the
+/// others. `Visitor` has
+///   auto children(const NodeBlock&)          a cursor; its next() returns the next lane to enter, or none. It is asked
+///                                            after the lane before was visited, so it may prune by what was found there
+///   bool visit(const TriangleBlock&)         whether the walk may end here
+/// Returns whether a visit ended it. Cost: the depth of the tree in stack frames, at most 16 for 2^32 triangles.
+template <typename Visitor>
+bool traverse(const BlockTree& tree, Visitor& visitor, std::uint32_t index = 0) {
+  if (tree.nodes.empty()) return false;
+  const NodeBlock& node = tree.nodes[index];
+  auto children = visitor.children(node);
+  while (const std::optional<std::uint32_t> lane = children.next()) {
+    const std::uint32_t child = node.child[*lane];
+    if (node.has_leaves ? visitor.visit(tree.leaves[child]) : traverse(tree, visitor, child)) return true;
+  }
+  return false;
+}
+
+}  // namespace gouge
