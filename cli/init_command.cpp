@@ -30,15 +30,15 @@ bool has_word(const std::string& name, std::initializer_list<const char*> words)
   return std::ranges::any_of(words, [&](const char* word) { return lower(name).find(word) != std::string::npos; });
 }
 
-/// What lies in the working directory, by the names of its files.
+/// The inputs in the working directory, by the names of the files.
 struct Folder {
   std::vector<std::string> parts, fixtures, heads, libraries, unclear;
 };
 
 bool is_library(const std::string& name) {
-  constexpr std::uint64_t kMostBytes = 10'000'000;
-  const Result<std::string> bytes = read_file(name, kMostBytes);
-  return bytes && read_any_tools(name, *bytes, kMostBytes).has_value();
+  constexpr std::uint64_t kMaxBytes = 10'000'000;
+  const Result<std::string> bytes = read_file(name, kMaxBytes);
+  return bytes && read_any_tools(name, *bytes, kMaxBytes).has_value();
 }
 
 Folder look_around() {

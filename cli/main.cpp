@@ -17,7 +17,7 @@
 namespace {
 
 void report(std::string_view text) {
-  // Nobody is left to hear that this failed.
+  // A failed write cannot be reported.
   [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
@@ -44,7 +44,7 @@ void load_unwinder() {
   ::backtrace(&frame, 1);
 }
 
-// The second one, which comes when this handler returns, finds the usual action: whoever waits for the program sees
+// The second one, which comes when this handler returns, takes the default action: a parent that waits for the program sees
 // which signal ended it.
 void tidy_up_and_end(int signal) {
   gouge::remove_temporary_names();

@@ -42,7 +42,7 @@ struct Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// What --color says on the command line, also of one that is wrong; auto where it says nothing.
+  /// Returns the value of --color, also of a wrong command line; auto without one.
   [[nodiscard]] std::string colour() const;
 
   Arguments arguments;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What may come from a file that nobody named: inputs, and what the verdict says beside itself. No outputs, nothing that
+// Options that a project file found by itself may set: inputs, and facts beside the verdict. No outputs, nothing that
 // overwrites, accepts or silences.
 constexpr std::array<std::string_view, 42> kAllowed = {"--part",
                                                        "--fixture",
@@ -97,7 +97,7 @@ class Handle {
   int number_;
 };
 
-// The file that was looked at is the one that is read, whatever stands at its name meanwhile.
+// The file that was examined is the one that is read, whatever stands at its name meanwhile.
 Result<std::string> read_own_file(const std::string& name) {
   constexpr std::size_t kMost = 1'000'000;
   const auto unreadable = [&](const std::string& why) {
@@ -127,7 +127,7 @@ Result<std::string> read_own_file(const std::string& name) {
   }
 }
 
-/// The folders that are looked at, from the working directory up, as they are named from there: "", "../", ...
+/// The folders that are examined, from the working directory up, as they are named from there: "", "../", ...
 std::vector<std::string> folders_to_search() {
   std::error_code failed;
   fs::path at = fs::current_path(failed);

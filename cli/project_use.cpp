@@ -14,7 +14,7 @@ bool is_of_project(const std::vector<std::string>& words) {
   return words.size() > 1 && (words[1] == "check" || words[1] == "correct");
 }
 
-// Files are named; of all else the value is told, as the verdict goes by it.
+// Files are named; of all else the value is stated, as the verdict follows it.
 std::string told(const ProjectOption& option) {
   constexpr std::string_view kFiles[] = {"part", "fixture", "head", "tools", "allow-overlap"};
   const bool is_file = std::ranges::find(kFiles, option.key) != std::end(kFiles);

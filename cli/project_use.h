@@ -19,7 +19,7 @@ class ProjectLine {
   /// --no-config leave it as it is. Errors: those of find_project_file.
   [[nodiscard]] static Result<ProjectLine> make(const std::vector<std::string>& words);
 
-  /// With the options of the project file that the command line does not say, behind the command.
+  /// With the options of the project file that the command line does not state, behind the command.
   [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
   /// None where no file was found, or nothing of it is used.
   [[nodiscard]] const std::optional<ProjectUse>& use() const { return use_; }
@@ -38,7 +38,7 @@ class ProjectLine {
 void add_no_config_option(CLI::App& command, bool& is_without);
 
 /// The long names of the options that `words` gives to a command, its name first; nothing where they cannot be parsed
-/// or ask for help. Options that are needed may be missing.
+/// or request help. Options that are needed may be missing.
 [[nodiscard]] std::optional<std::vector<std::string>> options_typed(const std::vector<std::string>& words);
 
 }  // namespace gouge

@@ -29,7 +29,7 @@
 namespace gouge {
 namespace {
 
-/// What --threads asks for, for everything the command does. False where that is more than can be.
+/// Applies --threads to the whole command. False where the number is too large.
 bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& err) {
   std::uint64_t threads = 0;
   if (app.got_subcommand("check")) threads = arguments.check.job.threads;
@@ -37,16 +37,16 @@ bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& 
   if (app.got_subcommand("batch")) threads = arguments.batch.job.threads;
   if (app.got_subcommand("mesh")) threads = arguments.mesh.threads;
   if (app.got_subcommand("verify")) threads = arguments.verify.threads;
-  if (threads > kMostThreads) {
+  if (threads > kMaxThreads) {
     print(err, {make_error("too-many-threads", "--threads '" + std::to_string(threads) + "': expected at most " +
-                                                   std::to_string(kMostThreads) + ", or 0 for all the machine has")});
+                                                   std::to_string(kMaxThreads) + ", or 0 for all the machine has")});
     return false;
   }
   set_default_threads(static_cast<unsigned>(threads));
   return true;
 }
 
-/// Tells the command of its project file. What is wrong with a value from there is found here, where its line is known.
+/// Shows the command of its project file. What is wrong with a value from there is found here, where its line is known.
 std::optional<Diagnostic> take_project(const ProjectLine& line, const CLI::App& app, Arguments& arguments) {
   const bool is_check = app.got_subcommand("check");
   JobArguments& job = is_check ? arguments.check.job : arguments.correct.job;
@@ -74,7 +74,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   return run_self_command(app, arguments.self, out, err);
 }
 
-// What people read may end early (`| head -1`); data that could not be delivered is a failure its command has reported.
+// Text for people may end early (`| head -1`); undelivered data is a failure that its command has reported.
 int after_printing(int status, std::ostream& out, std::ostream& err) {
   out.flush();
   if (out || status == kExitInternal || is_reader_gone()) return status;

@@ -7,7 +7,7 @@
 #include "samples/cases.h"
 #include "samples/cl_text.h"
 
-// One motion with arcs of both senses, written in dialects that do not agree on how an arc is said: clockwise
+// One motion with arcs of both senses, written in dialects that do not agree on how an arc is stated: clockwise
 // about its vector (NX), counter-clockwise (Creo), with its end point inside the statement and a tangent
 // (CATIA).
 

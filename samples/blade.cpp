@@ -114,7 +114,7 @@ Sample make_blade() {
 )";
   sample.parts.push_back({"blade.stl", make_blade_part()});
   sample.check_exit = 1;
-  RigidTransform block;  // what the MSYS below says: X along +Y, Y along -X
+  RigidTransform block;  // what the MSYS below states: X along +Y, Y along -X
   block.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   block.shift = Vec3(10, 20, 5);
   ClText cl(ClText::Form::nx, block.inverse());

@@ -8,7 +8,7 @@
 
 // A wavy surface z = f(x, y) with a wall behind it, finished by a ball D10 with lead and tilt that vary along
 // the path. The ball's centre lies at radius + kAllowance from the true surface along its normal, so that
-// chords of the mesh and of the path (each below 5 um) stay within the tolerance. Where `dip` says so the
+// chords of the mesh and of the path (each below 5 um) stay within the tolerance. Where `dip` states so the
 // tool is pushed in along the normal; the smallest radius of curvature is 20 mm, so the depth of the cut is
 // the push.
 

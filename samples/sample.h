@@ -16,7 +16,7 @@ struct NamedSolid {
   Solid solid;
 };
 
-/// What must be reported about the move whose statement begins on `line`. Lengths in the toolpath's unit.
+/// Expected report of the move whose statement begins on `line`. Lengths in the toolpath's unit.
 struct ExpectedFinding {
   std::size_t line = 0;
   std::string state = "gouge";  ///< gouge or buried
@@ -34,7 +34,7 @@ struct Sample {
   std::string unit = "mm";
   std::vector<NamedSolid> parts, fixtures;
   double overlap = 0;             ///< how deep fixture and part penetrate each other; 0: not at all
-  std::vector<NamedSolid> heads;  ///< in the tool's frame; only `check` is asked about them
+  std::vector<NamedSolid> heads;  ///< in the tool's frame; only `check` is queried about them
   int check_exit = 0, correct_exit = 0;
   std::size_t moves = 0;
   std::vector<ExpectedFinding> findings;  ///< one per move that is not clean, by line; all others are clean

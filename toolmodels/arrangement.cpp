@@ -78,7 +78,7 @@ class CurveCutter {
     if (middle(piece).x() > slack_) made_.pieces.push_back({piece, from, to});
   }
 
-  // Of two pieces between the same vertices.
+  // For two pieces between the same vertices.
   [[nodiscard]] bool coincide(const CurvePiece& p, const CurvePiece& q) const {
     return (middle(p.curve) - middle(q.curve)).norm() <= 4 * slack_;
   }

@@ -40,7 +40,7 @@ struct ToolAssembly {
   /// How far the cutter goes on above its flutes, as wide as they end: set by extended_up alone, in no library file.
   double cutter_goes_on_mm = 0;
   /// Names the part of its description that was left out and may be a body; empty: none. Not written to library files.
-  std::string doubt{};
+  std::string uncertainty{};
 };
 
 /// Per body its own closed contour at its position; index by Body. No elements: the tool has no such body.

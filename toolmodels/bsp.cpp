@@ -257,7 +257,7 @@ class Builder {
   // ---- recursion
 
   [[nodiscard]] bool is_too_large() const {
-    return nodes_.size() > kMostBspNodes * elements_.size() || work_ > kMostWork;
+    return nodes_.size() > kMaxBspNodes * elements_.size() || work_ > kMaxWork;
   }
 
   std::int32_t descend(const Region& region) {
@@ -286,8 +286,8 @@ class Builder {
   }
 
   static constexpr std::size_t kFewCandidates = 5;  // more, and straight cuts are the better ones
-  static constexpr std::size_t kMostWork =
-      2'000'000;  // corners looked at: three times what the largest of 240 random tools takes
+  static constexpr std::size_t kMaxWork =
+      2'000'000;  // corners examined: three times what the largest of 240 random tools takes
   static constexpr std::size_t kNoLine = static_cast<std::size_t>(-1);
 
   const std::vector<BoundaryElement>& elements_;
@@ -302,7 +302,7 @@ class Builder {
 }  // namespace
 
 std::vector<BspNode> build_bsp(const std::vector<BoundaryElement>& elements) {
-  const bool has_tree = elements.size() > 1 && elements.size() <= kMostBspElements;
+  const bool has_tree = elements.size() > 1 && elements.size() <= kMaxBspElements;
   return has_tree ? Builder(elements).build() : std::vector<BspNode>{};
 }
 

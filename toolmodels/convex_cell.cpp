@@ -8,7 +8,7 @@
 namespace gouge::detail {
 namespace {
 
-constexpr double kLeastNorm = 1e-300;
+constexpr double kMinNorm = 1e-300;
 constexpr double kCellSlack = 1e-13;  // of the size; two of these keep results within 1e-12
 
 double value(const DirectedLine& line, const Vec3& c) {
@@ -19,7 +19,7 @@ Vec3 between(const Vec3& p, double vp, const Vec3& q, double vq) {
   // Positive combination of the homogeneous corners on which the line's value vanishes.
   const Vec3 mix = std::abs(vq) * p + std::abs(vp) * q;
   if (mix.z() > 0) return mix / mix.z();
-  return Vec3(mix.x(), mix.y(), 0) / std::max(mix.head<2>().norm(), kLeastNorm);
+  return Vec3(mix.x(), mix.y(), 0) / std::max(mix.head<2>().norm(), kMinNorm);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ ConvexCell ConvexCell::clipped(const DirectedLine& line, int sign) const {
   return part;
 }
 
-// Corners where nearly parallel lines meet lie so far away that what is measured at them, with their slack, says
+// Corners where nearly parallel lines meet lie so far away that what is measured at them, with their slack, states
 // nothing of the points near the tool. So the cut's own point, where the tool is, becomes a corner wherever
 // it lies amid the new edge. It is also the only point of an edge between two opposite directions.
 void ConvexCell::add_corner_amid(const DirectedLine& line) {

@@ -5,7 +5,7 @@
 #include "lib/geom/vec.h"
 
 // A convex, possibly unbounded cell of the half plane. Corners are homogeneous: (x, y, 1) is a point,
-// (x, y, 0) with unit length a direction in which the cell goes on for ever.
+// (x, y, 0) with unit length a direction in which the cell goes on forever.
 
 namespace gouge::detail {
 

@@ -123,7 +123,7 @@ using Cutter = std::variant<FlatCutter, BallCutter, BullNoseCutter, TaperedCutte
 /// nothing for a cutter that make_cutter_profile refuses.
 [[nodiscard]] double length_mm(const Cutter& cutter);
 
-/// What the cutter's catalogue entry calls its diameter and corner radius, as CUTTER/d,r would.
+/// Returns diameter and corner radius of the cutter's catalogue entry, as in CUTTER/d,r.
 struct NominalSize {
   double diameter_mm = 0, corner_radius_mm = 0;
 };
@@ -137,12 +137,12 @@ struct NominalSize {
 /// Errors   tool-dimension-not-positive, tool-dimension-negative, tool-dimension-too-large,
 ///          tool-corner-radius-negative, tool-corner-radius-too-large, tool-angle-out-of-range,
 ///          tool-taper-closes, tool-length-too-short, tool-dimensions-contradict, tool-no-closed-profile,
-///          tool-profile-broken. The message names the field and says what would be allowed.
+///          tool-profile-broken. The message names the field and states what would be allowed.
 /// Source   design of the tool library (docs/formats/tool_library.md); APT: thesis 2.4.18.2 and CL-data
 ///          usage.
 [[nodiscard]] Result<Profile> make_cutter_profile(const Cutter& cutter);
 
-/// What e and f should be for the other five numbers, when the given ones say something else; empty when they
+/// Returns the values of e and f that fit the other five numbers, where the given ones differ; empty when they
 /// agree. Both zero means not given; e may also be the diameter of the flat tip, as some writers have it.
 [[nodiscard]] std::string apt_contradiction(const AptCutter& cutter);
 

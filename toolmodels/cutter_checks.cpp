@@ -55,9 +55,9 @@ Outcome check_corner_radius(double radius_mm, double diameter_mm) {
   return Done{};
 }
 
-Diagnostic too_short(double length_mm, const std::string& what, double at_least_mm) {
+Diagnostic too_short(double length_mm, const std::string& what, double at_min_mm) {
   return make_error("tool-length-too-short", "length " + mm(length_mm) + " ends within " + what +
-                                                 ", which reaches up to z = " + mm(at_least_mm) +
+                                                 ", which reaches up to z = " + mm(at_min_mm) +
                                                  "; give a greater length");
 }
 

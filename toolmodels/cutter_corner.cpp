@@ -12,7 +12,7 @@ namespace {
 
 bool is_plain(const AptCutter& t) { return std::abs(t.alpha_deg) <= 0 && std::abs(t.beta_deg) <= 0; }
 
-// What every shape here comes down to: the bottom line at alpha, the corner arc, the side at beta.
+// Common form of all shapes here: the bottom line at alpha, the corner arc, the side at beta.
 struct Corner {
   Vec2 center;
   double radius_mm;

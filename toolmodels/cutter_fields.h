@@ -5,7 +5,7 @@
 #include "toolmodels/cutter.h"
 
 // The dimensions of every shape under the names they have in the library file: reader, writer and
-// descriptions go by this one list.
+// descriptions follow this one list.
 
 namespace gouge::detail {
 

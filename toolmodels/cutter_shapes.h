@@ -26,7 +26,7 @@ constexpr double kRelativeSlack = Tolerance::kRounding;  ///< dimensions closer 
 [[nodiscard]] Outcome check_corner_radius(double radius_mm, double diameter_mm);
 
 /// That the flutes end within `what`, such as "the tip".
-[[nodiscard]] Diagnostic too_short(double length_mm, const std::string& what, double at_least_mm);
+[[nodiscard]] Diagnostic too_short(double length_mm, const std::string& what, double at_min_mm);
 /// Dimensions that exclude each other.
 [[nodiscard]] Diagnostic contradict(const std::string& message);
 
@@ -37,7 +37,7 @@ class ContourMaker {
 
   void line_to(const Vec2& to);
   void arc_to(const Vec2& to, const Vec2& center, double radius_mm, bool is_concave = false);
-  /// Level to the axis. The contour is checked as a whole; an error says it is broken at `what`.
+  /// Level to the axis. The contour is checked as a whole; an error states it is broken at `what`.
   [[nodiscard]] Result<Profile> close(const std::string& what);
 
  private:

@@ -67,7 +67,7 @@ std::optional<std::pair<Vec2, Vec2>> clipped(const Vec2& a, const Vec2& b, const
   return std::pair<Vec2, Vec2>(a + first * (b - a), a + last * (b - a));
 }
 
-// A broken line within the window; `is_drawn` says of each point whether the line runs through it.
+// A broken line within the window; `is_drawn` states of each point whether the line runs through it.
 void draw_within(Drawing& drawing, const std::vector<Vec2>& points, const std::vector<bool>& is_drawn,
                  const ProfileView& view, const DrawnLine& style) {
   DrawnLine line = style;

@@ -23,7 +23,7 @@ namespace gouge {
 /// Errors   those of make_body_profiles.
 [[nodiscard]] Result<Drawing> draw_sheet(const std::vector<const ToolAssembly*>& tools, LengthUnit unit);
 
-/// "cutter flat D 10 mm, ..." in one line: what captions and lists say of a tool.
+/// "cutter flat D 10 mm, ..." in one line: what captions and lists state of a tool.
 [[nodiscard]] std::string describe_cutter(const Cutter& cutter, LengthUnit unit);
 
 }  // namespace gouge

@@ -52,7 +52,7 @@ std::optional<BoundaryElement> vertex(const Joint& joint) {
   element.kind = ElementKind::vertex;
   element.body = joint.body;
   element.a = element.b = joint.at;
-  // At a cusp the rounding of the turn says nothing.
+  // At a cusp the rounding of the turn states nothing.
   const bool is_cusp = is_along && is_back && std::abs(joint.opening) > 0;
   element.is_reflex = is_cusp ? joint.opening > 0 : turn < 0;
   const Vec2 mean = outward_normal(joint.before) + outward_normal(joint.after);

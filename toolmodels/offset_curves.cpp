@@ -28,7 +28,7 @@ ProfileElement moved_out(const ProfileElement& e, double growth) {
   return moved;
 }
 
-// Whether growth leaves anything of the element: a hollow no wider than the growth closes.
+// Returns whether growth leaves anything of the element: a hollow no wider than the growth closes.
 bool survives(const ProfileElement& e, double growth, double slack) {
   return !e.is_arc || !e.is_concave || e.radius_mm > growth + slack;
 }

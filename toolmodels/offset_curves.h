@@ -26,7 +26,7 @@ namespace gouge::detail {
 [[nodiscard]] double length_along(const ProfileElement& curve, const Vec2& point);
 [[nodiscard]] double curve_length(const ProfileElement& curve);
 
-/// Whether the curve passes the point within `slack_mm`, ends included.
+/// Returns whether the curve passes the point within `slack_mm`, ends included.
 [[nodiscard]] bool passes(const ProfileElement& curve, const Vec2& point, double slack_mm);
 
 /// The middle of a curve.

@@ -11,14 +11,14 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMostNamed = 100;  // a contour may cross itself as often as the square of its elements
+constexpr std::size_t kMaxNamed = 100;  // a contour may cross itself as often as the square of its elements
 
 Vec2 direction_at(const ProfileElement& element, const Vec2& point) {
   const Vec2 out = (point - element.center) / element.radius_mm;
   return element.is_concave ? Vec2(out.y(), -out.x()) : Vec2(-out.y(), out.x());
 }
 
-// Whether an arc runs over its outermost point in a direction, between its ends.
+// Returns whether an arc runs over its outermost point in a direction, between its ends.
 bool reaches(const ProfileElement& arc, const Vec2& direction) {
   ProfileElement part = arc;
   part.b = arc.center + arc.radius_mm * direction;
@@ -82,7 +82,7 @@ void verify_shape(const Profile& profile, double slack, std::vector<std::string>
   std::vector<Eigen::AlignedBox2d> boxes;
   for (std::size_t i = 0; i < owner.size(); ++i) boxes.push_back(Eigen::AlignedBox2d(points[i]).extend(points[i + 1]));
   const detail::BoxTree tree(boxes);
-  for (std::size_t i = 0; i < owner.size() && broken.size() < kMostNamed; ++i)
+  for (std::size_t i = 0; i < owner.size() && broken.size() < kMaxNamed; ++i)
     tree.for_each_meeting(boxes[i], [&](std::size_t j) {
       if (j >= i + 2 && do_cross(points[i], points[i + 1], points[j], points[j + 1]))
         broken.push_back("elements " + std::to_string(owner[i]) + " and " + std::to_string(owner[j]) + " cross");
@@ -93,7 +93,7 @@ void verify_joints(const Profile& profile, double slack, std::vector<std::string
   std::vector<Eigen::AlignedBox2d> boxes;
   for (const ProfileElement& e : profile.elements) boxes.push_back(detail::box_around(e, 2 * slack));
   const detail::BoxTree tree(boxes);
-  for (std::size_t i = 0; i + 1 < profile.elements.size() && broken.size() < kMostNamed; ++i)
+  for (std::size_t i = 0; i + 1 < profile.elements.size() && broken.size() < kMaxNamed; ++i)
     tree.for_each_meeting(Eigen::AlignedBox2d(profile.elements[i].b), [&](std::size_t j) {
       if (j != i && j != i + 1 && detail::passes(profile.elements[j], profile.elements[i].b, slack))
         broken.push_back("element " + std::to_string(j) + " touches the end of element " + std::to_string(i));

@@ -24,7 +24,7 @@ const char* type_word(const Json& value) {
 }
 
 // One value of the file and where it stands. The first error sticks; after it every result is empty, so the
-// readers below need not ask after each step.
+// readers below need not query after each step.
 class Reader {
  public:
   Reader(std::string file, JsonLines lines) : lines_(std::move(lines)) { library_.file = std::move(file); }
@@ -194,7 +194,7 @@ class Reader {
     tool.stickout_mm = length(entry, "stickout", pointer, who, 0);
     tool.gauge_length_mm = length(entry, "gauge_length", pointer, who, 0);
     if (entry.contains("holder")) read_tool_holder(entry["holder"], pointer + "/holder", who, tool);
-    tool.doubt = first_unknown_key(notes_before);
+    tool.uncertainty = first_unknown_key(notes_before);
     if (!error_) add_tool(std::move(tool), pointer, who);
   }
 
@@ -224,7 +224,7 @@ class Reader {
            who + ": holder \"" + name + "\" is neither among \"holders\" nor an earlier tool with a holder", pointer);
   }
 
-  // As ToolLibrary finds it, which looks at one tool after the other.
+  // As ToolLibrary finds it, which examines one tool after the other.
   const std::vector<ToolSegment>* holder_called(const std::string& name) const {
     if (const auto holder = holders_.find(name); holder != holders_.end())
       return &library_.holders[holder->second].segments;

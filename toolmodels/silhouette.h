@@ -2,7 +2,7 @@
 
 #include "toolmodels/cutter.h"
 
-// The outlines of two cutters held against each other, as when a toolpath and a library describe one tool.
+// The outlines of two cutters compared with each other, as when a toolpath and a library describe one tool.
 
 namespace gouge {
 

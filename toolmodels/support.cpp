@@ -13,9 +13,9 @@ namespace gouge {
 namespace {
 
 constexpr double kEndless = 1e300;
-constexpr std::size_t kMostOfAnyContour = 1000;  // elements, of which every pair is looked at
-constexpr int kHalvings = 40;                    // of an element, to where it comes before a plane
-constexpr double kNearlyHorizontal = 1e-6;       // below this a foot may be bounded by a horizontal plane
+constexpr std::size_t kMaxOfAnyContour = 1000;  // elements, of which every pair is examined
+constexpr int kHalvings = 40;                   // of an element, to where it comes before a plane
+constexpr double kNearlyHorizontal = 1e-6;      // below this a foot may be bounded by a horizontal plane
 
 // The tangent planes of one element: all have a normal between n0 and n1 and touch the circle about `center`
 // (radius 0 for a vertex, and for a segment, whose two normals are one).
@@ -37,7 +37,7 @@ class Support {
       : elements_(elements),
         slack_(Tolerance::kFewRoundings * size_of(profile)),
         stretches_(make_contour_tree(elements)) {
-    if (elements.size() <= kMostBspElements) stretches_.assign(1, {0, static_cast<std::uint32_t>(elements.size())});
+    if (elements.size() <= kMaxBspElements) stretches_.assign(1, {0, static_cast<std::uint32_t>(elements.size())});
   }
 
   void set_all() {
@@ -45,7 +45,7 @@ class Support {
       if (!elements_[i].is_reflex) elements_[i].support = range(i);
   }
 
-  /// Of a contour that turns back in height: by a look at every pair of elements.
+  /// For a contour that turns back in height: tests every pair of elements.
   void set_all_of_any_contour() {
     for (std::size_t i = 0; i < elements_.size(); ++i)
       if (!elements_[i].is_reflex) elements_[i].support = range_of_any_contour(i);
@@ -65,7 +65,7 @@ class Support {
     return {n0, n1, e.a, 0};
   }
 
-  // Whether the whole element stays behind every one of the planes.
+  // Returns whether the whole element stays behind every one of the planes.
   bool is_behind(const BoundaryElement& e, const Planes& planes) const {
     if (e.kind == ElementKind::arc && !e.is_reflex)
       return planes.reach(e.center) + e.radius_mm <= slack_ ||
@@ -178,7 +178,7 @@ class Support {
   }
 
   // A solid holds nothing at a height that is farther from the axis than all of its contour there: so nothing more is
-  // asked than that all of the contour at the heights of the range is behind the planes.
+  // queried than that all of the contour at the heights of the range is behind the planes.
   SupportRange range_of_any_contour(std::size_t i) const {
     const std::optional<Planes> own = outward(planes(i));
     if (!own) return {};
@@ -321,7 +321,7 @@ bool has_same_planes(const std::vector<BoundaryElement>& p, std::size_t i, const
          is_same(p[i + 1], q[j + 1]);
 }
 
-// Of a contour of many elements that turns back in height: what holds for the tool with its underside filled. A solid is
+// For a contour of many elements that turns back in height: the value of the tool with its underside filled. A solid is
 // never deeper than a larger one.
 void set_ranges_of_filled(const Profile& profile, std::vector<BoundaryElement>& elements) {
   const std::optional<Profile> filled = with_filled_underside(profile);
@@ -342,7 +342,7 @@ void set_ranges_of_filled(const Profile& profile, std::vector<BoundaryElement>& 
 
 void set_support_ranges(const Profile& profile, std::vector<BoundaryElement>& elements) {
   if (is_single_valued(profile)) return Support(profile, elements).set_all();
-  if (elements.size() <= kMostOfAnyContour) return Support(profile, elements).set_all_of_any_contour();
+  if (elements.size() <= kMaxOfAnyContour) return Support(profile, elements).set_all_of_any_contour();
   set_ranges_of_filled(profile, elements);
 }
 

@@ -39,7 +39,7 @@ struct ToolLibrary {
   /// Segments of the holder called `name`, or of the holder of the tool called so; null when there is
   /// neither.
   [[nodiscard]] const std::vector<ToolSegment>* holder_called(std::string_view name) const;
-  /// What holder_called finds, for people: "ER16, ball D10", or "none".
+  /// Describes the result of holder_called: "ER16, ball D10", or "none".
   [[nodiscard]] std::string holder_names() const;
 };
 

@@ -28,7 +28,7 @@ Vec2 turned(const Vec2& u, double angle) {
 // Rays stand closer near the ends, where a bisector may run almost along them.
 double share(int i, int steps) { return 0.5 * (1 - std::cos(std::numbers::pi * i / steps)); }
 
-// Of many elements each is small in the picture.
+// With many elements each is small in the picture.
 int steps_of(int usual, std::size_t elements) {
   constexpr int kUsualElements = 64, kFewest = 4;
   return std::max(kFewest, usual * kUsualElements / std::max(kUsualElements, static_cast<int>(elements)));

@@ -31,7 +31,7 @@ struct TracedRegion {
 [[nodiscard]] std::vector<ContourStretch> make_contour_tree(const std::vector<BoundaryElement>& elements);
 
 /// The lines between the domains of neighbours (CompiledTool::borders). None for a contour that turns back on itself:
-/// within a crack or a blade narrower than rounding two elements tie that know opposite sides, which no distance tells
+/// within a crack or a blade narrower than rounding two elements tie that know opposite sides, which no distance shows
 /// apart.
 [[nodiscard]] std::vector<DomainBorder> make_borders(const std::vector<BoundaryElement>& elements);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNudge = 3e-10;  // of the size: growth that breaks a tie no one can see
 
-// A body as the distances to it are asked.
+// A body as the distances to it are queried.
 struct Solid {
   CompiledTool tool;  // without a BSP: a few look-ups at each element do not pay for one
   double growth_mm = 0;
@@ -61,7 +61,7 @@ std::optional<Profile> try_unite(const std::vector<OffsetBody>& bodies, double s
     solids.push_back({{}, growth});
     CompiledTool& tool = solids.back().tool;
     tool.elements = make_elements(*body.profile);
-    if (tool.elements.size() <= kMostBspElements) continue;
+    if (tool.elements.size() <= kMaxBspElements) continue;
     tool.borders = make_borders(tool.elements);
     tool.stretches = make_contour_tree(tool.elements);
   }

@@ -49,7 +49,7 @@ struct Domains {
 struct Comparison {
   enum class Kind { first_nearer, second_nearer, curve, split_first } kind = Kind::curve;
   BspNode curve;      ///< kind curve: negative where the first is nearer; children unset
-  DirectedLine line;  ///< kind split_first: cut the cell here, then ask again; also the curve when it is straight
+  DirectedLine line;  ///< kind split_first: cut the cell here, then query again; also the curve when it is straight
   bool is_straight = false;
 };
 

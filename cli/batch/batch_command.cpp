@@ -80,14 +80,14 @@ class Batch {
     is_stopped_ = ranks_->largest(batch.is_stopped() || is_stopped_ ? 1 : 0) != 0;
     if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
     if (ranks_->is_first()) status = finish();
-    // mpirun ends all processes when one ends with another status than 0: the first speaks for all, as the last.
+    // mpirun ends all processes when one ends with another status than 0: the first represents all, as the last.
     const int worst = ranks_->largest(status);
     return ranks_->is_first() ? worst : kExitClean;
   }
 
-  /// Whether the jobs have run, whatever came of them, and the results stand.
+  /// Returns whether the jobs have run, whatever came of them, and the results stand.
   [[nodiscard]] bool is_done() const { return is_done_; }
-  /// Whether nothing was done, as another program has the folder or its store at the moment.
+  /// Returns whether nothing was done, as another program has the folder or its store at the moment.
   [[nodiscard]] bool is_busy() const { return is_busy_; }
 
  private:
@@ -103,7 +103,7 @@ class Batch {
     return std::nullopt;
   }
 
-  // All processes find the same, so the first says it.
+  // All processes find the same, so the first states it.
   int refuse(const Diagnostic& error) {
     if (ranks_->is_first()) return fail(err_, {error});
     return error.code == "usage" ? kExitUsage : kExitInput;
@@ -181,7 +181,7 @@ class Batch {
         arguments_.folder);
   }
 
-  // Corrected toolpaths of somebody else's that jobs would replace; of a report its own command sees to it.
+  // Corrected toolpaths of somebody else's that jobs would replace; of a report its own command ensures it.
   [[nodiscard]] std::optional<Diagnostic> find_foreign() const {
     if (arguments_.is_forced) return std::nullopt;
     std::vector<std::string> files;
@@ -198,7 +198,7 @@ class Batch {
     return stored;
   }
 
-  // Of another process than the first, which takes its results in at the end.
+  // For processes other than the first, which collects their results at the end.
   std::optional<int> open_own_store() {
     Result<ResultStore> store = ResultStore::open(store_of_rank(ranks_->rank()));
     if (!store) return fail(err_, {store.error()}, kExitInternal);
@@ -213,9 +213,9 @@ class Batch {
 
   // Results of other processes, of this run or of one that was interrupted, into the store; then their stores go.
   Outcome take_in_ranks() {
-    constexpr int kMostRanks = 100'000;
+    constexpr int kMaxRanks = 100'000;
     std::error_code ignored;
-    for (int rank = 1; rank < kMostRanks && (rank < ranks_->count() || fs::exists(store_of_rank(rank), ignored));
+    for (int rank = 1; rank < kMaxRanks && (rank < ranks_->count() || fs::exists(store_of_rank(rank), ignored));
          ++rank) {
       const std::string file = store_of_rank(rank);
       if (!fs::exists(file, ignored)) continue;
@@ -298,7 +298,7 @@ class Batch {
   }
 
   [[nodiscard]] std::size_t jobs_at_once() const {
-    if (arguments_.jobs > 0) return std::min<std::size_t>(arguments_.jobs, kMostThreads);
+    if (arguments_.jobs > 0) return std::min<std::size_t>(arguments_.jobs, kMaxThreads);
     const std::uint32_t threads = arguments_.job.threads;
     return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
   }
@@ -343,7 +343,7 @@ class Batch {
                               two->input.name)});
   }
 
-  // Of a shard or not, results are in the order of the jobs that are run here.
+  // With or without shards, results are in the order of the jobs that run here.
   [[nodiscard]] std::vector<JobResult> results_of(const std::set<std::size_t>& numbers,
                                                   const std::vector<JobResult>& all) const {
     std::vector<JobResult> some;

@@ -83,7 +83,7 @@ class OutputLister {
   void add(const std::string& file) {
     const fs::path path(file);
     std::error_code ignored;
-    // What went into a pipe or a device cannot be looked at again.
+    // Output to a pipe or a device cannot be read again.
     const Result<ManifestEntry> entry =
         fs::is_regular_file(path, ignored) ? describe(path) : make_error("file-unreadable", "is no plain file", file);
     if (!entry) {
@@ -177,12 +177,12 @@ JobRun run_job(const BatchJob& job, const std::string& text, const std::string& 
   std::string work_file;
   std::optional<WorkStore> work;
   // Its name is a hash of what the job has read, not of what the files hold now.
-  const auto keep_work = [&](const std::vector<InputFile>& inputs) -> KeptWork* {
+  const auto checkpoints_of = [&](const std::vector<InputFile>& inputs) -> CheckpointStore* {
     work_file = folder + "/" + kWorkFolder + "/" + key_of(text, checksums_of(inputs)) + std::string(kWorkEnding);
     return &work.emplace(work_file, chunk);
   };
   const JobContext context{out, err, scenes.source(job.job()),
-                           [&](const ReportModel& model) { take_report(model, result); }, keep_work};
+                           [&](const ReportModel& model) { take_report(model, result); }, checkpoints_of};
   std::error_code ignored;
   if (const fs::path output(job.output()); output.has_parent_path())
     fs::create_directories(output.parent_path(), ignored);

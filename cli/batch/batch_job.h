@@ -21,17 +21,17 @@ class FileHashes {
   std::map<std::string, std::string> known_;
 };
 
-/// What a job depends on beside its files: the program, its command and its words.
+/// The inputs of a job beside its files: the program, its command and its words.
 [[nodiscard]] std::string job_text(const BatchJob& job, const std::string& program);
 
 /// SHA-256 of `text`, a job_text, and of the contents of the job's files as they are now; empty where one of them cannot
 /// be read.
 [[nodiscard]] std::string job_key(const BatchJob& job, const std::string& text, FileHashes& hashes);
 
-/// Whether all of `outputs`, below `folder` where they are relative, are there and as they were written.
+/// Returns whether all of `outputs`, below `folder` where they are relative, are there and as they were written.
 [[nodiscard]] bool are_as_written(const std::vector<JobOutput>& outputs, const std::string& folder);
 
-/// Whether the name of an output leads below the folder it is relative to: a store may come from somebody else.
+/// Returns whether the name of an output leads below the folder it is relative to: a store may come from somebody else.
 [[nodiscard]] bool is_below(const std::string& file);
 
 /// A job that was run, and the file of its work (WorkStore), to be removed once the result is safe; empty: none.

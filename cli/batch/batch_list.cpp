@@ -22,7 +22,7 @@ using ListJson = nlohmann::json;
 
 constexpr std::size_t kLongestName = 100;
 
-// What a name may not be, as it names folders too.
+// Rejected names: a name is used for folders too.
 std::optional<std::string> why_no_name(const std::string& name) {
   if (name.empty()) return "is empty";
   if (name.size() > kLongestName) return "has more than " + std::to_string(kLongestName) + " bytes";
@@ -88,8 +88,8 @@ class JobListReader {
       : file_(std::move(file)), base_(fs::path(file_).parent_path().string()), folder_(folder) {}
 
   Result<std::vector<BatchJob>> run() {
-    constexpr std::uint64_t kMostBytes = 256'000'000;
-    const Result<std::string> bytes = read_file(file_, kMostBytes);
+    constexpr std::uint64_t kMaxBytes = 256'000'000;
+    const Result<std::string> bytes = read_file(file_, kMaxBytes);
     if (!bytes) return bytes.error();
     Result<JsonFile> json = parse_json(file_, *bytes, {"jobs-syntax", "jobs-duplicate-key", "a job list"});
     if (!json) return json.error();
@@ -153,7 +153,7 @@ class JobListReader {
     }
   }
 
-  // The system would read a name up to a null, which is another file than the one that was looked at.
+  // The system would read a name up to a null, which is another file than the one that was examined.
   static bool is_named(const ListJson& value) {
     return value.is_string() && !value.get_ref<const std::string&>().empty() &&
            value.get_ref<const std::string&>().find('\0') == std::string::npos;
@@ -271,7 +271,7 @@ class CollisionSearch {
     return at;
   }
 
-  // What can be read once is no input of two.
+  // An input that can be read only once cannot serve two jobs.
   std::optional<Diagnostic> add_inputs(const BatchJob& job) {
     for (const InputOption& input : inputs_of(job.job())) {
       if (input.file.empty()) continue;

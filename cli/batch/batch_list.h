@@ -30,7 +30,7 @@ struct BatchJob {
 /// Where a batch puts what its jobs write.
 struct BatchFolder {
   std::string path;
-  bool has_reports = true;  ///< false: of no job, whatever it says
+  bool has_reports = true;  ///< false: of no job, whatever it states
 
   [[nodiscard]] std::string report_of(const std::string& job) const { return path + "/reports/" + job; }
   /// Below `path`.
@@ -45,7 +45,7 @@ struct BatchFolder {
 [[nodiscard]] Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& toolpaths,
                                                       const std::vector<std::string>& words, const BatchFolder& folder);
 
-/// What speaks against running these jobs together: an output of one that is an input or an output of another, that is
+/// Returns why these jobs cannot run together: an output of one that is an input or an output of another, that is
 /// the job list (empty: there is none), or that lies in the folder of the batch without being its own; a pipe that two
 /// are to read. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_jobs_in_the_way(const std::vector<BatchJob>& jobs,

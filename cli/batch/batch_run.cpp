@@ -16,10 +16,10 @@
 namespace gouge {
 namespace {
 
-// Of a job without files; of a byte of an STL or a toolpath with all that is made of it (docs/benchmarks.md).
+// Memory of a job without files, and of a byte of an STL or a toolpath with its data structures (docs/benchmarks.md).
 constexpr std::uint64_t kBytesOfJob = 60'000'000, kPerMeshByte = 5, kPerPathByte = 25;
-// Of a long path as it is checked: the rest is in files (docs/scaling.md).
-constexpr std::uint64_t kMostOfCheckedPath = 1'500'000'000;
+// Memory of a long path during its check: the rest is in files (docs/scaling.md).
+constexpr std::uint64_t kMaxOfCheckedPath = 1'500'000'000;
 
 std::uint64_t bytes_of(const std::string& file) {
   std::error_code error;
@@ -52,7 +52,7 @@ BatchRun::Size BatchRun::size_of(const BatchJob& job) {
   Size size{bytes_of(arguments.path), kBytesOfJob};
   const std::uint64_t of_path = kPerPathByte * size.path_bytes;
   size.memory_bytes +=
-      std::holds_alternative<CheckArguments>(job.arguments) ? std::min(of_path, kMostOfCheckedPath) : of_path;
+      std::holds_alternative<CheckArguments>(job.arguments) ? std::min(of_path, kMaxOfCheckedPath) : of_path;
   for (const auto* files : {&arguments.parts, &arguments.fixtures, &arguments.heads}) {
     for (const std::string& file : *files) size.memory_bytes += kPerMeshByte * bytes_of(file);
   }
@@ -149,7 +149,7 @@ std::optional<std::size_t> BatchRun::take(int list, const JobQueue& queue, std::
   return number;
 }
 
-// What is left of it others do, so its scene may go; if some comes back, it is expected anew.
+// Others do the rest, so its scene may be released; work that comes back is expected anew.
 void BatchRun::leave_group(int list, const JobQueue& queue) {
   Group& group = groups_.at(static_cast<std::size_t>(list));
   for (std::size_t position = group.first; position < group.end; ++position) {

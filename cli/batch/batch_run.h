@@ -20,7 +20,7 @@ namespace gouge {
 
 enum class StopOn { nothing, error, gouge };
 
-/// Whether no other job is to begin after one that ended so.
+/// Returns whether no other job is to begin after one that ended so.
 [[nodiscard]] bool is_reason_to_stop(StopOn what, std::optional<int> status);
 
 struct BatchOptions {
@@ -36,7 +36,7 @@ struct BatchOptions {
 struct JobQueue {
   std::vector<std::size_t> numbers;
   std::vector<std::size_t> group_ends;  ///< one past the last position of each group
-  std::vector<std::uint64_t> work;      ///< of each, reckoned in bytes of its path
+  std::vector<std::uint64_t> work;      ///< of each, computed in bytes of its path
 };
 
 struct BatchPlan {
@@ -57,7 +57,7 @@ class BatchRun {
   /// Runs those jobs of the plan that are this process's. Errors: of the store; jobs that were running end first, no
   /// other begins.
   [[nodiscard]] Outcome run(const BatchPlan& plan);
-  /// Whether jobs were left because of --stop-on.
+  /// Returns whether jobs were left because of --stop-on.
   [[nodiscard]] bool is_stopped() const { return is_stopped_; }
 
  private:

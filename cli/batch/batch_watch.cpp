@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr double kNanosecond_s = 1 / 1e9;
 constexpr int kWhileUnsettled_ms = 300;
-constexpr int kWhileQuiet_ms = 5000;  // network drives tell nothing of what others write there
+constexpr int kWhileQuiet_ms = 5000;  // network drives show nothing of what others write there
 
 double now_s() {
   timespec clock{};
@@ -41,9 +41,9 @@ class FolderNews {
     if (handle_ >= 0) ::close(handle_);
   }
 
-  void wait(int at_most_ms) const {
+  void wait(int at_max_ms) const {
     pollfd news{handle_, POLLIN, 0};
-    ::poll(&news, handle_ >= 0 ? 1 : 0, at_most_ms);
+    ::poll(&news, handle_ >= 0 ? 1 : 0, at_max_ms);
     std::array<char, 4096> events{};
     while (handle_ >= 0 && ::read(handle_, events.data(), events.size()) > 0) {
     }

@@ -7,7 +7,7 @@
 namespace gouge {
 
 /// Hands out the positions 0, 1, 2, ... of a list of jobs to processes, each position once. The list is in groups of
-/// neighbours that read the same scene: a process goes on in its group, then begins the first group that nobody has
+/// neighbours that read the same scene: a process goes on in its group, then begins the first group that no process has
 /// begun, then takes over the later half of the rest with most work of another. So few processes read the same scene.
 class JobDealer {
  public:
@@ -20,7 +20,7 @@ class JobDealer {
   /// `group_ends`: one past the last position of each group, ascending. `work`: of each position, > 0, in any unit.
   JobDealer(std::vector<std::size_t> group_ends, const std::vector<std::uint64_t>& work, std::size_t processes);
 
-  /// What comes next for this process, at most `most` positions (> 0) of one group. Cost: constant, and linear in the
+  /// Returns the next work of this process, at most `most` positions (> 0) of one group. Cost: constant, and linear in the
   /// processes where something is taken over.
   [[nodiscard]] Block take(std::size_t process, std::size_t most);
 

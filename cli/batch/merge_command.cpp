@@ -26,7 +26,7 @@ Diagnostic unfit(const std::string& folder, const std::string& message) {
   return make_error("merge-unfit", message, folder);
 }
 
-/// What a shard brings.
+/// Content of a shard.
 struct Share {
   std::string folder;
   BatchIdentity identity;

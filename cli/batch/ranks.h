@@ -22,7 +22,7 @@ class Ranks {
   [[nodiscard]] virtual int rank() const = 0;
   [[nodiscard]] virtual int count() const = 0;
   /// Begins list 0 or 1, whose groups end before these positions (JobDealer), the same for all processes. `work` of
-  /// each position is asked for of rank 0 only.
+  /// each position is requested of rank 0 only.
   virtual void deal(int list, const std::vector<std::size_t>& group_ends, const std::vector<std::uint64_t>& work) = 0;
   /// A position of the list that no process was given, by JobDealer's rule; none: all were given. A process may be
   /// given up to `most` of a group at once, which are its own from then on.

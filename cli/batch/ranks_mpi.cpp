@@ -16,13 +16,13 @@ namespace gouge {
 namespace {
 
 constexpr int kAsk = 1, kAnswer = 2;  // tags of messages
-constexpr std::int64_t kNoMore = -1;  // instead of a list: this process asks no more
-// Who asks so soon again has short jobs and asks for more at once: one process answers many (docs/scaling.md).
+constexpr std::int64_t kNoMore = -1;  // instead of a list: this process queries no more
+// A process that requests again so soon has short jobs and requests more at once: one process serves many (docs/scaling.md).
 constexpr std::chrono::milliseconds kSoon{4};
 constexpr std::chrono::microseconds kPause{200}, kLongestPause{1000};
-constexpr int kPausesBetween = 16;  // two questions, of who answers: each pause takes the processor some 10 us
+constexpr int kPausesBetween = 16;  // two questions, of who results: each pause takes the processor some 10 us
 
-/// Positions are handed out by a thread of rank 0, which answers while the others of that process work. Whoever waits
+/// Positions are handed out by a thread of rank 0, which serves requests while the others of that process work. A process that waits
 /// sleeps in between: MPI itself would keep a core busy.
 class MpiRanks : public Ranks {
  public:
@@ -57,7 +57,7 @@ class MpiRanks : public Ranks {
       const std::scoped_lock lock(dealing_);
       dealers_.at(static_cast<std::size_t>(list)) = JobDealer(group_ends, work, static_cast<std::size_t>(count_));
     }
-    static_cast<void>(largest(0));  // nobody asks before
+    static_cast<void>(largest(0));  // no rank sends before
   }
 
   [[nodiscard]] std::optional<std::size_t> take(int list, std::size_t most) override {

@@ -96,8 +96,8 @@ std::optional<Diagnostic> find_foreign_output(const std::vector<std::string>& fi
 }
 
 void print_batch(std::ostream& out, const std::vector<JobResult>& results) {
-  constexpr std::size_t kMostRows = 50;
-  out << batch_text(results, ::isatty(STDOUT_FILENO) == 1 ? kMostRows : results.size());
+  constexpr std::size_t kMaxRows = 50;
+  out << batch_text(results, ::isatty(STDOUT_FILENO) == 1 ? kMaxRows : results.size());
 }
 
 void print_failures(std::ostream& err, const std::vector<JobResult>& results) {

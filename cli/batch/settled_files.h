@@ -14,7 +14,7 @@
 
 namespace gouge {
 
-/// What of a file changes when it is written.
+/// Properties of a file that change when it is written.
 struct FileStamp {
   std::int64_t time_ns = 0;
   off_t bytes = 0;
@@ -23,7 +23,7 @@ struct FileStamp {
 };
 using FileStamps = std::map<std::string, FileStamp>;
 
-/// The files of a folder, and which of them nobody writes any more: neither size nor time has changed for a second.
+/// The files of a folder, and which of them are no longer being written: neither size nor time has changed for a second.
 /// Hidden and temporary ones (~, .tmp, .part, ...) are passed over.
 class SettledFiles {
  public:
@@ -31,12 +31,12 @@ class SettledFiles {
   explicit SettledFiles(const std::string& place);
 
   [[nodiscard]] const std::string& folder() const { return folder_; }
-  /// Whether `place` is a folder, and no pattern for the names in one.
+  /// Returns whether `place` is a folder, and no pattern for the names in one.
   [[nodiscard]] bool is_whole_folder() const { return is_whole_folder_; }
-  /// Looks at the folder. `now_s`: of a clock that never goes back, whatever the times of the files are: a copy keeps
+  /// Examines the folder. `now_s`: of a clock that never goes back, whatever the times of the files are: a copy keeps
   /// the time of what it is a copy of.
   [[nodiscard]] FileStamps look(double now_s);
-  /// Whether the last look found some file that is yet to settle.
+  /// Returns whether the last look found some file that is yet to settle.
   [[nodiscard]] bool is_unsettled() const { return is_unsettled_; }
 
  private:

@@ -67,7 +67,7 @@ bool is_date(const std::string& text) {
 
 bool is_blank(const std::string& text) { return text.find_first_not_of(" \t\r\n") == std::string::npos; }
 
-/// What is missing or wrong in the options beside the result.
+/// Finds missing or wrong options beside the result.
 std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
   if (a.findings.empty()) {
     if (a.reason.empty() && a.by.empty() && a.date.empty() && a.output.empty()) return std::nullopt;
@@ -95,13 +95,13 @@ void list(const StoredResult& result, std::ostream& out) {
   out << count_text(findings.size(), "finding") << " in " << printable(result.file) << "\n";
 }
 
-/// What the file has already; nothing where there is none.
+/// The existing entries of the file; none where there is no file.
 Result<std::vector<Acceptance>> read_existing(const std::string& file, const InputLimit& limit) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(file, ignored))) return std::vector<Acceptance>();
   if (fs::is_fifo(fs::status(file, ignored)))
     return make_error("accepted-format", "is a pipe; expected a file that accepted findings can be added to", file);
-  const Result<std::string> bytes = read_file(file, limit.most_bytes);
+  const Result<std::string> bytes = read_file(file, limit.max_bytes);
   if (!bytes) return bytes.error();
   return read_accepted(file, *bytes);
 }
@@ -136,7 +136,7 @@ int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream
   if (const auto wrong = find_wrong_word(arguments)) return fail(err, {*wrong});
   const OutputTable outputs = asked_for({{"-o", arguments.output}});
   if (const auto status = refuse_outputs({{"the result", arguments.result}}, outputs, err)) return *status;
-  const Result<std::string> bytes = read_file(arguments.result, arguments.input.most_bytes);
+  const Result<std::string> bytes = read_file(arguments.result, arguments.input.max_bytes);
   if (!bytes) return fail(err, {bytes.error()});
   const Result<StoredResult> result = read_result(arguments.result, *bytes);
   if (!result) return fail(err, {result.error()});

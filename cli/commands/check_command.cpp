@@ -18,12 +18,12 @@ namespace gouge {
 namespace {
 
 Result<StickoutOptions> understand_stickout(const CheckArguments& arguments) {
-  const Result<double> step = understand_length("--stickout-step", arguments.stickout_step, Least::above_zero);
+  const Result<double> step = understand_length("--stickout-step", arguments.stickout_step, Minimum::above_zero);
   if (!step) return step.error();
-  const Result<double> most = understand_length("--stickout-limit", arguments.stickout_limit, Least::above_zero);
+  const Result<double> most = understand_length("--stickout-limit", arguments.stickout_limit, Minimum::above_zero);
   if (!most) return most.error();
-  constexpr double kMostSteps = 1e6;
-  if (*step > *most || *most > kMostSteps * *step)
+  constexpr double kMaxSteps = 1e6;
+  if (*step > *most || *most > kMaxSteps * *step)
     return usage_error("--stickout-step", arguments.stickout_step,
                        "a length up to --stickout-limit, and no less than a millionth of it");
   return StickoutOptions{*step, *most};
@@ -74,7 +74,7 @@ std::optional<Diagnostic> find_wrong_value(const CheckArguments& arguments) {
 
 namespace {
 
-/// What the options of `check` add to its report.
+/// Runs the searches that the options of `check` add to its report.
 Result<ReportParts> find_parts(const CheckArguments& arguments, const StickoutOptions& stickout,
                                const CheckResult& result, JobPipeline& run) {
   ReportParts parts;

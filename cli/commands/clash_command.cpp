@@ -19,9 +19,9 @@ namespace {
 /// The options, understood. Errors (code usage): names the option, what was typed and what was expected.
 Result<std::pair<ClashOptions, RigidTransform>> understand(const ClashArguments& a) {
   std::pair<ClashOptions, RigidTransform> understood;
-  const Result<double> tolerance = understand_length("--tolerance", a.tolerance, Least::zero);
+  const Result<double> tolerance = understand_length("--tolerance", a.tolerance, Minimum::zero);
   if (!tolerance) return tolerance.error();
-  const Result<double> resolution = understand_length("--resolution", a.resolution, Least::finest_resolution);
+  const Result<double> resolution = understand_length("--resolution", a.resolution, Minimum::finest_resolution);
   if (!resolution) return resolution.error();
   if (const auto error = find_contradiction(a)) return *error;
   understood.first.tolerance_mm = *tolerance;
@@ -35,7 +35,7 @@ Result<std::pair<ClashOptions, RigidTransform>> understand(const ClashArguments&
 
 Result<LoadedMesh> load(const std::string& file, const ClashArguments& arguments, const RigidTransform& place) {
   const LengthUnit unit = unit_called(arguments.stl_units).value_or(LengthUnit::mm);
-  Result<LoadedMesh> loaded = load_mesh(file, {unit, place}, arguments.input.most_bytes);
+  Result<LoadedMesh> loaded = load_mesh(file, {unit, place}, arguments.input.max_bytes);
   if (!loaded) return loaded;
   if (auto error = find_too_far(loaded->mesh, "body", "--stl-units and --place-b")) return *std::move(error);
   return loaded;

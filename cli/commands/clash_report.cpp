@@ -13,8 +13,8 @@ namespace {
 
 /// "(0, 0.6, 0.8)": a direction has no unit.
 std::string direction_text(const Vec3& direction) {
-  return "(" + people_text(direction.x(), 3) + ", " + people_text(direction.y(), 3) + ", " +
-         people_text(direction.z(), 3) + ")";
+  return "(" + display_text(direction.x(), 3) + ", " + display_text(direction.y(), 3) + ", " +
+         display_text(direction.z(), 3) + ")";
 }
 
 std::string clash_finding(const ClashReport& r) {

@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// What `gougecheck clash` found. Lengths in mm, coordinates of A.
+/// Result of `gougecheck clash`. Lengths in mm, coordinates of A.
 struct ClashReport {
   std::string a, b;  ///< the files as the user named them
   LengthUnit unit = LengthUnit::mm;

@@ -14,7 +14,7 @@ namespace gouge {
 namespace {
 
 Result<StoredResult> load_result(const std::string& file, const InputLimit& limit) {
-  const Result<std::string> bytes = read_file(file, limit.most_bytes);
+  const Result<std::string> bytes = read_file(file, limit.max_bytes);
   if (!bytes) return bytes.error();
   return read_result(file, *bytes);
 }
@@ -47,7 +47,7 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
 
 int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostream& err) {
   if (const auto error = find_contradiction(arguments)) return fail(err, {*error});
-  const Result<double> same_within = understand_length("--same-within", arguments.same_within, Least::zero);
+  const Result<double> same_within = understand_length("--same-within", arguments.same_within, Minimum::zero);
   if (!same_within) return fail(err, {same_within.error()});
   const OutputTable outputs = asked_for({{"--html", arguments.html_file}, {"--json", arguments.json_file}});
   const Result<bool> taken = is_stdout_taken(outputs);

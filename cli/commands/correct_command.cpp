@@ -30,7 +30,7 @@ class ChangeTexts {
     for (const PathChange& change : changes) change_of_[change.move] = &change;
   }
 
-  /// To be asked for in the order of the records.
+  /// To be requested in the order of the records.
   void put_into(CorrectedRecord& record, const ChangeRecord& of) {
     if (change_of_[of.move] == nullptr) return;
     if (of.move != move_) next_ = 0;
@@ -63,7 +63,7 @@ class ChangeTexts {
 
   RecordTexts texts_;
   std::vector<const PathChange*> change_of_;
-  std::size_t move_ = kNone, next_ = 0;  // the move asked for last, and the first of its positions not yet asked for
+  std::size_t move_ = kNone, next_ = 0;  // the move requested last, and the first of its positions not yet requested
   const char *last_old_ = nullptr, *last_new_ = nullptr;
 };
 
@@ -138,12 +138,12 @@ void add_axes_outside(const Toolpath& path, const std::optional<AxisCone>& cone,
   notes.push_back(make_warning(
       "axis-outside-cone",
       count_text(outside.positions, "programmed position") + " " + (outside.positions == 1 ? "has" : "have") +
-          " a tool axis outside --axis-cone, up to " + angle_text(outside.most_rad, DegreeSign::word) +
+          " a tool axis outside --axis-cone, up to " + angle_text(outside.max_rad, DegreeSign::word) +
           " from its direction; no correction brings these inside",
       path.file, path.moves[outside.first_move].line));
 }
 
-/// One for each run that is not tilted, the first as a warning: it is a correction, but not the one asked for.
+/// One for each run that is not tilted, the first as a warning: it is a correction, but not the one requested.
 void add_not_tilted(const Toolpath& path, const std::vector<NotTilted>& runs, Diagnostics& notes) {
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const std::size_t first = path.moves[runs[k].first].line, last = path.moves[runs[k].last].line;
@@ -167,7 +167,7 @@ std::optional<Diagnostic> find_misfit(const Toolpath& path, const CheckResult& r
   return make_error("path-misfit", *misfit + "; nothing was written; --force corrects all the same", path.file);
 }
 
-/// What `correct` adds to its report.
+/// Builds the content that `correct` adds to its report.
 ReportParts parts_of(const CorrectArguments& arguments, const CorrectOptions& options, const RotaryLimit& limit,
                      const LawfulCorrection& corrected, const Toolpath& before, const CheckResult& result,
                      std::string_view text) {

@@ -36,7 +36,7 @@ std::optional<int> JobPipeline::load() {
 
 CheckResult JobPipeline::check() {
   CheckSetup checked = setup();
-  if (context_.keep_work) checked.kept = context_.keep_work(job_->inputs);
+  if (context_.checkpoints_of) checked.kept = context_.checkpoints_of(job_->inputs);
   return gouge::check(job_->toolpath, checked, progress_.call());
 }
 

@@ -112,7 +112,7 @@ Outcome JobWords::add(const std::string& given, const nlohmann::json& value) {
     return wrong("\"" + key + "\" is " + kind_of(value) + "; expected a text or a number");
   const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
   if (text.empty()) return wrong("\"" + key + "\" is empty; expected a value, or leave it out");
-  // The system would read a name up to there, which is another file than the one that was looked at.
+  // The system would read a name up to there, which is another file than the one that was examined.
   if (text.find('\0') != std::string::npos)
     return wrong("\"" + key + "\" holds the character U+0000; expected a text without it");
   const std::string type = option->get_type_name();

@@ -19,7 +19,7 @@ namespace gouge {
 
 using CommandArguments = std::variant<CheckArguments, CorrectArguments>;
 
-/// What a file of options may set, and what its errors are called.
+/// Options that a file may set, and the codes of its errors.
 struct WordRules {
   std::string error_code;
   /// Why an option of the command cannot stand in the file; nothing where it can.
@@ -64,7 +64,7 @@ class JobWords {
   std::vector<std::string> words_;
 };
 
-/// Parses and understands `words` as the command line of `command`. Errors: usage, as the program says it.
+/// Parses and understands `words` as the command line of `command`. Errors: usage, as the program states it.
 [[nodiscard]] Result<CommandArguments> parse_command(const std::string& command, const std::vector<std::string>& words);
 
 }  // namespace gouge

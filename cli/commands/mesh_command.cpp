@@ -29,7 +29,7 @@ OutputTable outputs_of(const MeshArguments& arguments) {
   return asked_for({{"--repair", arguments.repair_file}, {"--json", arguments.json_file}});
 }
 
-// The repair asked for, kept to be written when it is an improvement. Returns the exit status if it failed.
+// The repair requested, kept to be written when it is an improvement. Returns the exit status if it failed.
 std::optional<int> repair(const MeshArguments& arguments, const IndexedMesh& mesh, MeshInfo& info,
                           PendingOutputs& outputs, Progress& progress, std::ostream& err) {
   RepairOptions options;
@@ -91,14 +91,14 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   MeshInfo info;
   info.unit = unit_called(arguments.stl_units).value_or(LengthUnit::mm);
   Result<double> weld_mm = 0.0;
-  if (!arguments.weld.empty()) weld_mm = understand_length("--weld", arguments.weld, Least::above_zero);
+  if (!arguments.weld.empty()) weld_mm = understand_length("--weld", arguments.weld, Minimum::above_zero);
   if (!weld_mm) return fail(err, {weld_mm.error()});
   if (arguments.repair_file == "-")
     return fail(err, {usage_error("--repair", "-", "a file; a mesh does not go to standard output")});
   if (const auto status = refuse_outputs({{"the mesh", arguments.file}}, outputs_of(arguments), err)) return *status;
   Progress progress(err, understand_progress(arguments.progress));
   progress.begin("reading " + arguments.file);
-  Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}}, arguments.input.most_bytes, progress.call());
+  Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}}, arguments.input.max_bytes, progress.call());
   progress.end();
   if (!loaded) return fail(err, {loaded.error()});
   info.file = arguments.file;

@@ -21,14 +21,14 @@ class Lengths {
 
   [[nodiscard]] std::string vector(const Vec3& v_mm, const std::string& between) const {
     const double mm = mm_per(unit_);
-    return people_text(v_mm.x() / mm, decimals_, Zeros::kept) + between +
-           people_text(v_mm.y() / mm, decimals_, Zeros::kept) + between +
-           people_text(v_mm.z() / mm, decimals_, Zeros::kept);
+    return display_text(v_mm.x() / mm, decimals_, Zeros::kept) + between +
+           display_text(v_mm.y() / mm, decimals_, Zeros::kept) + between +
+           display_text(v_mm.z() / mm, decimals_, Zeros::kept);
   }
 
   [[nodiscard]] std::string power(double value_mm, int power) const {
     for (int k = 0; k < power; ++k) value_mm /= mm_per(unit_);
-    return people_text(value_mm, decimals_, Zeros::kept) + " " + unit_name(unit_) + std::to_string(power);
+    return display_text(value_mm, decimals_, Zeros::kept) + " " + unit_name(unit_) + std::to_string(power);
   }
 
   [[nodiscard]] std::string exact(double length_mm) const {

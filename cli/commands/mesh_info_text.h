@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// What joining near vertices did.
+/// Effect of joining near vertices.
 struct MeshWeld {
   double reach_mm = 0;
   std::size_t vertices_joined = 0;
@@ -18,15 +18,15 @@ struct MeshWeld {
   MeshValidation judged;  ///< of the joined mesh
 };
 
-/// What `gougecheck mesh` reports.
+/// Content of the report of `gougecheck mesh`.
 struct MeshInfo {
   std::string file;
   LengthUnit unit = LengthUnit::mm;  ///< of the file, and of every length shown
   StlFormat format = StlFormat::binary;
   Diagnostics notes;                 ///< of reading and structure
   MeshValidation judged;             ///< of the file as it is
-  std::optional<MeshWeld> weld;      ///< when asked for
-  std::optional<MeshRepair> repair;  ///< when asked for and not failed
+  std::optional<MeshWeld> weld;      ///< when requested
+  std::optional<MeshRepair> repair;  ///< when requested and not failed
   std::string written_file;          ///< the repaired STL; empty when none was written
 };
 

@@ -24,7 +24,7 @@
 namespace gouge {
 namespace {
 
-// What `path info` shows, as text for people and as JSON. Lengths in the file's unit.
+// Content of `path info`, as text for people and as JSON. Lengths in the file's unit.
 
 constexpr std::size_t kPathLabelWidth = 22;
 constexpr int kShownDecimals = 4;
@@ -33,7 +33,7 @@ std::string path_row(const std::string& name, const std::string& value) {
   return padded(name, kPathLabelWidth - 1) + " " + printable(value) + "\n";
 }
 
-std::string shown(double value) { return people_text(value, kShownDecimals); }
+std::string shown(double value) { return display_text(value, kShownDecimals); }
 
 std::string shown(const Vec3& point, double mm_per_unit) {
   return shown(point.x() / mm_per_unit) + ", " + shown(point.y() / mm_per_unit) + ", " + shown(point.z() / mm_per_unit);
@@ -83,7 +83,7 @@ std::string tools_text(const Toolpath& path, const PathInfo& info, double mm_per
   return text;
 }
 
-std::string doubts_text(const Toolpath& path, const PathInfo& info) {
+std::string uncertainties_text(const Toolpath& path, const PathInfo& info) {
   std::size_t count = 0;
   for (const auto& reason : info.not_checkable) count += reason.second;
   std::string text = path_row("cannot be checked", count == 0 ? "none" : count_text(count, "move"));
@@ -132,7 +132,7 @@ std::string path_info_text(const Toolpath& path, const PathInfo& info, const std
                                          std::to_string(info.largest_turn_move) + ", line " +
                                          std::to_string(path.moves[info.largest_turn_move].line));
   }
-  return text + tools_text(path, info, mm_per_unit) + doubts_text(path, info);
+  return text + tools_text(path, info, mm_per_unit) + uncertainties_text(path, info);
 }
 
 std::string path_info_json(const Toolpath& path, const PathInfo& info) {
@@ -199,7 +199,7 @@ int run_plot(const PathArguments& arguments, const RigidTransform& place, const 
   const LengthUnit unit = unit_called(arguments.stl_units).value_or(path.unit);
   Progress progress(err, ProgressMode::automatic);
   const auto scene =
-      load_scene({arguments.parts, {}, {}, unit, place, arguments.place, arguments.input.most_bytes, 0}, progress);
+      load_scene({arguments.parts, {}, {}, unit, place, arguments.place, arguments.input.max_bytes, 0}, progress);
   progress.end();
   if (!scene->errors.empty()) return fail(err, scene->errors);
   if (!is_svg) print(err, find_missing_letters(path));
@@ -277,7 +277,7 @@ int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& er
   if (const auto status =
           refuse_outputs(inputs, asked_for({{"-o", arguments.output}, {"--json", arguments.json_file}}), err))
     return *status;
-  Result<std::string> bytes = read_file(arguments.path, arguments.input.most_bytes);
+  Result<std::string> bytes = read_file(arguments.path, arguments.input.max_bytes);
   if (!bytes) return fail(err, {bytes.error()});
   const ReadOutcome outcome = read_toolpath(arguments.path, std::move(*bytes), *options);
   if (!outcome.toolpath) return fail(err, outcome.errors);

@@ -21,9 +21,9 @@ namespace {
 Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& arguments) {
   if (arguments.holder.empty()) return std::vector<ToolSegment>{};
   if (arguments.tools_file.empty()) return make_error("usage", "--holder needs --tools, the library that holder is in");
-  const Result<std::string> bytes = read_file(arguments.tools_file, arguments.input.most_bytes);
+  const Result<std::string> bytes = read_file(arguments.tools_file, arguments.input.max_bytes);
   if (!bytes) return bytes.error();
-  const Result<ReadTools> read = read_any_tools(arguments.tools_file, *bytes, arguments.input.most_bytes);
+  const Result<ReadTools> read = read_any_tools(arguments.tools_file, *bytes, arguments.input.max_bytes);
   if (!read) return read.error();
   const ToolLibrary* const library = &read->library;
   const std::vector<ToolSegment>* holder = library->holder_called(arguments.holder);
@@ -88,18 +88,18 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
   ImportOptions options;
   if (!arguments.stickout.empty()) {
-    const Result<double> stickout = understand_length("--stickout", arguments.stickout, Least::above_zero);
+    const Result<double> stickout = understand_length("--stickout", arguments.stickout, Minimum::above_zero);
     if (!stickout) return fail(err, {stickout.error()});
     options.stickout_mm = *stickout;
   }
   const Result<std::vector<ToolSegment>> holder = find_holder(arguments);
   if (!holder) return fail(err, {holder.error()});
-  const Result<std::string> bytes = read_file(arguments.file, arguments.input.most_bytes);
+  const Result<std::string> bytes = read_file(arguments.file, arguments.input.max_bytes);
   if (!bytes) return fail(err, {bytes.error()});
   options.holder = *holder;
   options.unit = unit_called(arguments.unit);
   options.read_beside = [&](const std::string& name) -> Result<std::string> {
-    Result<BesideFile> beside = read_beside(arguments.file, name, arguments.input.most_bytes);
+    Result<BesideFile> beside = read_beside(arguments.file, name, arguments.input.max_bytes);
     if (!beside) return beside.error();
     inputs.push_back({"a file of the library", beside->path});
     return std::move(beside->bytes);

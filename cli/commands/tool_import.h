@@ -17,8 +17,8 @@ struct ToolImportArguments {
   std::string format = "auto";  ///< auto, fusion, freecad or nx
   std::string holder;           ///< name in `tools_file`
   std::string tools_file;
-  std::string unit;      ///< mm or inch; empty: as the file says
-  std::string stickout;  ///< as typed; empty: as the file says
+  std::string unit;      ///< mm or inch; empty: as the file states
+  std::string stickout;  ///< as typed; empty: as the file states
 };
 
 void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, std::string& output);

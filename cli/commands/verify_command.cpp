@@ -18,9 +18,9 @@ namespace gouge {
 
 namespace {
 
-constexpr double kMostSeconds = 1e6;
+constexpr double kMaxSeconds = 1e6;
 
-/// Of a result whose inputs are what they were.
+/// For a result whose inputs are unchanged.
 class Verifier {
  public:
   Verifier(const Job& job, const ClaimedResult& result, Progress& progress)
@@ -107,10 +107,10 @@ class Verifier {
 };
 
 /// The inputs that are not what the result was made from.
-Result<std::vector<Verification::Refuted>> find_changed(const ClaimedResult& result, std::uint64_t most_bytes) {
+Result<std::vector<Verification::Refuted>> find_changed(const ClaimedResult& result, std::uint64_t max_bytes) {
   std::vector<Verification::Refuted> changed;
   for (const InputFile& input : result.inputs) {
-    const Result<FileView> file = view_file(input.name, most_bytes);
+    const Result<FileView> file = view_file(input.name, max_bytes);
     if (!file) return file.error();
     if ("sha256:" + sha256_of(file->bytes) == input.checksum) continue;
     Verification::Refuted one;
@@ -162,11 +162,11 @@ void add_verify_options(CLI::App& command, VerifyArguments& a) {
 int run_verify(const VerifyArguments& a, std::ostream& out, std::ostream& err) {
   if (const auto error = find_contradiction(a)) return fail(err, {*error});
   const std::optional<double> seconds = a.seconds.empty() ? 0 : parse_number(a.seconds);
-  if (!seconds || !(*seconds >= 0 && *seconds <= kMostSeconds))
+  if (!seconds || !(*seconds >= 0 && *seconds <= kMaxSeconds))
     return fail(err, {usage_error("--seconds", a.seconds, "a number of seconds, 0 or more")});
   Progress progress(err, understand_progress(a.progress));
   progress.begin("reading " + a.result_file);
-  const Result<FileView> bytes = view_file(a.result_file, a.input.most_bytes);
+  const Result<FileView> bytes = view_file(a.result_file, a.input.max_bytes);
   if (!bytes) return fail(err, {bytes.error()});
   Result<ClaimedResult> result = read_claimed_result(a.result_file, bytes->bytes);
   if (!result) return fail(err, {result.error()}, kExitInput);
@@ -174,11 +174,11 @@ int run_verify(const VerifyArguments& a, std::ostream& out, std::ostream& err) {
   result->options.check.threads = a.threads;
   FileView certificate;
   if (!a.certificate_file.empty()) {
-    Result<FileView> read = view_file(a.certificate_file, a.input.most_bytes);
+    Result<FileView> read = view_file(a.certificate_file, a.input.max_bytes);
     if (!read) return fail(err, {read.error()});
     certificate = std::move(*read);
   }
-  Result<std::vector<Verification::Refuted>> changed = find_changed(*result, a.input.most_bytes);
+  Result<std::vector<Verification::Refuted>> changed = find_changed(*result, a.input.max_bytes);
   if (!changed) return fail(err, {changed.error()}, kExitInput);
   if (!changed->empty()) {
     Verification verification;
@@ -203,7 +203,7 @@ int run_verify(const VerifyArguments& a, std::ostream& out, std::ostream& err) {
 
 namespace {
 
-constexpr std::size_t kMostLines = 50;
+constexpr std::size_t kMaxLines = 50;
 
 std::string moves(std::size_t count) { return count_text(count, "move"); }
 
@@ -213,10 +213,10 @@ std::string refutation(const Verification::Refuted& refuted, const ClaimedResult
     line += ":" + std::to_string(std::size_t{path->moves[*refuted.move].line});
   line += ": refuted: " + refuted.what;
   if (refuted.move) line += ", move " + std::to_string(*refuted.move);
-  if (refuted.t) line += " t=" + people_text(*refuted.t, 6);
+  if (refuted.t) line += " t=" + display_text(*refuted.t, 6);
   if (refuted.point) {
     const Vec3 p = *refuted.point / result.mm_per_unit;
-    line += " at (" + people_text(p.x(), 6) + ", " + people_text(p.y(), 6) + ", " + people_text(p.z(), 6) + ")";
+    line += " at (" + display_text(p.x(), 6) + ", " + display_text(p.y(), 6) + ", " + display_text(p.z(), 6) + ")";
   }
   return line;
 }
@@ -277,9 +277,9 @@ int exit_status(const Verification& v) {
 
 std::string verification_text(const Verification& v, const ClaimedResult& result, const Toolpath* path) {
   std::string text;
-  for (std::size_t k = 0; k < v.refuted.size() && k < kMostLines; ++k)
+  for (std::size_t k = 0; k < v.refuted.size() && k < kMaxLines; ++k)
     text += printable(refutation(v.refuted[k], result, path)) + "\n";
-  if (v.refuted.size() > kMostLines) text += "and " + std::to_string(v.refuted.size() - kMostLines) + " more\n";
+  if (v.refuted.size() > kMaxLines) text += "and " + std::to_string(v.refuted.size() - kMaxLines) + " more\n";
   if (!v.refuted.empty())
     return text + "result: refuted; it is not right, or its inputs are not those that were checked\n";
   text += verified_text(v) + sampled_text(v) + uncovered_text(v);

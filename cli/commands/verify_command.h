@@ -34,7 +34,7 @@ void add_verify_options(CLI::App& command, VerifyArguments& arguments);
 /// everything is covered.
 [[nodiscard]] int run_verify(const VerifyArguments& arguments, std::ostream& out, std::ostream& err);
 
-/// What a verification found.
+/// Result of a verification.
 struct Verification {
   struct Refuted {
     std::optional<std::size_t> move = {};  ///< none: of the result as a whole

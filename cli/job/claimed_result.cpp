@@ -83,12 +83,12 @@ class ResultReader {
 
   void read_options(const JsonField& options) {
     CheckOptions& check = result_.options.check;
-    check.tolerance_mm = least_zero(options.at("tolerance"));
-    check.resolution_mm = least_zero(options.at("resolution"));
+    check.tolerance_mm = min_zero(options.at("tolerance"));
+    check.resolution_mm = min_zero(options.at("resolution"));
     check.stock_to_leave_mm = length(options.at("stock_to_leave"));
-    check.shank_clearance_mm = least_zero(options.at("shank_clearance"));
-    check.holder_clearance_mm = least_zero(options.at("holder_clearance"));
-    check.near_miss_mm = least_zero(options.at("near_miss"));
+    check.shank_clearance_mm = min_zero(options.at("shank_clearance"));
+    check.holder_clearance_mm = min_zero(options.at("holder_clearance"));
+    check.near_miss_mm = min_zero(options.at("near_miss"));
     JobArguments& a = result_.arguments;
     const std::size_t rapid = options.at("rapid").word(kRapids);
     a.rapid = kRapids[rapid];
@@ -121,7 +121,7 @@ class ResultReader {
     if (limits->size() != texts.size()) more.at(option).fail("a file that is named among the inputs");
   }
 
-  // Of an option that may be given several times: a text, or a list of them.
+  // For an option that may be given several times: a text, or a list of them.
   static std::vector<std::string> all_given(const JsonField& more, const char* option) {
     const std::optional<JsonField> value = more.find(option);
     if (!value) return {};
@@ -176,13 +176,13 @@ class ResultReader {
     if (!std::isfinite(value)) field.fail("a length");
     return value;
   }
-  [[nodiscard]] double least_zero(const JsonField& field) const {
+  [[nodiscard]] double min_zero(const JsonField& field) const {
     const double value = length(field);
     if (!(value >= 0)) field.fail("a length of 0 or more");
     return value;
   }
   [[nodiscard]] std::optional<double> length_or_null(const JsonField& field) const {
-    return field.is_null() ? std::nullopt : std::optional(least_zero(field));
+    return field.is_null() ? std::nullopt : std::optional(min_zero(field));
   }
 
   const std::string& file_;
@@ -196,7 +196,7 @@ Diagnostic invalid(const std::string& file, const std::string& found) {
   return make_error("result-invalid", found + "; expected the JSON of 'gougecheck check --json'", file);
 }
 
-/// Findings and moves must tell the same: every gouge is in a finding, and a finding's worst move is as it says.
+/// Findings and moves must show the same: every gouge is in a finding, and a finding's worst move is as it states.
 void compare_findings(const ClaimedResult& result, std::vector<std::string>& all) {
   std::vector<std::pair<std::size_t, std::size_t>> gouges;  // of findings: first and last move
   for (const ClaimedResult::Finding& finding : result.findings) {
@@ -218,7 +218,7 @@ void compare_findings(const ClaimedResult& result, std::vector<std::string>& all
   }
 }
 
-/// What the totals cannot mean. Which gouges were accepted is not looked at.
+/// Finds impossible totals. It ignores which gouges were accepted.
 std::optional<std::string> find_wrong_verdict(const ClaimedResult& result) {
   const auto total = [&](const char* state) { return result.totals.at(state); };
   const bool is_open =

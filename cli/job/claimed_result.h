@@ -25,7 +25,7 @@ struct ClaimedResult {
   std::vector<std::string> open_facts;    ///< assumptions that it calls open
   std::vector<std::string> hidden_facts;  ///< contradicted or unknown ones that it does not
   double mm_per_unit = 1;
-  std::size_t moves = 0, left_out_as_asked = 0;  ///< as it says, whatever the toolpath has
+  std::size_t moves = 0, left_out_as_asked = 0;  ///< as it states, whatever the toolpath has
   std::map<std::size_t, MoveClaim> claims;       ///< of every move that is not clean
   std::map<std::size_t, std::size_t> lines;      ///< of these
   std::map<std::string, std::size_t> totals;     ///< by the name of a state
@@ -40,13 +40,13 @@ struct ClaimedResult {
   [[nodiscard]] std::vector<MoveClaim> claims_of(std::size_t path_moves) const;
 };
 
-/// `file` is the name of the result. Inputs that are not where the result says are looked for beside it.
+/// `file` is the name of the result. Inputs that are not where the result states are looked for beside it.
 /// Errors  those of JSON (result-syntax, result-duplicate-key, json-too-deep, json-too-long), result-invalid: it is no
 ///         result of `check`, or has an option that cannot be, and result-field with the line: a value that is missing or
 ///         not as expected.
 [[nodiscard]] Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_view bytes);
 
-/// What contradicts itself in a result, its verdict among it; nothing where all fits.
+/// Returns contradictions within a result, its verdict included; none where all fits.
 [[nodiscard]] std::vector<std::string> find_contradictions(const ClaimedResult& result);
 
 }  // namespace gouge

@@ -6,7 +6,7 @@
 #include "cli/job/job.h"
 #include "lib/verify/certificate.h"
 
-// What a verification is told of a job, and of the result of its check.
+// Input of a verification: a job and the result of its check.
 
 namespace gouge {
 

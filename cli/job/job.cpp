@@ -77,7 +77,7 @@ class JobLoader {
  private:
   bool read_path() {
     progress_.begin("reading " + arguments_.path);
-    Result<PagedVector<char>> bytes = read_long_file(arguments_.path, arguments_.input.most_bytes);
+    Result<PagedVector<char>> bytes = read_long_file(arguments_.path, arguments_.input.max_bytes);
     if (!bytes) {
       errors_.push_back(bytes.error());
       return false;
@@ -106,7 +106,7 @@ class JobLoader {
 
   void read_scene(const SceneSource& scenes) {
     const JobArguments& a = arguments_;
-    job_.files = scenes({a.parts, a.fixtures, a.heads, stl_unit(), job_.options.place, a.place, a.input.most_bytes,
+    job_.files = scenes({a.parts, a.fixtures, a.heads, stl_unit(), job_.options.place, a.place, a.input.max_bytes,
                          job_.options.check.threads, nullptr, job_.options.limits},
                         progress_);
     errors_.insert(errors_.end(), job_.files->errors.begin(), job_.files->errors.end());
@@ -118,10 +118,10 @@ class JobLoader {
     progress_.begin("reading the tools");
     std::optional<ToolLibrary> library;
     if (!arguments_.tools_file.empty()) {
-      const Result<std::string> bytes = read_file(arguments_.tools_file, arguments_.input.most_bytes);
+      const Result<std::string> bytes = read_file(arguments_.tools_file, arguments_.input.max_bytes);
       if (!bytes) return errors_.push_back(bytes.error());
       job_.inputs.push_back(describe_input("tools", arguments_.tools_file, *bytes));
-      Result<ReadTools> read = read_any_tools(arguments_.tools_file, *bytes, arguments_.input.most_bytes);
+      Result<ReadTools> read = read_any_tools(arguments_.tools_file, *bytes, arguments_.input.max_bytes);
       if (!read) return errors_.push_back(read.error());
       for (const BesideFile& beside : read->besides)
         job_.inputs.push_back(describe_input("named-by-tools", beside.path, beside.bytes));
@@ -157,7 +157,7 @@ class JobLoader {
     }
   }
 
-  // What is stated on the command line or in the project file, and what the files are.
+  // Collects the facts stated on the command line, in the project file and by the files.
   void assume_inputs() {
     SetupBasis& basis = job_.basis;
     for (const MeshFacts* mesh : meshes()) basis.inputs.push_back(mesh->solid);

@@ -15,7 +15,7 @@
 
 namespace gouge {
 
-/// What a command adds to the report of a job beside the verdicts.
+/// Content that a command adds to the report of a job beside the verdicts.
 struct ReportParts {
   std::optional<CorrectionFacts> correction = {};
   std::vector<OptionText> more_options = {};
@@ -54,7 +54,7 @@ struct Job {
   [[nodiscard]] ToolAssembly without_end(const ToolAssembly& tool) const;
   /// `prepared` is the scene of the job; both must outlive the result.
   [[nodiscard]] CheckSetup setup(const PreparedScene& prepared) const;
-  /// As asked for, else the toolpath's.
+  /// As requested, else the toolpath's.
   [[nodiscard]] LengthUnit stl_unit(const JobArguments& arguments) const;
   /// The report of `result`, which must outlive it, like the job.
   [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,

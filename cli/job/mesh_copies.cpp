@@ -55,7 +55,7 @@ bool write_all(int handle, std::string_view bytes) {
   return true;
 }
 
-// Of a file as it is now: one that is written again, or another of its name, has another change time.
+// Identity of a file as it is now: a new version or another file of its name has another change time.
 std::string key_of(const std::string& path, const struct stat& info) {
   std::error_code ignored;
   std::string text = fs::absolute(path, ignored).string();
@@ -89,7 +89,7 @@ MeshCopies::MeshCopies(const std::string& folder) {
 
 MeshCopies::~MeshCopies() {
   if (in_use_ < 0) return;
-  // Of several that end at once the last one gets it.
+  // If several end at once, the last one gets it.
   if (lock(in_use_, LOCK_EX | LOCK_NB)) {
     remove_copies(folder_);
     ::unlink((folder_ + kInUse).c_str());
@@ -99,9 +99,9 @@ MeshCopies::~MeshCopies() {
 }
 
 void MeshCopies::open() {
-  // Whoever ends last removes the folder, perhaps between two steps here.
-  constexpr int kMostTries = 100;
-  for (int attempt = 0; attempt < kMostTries; ++attempt) {
+  // The last process to end removes the folder, perhaps between two steps here.
+  constexpr int kMaxTries = 100;
+  for (int attempt = 0; attempt < kMaxTries; ++attempt) {
     if (::mkdir(folder_.c_str(), 0700) != 0 && errno != EEXIST) return note("cannot be made", errno);
     struct stat info {};
     if (::lstat(folder_.c_str(), &info) != 0) continue;
@@ -125,26 +125,26 @@ void MeshCopies::open() {
   note("is removed again and again", 0);
 }
 
-Result<FileView> MeshCopies::view(const std::string& path, std::uint64_t most_bytes) {
+Result<FileView> MeshCopies::view(const std::string& path, std::uint64_t max_bytes) {
   struct stat info {};
   const bool may_be_copied = in_use_ >= 0 && ::stat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode) &&
-                             static_cast<std::uint64_t>(info.st_size) <= most_bytes;
-  if (!may_be_copied) return view_file(path, most_bytes);
+                             static_cast<std::uint64_t>(info.st_size) <= max_bytes;
+  if (!may_be_copied) return view_file(path, max_bytes);
   const std::string copy = folder_ + "/" + key_of(path, info);
-  // Who copies has it locked; it holds the hash once the copy is whole.
+  // The copying process holds its lock; it contains the hash once the copy is complete.
   OpenFile hash_file(copy + ".sha256", O_RDWR | O_CREAT);
   if (hash_file.handle() < 0 || !lock(hash_file.handle(), LOCK_EX)) {
     note("cannot be written", errno);
-    return view_file(path, most_bytes);
+    return view_file(path, max_bytes);
   }
   std::array<char, kHashDigits> hash{};
   if (::pread(hash_file.handle(), hash.data(), hash.size(), 0) == static_cast<ssize_t>(hash.size())) {
     lock(hash_file.handle(), LOCK_UN);
-    Result<FileView> view = view_file(copy, most_bytes);
+    Result<FileView> view = view_file(copy, max_bytes);
     if (view && sha256_of(view->bytes) == std::string_view(hash.data(), hash.size())) return view;
-    return view_file(path, most_bytes);
+    return view_file(path, max_bytes);
   }
-  Result<FileView> view = view_file(path, most_bytes);
+  Result<FileView> view = view_file(path, max_bytes);
   if (view && put(copy, view->bytes)) static_cast<void>(write_all(hash_file.handle(), sha256_of(view->bytes)));
   return view;
 }

@@ -25,11 +25,11 @@ class MeshCopies {
 
   /// As view_file: from the copy where there is one with the SHA-256 of what was copied, made of the file as it is now;
   /// else from the file, and copied.
-  [[nodiscard]] Result<FileView> view(const std::string& path, std::uint64_t most_bytes);
+  [[nodiscard]] Result<FileView> view(const std::string& path, std::uint64_t max_bytes);
 
   /// Why files are read where they are, the first reason of all (a warning, code scratch-unusable).
   [[nodiscard]] std::optional<Diagnostic> trouble() const;
-  /// What this one has copied.
+  /// Copies made by this process.
   [[nodiscard]] std::size_t files() const;
   [[nodiscard]] std::uint64_t bytes() const;
 

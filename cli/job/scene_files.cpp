@@ -65,8 +65,8 @@ class SceneLoader {
                    std::vector<MeshFacts>& facts, const RigidTransform& place) {
     for (const std::string& name : names) {
       progress_.begin("reading " + name);
-      Result<FileView> view = request_.copies != nullptr ? request_.copies->view(name, request_.most_bytes)
-                                                         : view_file(name, request_.most_bytes);
+      Result<FileView> view = request_.copies != nullptr ? request_.copies->view(name, request_.max_bytes)
+                                                         : view_file(name, request_.max_bytes);
       if (!view) {
         files_->errors.push_back(view.error());
         continue;
@@ -126,7 +126,7 @@ class SceneLoader {
 }  // namespace
 
 std::string SceneRequest::key() const {
-  std::string key = std::string(unit_name(unit)) + '\n' + place_text + '\n' + std::to_string(most_bytes);
+  std::string key = std::string(unit_name(unit)) + '\n' + place_text + '\n' + std::to_string(max_bytes);
   const std::pair<const char*, const std::vector<std::string>&> roles[] = {
       {"\npart ", parts}, {"\nfixture ", fixtures}, {"\nhead ", heads}};
   for (const auto& [role, names] : roles) {

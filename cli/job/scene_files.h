@@ -26,7 +26,7 @@ struct SceneRequest {
   LengthUnit unit = LengthUnit::mm;
   RigidTransform place;    ///< of parts and fixtures; heads are in the tool's frame
   std::string place_text;  ///< the same, as the user typed it
-  std::uint64_t most_bytes = 0;
+  std::uint64_t max_bytes = 0;
   unsigned threads = 0;
   MeshCopies* copies = nullptr;  ///< where files are read from; none: where they are
   std::vector<MeshLimit> limits{};
@@ -35,7 +35,7 @@ struct SceneRequest {
   [[nodiscard]] std::string key() const;
 };
 
-/// What was read of them. Nothing of it changes any more, so that several jobs may share it, from any thread.
+/// The meshes that were read. They are immutable, so that several jobs may share them, from any thread.
 class SceneFiles {
  public:
   Scene scene;

@@ -5,7 +5,7 @@ namespace gouge {
 std::string SceneStore::group_of(const JobArguments& a) {
   // The unit is its own, or the toolpath's.
   return a.stl_units + '\n' +
-         SceneRequest{a.parts, a.fixtures, a.heads, LengthUnit::mm, {}, a.place, a.input.most_bytes, 0}.key();
+         SceneRequest{a.parts, a.fixtures, a.heads, LengthUnit::mm, {}, a.place, a.input.max_bytes, 0}.key();
 }
 
 void SceneStore::expect(const JobArguments& arguments) {

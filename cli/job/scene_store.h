@@ -11,14 +11,14 @@
 
 namespace gouge {
 
-/// Scenes that several jobs share: each is read and indexed once, by the first job that asks, while others that want the
-/// same wait, and is let go when the last job that may ask for it is done. May be used from several threads.
+/// Scenes that several jobs share: each is read and indexed once, by the first job that queries, while others that want the
+/// same wait, and is released when the last job that may request it is done. May be used from several threads.
 class SceneStore {
  public:
   /// Files are read from `copies`, which must outlive it; none: where they are.
   explicit SceneStore(MeshCopies* copies = nullptr) : copies_(copies) {}
 
-  /// One more job will ask for the scene of these arguments.
+  /// One more job will request the scene of these arguments.
   void expect(const JobArguments& arguments);
   /// A job that was expected is done with it.
   void release(const JobArguments& arguments);

@@ -41,12 +41,12 @@ double above_zero(const char* name, double value, double most) {
 }
 
 gouge::CorrectOptions to_correct_options(const CorrectOptions& how) {
-  constexpr double kFarthest_mm = 100'000, kMostTilt_deg = 89;
+  constexpr double kFarthest_mm = 100'000, kMaxTilt_deg = 89;
   gouge::CorrectOptions options;
   options.strategies = to_strategies(how.strategy);
   options.max_shift_mm = above_zero("max_shift", how.max_shift, kFarthest_mm);
   if (how.max_side_shift) options.max_side_shift_mm = above_zero("max_side_shift", *how.max_side_shift, kFarthest_mm);
-  options.tilt.max_tilt_rad = above_zero("max_tilt", how.max_tilt, kMostTilt_deg) * kDegree;
+  options.tilt.max_tilt_rad = above_zero("max_tilt", how.max_tilt, kMaxTilt_deg) * kDegree;
   if (!(how.rapid_clearance >= 0 && how.rapid_clearance <= kFarthest_mm))
     raise(gouge::make_error("usage", "rapid_clearance: expected a length of at least 0"));
   options.rapid_clearance_mm = how.rapid_clearance;

@@ -63,7 +63,7 @@ gouge::ToolFacts facts_of(const gouge::ToolAssembly& tool) {
   return facts;
 }
 
-/// Vouched facts and strictness as asked for, and whether each mesh is solid.
+/// Vouched facts and strictness as requested, and whether each mesh is solid.
 gouge::SetupBasis basis_of(const Scene& scene, const PathTools& tools, const CheckOptions& options) {
   gouge::SetupBasis basis;
   basis.inputs = tools.assumptions;
@@ -110,7 +110,7 @@ gouge::CheckOptions to_check_options(const CheckOptions& options) {
   result.holder_clearance_mm = length("holder_clearance", options.holder_clearance);
   result.near_miss_mm = length("near_miss", options.near_miss);
   result.law = static_cast<gouge::RapidMode>(options.rapids);
-  result.threads = std::min(options.threads, gouge::kMostThreads);
+  result.threads = std::min(options.threads, gouge::kMaxThreads);
   return result;
 }
 

@@ -9,7 +9,7 @@
 
 namespace gougecheck {
 
-/// The tools of one path, compiled as the options ask. They must stay where they are.
+/// The tools of one path, compiled as the options query. They must stay where they are.
 struct PathTools {
   std::vector<std::optional<gouge::ToolVariants>> variants;  // one per Toolpath::tools; empty: no definition
   std::vector<gouge::ToolFacts> facts;

@@ -17,7 +17,7 @@
 #include "postproc/formats/read_toolpath.h"
 #include "toolmodels/tool_library.h"
 
-// What the public classes hold, for the sources of this module. A Result becomes a value or an Error here, and nowhere
+// Content of the public classes, for the sources of this module. A Result becomes a value or an Error here, and nowhere
 // below.
 
 namespace gougecheck {
@@ -39,7 +39,7 @@ T value_or_raise(gouge::Result<T>&& result) {
 /// A pose of numbers a check can use: unit axis. Nothing otherwise.
 [[nodiscard]] std::optional<gouge::Pose> to_pose(const Vec3& tip, const Vec3& axis);
 
-/// Meshes with all that checks make of them, once, when first asked for and from any thread. Stays where it is.
+/// Meshes with all that checks make of them, once, when first requested and from any thread. Stays where it is.
 class SceneIndex {
  public:
   explicit SceneIndex(gouge::Scene scene) : scene_(std::move(scene)) {}
@@ -113,7 +113,7 @@ struct Path::Content {
 /// For those who make paths of other paths.
 struct PathAccess {
   [[nodiscard]] static Path from(gouge::Toolpath path, bool is_from_memory);
-  /// The bytes of a file called `name`, read as `options` say.
+  /// The bytes of a file called `name`, read as `options` state.
   [[nodiscard]] static Path from_bytes(const std::string& name, std::string bytes,
                                        const gouge::ReadOptions& options = {});
 };

@@ -43,7 +43,7 @@ void require_mesh_reach(const gouge::IndexedMesh& mesh) {
   if (const auto error = gouge::find_too_far(mesh, "mesh", kAdvice)) raise(*error);
 }
 
-// What was left out when the mesh was made shows in the mesh no more.
+// Triangles left out when the mesh was made are no longer visible in it.
 std::shared_ptr<Mesh::Content> scaled(const Mesh::Content& given, double factor) {
   gouge::IndexedMesh mesh = given.mesh();
   for (gouge::Vec3& vertex : mesh.vertices) vertex *= factor;

@@ -24,7 +24,7 @@ void LoadedBaseline::apply(ReportModel& model) const {
 Result<LoadedBaseline> load_baseline(const std::string& file, const InputLimit& limit) {
   LoadedBaseline loaded;
   if (file.empty()) return loaded;
-  const Result<std::string> bytes = read_file(file, limit.most_bytes);
+  const Result<std::string> bytes = read_file(file, limit.max_bytes);
   if (!bytes) return bytes.error();
   Result<std::vector<Acceptance>> accepted = read_accepted(file, *bytes);
   if (!accepted) return accepted.error();

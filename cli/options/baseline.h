@@ -23,7 +23,7 @@ struct LoadedBaseline {
   InputFile input;
   std::vector<Acceptance> accepted;
 
-  /// Says in a result what is accepted of it, and that the file was read.
+  /// States in a result what is accepted of it, and that the file was read.
   void apply(ReportModel& model) const;
 };
 

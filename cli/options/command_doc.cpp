@@ -21,7 +21,7 @@ std::string first_name(const CLI::Option& option) {
   return option.get_lnames().empty() ? option.get_name() : "--" + option.get_lnames().front();
 }
 
-// What the parser calls the types of numbers, and texts of few values, says little to people.
+// The parser's names for types of numbers and of choices help users little.
 std::string value_of(const std::string& type, const std::vector<std::string>& choices) {
   if (type.starts_with("TEXT") && !choices.empty()) {
     std::string value;

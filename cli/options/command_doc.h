@@ -8,7 +8,7 @@ class App;
 class Option;
 }  // namespace CLI
 
-// What the tables of options say, as plain data: help, manual pages and completions are made of it.
+// The tables of options as plain data: help, manual pages and completions are made of it.
 
 namespace gouge {
 

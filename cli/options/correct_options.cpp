@@ -17,7 +17,7 @@ namespace gouge {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kMostTilt = 89, kMostCone = 180, kMostTurn = 1e6;
+constexpr double kMaxTilt = 89, kMaxCone = 180, kMaxTurn = 1e6;
 
 constexpr const char* kExpectedStrategy =
     "auto, tilt, normal, weighted, axis, trim or direction=I,J,K, for all bodies or after cutter=, shank=, holder= or head= "
@@ -27,7 +27,7 @@ constexpr std::string_view kDirection = "direction=";
 Result<double> understand_degrees(const std::string& option, const std::string& typed, double most) {
   const auto value = parse_number(typed);
   if (value && *value > 0 && *value <= most) return *value * kDegree;
-  return usage_error(option, typed, "degrees above 0 and at most " + people_text(most, 0));
+  return usage_error(option, typed, "degrees above 0 and at most " + display_text(most, 0));
 }
 
 /// The strategy called `name` for `body`; nothing where there is none.
@@ -57,7 +57,7 @@ NamedStrategy divide(const std::string& typed) {
   return {typed, typed.substr(0, equals), typed.substr(equals + 1)};
 }
 
-/// What is for one body holds for that, wherever it stands.
+/// A value for one body holds for that body, wherever it stands.
 Result<BodyStrategies> understand_strategies(const std::vector<std::string>& all) {
   constexpr std::array kBodies = {Body::cutter, Body::shank, Body::holder, Body::head};
   std::vector<NamedStrategy> given;
@@ -100,13 +100,13 @@ Result<AxisCone> understand_cone(const std::string& typed) {
   const auto numbers = parse_numbers(typed, 4);
   const auto axis = numbers ? direction_of(*numbers) : std::nullopt;
   const double degrees = numbers ? numbers->back() : 0;
-  if (!axis || !(degrees > 0) || degrees > kMostCone) return wrong();
+  if (!axis || !(degrees > 0) || degrees > kMaxCone) return wrong();
   return AxisCone{*axis, degrees * kDegree};
 }
 
 Result<TiltOptions> understand_tilt(const CorrectArguments& arguments) {
   TiltOptions tilt;
-  const Result<double> most = understand_degrees("--max-tilt", arguments.max_tilt, kMostTilt);
+  const Result<double> most = understand_degrees("--max-tilt", arguments.max_tilt, kMaxTilt);
   if (!most) return most.error();
   tilt.max_tilt_rad = *most;
   if (arguments.tilt == "lead") tilt.freedom = TiltFreedom::lead;
@@ -117,19 +117,19 @@ Result<TiltOptions> understand_tilt(const CorrectArguments& arguments) {
     tilt.cone = *cone;
   }
   if (!arguments.max_turn.empty()) {
-    const Result<double> turn = understand_degrees("--max-turn", arguments.max_turn, kMostTurn);
+    const Result<double> turn = understand_degrees("--max-turn", arguments.max_turn, kMaxTurn);
     if (!turn) return turn.error();
     tilt.max_turn_rad_per_mm = *turn;
   }
   if (!arguments.max_turn_step.empty()) {
-    const Result<double> step = understand_degrees("--max-turn-step", arguments.max_turn_step, kMostCone);
+    const Result<double> step = understand_degrees("--max-turn-step", arguments.max_turn_step, kMaxCone);
     if (!step) return step.error();
     tilt.max_turn_step_rad = *step;
   }
-  const Result<double> blend = understand_length("--blend", arguments.blend, Least::above_zero);
+  const Result<double> blend = understand_length("--blend", arguments.blend, Minimum::above_zero);
   if (!blend) return blend.error();
   tilt.blend_mm = *blend;
-  const Result<double> stock = understand_length("--allow-stock", arguments.max_stock, Least::zero);
+  const Result<double> stock = understand_length("--allow-stock", arguments.max_stock, Minimum::zero);
   if (!stock) return stock.error();
   tilt.max_stock_mm = *stock;
   return tilt;
@@ -178,14 +178,14 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
   if (!tilt) return tilt.error();
   options.tilt = *tilt;
   options.may_add_axes = arguments.may_add_axes;
-  const Result<double> shift = understand_length("--max-shift", arguments.max_shift, Least::above_zero);
+  const Result<double> shift = understand_length("--max-shift", arguments.max_shift, Minimum::above_zero);
   if (!shift) return shift.error();
   options.max_shift_mm = *shift;
-  const Result<double> clearance = understand_length("--rapid-clearance", arguments.rapid_clearance, Least::zero);
+  const Result<double> clearance = understand_length("--rapid-clearance", arguments.rapid_clearance, Minimum::zero);
   if (!clearance) return clearance.error();
   options.rapid_clearance_mm = *clearance;
   if (arguments.max_side_shift.empty()) return options;
-  const Result<double> side_shift = understand_length("--max-side-shift", arguments.max_side_shift, Least::zero);
+  const Result<double> side_shift = understand_length("--max-side-shift", arguments.max_side_shift, Minimum::zero);
   if (!side_shift) return side_shift.error();
   options.max_side_shift_mm = *side_shift;
   return options;

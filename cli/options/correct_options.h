@@ -31,7 +31,7 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments);
 /// Errors (code usage): names the option, what was typed and what was expected.
 [[nodiscard]] Result<CorrectOptions> understand_correction(const CorrectArguments& arguments);
 
-/// What bounds a correction beside the facts of CorrectionFacts, for the options of a report, as typed: those of tilts
+/// Limits of a correction beside those of CorrectionFacts, for the options of a report, as typed: those of tilts
 /// that hold whatever was typed, all others where they were given.
 [[nodiscard]] std::vector<OptionText> limits_in_force(const CorrectArguments& arguments);
 

@@ -218,11 +218,11 @@ Result<JobOptions> understand(const JobArguments& a) {
     const char* name;
     const std::string& text;
     double& value;
-    Least least;
-  } lengths[] = {{"--tolerance", a.tolerance, options.check.tolerance_mm, Least::zero},
-                 {"--stock-to-leave", a.stock_to_leave, options.check.stock_to_leave_mm, Least::zero},
-                 {"--near-miss", a.near_miss, options.check.near_miss_mm, Least::zero},
-                 {"--resolution", a.resolution, options.check.resolution_mm, Least::finest_resolution}};
+    Minimum least;
+  } lengths[] = {{"--tolerance", a.tolerance, options.check.tolerance_mm, Minimum::zero},
+                 {"--stock-to-leave", a.stock_to_leave, options.check.stock_to_leave_mm, Minimum::zero},
+                 {"--near-miss", a.near_miss, options.check.near_miss_mm, Minimum::zero},
+                 {"--resolution", a.resolution, options.check.resolution_mm, Minimum::finest_resolution}};
   for (const auto& length : lengths) {
     const Result<double> value = understand_length(length.name, length.text, length.least);
     if (!value) return value.error();
@@ -249,7 +249,7 @@ Result<JobOptions> understand(const JobArguments& a) {
   options.check.law = a.rapid == "skip"     ? RapidMode::skip
                       : a.rapid == "dogleg" ? RapidMode::dogleg
                                             : RapidMode::straight;
-  options.check.threads = static_cast<unsigned>(std::min<std::uint64_t>(a.threads, kMostThreads));
+  options.check.threads = static_cast<unsigned>(std::min<std::uint64_t>(a.threads, kMaxThreads));
   options.progress = understand_progress(a.progress);
   Result<std::string> date = date_of_report();
   if (!date) return date.error();

@@ -69,9 +69,9 @@ struct JobOptions {
 };
 
 void add_job_options(CLI::App& command, JobArguments& arguments);
-/// Of these what says how one path is checked: all but PATH itself and outputs, for commands that check many.
+/// The subset that defines the check of one path: all but PATH itself and outputs, for commands that check many.
 void add_common_job_options(CLI::App& command, JobArguments& arguments, bool needs_part);
-/// The group of options that name outputs or say what they may replace.
+/// The group of options that name outputs or state what they may replace.
 inline constexpr const char* kOutputGroup = "Output";
 /// --place and --stl-units, of commands that read meshes beside a toolpath.
 void add_placement_options(CLI::App& command, std::string& place, std::string& stl_units);

@@ -24,7 +24,7 @@ bool may_have_limits(const CLI::Option& option) {
   return option.check_name("--part") || option.check_name("--fixture");
 }
 
-// Of "x,y,z,rx,ry,rz" the lengths alone, of "vise.stl,clearance=1" the limits alone.
+// Converts only the lengths of "x,y,z,rx,ry,rz", only the limits of "vise.stl,clearance=1".
 std::vector<std::string> lengths_of(const CLI::Option& option, const std::string& typed) {
   std::vector<std::string> files;
   LimitTexts limits;

@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// What was typed behind the names of some files: "vise.stl" -> "clearance=1,tolerance=0.002".
+/// Text typed behind the names of some files: "vise.stl" -> "clearance=1,tolerance=0.002".
 using LimitTexts = std::map<std::string, std::string>;
 
 /// Splits each value into the name of a file and its limits. A comma of the name itself stays in it.

@@ -39,7 +39,7 @@ std::string is_no_command(const std::string& word, const std::string& program,
          meant(nearest_name(lower_case, commands));
 }
 
-// What is wrong with the first word behind the program's name: an option before the command, or no command at all.
+// The error of the first word behind the program's name: an option before the command, or no command at all.
 std::string explain_beginning(const CLI::App& program, std::span<const char* const> words) {
   if (words.size() < 2) return {};
   std::vector<std::string> commands;

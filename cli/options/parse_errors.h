@@ -15,7 +15,7 @@ class ParseError;
 
 namespace gouge {
 
-/// What is wrong with the command line, in our words instead of the parser's: what was found, what was expected, and
+/// Describes the error of a command line in place of the parser: what was found, what was expected, and
 /// where to read on. `app` is the program's, after the parse that failed with `error`; `words` are all of the command
 /// line, the program's name first, where there is one. Code: usage.
 [[nodiscard]] Diagnostic describe_parse_error(const CLI::App& app, const CLI::ParseError& error,

@@ -12,7 +12,7 @@ namespace gouge {
 
 namespace {
 
-// What is read must not be switched off by a word in a project file.
+// A word in a project file must not switch off what is read.
 std::optional<Diagnostic> why_not_harmless(const std::string& word) {
   const Word known = find_word(word);
   if ((known != Word::unknown && known != Word::harmless) || is_minor_word(word))
@@ -76,7 +76,7 @@ void add_input_limit(CLI::App& command, InputLimit& limit) {
   command
       .add_option_function<std::string>(
           "--max-input",
-          [&limit](const std::string& size) { limit.most_bytes = parse_byte_size(size).value_or(kMaxInputBytes); },
+          [&limit](const std::string& size) { limit.max_bytes = parse_byte_size(size).value_or(kMaxInputBytes); },
           "Most that a file or pipe may hold that is read (B, kB, MB, GB, TB, KiB, MiB, GiB, TiB)")
       ->type_name("SIZE")
       ->default_str("8GB")

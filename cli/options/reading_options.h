@@ -14,7 +14,7 @@ class App;
 
 namespace gouge {
 
-/// What a command line says about how its toolpath is to be read, as typed. Empty: as the file says.
+/// Options for reading a toolpath, as typed. Empty: as the file states.
 struct ReadingArguments {
   std::string dialect, units, cutcom;
   std::vector<std::string> harmless_words;
@@ -28,7 +28,7 @@ void add_reading_options(CLI::App& command, ReadingArguments& arguments);
 
 /// --max-input of a command, in bytes: no file it reads may have more.
 struct InputLimit {
-  std::uint64_t most_bytes = kMaxInputBytes;
+  std::uint64_t max_bytes = kMaxInputBytes;
 };
 
 /// The parser refuses what is no size, so that `limit` is always usable.

@@ -36,19 +36,19 @@ class PendingOutputs {
 /// PendingOutputs of one file.
 [[nodiscard]] Outcome write_output(const std::string& file, std::string_view bytes, std::ostream& out);
 
-/// What will keep these outputs from being written, as far as that can be known before the work is done:
+/// Finds errors that will keep these outputs from being written, as far as they are known before the work:
 /// their folder is missing or closed to us, a folder has their name, or the file there could not keep its
 /// owner and mode. The folder of a report may be missing if it can be made (code folder-unwritable). "-" is
 /// passed over. Creates and opens nothing. Code: file-unwritable.
 [[nodiscard]] Diagnostics find_unwritable(const OutputTable& outputs);
 
-/// What of a command's outputs is known to be wrong before its work: two for standard output, one that is an
+/// Finds errors in a command's outputs before its work: two for standard output, one that is an
 /// input or another output, one that cannot be written. Prints it, and returns the exit status; none
 /// where all is well.
 [[nodiscard]] std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
                                                 std::ostream& err);
 
-/// Whether the picture `file` is to be an SVG; else a PNG. Error (code usage) for another ending than .svg and .png, in
+/// Returns whether the picture `file` is to be an SVG; else a PNG. Error (code usage) for another ending than .svg and .png, in
 /// any case.
 [[nodiscard]] Result<bool> is_svg_file(const std::string& file);
 

@@ -16,8 +16,8 @@ namespace gouge {
 
 struct ReportModel;
 
-/// One output of a command line. Whatever protects files, keeps standard output apart or writes goes by these
-/// tables alone, so an output that is in none cannot be asked for.
+/// One output of a command line. Whatever protects files, keeps standard output apart or writes follows these
+/// tables alone, so an output that is in none cannot be requested.
 struct Output {
   enum class Kind { file, report_folder };
 
@@ -30,19 +30,19 @@ struct Output {
 
 using OutputTable = std::vector<Output>;
 
-/// The outputs asked for of `check` and `correct`, where `corrected` is what -o names, or empty.
+/// The outputs requested of `check` and `correct`, where `corrected` is what -o names, or empty.
 [[nodiscard]] OutputTable outputs_of(const JobArguments& arguments, const std::string& corrected);
 
-/// Those of `outputs` that are asked for: without empty names.
+/// Those of `outputs` that are requested: without empty names.
 [[nodiscard]] OutputTable asked_for(const OutputTable& outputs);
 
-/// Whether one of them is "-", so that standard output belongs to it alone. Errors: usage, for more than one.
+/// Returns whether one of them is "-", so that standard output belongs to it alone. Errors: usage, for more than one.
 [[nodiscard]] Result<bool> is_stdout_taken(const OutputTable& outputs);
 
 /// The folder of --report, or empty.
 [[nodiscard]] std::string report_folder_of(const OutputTable& outputs);
 
-/// What one run of `check` or `correct` writes. All of it stands before anything of it is put in its place;
+/// The outputs of one run of `check` or `correct`. All are complete before any is put in its place;
 /// the terminal comes last.
 class JobOutputs {
  public:
@@ -53,7 +53,7 @@ class JobOutputs {
   /// where all is well; the report's folder, if it exists, is then locked.
   [[nodiscard]] std::optional<int> refuse(std::ostream& err);
 
-  /// `scene` is that of the job. Writes every file asked for, then prints the findings. What cannot be written is
+  /// `scene` is that of the job. Writes every file requested, then prints the findings. What cannot be written is
   /// reported on `err`. Returns whether all was written, and delivered where it is standard output's.
   [[nodiscard]] bool write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
                            std::ostream& out, std::ostream& err);

@@ -14,7 +14,7 @@ struct InputOption {
   std::string what, file;
 };
 
-/// What `check` and `correct` read.
+/// The inputs of `check` and `correct`.
 [[nodiscard]] std::vector<InputOption> inputs_of(const JobArguments& arguments);
 
 /// Why nothing may be written: an output, or a file that a report may replace or remove in its folder, is one

@@ -51,7 +51,7 @@ struct ReportManifest {
 [[nodiscard]] const std::vector<std::string>& names_of_batch();
 
 /// The folder of --report, in which a new report takes the place of an older one and of nothing else. What is
-/// an older report's says its manifest, by name and content; all other files under a name of the report's are
+/// an older report's states its manifest, by name and content; all other files under a name of the report's are
 /// foreign, and refused unless `is_forced`. A process that is killed at any instant leaves a folder whose
 /// manifest knows every file of the report in it. Order of calls: open, stage, commit.
 class ReportFolder {

@@ -3,7 +3,7 @@
 namespace gouge {
 namespace {
 
-// The last words that are commands say where the cursor is.
+// The last words that are commands state where the cursor is.
 constexpr const char* kAt = R"(
 function __gougecheck_command
     set -l at gougecheck

@@ -14,7 +14,7 @@ namespace gouge {
 [[nodiscard]] std::string zsh_completion(const CommandDoc& program);
 [[nodiscard]] std::string fish_completion(const CommandDoc& program);
 
-/// What is completed after an option, or in place of a positional.
+/// Kind of value completed after an option, or for a positional.
 enum class Completed { nothing, files, folders, choices, commands };
 [[nodiscard]] Completed completed_of(const OptionDoc& option);
 

@@ -52,7 +52,7 @@ Asked asked(const py::object& path, const py::object& part, const py::object& to
   return {its_path, scene_of(part, fixtures), is_tool ? tool.cast<const Tool*>() : nullptr, library, options};
 }
 
-// What check and correct share, but for near_miss.
+// Arguments that check and correct share, except near_miss.
 CheckOptions take_options(Keywords& keywords) {
   const CheckOptions defaults;
   CheckOptions options;

@@ -95,14 +95,14 @@ Diagnostic usage_error(const std::string& option, const std::string& typed, cons
   return make_error("usage", option + " '" + typed + "': expected " + expected);
 }
 
-Result<double> understand_length(const std::string& option, const std::string& typed, Least least) {
+Result<double> understand_length(const std::string& option, const std::string& typed, Minimum least) {
   const std::optional<double> length_mm = parse_length_mm(typed);
-  if (!length_mm || *length_mm < 0 || (least != Least::zero && !(*length_mm > 0))) {
+  if (!length_mm || *length_mm < 0 || (least != Minimum::zero && !(*length_mm > 0))) {
     return usage_error(option, typed,
-                       std::string("a length ") + (least == Least::zero ? "of 0 or more" : "above 0") +
+                       std::string("a length ") + (least == Minimum::zero ? "of 0 or more" : "above 0") +
                            " in mm, or with a unit (0.0005in), and at most 100 m");
   }
-  if (least == Least::finest_resolution && *length_mm < kFinestResolution_mm)
+  if (least == Minimum::finest_resolution && *length_mm < kFinestResolution_mm)
     return usage_error(option, typed, "at least 0.000001 mm, what double precision can certify");
   return *length_mm;
 }

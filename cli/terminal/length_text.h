@@ -25,10 +25,10 @@ namespace gouge {
 [[nodiscard]] std::optional<RigidTransform> parse_place(const std::string& text);
 
 /// The least a length may be; above the finest resolution is what double precision can certify.
-enum class Least { zero, above_zero, finest_resolution };
+enum class Minimum { zero, above_zero, finest_resolution };
 
 /// The length typed for `option`. Error (code usage): names the option, what was typed and what was expected.
-[[nodiscard]] Result<double> understand_length(const std::string& option, const std::string& typed, Least least);
+[[nodiscard]] Result<double> understand_length(const std::string& option, const std::string& typed, Minimum least);
 
 /// parse_place of what was typed for `option`. Error: as above.
 [[nodiscard]] Result<RigidTransform> understand_place(const std::string& option, const std::string& typed);

@@ -37,7 +37,7 @@ void add_colour_option(CLI::App& command, std::string& colour) {
 Result<FindingsView> understand(const ListingArguments& arguments) {
   FindingsView view;
   view.is_deepest_first = arguments.sort == "depth";
-  const Result<double> depth = understand_length("--min-depth", arguments.min_depth, Least::zero);
+  const Result<double> depth = understand_length("--min-depth", arguments.min_depth, Minimum::zero);
   if (!depth) return depth.error();
   view.min_depth_mm = *depth;
   if (arguments.most == "auto" || arguments.most == "all") return view;
@@ -48,9 +48,9 @@ Result<FindingsView> understand(const ListingArguments& arguments) {
 }
 
 FindingsView view_on(std::ostream& out, const ListingArguments& arguments, bool has_statements) {
-  constexpr std::size_t kMostOnTerminal = 50;
+  constexpr std::size_t kMaxOnTerminal = 50;
   FindingsView view = understand(arguments).value();
-  if (arguments.most == "auto" && is_terminal(out)) view.most = kMostOnTerminal;
+  if (arguments.most == "auto" && is_terminal(out)) view.most = kMaxOnTerminal;
   view.has_statements = has_statements;
   view.is_coloured = is_coloured(out);
   return view;

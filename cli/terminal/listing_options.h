@@ -18,7 +18,7 @@ struct ListingArguments {
   std::string most = "auto";
 };
 
-/// The group of options that say what is printed for people. They belong to a command line, never to a job of a batch.
+/// The group of options that state what is printed for people. They belong to a command line, never to a job of a batch.
 inline constexpr const char* kTerminalGroup = "Terminal";
 
 void add_listing_options(CLI::App& command, ListingArguments& arguments);
@@ -30,7 +30,7 @@ void add_colour_option(CLI::App& command, std::string& colour);
 [[nodiscard]] Result<FindingsView> understand(const ListingArguments& arguments);
 
 /// For what is printed on `out`: coloured where that is, and fifty findings at most where it is a terminal and nothing
-/// else is said. Requires arguments that can be understood.
+/// else is stated. Requires arguments that can be understood.
 [[nodiscard]] FindingsView view_on(std::ostream& out, const ListingArguments& arguments, bool has_statements);
 
 }  // namespace gouge

@@ -16,7 +16,7 @@ namespace {
 using std::chrono::milliseconds;
 constexpr milliseconds kQuietStart{400};
 constexpr milliseconds kRedraw{100};
-constexpr double kLeastElapsed_s = 1;  // before it a time left would be a guess
+constexpr double kMinElapsed_s = 1;  // before it a time left would be a guess
 
 }  // namespace
 
@@ -88,7 +88,7 @@ void Progress::draw(Clock::time_point now) {
   } else {
     const double elapsed_s = seconds(now - first_counted_);
     err_ << done_ << " of " << total_ << " (" << done_ * 100 / total_ << " %)";
-    if (done_ > 0 && done_ < total_ && elapsed_s > kLeastElapsed_s) {
+    if (done_ > 0 && done_ < total_ && elapsed_s > kMinElapsed_s) {
       // The rest takes as long in proportion as what was done when it was last counted.
       const double all_s =
           seconds(counted_ - first_counted_) * static_cast<double>(total_) / static_cast<double>(done_);

@@ -28,7 +28,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// What is being done from now on, as in "reading part.stl", with nothing that counts it.
+  /// Begins a stage, as in "reading part.stl", with nothing that counts it.
   void begin(std::string_view stage);
   void show(std::string_view stage, std::size_t done, std::size_t total);
   /// Wipes the line. To be called before anything else is printed.

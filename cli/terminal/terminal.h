@@ -5,21 +5,21 @@
 
 #include "lib/base/diagnostic.h"
 
-// What a stream is connected to, and whether colours go there. The answer is kept with the stream, so that whoever
+// Properties of output streams: terminal or not, and colours. They are stored with the stream, so that code that
 // prints needs nothing but the stream.
 
-// What the system does to a program whose outputs end before it does.
+// Sets how the system treats a program whose outputs end before it does.
 
 namespace gouge {
 
-/// Whether `stream` is standard output or standard error and these are a terminal.
+/// Returns whether `stream` is standard output or standard error and these are a terminal.
 [[nodiscard]] bool is_terminal(const std::ostream& stream);
 
 /// --color: `word` is auto, always or never. Auto: on a terminal, unless the environment has NO_COLOR with a value
-/// (no-color.org) or says TERM=dumb.
+/// (no-color.org) or states TERM=dumb.
 void choose_colour(std::ostream& stream, std::string_view word);
 
-/// Whether text for people on `stream` is coloured; not where nothing was chosen.
+/// Returns whether text for people on `stream` is coloured; not where nothing was chosen.
 [[nodiscard]] bool is_coloured(std::ostream& stream);
 
 /// To be called once, first of all. A pipe without a reader and a file beyond the limit of the shell (ulimit
@@ -27,7 +27,7 @@ void choose_colour(std::ostream& stream, std::string_view word);
 /// never taken by a file that is opened later: writing to it fails.
 void prepare_standard_streams();
 
-/// Whether standard output is a pipe that nobody reads any more, as in `gougecheck check ... | head -1`.
+/// Returns whether standard output is a pipe without a reader, as in `gougecheck check ... | head -1`.
 [[nodiscard]] bool is_reader_gone();
 
 /// After a write to standard output failed. Code: output-unwritable.

@@ -103,7 +103,7 @@ class Resolver {
       ToolFacts facts;
       facts.name = tool.number ? "T" + std::to_string(*tool.number) : tool.name;
       contradiction_.clear();
-      doubt_.clear();
+      uncertainty_.clear();
       basis_ = Basis::stated;
       if (const auto error = resolve(tool, facts)) return *error;
       if (is_used[i]) assume(tool, facts, result_.assemblies.back().has_value());
@@ -141,9 +141,9 @@ class Resolver {
     } else if (!contradiction_.empty()) {
       of_tool.basis = Basis::contradicted;
       of_tool.evidence = contradiction_;
-    } else if (!doubt_.empty()) {
+    } else if (!uncertainty_.empty()) {
       of_tool.code = basis_ == Basis::by_default ? "cutter-length" : "tool-doubtful";
-      of_tool.evidence = doubt_;
+      of_tool.evidence = uncertainty_;
     }
     result_.assumptions.push_back(std::move(of_tool));
     if (is_defined) assume_holder(tool, facts, object);
@@ -196,7 +196,7 @@ class Resolver {
       assembly = *known;
       if (assembly->holder.empty()) assembly->holder = holder_;
       compare(tool, *known);
-      doubt_library(tool, *known);
+      mark_library_uncertain(tool, *known);
     } else if (tool.cutter) {
       note_not_in_library(tool);
       facts.defined_in = path_.file + ":" + std::to_string(tool.line);
@@ -205,7 +205,7 @@ class Resolver {
       for (const Diagnostic& note : made->notes) {
         if (note.code == "cutter-length") {
           basis_ = Basis::by_default;
-          doubt_ = note.message;
+          uncertainty_ = note.message;
         }
         result_.notes.push_back(at(note, tool));
       }
@@ -226,14 +226,14 @@ class Resolver {
   }
 
   // Takes the tool for unknown where the library left out a part of it, or has several tools of its number.
-  void doubt_library(const PathTool& tool, const ToolAssembly& known) {
+  void mark_library_uncertain(const PathTool& tool, const ToolAssembly& known) {
     const auto& shared = library_->shared_numbers;
     const bool is_found_by_number = !is_named(tool) && tool.number && known.number == tool.number;
     if (is_found_by_number && std::ranges::find(shared, *tool.number) != shared.end())
-      doubt_ = library_->file + " has several tools of number " + std::to_string(*tool.number);
-    else if (!known.doubt.empty())
-      doubt_ = name_of(tool) + ": " + known.doubt;
-    if (!doubt_.empty()) basis_ = Basis::unknown;
+      uncertainty_ = library_->file + " has several tools of number " + std::to_string(*tool.number);
+    else if (!known.uncertainty.empty())
+      uncertainty_ = name_of(tool) + ": " + known.uncertainty;
+    if (!uncertainty_.empty()) basis_ = Basis::unknown;
   }
 
   // The library's tool is checked. Where it is smaller than the file's, a gouge of the file's would be missed; where it
@@ -279,7 +279,7 @@ class Resolver {
     return reach_mm(ball, known);
   }
 
-  // Of the same size, but of another taper or tip.
+  // Same size, but another taper or tip.
   void compare_outlines(const PathTool& tool, const ToolAssembly& known) {
     constexpr int kWhole = 7;
     const CutterStatement& c = *tool.cutter;
@@ -337,8 +337,8 @@ class Resolver {
   const ToolAssembly* every_ = nullptr;                  // what all tools of the path are; null: each has its own
   std::vector<ToolSegment> holder_;
   Basis basis_ = Basis::stated;  // of the tool being resolved, as is ...
-  std::string contradiction_;    // ... what speaks against it
-  std::string doubt_;            // ... and what of it is not known
+  std::string contradiction_;    // ... what contradicts it
+  std::string uncertainty_;      // ... and what of it is not known
   ResolvedTools result_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// What the toolpath's tools turned out to be.
+/// The resolved tools of a toolpath.
 struct ResolvedTools {
   std::vector<std::optional<ToolAssembly>> assemblies;  ///< one per Toolpath::tools
   std::vector<ToolFacts> facts;
@@ -20,7 +20,7 @@ struct ResolvedTools {
 };
 
 /// For each tool of the path: the one `--tool N=NAME` names, else the library's of its number, else of its
-/// name, else what CUTTER or TLDATA in the path says. NAME may be a number of the library, 3 or T3.
+/// name, else what CUTTER or TLDATA in the path states. NAME may be a number of the library, 3 or T3.
 /// `--tool NAME` must be in the library, and is otherwise ReadOptions::unnamed_tool. `holder` is put on tools
 /// that have none.
 /// A tool of the library that is smaller anywhere than the path's own definition of it contradicts that, and so does a

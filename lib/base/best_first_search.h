@@ -20,11 +20,11 @@ struct SearchGoal {
   [[nodiscard]] double pruning_threshold_mm(double value_mm) const {
     return value_mm > tolerance_mm ? value_mm + gap_mm : tolerance_mm + resolution_mm;
   }
-  /// Whether nothing more is wanted once `value_mm` was measured.
+  /// Returns whether nothing more is wanted once `value_mm` was measured.
   [[nodiscard]] bool is_met_by(double value_mm) const { return gap_mm >= kAnyGap_mm && value_mm > tolerance_mm; }
 };
 
-/// What the search needs of a candidate; those of the searches derive from it.
+/// Base of the candidates of all searches.
 struct SearchCandidate {
   double upper_mm = 0;       ///< nowhere in it is the value larger
   std::uint32_t serial = 0;  ///< of equal bounds the one offered first is taken first

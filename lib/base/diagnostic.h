@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-// What the user reads about input: one sentence with the location, what was found, what was expected
+// A message about input: one sentence with the location, what was found, what was expected
 // and what to do. The input being wrong is data (a Diagnostic); the program being wrong is an assert.
 
 namespace gouge {

@@ -2,7 +2,7 @@
 
 namespace gouge {
 
-/// The exit status of every command; docs/exit_codes.md says the same to users.
+/// The exit status of every command; docs/exit_codes.md states the same to users.
 enum ExitCode : int {
   kExitClean = 0,       ///< checked and clean
   kExitGouges = 1,      ///< gouges, or gouges that remain after correction; defects of a mesh

@@ -13,15 +13,15 @@
 
 namespace gouge {
 
-/// What an input may have where the user does not say otherwise: 8 GB.
+/// Default maximum size of an input: 8 GB.
 inline constexpr std::uint64_t kMaxInputBytes = 8'000'000'000;
 
 /// The bytes of `path`, a file or a pipe. Errors: those of InputReader (lib/base/input_file.h).
-[[nodiscard]] Result<std::string> read_file(const std::string& path, std::uint64_t most_bytes = kMaxInputBytes);
+[[nodiscard]] Result<std::string> read_file(const std::string& path, std::uint64_t max_bytes = kMaxInputBytes);
 
 /// As read_file, of a file that may be longer than memory.
 [[nodiscard]] Result<PagedVector<char>> read_long_file(const std::string& path,
-                                                       std::uint64_t most_bytes = kMaxInputBytes);
+                                                       std::uint64_t max_bytes = kMaxInputBytes);
 
 /// A StagedFile that is committed at once: readers see the old file or the whole new one; links, owner and mode stay.
 /// Errors: file-unwritable (with the system's reason).
@@ -30,7 +30,7 @@ inline constexpr std::uint64_t kMaxInputBytes = 8'000'000'000;
 /// Creates `path` and its parents. Errors: folder-unwritable.
 [[nodiscard]] Outcome make_folder(const std::string& path);
 
-/// Whether a file's name has something before `ending` and then that, in any case. `ending`: in small letters, with its dot.
+/// Returns whether a file's name has something before `ending` and then that, in any case. `ending`: in small letters, with its dot.
 [[nodiscard]] inline bool has_ending(std::string_view file, std::string_view ending) {
   return file.size() > ending.size() && std::equal(ending.rbegin(), ending.rend(), file.rbegin(), [](char e, char f) {
            return e == (f >= 'A' && f <= 'Z' ? static_cast<char>(f - 'A' + 'a') : f);
@@ -46,6 +46,6 @@ struct FileView {
 /// As read_file, without the copy a string takes. The file is read and not mapped: a mapped file that is cut
 /// short ends the program, and one that is written meanwhile gives one content to its checksum and another to
 /// the check.
-[[nodiscard]] Result<FileView> view_file(const std::string& path, std::uint64_t most_bytes = kMaxInputBytes);
+[[nodiscard]] Result<FileView> view_file(const std::string& path, std::uint64_t max_bytes = kMaxInputBytes);
 
 }  // namespace gouge

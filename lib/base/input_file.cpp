@@ -20,9 +20,9 @@ Diagnostic unreadable(const std::string& path, int error) {
   return make_error("file-unreadable", std::string("cannot read the file: ") + std::strerror(error), path);
 }
 
-Diagnostic too_large(const std::string& path, const std::string& found, std::uint64_t most_bytes) {
+Diagnostic too_large(const std::string& path, const std::string& found, std::uint64_t max_bytes) {
   return make_error("input-too-large",
-                    found + "; expected at most " + byte_size_text(most_bytes) +
+                    found + "; expected at most " + byte_size_text(max_bytes) +
                         "; check that it is the right file, or allow more with --max-input",
                     path);
 }
@@ -40,13 +40,13 @@ bool is_own_terminal(const struct stat& info) {
          ::isatty(STDIN_FILENO) == 1;
 }
 
-std::optional<Diagnostic> find_unfit(const struct stat& info, const std::string& path, std::uint64_t most_bytes) {
+std::optional<Diagnostic> find_unfit(const struct stat& info, const std::string& path, std::uint64_t max_bytes) {
   if (S_ISDIR(info.st_mode)) return make_error("file-is-folder", "is a folder; expected a file", path);
   if (S_ISBLK(info.st_mode) || (S_ISCHR(info.st_mode) && !is_own_terminal(info)))
     return make_error("input-is-device", "is a device; expected a file or a pipe", path);
   const auto bytes = static_cast<std::uint64_t>(info.st_size);
-  if (S_ISREG(info.st_mode) && bytes > most_bytes)
-    return too_large(path, "has " + std::to_string(bytes) + " bytes", most_bytes);
+  if (S_ISREG(info.st_mode) && bytes > max_bytes)
+    return too_large(path, "has " + std::to_string(bytes) + " bytes", max_bytes);
   return std::nullopt;
 }
 
@@ -69,33 +69,33 @@ Result<Bytes> read_all(InputReader& file) {
 
 }  // namespace
 
-InputReader::InputReader(std::string path, int handle, const struct stat& before, std::uint64_t most_bytes)
-    : path_(std::move(path)), handle_(handle), before_(before), most_bytes_(most_bytes) {}
+InputReader::InputReader(std::string path, int handle, const struct stat& before, std::uint64_t max_bytes)
+    : path_(std::move(path)), handle_(handle), before_(before), max_bytes_(max_bytes) {}
 
 InputReader::InputReader(InputReader&& other) noexcept
     : path_(std::move(other.path_)),
       handle_(std::exchange(other.handle_, -1)),
       before_(other.before_),
-      most_bytes_(other.most_bytes_),
+      max_bytes_(other.max_bytes_),
       bytes_(other.bytes_) {}
 
 InputReader::~InputReader() {
   if (handle_ >= 0) ::close(handle_);
 }
 
-Result<InputReader> InputReader::open(const std::string& path, std::uint64_t most_bytes) {
+Result<InputReader> InputReader::open(const std::string& path, std::uint64_t max_bytes) {
   struct stat info {};
   // Before it is opened: that alone rewinds a tape.
   if (::stat(path.c_str(), &info) != 0) {
     if (errno == ENOENT) return make_error("file-not-found", "no such file", path);
     return unreadable(path, errno);
   }
-  if (const auto unfit = find_unfit(info, path, most_bytes)) return *unfit;
+  if (const auto unfit = find_unfit(info, path, max_bytes)) return *unfit;
   const int handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
   if (handle < 0) return unreadable(path, errno);
   if (::fstat(handle, &info) != 0) info = {};
-  InputReader file(path, handle, info, most_bytes);
-  if (const auto unfit = find_unfit(info, path, most_bytes)) return *unfit;
+  InputReader file(path, handle, info, max_bytes);
+  if (const auto unfit = find_unfit(info, path, max_bytes)) return *unfit;
   return file;
 }
 
@@ -110,7 +110,7 @@ Result<std::size_t> InputReader::read(char* to, std::size_t room) {
   } while (count < 0 && errno == EINTR);
   if (count < 0) return unreadable(path_, errno);
   bytes_ += static_cast<std::uint64_t>(count);
-  if (bytes_ > most_bytes_) return too_large(path_, "goes on after " + byte_size_text(most_bytes_), most_bytes_);
+  if (bytes_ > max_bytes_) return too_large(path_, "goes on after " + byte_size_text(max_bytes_), max_bytes_);
   const std::uint64_t expected = expected_bytes();
   if (expected > 0 && bytes_ > expected) return changed(path_);
   if (count > 0 || !S_ISREG(before_.st_mode)) return static_cast<std::size_t>(count);
@@ -120,8 +120,8 @@ Result<std::size_t> InputReader::read(char* to, std::size_t room) {
   return std::size_t{0};
 }
 
-Result<FileView> view_file(const std::string& path, std::uint64_t most_bytes) {
-  Result<InputReader> file = InputReader::open(path, most_bytes);
+Result<FileView> view_file(const std::string& path, std::uint64_t max_bytes) {
+  Result<InputReader> file = InputReader::open(path, max_bytes);
   if (!file) return file.error();
   const std::size_t size = file->expected_bytes();
   if (size == 0) {
@@ -141,14 +141,14 @@ Result<FileView> view_file(const std::string& path, std::uint64_t most_bytes) {
   }
 }
 
-Result<std::string> read_file(const std::string& path, std::uint64_t most_bytes) {
-  Result<InputReader> file = InputReader::open(path, most_bytes);
+Result<std::string> read_file(const std::string& path, std::uint64_t max_bytes) {
+  Result<InputReader> file = InputReader::open(path, max_bytes);
   if (!file) return file.error();
   return read_all<std::string>(*file);
 }
 
-Result<PagedVector<char>> read_long_file(const std::string& path, std::uint64_t most_bytes) {
-  Result<InputReader> file = InputReader::open(path, most_bytes);
+Result<PagedVector<char>> read_long_file(const std::string& path, std::uint64_t max_bytes) {
+  Result<InputReader> file = InputReader::open(path, max_bytes);
   if (!file) return file.error();
   return read_all<PagedVector<char>>(*file);
 }

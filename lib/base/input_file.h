@@ -17,8 +17,8 @@ class InputReader {
  public:
   /// A terminal is read where it is this program's standard input. Opening a pipe waits for its writer.
   /// Errors: file-not-found, file-is-folder, file-unreadable, input-is-device, input-too-large (a file of more than
-  /// `most_bytes`).
-  [[nodiscard]] static Result<InputReader> open(const std::string& path, std::uint64_t most_bytes);
+  /// `max_bytes`).
+  [[nodiscard]] static Result<InputReader> open(const std::string& path, std::uint64_t max_bytes);
 
   InputReader(InputReader&& other) noexcept;
   InputReader& operator=(InputReader&&) = delete;
@@ -32,12 +32,12 @@ class InputReader {
   [[nodiscard]] Result<std::size_t> read(char* to, std::size_t room);
 
  private:
-  InputReader(std::string path, int handle, const struct stat& before, std::uint64_t most_bytes);
+  InputReader(std::string path, int handle, const struct stat& before, std::uint64_t max_bytes);
 
   std::string path_;
   int handle_ = -1;
   struct stat before_;
-  std::uint64_t most_bytes_ = 0, bytes_ = 0;
+  std::uint64_t max_bytes_ = 0, bytes_ = 0;
 };
 
 }  // namespace gouge

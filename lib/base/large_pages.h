@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// Asks the system to back this memory by large pages, which are quicker to get and to look up. Only a hint,
+/// Queries the system to back this memory by large pages, which are quicker to get and to look up. Only a hint,
 /// and only of use before the memory is first written.
 void ask_for_large_pages(void* start, std::size_t bytes);
 

@@ -69,7 +69,7 @@ std::optional<double> parse_number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (end != text.data() + text.size()) return std::nullopt;
-  // Out of range leaves `value` alone; a number too small to tell from zero is zero, one too large is none.
+  // Out of range leaves `value` alone; a number too small to show from zero is zero, one too large is none.
   if (error == std::errc::result_out_of_range && has_negative_exponent(text)) return 0.0;
   if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
   return value;
@@ -99,7 +99,7 @@ std::string fixed_text(double value, int decimals) {
   return std::string(text);
 }
 
-std::string people_text(double value, int decimals, Zeros zeros) {
+std::string display_text(double value, int decimals, Zeros zeros) {
   constexpr double kLargestFixed = 1e15;
   if (std::abs(value) >= kLargestFixed) {
     std::array<char, 40> buffer{};

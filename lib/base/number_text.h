@@ -26,9 +26,9 @@ namespace gouge {
 
 enum class Zeros { kept, dropped };
 
-/// A number for people: fixed_text, its zeros at the end kept or dropped; from 1e15 on, where more digits would say
+/// A number for people: fixed_text, its zeros at the end kept or dropped; from 1e15 on, where more digits would state
 /// nothing, the shortest form with an exponent ("1e+300").
-[[nodiscard]] std::string people_text(double value, int decimals, Zeros zeros = Zeros::dropped);
+[[nodiscard]] std::string display_text(double value, int decimals, Zeros zeros = Zeros::dropped);
 
 /// "1 half", "7 halves".
 [[nodiscard]] std::string count_text(std::size_t count, std::string_view one, std::string_view many);

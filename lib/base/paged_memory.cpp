@@ -45,7 +45,7 @@ void* map_file(std::size_t bytes) {
   return start == MAP_FAILED ? nullptr : start;
 }
 
-/// Pages of files that the process holds, those of its own program among them; none where the system does not say.
+/// Pages of files that the process holds, those of its own program among them; none where the system does not state.
 std::optional<std::size_t> resident_file_bytes() {
   std::array<char, 128> text{};
   const int handle = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
@@ -73,14 +73,14 @@ class Pages {
 
   PagedLimits set(const PagedLimits& limits) {
     const std::scoped_lock lock(guard_);
-    const PagedLimits before{least_file_bytes_, resident_bytes_};
-    least_file_bytes_ = limits.least_file_bytes;
+    const PagedLimits before{min_file_bytes_, resident_bytes_};
+    min_file_bytes_ = limits.min_file_bytes;
     resident_bytes_ = limits.resident_bytes;
     return before;
   }
 
   void* allocate(std::size_t bytes) {
-    if (bytes < least_file_bytes_ || bytes == 0) return nullptr;
+    if (bytes < min_file_bytes_ || bytes == 0) return nullptr;
     void* const start = map_file(bytes);
     if (start == nullptr) return nullptr;
     const std::scoped_lock lock(guard_);
@@ -111,7 +111,7 @@ class Pages {
   }
 
  private:
-  // Without a thread the system lets pages go by itself, once it needs the memory.
+  // Without a thread the system lets pages follow itself, once it needs the memory.
   void begin() {
     if (trimmer_.joinable()) return news_.notify_all();
     try {
@@ -142,14 +142,14 @@ class Pages {
     }
   }
 
-  // What is written there stays: the pages of a shared file are dropped from the process, not from the file.
+  // Written data stays: the pages of a shared file are dropped from the process, not from the file.
   void trim() {
     const std::optional<std::size_t> resident = resident_file_bytes();
     if (!resident || *resident < resident_bytes_) return;
     for (const auto& [start, bytes] : arrays_) ::madvise(start, bytes, MADV_DONTNEED);
   }
 
-  std::atomic<std::size_t> least_file_bytes_ = kUsual.least_file_bytes;
+  std::atomic<std::size_t> min_file_bytes_ = kUsual.min_file_bytes;
   std::atomic<std::size_t> smallest_ = static_cast<std::size_t>(-1);  // that ever stood in a file
   std::mutex guard_;                                                  // of all that follows
   std::condition_variable news_;

@@ -5,13 +5,13 @@
 
 // Arrays as long as a toolpath, in memory that need not be. From a certain size on they stand in a temporary file
 // without a name (in $TMPDIR, else /var/tmp) that the program sees as memory: the system writes out what is not in
-// use, and pages beyond a limit are let go, so that what the process holds does not grow with the path.
+// use, and pages beyond a limit are released, so that what the process holds does not grow with the path.
 
 namespace gouge {
 
 struct PagedLimits {
-  std::size_t least_file_bytes = 0;  ///< smaller arrays are plain memory
-  std::size_t resident_bytes = 0;    ///< of files the process may hold at once, about
+  std::size_t min_file_bytes = 0;  ///< smaller arrays are plain memory
+  std::size_t resident_bytes = 0;  ///< of files the process may hold at once, about
 };
 
 /// From now on, instead of 64 MB and 512 MB; what is allocated stays where it is. Returns what held before.
@@ -41,7 +41,7 @@ struct PagedAllocator {
   }
 };
 
-/// A vector whose items stand in such memory. Several threads may read and write different items, as ever.
+/// A vector whose items stand in such memory. Several threads may read and write different items, as usual.
 template <class Item>
 using PagedVector = std::vector<Item, PagedAllocator<Item>>;
 

@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// What a stretch of text for a terminal is, which says how it is coloured.
+/// The role of a stretch of text on a terminal, which selects its colour.
 enum class Paint { place, error, warning, note, clean, faint };
 
 /// `text` between escape sequences that a terminal shows as colour or weight (ECMA-48, SGR); as it is where `is_on` is

@@ -14,7 +14,7 @@ using Run = std::function<void(std::size_t)>;
 
 std::atomic<unsigned> default_threads{0};
 
-// Of a thread that works at a chunk: what this chunk splits in turn it does by itself.
+// A thread that works at a chunk does nested work by itself.
 thread_local bool is_at_work = false;
 
 unsigned threads_for(unsigned wanted) {

@@ -13,7 +13,7 @@ struct Range {
   char32_t first, last;
 };
 
-// What a terminal or a reader does not see, or what turns the direction of what follows (Unicode 15: Cc, Cf
+// Characters that are invisible or change the direction of text (Unicode 15: Cc, Cf
 // without the signs of numbers, Zl, Zp, Default_Ignorable_Code_Point without variation selectors,
 // noncharacters of the first plane).
 constexpr std::array<Range, 20> kUnseen = {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 // Text from outside (names of files, tools and operations, words of a toolpath) on its way to a terminal.
-// Whoever puts such a name into a line of text passes it, or the whole line, through printable() once; data
+// A caller that puts such a name into a line of text passes it, or the whole line, through printable() once; data
 // (JSON, CSV, toolpaths) is never passed through it.
 
 namespace gouge {
@@ -33,7 +33,7 @@ struct CodePoint {
 /// nothing above U+10FFFF); nothing where there is none. Requires at < text.size().
 [[nodiscard]] std::optional<CodePoint> decode_utf8(std::string_view text, std::size_t at);
 
-/// Whether all of the text is well-formed.
+/// Returns whether all of the text is well-formed.
 [[nodiscard]] bool is_utf8(std::string_view text);
 
 }  // namespace gouge

@@ -5,7 +5,7 @@
 
 #include "lib/base/diagnostic.h"
 
-// A value, or the one error that says why there is none. Member names are those of std::expected,
+// A value, or the one error that states why there is none. Member names are those of std::expected,
 // which this becomes an alias of once the project moves to C++23.
 
 namespace gouge {

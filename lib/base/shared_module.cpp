@@ -6,8 +6,8 @@
 namespace gouge {
 namespace {
 
-// What OpenCV and MPI and all the libraries behind them ask for while they are loaded. Some of those (OpenBLAS) ask
-// again for ever for memory they are refused, so it is asked for before they are.
+// Memory that OpenCV, MPI and the libraries behind them request while they are loaded. Some of those (OpenBLAS) query
+// again forever for memory they are refused, so it is requested before they are.
 constexpr std::size_t kAddressSpaceToLoad = 512'000'000;
 
 bool has_address_space_to_load() {

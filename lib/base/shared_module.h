@@ -4,13 +4,13 @@
 
 #include "lib/base/result.h"
 
-// What only some runs need (OpenCV for pictures, MPI under mpirun) lives in shared modules of the program's own, so that
+// Libraries that only some runs need (OpenCV for pictures, MPI under mpirun) are in shared modules of the program, so that
 // the others need not load the libraries behind it.
 
 namespace gouge {
 
 /// The address of `function` in the shared module `file` (a name without a folder), which is loaded if it is not yet and
-/// stays so. It is looked for where the run path of the program says: beside it in a build, in the folder of its
+/// stays so. It is searched on the run path of the program: beside it in a build, in the folder of its
 /// libraries once installed. Cost: that of loading the libraries the module needs, the first time.
 /// Errors   module-missing, with the system's reason; out-of-memory, also where less than 512 MB of address space are
 ///          left (ulimit -v) and the module is not yet loaded.

@@ -11,7 +11,7 @@
 namespace gouge {
 
 /// One stage of long work that is not a loop over chunks alone: counts what is done and reports it a thousand times at
-/// the most. Free where nobody asks.
+/// the most. No cost without a progress callback.
 class Stage {
  public:
   /// `items` is what is counted for the reader, all of them done when `work` is, in any unit: where each item is gone

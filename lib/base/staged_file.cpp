@@ -42,7 +42,7 @@ bool write_all(int handle, std::string_view bytes) {
   return true;
 }
 
-// Some file systems cannot, and say so; what they took is then as safe as they make it.
+// Some file systems cannot, and state so; what they took is then as safe as they make it.
 bool synchronise(int handle) { return ::fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS; }
 
 Outcome write_at_position(const std::string& path, std::string_view bytes) {
@@ -64,9 +64,9 @@ bool link_as(int handle, const std::string& name) {
 }  // namespace
 
 Result<std::string> follow_links(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as the kernel
+  constexpr int kMaxLinks = 40;  // as the kernel
   fs::path at = path;
-  for (int links = 0; links < kMostLinks; ++links) {
+  for (int links = 0; links < kMaxLinks; ++links) {
     std::error_code error;
     if (!fs::is_symlink(fs::symlink_status(at, error))) return at.string();
     const fs::path target = fs::read_symlink(at, error);
@@ -128,7 +128,7 @@ bool StagedFile::fill(const TextWriter& write) {
     if (is_other && ::fchown(handle_, old.st_uid, old.st_gid) != 0) return false;
     if (::fchmod(handle_, old.st_mode & 0777) != 0) return false;
   }
-  int error = 0;  // the first: what follows it is in vain
+  int error = 0;  // the first: what follows it is without success
   write([&](std::string_view bytes) {
     if (error == 0 && !write_all(handle_, bytes)) error = errno;
   });

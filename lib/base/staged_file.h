@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// What the name `path` stands for once every symbolic link at its end is followed; the file there need not
+/// Resolves all symbolic links at the end of `path`; the file there need not
 /// exist. Errors: file-unwritable where the links go in a circle.
 [[nodiscard]] Result<std::string> follow_links(const std::string& path);
 

@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-// What a signal handler may look at: nothing that is allocated.
+// State that a signal handler may read: nothing allocated.
 struct Slot {
   std::atomic<bool> is_taken;  // by a TemporaryName
   std::atomic<bool> is_named;  // its name is whole

@@ -9,7 +9,7 @@ namespace gouge {
 struct Tolerance {
   // Rounding of doubles.
 
-  /// Of lengths, mm: coordinates reach 1e5 mm (lib/check/reach.h), so one addition rounds by 1.1e-11 mm at most, and
+  /// For lengths, mm: coordinates reach 1e5 mm (lib/check/reach.h), so one addition rounds by 1.1e-11 mm at most, and
   /// what is compared has fewer than 50 of them.
   static constexpr double kRounding_mm = 1e-9;
   /// Points that were computed in two ways are one, mm. As above; no tool, part or position has details this small.
@@ -17,12 +17,12 @@ struct Tolerance {
   /// Directions are one: of a component of unit vectors, or of the sine of the angle between them. Digits of files end
   /// at 1e-7; 1e-9 rad moves a point 1 m away by 1e-6 mm, which is what a witness is exact to.
   static constexpr double kSameDirection = 1e-9;
-  /// Of a quantity computed in two ways, relative to it, where it comes of long sums or of an iteration that ends.
+  /// For a quantity computed in two ways, relative to it, as a long sum or by an iteration.
   static constexpr double kRounding = 1e-9;
-  /// Of constructions one upon another (offsets, intersections, unions), relative to the size of the whole: each loses
-  /// at most 1e3 u / sine of the angle it goes by, and no angle is below 1e-3.
+  /// For nested constructions (offsets, intersections, unions), relative to the size of the whole: each loses
+  /// at most 1e3 u / sine of the angle it depends on, and no angle is below 1e-3.
   static constexpr double kConstruction = 1e-10;
-  /// Of fewer than 1,000 operations, relative to what they work on.
+  /// For fewer than 1,000 operations, relative to their operands.
   static constexpr double kFewRoundings = 1e-12;
   /// Unit vectors are the same but for the rounding of a normalization or a rotation.
   static constexpr double kExactDirection = 1e-12;
@@ -35,7 +35,7 @@ struct Tolerance {
 
   /// Twice what a float rounds a number by, relative to it.
   static constexpr double kSingleRounding = 1.2e-7;
-  /// Of sums of a dozen floats, relative to the largest.
+  /// For sums of a dozen floats, relative to the largest.
   static constexpr double kSingleSum = 1e-6;
 
   // Geometry.

@@ -5,7 +5,7 @@
 #include <string_view>
 
 // Inside the project every length is in millimetres (suffix _mm) and every point in part coordinates
-// unless its name says otherwise. Toolpaths are in millimetres or inches; STL files state no unit and come in any of
+// unless its name states otherwise. Toolpaths are in millimetres or inches; STL files state no unit and come in any of
 // these.
 
 namespace gouge {

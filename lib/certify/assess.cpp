@@ -45,8 +45,8 @@ Assumption mesh_unit_fact(const Toolpath& path, const CheckSetup& setup, const C
 
 std::optional<std::string> find_misplacement(const Toolpath& path, const CheckSetup& setup, const CheckResult& result) {
   if (auto gap = find_gap(path, *setup.scene.scene, reach_of_tools_mm(setup.tools))) return gap;
-  if (!result.closeness) return std::nullopt;
-  return find_apart(*result.closeness);
+  if (!result.closest_approach) return std::nullopt;
+  return find_apart(*result.closest_approach);
 }
 
 Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const CheckResult& result) {
@@ -66,9 +66,10 @@ Assumption placement_fact(const Toolpath& path, const CheckSetup& setup, const C
   } else if (!setup.basis.place.empty()) {
     fact.basis = Basis::stated;
     fact.evidence = "stated by the user";
-  } else if (result.closeness && result.closeness->median_mm && *result.closeness->median_mm <= kTouch_mm) {
+  } else if (result.closest_approach && result.closest_approach->median_mm &&
+             *result.closest_approach->median_mm <= kTouch_mm) {
     fact.basis = Basis::derived;
-    fact.evidence = "half of " + positions_examined(*result.closeness) + " touch the part";
+    fact.evidence = "half of " + positions_examined(*result.closest_approach) + " touch the part";
   } else {
     fact.evidence = "nothing contradicts it";
   }
@@ -126,7 +127,7 @@ Assumption assume_solid(const std::string& name, const MeshFindings& findings) {
 
 void assess(const Toolpath& path, const CheckSetup& setup, CheckResult& result) {
   const unsigned threads = setup.options.threads;
-  result.closeness = measure_closeness(path, setup.tools, setup.scene, result.verdicts, threads);
+  result.closest_approach = measure_closest_approach(path, setup.tools, setup.scene, result.verdicts, threads);
   result.fit = find_path_fit(path, result.verdicts, setup.tools, setup.scene, threads);
   Assumptions facts = path.assumptions;
   facts.push_back(motion_law_fact(path, setup.options.law));

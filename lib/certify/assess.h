@@ -13,7 +13,7 @@ namespace gouge {
 
 struct CheckSetup;
 
-/// What whoever asks for a check knows of its inputs and vouches for.
+/// Facts about the inputs that the caller of a check knows and vouches for.
 struct SetupBasis {
   Assumptions inputs = {};                   ///< of tools, holders and STL files: made where they are read
   std::optional<LengthUnit> mesh_unit = {};  ///< as the user states it; none: the toolpath's unit was taken
@@ -28,7 +28,7 @@ struct SetupBasis {
 /// Completes a result: what its verdict rests on, the closest approach and the fit of path and part.
 ///
 /// Requires verdicts on every move. Ensures  the same result at any number of threads.
-/// Cost     That of measure_closeness and find_path_fit: a search at some 450 positions, more where much gouges.
+/// Cost     That of measure_closest_approach and find_path_fit: a search at some 450 positions, more where much gouges.
 void assess(const Toolpath& path, const CheckSetup& setup, CheckResult& result);
 
 }  // namespace gouge

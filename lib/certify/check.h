@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lib/base/kept_work.h"
+#include "lib/base/checkpoints.h"
 #include "lib/base/parallel.h"
 #include "lib/certify/assess.h"
 #include "lib/check/check_options.h"
@@ -11,8 +11,8 @@
 #include "lib/head/head_body.h"
 #include "lib/path/toolpath.h"
 
-// The one entry to a verdict: what it takes is asked for together, so that no caller can leave a part of it out. The
-// parts themselves (lib/check, lib/head, lib/overcut) are closed to all other modules; tests/architecture sees to it.
+// The one entry to a verdict: it takes all its inputs together, so that no caller can leave one out. The
+// parts themselves (lib/check, lib/head, lib/overcut) are closed to all other modules; tests/architecture ensures it.
 
 namespace gouge {
 
@@ -22,8 +22,8 @@ struct CheckSetup {
   const std::vector<HeadBody>& heads;      ///< bodies that move with the tool; may be empty
   const PreparedScene& scene;              ///< parts and fixtures
   const CheckOptions& options;
-  KeptWork* kept = nullptr;  ///< of an earlier run of the very same check, or null
-  SetupBasis basis = {};     ///< how the inputs are known
+  CheckpointStore* kept = nullptr;  ///< of an earlier run of the very same check, or null
+  SetupBasis basis = {};            ///< how the inputs are known
 };
 
 /// Checks every move of a path: tools and heads, against parts and fixtures, from outside and from inside, and how far

@@ -8,8 +8,8 @@
 namespace gouge {
 namespace {
 
-constexpr double kHeadShare = 0.02;        // of the depth at the start: how exactly that of a head on the way is known
-constexpr double kLeastStretch_mm = 1e-4;  // of a shift, below which "not buried" is given up
+constexpr double kHeadShare = 0.02;      // of the depth at the start: how exactly that of a head on the way is known
+constexpr double kMinStretch_mm = 1e-4;  // of a shift, below which "not buried" is given up
 
 bool is_open(const MoveVerdict& verdict) {
   return verdict.state == MoveState::not_certified || verdict.state == MoveState::not_checked;
@@ -36,7 +36,7 @@ class ShiftCheck {
     const MoveVerdict start = checker_.measure(from_, kind_, tool_);
     if (is_open(start)) return ShiftHazard::undecided;
     if (start.state == MoveState::buried) return ShiftHazard::into_solid;
-    // Whether the tool is inside is asked below, also where the surface reaches its middle.
+    // A check below decides whether the tool is inside, also where the surface reaches its middle.
     CheckOptions options = options_;
     options.tolerance_mm = start.depth_mm;
     options.gouge_gap_mm = resolution;
@@ -77,7 +77,7 @@ class ShiftCheck {
     if (checker_.is_out_of_budget()) return ShiftHazard::undecided;
     if (there.depth_mm > half) return ShiftHazard::none;
     if (there.depth_upper_mm + half < tool_.bare.core_depth_mm) return of_side(middle);
-    if (half < kLeastStretch_mm) return ShiftHazard::undecided;
+    if (half < kMinStretch_mm) return ShiftHazard::undecided;
     const ShiftHazard first = of_sides(t0, t);
     return first != ShiftHazard::none ? first : of_sides(t, t1);
   }

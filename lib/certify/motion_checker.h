@@ -14,27 +14,27 @@ namespace gouge {
 /// every machine and at any number of threads. Of one thread.
 class WorkBudget {
  public:
-  explicit WorkBudget(std::uint64_t most) : most_(most) {}
+  explicit WorkBudget(std::uint64_t most) : max_(most) {}
 
-  [[nodiscard]] std::uint64_t most() const { return most_; }
-  [[nodiscard]] std::uint64_t left() const { return most_ - std::min(most_, spent_); }
-  [[nodiscard]] bool is_spent() const { return spent_ >= most_; }
+  [[nodiscard]] std::uint64_t most() const { return max_; }
+  [[nodiscard]] std::uint64_t left() const { return max_ - std::min(max_, spent_); }
+  [[nodiscard]] bool is_spent() const { return spent_ >= max_; }
   void charge(std::uint64_t bounds) { spent_ += bounds; }
 
  private:
-  std::uint64_t most_, spent_ = 0;
+  std::uint64_t max_, spent_ = 0;
 };
 
 class HeadChecker;
 
 /// All that a single motion is checked for, at once: cutter, shank and holder against parts and fixtures, the
-/// bodies that move with the tool, and whether tool or head lies inside a solid. No step of a correction asks for less.
+/// bodies that move with the tool, and whether tool or head lies inside a solid. No step of a correction checks less.
 ///
-/// It looks at one motion, not at the path that leads to it: where only that path can tell inside from outside (an open
+/// It examines one motion, not at the path that leads to it: where only that path can show inside from outside (an open
 /// mesh), a motion that meets no surface passes here, and the check of the whole written path decides.
 class MotionChecker {
  public:
-  /// What `setup` refers to must outlive it.
+  /// The objects that `setup` refers to must outlive it.
   explicit MotionChecker(const CheckSetup& setup);
   ~MotionChecker();
 
@@ -51,7 +51,7 @@ class MotionChecker {
   [[nodiscard]] bool is_clean(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                               const CheckOptions& options, bool is_start_outside = false) const;
 
-  /// As deep as it is, not only whether that is too deep: tolerance 0. Whether it is inside a solid is not asked.
+  /// As deep as it is, not only whether that is too deep: tolerance 0. It does not test whether the tool is inside a solid.
   [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;
 
   /// How much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are none.

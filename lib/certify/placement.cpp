@@ -63,22 +63,22 @@ std::optional<std::string> find_other_size(const Toolpath& path, const Scene& sc
   if (!parts) return std::nullopt;
   const std::string hint = unit_hint(parts->times_smaller, unit);
   if (parts->is_far_smaller())
-    return "the part is " + people_text(parts->times_smaller, 0) + " times smaller than the path" + hint;
+    return "the part is " + display_text(parts->times_smaller, 0) + " times smaller than the path" + hint;
   if (!parts->is_far_larger() || hint.empty()) return std::nullopt;
   const CutCount count = count_cuts(path, verdicts);
   if (2 * count.deep <= count.cuts) return std::nullopt;
-  return "the part is " + people_text(1 / parts->times_smaller, 0) + " times larger than the path, and " +
+  return "the part is " + display_text(1 / parts->times_smaller, 0) + " times larger than the path, and " +
          std::to_string(count.deep) + " of " + std::to_string(count.cuts) + " cuts are in it" + hint;
 }
 
-std::optional<std::string> find_apart(const Closeness& closeness) {
+std::optional<std::string> find_apart(const ClosestApproach& closest_approach) {
   constexpr std::size_t kMinPositions = 10;
   constexpr double kApart_mm = 2;  // beyond the stock to leave
-  const double nearest_mm = closeness.nearest_mm.value_or(Closeness::kFar_mm);
-  if (closeness.positions < kMinPositions || nearest_mm <= kApart_mm) return std::nullopt;
+  const double nearest_mm = closest_approach.nearest_mm.value_or(ClosestApproach::kFar_mm);
+  if (closest_approach.positions < kMinPositions || nearest_mm <= kApart_mm) return std::nullopt;
   // Rounded down: it must hold for each of them.
-  return "at none of " + positions_examined(closeness) + " is the tool nearer than " +
-         fixed_text(std::floor(closeness.apart_mm * 10) / 10, 1) + " mm to the part";
+  return "at none of " + positions_examined(closest_approach) + " is the tool nearer than " +
+         fixed_text(std::floor(closest_approach.apart_mm * 10) / 10, 1) + " mm to the part";
 }
 
 std::optional<std::string> describe_misfit(const Toolpath& path, const PathFit& fit) {

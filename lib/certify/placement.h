@@ -24,7 +24,7 @@ namespace gouge {
                                                          const MoveVerdicts& verdicts, LengthUnit unit);
 
 /// Returns text where no examined cutting position comes near the part. Requires at least 10 positions to judge.
-[[nodiscard]] std::optional<std::string> find_apart(const Closeness& closeness);
+[[nodiscard]] std::optional<std::string> find_apart(const ClosestApproach& closest_approach);
 
 /// Returns text where the path plainly does not fit the part (find_path_fit), with the usual mistake that explains it.
 [[nodiscard]] std::optional<std::string> describe_misfit(const Toolpath& path, const PathFit& fit);

@@ -43,7 +43,7 @@ class ToolRegions {
 
   RegionFinder finder_;
   double usual_mm_;
-  int finest_;  // a tool of which less depth is sure is asked for regions of that
+  int finest_;  // a tool of which less depth is sure is requested regions of that
   std::map<double, std::unique_ptr<FreeRegions>> stored_;
 };
 
@@ -79,7 +79,7 @@ class BuriedMarker {
         const std::size_t tool = toolpath_.moves[i].tool;
         ToolRegions*& own = by_tool[tool];
         if (own == nullptr) {
-          const SureDepth sure = sure_depth(*tools_[tool], scene_, options_);
+          const CertifiedDepth sure = certified_depth(*tools_[tool], scene_, options_);
           own_regions_.push_back(std::make_unique<ToolRegions>(
               tools_[tool]->bare, options_.tolerance_mm + options_.resolution_mm, sure.halvings));
           own = own_regions_.back().get();

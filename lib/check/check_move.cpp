@@ -13,7 +13,7 @@ namespace {
 
 using Targets = std::vector<SearchTarget>;
 
-/// One for each obstacle; `form_of(rule)` is held against it.
+/// One for each obstacle; `form_of(rule)` is compared with it.
 template <typename FormOf>
 Targets targets_of(const ToolVariants& tool, const PreparedScene& scene, const FormOf& form_of) {
   Targets targets;
@@ -67,7 +67,7 @@ SearchQuery query(const CheckOptions& options, double reach, double tolerance) {
   return {{tolerance, options.resolution_mm, gap, options.budget_per_move}, reach};
 }
 
-/// What the wide sweep says of one move: a result for each query, null where it was not asked.
+/// Result of the wide sweep for one move: one for each query, null where it was not run.
 struct Swept {
   const SweptMove* depth = nullptr;
   std::vector<const SweptMove*> limits{};  ///< one a strict limit, or empty
@@ -196,7 +196,7 @@ class MoveChecker {
     const CompiledTool& whole_form = limit.of_mesh == nullptr ? tool_.*rule_of(target.against).form : *target.tool;
     const double depth = target.reach_mm - signed_distance_mm(whole_form, position.r, position.z);
     verdict_.reason = {reason_of(limit), target.tool->elements[at.element].body, entered.value_mm};
-    // What is deeper elsewhere, within the tolerance there, is no evidence against a mesh.
+    // A point that is deeper elsewhere, within the tolerance there, is no evidence against a mesh.
     const bool is_evidence = limit.of_mesh != nullptr || verdict_.depth_upper_mm - depth <= options_.resolution_mm;
     if (!(depth > 0) || !is_evidence) return;
     verdict_.depth_mm = depth;
@@ -209,10 +209,10 @@ class MoveChecker {
                                            : Reason::Kind::mesh_tolerance_exceeded;
   }
 
-  // What comes no deeper than the tolerance may reach far into a solid with a blade or a point: where a tool has such,
+  // Within the tolerance a blade or a point may still reach far into a solid: where a tool has such,
   // less depth must be proved (docs/algorithms/inside_outside.md, section 4).
   void check_reach() {
-    const SureDepth sure = sure_depth(tool_, scene_, options_);
+    const CertifiedDepth sure = certified_depth(tool_, scene_, options_);
     if (verdict_.depth_upper_mm <= sure.depth_mm) return;
     const double share = std::exp2(-0.5 * sure.halvings);
     SearchQuery less = query(options_, 0, share * options_.tolerance_mm);
@@ -335,12 +335,12 @@ void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kind
   std::vector<SweptMove> near_feed, near_rapid;
   const SearchQuery deep = query(options, 0, options.tolerance_mm);
   const std::vector<SweptMove> depth = sweep_moves(motions, whole_tool(tool, scene), deep);
-  // Where it is enough that all gouge nothing else is asked of them.
-  const bool is_told =
+  // Where it is enough that all gouge nothing else is queried of them.
+  const bool is_verdict_final =
       std::ranges::all_of(depth, [&](const SweptMove& swept) { return deep.is_met_by(swept.start.value_mm); });
-  for (std::size_t k = 0; k < limits.size() && !is_told; ++k)
+  for (std::size_t k = 0; k < limits.size() && !is_verdict_final; ++k)
     beyond.push_back(sweep_moves(motions, limits[k].targets, query(options, 0, limits[k].tolerance_mm)));
-  if (!is_told && options.near_miss_mm > 0) {
+  if (!is_verdict_final && options.near_miss_mm > 0) {
     const SearchQuery near = query(options, options.near_miss_mm, 0);
     const auto is_rapid = [](MoveKind kind) { return kind == MoveKind::rapid; };
     if (!std::ranges::all_of(kinds, is_rapid))

@@ -17,7 +17,7 @@ namespace gouge {
 ///          clean means depth_upper <= tolerance + resolution, and no body with a clearance entered by more than the
 ///          resolution, and no mesh with limits (MeshLimit) beyond them by more than the resolution; of a gouge against
 ///          such a mesh the witness and the depth are of that mesh, depth_upper is of all;
-///          and depth_upper <= sure_depth unless options.is_depth_alone: what lies between is
+///          and depth_upper <= certified_depth unless options.is_depth_alone: what lies between is
 ///          not_certified. A budget that runs out gives not_certified, never clean. Coordinates of the motion or of a
 ///          mesh beyond kFarthest_mm, or that are no numbers, give not_checked.
 /// Source   docs/algorithms/certified_sweep.md; depth as in Ho 1999, thesis 2.4.18.

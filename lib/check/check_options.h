@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// What the check is asked. Lengths in mm.
+/// Options of the check. Lengths in mm.
 struct CheckOptions {
   double tolerance_mm = 0.01;                 ///< depth a move may have (bodies with a clearance: 0)
   double resolution_mm = 0.001;               ///< certified gap
@@ -17,25 +17,26 @@ struct CheckOptions {
   double stock_to_leave_mm = 0;               ///< grows the cutter against the part
   double shank_clearance_mm = 0;              ///< grows the shank
   double holder_clearance_mm = 0;             ///< grows the holder
-  double near_miss_mm = 0;                    ///< 0: not asked
-  bool is_depth_alone = false;                ///< how far thin and pointed features reach into a solid is not asked
+  double near_miss_mm = 0;                    ///< 0: not requested
+  bool is_depth_alone = false;                ///< how far thin and pointed features reach into a solid is not requested
   MotionLaw law;                              ///< how the tool moves between positions
   unsigned threads = 0;                       ///< 0: all
   std::uint64_t budget_per_move = 2'000'000;  ///< bounds computed before a move is "not certified"
 };
 
-/// The least resolution of a depth that may be asked for, beyond which the search would work on rounding alone.
+/// The least resolution of a depth that may be requested, beyond which the search would work on rounding alone.
 inline constexpr double kFinestResolution_mm = 1e-6;
 
 /// How deep a surface may be in a tool without that the tool reaches farther into the solid than kReachPerDepth times
 /// tolerance + resolution.
-[[nodiscard]] inline SureDepth sure_depth(const ToolVariants& tool, const PreparedScene& scene,
-                                          const CheckOptions& options) {
-  std::vector<ToolVariants::SureForm> forms;
+[[nodiscard]] inline CertifiedDepth certified_depth(const ToolVariants& tool, const PreparedScene& scene,
+                                                    const CheckOptions& options) {
+  std::vector<ToolVariants::CertifiedForm> forms;
   for (const PreparedObstacle& obstacle : scene.obstacles()) {
-    if (!obstacle.meshes.empty()) forms.push_back({&(tool.*obstacle.rule.form), &(tool.*obstacle.rule.sure_depths)});
+    if (!obstacle.meshes.empty())
+      forms.push_back({&(tool.*obstacle.rule.form), &(tool.*obstacle.rule.certified_depths)});
   }
-  return tool.sure_depth(forms, options.tolerance_mm + options.resolution_mm);
+  return tool.certified_depth(forms, options.tolerance_mm + options.resolution_mm);
 }
 
 }  // namespace gouge

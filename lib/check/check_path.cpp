@@ -137,9 +137,9 @@ class PathChecker {
   const CheckOptions& options_;
 };
 
-// Of the bounds their sum, which stands with the first move.
-StretchForm form_of(const Scene& scene, MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) {
-  StretchForm form;
+// The sum of the bounds is stored with the first move.
+CheckpointForm form_of(const Scene& scene, MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) {
+  CheckpointForm form;
   form.write = [&](std::size_t first, std::size_t last) {
     std::string bytes;
     std::uint64_t sum = 0;
@@ -169,16 +169,16 @@ Reason link_reason(const Toolpath& toolpath, std::size_t index) {
 
 CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                        const PreparedScene& scene, const CheckOptions& options, const ProgressCall& progress,
-                       KeptWork* kept) {
+                       CheckpointStore* kept) {
   CheckResult result;
   const std::size_t total = toolpath.moves.size();
   result.verdicts.resize(total);
   const PathChecker checker(toolpath, tools, scene, options);
   PagedVector<std::uint64_t> bounds(total, 0);
-  for_each_kept_chunk(total, kMovesPerChunk, options.threads, "checking moves", progress, kept,
-                      form_of(*scene.scene, result.verdicts, bounds), [&](std::size_t first, std::size_t last) {
-                        checker.check(first, last, result.verdicts, bounds);
-                      });
+  for_each_checkpointed_chunk(total, kMovesPerChunk, options.threads, "checking moves", progress, kept,
+                              form_of(*scene.scene, result.verdicts, bounds), [&](std::size_t first, std::size_t last) {
+                                checker.check(first, last, result.verdicts, bounds);
+                              });
   if (scene.is_within_reach && why_unfit(options) == Reason::Kind::none)
     mark_buried(toolpath, tools, scene, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;

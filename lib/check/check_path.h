@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lib/base/kept_work.h"
+#include "lib/base/checkpoints.h"
 #include "lib/base/parallel.h"
 #include "lib/check/check_options.h"
 #include "lib/check/check_result.h"
@@ -24,7 +24,7 @@ namespace gouge {
 /// Source   design of docs/method.md; docs/algorithms/certified_sweep.md.
 [[nodiscard]] CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                      const PreparedScene& scene, const CheckOptions& options,
-                                     const ProgressCall& progress = {}, KeptWork* kept = nullptr);
+                                     const ProgressCall& progress = {}, CheckpointStore* kept = nullptr);
 
 /// Why a position alone is not checked whose link is not clean. Requires a link (MotionLaw::link_of).
 [[nodiscard]] Reason link_reason(const Toolpath& toolpath, std::size_t index);

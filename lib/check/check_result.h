@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "lib/check/closeness.h"
+#include "lib/check/closest_approach.h"
 #include "lib/check/path_fit.h"
 #include "lib/check/verdict.h"
 #include "lib/path/assumption.h"
@@ -20,12 +20,12 @@ struct CheckResult {
   StateCounts counts;
   double worst_depth_mm = 0;
   std::size_t worst_move = static_cast<std::size_t>(-1);
-  double worst_overcut_mm = 0;         ///< largest overcut of a gouge; 0 where none was measured
-  double largest_gap_mm = 0;           ///< largest depth_upper - depth over gouging moves
-  std::uint64_t evaluations = 0;       ///< bounds computed; the same on every run
-  Assumptions assumptions;             ///< what the verdict rests on; empty where only moves were checked
-  std::optional<Closeness> closeness;  ///< none: not measured, or nothing to measure
-  PathFit fit;                         ///< fits where it was not asked for
+  double worst_overcut_mm = 0;                      ///< largest overcut of a gouge; 0 where none was measured
+  double largest_gap_mm = 0;                        ///< largest depth_upper - depth over gouging moves
+  std::uint64_t evaluations = 0;                    ///< bounds computed; the same on every run
+  Assumptions assumptions;                          ///< what the verdict rests on; empty where only moves were checked
+  std::optional<ClosestApproach> closest_approach;  ///< none: not measured, or nothing to measure
+  PathFit fit;                                      ///< fits where it was not requested
 };
 
 /// Fills the events, the counts and the worst move of a result from its verdicts, anew.

@@ -7,22 +7,22 @@
 #include "lib/check/scene.h"
 #include "lib/tool/tool_variants.h"
 
-// The contact table: what of a tool may touch which obstacle. All that looks at a scene goes by it; nothing else names
+// The contact table: what of a tool may touch which obstacle. All that examines a scene follows it; nothing else names
 // the kinds of obstacles.
 
 namespace gouge {
 
-/// A form of the tool, offset for the obstacle that it is held against.
+/// A form of the tool, offset for the obstacle that it is compared with.
 using ToolForm = CompiledTool ToolVariants::*;
 
 /// How an obstacle may be touched.
 struct ContactRule {
   Against against;
-  const char* name;                       ///< of messages and results
-  ToolForm form;                          ///< what may be entered no deeper than the tolerance
-  ToolForm form_beside_cuts;              ///< what must keep the near-miss distance while the tool cuts
-  SureDepths ToolVariants::*sure_depths;  ///< of `form`
-  bool is_workpiece;                      ///< the cutter makes its surface: positions fit it, contact with it is wanted
+  const char* name;                                 ///< of messages and results
+  ToolForm form;                                    ///< what may be entered no deeper than the tolerance
+  ToolForm form_beside_cuts;                        ///< what must keep the near-miss distance while the tool cuts
+  CertifiedDepths ToolVariants::*certified_depths;  ///< of `form`
+  bool is_workpiece;  ///< the cutter makes its surface: positions fit it, contact with it is wanted
 };
 
 /// In the order of Against.

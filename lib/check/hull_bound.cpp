@@ -61,28 +61,28 @@ class PieceBounder {
     }
   }
 
-  PieceBound run(double enough_mm) {
+  PieceBound run(double cutoff_mm) {
     PieceBound bound;
     const ToolSample middle = sample_tool(tool_, center_);
     bound.upper_mm = std::min(reach_mm_ - middle.nearest.signed_distance_mm + radius_ + bulge_,
                               end_limit(tool_, z_lo_ - bulge_, z_hi_ + bulge_, reach_mm_));
-    if (bound.upper_mm <= enough_mm) return bound;
+    if (bound.upper_mm <= cutoff_mm) return bound;
     HullLimit limits[2 + kRounds];
     const SupportPlane first = support_plane(tool_, middle);
     limits[0] = behind(first);
     improve(bound, limits[0].largest_mm);
     std::size_t count = 1;
-    if (is_about_axis() && bound.upper_mm > enough_mm) {
+    if (is_about_axis() && bound.upper_mm > cutoff_mm) {
       limits[count++] = behind(mirrored(first));
-      blend_last(bound, limits, count, enough_mm);
+      blend_last(bound, limits, count, cutoff_mm);
     }
-    for (std::size_t round = 0; round < kRounds && bound.upper_mm > enough_mm; ++round) {
+    for (std::size_t round = 0; round < kRounds && bound.upper_mm > cutoff_mm; ++round) {
       const Meeting top = round == 0 ? closest_to_axis() : highest(limits, count);
       const ToolSample sample = sample_tool(tool_, (1 - top.share) * hull_[top.i] + top.share * hull_[top.j]);
       if (top.i == top.j) measure(bound, top.i, sample);
       limits[count++] = behind(support_plane(tool_, sample));
       improve(bound, limits[count - 1].largest_mm);
-      blend_last(bound, limits, count, enough_mm);
+      blend_last(bound, limits, count, cutoff_mm);
     }
     bound.is_time_next = is_time_worse(limits[0]);
     return bound;
@@ -99,9 +99,9 @@ class PieceBounder {
     return center_.head<2>().squaredNorm() <= (radius_ + bulge_) * (radius_ + bulge_);
   }
 
-  void blend_last(PieceBound& bound, const HullLimit* limits, std::size_t count, double enough_mm) const {
+  void blend_last(PieceBound& bound, const HullLimit* limits, std::size_t count, double cutoff_mm) const {
     const HullLimit& last = limits[count - 1];
-    for (std::size_t j = 0; j + 1 < count && bound.upper_mm > enough_mm; ++j) {
+    for (std::size_t j = 0; j + 1 < count && bound.upper_mm > cutoff_mm; ++j) {
       improve(bound, blended(limits[j].depths, last.depths) + bulge_);
     }
   }
@@ -240,14 +240,14 @@ class PieceBounder {
   Hull hull_;
   Vec3 center_ = Vec3::Zero();
   double radius_ = 0, bulge_ = 0, z_lo_ = 0, z_hi_ = 0;
-  mutable double smallest_r_ = -1;  // of the hull; negative: not asked yet
+  mutable double smallest_r_ = -1;  // of the hull; negative: not requested yet
 };
 
 }  // namespace
 
 PieceBound bound_piece(const CompiledTool& tool, const std::array<Vec3, 3>& piece, const ToolInterval& interval,
-                       double reach_mm, double enough_mm) {
-  return PieceBounder(tool, piece, interval, reach_mm).run(enough_mm);
+                       double reach_mm, double cutoff_mm) {
+  return PieceBounder(tool, piece, interval, reach_mm).run(cutoff_mm);
 }
 
 }  // namespace gouge

@@ -20,8 +20,8 @@ struct PieceBound {
 };
 
 /// Over the triangle `piece`. With reach > 0 the bound is max(0, ...), exact only up to the reach. Work stops as
-/// soon as the bound is at most `enough_mm`.
+/// soon as the bound is at most `cutoff_mm`.
 [[nodiscard]] PieceBound bound_piece(const CompiledTool& tool, const std::array<Vec3, 3>& piece,
-                                     const ToolInterval& interval, double reach_mm, double enough_mm);
+                                     const ToolInterval& interval, double reach_mm, double cutoff_mm);
 
 }  // namespace gouge

@@ -16,18 +16,18 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kFewestPositions = 10, kFewestChanged = 20;
-constexpr std::size_t kMostSamples = 128, kFirstSamples = 16;
+constexpr std::size_t kMaxSamples = 128, kFirstSamples = 16;
 constexpr double kGoldenRatio = 0.6180339887498949;
 constexpr std::uint64_t kFitBudget = 20'000;
 constexpr double kAccuracy = 0.2;  // of what counts as touching
 constexpr double kDeep = 0.9;      // of the cutter's radius, as a ball sunk in to its centre is where it is inclined
 constexpr double kMost = 0.5;
-constexpr double kSuspicious = 0.1;  // of the positions gouge: worth a look at what may be wrong
+constexpr double kSuspicious = 0.1;  // of the positions gouge: worth a examine what may be wrong
 constexpr double kOften = 0.2;       // of the positions that a mistake changes gouge with it ...
 constexpr double kFewLeft = 0.2;     // ... and so few of these without it
 constexpr double kApart = 0.1;       // of the positions touch at most
 constexpr double kExplained = 0.75, kHopeful = 0.6, kStillGouging = 0.1;
-constexpr double kLeastRise_mm = 1;  // a shift along the axis that stock to leave does not explain
+constexpr double kMinRise_mm = 1;  // a shift along the axis that stock to leave does not explain
 constexpr double kSameAxis = 1e-3;
 constexpr std::size_t kInsideLooks = 16;
 
@@ -39,7 +39,7 @@ struct Sample {
 
 enum class Contact { apart, touching, gouging };
 
-/// Whether a verdict is about the cutter in the part. Of a move where something else is deeper, or a head is buried, it
+/// Returns whether a verdict is about the cutter in the part. Of a move where something else is deeper, or a head is buried, it
 /// does not show how deep the cutter is.
 bool is_of_cutter(const MoveVerdict& verdict) {
   if (verdict.state == MoveState::buried) return verdict.reason.body != Body::head;
@@ -54,7 +54,7 @@ double corner_radius_mm(const CompiledTool& tool) {
   return corner == tool.elements.end() ? 0 : corner->radius_mm;
 }
 
-/// Of the cutter alone: what is above it may collide on a path that fits.
+/// For the cutter alone: bodies above it may collide on a path that fits.
 Contact contact_of(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
   const double touch = touch_mm(tool);
   const SearchTarget part = target_on(tool.cutting, scene.workpiece());
@@ -132,7 +132,7 @@ class FitFinder {
 
   /// Measures the cutter at some of these moves, each for those before it too.
   void measure_hidden(const std::vector<std::size_t>& hidden) {
-    const std::size_t stride = 1 + hidden.size() / kMostSamples;
+    const std::size_t stride = 1 + hidden.size() / kMaxSamples;
     for (std::size_t first = 0; first < hidden.size(); first += stride) {
       const std::size_t last = std::min(first + stride, hidden.size());
       const std::size_t measured = hidden[last - 1];
@@ -141,7 +141,7 @@ class FitFinder {
     }
   }
 
-  /// Of a verdict about the cutter.
+  /// For a verdict about the cutter.
   [[nodiscard]] bool is_deep(std::size_t move) const {
     const MoveVerdict& verdict = verdicts_[move];
     return verdict.state == MoveState::buried ||
@@ -162,7 +162,7 @@ class FitFinder {
     return contact_of(path_.moves[move].end, *tools_[path_.moves[move].tool], scene_) == Contact::gouging;
   }
 
-  /// Of a verdict about the cutter.
+  /// For a verdict about the cutter.
   [[nodiscard]] bool is_gouging(std::size_t move) const {
     const MoveVerdict& verdict = verdicts_[move];
     return verdict.state == MoveState::buried || verdict.depth_mm > touch_mm(*tools_[path_.moves[move].tool]);
@@ -177,7 +177,7 @@ class FitFinder {
   }
 
   void take_samples() {
-    const std::size_t count = std::min(cuts_.size(), kMostSamples);
+    const std::size_t count = std::min(cuts_.size(), kMaxSamples);
     for (std::size_t k = 0; k < count; ++k) {
       const double at = 0.5 + kGoldenRatio * static_cast<double>(k);
       const auto n = static_cast<double>(cuts_.size());
@@ -215,7 +215,7 @@ class FitFinder {
     std::size_t gouging = 0;
     for (const Sample& sample : samples_) {
       const double corner = corner_radius_mm(sample.tool->bare);
-      if (is_rise && corner < std::max(kLeastRise_mm, is_fitting_else ? 0.5 * sample.tool->bare.core_depth_mm : 0))
+      if (is_rise && corner < std::max(kMinRise_mm, is_fitting_else ? 0.5 * sample.tool->bare.core_depth_mm : 0))
         continue;
       const Pose pose = mistake.pose(sample.pose, corner);
       const bool is_changed = (pose.tip - sample.pose.tip).norm() > touch_mm(*sample.tool) ||

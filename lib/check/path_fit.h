@@ -11,13 +11,13 @@
 
 namespace gouge {
 
-/// Whether a path can belong to the part it is checked against at all, and if not, which of the usual
+/// Tests whether a path can belong to the part it is checked against, and if not, which of the usual
 /// mistakes explains it. Looked at, not certified: no verdict rests on it.
 struct PathFit {
-  /// What makes the path fit.
+  /// The change that makes the path fit.
   struct Explanation {
     std::string text;       ///< UndoneMistake::text
-    double share = 0;       ///< of the positions looked at, how many touch the part then
+    double share = 0;       ///< of the positions examined, how many touch the part then
     bool is_of_all = true;  ///< false: of the positions that it changes
   };
   enum class Kind {
@@ -31,7 +31,7 @@ struct PathFit {
 
   Kind kind = Kind::fits;
   std::size_t positions = 0;  ///< ends of checked moves that cut: all but rapids
-  std::size_t deep = 0;       ///< of them, as `too_deep` says
+  std::size_t deep = 0;       ///< of them, as `too_deep` states
   std::size_t gouging = 0;    ///< of them, deeper than `touch_mm` of their tool, in the part
   std::optional<Explanation> explanation;
 };

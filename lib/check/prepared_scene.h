@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-/// An obstacle with what is asked of it.
+/// An obstacle with what is queried of it.
 struct PreparedObstacle {
   ContactRule rule;
   std::span<const IndexedMesh> meshes;
@@ -27,8 +27,8 @@ struct LimitedMesh {
   const BlockTree* tree;  ///< of this mesh alone
 };
 
-/// The scene with each index of its meshes, made once whoever asks: the trees of the sweep at once, all else when first
-/// asked for, from any thread.
+/// The scene with each index of its meshes, built lazily, once, by any thread: the trees of the sweep at once, all else when first
+/// requested, from any thread.
 class PreparedScene {
  public:
   /// Requires that the scene outlives it. `threads` as in for_each_chunk.

@@ -6,7 +6,7 @@
 #include "lib/motion/motion.h"
 #include "lib/tool/tool_variants.h"
 
-// What the bounds are not proven for is refused with its reason, whoever asks: numbers that come out all the
+// Rejects inputs outside the range for which the bounds are proven, with the reason: numbers that come out all the
 // same would mean nothing, and a comparison with one that is no number reads as free.
 
 namespace gouge {
@@ -28,7 +28,7 @@ inline constexpr double kFarthest_mm = 1e5;
 /// A length that is not finite, or a resolution that is not above 0. None where there is none.
 [[nodiscard]] Reason::Kind why_unfit(const CheckOptions& options);
 
-/// Whether the point is one that bounds are proven for.
+/// Returns whether the point is one that bounds are proven for.
 [[nodiscard]] bool is_within_reach(const Vec3& point);
 
 }  // namespace gouge

@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// Why a move has the state it has, as a value: code goes by `kind`, people get reason_text.
+/// Why a move has the state it has, as a value: code follows `kind`, people get reason_text.
 struct Reason {
   enum class Kind : std::uint8_t {
     none,
@@ -40,7 +40,7 @@ struct Reason {
   std::string detail{};
 
   [[nodiscard]] bool is(Kind of) const { return kind == of; }
-  /// Says which limit a gouge passed, and leaves nothing open.
+  /// States which limit a gouge passed, and leaves nothing open.
   [[nodiscard]] bool names_limit() const { return kind >= Kind::clearance_entered; }
   [[nodiscard]] bool is_same(const Reason& other) const {
     return kind == other.kind && body == other.body && !(amount < other.amount) && !(other.amount < amount) &&

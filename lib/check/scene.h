@@ -23,7 +23,7 @@ struct MeshLimit {
   double tolerance_mm = 0;
 };
 
-/// What stands still: parts and fixtures, in mm and part coordinates.
+/// The stationary objects: parts and fixtures, in mm and part coordinates.
 struct Scene {
   std::vector<IndexedMesh> parts;
   std::vector<IndexedMesh> fixtures;

@@ -37,7 +37,7 @@ struct PartsBesidePath {
 [[nodiscard]] std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit stl_unit);
 
 /// The error for a mesh with a vertex beyond kFarthest_mm (reach.h) or that is no number, or nothing. `body`, such as
-/// "part", and `advice`, what to look at, are words of the message. Code: mesh-too-far.
+/// "part", and `advice`, what to examine, are words of the message. Code: mesh-too-far.
 [[nodiscard]] std::optional<Diagnostic> find_too_far(const IndexedMesh& mesh, const std::string& body,
                                                      const std::string& advice);
 

@@ -11,7 +11,7 @@
 #include "lib/tool/compiled_tool.h"
 
 // The exact search of one move: best first (best_first_search.h) over (instant x triangle), every step with a proven
-// upper bound, every candidate a real point of a triangle at a real instant. It looks at the triangles that the
+// upper bound, every candidate a real point of a triangle at a real instant. It examines the triangles that the
 // wide sweep (sweep_filter.h) could not decide. Method and proofs: docs/algorithms/certified_sweep.md. Goes beyond
 // thesis 2.4.18 (points at single poses).
 
@@ -37,7 +37,7 @@ struct SearchTarget {
 }
 
 struct SearchQuery : SearchGoal {
-  /// What is sought is the largest `reach_mm - signed distance`: 0 for the depth, a near-miss distance for
+  /// Searches for the largest `reach_mm - signed distance`: 0 for the depth, a near-miss distance for
   /// the closest approach.
   double reach_mm = 0;
 };
@@ -49,7 +49,7 @@ struct SearchSeed {
 
 /// Where a search starts: what is known of the move before.
 struct SearchStart {
-  std::vector<SearchSeed> seeds;  ///< the triangles to look at; all others are pruned
+  std::vector<SearchSeed> seeds;  ///< the triangles to examine; all others are pruned
   double certified_mm = 0;        ///< proven for the others: the value is no larger
   double value_mm = 0;            ///< met at a real point and instant; 0: none
   double t = 0;

@@ -13,8 +13,8 @@ Vec3 radial(const Vec3& q, double r) { return r > 0 ? Vec3(q.x() / r, q.y() / r,
 
 double radius(const Vec3& q) { return std::sqrt(q.x() * q.x() + q.y() * q.y()); }
 
-// What points to the axis by no more does so for rounding.
-constexpr std::size_t kMostBesideFace = 256;  // elements of a tool that are worth looking at all
+// A direction that points to the axis by no more does so by rounding.
+constexpr std::size_t kMaxBesideFace = 256;  // elements of a tool that are worth examining all
 
 /// The widest radius of an element within the heights [z_lo, z_hi], which it reaches into; of an arc, of all of it.
 double widest_within(const BoundaryElement& e, double z_lo, double z_hi) {
@@ -33,10 +33,10 @@ bool is_face(const BoundaryElement& e) {
   return e.kind == ElementKind::segment && !(e.a.y() < e.b.y()) && !(e.b.y() < e.a.y());
 }
 
-/// Whether a set that reaches from z_lo to z_hi keeps outside of the tool's radius on the free side of a face: at every
+/// Returns whether a set that reaches from z_lo to z_hi keeps outside of the tool's radius on the free side of a face: at every
 /// height from the face to the set's end on that side the tool is no wider than `r`.
 bool is_free_of(const CompiledTool& tool, const BoundaryElement& face, double z_lo, double z_hi, double r) {
-  if (tool.elements.size() > kMostBesideFace) return false;
+  if (tool.elements.size() > kMaxBesideFace) return false;
   const double z = face.a.y();
   const bool is_below = face.normal.y() < 0;
   const double low = is_below ? std::min(z_lo, z) : z, high = is_below ? z : std::max(z_hi, z);

@@ -20,28 +20,28 @@ constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one lev
 // A node is opened for a whole group only if it is this much larger than half the path length of the group: space
 // first. Smaller ones are left to the parts of the group: time first.
 constexpr float kSpaceFirst = 12.0F;
-// How often triangles and time are cut, and how many parts are looked at, before the exact search takes over.
+// How often triangles and time are cut, and how many parts are examined, before the exact search takes over.
 constexpr std::size_t kCuts = 10;
-constexpr std::uint32_t kMostParts = 1200;
-constexpr std::size_t kMostBlocks = 200;
+constexpr std::uint32_t kMaxParts = 1200;
+constexpr std::size_t kMaxBlocks = 200;
 constexpr float kProgress = 0.95F;
 constexpr int kFailures = 1;
 // Where nothing moves, what a bound of whole triangles leaves open are mostly edges of the tool, which smaller triangles
 // do not mend.
-constexpr std::uint32_t kMostStandingParts = 10;
+constexpr std::uint32_t kMaxStandingParts = 10;
 // Where a point may be deeper than the deepest known one by all but this share of the gap it is measured.
 constexpr float kWorthMeasuring = 0.75F;
 // The swing of a triangle's corners that is not worth smaller triangles.
 constexpr float kSmallSwing_mm = 0.01F;
 
-/// What is known of one move so far.
+/// Bounds of one move so far.
 struct MoveWork {
-  float least_pruned = std::numeric_limits<float>::max();       ///< of the target at hand
+  float min_pruned = std::numeric_limits<float>::max();         ///< of the target at hand
   double certified_mm = std::numeric_limits<double>::lowest();  ///< the value of what was pruned is no larger
   std::vector<SearchSeed> open;                                 ///< what no bound has pruned
 };
 
-/// What a group leaves to its parts.
+/// The work that a group leaves to its parts.
 struct Remainder {
   std::vector<std::uint32_t> nodes;
   std::vector<const TriangleBlock*> blocks;
@@ -82,11 +82,11 @@ class Sweep {
  private:
   // Targets may differ in their reach: what they certify is joined by value, not by distance.
   void close_target(MoveWork& work) const {
-    const float least = std::exchange(work.least_pruned, std::numeric_limits<float>::max());
+    const float least = std::exchange(work.min_pruned, std::numeric_limits<float>::max());
     work.certified_mm = std::max(work.certified_mm, reach_mm_ - static_cast<double>(least));
   }
 
-  // Most are never asked for: what a group prunes needs no frames of its parts.
+  // Most are never requested: what a group prunes needs no frames of its parts.
   void forget_frames() {
     frames_.clear();
     for (std::size_t size = 1;; size *= kGroup) {
@@ -106,7 +106,7 @@ class Sweep {
     return *frame;
   }
 
-  // Of the corners in the tree, and of the middles of edges each time a triangle is quartered.
+  // Rounding of the corners in the tree, and of the middles of edges each time a triangle is quartered.
   [[nodiscard]] double rounding_mm() const { return static_cast<double>(kCuts + 2) * tree_->rounding_mm; }
 
   /// The signed distance to prove for a move, given the deepest point met on it.
@@ -124,13 +124,13 @@ class Sweep {
     rest.nodes.clear();
     rest.blocks.clear();
     rest.gathered.clear();
-    least_ = least;
+    min_ = least;
     need_ = need(0);
     smallest_ = kSpaceFirst * (0.5F * frame.displacement_mm + frame.rest_mm);
     for (const TriangleBlock* block : work.blocks) gather(*block, frame, rest);
     for (const std::uint32_t node : work.nodes) visit_node_for_group(node, frame, rest);
-    const float now = least_;
-    // What was looked at for the whole group counts for its first move.
+    const float now = min_;
+    // Bounds computed for the whole group count for its first move.
     swept_[steps_[index * steps_below(level)].move].bounds += std::exchange(bounds_, 0);
     const std::size_t first = index * kGroup;
     const std::size_t last = std::min(first + kGroup, frames_[level - 1].size());
@@ -148,7 +148,7 @@ class Sweep {
     const std::size_t size = steps_below(level);
     const std::size_t last = std::min(steps_.size(), (index + 1) * size);
     for (std::size_t s = index * size; s < last; ++s) {
-      float& known = work_[steps_[s].move].least_pruned;
+      float& known = work_[steps_[s].move].min_pruned;
       known = std::min(known, least);
     }
   }
@@ -158,7 +158,7 @@ class Sweep {
     KernelResult result;
     kernel_.nodes(node, frame, piece_, need_, result);
     ++bounds_;
-    least_ = std::min(least_, result.least_pruned);
+    min_ = std::min(min_, result.min_pruned);
     float widest = 0;
     for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
       widest = std::max(widest, node.radius_mm[static_cast<std::size_t>(std::countr_zero(open))]);
@@ -179,7 +179,7 @@ class Sweep {
     KernelResult result;
     kernel_.triangles(leaf, frame, piece_, need_, result);
     ++bounds_;
-    least_ = std::min(least_, result.least_pruned);
+    min_ = std::min(min_, result.min_pruned);
     for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
       if (rest.gathered.empty() || rest.gathered.back().count == kBlockLanes) {
         rest.gathered.emplace_back();
@@ -192,7 +192,7 @@ class Sweep {
   void visit_step(std::size_t index, const Remainder& work, float least) {
     step_ = &steps_[index];
     frame_ = &frame_of(0, index);
-    least_ = least;
+    min_ = least;
     const std::uint32_t m = step_->move;
     if (tool_ != nullptr && m > 0 && swept_[m].start.value_mm <= 0 &&
         swept_[m - 1].start.value_mm > query_.tolerance_mm && swept_[m - 1].start.at.target == target_) {
@@ -208,7 +208,7 @@ class Sweep {
     } else {
       refine(*step_, *frame_, 0, short_of_, 0);
     }
-    work_[m].least_pruned = std::min(work_[m].least_pruned, least_);
+    work_[m].min_pruned = std::min(work_[m].min_pruned, min_);
     swept_[m].bounds += std::exchange(bounds_, 0);
   }
 
@@ -218,7 +218,7 @@ class Sweep {
     float asked = need_;
     kernel_.nodes(node, *frame_, piece_, asked, result);
     ++bounds_;
-    least_ = std::min(least_, result.least_pruned);
+    min_ = std::min(min_, result.min_pruned);
     // The deepest first: what it shows prunes most of the others.
     std::array<std::uint8_t, kBlockLanes> order;
     std::size_t count = 0;
@@ -231,13 +231,13 @@ class Sweep {
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t lane = order[k];
       if (need_ < asked) {
-        // A bound below what was asked for is not proven: how far its feet may be was not looked at.
+        // A bound below what was requested is not proven: how far its feet may be was not examined.
         asked = need_;
         kernel_.nodes(node, *frame_, piece_, asked, result);
         ++bounds_;
       }
       if (result.bound[lane] >= asked) {
-        least_ = std::min(least_, result.bound[lane]);
+        min_ = std::min(min_, result.bound[lane]);
       } else if (node.has_leaves) {
         visit_triangles(tree_->leaves[node.child[lane]]);
       } else {
@@ -262,7 +262,7 @@ class Sweep {
       // A deeper point leaves less to be proven.
       if (need_ >= asked) break;
     }
-    least_ = std::min(least_, result.least_pruned);
+    min_ = std::min(min_, result.min_pruned);
     for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(open));
       short_of_ = std::max(short_of_, need_ - result.bound[lane]);
@@ -284,13 +284,13 @@ class Sweep {
     measure(step, block.triangle[deepest], from_tip + Vec3(frame.tip[0], frame.tip[1], frame.tip[2]) + tree_->origin);
   }
 
-  // Where a triangle is looked at from its nearest point, what makes the bound slack is time: what the nearest
+  // Where a triangle is examined from its nearest point, what makes the bound slack is time: what the nearest
   // point moves, and how far the triangle's corners swing about it. Smaller triangles swing less.
   void refine(const SweepInterval& step, const SweepFrame& frame, std::size_t depth, float short_of, int failures) {
     if (waiting_[depth].empty()) return;
     const bool is_standing = !(step.t1 > step.t0);
-    const std::uint32_t most_parts = is_standing ? kMostStandingParts : kMostParts;
-    if (depth == kCuts || waiting_[depth].size() > kMostBlocks || parts_ >= most_parts) return give_up(waiting_[depth]);
+    const std::uint32_t max_parts = is_standing ? kMaxStandingParts : kMaxParts;
+    if (depth == kCuts || waiting_[depth].size() > kMaxBlocks || parts_ >= max_parts) return give_up(waiting_[depth]);
     parts_ += static_cast<std::uint32_t>(waiting_[depth].size());
     const float edge_mm = kSmallSwing_mm / std::max(frame.half_turn, 1e-9F);
     if (is_standing || (piece_.core_r_mm > 0 && !are_short(waiting_[depth], edge_mm))) {
@@ -380,7 +380,7 @@ class Sweep {
   std::vector<MoveWork> work_;
   std::vector<SweptMove> swept_;
 
-  // Of the target and piece at hand.
+  // For the current target and piece.
   std::uint32_t target_ = 0;
   const CompiledTool* tool_ = nullptr;
   const BlockTree* tree_ = nullptr;
@@ -389,11 +389,11 @@ class Sweep {
   std::vector<std::vector<std::optional<SweepFrame>>> frames_;  // [level][index]; level 0: one for each step
   std::vector<Remainder> remainders_;                           // one for each level
 
-  // Of the group or step at hand.
+  // For the current group or step.
   std::array<std::vector<TriangleBlock>, kCuts + 1> waiting_;
   const SweepInterval* step_ = nullptr;
   const SweepFrame* frame_ = nullptr;
-  float need_ = 0, least_ = 0, smallest_ = 0;
+  float need_ = 0, min_ = 0, smallest_ = 0;
   float short_of_ = 0;  ///< how much the worst of the waiting triangles lacks
   std::uint32_t parts_ = 0;
   std::uint64_t bounds_ = 0;

@@ -15,10 +15,10 @@
 
 namespace gouge {
 
-/// What the wide sweep leaves of one query about one move.
+/// Result of the wide sweep for one query about one move.
 struct SweptMove {
   SearchStart start;
-  std::uint64_t bounds = 0;  ///< blocks looked at; those looked at for a group count for its first move
+  std::uint64_t bounds = 0;  ///< blocks examined; those examined for a group count for its first move
 };
 
 /// Every motion against every target, for one query (search.h).

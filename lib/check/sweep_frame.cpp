@@ -9,16 +9,16 @@
 namespace gouge {
 namespace {
 
-// What single precision does to a length, with all that is computed from it in the kernel.
+// Error of a length in single precision, with all that the kernel computes from it.
 constexpr double kSingle = 2e-6;
 
 // Paths are cut until the chord is this close and no step is longer or turns more than this, or to this many steps.
 constexpr double kSmallSag_mm = 0.002;
 constexpr double kSmallTurn_rad = 0.1;
 constexpr double kShortPath_mm = 4;
-constexpr int kMostSteps = 64;
+constexpr int kMaxSteps = 64;
 
-/// Of two unit vectors a chord apart, and a little more: 2 asin(c / 2) <= c + c^3 / 20 for c <= 1, and <= c pi / 2.
+/// Bound on the angle of two unit vectors a chord apart: 2 asin(c / 2) <= c + c^3 / 20 for c <= 1, and <= c pi / 2.
 double angle_over(double chord) { return chord <= 1 ? chord + chord * chord * chord / 20 : 0.5 * M_PI * chord; }
 
 float rounded_up(double x) { return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::max()); }
@@ -77,7 +77,7 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepInt
     };
     int parts = 1;
     MotionRates first = motion.rates(segment.t0, segment.t0 + length, s);
-    while (parts < kMostSteps && is_long(first)) {
+    while (parts < kMaxSteps && is_long(first)) {
       parts *= 2;
       first = motion.rates(segment.t0, segment.t0 + length / parts, s);
     }

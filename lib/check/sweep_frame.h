@@ -27,7 +27,7 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepInt
 [[nodiscard]] std::array<SweepInterval, 2> halved(const Motion& motion, const SweepInterval& step);
 
 /// The frame that holds for every instant of every step, and for points up to `rounding_mm` beside the ones they
-/// stand for. Requires at least one step.
+/// represent. Requires at least one step.
 [[nodiscard]] SweepFrame sweep_frame(std::span<const SweepInterval> steps, const Vec3& origin, double rounding_mm);
 
 }  // namespace gouge

@@ -52,10 +52,10 @@ struct KernelPiece {
 
 struct alignas(64) KernelResult {
   Lanes bound;                 ///< where >= need, proven: signed distance >= bound, everywhere in the lane
-  Lanes distance;              ///< of the point looked at last
+  Lanes distance;              ///< of the point examined last
   std::array<Lanes, 3> point;  ///< that point minus the frame's tip, mm; triangles only
   std::uint32_t open = 0;      ///< bit i: lane i is not pruned: bound < need
-  float least_pruned = 0;      ///< smallest bound among the pruned lanes; infinite if there are none
+  float min_pruned = 0;        ///< smallest bound among the pruned lanes; infinite if there are none
 };
 
 /// Sixteen nodes, or triangles, against one piece during one motion. `need` is the signed distance to prove:

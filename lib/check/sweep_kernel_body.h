@@ -14,7 +14,7 @@ GOUGE_INLINE void finish(const V& bound, float need, std::uint32_t count, Kernel
   store(bound, result.bound);
   const M is_open = bound < need;
   result.open = bits_of(is_open) & ((1U << count) - 1U);
-  result.least_pruned = least_of(select(is_open, broadcast(3e38F), bound));
+  result.min_pruned = min_of(select(is_open, broadcast(3e38F), bound));
 }
 
 void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& piece, float need,
@@ -28,7 +28,7 @@ void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& p
   load(block.disc_radius_mm, disc);
   load(block.radius_mm, ball);
   const V3 u = minus(center, f.tip);
-  // The plane that touches the tool at the point of the disc nearest to the core says most.
+  // The plane that touches the tool at the point of the disc nearest to the core states most.
   const V3 to_core = minus(near_core(piece, u, f.axis), u);
   const V3 lateral = minus(to_core, times(normal, dot(normal, to_core)));
   const V length = sqrt(dot(lateral, lateral));
@@ -42,7 +42,7 @@ void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& p
   const V rest = frame.half_turn * ball + frame.rest_mm + frame.rest_per_mm * far + piece.rounding_mm;
   V by_plane = at.distance + dot(at.gradient, minus(u, nearest)) - extent - 0.5F * abs(dot(at.gradient, speed)) - rest;
   by_plane =
-      max(by_plane, least_along(piece, at.gradient, dot(at.gradient, u) - extent, frame, f) - frame.rest_per_mm * far);
+      max(by_plane, min_along(piece, at.gradient, dot(at.gradient, u) - extent, frame, f) - frame.rest_per_mm * far);
   const V z = dot(f.axis, u);
   V height = ball;
   // A cylinder has no lower face but the range of heights; elsewhere the chain has it.
@@ -100,7 +100,7 @@ GOUGE_INLINE V3 first_look(const KernelPiece& piece, const Triangle& t, const V3
   return select(is_endless, times(axis, z0), at_ring);
 }
 
-GOUGE_INLINE V least_of_corners(const V3& g, const Triangle& t) {
+GOUGE_INLINE V min_of_corners(const V3& g, const Triangle& t) {
   return min(dot(g, t.a), min(dot(g, t.b), dot(g, t.c)));
 }
 
@@ -126,7 +126,7 @@ GOUGE_INLINE Range range_of(const Triangle& t, const SweepFrame& frame, const Fr
   return range;
 }
 
-/// The deepest point that was looked at, by its signed distance at the end of the motion where that is smaller.
+/// The deepest point that was examined, by its signed distance at the end of the motion where that is smaller.
 struct Deepest {
   V distance;
   V3 point;
@@ -150,10 +150,10 @@ GOUGE_INLINE V meet_in_corner(const KernelPiece& piece, const Touch& at, const P
   Crossing ridge{point, V{}};
   lowest_crossing(plane, also_plane, t, ridge);
   point = ridge.point;
-  return max(least_blended(plane, also_plane, ridge.share), least(also_plane));
+  return max(min_blended(plane, also_plane, ridge.share), least(also_plane));
 }
 
-/// Of a triangle, in a direction.
+/// Extent of a triangle in a direction.
 GOUGE_INLINE V3 lowest_corner(const V3& g, const Triangle& t) {
   const V a = dot(g, t.a), b = dot(g, t.b), c = dot(g, t.c);
   return select((a <= b) & (a <= c), t.a, select(b <= c, t.b, t.c));
@@ -221,7 +221,7 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
   const Range range = range_of(t, frame, f, far, rest);
   const M on_side = has_closest_point(piece, need, range);
   const V3 normal = away_from_core(piece, t, f.axis);
-  const V along = least_along(piece, normal, least_of_corners(normal, t), frame, f) - rest_along;
+  const V along = min_along(piece, normal, min_of_corners(normal, t), frame, f) - rest_along;
   V bound = combine(piece, on_side, select(t.normal_scale < 1e29F, along, broadcast(-3e38F)), range);
   if (!any_of(bound < need)) {
     store(bound, result.distance);
@@ -237,11 +237,11 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
     touch(piece, point, f.axis, at);
     lay_plane(at.distance, point, at.gradient, t, f, plane);
     V by_plane = least(plane);
-    if (round > 0) by_plane = max(by_plane, least_blended(last_plane, plane));
+    if (round > 0) by_plane = max(by_plane, min_blended(last_plane, plane));
     last_plane = plane;
     V3 on_ridge = point;
     if (piece.is_sharp) by_plane = max(by_plane, meet_in_corner(piece, at, plane, t, f, on_ridge, deepest));
-    const V along_g = least_along(piece, at.gradient, least_of_corners(at.gradient, t), frame, f) - rest_along;
+    const V along_g = min_along(piece, at.gradient, min_of_corners(at.gradient, t), frame, f) - rest_along;
     const V better = max(bound, combine(piece, on_side, max(along_g, by_plane - rest), range));
     // Lanes that the last rounds brought no nearer to the goal are left to smaller triangles and shorter intervals.
     M is_open = better < need;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What one piece of the tool's cover says of sixteen points, for sweep_kernel_body.h alone and under its rule.
+// Bounds of one piece of the tool's cover for sixteen points, for sweep_kernel_body.h alone and under its rule.
 #include "lib/check/sweep_kernel.h"
 #include "lib/hierarchy/kernel_lanes.h"
 
@@ -108,7 +108,7 @@ GOUGE_INLINE void touch_next(const KernelPiece& piece, const V3& u, const V3& ax
   out.gradient = plus(times(across, next_gr / max(first.r, broadcast(1e-30F))), times(axis, next_gz));
 }
 
-/// Whether the nearest boundary of the tool is one of the piece's lines, wherever in the range a point is.
+/// Returns whether the nearest boundary of the tool is one of the piece's lines, wherever in the range a point is.
 GOUGE_INLINE M has_closest_point(const KernelPiece& piece, float need, const Range& range) {
   const float depth = need < 0 ? -need : 0.0F;
   return ((range.z_lo - depth > piece.foot_lo_mm) | (range.r_lo >= piece.r_closed_mm)) &
@@ -128,8 +128,8 @@ GOUGE_INLINE V combine(const KernelPiece& piece, const M& has_closest_point, con
 
 /// A lower bound of the signed distance of points by a direction that does not turn with the tool: that of the point
 /// farthest back along it, `farthest_back`, and how far the core reaches at both ends of the motion.
-GOUGE_INLINE V least_along(const KernelPiece& piece, const V3& g, const V& farthest_back, const SweepFrame& frame,
-                           const Frame& f) {
+GOUGE_INLINE V min_along(const KernelPiece& piece, const V3& g, const V& farthest_back, const SweepFrame& frame,
+                         const Frame& f) {
   if (!piece.is_steady) return broadcast(-3e38F);
   const KernelPiece::Line& first = piece.lines[0];
   const KernelPiece::Line& last = piece.lines[piece.count - 1];

@@ -84,7 +84,7 @@ GOUGE_INLINE V least(const Plane& p) {
   return low;
 }
 
-GOUGE_INLINE V least_blended(const Plane& p, const Plane& q, const V& share) {
+GOUGE_INLINE V min_blended(const Plane& p, const Plane& q, const V& share) {
   V low = broadcast(3e38F);
   for (int k = 0; k < 6; ++k) low = min(low, share * p.value[k] + (1.0F - share) * q.value[k]);
   return low;
@@ -92,7 +92,7 @@ GOUGE_INLINE V least_blended(const Plane& p, const Plane& q, const V& share) {
 
 /// Two lower bounds are bounds in any blend. At an edge of the tool, where one rises as the other falls, the blend in
 /// which their lowest corners balance is the best.
-GOUGE_INLINE V least_blended(const Plane& p, const Plane& q) {
+GOUGE_INLINE V min_blended(const Plane& p, const Plane& q) {
   V low_p = p.value[0], low_q = q.value[0], q_at_p = q.value[0], p_at_q = p.value[0];
   for (int k = 1; k < 6; ++k) {
     const M is_p = p.value[k] < low_p;
@@ -104,7 +104,7 @@ GOUGE_INLINE V least_blended(const Plane& p, const Plane& q) {
   }
   const V slope = (q_at_p - low_p) + (p_at_q - low_q);
   const V share = min(max((q_at_p - low_q) / max(slope, broadcast(1e-30F)), V{}), broadcast(1.0F));
-  return least_blended(p, q, share);
+  return min_blended(p, q, share);
 }
 
 /// Where on the triangle the larger of two planes is least, at the end of the motion where that is lower, and the

@@ -12,7 +12,7 @@
 #include "lib/geom/vec.h"
 #include "lib/tool/compiled_tool.h"
 
-// What the check says of every move, and the findings made of it. Words as in docs/method.md.
+// Verdicts of the check for every move, and the findings made of them. Words as in docs/method.md.
 
 namespace gouge {
 
@@ -38,7 +38,7 @@ struct MoveVerdict {
   std::optional<double> clearance_mm;  ///< near: realised distance at the witness
   std::optional<double> overcut_mm;  ///< gouge of a closed solid: the tool reached as far below its surface, or farther
   double overcut_upper_mm = 0;       ///< where there is an overcut: the tool reached no farther
-  Reason reason;  ///< where not checked, not certified or buried; of a gouge and a near miss what else is to be said
+  Reason reason;  ///< where not checked, not certified or buried; of a gouge and a near miss what else is to be stated
 };
 
 using MoveVerdicts = PagedVector<MoveVerdict>;  ///< one a move, in path order
@@ -64,7 +64,7 @@ struct Event {
 
 struct StateCounts {
   std::size_t clean = 0, near_miss = 0, gouge = 0, buried = 0, not_checked = 0, not_certified = 0;
-  std::size_t skipped = 0;  ///< of not_checked: rapids left out because the user asked for it
+  std::size_t skipped = 0;  ///< of not_checked: rapids left out because the user requested it
 };
 
 }  // namespace gouge

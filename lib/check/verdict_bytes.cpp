@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-// What of a verdict is there, beside its state.
+// The parts of a verdict that are present, beside its state.
 constexpr std::uint8_t kState = 7, kDepth = 8, kWitness = 16, kClearance = 32, kOvercut = 64, kReason = 128;
 
 template <class Value>
@@ -75,9 +75,9 @@ bool is_possible(const Witness& w) {
 
 bool is_possible(const Reason& reason) {
   using enum Reason::Kind;
-  constexpr double kMostCounted = 9e15;
+  constexpr double kMaxCounted = 9e15;
   const bool is_counted = reason.is(link_gouges) || reason.is(out_of_budget) || reason.is(head_out_of_budget);
-  if (is_counted && !(reason.amount >= 0 && reason.amount <= kMostCounted)) return false;
+  if (is_counted && !(reason.amount >= 0 && reason.amount <= kMaxCounted)) return false;
   return reason.kind <= mesh_tolerance_exceeded && is_possible(reason.body) && !std::isnan(reason.amount);
 }
 

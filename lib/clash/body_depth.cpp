@@ -20,10 +20,10 @@ namespace {
 constexpr int kMixes = 3;         // facets mixed with the best one after another
 constexpr int kWeightSteps = 24;  // of the search for each weight
 
-constexpr std::size_t kMostHullPoints = 8;
+constexpr std::size_t kMaxHullPoints = 8;
 
 /// Distances of the hull's points to one facet, or a weighted mean of several.
-using Distances = std::array<double, kMostHullPoints>;
+using Distances = std::array<double, kMaxHullPoints>;
 
 double largest(const Distances& d, std::size_t count) {
   return *std::max_element(d.begin(), d.begin() + static_cast<std::ptrdiff_t>(count));
@@ -47,7 +47,7 @@ double best_weight(const Distances& a, const Distances& b, std::size_t count) {
 }
 
 /// Not below the distance to the surface of any point of the convex hull of `points`, of which there are at
-/// most kMostHullPoints: the distance to a facet is convex, so its largest value over the hull is at one of
+/// most kMaxHullPoints: the distance to a facet is convex, so its largest value over the hull is at one of
 /// the points; so is that of any weighted mean of such distances, and the distance to the surface is no
 /// larger than that mean.
 ///
@@ -55,7 +55,7 @@ double best_weight(const Distances& a, const Distances& b, std::size_t count) {
 /// Ensures  exact (up to rounding) where the hull lies over one facet, or between two that oppose each other.
 double greatest_distance_mm(const Surface& surface, std::span<const Vec3> points,
                             std::span<const std::uint32_t> facets) {
-  std::array<Distances, kMostHullPoints + 1> rows{};
+  std::array<Distances, kMaxHullPoints + 1> rows{};
   const std::size_t count = std::min(facets.size(), rows.size());
   std::size_t best = 0;
   for (std::size_t k = 0; k < count; ++k) {
@@ -82,7 +82,7 @@ double greatest_distance_mm(const Surface& surface, std::span<const Vec3> points
 }
 
 // A cut along the outline of a facet is worth it where the facet is no smaller than this share of the piece.
-constexpr double kLeastShare = 0.125;
+constexpr double kMinShare = 0.125;
 // The share of the threshold by which a surface may reach over the near side of a region that is outside.
 constexpr double kGraze = 0.25;
 
@@ -200,7 +200,7 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
     return foot;
   }
 
-  /// Whether a point of the cell in both bodies may be a local maximum of the depth.
+  /// Returns whether a point of the cell in both bodies may be a local maximum of the depth.
   [[nodiscard]] bool may_hold_maximum(const Vec3& centre, double radius, const ClosestPoint& foot) {
     ++best_.bounds;
     if (of_.closest_point(centre - shift_).signed_mm() > radius + Tolerance::kRounding_mm) return false;
@@ -208,7 +208,7 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
   }
 
   double bound(const Region& region, const Vec3& centre, double radius, const ClosestPoint& foot) {
-    std::array<std::uint32_t, kMostHullPoints + 1> facets{foot.triangle};
+    std::array<std::uint32_t, kMaxHullPoints + 1> facets{foot.triangle};
     std::size_t count = 1;
     for (const Vec3& point : region.points()) {
       const std::uint32_t facet = measured(point, region.kind).triangle;
@@ -241,7 +241,7 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
   [[nodiscard]] std::vector<ConvexRegion> parts_of(const Region& piece) const {
     if (piece.is_over_face) {
       std::vector<ConvexRegion> parts = cut_along(piece, in_.boundary().corners(piece.nearest));
-      if (parts.size() > 1 && parts.front().area_mm2() >= kLeastShare * piece.area_mm2()) return parts;
+      if (parts.size() > 1 && parts.front().area_mm2() >= kMinShare * piece.area_mm2()) return parts;
     }
     return halves(piece);
   }

@@ -25,7 +25,7 @@ struct BodyDepth {
 /// has a local maximum. So the search takes the triangles of the one, and cells of space that may hold such a
 /// maximum.
 ///
-/// Requires in.is_solid(). Where `of` is no solid only its surface is looked at: `depth_mm` is realised all
+/// Requires in.is_solid(). Where `of` is no solid only its surface is examined: `depth_mm` is realised all
 /// the same,
 ///          `depth_upper_mm` bounds the surface alone.
 /// Ensures  depth <= true depth <= depth_upper at any budget; the same bits on every machine.

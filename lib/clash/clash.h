@@ -43,7 +43,7 @@ struct Clash {
   std::uint64_t bounds = 0;
 };
 
-/// Whether two bodies penetrate and how deep, B moved by `shift_b`.
+/// Returns whether two bodies penetrate and how deep, B moved by `shift_b`.
 ///
 /// Requires triangles in both.
 /// Ensures  free and touching are proved, for bodies whose inside is not known as well; the same bits on

@@ -15,11 +15,11 @@ class ClashBody {
 
   /// All triangles of the file.
   [[nodiscard]] const Surface& whole() const { return whole_; }
-  /// Where the body ends: sides and depths are measured to it. Made when first asked for.
+  /// Where the body ends: sides and depths are measured to it. Made when first requested.
   [[nodiscard]] const Surface& boundary() const { return whole_.boundary(); }
   [[nodiscard]] bool is_solid() const { return boundary().is_solid(); }
 
-  /// Made when first asked for, by one thread. Requires is_solid().
+  /// Made when first requested, by one thread. Requires is_solid().
   [[nodiscard]] const LocalMaxima& maxima() const {
     if (!maxima_) maxima_ = std::make_unique<LocalMaxima>(boundary());
     return *maxima_;

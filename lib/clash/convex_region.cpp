@@ -13,7 +13,7 @@ constexpr double kOnPlane_mm =
     Tolerance::kConstruction;  // a corner this near to a plane is on it: no slivers are cut off
 
 /// Signed distances of a polygon's corners from a plane.
-using Heights = std::array<double, ConvexRegion::kMostPoints>;
+using Heights = std::array<double, ConvexRegion::kMaxPoints>;
 
 Heights heights_over(const ConvexRegion& polygon, const Vec3& normal, const Vec3& origin) {
   Heights heights{};
@@ -86,7 +86,7 @@ std::array<Box3, 2> halves(const Box3& box) {
 
 std::vector<ConvexRegion> halves(const ConvexRegion& polygon) {
   const std::span<const Vec3> points = polygon.points();
-  if (points.size() + 1 > ConvexRegion::kMostPoints) {
+  if (points.size() + 1 > ConvexRegion::kMaxPoints) {
     std::vector<ConvexRegion> parts(2);
     const std::size_t middle = points.size() / 2;
     for (std::size_t k = 0; k <= middle; ++k) parts[0].add(points[k]);
@@ -115,7 +115,7 @@ std::vector<ConvexRegion> halves(const ConvexRegion& polygon) {
 }
 
 std::vector<ConvexRegion> cut_along(const ConvexRegion& polygon, const std::array<Vec3, 3>& triangle) {
-  if (polygon.points().size() + 3 > ConvexRegion::kMostPoints) return {polygon};
+  if (polygon.points().size() + 3 > ConvexRegion::kMaxPoints) return {polygon};
   const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   std::vector<ConvexRegion> parts(1, polygon);
   for (std::size_t k = 0; k < 3; ++k) {

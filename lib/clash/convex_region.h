@@ -12,11 +12,11 @@ namespace gouge {
 /// The convex hull of a few points: a plane polygon, its corners in order, or a box. mm.
 class ConvexRegion {
  public:
-  static constexpr std::size_t kMostPoints = 8;
+  static constexpr std::size_t kMaxPoints = 8;
 
   ConvexRegion() { points_.fill(Vec3::Zero()); }
 
-  /// Requires fewer than kMostPoints so far.
+  /// Requires fewer than kMaxPoints so far.
   void add(const Vec3& point) { points_[count_++] = point; }
   [[nodiscard]] std::span<const Vec3> points() const { return std::span(points_).first(count_); }
 
@@ -24,11 +24,11 @@ class ConvexRegion {
   /// No point of the region is farther from `centre`.
   [[nodiscard]] double radius_mm(const Vec3& centre) const;
   [[nodiscard]] Box3 box() const;
-  /// Of a polygon.
+  /// Builds the region of a polygon.
   [[nodiscard]] double area_mm2() const;
 
  private:
-  std::array<Vec3, kMostPoints> points_;
+  std::array<Vec3, kMaxPoints> points_;
   std::size_t count_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kPointsOfSurface = 4000;  // about so many beside its vertices
-constexpr double kLeastDepth_mm = 0.01;         // that volumes carry
+constexpr double kMinDepth_mm = 0.01;           // that volumes carry
 constexpr double kReach = 3;                    // points farther from the other body than so many depths are left out
 
 /// The points of one body in the other, for shifts of the one.
@@ -76,7 +76,7 @@ class Shifter {
         options_(options),
         of_b_(b.boundary(), a.boundary(), reach_mm(found)),
         of_a_(a.boundary(), b.boundary(), reach_mm(found)) {
-    // A proof is all that is wanted, and of what is not free yet some point to go by.
+    // A proof is all that is wanted, and of what is not free yet some point to follow.
     options_.gap_mm = std::max(options.gap_mm, 0.1 * found.depth_mm);
   }
 
@@ -90,7 +90,7 @@ class Shifter {
   }
 
  private:
-  static double reach_mm(const Clash& found) { return std::max(found.depth_mm, kLeastDepth_mm); }
+  static double reach_mm(const Clash& found) { return std::max(found.depth_mm, kMinDepth_mm); }
 
   /// Each contact as much deeper as the certified gap is wide, so that the corrections do not creep up to it.
   std::vector<Contact> contacts_at(const Vec3& shift) {

@@ -10,7 +10,7 @@ namespace {
 
 // Inward normals this far along the direction lead away from a facet, and from an edge between two such
 // facets ...
-constexpr double kLeastCosine = 0.02;
+constexpr double kMinCosine = 0.02;
 // ... and from a vertex whose facets all are within 45 degrees of it.
 constexpr double kVertexCosine = 0.7072;
 constexpr int kTries = 10;
@@ -42,7 +42,7 @@ bool LocalMaxima::may_hold(const Vec3& centre, double radius, const ClosestPoint
   const double reach = foot.distance_mm + 2 * radius;
   Vec3 sum = -foot.normal;
   for (int i = 0; i < kTries; ++i) {
-    if (!(sum.norm() > kLeastCosine)) return true;
+    if (!(sum.norm() > kMinCosine)) return true;
     const Vec3 direction = sum.normalized();
     const auto hit = find_in_cap(surface_, {centre, reach, direction, -radius}, [&](std::uint32_t triangle) {
       return leads_away(triangle, direction, centre, reach);
@@ -56,7 +56,7 @@ bool LocalMaxima::may_hold(const Vec3& centre, double radius, const ClosestPoint
 bool LocalMaxima::leads_away(std::uint32_t triangle, const Vec3& direction, const Vec3& centre, double reach) const {
   const double cosine = -surface_.face_normal(triangle).dot(direction);
   if (cosine >= kVertexCosine) return true;
-  if (!(cosine >= kLeastCosine) || is_loose_[triangle]) return false;
+  if (!(cosine >= kMinCosine) || is_loose_[triangle]) return false;
   for (const Corner corner : surface_.mesh().triangles[triangle]) {
     const bool is_within = (surface_.mesh().vertices[corner] - centre).squaredNorm() <= reach * reach;
     if (is_within && is_reflex_[corner]) return false;

@@ -54,8 +54,8 @@ Box3 box_around(const std::array<Vec3, 3>& triangle) {
 /// Depth-first over pairs of nodes, the nearer pair first.
 class PairSearch {
  public:
-  PairSearch(const Surface& a, const Surface& b, const Vec3& shift, double enough_mm)
-      : a_(a), b_(b), shift_(shift), enough_mm_(enough_mm) {
+  PairSearch(const Surface& a, const Surface& b, const Vec3& shift, double cutoff_mm)
+      : a_(a), b_(b), shift_(shift), cutoff_mm_(cutoff_mm) {
     best_.distance_mm = std::numeric_limits<double>::infinity();
   }
 
@@ -76,10 +76,10 @@ class PairSearch {
     bool is_leaf = false;
   };
 
-  [[nodiscard]] bool is_done() const { return best_.distance_mm <= enough_mm_; }
+  [[nodiscard]] bool is_done() const { return best_.distance_mm <= cutoff_mm_; }
 
   /// Bodies apart along any one direction are no nearer than that.
-  [[nodiscard]] double least_mm(const Node& a, const Node& b) const {
+  [[nodiscard]] double min_mm(const Node& a, const Node& b) const {
     const Vec3 between = b.bound.center + shift_ - a.bound.center;
     double least = 0;
     for (const Vec3& direction : {between, a.bound.normal, b.bound.normal}) {
@@ -99,7 +99,7 @@ class PairSearch {
     std::array<std::pair<double, std::size_t>, kBlockLanes> near;
     for (std::size_t lane = 0; lane < opened.count; ++lane) {
       const Node child(tree, opened, lane);
-      const double least = opens_a ? least_mm(child, b) : least_mm(a, child);
+      const double least = opens_a ? min_mm(child, b) : min_mm(a, child);
       std::size_t at = lane;
       for (; at > 0 && near[at - 1].first > least; --at) near[at] = near[at - 1];
       near[at] = {least, lane};
@@ -143,7 +143,7 @@ class PairSearch {
   const Surface& a_;
   const Surface& b_;
   Vec3 shift_;
-  double enough_mm_;
+  double cutoff_mm_;
   ClosestPair best_;
   std::vector<FacetPair> pairs_;
 };
@@ -165,8 +165,8 @@ ClosestPair closest_points(const std::array<Vec3, 3>& a, const std::array<Vec3, 
   return best;
 }
 
-ClosestPair surface_distance(const Surface& a, const Surface& b, const Vec3& shift, double enough_mm) {
-  return PairSearch(a, b, shift, enough_mm).run();
+ClosestPair surface_distance(const Surface& a, const Surface& b, const Vec3& shift, double cutoff_mm) {
+  return PairSearch(a, b, shift, cutoff_mm).run();
 }
 
 }  // namespace gouge

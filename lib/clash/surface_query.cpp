@@ -11,7 +11,7 @@ namespace {}  // namespace
 bool may_reach(const LaneBound& bound, const BallCap& cap) {
   const double highest = cap.direction.dot(bound.center - cap.centre) + bound.extent_mm(cap.direction);
   return highest >= cap.from_mm - Tolerance::kRounding_mm &&
-         bound.least_distance_mm(cap.centre) <= cap.radius_mm + Tolerance::kRounding_mm;
+         bound.min_distance_mm(cap.centre) <= cap.radius_mm + Tolerance::kRounding_mm;
 }
 
 std::optional<Vec3> nearest_in_cap(const std::array<Vec3, 3>& facet, const BallCap& cap) {

@@ -30,7 +30,7 @@ template <typename IsAllowed>
 
 namespace detail {
 
-/// Whether what lies in a bound may reach into the cap.
+/// Returns whether what lies in a bound may reach into the cap.
 [[nodiscard]] bool may_reach(const LaneBound& bound, const BallCap& cap);
 
 /// The nearest point to the cap's centre of the part of a facet that is in the cap.

@@ -17,8 +17,8 @@ namespace {
 // Contacts steer a correction, they prove nothing; a tenth of their excess is close enough.
 constexpr double kRelativeAccuracy = 0.1;
 constexpr double kSmallestPiece_mm = 0.02;
-// Pieces looked at of one triangle: in hollow or undercut tools the bounds do not decide over a wide face.
-constexpr int kMostPieces = 1000;
+// Pieces examined of one triangle: in hollow or undercut tools the bounds do not decide over a wide face.
+constexpr int kMaxPieces = 1000;
 // How far below the truth the excess may be reported while it is above 0.
 constexpr double kGap_mm = 0.05;
 
@@ -72,21 +72,21 @@ class Collector {
   }
 
   /// Everything up to here is of no account.
-  [[nodiscard]] double enough_mm() const {
+  [[nodiscard]] double lower_cutoff_mm() const {
     return std::max(0.0, aim_) + std::max(best_.excess_mm * (1 + kRelativeAccuracy), notable_mm_);
   }
 
   void refine(const std::array<Vec3, 3>& t) {
-    if (++pieces_ > kMostPieces) return;
+    if (++pieces_ > kMaxPieces) return;
     const Vec3 centre = (t[0] + t[1] + t[2]) / 3.0;
     double radius = 0;
     for (const Vec3& corner : t) radius = std::max(radius, (corner - centre).norm());
     const ToolSample middle = try_point(centre);
     const double above = std::min(0.0, aim_);  // of the depth and the bound, which stops at the reach
-    if (radius - middle.nearest.signed_distance_mm - above <= enough_mm()) return;
+    if (radius - middle.nearest.signed_distance_mm - above <= lower_cutoff_mm()) return;
     if (is_as_deep_as_plane(t, middle, above)) return;
     for (const Vec3& corner : t) try_point(corner);
-    const double enough = enough_mm();
+    const double enough = lower_cutoff_mm();
     // The bound by planes knows at once that a face lying in a face is equally deep everywhere.
     if (bound_piece(tool_, t, interval_, -above, enough).upper_mm <= enough) return;
     const std::size_t longest = longest_edge(t);
@@ -101,7 +101,7 @@ class Collector {
     for (std::size_t k = 0; k < 3; ++k) depth[k] = plane.depth_mm(frame_.to_tool(t[k]));
     const auto deepest = std::max_element(depth.begin(), depth.end());
     try_point(t[static_cast<std::size_t>(deepest - depth.begin())]);
-    return *deepest - above <= enough_mm();
+    return *deepest - above <= lower_cutoff_mm();
   }
 
   const ToolInterval& interval_;
@@ -124,7 +124,7 @@ struct AimedTarget {
 AimedTarget aimed_at(const ToolVariants& tool, const LimitedMesh& mesh, const CorrectionAim& aim) {
   const MeshLimit& limit = mesh.limit;
   SearchTarget target = target_on(limit.clearance_mm > 0 ? tool.bare : tool.*mesh.obstacle->rule.form, mesh);
-  target.reach_mm = 0;  // an aim below 0 asks for it
+  target.reach_mm = 0;  // an aim below 0 requests it
   if (mesh.obstacle->rule.is_workpiece) return {target, std::min(aim.workpiece_mm, 0.5 * limit.tolerance_mm)};
   return {target, aim.clearance_mm - limit.clearance_mm};
 }

@@ -15,7 +15,7 @@ struct ToolContact {
 };
 
 /// How deep surface points may lie in the tool after a correction. Below the check's tolerance, so that
-/// rounding in the written file and the motion between positions have a margin; negative asks for that much air.
+/// rounding in the written file and the motion between positions have a margin; a negative value keeps that gap.
 struct CorrectionAim {
   double workpiece_mm = 0;  ///< of the workpiece, in the whole tool
   double others_mm = 0;     ///< of the other obstacles, in the whole tool
@@ -48,7 +48,7 @@ inline constexpr double kPositionAimShare = 0.5;
 /// Motions between corrected positions are held to this share of the tolerance: the rest is for the file's digits.
 inline constexpr double kMotionAimShare = 0.8;
 
-/// What has no business at a surface, fixtures and bodies that must keep a clearance, gets this much air.
+/// Gap kept from fixtures and by bodies that must keep a clearance.
 inline constexpr double kAir_mm = 2e-3;
 
 }  // namespace gouge

@@ -40,7 +40,7 @@ double farthest_mm(const CompiledTool& cutter) {
 void CutterSweep::add(const Motion& motion, const CompiledTool& cutter, std::size_t move) {
   const bool is_round = gouge::is_convex(cutter);
   is_convex_ = is_convex_ && is_round;
-  least_radius_mm_ = std::min(least_radius_mm_, cutter.r_max_mm);
+  min_radius_mm_ = std::min(min_radius_mm_, cutter.r_max_mm);
   const double far = farthest_mm(cutter);
   std::uint32_t number = 0;
   for (const MotionSegment& segment : motion.segments()) {
@@ -129,7 +129,7 @@ bool CutterSweep::is_beyond(const Node& node, const Vec3& point, double within_m
          signed_distance_mm(*stretches_[node.first].cutter, node.middle, point) > node.spread_mm + within_mm;
 }
 
-/// Of the point that is farthest from the box, from it.
+/// Distance of the point that is farthest from the box.
 double CutterSweep::away_mm(const Node& node, std::span<const Vec3> points) const {
   double most = 0;
   for (const Vec3& point : points) {
@@ -165,24 +165,24 @@ bool CutterSweep::visit(std::uint32_t index, std::span<const Vec3> points, const
          (is_near(far, far_mm) && visit(far, points, within, skip, look, work));
 }
 
-double CutterSweep::distance(const Vec3& point, double enough_mm, double hopeless_mm, SweepHint& hint) const {
-  double found = kNever, bound = hopeless_mm;
+double CutterSweep::distance(const Vec3& point, double lower_cutoff_mm, double upper_cutoff_mm, SweepHint& hint) const {
+  double found = kNever, bound = upper_cutoff_mm;
   if (nodes_.empty()) return bound;
   const std::span<const Vec3> points(&point, 1);
   const auto look = [&](std::uint32_t i) {
     NearestInstant nearest(stretches_[i], points);
-    nearest.search(enough_mm, std::min(found - kInstantGap_mm, hopeless_mm));
+    nearest.search(lower_cutoff_mm, std::min(found - kInstantGap_mm, upper_cutoff_mm));
     if (nearest.found_mm() < found) {
       found = nearest.found_mm();
       hint.piece = i;
     }
     bound = std::min(bound, nearest.bound_mm());
-    return found <= enough_mm;
+    return found <= lower_cutoff_mm;
   };
   const std::uint32_t first = hint.piece;
   if (first >= stretches_.size() || !look(first)) {
     visit(
-        0, points, [&] { return std::min(found, hopeless_mm); }, kSkipNothing,
+        0, points, [&] { return std::min(found, upper_cutoff_mm); }, kSkipNothing,
         [&](std::uint32_t i) { return i != first && look(i); }, hint.work);
   }
   return bound;

@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-/// Of a solid of revolution whose profile turns one way alone, as contours run from the tip up.
+/// For a solid of revolution whose profile turns in one direction only, with contours from the tip up.
 [[nodiscard]] bool is_convex(const CompiledTool& tool);
 
 /// A flat piece of surface as seen from one side of it.
@@ -21,10 +21,10 @@ struct SidedPiece {
   Vec3 outward;  ///< unit
 };
 
-/// Where a question was last answered with yes, as the next one is often answered there too. It changes no answer.
+/// Where a query last succeeded, as the next one often succeeds there too. It changes no result.
 struct SweepHint {
   std::uint32_t piece = 0;
-  std::size_t work = 0;  ///< bounds of nodes and motions looked at so far
+  std::size_t work = 0;  ///< bounds of nodes and motions examined so far
 };
 
 /// No point of the cutter is farther from its tip.
@@ -35,7 +35,7 @@ struct SweepHint {
 class CutterSweep {
  public:
   /// Requires motion.is_defined(). `cutter`, with elements, must outlive the sweep. Curves are cut into chords that are
-  /// off by no more than 0.001 mm, which every answer allows for. Cost 200 bytes a chord, and one for each degree of turn.
+  /// off by no more than 0.001 mm, which every result allows for. Cost 200 bytes a chord, and one for each degree of turn.
   void add(const Motion& motion, const CompiledTool& cutter, std::size_t move);
   /// After the last motion. Cost linear.
   void index();
@@ -43,9 +43,10 @@ class CutterSweep {
   [[nodiscard]] bool is_empty() const { return stretches_.empty(); }
 
   /// From a point to the nearest cutter: not above the truth, and not below it by more than 0.0002 mm, or by what a
-  /// turning cutter leaves open, but where the truth is below `enough_mm` or above `hopeless_mm`. Negative inside.
+  /// turning cutter leaves open, but where the truth is below `lower_cutoff_mm` or above `upper_cutoff_mm`. Negative inside.
   /// The hint is the piece that was nearest.
-  [[nodiscard]] double distance(const Vec3& point, double enough_mm, double hopeless_mm, SweepHint& hint) const;
+  [[nodiscard]] double distance(const Vec3& point, double lower_cutoff_mm, double upper_cutoff_mm,
+                                SweepHint& hint) const;
 
   /// The move of an instant at which all points are in the cutter; kNone where none was found.
   [[nodiscard]] std::size_t covering_move(std::span<const Vec3> points, SweepHint& hint) const;
@@ -57,8 +58,8 @@ class CutterSweep {
   /// False where some of its cutters are not convex.
   [[nodiscard]] bool is_convex() const { return is_convex_; }
 
-  /// Of the thinnest cutter; infinite where there is none.
-  [[nodiscard]] double least_radius_mm() const { return least_radius_mm_; }
+  /// Radius of the thinnest cutter; infinite where there is none.
+  [[nodiscard]] double min_radius_mm() const { return min_radius_mm_; }
 
  private:
   struct Node {
@@ -73,7 +74,7 @@ class CutterSweep {
   std::uint32_t build(std::uint32_t first, std::uint32_t last);
   void surround(Node& node) const;
   [[nodiscard]] double away_mm(const Node& node, std::span<const Vec3> points) const;
-  /// Whether a point is surely more than `within_mm` outside the cutter at all its instants.
+  /// Returns whether a point is surely more than `within_mm` outside the cutter at all its instants.
   [[nodiscard]] bool is_beyond(const Node& node, const Vec3& point, double within_mm) const;
   /// Calls `look(stretch)` for those that may be no farther from all `points` than `within()` and that no `skip(node)`
   /// leaves out, the nearer half of a node first, until it returns true.
@@ -84,7 +85,7 @@ class CutterSweep {
   std::vector<CutterStretch> stretches_;
   std::vector<Node> nodes_;
   bool is_convex_ = true;
-  double least_radius_mm_ = std::numeric_limits<double>::infinity();
+  double min_radius_mm_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace gouge

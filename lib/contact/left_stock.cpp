@@ -13,14 +13,14 @@
 namespace gouge {
 namespace {
 
-constexpr double kBorderShare = 0.02, kMostBorder_mm = 0.1;  // of the cutter's radius
-constexpr double kLeastShare = 0.1;   // of the border: what is not decided on a piece so small is not decided
+constexpr double kBorderShare = 0.02, kMaxBorder_mm = 0.1;  // of the cutter's radius
+constexpr double kMinShare = 0.1;     // of the border: what is not decided on a piece so small is not decided
 constexpr double kFirstPiece_mm = 8;  // no piece is longer
-// What lies nearer to a place that was gouged was not finished; and how near to a place asked for the surface must be.
-constexpr double kMostRim_mm = 0.5, kNearRim = 0.25;
+// Points nearer than this to a gouge count as not finished; the surface must be this near to a queried place.
+constexpr double kMaxRim_mm = 0.5, kNearRim = 0.25;
 constexpr double kSure_mm = 1e-3;  // deeper than that below what is finished it is gouged for sure
 constexpr double kRelativeGap = 0.1, kStockGap_mm = 0.01;
-constexpr double kBeyond_mm = 1e-3;  // where a distance is not asked for itself, but whether it is larger
+constexpr double kBeyond_mm = 1e-3;  // where a distance is not requested itself, but whether it is larger
 
 double longest_mm(const SidedPiece& at) {
   const std::size_t k = longest_edge(at.corners);
@@ -43,26 +43,26 @@ struct Candidate : SearchCandidate {
   }
 };
 
-/// Best first: the piece that may be left by most is looked at, sampled in its middle and halved.
+/// Best first: the piece that may be left by most is examined, sampled in its middle and halved.
 class Finder : public BestFirstSearch<Finder, Candidate> {
  public:
   static constexpr bool kDescends = true;
 
   Finder(const BlockTree& parts, const CutterSweep& before, const SweepsAfter& after, const StockLimits& limits)
       : parts_(parts), before_(before), after_(after), limits_(limits) {
-    border_mm_ = std::min(kMostBorder_mm, kBorderShare * before.least_radius_mm());
+    border_mm_ = std::min(kMaxBorder_mm, kBorderShare * before.min_radius_mm());
     // A ball that is hardly deeper than what is finished comes within that again no farther off.
-    rim_mm_ = std::min(kMostRim_mm, 2 * std::sqrt(before.least_radius_mm() * limits.finished_mm));
+    rim_mm_ = std::min(kMaxRim_mm, 2 * std::sqrt(before.min_radius_mm() * limits.finished_mm));
     is_convex_ =
         std::ranges::all_of(after, [](const CutterSweep* sweep) { return sweep == nullptr || sweep->is_convex(); });
   }
 
-  /// Whether cutters of `before` may finish points of the piece.
+  /// Returns whether cutters of `before` may finish points of the piece.
   [[nodiscard]] bool may_be_finished(const SidedPiece& at, SweepHint& hint) const {
     return before_.may_reach(at, limits_.finished_mm + border_mm_, border_mm_, hint);
   }
 
-  /// Of a ball about the surface, from either side.
+  /// For a ball about the surface, from either side.
   [[nodiscard]] bool may_be_finished(const Vec3& centre, double radius_mm, SweepHint& hint) const {
     const double near = radius_mm + limits_.finished_mm;
     return before_.distance(centre, near, near + kBeyond_mm, hint) <= near;
@@ -88,11 +88,11 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
   /// As much as was found to be left, and no more than it matters.
   [[nodiscard]] double threshold_mm() const {
     if (!is_found()) return limits_.allowed_mm;
-    return left_->is_more ? limits_.most_mm + kFirstPiece_mm : left_->thickness_mm * (1 + kRelativeGap) + kStockGap_mm;
+    return left_->is_more ? limits_.max_mm + kFirstPiece_mm : left_->thickness_mm * (1 + kRelativeGap) + kStockGap_mm;
   }
 
   [[nodiscard]] bool is_exhausted() const {
-    return work_ >= limits_.most_work || (is_found() && work_ - work_until_left_ >= limits_.most_work_once_left);
+    return work_ >= limits_.max_work || (is_found() && work_ - work_until_left_ >= limits_.max_work_once_left);
   }
 
   void split(const Candidate& candidate) {
@@ -102,7 +102,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     work_ += next.work() - before;
     const SidedPiece& at = candidate.at;
     if (!may_be_left || next.upper_mm <= threshold_mm()) return;
-    if (longest_mm(at) <= kLeastShare * border_mm_) return give_up(at, next.upper_mm);
+    if (longest_mm(at) <= kMinShare * border_mm_) return give_up(at, next.upper_mm);
     for (const auto& half : halves(at.corners, longest_edge(at.corners))) {
       next.at.corners = half;
       offer(next);
@@ -112,10 +112,10 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
  private:
   [[nodiscard]] bool is_found() const { return left_.has_value(); }
 
-  /// That points of it are left by up to `most_mm` is not decided.
-  void give_up(const SidedPiece& at, double most_mm) {
-    if (most_mm <= undecided_mm_) return;
-    undecided_mm_ = most_mm;
+  /// That points of it are left by up to `max_mm` is not decided.
+  void give_up(const SidedPiece& at, double max_mm) {
+    if (max_mm <= undecided_mm_) return;
+    undecided_mm_ = max_mm;
     undecided_ = middle_of(at);
   }
 
@@ -128,7 +128,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     double radius = 0;
     for (const Vec3& corner : at.corners) radius = std::max(radius, (corner - middle).norm());
     if (is_gouged(candidate, middle, radius) || is_covered(candidate, threshold)) return false;
-    // Of a piece too large to be covered by what is cut at its middle, it is enough whether that is left by more.
+    // For a piece too large to be covered by the cut at its middle, a larger rest there is enough.
     const double covering = threshold - radius, left = is_found() ? left_->thickness_mm : limits_.allowed_mm;
     const double enough = covering > 0 ? covering : left;
     const double away = away_from_cuts(candidate, middle, enough);
@@ -139,18 +139,18 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     const std::size_t move = before_.covering_move({&finished, 1}, candidate.finished);
     if (move == kNone || is_at_rim(candidate, middle, 0)) return true;
     if (!is_found()) work_until_left_ = work_;
-    left_ = LeftStock{std::min(away, limits_.most_mm), away >= limits_.most_mm, false, middle, move};
+    left_ = LeftStock{std::min(away, limits_.max_mm), away >= limits_.max_mm, false, middle, move};
     return true;
   }
 
-  /// Whether all of a piece was gouged, or lies at the rim of what was: the cutter went through the surface there, and
+  /// Returns whether all of a piece was gouged, or lies at the rim of what was: the cutter went through the surface there, and
   /// what it leaves when it does not was never finished.
   [[nodiscard]] bool is_gouged(Candidate& candidate, const Vec3& middle, double radius_mm) const {
     return is_deeper(middle, limits_.finished_mm + radius_mm + kSure_mm, candidate.gouged) ||
            is_at_rim(candidate, middle, radius_mm);
   }
 
-  /// Whether a place was gouged that is at the rim's width, or less, from every point within `radius_mm` of the middle.
+  /// Returns whether a place was gouged that is at the rim's width, or less, from every point within `radius_mm` of the middle.
   [[nodiscard]] bool is_at_rim(Candidate& candidate, const Vec3& middle, double radius_mm) const {
     const double away = rim_mm_ - radius_mm, gouged = limits_.finished_mm + kSure_mm;
     if (away < 0) return false;
@@ -172,22 +172,22 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     });
   }
 
-  /// Whether a point was that far inside a cutter.
+  /// Returns whether a point was that far inside a cutter.
   [[nodiscard]] bool is_deeper(const Vec3& point, double depth_mm, SweepHint& hint) const {
     return before_.distance(point, -depth_mm, -depth_mm + kBeyond_mm, hint) <= -depth_mm;
   }
 
-  /// Whether one pose of a new cutter is over all of the piece, no more than `most_mm` away.
-  [[nodiscard]] bool is_covered(Candidate& candidate, double most_mm) const {
+  /// Returns whether one pose of a new cutter is over all of the piece, no more than `max_mm` away.
+  [[nodiscard]] bool is_covered(Candidate& candidate, double max_mm) const {
     if (!is_convex_) return false;
-    const Vec3 up = most_mm * candidate.at.outward;
+    const Vec3 up = max_mm * candidate.at.outward;
     const auto& at = candidate.at.corners;
     const std::array<Vec3, 3> corners = {at[0] + up, at[1] + up, at[2] + up};
     return is_true_of_any(
         candidate, [&](std::size_t i) { return after_[i]->covering_move(corners, candidate.covered[i]) != kNone; });
   }
 
-  /// Of the parts of what is cut now, the likely one first.
+  /// For the parts of the present cut, the likely one first.
   template <typename Ask>
   [[nodiscard]] bool is_true_of_any(Candidate& candidate, const Ask& ask) const {
     for (std::size_t k = 0, i = candidate.first; k < after_.size(); ++k, i = (i + 1) % after_.size()) {
@@ -198,16 +198,17 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     return false;
   }
 
-  /// Of a point of the surface from the nearest cut, if that is more than `enough_mm`.
-  [[nodiscard]] double away_from_cuts(Candidate& candidate, const Vec3& point, double enough_mm) const {
+  /// Distance of a point of the surface from the nearest cut, if that is more than `lower_cutoff_mm`.
+  [[nodiscard]] double away_from_cuts(Candidate& candidate, const Vec3& point, double lower_cutoff_mm) const {
     const bool is_enough = is_true_of_any(candidate, [&](std::size_t i) {
-      return after_[i]->distance(point, enough_mm, enough_mm + kBeyond_mm, candidate.nearest[i]) <= enough_mm;
+      return after_[i]->distance(point, lower_cutoff_mm, lower_cutoff_mm + kBeyond_mm, candidate.nearest[i]) <=
+             lower_cutoff_mm;
     });
-    if (is_enough) return enough_mm;
-    double least = limits_.most_mm;
+    if (is_enough) return lower_cutoff_mm;
+    double least = limits_.max_mm;
     for (std::size_t i = 0; i < after_.size(); ++i) {
       if (after_[i] != nullptr)
-        least = std::min(least, after_[i]->distance(point, enough_mm, least, candidate.nearest[i]));
+        least = std::min(least, after_[i]->distance(point, lower_cutoff_mm, least, candidate.nearest[i]));
     }
     return std::max(least, 0.0);
   }
@@ -216,7 +217,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
   const CutterSweep& before_;
   const SweepsAfter& after_;
   StockLimits limits_;
-  double border_mm_ = kMostBorder_mm, rim_mm_ = kMostRim_mm;
+  double border_mm_ = kMaxBorder_mm, rim_mm_ = kMaxRim_mm;
   bool is_convex_ = true;
   std::optional<LeftStock> left_;
   double undecided_mm_ = 0;

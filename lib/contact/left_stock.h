@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// What a changed path leaves on the part where the path before it did not.
+/// Stock that a changed path leaves on the part where the path before it did not.
 struct LeftStock {
   double thickness_mm = 0;    ///< from the point to the nearest place that is cut; no point is left by much more
   bool is_more = false;       ///< it may be more than that: nothing near is cut, or the search ended before
@@ -23,28 +23,28 @@ struct LeftStock {
 inline constexpr std::size_t kUsualStockWork = 1'000'000;
 
 struct StockLimits {
-  double finished_mm = 0;                   ///< what is cut to this height above the surface, or lower, is finished
-  double allowed_mm = 0;                    ///< what is no farther from a cut is not left
-  double most_mm = 0;                       ///< thicknesses beyond this are not told apart
-  bool are_solids = false;                  ///< triangles face out of solids: nothing is finished from within
-  std::size_t most_work = kUsualStockWork;  ///< bounds and distances; what is not decided by then stays undecided
+  double finished_mm = 0;                  ///< what is cut to this height above the surface, or lower, is finished
+  double allowed_mm = 0;                   ///< what is no farther from a cut is not left
+  double max_mm = 0;                       ///< thicknesses beyond this are not distinguished
+  bool are_solids = false;                 ///< triangles face out of solids: nothing is finished from within
+  std::size_t max_work = kUsualStockWork;  ///< bounds and distances; what is not decided by then stays undecided
   /// The same for how much is left, once a point is known that is.
-  std::size_t most_work_once_left = std::numeric_limits<std::size_t>::max();
+  std::size_t max_work_once_left = std::numeric_limits<std::size_t>::max();
 };
 
-/// What a path cuts, in two parts; null: nothing.
+/// The cuts of a path, in two parts; null: none.
 using SweepsAfter = std::array<const CutterSweep*, 2>;
 
-/// What is left beyond that is not told apart.
-inline constexpr double kMostStock_mm = 20;
+/// Larger thicknesses are clamped to this value.
+inline constexpr double kMaxStock_mm = 20;
 
-/// What of the surface `before` finished and none of `after` comes as near to as is allowed: the point farthest from
+/// Finds where `before` finished the surface and no cut of `after` comes as near as allowed: the point farthest from
 /// what is cut now.
 ///
 /// Points closer to the border of what a cutter reaches than 2 % of its radius, 0.1 mm at the most, are not counted as
 /// finished. Nor are points that `before` gouged, deeper than what counts as finished, and those closer to such a place
 /// than the rim of a ball is wide that is hardly deeper (2 sqrt(r finished_mm), 0.5 mm at the most): there the cutter
-/// went through the surface.
+/// cut through the surface.
 /// Ensures  (1) Nothing: proved, for every point of every triangle and every instant.
 ///          (2) The thickness is true of its point to 0.001 mm, and nowhere larger by more than a tenth and 0.01 mm,
 ///          unless is_more.

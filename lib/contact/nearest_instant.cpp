@@ -8,9 +8,9 @@
 namespace gouge {
 namespace {
 
-constexpr int kMostLooks = 40;       // at a convex cutter, which takes two to five
-constexpr int kMostHalvings = 12;    // of a cutter that is not convex
-constexpr double kLeastStep = 0.02;  // of the time that is left: no look is closer to one before
+constexpr int kMaxLooks = 40;      // at a convex cutter, which takes two to five
+constexpr int kMaxHalvings = 12;   // of a cutter that is not convex
+constexpr double kMinStep = 0.02;  // of the time that is left: no look is closer to one before
 
 /// As seen with the axes of the first pose, after the turn that takes the axis of the second one onto its axis.
 Vec3 turned_back(const Vec3& v, const Vec3& first, const Vec3& second) {
@@ -51,7 +51,7 @@ void NearestInstant::add(const Vec3& point) {
   slack_mm_ = std::max(slack_mm_, stretch_.off_mm + angle * (angle * far + 2 * path) / 8);
 }
 
-/// Of the way along the chord, at t; kept if it is the least so far.
+/// Distance at arc length t along the chord; kept if it is the least so far.
 NearestInstant::Look NearestInstant::look(double t) {
   Look most{t, -std::numeric_limits<double>::infinity(), 0, 0};
   for (std::size_t k = 0; k < count_; ++k) {
@@ -72,15 +72,15 @@ NearestInstant::Look NearestInstant::look(double t) {
   return most;
 }
 
-void NearestInstant::search(double enough_mm, double hopeless_mm) {
-  enough_mm_ = enough_mm - slack_mm_;
-  hopeless_mm_ = hopeless_mm + slack_mm_;
+void NearestInstant::search(double lower_cutoff_mm, double upper_cutoff_mm) {
+  lower_cutoff_mm_ = lower_cutoff_mm - slack_mm_;
+  upper_cutoff_mm_ = upper_cutoff_mm + slack_mm_;
   if (stretch_.is_convex) return search_convex();
   halve(look(0), look(1), 0);
 }
 
-bool NearestInstant::is_settled(double under_mm, double least_mm) const {
-  return found_mm_ <= enough_mm_ || under_mm > hopeless_mm_ || found_mm_ - least_mm < kInstantGap_mm;
+bool NearestInstant::is_settled(double under_mm, double min_mm) const {
+  return found_mm_ <= lower_cutoff_mm_ || under_mm > upper_cutoff_mm_ || found_mm_ - min_mm < kInstantGap_mm;
 }
 
 // A convex function lies above all of its tangents: above two of them that fall towards one another, their crossing is
@@ -108,28 +108,28 @@ void NearestInstant::search_convex() {
       under = now.least + now.slope * rest;
     }
     bound_mm_ = std::max(bound_mm_, under);
-    if (looks == kMostLooks || is_settled(under, least)) return;
+    if (looks == kMaxLooks || is_settled(under, least)) return;
     if (!is_falling || !is_rising) {
       t = is_falling ? 1 : 0;
       continue;
     }
     // Where it is smooth, the slope is about linear; at a kink, the tangents cross.
     const double step = looks % 2 != 0 ? crossing / apart : -falling.slope / bend;
-    t = falling.t + std::clamp(step, kLeastStep, 1 - kLeastStep) * apart;
+    t = falling.t + std::clamp(step, kMinStep, 1 - kMinStep) * apart;
   }
 }
 
 void NearestInstant::halve(const Look& first, const Look& last, int level) {
   const double known = std::min(first.value, last.value);
   const double least = std::min(known, 0.5 * (first.value + last.value - speed_mm_ * (last.t - first.t)));
-  if (level == kMostHalvings || found_mm_ <= enough_mm_ || least - radius_mm_ > hopeless_mm_ ||
+  if (level == kMaxHalvings || found_mm_ <= lower_cutoff_mm_ || least - radius_mm_ > upper_cutoff_mm_ ||
       known - least < kInstantGap_mm) {
     bound_mm_ = std::min(bound_mm_, least - radius_mm_);
     return;
   }
   const Look middle = look(0.5 * (first.t + last.t));
   halve(first, middle, level + 1);
-  if (found_mm_ > enough_mm_) halve(middle, last, level + 1);
+  if (found_mm_ > lower_cutoff_mm_) halve(middle, last, level + 1);
 }
 
 }  // namespace gouge

@@ -20,7 +20,7 @@ inline constexpr double kInstantGap_mm = Tolerance::kCorrection_mm;
 struct CutterStretch {
   Pose start, end;
   double angle_rad = 0;  ///< between the axes
-  double off_mm = 0;     ///< the tip is no farther from there, where the stretch stands for a curve
+  double off_mm = 0;     ///< the tip is no farther from there, where the stretch represents a curve
   const CompiledTool* cutter = nullptr;
   std::size_t move = 0;
   bool is_convex = true;  ///< the cutter
@@ -30,16 +30,16 @@ struct CutterStretch {
 /// Method and proof: docs/algorithms/tilting.md, "Distances over instants".
 class NearestInstant {
  public:
-  /// Of all of one to three points at once. The stretch must outlive it.
+  /// Finds the instant for one to three points at once. The stretch must outlive it.
   NearestInstant(const CutterStretch& stretch, std::span<const Vec3> points);
-  /// Of a point; what is bounded is the least distance of all points of the triangle about it, its corners at
+  /// Finds the instant for a point; the bound is the least distance of all points of the triangle about it, its corners at
   /// `corners` from there.
   NearestInstant(const CutterStretch& stretch, const Vec3& middle, const std::array<Vec3, 3>& corners);
 
-  /// Until an instant is found at which it is `enough_mm` or less, or it is known to be more than `hopeless_mm` at all,
+  /// Until an instant is found at which it is `lower_cutoff_mm` or less, or it is known to be more than `upper_cutoff_mm` at all,
   /// or the least is known to 0.0002 mm and what the turn leaves open. Cost two to five distances, of a cutter that is
   /// not convex up to some thousand.
-  void search(double enough_mm, double hopeless_mm);
+  void search(double lower_cutoff_mm, double upper_cutoff_mm);
 
   /// There is an instant at which it is no more than this.
   [[nodiscard]] double found_mm() const { return found_mm_ + slack_mm_; }
@@ -52,14 +52,14 @@ class NearestInstant {
     Vec3 across, across_change;
     double z = 0, z_change = 0;
   };
-  /// What is never below `least` + slope (t' - t) at any other instant t'.
+  /// A value that is never below `least` + slope (t' - t) at any other instant t'.
   struct Look {
     double t = 0, value = 0, least = 0, slope = 0;
   };
 
   void add(const Vec3& point);
   [[nodiscard]] Look look(double t);
-  [[nodiscard]] bool is_settled(double under_mm, double least_mm) const;
+  [[nodiscard]] bool is_settled(double under_mm, double min_mm) const;
   void search_convex();
   void halve(const Look& first, const Look& last, int level);
 
@@ -70,7 +70,7 @@ class NearestInstant {
   double radius_mm_ = 0;  // of the triangle
   double speed_mm_ = 0;   // no point runs farther in the cutter's frame
   double slack_mm_ = 0;
-  double enough_mm_ = 0, hopeless_mm_ = 0;
+  double lower_cutoff_mm_ = 0, upper_cutoff_mm_ = 0;
   double found_mm_ = std::numeric_limits<double>::infinity(), bound_mm_ = std::numeric_limits<double>::infinity();
 };
 

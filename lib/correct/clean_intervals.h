@@ -12,7 +12,7 @@ struct TimeInterval {
   double first = 0, last = 0;
 };
 
-/// Whether the motion is clean at every instant between two, the earlier one first.
+/// Returns whether the motion is clean at every instant between two, the earlier one first.
 using IsCleanBetween = std::function<bool(double first, double last)>;
 
 /// The time intervals in which a motion is clean, in order and apart from each other.

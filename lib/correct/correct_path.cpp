@@ -17,7 +17,7 @@ namespace gouge {
 namespace {
 
 constexpr double kSample_mm = 0.5;
-constexpr std::size_t kMostSamples = 400, kChords = 32;
+constexpr std::size_t kMaxSamples = 400, kChords = 32;
 
 double distance_mm(const Vec3& point, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -66,14 +66,14 @@ class LiftedCuts {
   [[nodiscard]] const MotionLaw& law() const { return setup_.options.law; }
   [[nodiscard]] double limit_mm(std::size_t i) const { return setup_.tools[path_.moves[i].tool]->bare.core_depth_mm; }
 
-  /// Of the programmed motion: how much of it the new ones are farther from than the limit.
+  /// Length of the programmed motion that the new ones leave by more than the limit.
   [[nodiscard]] double lost_mm(std::size_t i) const {
     const Motion motion = law().of(path_, i);
     if (!motion.is_defined()) return 0;
     const std::vector<Vec3> way = way_of(spans_[i]);
     const double length = move_length_mm(path_, i);
     const auto wanted = static_cast<std::size_t>(std::ceil(length / kSample_mm));
-    const std::size_t count = std::clamp<std::size_t>(wanted, 1, kMostSamples);
+    const std::size_t count = std::clamp<std::size_t>(wanted, 1, kMaxSamples);
     std::size_t far = 0;
     for (std::size_t s = 0; s < count; ++s) {
       const Vec3 tip = motion.at((static_cast<double>(s) + 0.5) / static_cast<double>(count)).tip;
@@ -111,7 +111,7 @@ class LiftedCuts {
 //
 // Requires `after` to be `path` with the changes.
 // Ensures  the length is that of the programmed feeds, known to half a millimetre a move, or to 1/400 of a longer one.
-//          Cycles, rapids and what is left out already (Correction::uncut) are not looked at.
+//          Cycles, rapids and what is left out already (Correction::uncut) are not examined.
 // Cost     some hundred distances for each changed move.
 std::vector<Uncut> find_lifted_cuts(const Toolpath& path, const Correction& correction, const Toolpath& after,
                                     const CheckSetup& setup) {
@@ -123,7 +123,7 @@ constexpr int kRounds = 6;  // in which what is worse is taken back, before ever
 constexpr const char* kLeftForLaws = "a change here would make a move of the written file worse";
 constexpr const char* kUnwritable = "the file's records do not allow this change: ";
 
-/// Where nothing says which change cannot be written: those of the line named.
+/// Where nothing states which change cannot be written: those of the line named.
 std::vector<std::size_t> moves_of_line(const Toolpath& path, const std::vector<PathChange>& changes, std::size_t line) {
   std::vector<std::size_t> moves;
   for (const PathChange& change : changes) {

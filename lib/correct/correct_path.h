@@ -86,7 +86,7 @@ struct Correction {
   std::vector<Uncorrected> uncorrected;
   std::vector<NotTilted> not_tilted;
   std::vector<Uncut> uncut;  ///< in path order
-  // Of the path as it is written; empty in what is proposed.
+  // Result for the path as it is written; empty in a proposal.
   std::vector<StockStretch> stock;
   std::vector<LowRapid> low_rapids;  ///< in path order (lib/correct/low_rapids.h)
 };
@@ -110,7 +110,7 @@ struct ChangedPath {
   Toolpath path;
   CheckResult result;
 };
-/// What a list of changes makes of the path: written and read again. It is checked here.
+/// The path after a list of changes: written, read again and checked here.
 using RewritePath = std::function<Result<Toolpath>(const std::vector<PathChange>&)>;
 
 struct LawfulCorrection {

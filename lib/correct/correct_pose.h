@@ -44,7 +44,7 @@ struct CorrectedPose {
 };
 
 /// The thesis's correction: shift by sum(d_i^2 n_i) / sum(d_i) over all contacts, again and again (5.3). d_i
-/// is the excess over half of the aim's margin, so that the mean does not creep towards its goal for ever.
+/// is the excess over half of the aim's margin, so that the mean does not creep towards its goal forever.
 /// Nothing when it does not converge within the limits. Source thesis 5.3, figure 35.
 [[nodiscard]] std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolVariants& tool,
                                                             const MotionChecker& checker, const PoseLimits& limits);

@@ -9,18 +9,18 @@
 
 namespace gouge {
 
-/// What the search for arcs goes by. All must outlive the call; vectors have one entry a move.
+/// Input of the search for arcs. All must outlive the call; vectors have one entry a move.
 struct ArcKeeping {
   const Toolpath& path;
   const std::vector<const ToolVariants*>& tools;
   const MotionChecker& checker;
   const CorrectOptions& correct;
-  const std::vector<bool>& can_rewrite;  ///< only these are looked at
+  const std::vector<bool>& can_rewrite;  ///< only these are examined
   const std::vector<bool>& can_split;    ///< these may become several
 };
 
 /// Lets arcs that `correction` makes straight stay arcs, in this order: one arc between the ends that they got
-/// (shift_arc); one arc whose ends go on from there in the same direction, as far as all of it asks for; or several, on
+/// (shift_arc); one arc whose ends go on from there in the same direction, as far as all of it requests; or several, on
 /// the clean stretches as they were (split_arc).
 ///
 /// Ensures  Positions and all other moves stay as proposed, but for the two ends of an arc that both were moved: those

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "lib/base/tolerance.h"
-#include "lib/correct/bridger.h"
+#include "lib/correct/link_finder.h"
 
 namespace gouge {
 namespace {
@@ -15,10 +15,10 @@ constexpr double kShortest_mm = 0.01;                          // of an interval
 
 }  // namespace
 
-std::optional<BridgeNodes> Bridger::keep_to_programmed(const BridgeNode& u, const BridgeNode& v) {
+std::optional<LinkNodes> LinkFinder::keep_to_programmed(const LinkNode& u, const LinkNode& v) {
   clean_ = clean_programmed();
   while (!clean_.empty()) {
-    BridgeNodes waypoints;
+    LinkNodes waypoints;
     const std::optional<std::size_t> failed = chain(u, v, waypoints);
     if (!failed) {
       leave_out_holds(u, v, waypoints);
@@ -30,7 +30,7 @@ std::optional<BridgeNodes> Bridger::keep_to_programmed(const BridgeNode& u, cons
 }
 
 /// The clean intervals that are worth a position and in which the tool is outside.
-std::vector<TimeInterval> Bridger::clean_programmed() const {
+std::vector<TimeInterval> LinkFinder::clean_programmed() const {
   const Motion& motion = *task_.programmed;
   std::vector<TimeInterval> clean = find_clean_intervals(
       motion, [&](double first, double last) { return is_clean(motion.at(first), motion.at(last)); });
@@ -45,10 +45,10 @@ std::vector<TimeInterval> Bridger::clean_programmed() const {
 
 /// The path over all clean intervals: along each of them, and across the gaps between. The gap that cannot be crossed,
 /// if any; gap k ends at interval k.
-std::optional<std::size_t> Bridger::chain(const BridgeNode& u, const BridgeNode& v, BridgeNodes& waypoints) {
-  Shore left{u, {u.t, u.t}, true};
+std::optional<std::size_t> LinkFinder::chain(const LinkNode& u, const LinkNode& v, LinkNodes& waypoints) {
+  GapEnd left{u, {u.t, u.t}, true};
   for (std::size_t k = 0; k <= clean_.size(); ++k) {
-    Shore right{v, {v.t, v.t}, true};
+    GapEnd right{v, {v.t, v.t}, true};
     if (k < clean_.size()) right = {hold(clean_[k].first), clean_[k], false};
     const auto across = cross(left, right);
     if (!across) return k;
@@ -63,11 +63,11 @@ std::optional<std::size_t> Bridger::chain(const BridgeNode& u, const BridgeNode&
 }
 
 /// A path from one clean interval to the next, which shortens both to what the path leaves of them.
-std::optional<BridgeNodes> Bridger::cross(Shore& left, Shore& right) {
+std::optional<LinkNodes> LinkFinder::cross(GapEnd& left, GapEnd& right) {
   double tried_left = left.room.last, tried_right = right.room.first;
-  std::optional<BridgeNodes> waypoints;
+  std::optional<LinkNodes> waypoints;
   const auto try_at = [&](double left_t, double right_t, Search search) {
-    waypoints = cross_here(left, right, left_t, right_t, search);
+    waypoints = link_ends(left, right, left_t, right_t, search);
     if (!waypoints) return false;
     left.room.last = left_t;
     right.room.first = right_t;
@@ -95,11 +95,11 @@ std::optional<BridgeNodes> Bridger::cross(Shore& left, Shore& right) {
   return std::nullopt;
 }
 
-std::optional<BridgeNodes> Bridger::cross_here(const Shore& left, const Shore& right, double left_t, double right_t,
+std::optional<LinkNodes> LinkFinder::link_ends(const GapEnd& left, const GapEnd& right, double left_t, double right_t,
                                                Search search) {
-  const BridgeNode from = left.is_fixed ? left.node : hold(left_t);
-  const BridgeNode to = right.is_fixed ? right.node : hold(right_t);
-  if (is_clean(from.pose(), to.pose())) return BridgeNodes{};
+  const LinkNode from = left.is_fixed ? left.node : hold(left_t);
+  const LinkNode to = right.is_fixed ? right.node : hold(right_t);
+  if (is_clean(from.pose(), to.pose())) return LinkNodes{};
   count_ = 0;
   auto waypoints = search == Search::thorough ? halve(from, to, kLevels) : corner(from, to, 0);
   if (!waypoints) waypoints = over(from, to, 0);
@@ -107,7 +107,7 @@ std::optional<BridgeNodes> Bridger::cross_here(const Shore& left, const Shore& r
 }
 
 /// The shorter one of the intervals at both sides of a gap that nothing crosses.
-void Bridger::drop_interval(std::size_t gap) {
+void LinkFinder::drop_interval(std::size_t gap) {
   const auto length = [&](std::size_t k) { return clean_[k].last - clean_[k].first; };
   const bool has_left = gap > 0, has_right = gap < clean_.size();
   const bool is_left = has_left && (!has_right || length(gap - 1) < length(gap));
@@ -115,11 +115,11 @@ void Bridger::drop_interval(std::size_t gap) {
 }
 
 /// Leaves out positions on the programmed motion without which the path is clean and as near to it.
-void Bridger::leave_out_holds(const BridgeNode& u, const BridgeNode& v, BridgeNodes& waypoints) const {
-  BridgeNodes kept;
+void LinkFinder::leave_out_holds(const LinkNode& u, const LinkNode& v, LinkNodes& waypoints) const {
+  LinkNodes kept;
   for (std::size_t k = 0; k < waypoints.size(); ++k) {
-    const BridgeNode& last = kept.empty() ? u : kept.back();
-    const BridgeNode& next = k + 1 < waypoints.size() ? waypoints[k + 1] : v;
+    const LinkNode& last = kept.empty() ? u : kept.back();
+    const LinkNode& next = k + 1 < waypoints.size() ? waypoints[k + 1] : v;
     const bool is_needless =
         is_on_programmed(waypoints[k]) && stays_near(last, next) && is_clean(last.pose(), next.pose());
     if (!is_needless) kept.push_back(waypoints[k]);
@@ -127,9 +127,9 @@ void Bridger::leave_out_holds(const BridgeNode& u, const BridgeNode& v, BridgeNo
   waypoints = std::move(kept);
 }
 
-/// Whether the straight path keeps to the programmed motion wherever that is clean. It leaves the motion by a mean of
-/// what its ends are off, so the ends of the clean intervals stand for all instants.
-bool Bridger::stays_near(const BridgeNode& from, const BridgeNode& to) const {
+/// Returns whether the straight path keeps to the programmed motion wherever that is clean. It leaves the motion by a mean of
+/// what its ends are off, so the ends of the clean intervals represent all instants.
+bool LinkFinder::stays_near(const LinkNode& from, const LinkNode& to) const {
   const Vec3 off_from = offset_mm(from), off_to = offset_mm(to);
   const double span = to.t - from.t;
   const auto is_near = [&](double t) {
@@ -142,14 +142,14 @@ bool Bridger::stays_near(const BridgeNode& from, const BridgeNode& to) const {
   });
 }
 
-BridgeNode Bridger::hold(double t) const {
+LinkNode LinkFinder::hold(double t) const {
   const Pose pose = task_.programmed->at(t);
-  return {bridge_stop(pose, pose, 0, 0), t};
+  return {link_stop(pose, pose, 0, 0), t};
 }
 
-Vec3 Bridger::offset_mm(const BridgeNode& node) const { return node.pose().tip - task_.programmed->at(node.t).tip; }
+Vec3 LinkFinder::offset_mm(const LinkNode& node) const { return node.pose().tip - task_.programmed->at(node.t).tip; }
 
-bool Bridger::is_on_programmed(const BridgeNode& node) const {
+bool LinkFinder::is_on_programmed(const LinkNode& node) const {
   return offset_mm(node).norm() <= Tolerance::kSamePoint_mm;
 }
 

@@ -40,7 +40,7 @@ bool is_same_motion(const Toolpath& a, std::size_t i, const Toolpath& b, std::si
   return (!ma.has_start || is_same_pose(a.start_of(i), b.start_of(k))) && is_same_curve(a, ma, b, mb);
 }
 
-/// The motions that the move became turn as the change says, and no other way round.
+/// The motions that the move became turn as the change states, and no other way round.
 bool turns_as_asked(const PathChange& change, const Toolpath& after, const MovesAfter& span) {
   for (std::size_t k = span.first; k < span.last; ++k) {
     const std::size_t piece = k - span.first;
@@ -118,7 +118,7 @@ class LawsCheck {
            (is_last && !is_first && is_near(b.start_of(k), a.moves[i].end));
   }
 
-  /// Whether the tool passes there on straight move `i`: a straight motion between two such positions is a part of it.
+  /// Returns whether the tool passes there on straight move `i`: a straight motion between two such positions is a part of it.
   [[nodiscard]] bool is_on_programmed(std::size_t i, const Pose& pose) const {
     const Motion motion = options_.law.straight(before_.path->start_of(i), before_.path->moves[i].end);
     const Vec3 along = motion.end().tip - motion.start().tip;

@@ -8,12 +8,12 @@
 #include "lib/path/path_change.h"
 #include "lib/path/toolpath.h"
 
-// What a correction may not do, held against the checks of the path before and after it: no move that was clean becomes
+// Rules that a correction must keep, by the checks of the path before and after it: no move that was clean becomes
 // anything else, none becomes deeper, none becomes buried or uncertain.
 
 namespace gouge {
 
-/// Whether a motion that was as `before` says may become one that is as `after` says.
+/// Returns whether a motion with verdict `before` may become one with verdict `after`.
 ///
 /// Ensures  True only where `after` is clean, or near where `before` was not clean, or a gouge where `before` was one
 ///          at least as deep: to twice the resolution, as that is how far both depths are known.
@@ -33,7 +33,7 @@ struct MovesAfter {
 /// For each move of a path with `moves` moves. The last entry ends at the number of moves of the changed path.
 [[nodiscard]] std::vector<MovesAfter> moves_after(std::size_t moves, const std::vector<PathChange>& changes);
 
-/// Moves of the path as it was, in path order, of which `after` is worse than `before` or is not what `changes` says:
+/// Moves of the path as it was, in path order, of which `after` is worse than `before` or is not what `changes` states:
 /// an unchanged move that is not the same any more, or not as many moves (then all of them). `options`: of both checks.
 [[nodiscard]] std::vector<std::size_t> find_worse(const CheckedPath& before, const std::vector<PathChange>& changes,
                                                   const CheckedPath& after, const CheckOptions& options);

@@ -14,9 +14,9 @@
 namespace gouge {
 namespace {
 
-// Of all stretches together, some tenths of a second of a processor: what is reported beside a correction must not cost
+// Budget of all stretches together, a few tenths of a CPU second: a report beside a correction must not cost
 // more than it.
-constexpr std::size_t kMostWork = 2'000'000, kWorkPerMove = 20;
+constexpr std::size_t kMaxWork = 2'000'000, kWorkPerMove = 20;
 
 class Measurer {
  public:
@@ -32,8 +32,8 @@ class Measurer {
       if (!cuts(after, i) || all.is_empty()) continue;
       // No point of it is farther from the middle between its ends than half of its length.
       const CompiledTool& cutter = setup.tools[move.tool]->cutting;
-      const double reach = 0.5 * move_length_mm(after, i) + cutter.r_max_mm +
-                           std::max(cutter.z_max_mm, -cutter.z_min_mm) + kMostStock_mm;
+      const double reach =
+          0.5 * move_length_mm(after, i) + cutter.r_max_mm + std::max(cutter.z_max_mm, -cutter.z_min_mm) + kMaxStock_mm;
       const Vec3 middle = 0.5 * (after.start_of(i).tip + move.end.tip);
       if (SweepHint none; all.distance(middle, reach, reach + 1, none) <= reach) add(after, i, after_);
     }
@@ -49,12 +49,12 @@ class Measurer {
       stretches.back().second = i;
     }
     const CheckOptions& options = setup_.options;
-    StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm};
+    StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMaxStock_mm};
     limits.are_solids = setup_.scene.is_workpiece_solid();
-    limits.most_work = (kMostWork + kWorkPerMove * path_.moves.size()) / std::max<std::size_t>(1, stretches.size());
+    limits.max_work = (kMaxWork + kWorkPerMove * path_.moves.size()) / std::max<std::size_t>(1, stretches.size());
     std::vector<std::optional<LeftStock>> most(stretches.size());
     for_each_chunk(stretches.size(), 1, options.threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) most[k] = most_left(stretches[k], limits);
+      for (std::size_t k = begin; k < end; ++k) most[k] = max_left(stretches[k], limits);
     });
     for (std::size_t k = 0; k < stretches.size(); ++k) {
       if (most[k]) left.push_back({stretches[k].first, stretches[k].second, *most[k]});
@@ -65,7 +65,7 @@ class Measurer {
  private:
   using Stretch = std::pair<std::size_t, std::size_t>;  ///< the first and the last of neighbouring changed moves
 
-  [[nodiscard]] std::optional<LeftStock> most_left(const Stretch& stretch, const StockLimits& limits) const {
+  [[nodiscard]] std::optional<LeftStock> max_left(const Stretch& stretch, const StockLimits& limits) const {
     CutterSweep before;
     for (std::size_t i = stretch.first; i <= stretch.second; ++i) add(path_, i, before);
     before.index();

@@ -6,13 +6,13 @@
 
 namespace gouge {
 
-/// What a corrected path leaves of the part's surface that the path before it finished: the most of each stretch of
+/// Measures the stock that a corrected path leaves on surfaces finished before: the maximum of each stretch of
 /// neighbouring changed moves, where that is more than the usual or the allowed TiltOptions::max_stock_mm above the
 /// tolerance, the lesser. What is left out (Correction::uncut) is not measured, and rapids cut nothing.
 ///
 /// Requires `after` to be `path` with the changes.
 /// Ensures  the same at any number of threads; in path order.
-/// Cost     bounded: some tenths of a second for all stretches together, and a share for each move; what is not decided by then says so.
+/// Cost     bounded: some tenths of a second for all stretches together, and a share for each move; results that are not decided by then are marked.
 [[nodiscard]] std::vector<StockStretch> measure_stock(const Toolpath& path, const Correction& correction,
                                                       const Toolpath& after, const CheckSetup& setup,
                                                       const CorrectOptions& correct);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kPositionsPerChunk = 4;
 // Bounds for a position, and for a motion: the work grows with the size of the job and no faster. A few gouges may take
 // as long each as many together.
-constexpr std::uint64_t kJobBudget = 3'000'000, kLeastStepBudget = 300'000;
+constexpr std::uint64_t kJobBudget = 3'000'000, kMinStepBudget = 300'000;
 
 constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
 constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
@@ -38,7 +38,7 @@ std::uint64_t step_budget(const CheckResult& result) {
   const auto gouges = static_cast<std::uint64_t>(
       std::count_if(result.verdicts.begin(), result.verdicts.end(),
                     [](const MoveVerdict& verdict) { return verdict.state == MoveState::gouge; }));
-  return std::max(kLeastStepBudget, kJobBudget / std::max<std::uint64_t>(1, gouges));
+  return std::max(kMinStepBudget, kJobBudget / std::max<std::uint64_t>(1, gouges));
 }
 
 std::string out_of_budget(std::uint64_t budget) {
@@ -111,7 +111,7 @@ Correction PathCorrector::propose(const ProgressCall& progress) {
     for (std::size_t i = 0; i < moves_.size(); ++i) {
       if (moves_[i].is_wanted && moves_[i].is_dirty) wanted.push_back(i);
     }
-    work("joining corrected positions", wanted, progress, [this](std::size_t i) { bridge_move(i); });
+    work("joining corrected positions", wanted, progress, [this](std::size_t i) { link_move(i); });
   } while (take_back());
   return gather();
 }
@@ -136,13 +136,13 @@ void PathCorrector::choose_positions() {
   }
 }
 
-/// Of the body that a move gouges with.
+/// For the body that a move gouges with.
 Strategy PathCorrector::strategy_of(std::size_t i) const {
   const MoveVerdict& verdict = result_.verdicts[i];
   return correct_.strategies[verdict.witness ? verdict.witness->body : Body::cutter];
 }
 
-/// Of the deeper gouge beside a position.
+/// For the deeper gouge beside a position.
 Strategy PathCorrector::strategy_at(std::size_t i) const {
   const auto depth = [this](std::size_t move) {
     const MoveVerdict& verdict = result_.verdicts[move];
@@ -202,9 +202,9 @@ void PathCorrector::choose_moves() {
     const Move& move = path_.moves[i];
     if (!move.has_start && !positions_[i].corrected) continue;
     const bool is_gouging = result_.verdicts[i].state == MoveState::gouge;
-    const bool is_bridged = is_gouging && move.has_start && is_straight(move) && move.not_checked_reason.empty();
+    const bool is_linked = is_gouging && move.has_start && is_straight(move) && move.not_checked_reason.empty();
     const bool was_wanted = moves_[i].is_wanted;
-    moves_[i].is_wanted = is_bridged || has_new_end(i);
+    moves_[i].is_wanted = is_linked || has_new_end(i);
     if (was_wanted && !moves_[i].is_wanted) {
       moves_[i].inserted.clear();
       moves_[i].is_failed = moves_[i].is_refused = false;
@@ -221,15 +221,15 @@ Pose PathCorrector::start_of(std::size_t i) const { return is_chained(i) ? end_o
 // A thin or pointed tool is clean only where it is less deep than the tolerance allows.
 PoseLimits PathCorrector::limits_for(const ToolVariants& tool) const {
   PoseLimits limits = limits_;
-  const SureDepth sure = sure_depth(tool, checker_.scene(), options_);
+  const CertifiedDepth sure = certified_depth(tool, checker_.scene(), options_);
   const double share = sure.depth_mm > 0 ? sure.depth_mm / (options_.tolerance_mm + options_.resolution_mm) : 0;
   if (share < 1) limits.aim.workpiece_mm = aim_of(share * options_.tolerance_mm);
   return limits;
 }
 
-BridgeTask PathCorrector::task_of(std::size_t i) const {
+LinkTask PathCorrector::task_of(std::size_t i) const {
   const Move& move = path_.moves[i];
-  BridgeTask task;
+  LinkTask task;
   task.kind = move.kind;
   task.tool = tools_[move.tool];
   task.checker = &checker_;
@@ -249,7 +249,7 @@ BridgeTask PathCorrector::task_of(std::size_t i) const {
   return task;
 }
 
-void PathCorrector::bridge_move(std::size_t i) {
+void PathCorrector::link_move(std::size_t i) {
   MoveWork& work = moves_[i];
   const Move& move = path_.moves[i];
   work.is_dirty = work.is_failed = work.is_refused = work.is_out_of_budget = false;
@@ -259,11 +259,11 @@ void PathCorrector::bridge_move(std::size_t i) {
   if (can_change && !has_bad_end) {
     WorkBudget budget(step_budget_);
     const MotionChecker checker = checker_.within(budget);
-    BridgeTask task = task_of(i);
+    LinkTask task = task_of(i);
     task.checker = &checker;
     const Motion programmed = options_.law.between(path_.start_of(i), move.end, move.kind);
     if (move.kind == MoveKind::feed && programmed.is_defined()) task.programmed = &programmed;
-    if (auto waypoints = bridge(start_of(i), end_of(i), task)) {
+    if (auto waypoints = link(start_of(i), end_of(i), task)) {
       work.inserted = std::move(*waypoints);
       return;
     }
@@ -278,7 +278,7 @@ void PathCorrector::bridge_move(std::size_t i) {
 /// A move that gouges all the same runs as it was programmed: from its new start to the old one, along the programmed
 /// motion, and from the old end to the new one. So it cuts nothing that it did not cut before, but what the shifts of
 /// its ends cut, no deeper than its ends are. Nothing where that is not so, or the motion is no straight line.
-std::vector<BridgePose> PathCorrector::programmed_again(std::size_t i) const {
+std::vector<LinkPose> PathCorrector::programmed_again(std::size_t i) const {
   const Move& move = path_.moves[i];
   const bool is_dogleg = move.kind == MoveKind::rapid && options_.law.rapid() == RapidMode::dogleg;
   if (!move.has_start || !is_straight(move) || !move.not_checked_reason.empty() || is_dogleg) return {};
@@ -289,7 +289,7 @@ std::vector<BridgePose> PathCorrector::programmed_again(std::size_t i) const {
            is_no_worse_than(before, checker_.check(motion, move.kind, *tools_[move.tool], options_),
                             options_.resolution_mm);
   };
-  std::vector<BridgePose> again;
+  std::vector<LinkPose> again;
   const auto visit = [&](const Pose& pose) { again.push_back({{pose, Strategy::axis, 0, 0}, pose, before.depth_mm}); };
   const Pose &start = path_.start_of(i), new_start = start_of(i), new_end = end_of(i);
   if (positions_[i - 1].corrected) {
@@ -351,7 +351,7 @@ Correction PathCorrector::gather() const {
     PathChange change;
     change.move = i;
     if (positions_[i].corrected) change.new_end = positions_[i].corrected->pose;
-    for (const BridgePose& stop : moves_[i].inserted) change.inserted_before.push_back(stop.corrected.pose);
+    for (const LinkPose& stop : moves_[i].inserted) change.inserted_before.push_back(stop.corrected.pose);
     if (change.new_end || !change.inserted_before.empty()) correction.changes.push_back(change);
     gather_failure(i, correction);
   }
@@ -359,7 +359,7 @@ Correction PathCorrector::gather() const {
 }
 
 void PathCorrector::gather_records(std::size_t i, Correction& correction) const {
-  for (const BridgePose& stop : moves_[i].inserted) {
+  for (const LinkPose& stop : moves_[i].inserted) {
     const double after = depth_at(stop.corrected.pose, path_.moves[i].kind, *tools_[path_.moves[i].tool]);
     correction.records.push_back({i, stop.corrected.strategy, true, stop.corrected.pose.tip - stop.before.tip,
                                   stop.depth_before_mm, after, stop.corrected.iterations, 0, stop.corrected.pose});

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/correct/bridge.h"
 #include "lib/correct/correct_path.h"
+#include "lib/correct/link.h"
 
 namespace gouge {
 
@@ -34,7 +34,7 @@ class PathCorrector {
   };
   struct MoveWork {
     bool is_wanted = false, is_dirty = false, is_kept = false;
-    std::vector<BridgePose> inserted;
+    std::vector<LinkPose> inserted;
     bool is_failed = false;         ///< it still gouges
     bool is_refused = false;        ///< it would be worse than it was
     bool is_out_of_budget = false;  ///< before a path was found
@@ -53,11 +53,11 @@ class PathCorrector {
   [[nodiscard]] Strategy strategy_of(std::size_t i) const;
   [[nodiscard]] Strategy strategy_at(std::size_t i) const;
   void choose_moves();
-  void bridge_move(std::size_t i);
+  void link_move(std::size_t i);
   [[nodiscard]] PoseLimits limits_for(const ToolVariants& tool) const;
-  [[nodiscard]] BridgeTask task_of(std::size_t i) const;
+  [[nodiscard]] LinkTask task_of(std::size_t i) const;
   [[nodiscard]] bool is_free(std::size_t i) const;
-  [[nodiscard]] std::vector<BridgePose> programmed_again(std::size_t i) const;
+  [[nodiscard]] std::vector<LinkPose> programmed_again(std::size_t i) const;
   [[nodiscard]] MoveVerdict verdict_before(std::size_t i) const;
   [[nodiscard]] bool take_back();
   [[nodiscard]] double depth_at(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;

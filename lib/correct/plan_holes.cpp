@@ -26,12 +26,12 @@ bool is_in_part(const Vec3& point, const PreparedScene& scene) {
 }
 
 /// The height at which the material that begins beside the drill ends; 0: there is none.
-double top_mm(const Vec3& foot, const Vec3& axis, double most_mm, const PreparedScene& scene) {
+double top_mm(const Vec3& foot, const Vec3& axis, double max_mm, const PreparedScene& scene) {
   const auto is_in = [&](double height) { return is_in_part(foot + height * axis, scene); };
-  double in = 0, out = most_mm;
+  double in = 0, out = max_mm;
   bool is_found = false;
   for (int k = 0; k <= kHeights; ++k) {
-    const double height = std::max(most_mm * (k - 0.5) / kHeights, kTopExact_mm);
+    const double height = std::max(max_mm * (k - 0.5) / kHeights, kTopExact_mm);
     if (is_in(height)) {
       is_found = true;
       in = height;
@@ -51,26 +51,26 @@ double top_mm(const Vec3& foot, const Vec3& axis, double most_mm, const Prepared
 // Returns how deep a drill is below the surface of the parts that surrounds it, from its tip, in mm; 0 where material
 // does not surround it, or a part is no solid. It is the same whether or not the parts have the hole.
 //
-// `pose`: tip at the bottom of the hole. `radius_mm`: of the drill. `most_mm`: nothing above that height is examined.
+// `pose`: tip at the bottom of the hole. `radius_mm`: of the drill. `max_mm`: nothing above that height is examined.
 // Ensures  at each of eight directions about the axis, material stands beside the drill at a quarter of its radius up
 //          to that depth, as far as 64 heights show; the upper end is known to 0.001 mm.
 // Cost     some 600 queries of a side.
-double depth_below_surface_mm(const Pose& pose, double radius_mm, double most_mm, const PreparedScene& scene) {
-  if (!(most_mm > 0) || !scene.is_within_reach) return 0;
+double depth_below_surface_mm(const Pose& pose, double radius_mm, double max_mm, const PreparedScene& scene) {
+  if (!(max_mm > 0) || !scene.is_within_reach) return 0;
   const Vec3 across = pose.axis.unitOrthogonal(), other = pose.axis.cross(across);
-  double least = most_mm;
+  double least = max_mm;
   for (int k = 0; k < kDirections && least > 0; ++k) {
     const double angle = 2 * std::numbers::pi * (k + 0.5) / kDirections;
     const Vec3 away = kBeside * radius_mm * (std::cos(angle) * across + std::sin(angle) * other);
-    least = std::min(least, top_mm(pose.tip + away, pose.axis, most_mm, scene));
+    least = std::min(least, top_mm(pose.tip + away, pose.axis, max_mm, scene));
   }
   return least;
 }
 
-constexpr double kLeastStep_mm = 5e-4;
+constexpr double kMinStep_mm = 5e-4;
 constexpr int kSteps = 40;
 // A longer lift would leave no hole, or not the one that was programmed.
-constexpr double kMostOfDepth = 0.25, kMostOfDiameter = 0.25;
+constexpr double kMaxOfDepth = 0.25, kMaxOfDiameter = 0.25;
 constexpr double kNoHole = 0.02;  // of the depth: a hole of the part that is no deeper is none
 
 class HolePlanner {
@@ -94,8 +94,8 @@ class HolePlanner {
     const double depth_mm = programmed_depth_mm(plan);
     const std::optional<double> lift = find_lift(gouging, std::max(correct_.max_shift_mm, 2 * depth_mm));
     if (!lift) return;
-    const double most = std::min(
-        {correct_.max_shift_mm, kMostOfDepth * depth_mm, 2 * kMostOfDiameter * tool_of(first).cutting.r_max_mm});
+    const double most =
+        std::min({correct_.max_shift_mm, kMaxOfDepth * depth_mm, 2 * kMaxOfDiameter * tool_of(first).cutting.r_max_mm});
     plan.shift_mm = *lift * path_.moves[first].end.axis;
     if (*lift > most) {
       if (depth_mm > 0) plans.left.push_back({first, plan.last, depth_reason(depth_mm, depth_mm - *lift)});
@@ -106,13 +106,13 @@ class HolePlanner {
   }
 
  private:
-  /// The least lift with which the steps that gouge are clean, up to `most_mm`.
-  [[nodiscard]] std::optional<double> find_lift(const std::vector<std::size_t>& gouging, double most_mm) const {
+  /// The least lift with which the steps that gouge are clean, up to `max_mm`.
+  [[nodiscard]] std::optional<double> find_lift(const std::vector<std::size_t>& gouging, double max_mm) const {
     const Vec3 axis = path_.moves[gouging.front()].end.axis;
     double lift = 0;
     for (int step = 0; step < kSteps; ++step) {
-      lift += std::max(kLeastStep_mm, excess(gouging, lift * axis));
-      if (lift > most_mm) return std::nullopt;
+      lift += std::max(kMinStep_mm, excess(gouging, lift * axis));
+      if (lift > max_mm) return std::nullopt;
       if (is_clean(gouging, lift * axis)) return lift;
     }
     return std::nullopt;
@@ -136,7 +136,7 @@ class HolePlanner {
     const LengthUnit unit = path_.unit;
     const double allowed = 2 * checker_.options().tolerance_mm + checker_.options().resolution_mm;
     const auto text = [unit](double length_mm) {
-      return people_text(length_mm / mm_per(unit), unit == LengthUnit::mm ? 2 : 3) + " " + unit_name(unit);
+      return display_text(length_mm / mm_per(unit), unit == LengthUnit::mm ? 2 : 3) + " " + unit_name(unit);
     };
     return "hole " + text(programmed_mm) + " deep where the part has " +
            (of_part_mm > std::max(kNoHole * programmed_mm, allowed) ? "one of " + text(of_part_mm) : "none");
@@ -210,7 +210,7 @@ HolePlans plan_holes(const Toolpath& path, const CheckResult& result, const std:
     if (std::none_of(result.verdicts.begin() + static_cast<std::ptrdiff_t>(i),
                      result.verdicts.begin() + static_cast<std::ptrdiff_t>(last), is_gouging))
       continue;
-    // Of several positions in one statement it is not stated which moves are of which.
+    // A statement of several positions does not state which moves belong to which.
     const bool can_rewrite = correct.rewritable != nullptr && !correct.rewritable->hole.empty();
     const auto holes = can_rewrite
                            ? std::count(correct.rewritable->hole.begin() + static_cast<std::ptrdiff_t>(i),

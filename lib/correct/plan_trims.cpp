@@ -17,8 +17,8 @@
 namespace gouge {
 namespace {
 
-// A clean stretch between two that are left out is cut only where it is longer: nobody wants a plunge for less.
-constexpr double kLeastCut_mm = 2;
+// A clean stretch between two that are left out is cut only where it is longer: a shorter cut is not worth a plunge.
+constexpr double kMinCut_mm = 2;
 // How far before and behind the stretch another place to retract is sought.
 constexpr std::array kAway_mm = {0.0, 0.05, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
@@ -42,11 +42,11 @@ class TrimChain {
   }
 
  private:
-  static constexpr std::size_t kMostGaps = 8;  // that are left out together where one alone cannot be
+  static constexpr std::size_t kMaxGaps = 8;  // that are left out together where one alone cannot be
   static constexpr const char* kNothingBefore = "not left out: the path has no free place before it to retract from";
   static constexpr const char* kNothingAfter = "not left out: the path has no free place after it to come down to";
 
-  /// Leaves out what is wanted of a gap, together with the gaps behind it where it must be. The next gap to look at.
+  /// Leaves out what is wanted of a gap, together with the gaps behind it where it must be. The next gap to examine.
   std::size_t close_gap(std::size_t k, TrimPlan& plan) {
     const bool is_first = k == 0, is_last = k == free_.size();
     const PathPlace from = is_first ? PathPlace{first_, 0} : free_[k - 1].end;
@@ -57,21 +57,21 @@ class TrimChain {
       plan.failed.push_back({first_wanted, last_wanted, is_first ? kNothingBefore : kNothingAfter});
       return k + 1;
     }
-    for (std::size_t right = k; right < std::min(k + kMostGaps, free_.size()); ++right) {
+    for (std::size_t right = k; right < std::min(k + kMaxGaps, free_.size()); ++right) {
       auto trim = leave_out(free_[k - 1], free_[right]);
       if (!trim) continue;
       free_[right].begin = trim->end;
       plan.trims.push_back(std::move(*trim));
       return right + 1;
     }
-    plan.failed.push_back({first_wanted, last_wanted, no_way_over()});
+    plan.failed.push_back({first_wanted, last_wanted, no_path_over()});
     return k + 1;
   }
 
-  [[nodiscard]] std::string no_way_over() const {
+  [[nodiscard]] std::string no_path_over() const {
     const LengthUnit unit = job_.path.unit;
     return "not left out: no way over it was found with lifts up to --max-shift " +
-           people_text(job_.max_lift_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
+           display_text(job_.max_lift_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
            ", with --rapid-clearance where rapids are on the way";
   }
 
@@ -110,7 +110,7 @@ class TrimChain {
     }
     std::erase_if(free_, [&](const FreeStretch& stretch) {
       const bool is_at_end = is_same(stretch.begin, {first_, 0}) || is_same(stretch.end, {last_ - 1, 1});
-      return !is_at_end && way_mm(stretch.begin, stretch.end) < kLeastCut_mm;
+      return !is_at_end && arc_length_mm(stretch.begin, stretch.end) < kMinCut_mm;
     });
   }
 
@@ -128,8 +128,8 @@ class TrimChain {
                            : b.move + 1 == a.move && !(b.t < 1) && !(a.t > 0);
   }
 
-  /// Of the programmed path.
-  [[nodiscard]] double way_mm(const PathPlace& from, const PathPlace& to) const {
+  /// Index in the programmed path.
+  [[nodiscard]] double arc_length_mm(const PathPlace& from, const PathPlace& to) const {
     double way = 0;
     for (std::size_t i = from.move; i <= to.move; ++i) {
       const double t0 = i == from.move ? from.t : 0, t1 = i == to.move ? to.t : 1;
@@ -216,7 +216,7 @@ class TrimChain {
   }
 
   /// Feeds become rapids no lower than where the path last went from rapid to feed: how high the stock stands above
-  /// what is left uncut is not known, but there the program says that the tool is above it.
+  /// what is left uncut is not known, but there the program states that the tool is above it.
   [[nodiscard]] bool is_above_stock(const PathPlace& from, double lift_mm) const {
     if (is_on_rapid(from)) return true;
     const Pose begin = pose(from);
@@ -254,11 +254,11 @@ class TrimChain {
                           job_.checker.options().law.rapid() != RapidMode::skip;
     std::vector<Pose> programmed, straight, above;
     for (std::size_t i = from.move; i < to.move; ++i) programmed.push_back(move(i).end);
-    const double whole = way_mm(from, to);
+    const double whole = arc_length_mm(from, to);
     const Motion line = job_.checker.options().law.straight(up, down);
     for (std::size_t k = 0; k < programmed.size(); ++k) {
       const double even = static_cast<double>(k + 1) / static_cast<double>(programmed.size() + 1);
-      const double share = whole > 0 ? way_mm(from, {from.move + k, 1}) / whole : even;
+      const double share = whole > 0 ? arc_length_mm(from, {from.move + k, 1}) / whole : even;
       if (line.is_defined()) straight.push_back(line.at(std::clamp(share, 0.0, 1.0)));
       above.push_back(lifted(programmed[k], lift));
     }
@@ -267,7 +267,7 @@ class TrimChain {
     bool is_kept_near = false;
     for (std::size_t i = from.move; i <= to.move; ++i) is_kept_near = is_kept_near || was_clean(i);
     const CheckOptions options = options_for(is_kept_near, clearance);
-    // Of a feed that keeps the clearance the cutter does too.
+    // In a feed that keeps the clearance the cutter keeps it too.
     const auto crosses = [&](const Pose& a, const Pose& b, MoveKind kind) {
       const Motion motion = options.law.between(a, b, kind);
       return motion.is_defined() &&
@@ -313,7 +313,7 @@ class TrimChain {
     trim.uncut_positions = to.move - from.move;
     for (std::size_t i = from.move; i <= to.move; ++i) {
       if (move(i).kind == MoveKind::rapid) continue;
-      trim.uncut_mm += way_mm(i == from.move ? from : PathPlace{i, 0}, i == to.move ? to : PathPlace{i, 1});
+      trim.uncut_mm += arc_length_mm(i == from.move ? from : PathPlace{i, 0}, i == to.move ? to : PathPlace{i, 1});
     }
     return trim;
   }

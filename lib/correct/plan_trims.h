@@ -5,7 +5,7 @@
 
 #include "lib/correct/reworked_path.h"
 
-// What gouges is left out: the tool retracts along its axis where the path was last free, crosses, and comes down again
+// Leaves out gouging stretches: the tool retracts along its axis where the path was last free, crosses, and comes down again
 // where it is free. What lies between stays uncut.
 
 namespace gouge {

@@ -94,7 +94,7 @@ Correction Proposer::propose(const ProgressCall& progress) {
   if (last() != nullptr) {
     correction = restore_moves(*last(), path_, result_, std::move(correction));
     if (!can_keep_arc_.empty()) {
-      // What is partly left out is no arc any more.
+      // A curve that is partly left out cannot stay an arc.
       std::vector<bool> can_keep = can_keep_arc_;
       for (const Trim& trim : trims_.trims) {
         for (const NewPosition& p : trim.positions)
@@ -115,18 +115,18 @@ Correction Proposer::propose(const ProgressCall& progress) {
   return correction;
 }
 
-// What is buried is deeper than anything that has a depth.
+// A buried move is deeper than any depth.
 std::size_t Proposer::deepest(std::size_t first, std::size_t last) const {
   std::size_t found = kNone;
-  double most_mm = -1;
+  double max_mm = -1;
   for (std::size_t i = first; i <= last; ++i) {
     const MoveVerdict& verdict = result_.verdicts[i];
     const bool is_buried = verdict.state == MoveState::buried;
     if (!is_buried && verdict.state != MoveState::gouge) continue;
     const double depth_mm = is_buried ? std::numeric_limits<double>::infinity() : verdict.depth_mm;
-    if (depth_mm > most_mm) {
+    if (depth_mm > max_mm) {
       found = i;
-      most_mm = depth_mm;
+      max_mm = depth_mm;
     }
   }
   return found;

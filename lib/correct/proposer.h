@@ -26,7 +26,7 @@ class Proposer {
 
   Correction propose(const ProgressCall& progress);
 
-  /// What was proposed as an arc becomes straight from now on. False where it was not.
+  /// Makes a proposed arc straight from now on. Returns false where none was proposed.
   [[nodiscard]] bool give_up_arc(const std::vector<PathChange>& changes, std::size_t move);
 
   /// Where the move is of a tilted run, that run is tilted no more; else the move stays as it is.
@@ -43,7 +43,7 @@ class Proposer {
   [[nodiscard]] const ReworkedPath* untrimmed() const;
   /// Which of the moves [first, last] of the path gouges deepest; kNone: none does.
   [[nodiscard]] std::size_t deepest(std::size_t first, std::size_t last) const;
-  /// Of a move of the plan: which move of the path it is a piece of.
+  /// Maps a move of the plan: which move of the path it is a piece of.
   [[nodiscard]] std::size_t origin_of(std::size_t i) const;
   [[nodiscard]] bool give_up_tilt(std::size_t move, const std::string& reason);
   [[nodiscard]] bool give_up_trim(std::size_t move, const std::string& reason);

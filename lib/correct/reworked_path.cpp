@@ -117,7 +117,7 @@ Correction restore_moves(const ReworkedPath& reworked, const Toolpath& path, con
         all.inserted_before.insert(all.inserted_before.end(), change->inserted_before.begin(),
                                    change->inserted_before.end());
       }
-      // What a later stage inserted before the end of a piece is reached as that piece is.
+      // Positions that a later stage inserts before the end of a piece are reached as that piece is.
       const bool is_rapid =
           reworked.path.moves[last].kind == MoveKind::rapid && path.moves[all.move].kind != MoveKind::rapid;
       all.at_rapid.resize(all.inserted_before.size(), is_rapid);

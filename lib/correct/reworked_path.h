@@ -37,7 +37,7 @@ struct NewPosition {
 
 [[nodiscard]] bool is_curve(const Move& move);
 
-/// What a reworked path has of a path, but for the moves.
+/// A reworked path without its moves.
 [[nodiscard]] Toolpath without_moves(const Toolpath& path);
 
 /// The changes of a reworked path, its own included, as changes of the path as it was.

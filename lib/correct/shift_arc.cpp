@@ -15,9 +15,9 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kHeightShare = 0.2;
 constexpr double kTooDeepShare = 0.5;
-constexpr double kMostOfIt = 0.9;
+constexpr double kMaxOfIt = 0.9;
 constexpr double kSweepChange_rad = 0.2;
-constexpr double kLeastRadius_mm = 1e-3;
+constexpr double kMinRadius_mm = 1e-3;
 constexpr int kShiftPlaces = 16;
 constexpr double kNearby = 0.2;  // of the motion
 constexpr int kNarrowings = 40;
@@ -59,12 +59,12 @@ class ArcShift {
     if (!is_full_) {
       const Vec3 chord = across(e - s, axis);
       const double length = chord.norm();
-      if (!(length > kLeastRadius_mm)) return std::nullopt;
+      if (!(length > kMinRadius_mm)) return std::nullopt;
       const Vec3 middle = 0.5 * (s + e);
       center -= (center - middle).dot(chord) / (length * length) * chord;
     }
     const Vec3 from = across(s - center, axis), to = across(e - center, axis);
-    if (!(from.norm() > kLeastRadius_mm)) return std::nullopt;
+    if (!(from.norm() > kMinRadius_mm)) return std::nullopt;
     arc.center = center;
     if (is_full_) return arc;
     const double sign = arc.sweep_rad < 0 ? -1 : 1;
@@ -92,11 +92,11 @@ class ArcShift {
       const double shift = (to.tip - from.tip).norm();
       too_deep += depth > kTooDeepShare * tolerance ? 1 : 0;
       is_forced = is_forced && shift <= tolerance + kSideShiftsPerDepth * depth;
-      // Between two clean positions so near to each other the arc, which is checked whole, says enough.
+      // Between two clean positions so near to each other the arc, which is checked whole, states enough.
       if (depth <= kMotionAimShare * tolerance && shift <= tolerance) continue;
       if (why_not_shift(from, {to.tip, from.axis}, task_.kind, *task_.tool, checker_) != nullptr) return false;
     }
-    return is_forced || too_deep >= kMostOfIt * (kShiftPlaces + 1);
+    return is_forced || too_deep >= kMaxOfIt * (kShiftPlaces + 1);
   }
 
   // The point of the new arc nearest to `from`, sought about the same instant: the distance has one least value there.
@@ -126,7 +126,7 @@ namespace {
 
 constexpr int kSplitPlaces = 32;
 constexpr int kSplitHalvings = 10;
-constexpr double kLeastSection_mm = 0.05;          // shorter ones are not worth a statement, and digits blur them
+constexpr double kMinSection_mm = 0.05;            // shorter ones are not worth a statement, and digits blur them
 constexpr double kShares[] = {0, 1.0 / 16, 0.25};  // of a stretch, given up for the path to what is corrected
 
 class ArcSplit {
@@ -174,7 +174,7 @@ class ArcSplit {
     return arc_length_mm(part(from, to), whole_.at(from).tip, whole_.at(to).tip);
   }
 
-  // Of the instants between `clean` and `gouging` the last to which `is_clean_to` holds.
+  // Returns the last instant between `clean` and `gouging` to which `is_clean_to` holds.
   template <class IsClean>
   static double last_clean(double clean, double gouging, const IsClean& is_clean_to) {
     for (int i = 0; i < kSplitHalvings; ++i) {
@@ -203,7 +203,7 @@ class ArcSplit {
     const double step = 1.0 / kSplitPlaces;
     if (last < kSplitPlaces) to = last_clean(to, to + step, [&](double t) { return is_clean(from, t); });
     if (first > 0) from = last_clean(from, from - step, [&](double t) { return is_clean(t, to); });
-    if (length_mm(from, to) >= kLeastSection_mm) sections_.push_back({from, to});
+    if (length_mm(from, to) >= kMinSection_mm) sections_.push_back({from, to});
   }
 
   bool build(double share) {
@@ -221,7 +221,7 @@ class ArcSplit {
     return t >= 1 || lead(at, t, task_.new_end, 1);
   }
 
-  // From `from`, which stands for the instant `t0`, to `to`: one arc, or the chords.
+  // From `from`, which represents the instant `t0`, to `to`: one arc, or the chords.
   bool lead(const Pose& from, double t0, const Pose& to, double t1) {
     const ArcTask task{part(t0, t1), whole_.at(t0), whole_.at(t1), from, to, task_.kind, task_.tool};
     if (const std::optional<PathArc> arc = shift_arc(task, checker_)) {
@@ -258,7 +258,7 @@ class ArcSplit {
     return is_clean(options_.law.straight(at, stops[last]));
   }
 
-  // Of the arc, by the angle about its centre.
+  // Position on the arc, by the angle about its centre.
   [[nodiscard]] double instant_of(const Pose& pose) const {
     const Vec3& axis = task_.arc.axis;
     const auto across = [&](const Vec3& displacement) { return Vec3(displacement - displacement.dot(axis) * axis); };

@@ -6,7 +6,7 @@
 #include "lib/certify/motion_checker.h"
 
 // An arc that must change stays an arc where one can be found: the same circle elsewhere, or about a centre
-// that its new ends ask for.
+// that its new ends require.
 
 // An arc that is too deep in one stretch keeps the others: they stay on its own circle.
 
@@ -29,7 +29,7 @@ struct ArcTask {
 ///          (2) It is clean to four fifths of the tolerance, which leaves a margin for the digits of the file,
 ///          over its whole motion (check_move). (3) No part that fits is given up for another: no position goes further
 ///          than the tolerance and twice its depth, or nine tenths of the arc were too deep. Seventeen positions are
-///          looked at; those that are too deep or go further than the tolerance may be shifted there
+///          examined; those that are too deep or go further than the tolerance may be shifted there
 ///          (why_not_shift).
 /// Tried    the centre shifted with the ends; the centre line kept, with another radius; each moved to where both ends
 ///          are equally far.

@@ -47,7 +47,7 @@ class CurveChoice {
   }
 
  private:
-  // Of the tolerance: what a correction leaves alone is deeper than this.
+  // Share of the tolerance: a correction leaves only deeper positions alone.
   static constexpr double kSurelyStays = 0.7;
 
   [[nodiscard]] bool is_curve_at(std::size_t i) const { return i < path_.moves.size() && is_curve(path_.moves[i]); }
@@ -77,7 +77,7 @@ std::optional<ReworkedPath> straighten(const Toolpath& path, const CheckResult& 
   const CheckOptions& options = checker.options();
   const std::vector<bool> is_chosen = CurveChoice(path, result, tools, checker, others).run();
   if (std::none_of(is_chosen.begin(), is_chosen.end(), [](bool chosen) { return chosen; })) return std::nullopt;
-  const double error = std::max(kChordShare * options.tolerance_mm, kLeastChordError_mm);
+  const double error = std::max(kChordShare * options.tolerance_mm, kMinChordError_mm);
   ReworkedPath straight;
   straight.path = without_moves(path);
   for (std::size_t i = 0; i < path.moves.size(); ++i) {

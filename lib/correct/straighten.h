@@ -15,7 +15,7 @@ namespace gouge {
 /// Chords stay within this share of the tolerance of their curve: every chord is checked, so they need be no finer than
 /// what a correction aims at.
 inline constexpr double kChordShare = 0.5;
-inline constexpr double kLeastChordError_mm = Tolerance::kCorrection_mm;  ///< of the digits of the files
+inline constexpr double kMinChordError_mm = Tolerance::kCorrection_mm;  ///< of the digits of the files
 
 /// Nothing where no correction of `result` has to change a curve. `others`, one entry a move or none: moves that must be
 /// straight whatever their verdict.

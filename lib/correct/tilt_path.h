@@ -29,7 +29,7 @@ struct TiltProposal {
   std::vector<bool> is_wanted;           ///< moves of the straight path to tilt; empty: none
   TiltPlan plan;                         ///< of the straight path
 
-  /// Of a move of the plan: which move of the path it is a piece of.
+  /// Maps a move of the plan: which move of the path it is a piece of.
   [[nodiscard]] std::size_t origin_of(std::size_t i) const { return straight ? straight->origin[i] : i; }
 };
 

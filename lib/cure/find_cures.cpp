@@ -33,7 +33,7 @@ std::vector<std::size_t> moves_of(const Event& event, const Toolpath& path, cons
   return moves;
 }
 
-/// All tilts of a path, and what check() says of it with them.
+/// All tilts of a path, and what check() states of it with them.
 class TiltCures {
  public:
   TiltCures(const Toolpath& path, const CheckResult& result, const CheckSetup& setup, const CureOptions& options,
@@ -46,7 +46,7 @@ class TiltCures {
     after_ = check(tilted_->path, setup_, progress);
   }
 
-  /// Of moves of the path as it was.
+  /// Indices of moves of the path before.
   [[nodiscard]] TiltCure of(const std::vector<std::size_t>& moves) const {
     const auto [first, last] = std::pair(moves.front(), moves.back());
     for (const UntiltedRun& run : proposal_.plan.failed) {
@@ -66,7 +66,7 @@ class TiltCures {
   }
 
  private:
-  /// Whether check() finds free what moves [first, last] of the path became.
+  /// Returns whether check() finds free what moves [first, last] of the path became.
   [[nodiscard]] bool is_free_after(std::size_t first, std::size_t last) const {
     const std::vector<std::size_t>& origin = tilted_->origin;
     for (auto piece = std::ranges::lower_bound(origin, first); piece != origin.end() && *piece <= last; ++piece) {
@@ -109,7 +109,7 @@ std::vector<FindingCures> find_cures(const Toolpath& path, const CheckResult& re
     FindingCures one;
     one.event = k;
     one.tilt = event.state == MoveState::buried ? TiltCure{std::nullopt, kBuried} : tilts.of(moves);
-    one.lift = find_lift(path, moves, setup, options.lift_step_mm, options.most_lift_mm);
+    one.lift = find_lift(path, moves, setup, options.lift_step_mm, options.max_lift_mm);
     cures.push_back(std::move(one));
   }
   return cures;

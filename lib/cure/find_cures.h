@@ -7,13 +7,13 @@
 #include "lib/cure/find_lift.h"
 #include "lib/tilt/tilt_options.h"
 
-// What would cure a collision of what does not cut, finding by finding: the smallest tilt found, and the least lift.
+// Finds cures for collisions of non-cutting bodies, finding by finding: the smallest tilt found, and the least lift.
 
 namespace gouge {
 
 struct CureOptions {
   double lift_step_mm = 0.01;  ///< lifts are multiples of this
-  double most_lift_mm = 100;   ///< none is sought beyond
+  double max_lift_mm = 100;    ///< none is sought beyond
   TiltOptions tilt;
 };
 

@@ -24,7 +24,7 @@ bool is_lifted_free(const MoveVerdict& verdict) {
 
 Pose lifted(const Pose& pose, double lift_mm) { return {pose.tip + lift_mm * pose.axis, pose.axis}; }
 
-/// What keeps moves from being free at a lift.
+/// The obstacle that keeps moves from being free at a lift.
 struct Block {
   std::size_t move = kNone;  // of the path as it was
   Body body = Body::holder;
@@ -37,14 +37,14 @@ struct Block {
 class LiftSearch {
  public:
   LiftSearch(const Toolpath& path, const std::vector<std::size_t>& moves, const CheckSetup& setup, double step_mm,
-             double most_mm)
+             double max_mm)
       : path_(path),
         moves_(moves),
         options_(setup.options),
         setup_{setup.tools, setup.heads, setup.scene, options_},
         checker_(setup_),
         step_mm_(step_mm),
-        most_(static_cast<std::size_t>(std::max(1.0, std::floor(most_mm / step_mm + Tolerance::kRounding)))),
+        max_(static_cast<std::size_t>(std::max(1.0, std::floor(max_mm / step_mm + Tolerance::kRounding)))),
         chord_error_mm_(std::max(kChordShare * setup.options.tolerance_mm, Tolerance::kCorrection_mm)) {
     options_.near_miss_mm = 0;
   }
@@ -60,9 +60,9 @@ class LiftSearch {
         if (!block) return cure(decide_below(k));
       }
       note(k, *block);
-      if (k == most_) return cure(std::nullopt);
+      if (k == max_) return cure(std::nullopt);
       low = k;
-      k = std::min(next_after(k, *block, step), most_);
+      k = std::min(next_after(k, *block, step), max_);
     }
   }
 
@@ -77,7 +77,7 @@ class LiftSearch {
     return found;
   }
 
-  /// What is not free at k. A lift changes no depth by more than itself.
+  /// Finds the obstacle at k. A lift changes no depth by more than itself.
   void note(std::size_t k, const Block& block) {
     below_ = block;
     if (!block.is_proved) return;
@@ -185,7 +185,7 @@ class LiftSearch {
   CheckSetup setup_;
   MotionChecker checker_;
   double step_mm_;
-  std::size_t most_;
+  std::size_t max_;
   double chord_error_mm_;
   Block below_;
   std::size_t not_free_ = 1;  // no multiple below is free: proved
@@ -245,8 +245,8 @@ LiftedMoves lift_moves(const Toolpath& path, const std::vector<std::size_t>& mov
 }
 
 LiftCure find_lift(const Toolpath& path, const std::vector<std::size_t>& moves, const CheckSetup& setup, double step_mm,
-                   double most_mm) {
-  return LiftSearch(path, moves, setup, step_mm, most_mm).run();
+                   double max_mm) {
+  return LiftSearch(path, moves, setup, step_mm, max_mm).run();
 }
 
 }  // namespace gouge

@@ -10,7 +10,7 @@ namespace gouge {
 /// How far some moves must be lifted along the tool axis.
 struct LiftCure {
   std::optional<double> lift_mm;  ///< the least multiple of the step found; none: none up to the most
-  /// What is in the way one step below, or at the most: the move, the body and how, a gouge, buried, or not certified
+  /// The obstacle one step below, or at the maximum: the move, the body and how, a gouge, buried, or not certified
   /// to be neither.
   std::size_t move = kNone;
   Body body = Body::holder;
@@ -32,17 +32,17 @@ struct LiftedMoves {
 [[nodiscard]] LiftedMoves lift_moves(const Toolpath& path, const std::vector<std::size_t>& moves, double lift_mm,
                                      double chord_error_mm);
 
-/// The least lift, a multiple of `step_mm` up to `most_mm`, with which check() of the moves finds no gouge, nothing
+/// The least lift, a multiple of `step_mm` up to `max_mm`, with which check() of the moves finds no gouge, nothing
 /// buried and nothing uncertain, of any body.
 ///
 /// Requires moves in path order, not all of them free as they are.
 /// Ensures  (1) The named move is not proved free one step below. (2) `not_free_below_mm` is proved by real gouges, each
-///          for all lifts that differ by less than what it is deeper than allowed, and by buried tools. Lifts go by what
+///          for all lifts that differ by less than what it is deeper than allowed, and by buried tools. Lifts follow what
 ///          is missing; after 64 of these, and where the check decides nothing, they double, and are halved back.
 ///          (3) Where it decided nothing one step below, whole checks, which know the path to each move, are made of
 ///          up to eight lifts below, by halving.
 /// Cost     a check of the moves for each lift tried, some ten; a whole check at the end.
 [[nodiscard]] LiftCure find_lift(const Toolpath& path, const std::vector<std::size_t>& moves, const CheckSetup& setup,
-                                 double step_mm, double most_mm);
+                                 double step_mm, double max_mm);
 
 }  // namespace gouge

@@ -15,25 +15,25 @@
 namespace gouge {
 namespace {
 
-constexpr double kMostSteps = 400;  // of a move
+constexpr double kMaxSteps = 400;  // of a move
 constexpr std::size_t kPosesPerHeadPose = 25;
-constexpr double kSpread = 0.5;  // of a node's radius: farther apart they are asked one by one
+constexpr double kSpread = 0.5;  // of a node's radius: farther apart they are queried one by one
 
-// Of a depth: what goes unseen.
+// Part of a depth that may go unseen.
 constexpr double kUnseenShare = 0.01;
 
 /// How closely the instants of a move must be picked.
-struct PoseCloseness {
+struct PoseApproach {
   double step_mm = 0;    ///< so close that what the tool leaves between two of them goes unseen
   double unseen_mm = 0;  ///< a depth that does
   double lever_mm = 0;   ///< where it gouges, the tool turns about its tip with this one
 };
 
-PoseCloseness closeness_of(const Motion& motion, const CompiledTool& tool, const MoveVerdict& verdict) {
+PoseApproach approach_of(const Motion& motion, const CompiledTool& tool, const MoveVerdict& verdict) {
   // A holder is wide, but what moves slowly across the part is mostly the cutter, and its curvature counts.
   const double reach = std::clamp(tool.core_depth_mm, 0.1, std::max(tool.r_max_mm, 0.1));
   const std::optional<Witness>& witness = verdict.witness;
-  PoseCloseness out;
+  PoseApproach out;
   out.lever_mm = witness ? (witness->point - motion.at(witness->t).tip).norm() : tool.z_max_mm - tool.z_min_mm;
   out.unseen_mm = kUnseenShare * std::max(verdict.depth_mm, Tolerance::kFilePoint_mm);
   out.step_mm = std::max(std::sqrt(8 * reach * out.unseen_mm), 0.02 * reach);
@@ -43,17 +43,17 @@ PoseCloseness closeness_of(const Motion& motion, const CompiledTool& tool, const
 /// Poses one after the other, less those that show nothing their neighbours do not.
 class PoseList {
  public:
-  void add(const DepthField::FieldPose& pose, bool is_worst, const PoseCloseness& closeness) {
+  void add(const DepthField::FieldPose& pose, bool is_worst, const PoseApproach& closest_approach) {
     if (!poses_.empty() && is_same(poses_.back(), pose)) {
       poses_.back().last_move = pose.last_move;
       may_go_ = may_go_ && !is_worst;
       return;
     }
-    const bool goes = may_go_ && poses_.size() >= 2 && is_between(pose, closeness);
+    const bool goes = may_go_ && poses_.size() >= 2 && is_between(pose, closest_approach);
     if (goes) poses_.pop_back();
     poses_.push_back(pose);
     may_go_ = !is_worst && !goes;  // never two in a row
-    closeness_ = closeness;
+    closest_approach_ = closest_approach;
   }
   [[nodiscard]] std::vector<DepthField::FieldPose> take() { return std::move(poses_); }
 
@@ -64,36 +64,36 @@ class PoseList {
            (a.pose.axis - b.pose.axis).norm() <= Tolerance::kRounding;
   }
 
-  // Whether the last pose lies on the way from the one before it to `c`, and these are close enough.
-  [[nodiscard]] bool is_between(const DepthField::FieldPose& c, const PoseCloseness& of_c) const {
+  // Returns whether the last pose lies on the way from the one before it to `c`, and these are close enough.
+  [[nodiscard]] bool is_between(const DepthField::FieldPose& c, const PoseApproach& of_c) const {
     const DepthField::FieldPose &a = poses_[poses_.size() - 2], &b = poses_.back();
     const bool is_one_run =
         a.tool == b.tool && b.tool == c.tool && b.first_move <= a.last_move + 1 && c.first_move <= b.last_move + 1;
     if (!is_one_run) return false;
-    const double lever_mm = std::max(closeness_.lever_mm, of_c.lever_mm);
+    const double lever_mm = std::max(closest_approach_.lever_mm, of_c.lever_mm);
     const auto apart_mm = [&](const Pose& from, const Pose& to) {
       return (from.tip - to.tip).norm() + lever_mm * (from.axis - to.axis).norm();
     };
     const double before_mm = apart_mm(a.pose, b.pose), after_mm = apart_mm(b.pose, c.pose);
-    if (before_mm + after_mm > std::min(closeness_.step_mm, of_c.step_mm)) return false;
+    if (before_mm + after_mm > std::min(closest_approach_.step_mm, of_c.step_mm)) return false;
     const double share = before_mm / (before_mm + after_mm);
     const Pose straight{a.pose.tip + share * (c.pose.tip - a.pose.tip),
                         a.pose.axis + share * (c.pose.axis - a.pose.axis)};
-    return apart_mm(b.pose, straight) <= std::min(closeness_.unseen_mm, of_c.unseen_mm);
+    return apart_mm(b.pose, straight) <= std::min(closest_approach_.unseen_mm, of_c.unseen_mm);
   }
 
   std::vector<DepthField::FieldPose> poses_;
-  PoseCloseness closeness_;  ///< of the last pose
-  bool may_go_ = false;      ///< it
+  PoseApproach closest_approach_;  ///< of the last pose
+  bool may_go_ = false;            ///< it
 };
 
-/// What points are asked about.
+/// The query for points.
 struct AskedRules {
   std::array<bool, kContactRules.size()> has{};  ///< by row of the contact table
   double clearance_mm = 0;                       ///< the largest of a mesh
 };
 
-/// A tool where it was sampled, or about there at several instants that follow each other, as PointDepths asks.
+/// A tool where it was sampled, or about there at several instants that follow each other, as PointDepths queries.
 class PlacedTool {
  public:
   struct Memory {};
@@ -113,13 +113,13 @@ class PlacedTool {
   }
 
   [[nodiscard]] bool is_of(const PlacedTool& other) const { return tool_ == other.tool_; }
-  /// Whether its parts are too far apart to be asked in one about the node.
+  /// Returns whether its parts are too far apart to be queried in one about the node.
   [[nodiscard]] bool is_apart(const PointTree::Node& node) const { return spread_mm(node) > kSpread * node.radius; }
   [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return node.child == 0 || is_apart(node); }
 
   [[nodiscard]] double floor_mm() const { return has_clearance() || asked_.clearance_mm > 0 ? 0.0 : tolerance_mm_; }
 
-  // The form held against the workpiece holds every other one inside it up to its clearances, so it decides what is far away.
+  // The form compared with the workpiece holds every other one inside it up to its clearances, so it decides what is far away.
   [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double, Memory&) const {
     const Vec3 d = node.centre - pose_->tip;
     const double z = d.dot(pose_->axis);
@@ -133,9 +133,9 @@ class PlacedTool {
       one.at_centre_mm = clearance_mm - here.signed_distance_mm + spread;
       if (is_bounded_by_tangent(form, here, r, z, node.radius)) {
         one.slope = -here.normal.x() / r * across - here.normal.y() * pose_->axis;
-        one.most_mm = one.at_centre_mm + PointTree::reach_mm(node, one.slope);
+        one.max_mm = one.at_centre_mm + PointTree::reach_mm(node, one.slope);
       } else {
-        one.most_mm = one.at_centre_mm += node.radius;
+        one.max_mm = one.at_centre_mm += node.radius;
       }
       range = range ? either(*range, one) : one;
     };
@@ -143,7 +143,7 @@ class PlacedTool {
       if (asked_.has[k] || (kContactRules[k].is_workpiece && has_clearance())) ask(tool_->*kContactRules[k].form, 0);
     }
     if (asked_.clearance_mm > 0) ask(tool_->bare, asked_.clearance_mm);
-    if (range->least_mm <= tolerance_mm_) range->least_mm = 0;
+    if (range->min_mm <= tolerance_mm_) range->min_mm = 0;
     return *range;
   }
 
@@ -157,8 +157,8 @@ class PlacedTool {
 
  private:
   static DepthRange either(const DepthRange& a, const DepthRange& b) {
-    const double most = std::max(a.most_mm, b.most_mm);
-    return {std::min(a.least_mm, b.least_mm), most, most, Vec3::Zero()};
+    const double most = std::max(a.max_mm, b.max_mm);
+    return {std::min(a.min_mm, b.min_mm), most, most, Vec3::Zero()};
   }
 
   // As a point of the node sees the tool move between its parts' poses.
@@ -177,27 +177,28 @@ class PlacedTool {
 
 }  // namespace
 
-DepthField::DepthField(const CheckedToolpath& input, std::size_t most_poses)
-    : heads_(input, most_poses / kPosesPerHeadPose + 1), tolerance_mm_(input.options.tolerance_mm) {
+DepthField::DepthField(const CheckedToolpath& input, std::size_t max_poses)
+    : heads_(input, max_poses / kPosesPerHeadPose + 1), tolerance_mm_(input.options.tolerance_mm) {
   for (const double clearance_mm : clearance_of_meshes(*input.scene))
     largest_clearance_mm_ = std::max(largest_clearance_mm_, clearance_mm);
   const auto variants_of = [&](std::size_t move) { return input.tools[input.toolpath->moves[move].tool]; };
-  const auto closeness = [&](const Motion& motion, std::size_t move) {
-    return closeness_of(motion, variants_of(move)->against_part, input.result->verdicts[move]);
+  const auto closest_approach = [&](const Motion& motion, std::size_t move) {
+    return approach_of(motion, variants_of(move)->against_part, input.result->verdicts[move]);
   };
   const auto wanted = [&](const Motion& motion, std::size_t move) {
-    const PoseCloseness close = closeness(motion, move);
+    const PoseApproach close = closest_approach(motion, move);
     const double travel = path_length_mm(motion) + motion.turn_rad() * close.lever_mm;
-    return static_cast<std::size_t>(std::clamp(std::ceil(travel / close.step_mm), 1.0, kMostSteps));
+    return static_cast<std::size_t>(std::clamp(std::ceil(travel / close.step_mm), 1.0, kMaxSteps));
   };
   PoseList poses;
-  for (FieldInstants& one : pick_instants(input, most_poses, wanted)) {
+  for (FieldInstants& one : pick_instants(input, max_poses, wanted)) {
     const Motion motion = input.options.law.of(*input.toolpath, one.move);
     const std::optional<Witness>& witness = input.result->verdicts[one.move].witness;
     std::ranges::sort(one.t);
     for (const double t : one.t) {
       const bool is_worst = witness && !(witness->t < t) && !(t < witness->t);
-      poses.add({motion.at(t), variants_of(one.move), one.move, one.move}, is_worst, closeness(motion, one.move));
+      poses.add({motion.at(t), variants_of(one.move), one.move, one.move}, is_worst,
+                closest_approach(motion, one.move));
     }
   }
   poses_ = poses.take();
@@ -205,7 +206,7 @@ DepthField::DepthField(const CheckedToolpath& input, std::size_t most_poses)
 
 namespace {
 
-/// The tools of those poses and groups of neighbours behind them; how many of the last stand for all.
+/// The tools of those poses and groups of neighbours behind them; how many of the last represent all.
 std::pair<std::vector<PlacedTool>, std::size_t> grouped_tools(const std::vector<DepthField::FieldPose>& poses,
                                                               const AskedRules& asked, double tolerance_mm) {
   std::vector<PlacedTool> tools;

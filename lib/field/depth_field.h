@@ -16,11 +16,11 @@ class DepthField {
  public:
   using Point = FieldPoint;
 
-  static constexpr std::size_t kMostPoses = 12000;
+  static constexpr std::size_t kMaxPoses = 12000;
 
-  /// Picks the instants, about `most_poses` of them for the tool and a twenty-fifth for the heads, whose
+  /// Picks the instants, about `max_poses` of them for the tool and a twenty-fifth for the heads, whose
   /// distances cost more; the worst of every gouging move as long as that many fit.
-  explicit DepthField(const CheckedToolpath& input, std::size_t most_poses = kMostPoses);
+  explicit DepthField(const CheckedToolpath& input, std::size_t max_poses = kMaxPoses);
 
   /// For each point the largest depth that counts as a gouge, in mm, else 0. Within 3 % of the sampled poses.
   [[nodiscard]] std::vector<float> depth_at(const std::vector<Point>& points) const;
@@ -37,7 +37,7 @@ class DepthField {
     const ToolVariants* tool = nullptr;
     std::size_t first_move = 0, last_move = 0;  ///< it is an instant of; two where one ends and the next begins
   };
-  /// Of the tool, in the order of the path.
+  /// Poses of the tool, in the order of the path.
   [[nodiscard]] const std::vector<FieldPose>& poses() const { return poses_; }
   [[nodiscard]] const HeadField& heads() const { return heads_; }
   /// depth_at of the tool alone.

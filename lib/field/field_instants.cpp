@@ -12,7 +12,7 @@ class Picker {
  public:
   Picker(const CheckedToolpath& input, std::size_t most,
          const std::function<std::size_t(const Motion&, std::size_t)>& wanted)
-      : input_(input), most_(most), wanted_(wanted) {
+      : input_(input), max_(most), wanted_(wanted) {
     const MoveVerdicts& verdicts = input.result->verdicts;
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
       const std::size_t tool = input.toolpath->moves[i].tool;
@@ -25,8 +25,8 @@ class Picker {
     // Fewer instants a move when there would be too many of them; the worst instant of a move always stays.
     for (double detail = 1; detail > 0.01; detail *= 0.5) {
       clear();
-      for (std::size_t k = 0; k < gouging_.size() && count_ <= most_; ++k) add(gouging_[k], detail);
-      if (count_ <= most_) return std::move(picked_);
+      for (std::size_t k = 0; k < gouging_.size() && count_ <= max_; ++k) add(gouging_[k], detail);
+      if (count_ <= max_) return std::move(picked_);
     }
     add_worst_only();
     return std::move(picked_);
@@ -42,7 +42,7 @@ class Picker {
   void add_worst_only() {
     clear();
     const MoveVerdicts& verdicts = input_.result->verdicts;
-    const std::size_t group = gouging_.size() / std::max<std::size_t>(most_ / 2, 1) + 1;
+    const std::size_t group = gouging_.size() / std::max<std::size_t>(max_ / 2, 1) + 1;
     for (std::size_t first = 0; first < gouging_.size(); first += group) {
       // Depths are known to the resolution; equal ones leave the picks evenly spread.
       const double equal = input_.options.resolution_mm;
@@ -71,7 +71,7 @@ class Picker {
   }
 
   const CheckedToolpath& input_;
-  std::size_t most_;
+  std::size_t max_;
   const std::function<std::size_t(const Motion&, std::size_t)>& wanted_;
   std::vector<std::size_t> gouging_;
   std::vector<FieldInstants> picked_;

@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// When a field looks at a gouging move.
+/// Instants at which a field samples a gouging move.
 struct FieldInstants {
   std::size_t move = 0;
   std::vector<double> t;  ///< that of the witness first
@@ -17,7 +17,7 @@ struct FieldInstants {
 
 /// The instants that show how deep a path gouges, about `most` of them. `wanted` shows how many steps would
 /// show a move as well as can be seen; where they come to too many in all, every move gets fewer, and at last
-/// of each group of neighbouring moves only the worst is looked at.
+/// of each group of neighbouring moves only the worst is examined.
 [[nodiscard]] std::vector<FieldInstants> pick_instants(
     const CheckedToolpath& input, std::size_t most,
     const std::function<std::size_t(const Motion& motion, std::size_t move)>& wanted);

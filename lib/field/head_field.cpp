@@ -27,10 +27,10 @@ double reach_of(std::span<const HeadBody> heads) {
 }
 
 // Instants so close that what a swing leaves between two of them stays a small part of the depth.
-std::size_t head_instants(const Motion& motion, double reach_mm, double depth_mm, double most_step_mm) {
+std::size_t head_instants(const Motion& motion, double reach_mm, double depth_mm, double max_step_mm) {
   const double travel = BodyMotion(motion).turn_rad() * reach_mm + path_length_mm(motion);
   const double step = std::clamp(std::sqrt(8 * reach_mm * 0.01 * std::max(depth_mm, Tolerance::kFilePoint_mm)),
-                                 0.1 * most_step_mm, std::max(most_step_mm, Tolerance::kWitness_mm));
+                                 0.1 * max_step_mm, std::max(max_step_mm, Tolerance::kWitness_mm));
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
 }
 
@@ -39,13 +39,13 @@ bool is_near(const Box3& head, const RigidTransform& to_part, const Box3& scene)
   return scene.squaredExteriorDistance(centre) <= 0.25 * head.diagonal().squaredNorm();
 }
 
-/// A head where it was sampled, as PointDepths asks.
+/// A head where it was sampled, as PointDepths queries.
 class PlacedHead {
  public:
   PlacedHead(const HeadBody& head, const RigidTransform& to_tool, double tolerance_mm)
       : head_(&head), box_(&head.box), to_tool_(&to_tool), tolerance_mm_(tolerance_mm) {}
 
-  /// The triangle of the head that was nearest to the last point asked about.
+  /// The triangle of the head that was nearest to the last point queried about.
   struct Memory {
     std::optional<std::uint32_t> triangle;
   };
@@ -55,29 +55,29 @@ class PlacedHead {
 
   [[nodiscard]] double floor_mm() const { return tolerance_mm_; }
 
-  [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double enough_mm, Memory& memory) const {
+  [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double cutoff_mm, Memory& memory) const {
     const Vec3 centre = to_tool_->point(node.centre);
     if (box_->squaredExteriorDistance(centre) >= node.radius * node.radius) return {};
-    // Nothing is deeper than half the head is thick; where the node is as large, the tree says no more.
+    // Nothing is deeper than half the head is thick; where the node is as large, the tree states no more.
     const double half_mm = 0.5 * box_->sizes().minCoeff();
     if (node.radius >= half_mm) return up_to(half_mm);
-    const double remembered_mm = most_from(node, memory);
-    if (remembered_mm <= enough_mm) return up_to(remembered_mm);
+    const double remembered_mm = max_from(node, memory);
+    if (remembered_mm <= cutoff_mm) return up_to(remembered_mm);
     const ClosestPoint foot = nearest(centre, memory);
     const double least = -foot.signed_mm() - node.radius;
-    const double most = std::min({node.radius - foot.signed_mm(), most_from(node, memory), half_mm});
+    const double most = std::min({node.radius - foot.signed_mm(), max_from(node, memory), half_mm});
     return {least > tolerance_mm_ ? least : 0, most, most, Vec3::Zero()};
   }
 
-  [[nodiscard]] double depth_mm(const FieldPoint& at, double enough_mm, Memory& memory) const {
+  [[nodiscard]] double depth_mm(const FieldPoint& at, double cutoff_mm, Memory& memory) const {
     const Vec3 point = to_tool_->point(at.at);
-    if (!box_->contains(point) || most_at(point, memory) <= enough_mm) return 0;
+    if (!box_->contains(point) || max_at(point, memory) <= cutoff_mm) return 0;
     const ClosestPoint foot = nearest(point, memory);
     return foot.is_inside && foot.distance_mm > tolerance_mm_ ? foot.distance_mm : 0;
   }
 
  private:
-  [[nodiscard]] static DepthRange up_to(double most_mm) { return {0, most_mm, most_mm, Vec3::Zero()}; }
+  [[nodiscard]] static DepthRange up_to(double max_mm) { return {0, max_mm, max_mm, Vec3::Zero()}; }
 
   [[nodiscard]] ClosestPoint nearest(const Vec3& point, Memory& memory) const {
     const ClosestPoint foot = *head_->surface.closest_point(point);
@@ -86,15 +86,15 @@ class PlacedHead {
   }
 
   // A point inside is not deeper than it is far from any part of the surface, such as what was nearest to its neighbour.
-  [[nodiscard]] double most_at(const Vec3& point, const Memory& memory) const {
+  [[nodiscard]] double max_at(const Vec3& point, const Memory& memory) const {
     if (!memory.triangle) return std::numeric_limits<double>::infinity();
     return std::sqrt(closest_on_triangle(point, head_->surface.corners(*memory.triangle)).distance2_mm2);
   }
 
   // That distance is convex, so a node's corners suffice.
-  [[nodiscard]] double most_from(const PointTree::Node& node, const Memory& memory) const {
+  [[nodiscard]] double max_from(const PointTree::Node& node, const Memory& memory) const {
     double most = 0;
-    for (int k = 0; k < 8; ++k) most = std::max(most, most_at(corner(node, k), memory));
+    for (int k = 0; k < 8; ++k) most = std::max(most, max_at(corner(node, k), memory));
     return most;
   }
 
@@ -110,19 +110,19 @@ class PlacedHead {
 
 }  // namespace
 
-HeadField::HeadField(const CheckedToolpath& input, std::size_t most_poses)
+HeadField::HeadField(const CheckedToolpath& input, std::size_t max_poses)
     : heads_(input.heads), tolerance_mm_(input.options.tolerance_mm) {
   if (heads_.empty()) return;
   Box3 scene;
   for (const ObstacleMeshes& obstacle : obstacles_of(*input.scene)) scene.extend(box_of(obstacle.meshes));
   if (scene.isEmpty()) return;
   const double reach = reach_of(heads_);
-  const double most_step = kSeenStep * scene.diagonal().norm();
+  const double max_step = kSeenStep * scene.diagonal().norm();
   const auto wanted = [&](const Motion& motion, std::size_t move) {
-    return head_instants(motion, reach, input.result->verdicts[move].depth_mm, most_step);
+    return head_instants(motion, reach, input.result->verdicts[move].depth_mm, max_step);
   };
-  std::vector<FieldInstants> picked = pick_instants(input, most_poses, wanted);
-  // The deepest first: what they raise, the others need not be asked about.
+  std::vector<FieldInstants> picked = pick_instants(input, max_poses, wanted);
+  // The deepest first: what they raise, the others need not be queried about.
   const auto depth_of = [&](const FieldInstants& one) { return input.result->verdicts[one.move].depth_mm; };
   std::stable_sort(picked.begin(), picked.end(),
                    [&](const FieldInstants& a, const FieldInstants& b) { return depth_of(a) > depth_of(b); });

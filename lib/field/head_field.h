@@ -10,12 +10,12 @@
 namespace gouge {
 
 /// How deep the heads reach into the surface during the gouging moves of a path, sampled as a DepthField is.
-/// A head is wide: it is looked at less often than a tool, and only where it comes near the surface. Of paths
-/// with hundreds of moves whose heads gouge, the worst of each few neighbours are looked at.
+/// A head is wide: it is sampled less often than a tool, and only where it comes near the surface. Of paths
+/// with hundreds of moves whose heads gouge, the worst of each few neighbours are examined.
 class HeadField {
  public:
-  /// Picks the instants, about `most_poses` of them. `input` and what it points at must outlive it.
-  HeadField(const CheckedToolpath& input, std::size_t most_poses);
+  /// Picks the instants, about `max_poses` of them. `input` and what it points at must outlive it.
+  HeadField(const CheckedToolpath& input, std::size_t max_poses);
 
   [[nodiscard]] bool is_empty() const { return swept_.empty(); }
 

@@ -21,8 +21,8 @@ constexpr double kMoreThanReported = 2;
 constexpr double kNearer = 0.95;
 constexpr double kMet = 1e-3;  // of a depth: as near the tool a ray has met it
 constexpr double kOnBoundary_mm = 1e-3;
-constexpr double kUnseen = 1.02;  // no eye could tell the difference
-// Of a node's radius: poses farther apart are asked one by one.
+constexpr double kUnseen = 1.02;  // no eye could show the difference
+// Relative to a node's radius: poses farther apart are evaluated one by one.
 constexpr double kCoarse = 0.5;
 
 }  // namespace
@@ -31,16 +31,16 @@ constexpr double kCoarse = 0.5;
 class OvercutField::SweptPose {
  public:
   std::uint32_t parts = 0, first_part = 0;
-  double most_mm = 0;  ///< how far below the surface the tool reaches at most
+  double max_mm = 0;  ///< how far below the surface the tool reaches at most
 
-  SweptPose(const DepthField::FieldPose& pose, double most) : most_mm(most), pose_(&pose) {}
+  SweptPose(const DepthField::FieldPose& pose, double most) : max_mm(most), pose_(&pose) {}
   /// Stands for `parts`, those of one tool, and is where the one in the middle is.
   SweptPose(std::span<const SweptPose> of, std::uint32_t first) : SweptPose(of[of.size() / 2]) {
     parts = static_cast<std::uint32_t>(of.size());
     first_part = first;
     double shift_mm = 0, turn = 0;
     for (const SweptPose& part : of) {
-      most_mm = std::max(most_mm, part.most_mm);
+      max_mm = std::max(max_mm, part.max_mm);
       shift_mm = std::max(shift_mm, (part.pose_->pose.tip - pose_->pose.tip).norm() + part.shift_mm_);
       turn = std::max(turn, (part.pose_->pose.axis - pose_->pose.axis).norm() + part.turn_);
     }
@@ -53,7 +53,7 @@ class OvercutField::SweptPose {
     return signed_distance_mm(pose_->tool->bare, pose_->pose, point);
   }
   /// How far at least all points of a node, moved as its centre to `at` and up to `more_mm` farther, are outside of it:
-  /// the node is flat, and beside a flat one the tangent plane of the tool says more than the nearest point.
+  /// the node is flat, and beside a flat one the tangent plane of the tool states more than the nearest point.
   [[nodiscard]] double out_mm(const PointTree::Node& node, const Vec3& at, double more_mm) const {
     const Pose& pose = pose_->pose;
     const Vec3 d = at - pose.tip;
@@ -102,7 +102,7 @@ OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depth
     }
     if (!(largest > 0)) continue;
     swept_.emplace_back(pose, std::min(worst, kMoreThanReported * largest));
-    reach_mm_ = std::max(reach_mm_, swept_.back().most_mm);
+    reach_mm_ = std::max(reach_mm_, swept_.back().max_mm);
     largest_mm_ = std::max(largest_mm_, largest);
   }
   roots_ = group_neighbours(swept_);
@@ -126,7 +126,7 @@ class OvercutField::RayTree {
     if (tree_.nodes().empty()) return reported_;
     Swept all;
     for (std::size_t p = field_.swept_.size() - field_.roots_; p < field_.swept_.size(); ++p)
-      all.push_back({static_cast<std::uint32_t>(p), field_.swept_[p].most_mm});
+      all.push_back({static_cast<std::uint32_t>(p), field_.swept_[p].max_mm});
     std::vector<Task> tasks;
     split(0, all, tasks);
     for_each_chunk(tasks.size(), 1, 0, [&](std::size_t first, std::size_t last) {
@@ -139,7 +139,7 @@ class OvercutField::RayTree {
   /// A pose and how far along any ray of a node its tool reaches at most.
   struct Reach {
     std::uint32_t swept = 0;
-    double most_mm = 0;
+    double max_mm = 0;
   };
   using Swept = std::vector<Reach>;
   struct Task {
@@ -181,7 +181,7 @@ class OvercutField::RayTree {
     const PointTree::Node& node = tree_.nodes()[at];
     const Bundle& bundle = bundles_[at];
     const SweptPose& swept = field_.swept_[of.swept];
-    double s = std::min(of.most_mm, swept.most_mm);
+    double s = std::min(of.max_mm, swept.max_mm);
     const double apart_mm = swept.spread_mm(node.centre + s * bundle.inward);
     const double slack = s * bundle.spread + apart_mm;
     for (int k = 0; k < kLooks; ++k) {
@@ -218,35 +218,35 @@ class OvercutField::RayTree {
       return;
     }
     std::ranges::sort(near, [](const Reach& a, const Reach& b) {
-      return a.most_mm > b.most_mm || (a.most_mm >= b.most_mm && a.swept < b.swept);
+      return a.max_mm > b.max_mm || (a.max_mm >= b.max_mm && a.swept < b.swept);
     });
     for (std::size_t i = node.first; i < node.last; ++i) {
       if (field_.solids_[rays_[i].mesh] == nullptr) continue;
       for (const Reach& one : near) {
-        if (least_of(i) >= one.most_mm) break;
+        if (min_of(i) >= one.max_mm) break;
         follow(i, one);
       }
     }
   }
 
-  [[nodiscard]] double least_of(std::size_t index) const {
+  [[nodiscard]] double min_of(std::size_t index) const {
     return std::max(field_.tolerance_mm_, kUnseen * static_cast<double>(reported_[index]));
   }
 
   void follow(std::size_t index, const Reach& one) {
     const Ray& ray = rays_[index];
     const SweptPose& swept = field_.swept_[one.swept];
-    double s = deepest_in(swept, ray, one.most_mm, least_of(index));
+    double s = deepest_in(swept, ray, one.max_mm, min_of(index));
     if (!(s > 0)) return;
     double& margin = margins_[index];
     if (margin < 0) margin = field_.margin_mm(*field_.solids_[ray.mesh], ray, kMoreThanReported * field_.largest_mm_);
-    if (s > margin) s = deepest_in(swept, ray, margin, least_of(index));
+    if (s > margin) s = deepest_in(swept, ray, margin, min_of(index));
     if (s > 0) reported_[index] = static_cast<float>(s);
   }
 
-  // The farthest point of the ray in the tool, from `s` on; 0 where none is beyond `least_mm`.
-  static double deepest_in(const SweptPose& swept, const Ray& ray, double s, double least_mm) {
-    for (int k = 0; k < kSteps && s > least_mm; ++k) {
+  // The farthest point of the ray in the tool, from `s` on; 0 where none is beyond `min_mm`.
+  static double deepest_in(const SweptPose& swept, const Ray& ray, double s, double min_mm) {
+    for (int k = 0; k < kSteps && s > min_mm; ++k) {
       const double out = swept.distance_mm(ray.at + s * ray.inward);
       if (out <= kMet * s) return s;
       s -= out;
@@ -258,15 +258,15 @@ class OvercutField::RayTree {
   const std::vector<Ray>& rays_;
   PointTree tree_;
   std::vector<Bundle> bundles_;  ///< by node
-  std::vector<double> margins_;  ///< by ray; negative: not asked for yet
+  std::vector<double> margins_;  ///< by ray; negative: not requested yet
   std::vector<float> reported_;
 };
 
 /// How far along the ray its own foot stays the nearest: the radius of the largest ball that touches the
 /// surface there from within, found by shrinking it as long as another foot lies in it.
-double OvercutField::margin_mm(const Surface& solid, const Ray& ray, double most_mm) const {
+double OvercutField::margin_mm(const Surface& solid, const Ray& ray, double max_mm) const {
   if (!solid.closest_point(ray.at, kOnBoundary_mm)) return 0;  // of a shell inside the solid
-  double radius = most_mm;
+  double radius = max_mm;
   for (int k = 0; k < kShrinks; ++k) {
     const auto foot = solid.closest_point(ray.at + radius * ray.inward);
     if (!foot || (foot->is_inside && foot->distance_mm >= kNearer * radius)) return radius;

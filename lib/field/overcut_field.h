@@ -9,10 +9,10 @@ namespace gouge {
 
 /// How far below the part's surface the gouging moves of a path reach, at any point of it: the largest s for
 /// which the point p - s n, n being the normal at p, is in the tool and p is the closest point of the surface
-/// to it. Where the tool is deeper in the part than it is thick this says how deep, which the tool's depth
+/// to it. Where the part is thinner than the tool is deep in it, this is the depth, which the tool's depth
 /// does not.
 ///
-/// Where overcut says nothing, the depth stands in: on surfaces that are not closed, where only a clearance or
+/// Where the overcut is unknown, the depth replaces it: on surfaces that are not closed, where only a clearance or
 /// stock to leave is entered, and of heads, which are too thick for their depth to saturate. Sampled, for
 /// pictures, as depths are; it guarantees nothing.
 class OvercutField {
@@ -35,19 +35,19 @@ class OvercutField {
   /// not, `at` is 0.
   [[nodiscard]] std::vector<std::uint8_t> may_be_deep(const std::vector<Vec3>& centres, double radius_mm) const;
 
-  /// For each ray the overcut alone, mm; 0 where the tool does not reach or overcut says nothing.
+  /// For each ray the overcut alone, mm; 0 where the tool does not reach or the overcut is unknown.
   [[nodiscard]] std::vector<float> overcut_at(const std::vector<Ray>& rays) const;
-  /// For each ray the overcut, or where it says nothing the depth, mm; 0 where nothing gouges.
+  /// For each ray the overcut, or where it is unknown the depth, mm; 0 where nothing gouges.
   [[nodiscard]] std::vector<float> at(const std::vector<Ray>& rays) const;
 
  private:
   class RayTree;
-  [[nodiscard]] double margin_mm(const Surface& solid, const Ray& ray, double most_mm) const;
+  [[nodiscard]] double margin_mm(const Surface& solid, const Ray& ray, double max_mm) const;
 
   class SweptPose;
   std::vector<SweptPose> swept_;        ///< and groups of neighbours behind them
-  std::size_t roots_ = 0;               ///< so many of the last stand for all
-  std::vector<const Surface*> solids_;  ///< by mesh; null where nothing is asked
+  std::size_t roots_ = 0;               ///< so many of the last represent all
+  std::vector<const Surface*> solids_;  ///< by mesh; null where there is no query
   std::vector<Against> obstacles_;      ///< by mesh
   double largest_mm_ = 0, tolerance_mm_ = 0;
   double reach_mm_ = 0;  ///< no ray is followed farther

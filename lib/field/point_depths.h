@@ -20,37 +20,37 @@ struct FieldPoint {
   double clearance_mm = 0;          ///< of its mesh
 };
 
-/// What is known of the depth of all points p of a node in a body, mm: least <= depth <= most, and
+/// Bounds on the depth of all points p of a node in a body, mm: least <= depth <= most, and
 /// depth <= at_centre + slope . (p - centre).
 struct DepthRange {
-  double least_mm = 0, most_mm = 0;
+  double min_mm = 0, max_mm = 0;
   double at_centre_mm = 0;
   Vec3 slope = Vec3::Zero();
 };
 
 /// A body as balls of one radius see it: deepest where a point of one may have a depth that counts, else 0. What
 /// holds of all points of a node that is wider by the radius holds of all balls about the points of the node. One that
-/// stands for several is asked for them as long as they are close to each other, in leaves too.
+/// represents several is requested them as long as they are close to each other, in leaves too.
 template <class Of>
 class AnyDepth {
  public:
   using Memory = typename Of::Memory;
   std::uint32_t parts, first_part;
 
-  AnyDepth(const Of& of, double radius_mm, double most_floor_mm)
+  AnyDepth(const Of& of, double radius_mm, double max_floor_mm)
       : parts(of.parts),
         first_part(of.first_part),
         of_(of),
         radius_mm_(radius_mm),
-        floor_mm_(std::min(of.floor_mm(), most_floor_mm)) {}
+        floor_mm_(std::min(of.floor_mm(), max_floor_mm)) {}
 
   [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return of_.is_apart(wider(node)); }
   [[nodiscard]] double floor_mm() const { return floor_mm_; }
-  [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double enough_mm, Memory& memory) const {
+  [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double cutoff_mm, Memory& memory) const {
     // A ball's points lie within its radius of its centre, and are points of the wider node.
-    DepthRange range = of_.range_mm(wider(node), enough_mm, memory);
+    DepthRange range = of_.range_mm(wider(node), cutoff_mm, memory);
     if (range.slope.isZero(0))
-      range.at_centre_mm = range.most_mm;
+      range.at_centre_mm = range.max_mm;
     else
       range.at_centre_mm += radius_mm_;
     return range;
@@ -59,7 +59,7 @@ class AnyDepth {
     PointTree::Node point;
     point.box.extend(centre.at);
     point.centre = centre.at;
-    const bool may_be = of_.range_mm(wider(point), floor_mm(), memory).most_mm > floor_mm();
+    const bool may_be = of_.range_mm(wider(point), floor_mm(), memory).max_mm > floor_mm();
     return may_be ? static_cast<double>(std::numeric_limits<float>::max()) : 0;
   }
 
@@ -79,18 +79,18 @@ class AnyDepth {
   double radius_mm_, floor_mm_;
 };
 
-/// Depths not above `most_floor_mm` do not count, nor those that do not count for the bodies, whichever is less.
+/// Depths not above `max_floor_mm` do not count, nor those that do not count for the bodies, whichever is less.
 template <class Of>
 [[nodiscard]] std::vector<AnyDepth<Of>> any_depths(const std::vector<Of>& bodies, double radius_mm,
-                                                   double most_floor_mm = std::numeric_limits<double>::infinity()) {
+                                                   double max_floor_mm = std::numeric_limits<double>::infinity()) {
   std::vector<AnyDepth<Of>> out;
   out.reserve(bodies.size());
-  for (const Of& body : bodies) out.emplace_back(body, radius_mm, most_floor_mm);
+  for (const Of& body : bodies) out.emplace_back(body, radius_mm, max_floor_mm);
   return out;
 }
 
 /// The largest depth of each point of a surface in any of many bodies. Both are halved together: a node of points
-/// hands down the bodies that may be the deepest somewhere in it, and its leaves ask those with the largest bound first.
+/// hands down the bodies that may be the deepest somewhere in it, and its leaves query those with the largest bound first.
 class PointDepths {
  public:
   static constexpr double kUnseen = 1.03;  ///< a depth not above this many times another looks the same
@@ -98,15 +98,15 @@ class PointDepths {
   explicit PointDepths(const std::vector<FieldPoint>& points)
       : points_(points), tree_(points.size(), [&](std::size_t i) { return points[i].at; }) {}
 
-  /// The depth of each point, mm, less 3 % at most; 0 where it is in none. The last `roots` bodies are asked about all
+  /// The depth of each point, mm, less 3 % at most; 0 where it is in none. The last `roots` bodies are queried for all
   /// points, others only as parts of those.
   ///
-  /// A Body has range_mm(node, enough_mm, memory): what is known of the node's depth, as exact as it need be where that
-  /// is not above `enough_mm`; depth_mm(point, enough_mm, memory): of a point, where it is above `enough_mm`; and
+  /// A Body has range_mm(node, cutoff_mm, memory): what is known of the node's depth, as exact as it need be where that
+  /// is not above `cutoff_mm`; depth_mm(point, cutoff_mm, memory): of a point, where it is above `cutoff_mm`; and
   /// floor_mm(): depths not above it do not count. Its Memory keeps what it finds from one call to the next nearby.
   ///
-  /// One may stand for several: `parts` is how many, `first_part` the first of them, and its range holds for each. Where
-  /// is_coarse(node) they are asked themselves.
+  /// One may represent several: `parts` is how many, `first_part` the first of them, and its range holds for each. Where
+  /// is_coarse(node) they are queried themselves.
   template <class Body>
   [[nodiscard]] std::vector<float> deepest(const std::vector<Body>& bodies, std::size_t roots) const {
     std::vector<float> depth(points_.size(), 0.0F);
@@ -153,7 +153,7 @@ class PointDepths {
     std::vector<float>& depth;
     std::vector<typename Body::Memory> memories;
     std::vector<Candidate> candidates;  ///< those of a node behind those of its parent
-    double least_mm = 0;                ///< of the node at hand, and who is as deep
+    double min_mm = 0;                  ///< of the node at hand, and who is as deep
     std::size_t champion = 0;
 
     /// Down to the blocks, which become tasks.
@@ -195,39 +195,39 @@ class PointDepths {
     // is the largest stays in any case and comes first. Returns where they begin.
     std::size_t shortlist(const PointTree::Node& node, std::size_t first) {
       const std::size_t own = candidates.size();
-      least_mm = 0;
+      min_mm = 0;
       champion = own;
       for (std::size_t k = first; k < own; ++k) propose(node, candidates[k]);
       if (candidates.size() == own) return own;
-      if (least_mm > 0) std::swap(candidates[own], candidates[champion]);
+      if (min_mm > 0) std::swap(candidates[own], candidates[champion]);
       const auto begin = candidates.begin() + static_cast<std::ptrdiff_t>(own);
-      candidates.erase(std::remove_if(begin + 1, candidates.end(),
-                                      [&](const Candidate& one) { return one.range.most_mm <= least_mm; }),
-                       candidates.end());
+      candidates.erase(
+          std::remove_if(begin + 1, candidates.end(), [&](const Candidate& one) { return one.range.max_mm <= min_mm; }),
+          candidates.end());
       return own;
     }
 
     void propose(const PointTree::Node& node, const Candidate& parent) {
       const Body& body = bodies[parent.body];
-      const double enough_mm = std::max(body.floor_mm(), least_mm);
-      if (parent.range.most_mm <= enough_mm || most_by(parent, node) <= enough_mm) return;
-      DepthRange range = body.range_mm(node, enough_mm, memories[parent.body]);
-      if (range.most_mm <= enough_mm) return;
-      range.most_mm = std::min(parent.range.most_mm, range.most_mm);
+      const double cutoff_mm = std::max(body.floor_mm(), min_mm);
+      if (parent.range.max_mm <= cutoff_mm || max_by(parent, node) <= cutoff_mm) return;
+      DepthRange range = body.range_mm(node, cutoff_mm, memories[parent.body]);
+      if (range.max_mm <= cutoff_mm) return;
+      range.max_mm = std::min(parent.range.max_mm, range.max_mm);
       if (body.parts > 0 && body.is_coarse(node)) {
         const double at_origin_mm = range.at_centre_mm - range.slope.dot(node.centre);
         for (std::uint32_t k = 0; k < body.parts; ++k) propose(node, {body.first_part + k, range, at_origin_mm});
         return;
       }
-      if (range.least_mm > least_mm) {
-        least_mm = range.least_mm;
+      if (range.min_mm > min_mm) {
+        min_mm = range.min_mm;
         champion = candidates.size();
       }
       candidates.push_back({parent.body, range, range.at_centre_mm - range.slope.dot(node.centre)});
     }
 
-    // What the plane of a candidate of the parent says of the node: far cheaper than to ask the body.
-    static double most_by(const Candidate& parent, const PointTree::Node& node) {
+    // Bounds the node by the plane of a candidate of its parent, far cheaper than by the body.
+    static double max_by(const Candidate& parent, const PointTree::Node& node) {
       return parent.at_origin_mm + parent.range.slope.dot(node.centre) + PointTree::reach_mm(node, parent.range.slope);
     }
 
@@ -242,9 +242,9 @@ class PointDepths {
         const Body& body = bodies[one.body];
         for (std::size_t i = node.first; i < node.last; ++i) {
           const FieldPoint& point = field.points_[i];
-          const double enough_mm = std::max(body.floor_mm(), kUnseen * static_cast<double>(depth[i]));
-          if (one.at_origin_mm + one.range.slope.dot(point.at) <= enough_mm) continue;
-          depth[i] = std::max(depth[i], static_cast<float>(body.depth_mm(point, enough_mm, memories[one.body])));
+          const double cutoff_mm = std::max(body.floor_mm(), kUnseen * static_cast<double>(depth[i]));
+          if (one.at_origin_mm + one.range.slope.dot(point.at) <= cutoff_mm) continue;
+          depth[i] = std::max(depth[i], static_cast<float>(body.depth_mm(point, cutoff_mm, memories[one.body])));
         }
       }
     }

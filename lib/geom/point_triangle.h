@@ -16,7 +16,7 @@ struct TrianglePoint {
   TriangleFeature feature = TriangleFeature::face;
   /// Edge: from corner `index` to the next one. Corner: that corner. Face: 0.
   std::size_t index = 0;
-  double least_weight = 0;  ///< Face: the smallest barycentric coordinate of the foot; 0 elsewhere.
+  double min_weight = 0;  ///< Face: the smallest barycentric coordinate of the foot; 0 elsewhere.
 };
 
 namespace detail {
@@ -44,7 +44,7 @@ inline TrianglePoint closest_on_rim(const Vec3& p, const std::array<Vec3, 3>& t)
   return best;
 }
 
-/// Whether the weights of a foot by products of dot products have lost about half of their digits or more.
+/// Returns whether the weights of a foot by products of dot products have lost about half of their digits or more.
 inline bool is_sliver(const Vec3& ab, const Vec3& ac) {
   // The square of width over length: of its error the foot gets eps * length / kSliver.
   constexpr double kSliver = 1e-4;
@@ -72,7 +72,7 @@ inline TrianglePoint closest_on_sliver(const Vec3& p, const std::array<Vec3, 3>&
   const double least = std::min({far, next, 1 - far - next});
   if (!(least > 0)) return closest_on_rim(p, t);
   TrianglePoint foot = triangle_point(p, t[k] + position * along + far * across, TriangleFeature::face, 0);
-  foot.least_weight = least;
+  foot.min_weight = least;
   return foot;
 }
 
@@ -103,7 +103,7 @@ inline TrianglePoint closest_on_sliver(const Vec3& p, const std::array<Vec3, 3>&
   if (va > 0 && vb > 0 && vc > 0) {
     const double scale = 1 / (va + vb + vc);
     TrianglePoint foot = triangle_point(p, t[0] + (vb * scale) * ab + (vc * scale) * ac, TriangleFeature::face, 0);
-    foot.least_weight = scale * std::min({va, vb, vc});
+    foot.min_weight = scale * std::min({va, vb, vc});
     return foot;
   }
   return detail::closest_on_rim(p, t);

@@ -18,7 +18,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kMovesPerChunk = 64;
-constexpr std::uint64_t kMostBounds = 100'000;
+constexpr std::uint64_t kMaxBounds = 100'000;
 
 void decide(MoveState state, Reason reason, MoveVerdict& verdict) {
   verdict.state = state;
@@ -42,7 +42,7 @@ bool is_open_to_judgement(const MoveVerdict& verdict) {
   return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
 }
 
-// What was found of the tool stays where it gouges; nothing is clean.
+// A gouge of the tool stays; no move is clean.
 void refuse(Reason::Kind reason, MoveVerdict& verdict) {
   if (verdict.state != MoveState::gouge && verdict.state != MoveState::not_checked) verdict = not_checked({reason});
 }
@@ -118,7 +118,7 @@ void HeadChecker::search_group(const Group& group, const HeadBody& head, std::sp
                                const CheckOptions& options, std::span<HeadResult> results) const {
   const SearchGoal goal{group.tolerance_mm(options), options.resolution_mm,
                         std::max(options.resolution_mm, options.gouge_gap_mm),
-                        std::min(kMostBounds, options.budget_per_move)};
+                        std::min(kMaxBounds, options.budget_per_move)};
   const bool is_covered = !head.cover.pieces.empty();
   std::vector<SweptMove> swept;
   if (is_covered) {
@@ -248,7 +248,7 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
 
 namespace {
 
-// The heads on the straight path to a position alone (check_path asks the tool).
+// The heads on the straight path to a position alone (check_path queries the tool).
 void check_links(const Toolpath& toolpath, const HeadChecker& checker, const CheckOptions& options,
                  MoveVerdicts& verdicts) {
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
@@ -262,7 +262,7 @@ void check_links(const Toolpath& toolpath, const HeadChecker& checker, const Che
   }
 }
 
-/// What the heads' search says of one move.
+/// Result of the heads' search for one move.
 struct HeadStep {
   std::uint64_t bounds = 0;
   std::vector<double> uppers_mm;
@@ -272,7 +272,8 @@ struct HeadStep {
 }  // namespace
 
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
-                 const CheckOptions& options, CheckResult& result, const ProgressCall& progress, KeptWork* kept) {
+                 const CheckOptions& options, CheckResult& result, const ProgressCall& progress,
+                 CheckpointStore* kept) {
   if (heads.empty()) return;
   const Reason::Kind unfit = scene.is_within_reach ? why_unfit(options) : Reason::Kind::out_of_reach;
   if (unfit != Reason::Kind::none) {
@@ -300,7 +301,7 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
       uppers_mm.set(moves[k], uppers_of[k]);
     }
   };
-  StretchForm form;
+  CheckpointForm form;
   form.write = [&](std::size_t first, std::size_t last) {
     std::string bytes;
     for (std::size_t i = first; i < last; ++i) {
@@ -328,8 +329,8 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
     }
     return true;
   };
-  for_each_kept_chunk(result.verdicts.size(), kMovesPerChunk, options.threads, "checking heads", progress, kept, form,
-                      sweep);
+  for_each_checkpointed_chunk(result.verdicts.size(), kMovesPerChunk, options.threads, "checking heads", progress, kept,
+                              form, sweep);
   checker.mark_buried(toolpath, options, uppers_mm, result.verdicts);
   check_links(toolpath, checker, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "lib/base/kept_work.h"
+#include "lib/base/checkpoints.h"
 #include "lib/base/paged_memory.h"
 #include "lib/base/parallel.h"
 #include "lib/check/check_options.h"
@@ -99,6 +99,6 @@ class HeadChecker {
 /// Ensures  the same bits at any number of threads.
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
                  const CheckOptions& options, CheckResult& result, const ProgressCall& progress = {},
-                 KeptWork* kept = nullptr);
+                 CheckpointStore* kept = nullptr);
 
 }  // namespace gouge

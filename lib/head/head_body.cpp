@@ -14,9 +14,9 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kTries = 200;
-constexpr double kLeastBall = 1e-7;   // of the size: thinner parts of a body are not looked for
-constexpr double kLeastDepth = 1e-4;  // of the size: where the search for a ball inside begins at last
-constexpr int kMostClimbs = 40;
+constexpr double kMinBall = 1e-7;   // of the size: thinner parts of a body are not looked for
+constexpr double kMinDepth = 1e-4;  // of the size: where the search for a ball inside begins at last
+constexpr int kMaxClimbs = 40;
 
 /// Piece of surface each triangle belongs to, numbered from 0 as they come.
 std::vector<std::uint32_t> pieces_of(const IndexedMesh& mesh) {
@@ -49,7 +49,7 @@ void add_cores_of_pieces(HeadBody& head) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (t % step != 0 && head.core_depths_mm[piece[t]] > 0) continue;
     const Vec3 centre = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
-    for (double depth = 0.5 * size; depth > kLeastDepth * size; depth *= 0.5) {
+    for (double depth = 0.5 * size; depth > kMinDepth * size; depth *= 0.5) {
       const Vec3 core = centre - depth * head.surface.face_normal(t);
       const auto foot = head.surface.closest_point(core);
       if (!foot || !foot->is_inside || piece[foot->triangle] != piece[t]) continue;
@@ -69,7 +69,7 @@ class CoreBalls {
   void add_from(std::uint32_t triangle) {
     const std::array<Vec3, 3> corners = surface_.corners(triangle);
     const Vec3 start = (corners[0] + corners[1] + corners[2]) / 3.0;
-    for (double depth = 0.5 * size_mm_; depth > kLeastBall * size_mm_; depth *= 0.5) {
+    for (double depth = 0.5 * size_mm_; depth > kMinBall * size_mm_; depth *= 0.5) {
       Ball ball{start - depth * surface_.face_normal(triangle), 0};
       const auto foot = surface_.closest_point(ball.centre);
       if (!foot->is_inside || foot->distance_mm < depth - Tolerance::kSamePoint_mm) continue;
@@ -94,7 +94,7 @@ class CoreBalls {
   /// Each next centre is within the ball before it.
   [[nodiscard]] Ball grown(Ball ball, ClosestPoint foot) const {
     double step = 0.9;
-    for (int k = 0; k < kMostClimbs && step > 0.01; ++k) {
+    for (int k = 0; k < kMaxClimbs && step > 0.01; ++k) {
       const Vec3 next = ball.centre - step * ball.radius_mm * foot.normal;
       const ClosestPoint there = *surface_.closest_point(next);
       if (there.is_inside && there.distance_mm > ball.radius_mm) {

@@ -14,7 +14,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMostKept = 8;                         // planes
+constexpr std::size_t kMaxKept = 8;                          // planes
 constexpr double kFacetsOwn = 1 - Tolerance::kFewRoundings;  // cosine: what rounding makes of a facet's normal
 constexpr double kSameNormal = 0.9999;  // cosine: a second plane as steep as the first bounds nothing more
 
@@ -221,7 +221,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     return plane;
   }
 
-  /// Whether a kept plane leaves a point no deeper than the deepest known one.
+  /// Returns whether a kept plane leaves a point no deeper than the deepest known one.
   [[nodiscard]] bool is_no_deeper(const Vec3& q, double reach_mm) const {
     return std::any_of(planes_.begin(), planes_.begin() + static_cast<std::ptrdiff_t>(plane_count_),
                        [&](const Kept& kept) {
@@ -264,7 +264,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     std::uint32_t facet = 0;
     OuterPlane plane;
   };
-  std::array<Kept, kMostKept> planes_;  // the one that was of use last first
+  std::array<Kept, kMaxKept> planes_;  // the one that was of use last first
   std::size_t plane_count_ = 0;
 };
 

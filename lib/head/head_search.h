@@ -25,13 +25,13 @@ struct HeadResult {
   double t = 0;
   Vec3 point = Vec3::Zero();    ///< of the surface, part coordinates
   Vec3 normal = Vec3::UnitZ();  ///< in which the head must move away by the depth
-  std::size_t target = 0;       ///< which of those asked
+  std::size_t target = 0;       ///< which of those queried
   std::uint32_t triangle = 0;   ///< of that tree
   std::uint64_t bounds = 0;
 };
 
 /// Best first (best_first_search.h) over (interval of time x part of the surface). Planes that all of the head is below
-/// are asked first, the ones that bounded other parts. In the tool's frame a point of the
+/// are queried first, the ones that bounded other parts. In the tool's frame a point of the
 /// surface stays within `bulge` of the chord between its positions at both ends of an interval; the head's signed
 /// distance is 1-Lipschitz, so over the interval and a ball about the point it is nowhere below half of (sum of both
 /// ends - path length) - radius.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kAbove_mm = 1e-6;  // of the plane over the facet it touches, and of the box about the region
 
-constexpr std::size_t kMostSides = 8;
+constexpr std::size_t kMaxSides = 8;
 
 /// At right angles to n, along the region as far as may be.
 Vec3 along_region(const Vec3& n, const Vec3& longest) {
@@ -28,11 +28,11 @@ void add_slab(const Region& region, const Vec3& direction, std::vector<HalfSpace
 
 template <typename Region>
 std::optional<double> depth_below(const HeadBody& head, const Region& region, const HeadPlane& plane,
-                                  bool is_middle_inside, double enough_mm) {
+                                  bool is_middle_inside, double cutoff_mm) {
   const Vec3& n = plane.normal;
   const HeadRange height = region.along(n);
   std::vector<HalfSpace> prism(2);
-  prism.reserve(kMostSides + 4);
+  prism.reserve(kMaxSides + 4);
   region.add_sides(n, prism);
   const auto holds = [&](double depth_mm) {
     const double base_mm = height.low_mm + depth_mm - Tolerance::kRounding_mm;
@@ -46,7 +46,7 @@ std::optional<double> depth_below(const HeadBody& head, const Region& region, co
   };
   const double touching_mm = std::max(0.0, kAbove_mm + n.dot(plane.through - region.middle) - height.low_mm);
   if (holds(touching_mm)) return touching_mm;
-  if (touching_mm < enough_mm && holds(enough_mm)) return enough_mm;
+  if (touching_mm < cutoff_mm && holds(cutoff_mm)) return cutoff_mm;
   return std::nullopt;
 }
 
@@ -88,7 +88,7 @@ void PieceRegion::add_sides(const Vec3& n, std::vector<HalfSpace>& sides) const 
     for (const Vec3& to : corners) {
       const Vec3 inward = n.cross(to - from);
       const double length = inward.norm();
-      if (!(length > Tolerance::kRounding * radius_mm) || sides.size() - first >= kMostSides) continue;
+      if (!(length > Tolerance::kRounding * radius_mm) || sides.size() - first >= kMaxSides) continue;
       const Vec3 direction = inward / length;
       const double low_mm = along(direction).low_mm + bulge_mm;
       if (direction.dot(from - middle) > low_mm + Tolerance::kRounding * radius_mm) continue;
@@ -126,13 +126,13 @@ Vec3 PieceRegion::lowest(const Vec3& n) const {
 }
 
 std::optional<double> depth_by_plane(const HeadBody& head, const PieceRegion& region, const HeadPlane& plane,
-                                     bool is_middle_inside, double enough_mm) {
-  return depth_below(head, region, plane, is_middle_inside, enough_mm);
+                                     bool is_middle_inside, double cutoff_mm) {
+  return depth_below(head, region, plane, is_middle_inside, cutoff_mm);
 }
 
 std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region, const HeadPlane& plane,
-                                     bool is_middle_inside, double enough_mm) {
-  return depth_below(head, region, plane, is_middle_inside, enough_mm);
+                                     bool is_middle_inside, double cutoff_mm) {
+  return depth_below(head, region, plane, is_middle_inside, cutoff_mm);
 }
 
 double depth_by_support(const PieceRegion& region, const OuterPlane& plane) {

@@ -26,7 +26,7 @@ struct HeadRegion {
   double bulge_mm = 0;
 };
 
-/// Of a piece of a facet, by its corners at both ends.
+/// Bounds a piece of a facet by its corners at both ends.
 struct PieceRegion : HeadRegion {
   PieceRegion(const std::array<Vec3, 6>& corners, double bulge);
   [[nodiscard]] HeadRange along(const Vec3& n) const;
@@ -37,7 +37,7 @@ struct PieceRegion : HeadRegion {
   std::array<Vec3, 6> corners;
 };
 
-/// Of what a node of the part's tree holds, by its ball and disc. `bound` and both transforms must outlive it.
+/// Bounds the content of a node of the part's tree by its ball and disc. `bound` and both transforms must outlive it.
 struct NodeRegion : HeadRegion {
   NodeRegion(const LaneBound& bound, const RigidTransform& to_tool0, const RigidTransform& to_tool1, double bulge);
   [[nodiscard]] HeadRange along(const Vec3& n) const;
@@ -64,15 +64,15 @@ struct HeadPlane {
 /// at the head's closest point to the region's middle, or to another point of it, is likely to hold. The head is not in
 /// the prism if its surface is not and one point of the prism is outside.
 ///
-/// `is_middle_inside`: of the head. `enough_mm`: a bound of this is as good as any smaller one; the plane is raised to
+/// `is_middle_inside`: of the head. `cutoff_mm`: a bound of this is as good as any smaller one; the plane is raised to
 /// it where the given one does not hold.
 /// Ensures  nothing, or at least 0 and not below the depth of any point of the region.
 /// Cost     a search of the head's tree or two, and at most as many closest points.
 /// Source   docs/algorithms/shallow_penetration.md, section 7.
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const PieceRegion& region,
-                                                   const HeadPlane& plane, bool is_middle_inside, double enough_mm);
+                                                   const HeadPlane& plane, bool is_middle_inside, double cutoff_mm);
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region,
-                                                   const HeadPlane& plane, bool is_middle_inside, double enough_mm);
+                                                   const HeadPlane& plane, bool is_middle_inside, double cutoff_mm);
 
 /// The same by a plane that all of the head is below (support_planes.h), at least 0.
 /// Cost     a few products.

@@ -14,10 +14,10 @@
 namespace gouge {
 namespace {
 
-constexpr double kShort = 1e-6;      // of the mesh's size: shorter lines have no direction worth keeping
-constexpr double kMostEmpty = 3;     // how many times the mesh's volume a cover may take to be worth asking
-constexpr double kLeastGain = 0.03;  // of a cover's volume, for another piece
-constexpr std::size_t kMostPieces = 6, kMostHeights = 48, kMostRoundings = 24, kMostLines = CoverPiece::kMaxChain - 1;
+constexpr double kShort = 1e-6;    // of the mesh's size: shorter lines have no direction worth keeping
+constexpr double kMaxEmpty = 3;    // how many times the mesh's volume a cover may take to be worth asking
+constexpr double kMinGain = 0.03;  // of a cover's volume, for another piece
+constexpr std::size_t kMaxPieces = 6, kMaxHeights = 48, kMaxRoundings = 24, kMaxLines = CoverPiece::kMaxChain - 1;
 constexpr int kDirections = 128;
 
 using Points = std::vector<Vec2>;  // (r, z)
@@ -50,15 +50,15 @@ double volume_of(const IndexedMesh& mesh) {
   return std::abs(sum);
 }
 
-/// Of the heights of vertices some, in increasing order, the lowest and the highest among them.
+/// Returns some heights of vertices in increasing order, the lowest and the highest among them.
 std::vector<double> heights_of(const IndexedMesh& mesh) {
   std::vector<double> all;
   for (const Vec3& v : mesh.vertices) all.push_back(v.z());
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  if (all.size() <= kMostHeights) return all;
+  if (all.size() <= kMaxHeights) return all;
   std::vector<double> some;
-  for (std::size_t k = 0; k < kMostHeights; ++k) some.push_back(all[k * (all.size() - 1) / (kMostHeights - 1)]);
+  for (std::size_t k = 0; k < kMaxHeights; ++k) some.push_back(all[k * (all.size() - 1) / (kMaxHeights - 1)]);
   return some;
 }
 
@@ -131,7 +131,7 @@ class PieceMaker {
  private:
   [[nodiscard]] std::vector<double> roundings() const {
     std::vector<double> all{0};
-    const std::size_t step = std::max<std::size_t>(1, hull_.size() / kMostRoundings);
+    const std::size_t step = std::max<std::size_t>(1, hull_.size() / kMaxRoundings);
     for (std::size_t k = 1; k + 1 < hull_.size(); k += step) {
       const Vec2 a = hull_[k] - hull_[k - 1], b = hull_[k + 1] - hull_[k];
       const double radius =
@@ -152,7 +152,7 @@ class PieceMaker {
       lines.push_back(next);
     }
     thin(lines);
-    if (lines.empty() || lines.size() > kMostLines) return std::nullopt;
+    if (lines.empty() || lines.size() > kMaxLines) return std::nullopt;
     CoverPiece piece;
     const double far = 4 * size_mm_;
     const Vec2 first = lines.size() > 1 ? meeting(lines[0], lines[1]) : lines[0].through;
@@ -183,7 +183,7 @@ class PieceMaker {
           least = k;
         }
       }
-      if (least == 0 || (!is_short && lines.size() <= kMostLines)) return;
+      if (least == 0 || (!is_short && lines.size() <= kMaxLines)) return;
       lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(least));
     }
   }
@@ -225,11 +225,11 @@ class CoverMaker {
   ConvexCover make(double mesh_volume) {
     if (slices_.empty()) return {};
     std::vector<Slab> slabs{slab(0, slices_.size())};
-    while (slabs.size() < kMostPieces && cut_one(slabs)) {
+    while (slabs.size() < kMaxPieces && cut_one(slabs)) {
     }
     double volume = 0;
     for (const Slab& s : slabs) volume += s.volume;
-    if (!(volume <= kMostEmpty * mesh_volume)) return {};
+    if (!(volume <= kMaxEmpty * mesh_volume)) return {};
     for (std::size_t i = 0; i < slabs.size(); ++i) {
       auto piece = PieceMaker(slabs[i].hull, cover_.size_mm).make();
       if (!piece) return {};
@@ -275,7 +275,7 @@ class CoverMaker {
         halves = {std::move(below), std::move(above)};
       }
     }
-    if (!(most > kLeastGain * total)) return false;
+    if (!(most > kMinGain * total)) return false;
     slabs[which] = std::move(halves[1]);
     slabs.insert(slabs.begin() + static_cast<std::ptrdiff_t>(which), std::move(halves[0]));
     return true;

@@ -6,7 +6,7 @@
 namespace gouge {
 
 /// Solids of revolution about the z axis, one above the other, that hold a closed mesh: what they are free of needs no
-/// look at the mesh. Each is the convex hull of what the mesh turns through between two heights, rounded where the mesh
+/// examine the mesh. Each is the convex hull of what the mesh turns through between two heights, rounded where the mesh
 /// is, and the claims of CoverPiece hold for it with the mesh as the tool, r being the distance from the axis.
 ///
 /// Ensures  nothing is claimed (no pieces) of a mesh that fills too little of them, as one beside the axis.

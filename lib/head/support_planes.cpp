@@ -21,7 +21,7 @@ SupportPlanes::SupportPlanes(const Surface& surface) : surface_(std::make_shared
     rises_mm_[static_cast<std::ptrdiff_t>(t)].store(std::numeric_limits<float>::quiet_NaN(), std::memory_order_relaxed);
 }
 
-// Who asks at the same time finds the same.
+// Concurrent calls find the same value.
 double SupportPlanes::rise_mm(std::uint32_t facet) const {
   std::atomic<float>& known = rises_mm_[static_cast<std::ptrdiff_t>(facet)];
   const float rise = known.load(std::memory_order_relaxed);
@@ -43,7 +43,7 @@ double SupportPlanes::find_rise_mm(std::uint32_t facet) const {
   if (!(n.squaredNorm() > 0.5)) return std::numeric_limits<double>::infinity();  // without area
   const double at_mm = n.dot(surface_->mesh().corner(facet, 0));
   const BlockTree& tree = surface_->tree();
-  const std::array<HalfSpace, 1> high{{{n, at_mm + kMostRise_mm}}}, above{{{n, at_mm}}};
+  const std::array<HalfSpace, 1> high{{{n, at_mm + kMaxRise_mm}}}, above{{{n, at_mm}}};
   if (is_entered(tree, high)) return std::numeric_limits<double>::infinity();
   double rise = 0;
   for (const std::uint32_t t : triangles_within(tree, above)) {

@@ -15,8 +15,8 @@ struct OuterPlane {
   double height_mm = 0;
 };
 
-/// The planes of a head's facets as bounds of all of it: how far the head rises above each, found when first asked for.
-/// Small, and shared by its copies. Any number of threads may ask.
+/// The planes of a head's facets as bounds of all of it: how far the head rises above each, computed at the first request.
+/// Small, and shared by its copies. Any number of threads may call it.
 ///
 /// No point q is deeper in the head than n . (v - q) + rise, for the facet's unit normal n out of the head and a corner
 /// v of it, or 0 where that is negative: moved as far along n, q is on or above a plane that no part of the head is
@@ -28,14 +28,14 @@ class SupportPlanes {
   explicit SupportPlanes(const Surface& surface);
 
   /// A height above the plane that no point of the head is above; infinite where it rises above it by more than
-  /// kMostRise_mm.
+  /// kMaxRise_mm.
   /// Cost     of the first call for a facet a search of the head's tree.
   [[nodiscard]] double rise_mm(std::uint32_t facet) const;
 
   /// The facet's plane, raised by that; nothing where that is infinite.
   [[nodiscard]] std::optional<OuterPlane> plane(std::uint32_t facet) const;
 
-  static constexpr double kMostRise_mm = 1e-3;
+  static constexpr double kMaxRise_mm = 1e-3;
 
  private:
   [[nodiscard]] double find_rise_mm(std::uint32_t facet) const;

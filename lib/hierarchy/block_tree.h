@@ -13,7 +13,7 @@
 #include "lib/mesh/indexed_mesh.h"
 
 // The tree over the triangles of one or more meshes: sixteen children a node and sixteen triangles a leaf, in
-// single precision and by coordinate, so that one instruction looks at all of them. A child is bounded twice: by
+// single precision and by coordinate, so that one instruction examines all of them. A child is bounded twice: by
 // a ball, and by a disc whose direction is near the surface's own normal, thin where the surface is nearly flat.
 // The disc is what a first-order bound needs: a surface lying along the tool costs one node, not its area.
 // Source: bounding volume hierarchies in thesis 2.3 and 4.6, the oriented disc in place of the k-DOP slab pairs

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// What a block tree is made of. Nothing but plain arrays: this is compiled for several instruction sets.
+// The parts of a block tree. Plain arrays only: this is compiled for several instruction sets.
 
 namespace gouge {
 

@@ -36,27 +36,27 @@ class ClosestTriangleSearch {
     return best_;
   }
 
-  /// The lanes of a node, the nearest first, as long as they may be nearer than what is known when each is asked for.
+  /// The lanes of a node, the nearest first, as long as they may be nearer than what is known when each is requested.
   class Children {
    public:
     Children(ClosestTriangleSearch& search, const NodeBlock& node) : within_mm_(search.within_mm_) {
-      MaskedLanes lanes(search.kernel_.nodes(node, search.query_, within_mm_, least_mm_));
+      MaskedLanes lanes(search.kernel_.nodes(node, search.query_, within_mm_, min_mm_));
       while (const auto lane = lanes.next()) insert(*lane);
     }
     [[nodiscard]] std::optional<std::uint32_t> next() {
-      if (at_ == count_ || least_mm_[order_[at_]] > within_mm_) return std::nullopt;
+      if (at_ == count_ || min_mm_[order_[at_]] > within_mm_) return std::nullopt;
       return order_[at_++];
     }
 
    private:
     void insert(std::uint32_t lane) {
       std::size_t at = count_++;
-      for (; at > 0 && least_mm_[order_[at - 1]] > least_mm_[lane]; --at) order_[at] = order_[at - 1];
+      for (; at > 0 && min_mm_[order_[at - 1]] > min_mm_[lane]; --at) order_[at] = order_[at - 1];
       order_[at] = static_cast<std::uint8_t>(lane);
     }
 
     float& within_mm_;  // of the search; it shrinks
-    Lanes least_mm_;
+    Lanes min_mm_;
     std::array<std::uint8_t, kBlockLanes> order_;
     std::size_t at_ = 0, count_ = 0;
   };
@@ -64,10 +64,10 @@ class ClosestTriangleSearch {
   [[nodiscard]] Children children(const NodeBlock& node) { return {*this, node}; }
 
   [[nodiscard]] bool visit(const TriangleBlock& leaf) {
-    Lanes least_mm;
-    MaskedLanes near(kernel_.triangles(leaf, query_, within_mm_, least_mm));
+    Lanes min_mm;
+    MaskedLanes near(kernel_.triangles(leaf, query_, within_mm_, min_mm));
     while (const auto lane = near.next()) {
-      if (least_mm[*lane] <= within_mm_) offer(leaf.triangle[*lane]);
+      if (min_mm[*lane] <= within_mm_) offer(leaf.triangle[*lane]);
     }
     return false;
   }

@@ -19,7 +19,7 @@ class Climb {
         column_(column),
         through_(column.through - tree.origin),
         enough_(enough),
-        most_(most),
+        max_(most),
         highest_(column.low_mm) {
     axes_[0] = column.direction;
     axes_[1] = column.direction.unitOrthogonal();
@@ -33,7 +33,7 @@ class Climb {
     return highest_;
   }
 
-  /// The lanes of a node that may be higher in the column than what is known when each is asked for.
+  /// The lanes of a node that may be higher in the column than what is known when each is requested.
   class Children {
    public:
     Children(Climb& climb, const NodeBlock& node) : climb_(climb), node_(node) {}
@@ -66,14 +66,14 @@ class Climb {
       if (is_out(2, i, beside_[1] - column_.radius_mm, beside_[1] + column_.radius_mm)) continue;
       const std::uint32_t triangle = leaf.triangle[i];
       const double height = height_of(tree_.corners(triangle));
-      if (height > most_) return true;
+      if (height > max_) return true;
       highest_ = std::max(highest_, height);
     }
     return false;
   }
 
  private:
-  /// Whether to enter a lane. One that ends below what is enough is not entered: its bound is taken as the height.
+  /// Returns whether to enter a lane. One that ends below what is enough is not entered: its bound is taken as the height.
   [[nodiscard]] bool may_be_higher(const LaneBound& lane) {
     const Vec3 from = lane.center - column_.through;
     const double height = column_.direction.dot(from);
@@ -113,7 +113,7 @@ class Climb {
     return highest + Tolerance::kRounding_mm;
   }
 
-  /// Whether the triangle, seen along the column, is proven to miss its disc: by a line through an edge or by a line
+  /// Returns whether the triangle, seen along the column, is proven to miss its disc: by a line through an edge or by a line
   /// square to the direction of its nearest corner.
   [[nodiscard]] bool is_beside(const std::array<Vec3, 3>& flat) const {
     const double reach = column_.radius_mm + Tolerance::kRounding_mm;
@@ -144,7 +144,7 @@ class Climb {
   const BlockTree& tree_;
   const Column& column_;
   Vec3 through_;
-  double enough_, most_, highest_;
+  double enough_, max_, highest_;
   std::array<Vec3, 3> axes_;      // the column's direction and two across
   double height_ = 0;             // of the column's point along the first, in the tree's frame
   std::array<double, 2> beside_;  // along the others
@@ -154,8 +154,8 @@ class Climb {
 
 }  // namespace
 
-std::optional<double> highest_in_column(const BlockTree& tree, const Column& column, double enough_mm, double most_mm) {
-  return Climb(tree, column, enough_mm, most_mm).run();
+std::optional<double> highest_in_column(const BlockTree& tree, const Column& column, double cutoff_mm, double max_mm) {
+  return Climb(tree, column, cutoff_mm, max_mm).run();
 }
 
 }  // namespace gouge

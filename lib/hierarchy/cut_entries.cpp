@@ -8,7 +8,7 @@
 namespace gouge::detail {
 namespace {
 
-constexpr std::size_t kMostBins = 1024;
+constexpr std::size_t kMaxBins = 1024;
 // So many entries find the widest axis well enough.
 constexpr std::size_t kSample = 512;
 
@@ -17,7 +17,7 @@ class Bins {
  public:
   Bins(const EntryBox& box, std::size_t axis, std::size_t entries)
       : axis_(axis),
-        count_(std::clamp(std::bit_ceil(entries) / 2, std::size_t{2}, kMostBins)),
+        count_(std::clamp(std::bit_ceil(entries) / 2, std::size_t{2}, kMaxBins)),
         last_(static_cast<float>(count_ - 1)),
         low_(box.low[axis]),
         scale_(static_cast<float>(count_) / box.width(axis)) {}
@@ -45,7 +45,7 @@ struct CutBin {
 };
 
 CutBin bin_of_rank(std::span<const Entry> entries, const Bins bins, std::size_t rank) {
-  std::array<std::uint32_t, kMostBins> counts;
+  std::array<std::uint32_t, kMaxBins> counts;
   std::fill_n(counts.begin(), bins.count(), 0U);
   for (const Entry& e : entries) ++counts[bins.of(e)];
   CutBin cut;

@@ -7,7 +7,7 @@
 
 // The sorting behind a block tree: sixteen bytes a triangle, cut in two again and again. A cut is a histogram
 // and one pass without branches that a processor could guess wrong; no more is put in order than the tree
-// asks for.
+// requests.
 
 namespace gouge::detail {
 
@@ -26,7 +26,7 @@ struct EntryBox {
   [[nodiscard]] std::size_t widest_axis() const;
 };
 
-/// Of every `step`th entry. Requires at least one.
+/// Samples every `step`th entry. Requires at least one.
 [[nodiscard]] EntryBox box_of(std::span<const Entry> entries, std::size_t step = 1);
 
 /// Moves the `rank` entries that come first along one axis (ties: lower triangles first) before the others.

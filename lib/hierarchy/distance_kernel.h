@@ -14,7 +14,7 @@ namespace gouge {
 
 /// A point in the frame of a tree, and how far what is computed for it may be off whatever the lane.
 struct DistanceQuery {
-  /// Of a corner's distance from the point: more than single precision does to what is computed of its triangle.
+  /// Bound on the rounding of a triangle's distance in single precision, relative to a corner's distance from the point.
   static constexpr double kTriangleRounding = 1.0 / (1 << 20);
 
   std::array<float, 3> point{};  ///< mm, part coordinates minus the tree's origin
@@ -26,8 +26,8 @@ struct DistanceKernel {
   const char* name;
   /// Writes by lane a bound that no point of the lane is nearer than, at least 0, and lowers `within_mm` to where some
   /// lane's nearest point is. Returns the lanes in use whose bound is at most that, lane i as bit i.
-  std::uint32_t (*nodes)(const NodeBlock&, const DistanceQuery&, float& within_mm, Lanes& least_mm);
-  std::uint32_t (*triangles)(const TriangleBlock&, const DistanceQuery&, float& within_mm, Lanes& least_mm);
+  std::uint32_t (*nodes)(const NodeBlock&, const DistanceQuery&, float& within_mm, Lanes& min_mm);
+  std::uint32_t (*triangles)(const TriangleBlock&, const DistanceQuery&, float& within_mm, Lanes& min_mm);
 };
 
 /// All that this processor can run, the fastest last.

@@ -8,26 +8,26 @@
 namespace gouge::GOUGE_KERNEL {
 namespace {
 
-// Of the distance of the point from a node's center: more than single precision does to what is computed here.
+// Bound on the rounding here in single precision, relative to the distance of the point from a node's center.
 constexpr float kNodeRounding = 1.0F / (1 << 19);
 // The square of what lies across a node's normal is a difference; by so much of |t|^2 it may come out too large.
 constexpr float kAcross = 1.0F / (1 << 19);
 // The square of a shorter vector may be 0, and a quotient by its length anything.
-constexpr float kLeastSquare = 1e-30F;
+constexpr float kMinSquare = 1e-30F;
 
 GOUGE_INLINE V not_negative(const V& a) { return select(0 < a, a, V{}); }  // 0 for what is no number
 
 /// `least`, `most`: no point of a lane is nearer, some point of it is no farther, but for `slack`.
 GOUGE_INLINE std::uint32_t finish(const V& least, const V& most, const V& slack, std::uint32_t count, float& within_mm,
-                                  Lanes& least_mm) {
+                                  Lanes& min_mm) {
   const V bound = not_negative(least - slack);
-  store(bound, least_mm);
-  const float nearest = least_of(most + slack);
+  store(bound, min_mm);
+  const float nearest = min_of(most + slack);
   within_mm = nearest < within_mm ? nearest : within_mm;
   return bits_of(~(within_mm < bound)) & ((1U << count) - 1U);
 }
 
-std::uint32_t nodes(const NodeBlock& block, const DistanceQuery& query, float& within_mm, Lanes& least_mm) {
+std::uint32_t nodes(const NodeBlock& block, const DistanceQuery& query, float& within_mm, Lanes& min_mm) {
   V3 center, normal;
   V half, disc, radius;
   load(block.center, center);
@@ -40,11 +40,11 @@ std::uint32_t nodes(const NodeBlock& block, const DistanceQuery& query, float& w
   const V over = not_negative(abs(height) - half);
   const V beyond = not_negative(sqrt(not_negative(away2 * (1 - kAcross) - height * height)) - disc);
   const V outside = max(sqrt(over * over + beyond * beyond), away - radius);
-  return finish(outside, away + radius, away * kNodeRounding + query.node_slack_mm, block.count, within_mm, least_mm);
+  return finish(outside, away + radius, away * kNodeRounding + query.node_slack_mm, block.count, within_mm, min_mm);
 }
 
 GOUGE_INLINE V clamped(const V& part, const V& whole) {
-  const V share = part / max(whole, broadcast(kLeastSquare));
+  const V share = part / max(whole, broadcast(kMinSquare));
   return min(not_negative(share), broadcast(1.0F));
 }
 
@@ -63,7 +63,7 @@ GOUGE_INLINE V3 about_nearest(const V3& a, const V3& b, const V3& c) {
   return select((0 < va) & (0 < vb) & (0 < vc), within, best);
 }
 
-std::uint32_t triangles(const TriangleBlock& block, const DistanceQuery& query, float& within_mm, Lanes& least_mm) {
+std::uint32_t triangles(const TriangleBlock& block, const DistanceQuery& query, float& within_mm, Lanes& min_mm) {
   V3 corner[3];
   const V3 point = broadcast(query.point);
   for (unsigned k = 0; k < 3; ++k) {
@@ -74,8 +74,8 @@ std::uint32_t triangles(const TriangleBlock& block, const DistanceQuery& query, 
   const V3 foot = about_nearest(a, b, c);
   const V foot2 = dot(foot, foot), length = sqrt(foot2);
   const V along = min(dot(foot, a), min(dot(foot, b), dot(foot, c)));
-  const V least = select(kLeastSquare < foot2, along / length, V{});
-  return finish(least, length, broadcast(query.triangle_slack_mm), block.count, within_mm, least_mm);
+  const V least = select(kMinSquare < foot2, along / length, V{});
+  return finish(least, length, broadcast(query.triangle_slack_mm), block.count, within_mm, min_mm);
 }
 
 #undef GOUGE_INLINE

@@ -14,16 +14,16 @@ using M8 = int __attribute__((vector_size(32)));
 using V4 = float __attribute__((vector_size(16)));
 using M4 = int __attribute__((vector_size(16)));
 
-GOUGE_INLINE float least_of(const V4& a) {
+GOUGE_INLINE float min_of(const V4& a) {
   float least = a[0];
   for (int i = 1; i < 4; ++i) least = a[i] < least ? a[i] : least;
   return least;
 }
 #if defined(__AVX2__)
-GOUGE_INLINE float least_of(const V8& a) {
+GOUGE_INLINE float min_of(const V8& a) {
   V4 half[2];
   __builtin_memcpy(half, &a, sizeof(a));
-  return least_of(half[1] < half[0] ? half[1] : half[0]);
+  return min_of(half[1] < half[0] ? half[1] : half[0]);
 }
 #endif
 
@@ -56,15 +56,15 @@ GOUGE_INLINE unsigned bits_of(const M& which) {
   const auto both = static_cast<unsigned long>(pair[0] | pair[1]);
   return static_cast<unsigned>(both | (both >> 32));
 }
-GOUGE_INLINE float least_of(const V& a) {
+GOUGE_INLINE float min_of(const V& a) {
   V8 half[2];
   __builtin_memcpy(half, &a, sizeof(a));
-  return least_of(half[1] < half[0] ? half[1] : half[0]);
+  return min_of(half[1] < half[0] ? half[1] : half[0]);
 }
 
 #else
 
-// Of vectors wider than the processor's g++ takes comparisons and choices apart into single numbers, ten times as slow.
+// g++ splits comparisons and choices of vectors wider than the processor's into single numbers, ten times as slow.
 // So sixteen lanes are made of parts as wide as the processor's registers here, and what is done to them is done to each.
 template <class Part>
 struct Halves {
@@ -126,7 +126,7 @@ GOUGE_INLINE Halves<P>& operator-=(Halves<P>& a, const Q& b) {
   return a = a - b;
 }
 
-// Of one part. Masks are all ones or none in each lane, as comparisons make them.
+// Operations on one part. Masks are all ones or none in each lane, as comparisons make them.
 #if defined(__AVX2__)
 GOUGE_INLINE V8 select(const M8& which, const V8& a, const V8& b) {
   return __builtin_ia32_blendvps256(b, a, reinterpret_cast<V8>(which));
@@ -177,14 +177,14 @@ template <class P>
 GOUGE_INLINE Halves<P> sqrt(const Halves<P>& a) {
   return {sqrt(a.low), sqrt(a.high)};
 }
-/// Bit i says lane i.
+/// Bit i states lane i.
 template <class P>
 GOUGE_INLINE unsigned bits_of(const Halves<P>& which) {
   return bits_of(which.low) | bits_of(which.high) << (sizeof(P) / sizeof(float));
 }
 template <class P>
-GOUGE_INLINE float least_of(const Halves<P>& a) {
-  return least_of(min(a.high, a.low));
+GOUGE_INLINE float min_of(const Halves<P>& a) {
+  return min_of(min(a.high, a.low));
 }
 GOUGE_INLINE V broadcast(float x) { return x - V{}; }
 

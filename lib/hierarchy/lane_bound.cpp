@@ -37,7 +37,7 @@ double LaneBound::extent_mm(const Vec3& direction) const {
   return std::min(radius_mm, of_cylinder);
 }
 
-double LaneBound::least_distance_mm(const Vec3& point) const {
+double LaneBound::min_distance_mm(const Vec3& point) const {
   const Vec3 t = point - center;
   const double height = normal.dot(t);
   const double over = std::max(0.0, std::abs(height) - half_thickness_mm);

@@ -8,7 +8,7 @@
 namespace gouge {
 
 /// One child of a node in double precision and part coordinates: everything below it lies within `radius_mm` of the
-/// center, and in a cylinder about the axis through it along `normal`. What is said of it is wide enough for the stored
+/// center, and in a cylinder about the axis through it along `normal`. Its bounds are wide enough for the stored
 /// normal's length, and off by no more than 1e-9 mm of rounding for coordinates up to 100 m.
 struct LaneBound {
   Vec3 center = Vec3::Zero();
@@ -16,13 +16,13 @@ struct LaneBound {
   double half_thickness_mm = 0, disc_radius_mm = 0, radius_mm = 0;
 
   LaneBound(const BlockTree& tree, const NodeBlock& node, std::size_t lane);
-  /// Of all of a tree.
+  /// The bound of a whole tree.
   explicit LaneBound(const BlockTree& tree);
 
   /// No point of it has a larger direction . (x - center). Requires a unit vector.
   [[nodiscard]] double extent_mm(const Vec3& direction) const;
   /// No point of it is nearer to `point`.
-  [[nodiscard]] double least_distance_mm(const Vec3& point) const;
+  [[nodiscard]] double min_distance_mm(const Vec3& point) const;
   /// Those of a box around the cylinder, upright on its disc: it is within their convex hull.
   [[nodiscard]] std::array<Vec3, 8> hull() const;
 };

@@ -38,11 +38,11 @@ std::uint32_t not_negative(const Lanes& reach_mm, std::uint32_t count) {
 LaneSpace::LaneSpace(const BlockTree& tree, std::span<const HalfSpace> space)
     : count_(std::min(space.size(), halves_.size())) {
   for (std::size_t i = 0; i < count_; ++i) {
-    const double least_mm = space[i].least_mm - space[i].direction.dot(tree.origin);
-    const double slack_mm = Tolerance::kSingleSum * (tree.radius_mm + std::abs(least_mm)) + Tolerance::kRounding_mm;
+    const double min_mm = space[i].min_mm - space[i].direction.dot(tree.origin);
+    const double slack_mm = Tolerance::kSingleSum * (tree.radius_mm + std::abs(min_mm)) + Tolerance::kRounding_mm;
     for (std::size_t k = 0; k < 3; ++k)
       halves_[i].direction[k] = static_cast<float>(space[i].direction[static_cast<Eigen::Index>(k)]);
-    halves_[i].least_mm = static_cast<float>(least_mm - slack_mm);
+    halves_[i].min_mm = static_cast<float>(min_mm - slack_mm);
   }
 }
 
@@ -59,19 +59,19 @@ std::uint32_t LaneSpace::reached(const TriangleBlock& leaf) const {
 }
 
 // How far each lane reaches into the half-space that it reaches into least: its ball, or its disc where that is less.
-// Once no lane reaches into one of them the others are not asked.
+// Once no lane reaches into one of them the others are not requested.
 GOUGE_WIDE void LaneSpace::find_reach(const NodeBlock& node, std::span<const Half> halves, Lanes& least) {
   least.fill(std::numeric_limits<float>::max());
   Lanes reach;
   for (const Half& half : halves) {
-    const float dx = half.direction[0], dy = half.direction[1], dz = half.direction[2], least_mm = half.least_mm;
+    const float dx = half.direction[0], dy = half.direction[1], dz = half.direction[2], min_mm = half.min_mm;
     for (std::size_t i = 0; i < kBlockLanes; ++i) {
       const float turn = dx * node.normal[0][i] + dy * node.normal[1][i] + dz * node.normal[2][i];
       const float cosine = std::abs(turn), across = 1 - cosine * cosine + kNormal;
       const float sine = std::sqrt(across > 0 ? across : 0);
       const float thick = node.half_thickness_mm[i], disc = node.disc_radius_mm[i], ball = node.radius_mm[i];
       const float extent = cosine * thick + sine * disc + kNormal * (thick + disc);
-      const float at = dx * node.center[0][i] + dy * node.center[1][i] + dz * node.center[2][i] - least_mm;
+      const float at = dx * node.center[0][i] + dy * node.center[1][i] + dz * node.center[2][i] - min_mm;
       reach[i] = at + (extent < ball ? extent : ball);
     }
     if (!lower(reach, least)) return;
@@ -83,13 +83,13 @@ GOUGE_WIDE void LaneSpace::find_reach(const TriangleBlock& leaf, std::span<const
   least.fill(std::numeric_limits<float>::max());
   Lanes reach;
   for (const Half& half : halves) {
-    const float dx = half.direction[0], dy = half.direction[1], dz = half.direction[2], least_mm = half.least_mm;
+    const float dx = half.direction[0], dy = half.direction[1], dz = half.direction[2], min_mm = half.min_mm;
     for (std::size_t i = 0; i < kBlockLanes; ++i) {
       const float a = dx * leaf.corner[0][0][i] + dy * leaf.corner[0][1][i] + dz * leaf.corner[0][2][i];
       const float b = dx * leaf.corner[1][0][i] + dy * leaf.corner[1][1][i] + dz * leaf.corner[1][2][i];
       const float c = dx * leaf.corner[2][0][i] + dy * leaf.corner[2][1][i] + dz * leaf.corner[2][2][i];
       const float high = a < b ? b : a;
-      reach[i] = (high < c ? c : high) - least_mm;
+      reach[i] = (high < c ? c : high) - min_mm;
     }
     if (!lower(reach, least)) return;
   }

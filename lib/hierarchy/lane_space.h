@@ -9,11 +9,11 @@
 
 namespace gouge {
 
-/// The common part of half-spaces in the frame of a tree, asked sixteen lanes at a time, with the instructions the
-/// processor has and the same answer with any of them.
+/// The common part of half-spaces in the frame of a tree, tested sixteen lanes at a time, with the instructions the
+/// processor has and the same result with any of them.
 class LaneSpace {
  public:
-  /// Requires at most kMostHalfSpaces.
+  /// Requires at most kMaxHalfSpaces.
   LaneSpace(const BlockTree& tree, std::span<const HalfSpace> space);
 
   /// A bit for each lane of a node whose bound reaches into each half-space by itself, or comes near.
@@ -24,13 +24,13 @@ class LaneSpace {
  private:
   struct Half {
     std::array<float, 3> direction{};
-    float least_mm = 0;
+    float min_mm = 0;
   };
   [[nodiscard]] std::span<const Half> halves() const { return {halves_.data(), count_}; }
   static void find_reach(const NodeBlock& node, std::span<const Half> halves, Lanes& reach_mm);
   static void find_reach(const TriangleBlock& leaf, std::span<const Half> halves, Lanes& reach_mm);
 
-  std::array<Half, kMostHalfSpaces> halves_;
+  std::array<Half, kMaxHalfSpaces> halves_;
   std::size_t count_;
 };
 

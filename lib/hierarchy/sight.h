@@ -4,7 +4,7 @@
 
 namespace gouge {
 
-/// Whether a triangle of the tree lies between a point and a viewer far away in direction `toward` (unit), farther than
+/// Returns whether a triangle of the tree lies between a point and a viewer far away in direction `toward` (unit), farther than
 /// `clear_mm` from the point. For pictures: in single precision, so what is met within rounding of its edge, or of
 /// `clear_mm`, may be missed.
 ///

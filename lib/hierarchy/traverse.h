@@ -26,7 +26,7 @@ class MaskedLanes {
 
 /// Visits a tree depth first, the one loop of all walks that need no order across nodes. BestFirstSearch is for the
 /// others. `Visitor` has
-///   auto children(const NodeBlock&)          a cursor; its next() returns the next lane to enter, or none. It is asked
+///   auto children(const NodeBlock&)          a cursor; its next() returns the next lane to enter, or none. It is called
 ///                                            after the lane before was visited, so it may prune by what was found there
 ///   bool visit(const TriangleBlock&)         whether the walk may end here
 /// Returns whether a visit ended it. Cost: the depth of the tree in stack frames, at most 16 for 2^32 triangles.

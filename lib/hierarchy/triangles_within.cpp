@@ -39,9 +39,9 @@ std::vector<std::uint32_t> triangles_within(const BlockTree& tree, std::span<con
 }
 
 bool is_entered(const BlockTree& tree, std::span<const HalfSpace> space) {
-  std::array<HalfSpace, kMostHalfSpaces> wider;
+  std::array<HalfSpace, kMaxHalfSpaces> wider;
   const std::size_t count = std::min(space.size(), wider.size());
-  for (std::size_t i = 0; i < count; ++i) wider[i] = {space[i].direction, space[i].least_mm - Tolerance::kRounding_mm};
+  for (std::size_t i = 0; i < count; ++i) wider[i] = {space[i].direction, space[i].min_mm - Tolerance::kRounding_mm};
   const LaneSpace lane_space(tree, space);
   return visit_leaves(tree, lane_space, [&](const TriangleBlock& leaf) {
     MaskedLanes lanes(lane_space.reached(leaf));

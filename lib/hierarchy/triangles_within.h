@@ -15,7 +15,7 @@ namespace gouge {
 /// Cost     O(log n) and the triangles found, which are sorted.
 [[nodiscard]] std::vector<std::uint32_t> triangles_within(const BlockTree& tree, std::span<const HalfSpace> space);
 
-/// Whether any triangle reaches into what all half-spaces have in common. Requires at most kMostHalfSpaces.
+/// Returns whether any triangle reaches into what all half-spaces have in common. Requires at most kMaxHalfSpaces.
 ///
 /// Ensures  true where one does by more than 1e-9 mm, for coordinates up to 100 m.
 /// Cost     O(log n) and the triangles near that space; no allocation worth naming.

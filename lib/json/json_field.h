@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// Of one file that is read field by field: the first thing that is wrong with it.
+/// Collects the first error of a file that is read field by field.
 struct JsonErrors {
   std::string file;                      ///< as the user named it
   std::string code;                      ///< of what is wrong with a field
@@ -19,7 +19,7 @@ struct JsonErrors {
 };
 
 /// A value of a JSON text that must be as expected. After the first error every reading gives an empty value, so that
-/// whoever reads looks at JsonErrors::first once, at the end. `errors` must outlive it, like the text.
+/// The reader examines JsonErrors::first once, at the end. `errors` must outlive it, like the text.
 class JsonField {
  public:
   JsonField(const nlohmann::json& root, JsonErrors& errors) : value_(&root), errors_(&errors) {}

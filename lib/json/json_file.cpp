@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// Looks at brackets and lengths alone: any text whatever may come.
+// Examines brackets and lengths alone: any text whatever may come.
 class LimitScan {
  public:
   LimitScan(const std::string& file, std::string_view text, const std::string& what)

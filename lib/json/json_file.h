@@ -7,7 +7,7 @@
 #include "lib/base/result.h"
 #include "lib/json/json_lines.h"
 
-// The one way JSON is read, whoever wrote it: what would take memory or time out of proportion to the file is refused
+// Reads all JSON of the program. Input that needs memory or time out of proportion to the file is rejected
 // before anything of it is stored.
 
 namespace gouge {
@@ -21,7 +21,7 @@ struct JsonFile {
   JsonLines lines;
 };
 
-/// What a file was expected to hold ("a tool library"), and the codes of its errors.
+/// The expected content of a file ("a tool library"), and the codes of its errors.
 struct JsonKind {
   std::string syntax_code;         ///< not JSON, or a number beyond double precision's
   std::string duplicate_key_code;  ///< an object has one key twice

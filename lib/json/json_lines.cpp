@@ -105,13 +105,13 @@ std::size_t JsonLines::set_root(std::size_t line) {
 
 // A key may hold a slash, so that the next name is the shortest one there is. A key of slashes alone would take forever.
 std::size_t JsonLines::at(std::string_view pointer) const {
-  constexpr int kMostSlashes = 100;
+  constexpr int kMaxSlashes = 100;
   std::size_t value = 0;
   while (!pointer.empty()) {
     pointer.remove_prefix(1);
     auto found = values_.end();
     int slashes = 0;
-    for (std::size_t end = 0; found == values_.end() && end < pointer.size() && slashes < kMostSlashes; ++end) {
+    for (std::size_t end = 0; found == values_.end() && end < pointer.size() && slashes < kMaxSlashes; ++end) {
       ++slashes;
       end = std::min(pointer.find('/', end), pointer.size());
       found = values_.find({value, std::string(pointer.substr(0, end))});

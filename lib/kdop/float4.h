@@ -3,7 +3,7 @@
 #include <cstring>
 
 // Four floats side by side, in the vector form that g++ and clang share: no instruction set beyond the
-// processor's base is asked for.
+// processor's base is requested.
 
 namespace gouge {
 

@@ -16,7 +16,7 @@ namespace gouge {
 [[nodiscard]] constexpr std::size_t low_slot(std::size_t i) { return i / 4 * 8 + i % 4; }
 [[nodiscard]] constexpr std::size_t high_slot(std::size_t i) { return low_slot(i) + 4; }
 
-/// Whether the intervals meet along every axis. Ends when one block of four axes is apart.
+/// Returns whether the intervals meet along every axis. Ends when one block of four axes is apart.
 [[nodiscard]] inline bool do_overlap(const float* a, const float* b, std::size_t stride) {
   for (std::size_t i = 0; i < 2 * stride; i += 8) {
     const Int4 apart = (load4(a + i) > load4(b + i + 4)) | (load4(b + i) > load4(a + i + 4));

@@ -25,7 +25,7 @@ bool equals(std::string_view word, std::string_view lower_case) {
                     [](char a, char b) { return lower(a) == b; });
 }
 
-// What stands in the file, fit for a message of one line.
+// Returns the text of the file, fit for a message of one line.
 std::string quoted(std::string_view word) {
   if (word.empty()) return "the end of the file";
   std::string text = "'";
@@ -66,7 +66,7 @@ class Words {
   [[nodiscard]] std::size_t bytes_read() const { return at_; }
 
  private:
-  // Whether a facet begins there, and no name that has its words: it goes on to the loop, behind the three numbers of
+  // Returns whether a facet begins there, and no name that has its words: it goes on to the loop, behind the three numbers of
   // a normal if it has one.
   [[nodiscard]] bool is_facet_at(std::size_t at) const {
     if (!equals(text_.substr(at, 6), "facet ")) return false;
@@ -154,7 +154,7 @@ class AsciiParser {
   }
 
   // Three vertices between 'facet' and 'endfacet' are a triangle. Some writers leave out words between them, which
-  // say nothing of their own, or write 'end facet'.
+  // states nothing about their own, or write 'end facet'.
   bool parse_facet() {
     Vec3 normal = Vec3(0, 0, 0);  // a facet may have none: it is never needed
     if (!is_loop(words_.peek()) && !parse_normal(normal)) return false;
@@ -183,7 +183,7 @@ class AsciiParser {
     return true;
   }
 
-  // Whether `word`, which was read, and the next one are "end" and `what`; the next one is then read too.
+  // Returns whether `word`, which was read, and the next one are "end" and `what`; the next one is then read too.
   bool is_end_of(std::string_view word, std::string_view what) { return equals(word, "end") && skip(what); }
 
   // 'endloop' and 'endfacet', of which one may be missing, and both where another facet or the end of the solid follows.

@@ -11,7 +11,7 @@
 
 namespace gouge::detail {
 
-/// Whether the bytes are meant as ASCII STL: the first word is `solid` (then `facet`, `solid` or `endsolid`
+/// Returns whether the bytes are meant as ASCII STL: the first word is `solid` (then `facet`, `solid` or `endsolid`
 /// begins a later line or follows) or `facet`.
 [[nodiscard]] bool looks_like_ascii_stl(std::string_view bytes);
 
@@ -20,7 +20,7 @@ namespace gouge::detail {
                                                    const ProgressCall& progress = {});
 
 /// Counts a stored normal that points to the other side of its triangle, the one at `index`. Normals that are
-/// zero or not finite say nothing, nor do triangles too thin to have a normal.
+/// zero or not finite state nothing, nor do triangles too thin to have a normal.
 void count_normal(TriangleSoup& soup, std::size_t index, const TrianglePoints& triangle, const Vec3& stored_normal);
 
 }  // namespace gouge::detail

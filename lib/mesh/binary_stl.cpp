@@ -120,7 +120,7 @@ Result<TriangleSoup> read_spread(std::string_view bytes, const FacetPlaces& plac
   return soup;
 }
 
-// Whether the stored normals are unit vectors along those of the corners: of more than half of the facets, and the
+// Returns whether the stored normals are unit vectors along those of the corners: of more than half of the facets, and the
 // others are too thin for a comparison. A shifted facet has parts of corners where its normal should be.
 bool has_matching_normals(std::string_view bytes, const FacetPlaces& places) {
   constexpr double kThinnest = 1e-3;  // area over longest side squared
@@ -141,7 +141,7 @@ bool has_matching_normals(std::string_view bytes, const FacetPlaces& places) {
   return 2 * alike > places.size();
 }
 
-// Whether a stored normal is neither left out nor a unit vector.
+// Returns whether a stored normal is neither left out nor a unit vector.
 bool has_odd_normal(std::string_view bytes, const FacetPlaces& places) {
   constexpr double kAlike = 0.01;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -151,7 +151,7 @@ bool has_odd_normal(std::string_view bytes, const FacetPlaces& places) {
   return false;
 }
 
-// Whether every edge of the triangles has a partner in the opposite direction.
+// Returns whether every edge of the triangles has a partner in the opposite direction.
 bool is_watertight(const TriangleSoup& soup) {
   const Result<BuiltMesh> built = build_mesh(soup);
   return built && find_mesh_findings(*built).is_watertight();

@@ -11,10 +11,10 @@
 
 namespace gouge::detail {
 
-/// Whether the file is long enough for the header and the number of its facets.
+/// Returns whether the file is long enough for the header and the number of its facets.
 [[nodiscard]] bool has_binary_stl_header(std::string_view bytes);
 
-/// Whether the file has exactly the size that its header states: 84 bytes and 50 for each facet.
+/// Returns whether the file has exactly the size that its header states: 84 bytes and 50 for each facet.
 [[nodiscard]] bool has_binary_stl_size(std::string_view bytes);
 
 /// The triangles of a binary STL. A file that is longer than its header states is read where the places of its facets

@@ -6,7 +6,7 @@ std::string position_text(const MeshSpot& spot, LengthUnit unit) {
   const int decimals = facts_of(unit).decimals;
   std::string text = "(";
   for (int k = 0; k < 3; ++k) {
-    text += people_text(spot.position_mm[k] / mm_per(unit), decimals, Zeros::kept) + (k < 2 ? ", " : ") ");
+    text += display_text(spot.position_mm[k] / mm_per(unit), decimals, Zeros::kept) + (k < 2 ? ", " : ") ");
   }
   return text + unit_name(unit) + ", triangle " + std::to_string(spot.file_triangle + 1);
 }

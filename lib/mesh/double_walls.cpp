@@ -9,12 +9,12 @@ namespace gouge {
 namespace {
 
 // Sheets nearer to each other than this share of the mesh's size are one wall written twice.
-constexpr double kLeastWall = 5e-5;
+constexpr double kMinWall = 5e-5;
 // Cosines of the angle between two sheets: of what may be a double wall at all, of sheets that lie on each other (30
 // degrees), of a fold without material (2 degrees).
 constexpr double kAny = 0.7071, kParallel = 0.866, kFolded = 0.99939;
 // Triangles side by side overlap by less than this share of the smaller one, for rounding.
-constexpr double kLeastOverlap = 1e-3;
+constexpr double kMinOverlap = 1e-3;
 constexpr std::size_t kLeafSize = 24;
 
 /// Corners of one triangle over another one's plane: x, y along it, z above it.
@@ -33,14 +33,14 @@ class Overlap {
   }
 
   [[nodiscard]] bool is_larger_than_rounding(double base_area) const {
-    return polygon_.size() > 2 && area() > kLeastOverlap * std::min(base_area, other_area_);
+    return polygon_.size() > 2 && area() > kMinOverlap * std::min(base_area, other_area_);
   }
   [[nodiscard]] double mean_height() const {
     double sum = 0;
     for (const Vec3& p : polygon_) sum += p.z();
     return std::abs(sum / static_cast<double>(polygon_.size()));
   }
-  [[nodiscard]] double least_height() const {
+  [[nodiscard]] double min_height() const {
     double low = polygon_[0].z(), high = low;
     for (const Vec3& p : polygon_) low = std::min(low, p.z()), high = std::max(high, p.z());
     return std::max({0.0, low, -high});
@@ -86,8 +86,8 @@ class WallFinder {
       all.extend(boxes_[t]);
       normals_.push_back((mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)));
     }
-    if (!all.isEmpty()) least_mm_ = kLeastWall * all.diagonal().norm();
-    const Vec3 reach = Vec3::Constant(least_mm_);
+    if (!all.isEmpty()) min_mm_ = kMinWall * all.diagonal().norm();
+    const Vec3 reach = Vec3::Constant(min_mm_);
     for (Box3& box : boxes_) box = Box3(box.min() - reach, box.max() + reach);
   }
 
@@ -160,7 +160,7 @@ class WallFinder {
     const auto shared = std::count_if(
         own.begin(), own.end(), [&](Corner c) { return std::find(other.begin(), other.end(), c) != other.end(); });
     if (shared >= 2 && (pieces_.is_pinched[pieces_.piece_of[a]] || cosine > kFolded)) return true;
-    return cosine > kParallel && (shared == 0 ? overlap.least_height() : overlap.mean_height()) <= least_mm_;
+    return cosine > kParallel && (shared == 0 ? overlap.min_height() : overlap.mean_height()) <= min_mm_;
   }
 
   const IndexedMesh& mesh_;
@@ -168,7 +168,7 @@ class WallFinder {
   std::vector<bool> is_double_;
   std::vector<Vec3> normals_;
   std::vector<Box3> boxes_;
-  double least_mm_ = 0;
+  double min_mm_ = 0;
 };
 
 }  // namespace

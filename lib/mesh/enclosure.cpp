@@ -50,7 +50,7 @@ std::string faults_text(const EdgeFaults& faults) {
   return text;
 }
 
-/// Shells that are looked at together, with what is known of their edges.
+/// Shells that are examined together, with what is known of their edges.
 class Shells {
  public:
   /// `bounds_bodies`: every triangle is part of a body's boundary, so what is joined with infinity is outside of metal.
@@ -60,7 +60,7 @@ class Shells {
   [[nodiscard]] const EdgeFaults& faults() const { return faults_; }
 
   [[nodiscard]] Side side_of(const ConnectedPoints& joined) const {
-    if (bounds_bodies_ && has_way_out(joined)) return Side::outside;
+    if (bounds_bodies_ && has_path_out(joined)) return Side::outside;
     for (const Vec3& candidate : joined.points) {
       if (!is_clear_of_holes(candidate)) continue;
       const std::optional<long> winding = filled_winding(candidate);
@@ -72,7 +72,7 @@ class Shells {
   }
 
  private:
-  [[nodiscard]] bool has_way_out(const ConnectedPoints& joined) const {
+  [[nodiscard]] bool has_path_out(const ConnectedPoints& joined) const {
     static const std::vector<Vec3> kFixed = fixed_directions();
     return has_free_ray(mesh_, joined.points, joined.directions) || has_free_ray(mesh_, joined.points, kFixed);
   }
@@ -101,7 +101,7 @@ class Shells {
     return static_cast<long>(whole);
   }
 
-  // Where triangles were turned only whether the number is odd can be believed. A hole's rim alone does not say on
+  // Where triangles were turned only whether the number is odd can be believed. A hole's rim alone does not state on
   // which side the material is unless the surface faces outward.
   [[nodiscard]] bool is_inside(long winding) const {
     if (faults_.open > 0) return winding == 1;
@@ -123,7 +123,7 @@ class Shells {
 
 }  // namespace
 
-/// What is found out about the edges, once.
+/// Facts about the edges, computed once.
 struct Enclosure::Surface {
   std::once_flag once;
   WeldedMesh welded;  // of several files, or of one with triangles that share an edge in the same direction
@@ -223,7 +223,7 @@ namespace {
 
 // Material around a cavity is at least this share of the cavity's size: two shells closer to each other than that are
 // rather one wall written twice.
-constexpr double kLeastCavityWall = 0.01;
+constexpr double kMinCavityWall = 0.01;
 constexpr double kWholeCavity = 1e-6;
 
 bool is_about(double value, double whole) { return std::abs(value - whole) <= kWholeCavity; }
@@ -282,7 +282,7 @@ bool Cavities::contain(const Vec3& point) const {
   }
   if (inward.size() != 1) return false;
   const Shell& cavity = shells_[inward[0]];
-  // What another file winds about is a part of its own: it neither holds this file's cavity nor leaves it empty.
+  // A region that another file winds about is a part of its own: it neither fills this file's cavity nor empties it.
   for (std::uint32_t k = 0; k < shells_.size(); ++k) {
     const bool is_same_file = shells_[k].is_of_one_file && shells_[k].file == cavity.file;
     if (!is_same_file && !is_about(windings[k], 0)) return false;
@@ -292,7 +292,7 @@ bool Cavities::contain(const Vec3& point) const {
 
 bool Cavities::stands_alone(std::uint32_t shell, const Vec3& point) const {
   Box3 box = shells_[shell].box;
-  const Vec3 wall = Vec3::Constant(kLeastCavityWall * box.diagonal().norm());
+  const Vec3 wall = Vec3::Constant(kMinCavityWall * box.diagonal().norm());
   box = Box3(box.min() - wall, box.max() + wall);
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (shell_of_[t] == shell || !shells_[shell_of_[t]].box.contains(point)) continue;

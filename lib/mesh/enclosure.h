@@ -37,7 +37,7 @@ class Enclosure {
   ///
   /// Ensures  outside: a point is beyond the box; or all pieces bound bodies (BodyPieces) and a straight line from a
   ///          point to infinity meets none; or all edges are balanced besides and the points are in a cavity of one
-  ///          file. Other pieces need not be looked at for points beyond the box of all of them. inside: what the
+  ///          file. Other pieces need not be examined for points beyond the box of all of them. inside: what the
   ///          surfaces enclose, however their gaps are closed within reach of their rims: an odd winding number, or
   ///          where all edges are balanced one other than 0; or what a file without open edges encloses alone. The same
   ///          result for the same points, from any number of threads.
@@ -53,7 +53,7 @@ class Enclosure {
 
   std::span<const IndexedMesh> meshes_;
   Box3 box_, beyond_;
-  std::unique_ptr<Surface> surface_;  // made when first asked for
+  std::unique_ptr<Surface> surface_;  // made when first requested
 };
 
 /// Cavities that can be proved: a shell that faces inward and stands alone in solid material.
@@ -63,7 +63,7 @@ class Cavities {
   /// Requires that every edge of the mesh runs equally often both ways; the mesh must outlive it. Cost O(n).
   explicit Cavities(const IndexedMesh& mesh, std::span<const std::uint32_t> file_of = {});
 
-  /// Whether the point is in a cavity. True only when one shell of two triangles an edge winds about it inward, others
+  /// Returns whether the point is in a cavity. True only when one shell of two triangles an edge winds about it inward, others
   /// of the same file about it once outward, those of other files not at all, and none of those that have the point in
   /// their box comes near the shell's, so that the shell is cut out of material. Cost O(n).
   [[nodiscard]] bool contain(const Vec3& point) const;

@@ -11,8 +11,8 @@ namespace gouge {
 struct JoinedMesh {
   IndexedMesh mesh;
   MeshFindings findings;                ///< of `mesh`; its degenerate triangles are those that collapsed
-  std::size_t vertices_joined = 0;      ///< vertices that went to the position of another
-  double largest_shift_mm = 0;          ///< the farthest any of them went
+  std::size_t vertices_joined = 0;      ///< vertices moved to the position of another
+  double largest_shift_mm = 0;          ///< maximum distance moved
   std::size_t triangles_collapsed = 0;  ///< left with two corners at one point, and left out
 };
 

@@ -16,7 +16,7 @@ struct Welded {
   Diagnostics notes;
 };
 
-// The file is let go of at the end, before anything else takes memory.
+// The file is released at the end, before anything else takes memory.
 Result<Welded> weld(FileView file, const std::string& name, const MeshPlacement& placement,
                     const ProgressCall& progress) {
   Result<TriangleSoup> soup = parse_stl(file.bytes, name, std::move(file.keep), progress);
@@ -48,9 +48,9 @@ Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& na
   return load_mesh_view({bytes, nullptr}, name, placement);
 }
 
-Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement, std::uint64_t most_bytes,
+Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement, std::uint64_t max_bytes,
                              const ProgressCall& progress) {
-  Result<FileView> file = view_file(path, most_bytes);
+  Result<FileView> file = view_file(path, max_bytes);
   if (!file) return file.error();
   return load_mesh_view(std::move(*file), path, placement, progress);
 }

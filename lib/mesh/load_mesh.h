@@ -17,13 +17,12 @@ struct LoadedMesh {
   Diagnostics notes;  ///< what the reader tolerated, then describe(findings); warnings and notes
 };
 
-/// From an STL file to a mesh and what there is to say about it.
+/// From an STL file to a mesh and the remarks about it.
 /// Errors: those of read_file, parse_stl and build_mesh.
 [[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement = {},
-                                           std::uint64_t most_bytes = kMaxInputBytes,
-                                           const ProgressCall& progress = {});
+                                           std::uint64_t max_bytes = kMaxInputBytes, const ProgressCall& progress = {});
 
-/// The same from a file that is looked at already; it is let go of as soon as the mesh is welded.
+/// The same from a file that is examined already; it is released as soon as the mesh is welded.
 [[nodiscard]] Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name,
                                                 const MeshPlacement& placement = {}, const ProgressCall& progress = {});
 

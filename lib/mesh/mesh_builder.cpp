@@ -28,7 +28,7 @@ std::uint64_t hash_of(const Vec3& point) {
 }
 
 // Open-addressed table from coordinates to vertex numbers. Only looked up, never walked, so its layout cannot
-// reach the result. A slot keeps half of the hash, so that a vertex is looked at only when it is the one.
+// reach the result. A slot keeps half of the hash, so that a vertex is examined only when it is the one.
 class WeldTable {
  public:
   explicit WeldTable(std::size_t expected_vertices) : mask_(std::bit_ceil(expected_vertices * 2 + 16) - 1) {

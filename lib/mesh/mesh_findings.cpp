@@ -16,11 +16,11 @@ namespace {
 
 // Distinguishing a cavity from an inside-out body costs one pass over the mesh; files with more inward pieces than
 // this are broken anyway.
-constexpr std::size_t kMostInwardPieces = 64;
+constexpr std::size_t kMaxInwardPieces = 64;
 
-// Of a closed mesh: edges matched (3), fans, pieces joined and measured.
+// For a closed mesh: edges matched (3), fans, pieces joined and measured.
 constexpr std::size_t kWorkPerTriangle = 6;
-// Of any mesh: its edges (2), what is wrong with edges, vertices, copies, pieces.
+// For any mesh: its edges (2), what is wrong with edges, vertices, copies, pieces.
 constexpr std::size_t kStepsOfFaultFinder = 6;
 
 struct Piece {
@@ -66,7 +66,7 @@ std::vector<Piece> measure_pieces(const IndexedMesh& mesh, UnionFind& roots, Mes
 }
 
 /// Adds to `found` what concerns pieces of surface: how many, volume and area, cavities and pieces inside
-/// out. `pieces` joins the triangles of a piece; `is_open` says by a piece's lowest triangle whether its
+/// out. `pieces` joins the triangles of a piece; `is_open` states by a piece's lowest triangle whether its
 /// edges are not all used equally often in both directions, and may be empty when none is. Requires
 /// found.box_mm. Cost as described at find_mesh_findings.
 void find_pieces(const IndexedMesh& mesh, UnionFind& pieces, const std::vector<bool>& is_open, MeshFindings& found) {
@@ -75,7 +75,7 @@ void find_pieces(const IndexedMesh& mesh, UnionFind& pieces, const std::vector<b
   found.components = measured.size();
   for (const Piece& piece : measured) {
     if (piece.volume_mm3 >= 0 || (!is_open.empty() && is_open[piece.lowest])) continue;
-    if (looked_at++ < kMostInwardPieces && is_cavity(mesh, pieces, piece.lowest)) {
+    if (looked_at++ < kMaxInwardPieces && is_cavity(mesh, pieces, piece.lowest)) {
       ++found.cavities;
     } else {
       found.inside_out_components.add(centre(mesh, piece.lowest), mesh.file_triangle[piece.lowest]);

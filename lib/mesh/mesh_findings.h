@@ -11,7 +11,7 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/mesh_builder.h"
 
-// What can be said about a mesh by counting: the part of validation that every check runs. Whether the
+// Facts about a mesh that counting finds: the part of validation that every check runs. Whether the
 // surface crosses itself needs exact predicates and is lib/validate's business.
 
 namespace gouge {
@@ -48,7 +48,7 @@ struct MeshFindings {
   [[nodiscard]] bool is_consistently_oriented() const { return misoriented_edges.count == 0; }
   /// The surface separates inside from outside: winding numbers are whole.
   [[nodiscard]] bool is_watertight() const { return unbalanced_edges.count == 0; }
-  /// Inside is where the triangles say it is: a buried tool is reported. Triangles written twice leave no inside, or
+  /// Inside is where the triangles state it is: a buried tool is reported. Triangles written twice leave no inside, or
   /// one that the nearest of them does not show.
   [[nodiscard]] bool is_solid() const {
     return is_watertight() && inside_out_components.count == 0 && duplicate_triangles.count == 0;
@@ -72,7 +72,7 @@ struct MeshFindings {
 [[nodiscard]] MeshFindings find_mesh_findings(const BuiltMesh& built, const ProgressCall& progress = {});
 
 /// One sentence for each kind of finding: how many, where the first is, and what it means for a check.
-/// Warnings where a check can no longer tell a buried tool, notes for the rest; empty for a clean solid.
+/// Warnings where a check can no longer detect a buried tool, notes for the rest; empty for a clean solid.
 /// Codes: mesh-open, mesh-misoriented, mesh-inside-out, mesh-non-manifold-edges, mesh-non-manifold-vertices,
 /// mesh-duplicate-triangles, mesh-degenerate-triangles, mesh-collinear-triangles, mesh-opposite-normals.
 [[nodiscard]] Diagnostics describe(const MeshFindings& findings, const std::string& file,

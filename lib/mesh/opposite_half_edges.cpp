@@ -13,7 +13,7 @@ namespace gouge {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t kMostTriangles = 350'000'000;  // sides and two marks fit in 32 bits
+constexpr std::size_t kMaxTriangles = 350'000'000;  // sides and two marks fit in 32 bits
 
 /// An edge in the list of its lower vertex.
 struct Edge {
@@ -76,7 +76,7 @@ std::uint32_t after(std::uint32_t side) { return side % 3 == 2 ? side - 2 : side
 }  // namespace
 
 std::optional<OppositeHalfEdges> find_opposite_half_edges(const IndexedMesh& mesh, Stage* stage) {
-  if (mesh.triangles.size() > kMostTriangles) return std::nullopt;
+  if (mesh.triangles.size() > kMaxTriangles) return std::nullopt;
   return Matcher(mesh).match(stage);
 }
 

@@ -23,7 +23,7 @@ using OppositeHalfEdges = std::vector<std::uint32_t>;
 [[nodiscard]] std::optional<OppositeHalfEdges> find_opposite_half_edges(const IndexedMesh& mesh,
                                                                         Stage* stage = nullptr);
 
-/// Whether the triangles around every vertex form one fan, and no triangle has the corners of another. One unit of the
+/// Returns whether the triangles around every vertex form one fan, and no triangle has the corners of another. One unit of the
 /// stage a triangle.
 [[nodiscard]] bool is_manifold(const IndexedMesh& mesh, const OppositeHalfEdges& opposites, Stage* stage = nullptr);
 
@@ -31,7 +31,7 @@ using OppositeHalfEdges = std::vector<std::uint32_t>;
 ///
 /// Units    mm, part coordinates.
 /// Ensures  (1) For a surface whose every edge is used equally often in both directions (what
-///          MeshFindings::is_watertight says) and a point off the surface it is a whole number up to about
+///          MeshFindings::is_watertight) and a point off the surface it is a whole number up to about
 ///          1e-15 (sqrt(n) + size / distance to the surface): 1 inside an outward closed solid, 0 outside,
 ///          0 in a cavity, -1 inside an inside-out one.
 ///          (2) For other surfaces it is a fraction that changes continuously; only a hint.
@@ -44,7 +44,7 @@ using OppositeHalfEdges = std::vector<std::uint32_t>;
 ///          segmentation using generalized winding numbers, ACM Trans. Graph. 32 (2013).
 [[nodiscard]] double winding_number(const IndexedMesh& mesh, const Vec3& point_part);
 
-/// Whether the surfaces together wind around the point: the sum of their winding numbers is nearer to +-1, or beyond
+/// Returns whether the surfaces together wind around the point: the sum of their winding numbers is nearer to +-1, or beyond
 /// it, than to 0. Exact for closed surfaces and a point off them, whichever way they face; a hint for others.
 /// Cost  that of winding_number.
 [[nodiscard]] bool is_inside(std::span<const IndexedMesh> meshes, const Vec3& point_part);

@@ -15,7 +15,7 @@ enum class RayCrossing : std::uint8_t {
   none,     ///< beyond doubt
   out,      ///< through it to its front
   in,       ///< through it to its back
-  doubtful  ///< through an edge or from its plane, as far as rounding tells
+  doubtful  ///< through an edge or from its plane, up to rounding
 };
 
 /// A triangle as the origin of rays sees it.
@@ -31,7 +31,7 @@ class RayCone {
   double volume_ = 0, volume_slack_ = 0;
 };
 
-/// Whether from one of `origins` a ray in one of `directions` meets no triangle, beyond doubt: what rounding could turn
+/// Returns whether from one of `origins` a ray in one of `directions` meets no triangle, beyond doubt: what rounding could turn
 /// into a hit counts as one.
 ///
 /// Ensures  on true, one of the origins is joined with infinity by a straight line that keeps off the surface.

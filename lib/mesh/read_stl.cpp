@@ -56,9 +56,9 @@ bool begins_with_one(std::string_view line, const std::array<std::string_view, n
   return false;
 }
 
-/// What `bytes` are, as the rest of a sentence that begins with "the file" ("is STEP, ..."), where they are certainly
+/// Names the format of `bytes`, as the rest of a sentence that begins with "the file" ("is STEP, ..."), where they are certainly
 /// no STL but something that people take for a mesh. Nothing for anything else: the header of a binary STL may hold any
-/// words, so only `is_text`, no control characters at the beginning, lets words count. Looks at the first lines only.
+/// words, so only `is_text`, no control characters at the beginning, lets words count. Examines the first lines only.
 std::optional<std::string> describe_foreign_mesh(std::string_view bytes, bool is_text) {
   for (const Beginning& beginning : kBinaries) {
     if (bytes.starts_with(beginning.text)) return std::string(beginning.sentence);
@@ -87,7 +87,7 @@ bool is_text(std::string_view bytes) {
 
 bool is_plain_ascii(char c) { return (c >= ' ' && c <= '~') || c == '\t' || c == '\n' || c == '\r'; }
 
-// Whether every second of the first bytes, from `first`, is a character and the others are zero.
+// Returns whether every second of the first bytes, from `first`, is a character and the others are zero.
 bool alternates(std::string_view bytes, std::size_t first) {
   constexpr std::size_t kBytesLookedAt = 16;
   if (bytes.size() < kBytesLookedAt) return false;

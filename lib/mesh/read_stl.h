@@ -24,7 +24,7 @@ namespace gouge {
 ///          finite, or in ASCII not a number), stl-syntax (ASCII: a word is missing or out of place), stl-not-stl.
 ///          `name` stands in each; ASCII errors have the line.
 /// Binary triangles are looked up in `bytes` and not copied: the bytes must outlive the soup, unless `keep`
-/// sees to that.
+/// ensures that.
 /// Cost     O(bytes); of a longer binary file that of build_mesh and find_mesh_findings. ASCII, which takes long enough, is counted in MB.
 [[nodiscard]] Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name,
                                              std::shared_ptr<const void> keep = nullptr,

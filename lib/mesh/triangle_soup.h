@@ -14,7 +14,7 @@
 #include "lib/base/diagnostic.h"
 #include "lib/geom/vec.h"
 
-// What an STL file holds: triangles that do not know each other (thesis 4.1.1).
+// The content of an STL file: triangles that do not know each other (thesis 4.1.1).
 
 namespace gouge {
 
@@ -29,7 +29,7 @@ class TriangleList {
 
   TriangleList() = default;
   TriangleList(std::vector<TrianglePoints> points) : points_(std::move(points)) {}  // NOLINT: a plain list
-  /// `records` must stay where they are, unless `keep` sees to that.
+  /// `records` must stay where they are, unless `keep` ensures that.
   explicit TriangleList(std::string_view records, std::shared_ptr<const void> keep = nullptr)
       : records_(records), keep_(std::move(keep)) {}
 

@@ -16,7 +16,7 @@ struct EdgeTriangles {
   std::array<std::uint32_t, 2> first{};  ///< the lowest of them
 };
 
-/// The triangles at each vertex: the least from which all that is adjacent can be told.
+/// The triangles at each vertex: the least from which all that is adjacent can be stated.
 class VertexTriangles {
  public:
   VertexTriangles() = default;

@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// The way of the tool axis, and of all that is fixed to it, from t = 0 to 1 of a move. Constant: several threads may ask.
+/// The way of the tool axis, and of all that is fixed to it, from t = 0 to 1 of a move. Constant: several threads may call it.
 class AxisPath {
  public:
   virtual ~AxisPath() = default;

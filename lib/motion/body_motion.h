@@ -12,9 +12,9 @@ namespace gouge {
 /// the tool's frame (origin at the tip, z along the tool axis) to the part's directions.
 [[nodiscard]] Eigen::Matrix3d rotation_to_axis(const Vec3& axis);
 
-/// A body that is not a solid of revolution along a move. On the great circle CL data say where the tool axis points, not
+/// A body that is not a solid of revolution along a move. On the great circle CL data state where the tool axis points, not
 /// how the body is turned about it; at every position that is rotation_to_axis. Between two, the axis runs on the great
-/// circle as the tool's does, and what is left of the turn about the axis is spread evenly over the move. An AxisLaw says
+/// circle as the tool's does, and what is left of the turn about the axis is spread evenly over the move. An AxisLaw states
 /// all of it.
 class BodyMotion {
  public:

@@ -41,7 +41,7 @@ Vec3 axis_turned(const Vec3& axis, const Vec3& about, double angle) {
 /// its acceleration, and the turn bounds the angle between the ends.
 double off_circle_rad(const MotionRates& rates) {
   const double chord = (rates.axis_acceleration_rad() + rates.turn_rad * rates.turn_rad) / 8;
-  // Of two unit vectors that are a chord apart: 2 asin(c / 2) <= 1.05 c for c <= 1, and <= c pi / 2.
+  // Angle of two unit vectors a chord apart: 2 asin(c / 2) <= 1.05 c for c <= 1, and <= c pi / 2.
   return std::min(M_PI, (chord <= 1 ? 1.05 : M_PI / 2) * chord);
 }
 

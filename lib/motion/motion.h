@@ -22,7 +22,7 @@ struct MotionSegment {
 
 /// The motion of a tool over t in [0, 1]. The tip runs on a line, on a broken line of axes that each arrive in their own
 /// time, on an arc or on a spline. The axis turns on the great circle at constant rate, or on the path of an AxisLaw.
-/// Only a MotionLaw makes motions, so that nobody chooses a law by accident.
+/// Only a MotionLaw makes motions, so that no caller chooses a law by accident.
 class Motion {
  public:
   /// False where the law leaves the way of the axis open: opposite axes on the great circle.

@@ -47,7 +47,7 @@ class IntervalTree {
   /// The first so many are the segments.
   [[nodiscard]] std::uint32_t segments() const { return segments_; }
   [[nodiscard]] const Interval& operator[](std::uint32_t index) const { return intervals_[index]; }
-  /// Whether halving can still distinguish instants.
+  /// Returns whether halving can still distinguish instants.
   [[nodiscard]] bool can_halve(std::uint32_t index) const {
     constexpr double kShortest = Tolerance::kFewRoundings;
     return intervals_[index].t1 - intervals_[index].t0 > kShortest;

@@ -12,11 +12,11 @@ namespace gouge {
 
 enum class RapidMode { straight, dogleg, skip };
 
-/// How a tool moves between the positions of a path: all that makes motions. The tip runs as the path says, on rapids as
-/// the mode says. The axis turns on the great circle (the meaning of CL data) or by an AxisLaw.
+/// How a tool moves between the positions of a path: all that makes motions. The tip follows the path, on rapids
+/// the mode. The axis turns on the great circle (the meaning of CL data) or by an AxisLaw.
 class MotionLaw {
  public:
-  /// The great circle. Rapids that are skipped are straight where they are asked about all the same.
+  /// The great circle. Skipped rapids are straight where a caller requests them nevertheless.
   MotionLaw(RapidMode rapid = RapidMode::straight)  // NOLINT(google-explicit-constructor): a mode is a law
       : rapid_(rapid) {}
   /// `axes`: not null.
@@ -33,13 +33,13 @@ class MotionLaw {
   /// Makes the motion of a move, along its arc or spline where it has one.
   [[nodiscard]] Motion of(const Toolpath& toolpath, std::size_t move) const;
   /// The straight motion to a position alone from where the tool was before it (Move::is_linked); nothing where the path
-  /// has no link there. It is not what the file says; that it is clean is what the check asks of it.
+  /// has no link there. The file does not state it; the check only tests whether it is clean.
   [[nodiscard]] std::optional<Motion> link_of(const Toolpath& toolpath, std::size_t move) const;
   /// Makes the motion of a tool that rests at a pose.
   [[nodiscard]] Motion at(const Pose& pose) const;
   /// The same for a tool alone: a solid of revolution, which stands alike under every law.
   [[nodiscard]] static Motion tool_at(const Pose& pose) { return MotionLaw().at(pose); }
-  /// Between two positions with no curve: as the mode says for rapids, straight otherwise.
+  /// Between two positions with no curve: by the mode for rapids, straight otherwise.
   [[nodiscard]] Motion between(const Pose& from, const Pose& to, MoveKind kind) const;
   [[nodiscard]] Motion straight(const Pose& from, const Pose& to) const { return {from, to, axes_.get()}; }
   [[nodiscard]] Motion along(const Pose& from, const Pose& to, const PathArc& arc) const;

@@ -13,7 +13,7 @@
 
 namespace gouge {
 
-/// What the planes that meet at a vertex determine when each is moved along its normal.
+/// The offset vertices that the planes at a vertex determine when each is moved along its normal.
 enum class PlaneCase {
   none,          ///< no triangle with area: there is no plane
   one_plane,     ///< all faces coplanar: moves along their normal

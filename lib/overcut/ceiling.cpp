@@ -9,11 +9,11 @@ constexpr double kAbove_mm = 1e-6;  // how far over the highest surface the colu
 
 }  // namespace
 
-std::optional<double> ceiling(const Surface& solid, Column column, double reach_mm, double enough_mm, double most_mm,
+std::optional<double> ceiling(const Surface& solid, Column column, double reach_mm, double cutoff_mm, double max_mm,
                               bool is_through_outside, std::uint32_t near) {
   column.low_mm = -reach_mm;
-  column.high_mm = std::max(reach_mm, most_mm) + kAbove_mm;
-  const auto height = highest_in_column(solid.tree(), column, enough_mm, most_mm);
+  column.high_mm = std::max(reach_mm, max_mm) + kAbove_mm;
+  const auto height = highest_in_column(solid.tree(), column, cutoff_mm, max_mm);
   if (!height || (is_through_outside && *height < 0)) return height;
   if (solid.closest_point_from(column.through + column.high_mm * column.direction, near).is_inside) return std::nullopt;
   return height;

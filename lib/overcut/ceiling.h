@@ -9,14 +9,14 @@
 namespace gouge {
 
 /// A height, as of a Column's, over all of a closed surface within a cylinder that `reach_mm` to both sides of
-/// `column.through` holds; at most `most_mm`, and what is above it, up to there and to reach_mm, is outside. So every
+/// `column.through` holds; at most `max_mm`, and what is above it, up to there and to reach_mm, is outside. So every
 /// point of the solid in the cylinder is below it. Nothing where no such height is proven.
 ///
-/// `column`: through, direction and radius; low and high are set here. `enough_mm`: no lower height is asked for, at
-/// most `most_mm`. `is_through_outside`: known to be. `near`: a triangle near the column.
+/// `column`: through, direction and radius; low and high are set here. `cutoff_mm`: no lower height is requested, at
+/// most `max_mm`. `is_through_outside`: known to be. `near`: a triangle near the column.
 /// Requires a solid's boundary.
 /// Proof    docs/algorithms/overcut.md, section 4.
-[[nodiscard]] std::optional<double> ceiling(const Surface& solid, Column column, double reach_mm, double enough_mm,
-                                            double most_mm, bool is_through_outside = false, std::uint32_t near = 0);
+[[nodiscard]] std::optional<double> ceiling(const Surface& solid, Column column, double reach_mm, double cutoff_mm,
+                                            double max_mm, bool is_through_outside = false, std::uint32_t near = 0);
 
 }  // namespace gouge

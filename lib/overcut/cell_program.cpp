@@ -20,8 +20,8 @@ using Mat5 = Eigen::Matrix<double, 5, 5>;
 
 constexpr double kPivot = 1e-11;
 constexpr double kViolated_mm = 1e-8;
-constexpr int kMostPivots = 30;
-constexpr double kLevel = 1e-4;  // what is steeper tells its end that exactly
+constexpr int kMaxPivots = 30;
+constexpr double kLevel = 1e-4;  // what is steeper shows its end that exactly
 
 /// Largest v with  v <= limit(y)  of all limits,  plane(y) >= 0  of all planes, y in a box: rows n . (y, v) <= b.
 class DualSimplex {
@@ -53,18 +53,18 @@ class DualSimplex {
     }
     basis_[4] = kSides;
     inverse_(4, 4) = weights_[4] = 1;
-    for (int k = 0; k < kMostPivots; ++k) {
+    for (int k = 0; k < kMaxPivots; ++k) {
       Vec5 offsets;
       for (std::size_t i = 0; i < 5; ++i) offsets[static_cast<Eigen::Index>(i)] = rows_[basis_[i]].offset;
       at_ = inverse_ * offsets;
-      entering_ = most_violated();
+      entering_ = max_violated();
       if (entering_ == kNone || !pivot()) return;
     }
   }
 
   /// No point is behind all planes; then the weights are those of planes that miss the box together.
   [[nodiscard]] bool is_empty() const { return is_empty_; }
-  /// Of the k-th part that was added; may be a little negative.
+  /// Share of the k-th part added; may be slightly negative.
   [[nodiscard]] double weight(std::size_t k) const {
     if (is_empty_ && k + kSides == entering_) return 1;
     for (std::size_t i = 0; i < 5; ++i) {
@@ -81,7 +81,7 @@ class DualSimplex {
     double offset = 0;
   };
 
-  [[nodiscard]] std::size_t most_violated() const {
+  [[nodiscard]] std::size_t max_violated() const {
     std::size_t worst = kNone;
     double most = kViolated_mm;
     for (std::size_t k = 0; k < count_; ++k) {
@@ -119,7 +119,7 @@ class DualSimplex {
     return true;
   }
 
-  std::array<Row, kSides + CellProgram::kMostPlanes + CellProgram::kMostLimits> rows_;
+  std::array<Row, kSides + CellProgram::kMaxPlanes + CellProgram::kMaxLimits> rows_;
   std::size_t count_ = 0, entering_ = kNone;
   std::array<std::size_t, 5> basis_{};
   Mat5 inverse_ = Mat5::Zero();  // of the matrix whose rows are those of the basis
@@ -129,7 +129,7 @@ class DualSimplex {
 
 }  // namespace
 
-Affine CellProgram::blend_of(const std::array<double, kMostPlanes + kMostLimits>& weights) const {
+Affine CellProgram::blend_of(const std::array<double, kMaxPlanes + kMaxLimits>& weights) const {
   Affine blend;
   for (std::size_t k = 0; k < plane_count_ + limit_count_; ++k) {
     if (!(weights[k] > 0)) continue;
@@ -145,7 +145,7 @@ CellProgram::Bound CellProgram::bound() const {
   for (std::size_t k = 0; k < limit_count_; ++k) simplex.add(limits_[k], 1);
   for (std::size_t k = 0; k < plane_count_; ++k) simplex.add(planes_[k], 0);
   simplex.run(limits_[0].gradient);
-  std::array<double, kMostPlanes + kMostLimits> weights{};
+  std::array<double, kMaxPlanes + kMaxLimits> weights{};
   for (std::size_t k = 0; k < limit_count_ + plane_count_; ++k) weights[k] = std::max(0.0, simplex.weight(k));
   Bound bound;
   if (simplex.is_empty()) {

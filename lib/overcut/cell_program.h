@@ -21,26 +21,26 @@ struct Affine {
 /// largest value that all of a few limits allow.
 class CellProgram {
  public:
-  static constexpr std::size_t kMostPlanes = 10, kMostLimits = 4;
+  static constexpr std::size_t kMaxPlanes = 10, kMaxLimits = 4;
 
   /// The points y with |y_i| <= half_i.
   explicit CellProgram(const Vec4& half) : half_(half) {}
 
   /// Leaves the points where `plane` is at least 0.
   void keep_behind(const Affine& plane) {
-    if (plane_count_ < kMostPlanes) planes_[plane_count_++] = plane;
+    if (plane_count_ < kMaxPlanes) planes_[plane_count_++] = plane;
   }
   void limit(const Affine& limit) {
-    if (limit_count_ < kMostLimits) limits_[limit_count_++] = limit;
+    if (limit_count_ < kMaxLimits) limits_[limit_count_++] = limit;
   }
   /// Lets limit `k` allow so much more.
   void raise(std::size_t k, double by) { limits_[k].value += by; }
-  [[nodiscard]] bool is_full() const { return plane_count_ == kMostPlanes || limit_count_ == kMostLimits; }
+  [[nodiscard]] bool is_full() const { return plane_count_ == kMaxPlanes || limit_count_ == kMaxLimits; }
 
   struct Bound {
     double upper = 0;        ///< min over the limits is no larger anywhere; -infinity: proven to be empty
     Vec4 at = Vec4::Zero();  ///< about where it is largest
-    std::array<double, kMostLimits> share = {};  ///< of each limit in the blend that bounds it
+    std::array<double, kMaxLimits> share = {};  ///< of each limit in the blend that bounds it
     Affine least;  ///< the blend: at least min over the limits wherever that is behind all planes
   };
   /// Requires a limit.
@@ -58,11 +58,11 @@ class CellProgram {
 
  private:
   [[nodiscard]] double spread(const Vec4& gradient) const { return half_.dot(gradient.cwiseAbs()); }
-  [[nodiscard]] Affine blend_of(const std::array<double, kMostPlanes + kMostLimits>& weights) const;
+  [[nodiscard]] Affine blend_of(const std::array<double, kMaxPlanes + kMaxLimits>& weights) const;
 
   Vec4 half_;
-  std::array<Affine, kMostPlanes> planes_;
-  std::array<Affine, kMostLimits> limits_;
+  std::array<Affine, kMaxPlanes> planes_;
+  std::array<Affine, kMaxLimits> limits_;
   std::size_t plane_count_ = 0, limit_count_ = 0;
 };
 

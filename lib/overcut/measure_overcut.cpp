@@ -26,7 +26,7 @@ constexpr std::size_t kCellsOfOthers = 2'000;  // of moves that are not the wors
 constexpr double kSlack_mm = 0.1 * kOvercutGap_mm;
 constexpr double kRegionRounding = 2e-5;  // of the height: what RegionFinder passes over, twice
 
-/// What is known of an overcut from the depth of the move.
+/// Bounds an overcut by the depth of the move.
 struct KnownOvercut {
   double upper_mm = 0;            ///< outside of the zones no point of the tool is farther below the surface
   std::vector<Box2> sharp_zones;  ///< of the tool's half plane
@@ -42,7 +42,7 @@ class DepthBound {
   explicit DepthBound(const CompiledTool& tool);
 
   /// `depth_upper_mm`: nowhere during the motion is the surface of `part` deeper in the tool. Nothing where the depth
-  /// tells nothing: of a tool that turns back in height, or thinner than twice the depth, or with a core in the part.
+  /// shows nothing: of a tool that turns back in height, or thinner than twice the depth, or with a core in the part.
   /// Requires the boundary of a solid.
   [[nodiscard]] std::optional<KnownOvercut> at(double depth_upper_mm, const Motion& motion, const Surface& part) const;
 
@@ -75,24 +75,24 @@ class Measuring {
             const CheckOptions& options, const std::vector<HeadBody>& heads, CheckResult& result)
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options), heads_(heads), result_(result) {}
 
-  void run(const ProgressCall& progress, KeptWork* kept) {
+  void run(const ProgressCall& progress, CheckpointStore* kept) {
     is_worst_.resize(result_.verdicts.size(), false);
     for (const Event& event : result_.events) is_worst_[event.worst_move] = true;
     for (std::size_t i = 0; i < result_.verdicts.size(); ++i) {
       if (is_asked(i)) prepare(i);
     }
-    for_each_kept_chunk(gouges_.size(), 4, options_.threads, "measuring overcuts", progress, kept, form(),
-                        [&](std::size_t first, std::size_t last) {
-                          for (std::size_t k = first; k < last; ++k) measure(gouges_[k]);
-                        });
+    for_each_checkpointed_chunk(gouges_.size(), 4, options_.threads, "measuring overcuts", progress, kept, form(),
+                                [&](std::size_t first, std::size_t last) {
+                                  for (std::size_t k = first; k < last; ++k) measure(gouges_[k]);
+                                });
     result_.worst_overcut_mm = 0;
     for (const std::size_t i : gouges_)
       result_.worst_overcut_mm = std::max(result_.worst_overcut_mm, result_.verdicts[i].overcut_mm.value_or(0));
   }
 
  private:
-  [[nodiscard]] StretchForm form() const {
-    StretchForm form;
+  [[nodiscard]] CheckpointForm form() const {
+    CheckpointForm form;
     form.write = [this](std::size_t first, std::size_t last) {
       std::string bytes;
       for (std::size_t k = first; k < last; ++k) append_bytes(result_.verdicts[gouges_[k]], bytes);
@@ -136,10 +136,10 @@ class Measuring {
     const Surface& part = surface_of(verdict).boundary();
     // Where the tool's boundary comes to lie once the witness is followed through the tool.
     const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
-    const auto join = [&](SweptSolid&& moving, double blunt_upper_mm) {
+    const auto join = [&](SweptSolid&& moving, double rounded_bound_mm) {
       OvercutOptions search;
-      if (!is_worst_[move]) search.most_cells = kCellsOfOthers;
-      search.blunt_upper_mm = blunt_upper_mm;
+      if (!is_worst_[move]) search.max_cells = kCellsOfOthers;
+      search.rounded_bound_mm = rounded_bound_mm;
       const Overcut found = find_overcut(moving, part, seed, verdict.witness->t, search);
       verdict.overcut_mm = std::max(verdict.overcut_mm.value_or(0), found.depth_mm);
       verdict.overcut_upper_mm = std::max(verdict.overcut_upper_mm, found.depth_upper_mm);
@@ -149,9 +149,9 @@ class Measuring {
       return;
     }
     std::optional<KnownOvercut> known = depth_bounds_.at(tool).at(verdict.depth_upper_mm, motion, part);
-    const double blunt_upper = known ? known->upper_mm : kUnknown_mm;
+    const double rounded_bound = known ? known->upper_mm : kUnknown_mm;
     join(SweptTool(motion, tools_[tool]->bare, known ? std::optional(std::move(known->sharp_zones)) : std::nullopt),
-         blunt_upper);
+         rounded_bound);
   }
 
   const Toolpath& toolpath_;
@@ -169,7 +169,7 @@ class Measuring {
 
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                       const PreparedScene& scene, const CheckOptions& options, CheckResult& result,
-                      const std::vector<HeadBody>& heads, const ProgressCall& progress, KeptWork* kept) {
+                      const std::vector<HeadBody>& heads, const ProgressCall& progress, CheckpointStore* kept) {
   Measuring(toolpath, tools, scene, options, heads, result).run(progress, kept);
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lib/base/kept_work.h"
+#include "lib/base/checkpoints.h"
 #include "lib/base/parallel.h"
 #include "lib/check/check_options.h"
 #include "lib/check/check_result.h"
@@ -26,6 +26,7 @@ namespace gouge {
 /// Cost     some 10 microseconds a move of a tool that is blunt where it gouges, else up to a millisecond or a few.
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                       const PreparedScene& scene, const CheckOptions& options, CheckResult& result,
-                      const std::vector<HeadBody>& heads, const ProgressCall& progress = {}, KeptWork* kept = nullptr);
+                      const std::vector<HeadBody>& heads, const ProgressCall& progress = {},
+                      CheckpointStore* kept = nullptr);
 
 }  // namespace gouge

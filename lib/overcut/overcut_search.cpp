@@ -25,9 +25,9 @@ constexpr double kCoarse = 0.1;      // of what is too much: so much higher a ce
 constexpr double kHopeless = 0.5;    // of a cell's radius: where more than that is too much a ceiling does not help
 constexpr double kHigher = 0.3;      // of a cell's radius: a ceiling that is so much higher does not help
 constexpr int kNoZone = -1;
-constexpr double kWorthAnotherLook = 0.5;  // of its volume: a cell that is left less is looked at again
+constexpr double kWorthAnotherLook = 0.5;  // of its volume: a cell that is left less is examined again
 constexpr double kNotCut = 0.05;           // of what is too much: a plane that cuts less off is of no use
-constexpr double kAlongNormal = 0.25;      // first order says all along the normal; cells need to be small across it
+constexpr double kAlongNormal = 0.25;      // first order states all along the normal; cells need to be small across it
 
 /// A box of space with axes along the search's frame, over a time interval.
 struct Cell : SearchCandidate {
@@ -60,8 +60,8 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     frame_.row(2) = Vec3(frame_.row(0)).cross(Vec3(frame_.row(1)));
     Box3 all;
     for (const Vec3& corner : LaneBound(part_.tree()).hull()) all.extend(Vec3(frame_ * corner));
-    const bool is_sharp_only = options_.blunt_upper_mm <= threshold_mm();
-    if (is_sharp_only) prune(options_.blunt_upper_mm);
+    const bool is_sharp_only = options_.rounded_bound_mm <= threshold_mm();
+    if (is_sharp_only) prune(options_.rounded_bound_mm);
     for (std::uint32_t s = 0; s < tool_.segments(); ++s) {
       const std::vector<Box3> boxes = tool_.extents(frame_, s, is_sharp_only);
       for (std::size_t k = 0; k < boxes.size(); ++k) {
@@ -76,7 +76,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
   }
 
   [[nodiscard]] double threshold_mm() const { return best_.depth_mm + overcut_gap_mm(best_.depth_mm); }
-  [[nodiscard]] bool is_exhausted() const { return looked_ >= options_.most_cells; }
+  [[nodiscard]] bool is_exhausted() const { return looked_ >= options_.max_cells; }
 
   void split(const Cell& cell) {
     if (cell.zone >= 0) {
@@ -133,7 +133,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     if (cell.upper_mm <= threshold_mm()) return prune(cell.upper_mm);
     const SweptBound swept = tool_.bound(cell.centre, radius, cell.interval);
     if (!swept.is_reached) return;
-    if (swept.is_blunt) cell.upper_mm = std::min(cell.upper_mm, options_.blunt_upper_mm);
+    if (swept.is_rounded) cell.upper_mm = std::min(cell.upper_mm, options_.rounded_bound_mm);
     if (cell.upper_mm <= threshold_mm()) return prune(cell.upper_mm);
     offer_point(cell, swept);
     if (is_decided_by_planes(cell, swept)) return;
@@ -161,7 +161,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     Vec3 outward;
     double height_mm;  ///< over the cell's centre, of the surface's closest point somewhere in the cell
   };
-  using Limits = std::array<Limit, CellProgram::kMostLimits>;
+  using Limits = std::array<Limit, CellProgram::kMaxLimits>;
 
   /// To first order: the tool behind planes that touch it, the part below planes square to its closest points. Where
   /// that does not decide the cell it is made as small as what is left of it.

@@ -11,10 +11,10 @@ namespace gouge {
 inline constexpr double kUnknown_mm = std::numeric_limits<double>::infinity();
 
 struct OvercutOptions {
-  std::size_t most_cells =
+  std::size_t max_cells =
       5'000;  ///< the search ends when the two bounds are overcut_gap_mm apart or after so many cells
   /// Known to bound the distance below the surface of every point outside of the solid's sharp zones.
-  double blunt_upper_mm = kUnknown_mm;
+  double rounded_bound_mm = kUnknown_mm;
 };
 
 struct Overcut {

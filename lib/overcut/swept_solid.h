@@ -13,13 +13,13 @@
 namespace gouge {
 
 /// The points x with normal . (x - centre) <= offset + s drift at the instant that s in [-1/2, 1/2] names within the
-/// interval, centre and interval those of the cell it was asked for.
+/// interval, centre and interval those of the cell it was requested.
 struct DriftingHalfSpace {
   Vec3 normal = Vec3::Zero();
   double offset_mm = 0, drift_mm = 0;
 };
 
-/// Of a plane of the solid's own, over a time interval: `n0` and `n1` its normal at both ends in the part's directions,
+/// A plane of the solid itself, over a time interval: `n0` and `n1` its normal at both ends in the part's directions,
 /// `depth_mm` how far the cell's centre is behind it in the middle of its chord, `drift_mm` how much more so at the end
 /// than at the start. The mean of both normals serves, with half their difference at the cell's rim added.
 [[nodiscard]] inline DriftingHalfSpace behind_plane(const Vec3& n0, const Vec3& n1, double depth_mm, double drift_mm,
@@ -28,18 +28,18 @@ struct DriftingHalfSpace {
   return {0.5 * (n0 + n1), depth_mm + bulge_mm + 0.5 * (n1 - n0).norm() * radius_mm + kRounding_mm, drift_mm};
 }
 
-/// What of a solid in motion comes into a cell during a time interval.
+/// The part of a moving solid that enters a cell during a time interval.
 struct SweptBound {
   bool is_reached = false;                ///< false: proven that nothing does
-  bool is_blunt = false;                  ///< all of the solid in the cell is outside of its sharp zones
+  bool is_rounded = false;                ///< all of the solid in the cell is outside of its sharp zones
   bool can_halve = false;                 ///< the interval
   std::optional<DriftingHalfSpace> half;  ///< holds all of the solid that comes into the cell
   double distance_mm = 0;                 ///< about the signed distance of the cell's centre at ...
-  double t = 0;                           ///< ... this instant, the best one looked at
+  double t = 0;                           ///< ... this instant, the best one examined
   double path_length_mm = 0;              ///< how far, about, the centre runs in the solid's frame
 };
 
-/// A solid along one motion, asked from points of the part.
+/// A solid along one motion, queried for points of the part.
 class SweptSolid {
  public:
   /// Requires motion.is_defined(); it must outlive the solid.

@@ -13,7 +13,7 @@ namespace gouge {
 namespace {
 
 constexpr double kAngleRounding = 1e-7;  // of an arc sine, next to a pole
-constexpr double kLeastAcross = 0.1;
+constexpr double kMinAcross = 0.1;
 constexpr int kArcs = 24;  // of a sharp edge, each searched for itself
 
 /// The smallest distance of a stretch from the tool axis.
@@ -39,10 +39,10 @@ struct Chord {
 /// between them: largest of  r n_r + z n_z + radius  over a few discs, for each direction n.
 class Hull {
  public:
-  /// Of the heights [z_lo, z_hi] and what is r_lo or more from the axis, asked for directions whose angle over the
+  /// Bounds the points at heights [z_lo, z_hi] and at least r_lo from the axis, requested directions whose angle over the
   /// (r, z) plane's r axis is in [low, high].
   Hull(const CompiledTool& tool, double z_lo, double z_hi, double r_lo, double low, double high)
-      : z_lo_(z_lo), z_hi_(z_hi), r_lo_(r_lo), least_across_(std::max(0.0, std::min(std::cos(low), std::cos(high)))) {
+      : z_lo_(z_lo), z_hi_(z_hi), r_lo_(r_lo), min_across_(std::max(0.0, std::min(std::cos(low), std::cos(high)))) {
     for (const BoundaryElement& e : tool.elements) {
       const double bottom = std::min(e.a.y(), e.b.y()), top = std::max(e.a.y(), e.b.y());
       if (e.kind == ElementKind::arc) {
@@ -69,7 +69,7 @@ class Hull {
     double most = 0;
     for (const Disc& disc : discs_) {
       const double r = disc.center.x();
-      most = std::max(most, std::abs(disc.center.y()) + (r < 0 ? -r * (1 + 1 / least_across_) : r));
+      most = std::max(most, std::abs(disc.center.y()) + (r < 0 ? -r * (1 + 1 / min_across_) : r));
     }
     return most / 8;
   }
@@ -100,7 +100,7 @@ class Hull {
   /// An arc that faces outwards is its disc only for the directions of its own normals at these heights.
   void add_arc(const BoundaryElement& e, double low, double high) {
     const Vec2 from = e.a - e.center, to = e.b - e.center;
-    const bool is_steep = e.center.x() < 0 && least_across_ < kLeastAcross;
+    const bool is_steep = e.center.x() < 0 && min_across_ < kMinAcross;
     if (e.is_reflex || is_steep) {
       const double out = e.is_reflex ? 0 : e.radius_mm - (0.5 * (from + to)).norm() + Tolerance::kRounding_mm;
       add(e.a, out);
@@ -125,10 +125,10 @@ class Hull {
   }
 
   std::vector<Disc> discs_;
-  double z_lo_, z_hi_, r_lo_, least_across_;
+  double z_lo_, z_hi_, r_lo_, min_across_;
 };
 
-/// What of the tool comes into the cell lies behind a plane whose direction is fixed in the part: how far the tool
+/// The part of the tool inside the cell lies behind a plane of fixed direction in the part: how far the tool
 /// reaches along it changes with the instant nearly linearly. Proof: docs/algorithms/overcut.md, section 4.
 DriftingHalfSpace behind(const CompiledTool& tool, const Vec3& direction, const Vec3& centre, const Chord& chord,
                          const ToolInterval& interval) {
@@ -203,8 +203,9 @@ SweptBound SweptTool::bound(const Vec3& centre, double radius, std::uint32_t ind
   if (sharp_zones_) {
     const Vec2 q(middle.q.head<2>().norm(), middle.q.z());
     const double around = radius + 0.5 * length + chord.bulge_mm + Tolerance::kRounding_mm;
-    bound.is_blunt = std::none_of(sharp_zones_->begin(), sharp_zones_->end(),
-                                  [&](const Box2& zone) { return zone.squaredExteriorDistance(q) <= around * around; });
+    bound.is_rounded = std::none_of(sharp_zones_->begin(), sharp_zones_->end(), [&](const Box2& zone) {
+      return zone.squaredExteriorDistance(q) <= around * around;
+    });
   }
   bound.half = beside(tool_, middle, centre, 0, centre, chord, interval);
   return bound;
@@ -231,7 +232,7 @@ std::vector<Box3> SweptTool::pieces(const Eigen::Matrix3d& frame, std::uint32_t 
   return boxes;
 }
 
-/// Of one of kArcs equal pieces of such a ring.
+/// Bounds one of kArcs equal pieces of such a ring.
 Box3 SweptTool::extent_of_arc(const Eigen::Matrix3d& frame, std::uint32_t index, const Box2& ring, int piece) const {
   constexpr double kAngle = 2 * std::numbers::pi / kArcs;
   const ToolInterval& interval = intervals_[index];
@@ -251,12 +252,12 @@ Box3 SweptTool::extent_of_arc(const Eigen::Matrix3d& frame, std::uint32_t index,
       }
     }
   }
-  // What is between the two ends of an arc is no farther from their chord than that.
+  // Every point of the arc is within that distance of its chord.
   const double out = ring.max().x() * (1 - std::cos(0.5 * kAngle)) + bulge + Tolerance::kRounding_mm;
   return Box3(Vec3(box.min().array() - out), Vec3(box.max().array() + out));
 }
 
-/// Of the ring that a box of the half plane makes about the axis.
+/// Bounds the ring that a box of the half plane sweeps about the axis.
 Box3 SweptTool::extent(const Eigen::Matrix3d& frame, std::uint32_t index, const Box2& ring) const {
   const ToolInterval& interval = intervals_[index];
   const double far = ring.max().x() + std::max(std::abs(ring.min().y()), std::abs(ring.max().y()));

@@ -19,14 +19,14 @@ namespace gouge {
 enum class Basis : std::uint8_t {
   stated,        ///< by a file or by the user
   derived,       ///< from evidence in the inputs
-  by_default,    ///< nothing says otherwise
+  by_default,    ///< nothing states otherwise
   contradicted,  ///< the inputs disagree about it
   unknown        ///< nothing establishes it
 };
 /// Returns "stated", "derived", "default", "contradicted" or "unknown".
 [[nodiscard]] const char* basis_name(Basis basis);
 
-/// What a fact is about. Reports list them in this order.
+/// Subject of a fact. Reports list them in this order.
 enum class Subject : std::uint8_t {
   path_unit,     ///< unit of the toolpath's lengths
   dialect,       ///< how the toolpath file is read
@@ -55,7 +55,7 @@ struct Assumption {
   std::string object = {};  ///< what it is about where there are several: "T3", "part.stl"; else empty
   Basis basis = Basis::by_default;
   std::string value = {};     ///< what was taken: "mm", "ball D 10 of tools.json"
-  std::string evidence = {};  ///< why, or what speaks against it; one sentence without a full stop
+  std::string evidence = {};  ///< why, or what contradicts it; one sentence without a full stop
   std::string remedy = {};    ///< of contradicted, unknown and default facts: how to establish it
   std::string code = {};      ///< of the warning where it is open, as in docs/errors.md
   std::string file = {};      ///< where the evidence is; may be empty
@@ -64,7 +64,7 @@ struct Assumption {
 };
 using Assumptions = std::vector<Assumption>;
 
-/// What the user vouches for (--assume): a subject, or one object of it.
+/// A fact that the user vouches for (--assume): a subject, or one object of it.
 struct Vouched {
   Subject subject = Subject::path_unit;
   std::string object = {};  ///< empty: all objects of the subject

@@ -18,7 +18,7 @@ struct LargestOfMoves {
   void take(double of_move, std::size_t index);
 };
 
-/// Of the feed moves of a path: those that have a start and run at no rapid.
+/// Smoothness of the tool axis over the feed moves of a path that have a start.
 struct AxisQuality {
   LargestOfMoves turn_rad_per_mm;     ///< the turn by the length of the tip's path; turns on the spot have none
   LargestOfMoves turn_rad;            ///< in one move, on the spot or not
@@ -31,7 +31,7 @@ struct AxisQuality {
   std::optional<double> limited_feed_seconds;  ///< and no faster than the rotary limit; none: no limit is given
   std::size_t moves_without_feed = 0;          ///< in neither time: no feed per minute is known
 
-  /// No file says where a tip is more closely than this.
+  /// No file states where a tip is more closely than this.
   static constexpr double kSpot_mm = 0.001;
   /// Axes as near as this are the same but for the digits of a file.
   static constexpr double kSameAxis_rad = Tolerance::kFileAxis;

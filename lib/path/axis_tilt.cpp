@@ -16,7 +16,7 @@ namespace gouge {
 namespace {
 
 constexpr double kCurveError_mm = 0.05;
-constexpr double kLeastMargin_mm = 1, kMostMargin_mm = 10, kMarginOfLength = 0.1;
+constexpr double kMinMargin_mm = 1, kMaxMargin_mm = 10, kMarginOfLength = 0.1;
 constexpr double kCosOfCorner = 0.9;  // of about 26 degrees: below, the feed bends, above it turns a corner
 constexpr double kPlunge =
     0.3;  // sine of some 17 degrees: a tip that goes nearer to the axis plunges, its feed has no side
@@ -43,7 +43,7 @@ class TiltCurve {
     run.last = last;
     double length_mm = 0;
     for (std::size_t k = first; k < last; ++k) length_mm += after_.moves[k].has_start ? move_length_mm(after_, k) : 0;
-    const double margin_mm = std::clamp(kMarginOfLength * length_mm, kLeastMargin_mm, kMostMargin_mm);
+    const double margin_mm = std::clamp(kMarginOfLength * length_mm, kMinMargin_mm, kMaxMargin_mm);
     const std::size_t from = margin_before(first, margin_mm), to = margin_behind(last, margin_mm);
     if (after_.moves[from].has_start) append_start_of(from);
     for (std::size_t k = from; k < to; ++k) {
@@ -243,7 +243,7 @@ std::vector<MoveSpan> longest(std::vector<MoveSpan> spans, std::size_t most) {
 }  // namespace
 
 AxisTilts find_axis_tilts(const Toolpath& before, const Toolpath& after, const std::vector<std::size_t>& origins,
-                          std::size_t most_runs) {
+                          std::size_t max_runs) {
   AxisTilts found;
   if (origins.size() != after.moves.size()) return found;
   const std::vector<Vec3> programmed = programmed_axes(before, after, origins);
@@ -255,7 +255,7 @@ AxisTilts find_axis_tilts(const Toolpath& before, const Toolpath& after, const s
     found.tilt_rad.take(tilts[k], k);
   }
   const std::vector<MoveSpan> spans = TiltedSpans(after, tilts).find();
-  for (const MoveSpan& span : longest(spans, most_runs)) {
+  for (const MoveSpan& span : longest(spans, max_runs)) {
     TiltedRun run = draw_tilt_curve(after, programmed, span.first, span.last);
     for (std::size_t k = span.first; k < span.last; ++k) run.tilt_rad.take(tilts[k], k);
     found.runs.push_back(std::move(run));
@@ -288,7 +288,7 @@ struct Stretch {
     return (tip - (from.tip + t * (to.tip - from.tip))).norm();
   }
 
-  /// Of its axes at places within `reach_mm` of the position, the one nearest to the position's. Requires that there
+  /// Returns the nearest axis among those within `reach_mm` of the position. Requires that there
   /// is such a place.
   [[nodiscard]] Vec3 nearest_axis(const Pose& pose, double reach_mm) const {
     const auto [t, distance2] = nearest_on_line(pose.tip);
@@ -310,14 +310,14 @@ Vec3 axis_at_nearest(const std::vector<Pose>& motion, const Pose& pose) {
     nearest = std::min(nearest, Stretch{motion[i], motion[i + 1]}.distance(pose.tip));
   const double reach_mm = kTimesNearest * nearest + kAxisError_mm;
   Vec3 best = motion.back().axis;
-  double least_rad = std::numeric_limits<double>::infinity();
+  double min_rad = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < motion.size(); ++i) {
     const Stretch stretch{motion[i], motion[i + 1]};
     if (stretch.distance(pose.tip) > reach_mm) continue;
     const Vec3 axis = stretch.nearest_axis(pose, reach_mm);
     const double angle = angle_between_rad(axis, pose.axis);
-    if (!(angle < least_rad)) continue;
-    least_rad = angle;
+    if (!(angle < min_rad)) continue;
+    min_rad = angle;
     best = axis;
   }
   return best;

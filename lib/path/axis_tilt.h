@@ -51,9 +51,9 @@ struct AxisTilts {
 /// Requires as many origins as moves, or none: then nothing is tilted.
 /// Cost     one pass over the moves; chords to 0.01 mm of programmed curves into which positions were inserted.
 [[nodiscard]] AxisTilts find_axis_tilts(const Toolpath& before, const Toolpath& after,
-                                        const std::vector<std::size_t>& origins, std::size_t most_runs = 12);
+                                        const std::vector<std::size_t>& origins, std::size_t max_runs = 12);
 
-/// For each move of a corrected path, the programmed unit axis at its end, as find_axis_tilts (axis_tilt.h) says.
+/// For each move of a corrected path, the programmed unit axis at its end, as find_axis_tilts (axis_tilt.h) states.
 /// Requires one origin for each move of `after`.
 [[nodiscard]] std::vector<Vec3> programmed_axes(const Toolpath& before, const Toolpath& after,
                                                 const std::vector<std::size_t>& origins);

@@ -8,10 +8,10 @@
 namespace gouge {
 namespace {
 
-constexpr double kMostChords = 10000;
+constexpr double kMaxChords = 10000;
 
 std::size_t count_for(double chords) {
-  return static_cast<std::size_t>(std::clamp(std::ceil(chords), 1.0, kMostChords));
+  return static_cast<std::size_t>(std::clamp(std::ceil(chords), 1.0, kMaxChords));
 }
 
 void append_arc(const PathArc& arc, const Pose& start, const Pose& end, double error_mm, std::vector<Pose>& poses) {

@@ -15,7 +15,7 @@ enum class CurveKind : std::uint8_t { none, arc, spline };
 
 /// A circle or a helix about `center + s axis`. Where start and end are not equally far from that line (by the
 /// rounding of the file) the radius changes evenly, and so does the height: the tip runs from the start to the
-/// end of its move exactly, whatever the numbers say.
+/// end of its move exactly, whatever the numbers state.
 struct PathArc {
   Vec3 center = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();  ///< unit

@@ -4,9 +4,9 @@
 
 namespace gouge {
 
-/// What a motion's speed is, as far as its file says.
+/// Speed of a motion, as far as its file states it.
 enum class FeedUnit : std::uint8_t {
-  not_stated,      ///< a feed motion whose feed the file does not say
+  not_stated,      ///< a feed motion whose file states no feed
   rapid,           ///< the machine's own speed
   per_minute,      ///< mm per minute
   per_revolution,  ///< mm per revolution of the spindle

@@ -22,21 +22,21 @@ struct PathChange {
   /// The arc stays an arc, about another axis line, to the move's (new) end. It begins at the last of
   /// `inserted_before`, which are reached on straight lines, or else where the move before it ends after its
   /// own change. Both ends lie on the circle to 0.01 mm; those of a full circle are the same position, digit for
-  /// digit. The sign of the sweep with the axis says which way round it runs, as in Toolpath::arcs.
+  /// digit. The sign of the sweep about the axis is its direction, as in Toolpath::arcs.
   std::optional<PathArc> new_arc = std::nullopt;
   /// The drilled hole whose first move this is goes elsewhere: its programmed position and with it all
   /// heights that the cycle counts from there. What the cycle rises to from the position before it stays, so
   /// a hole may get a step more or less than it had: read again, its moves are those of the same statement.
   std::optional<Vec3> hole_shift_mm = std::nullopt;
-  /// How each of `inserted_before` is reached: on this arc, which obeys what new_arc says of its ends, or straight. One
-  /// entry each, or none at all: all straight. Only of an arc, beside `new_arc` or `is_straightened`, which say how the
+  /// How each of `inserted_before` is reached: on this arc, with ends as for new_arc, or straight. One
+  /// entry each, or none at all: all straight. Only of an arc, beside `new_arc` or `is_straightened`, which state how the
   /// end of the move itself is reached.
   std::vector<std::optional<PathArc>> inserted_arcs = {};
-  /// Of a feed, or a curve that becomes straight: which of `inserted_before` and, behind them, whether its own end is
+  /// For a feed, or a curve that becomes straight: which of `inserted_before`, and whether its own end, is
   /// reached at rapid. One entry each and one for the end, or none at all: none is.
   std::vector<bool> at_rapid = {};
 
-  /// Whether the k-th of `inserted_before`, or the end of the move behind them, becomes a rapid.
+  /// Returns whether the k-th of `inserted_before`, or the end of the move behind them, becomes a rapid.
   [[nodiscard]] bool is_at_rapid(std::size_t k) const { return k < at_rapid.size() && at_rapid[k]; }
   [[nodiscard]] bool is_end_at_rapid() const { return is_at_rapid(inserted_before.size()); }
 
@@ -47,13 +47,13 @@ struct PathChange {
   }
 };
 
-/// What a file lets a correction rewrite within its own statements: one entry a move of the path, or none at all where
+/// The moves that a correction can rewrite within the statements of a file: one entry a move of the path, or none at all where
 /// nothing can be rewritten.
 struct RewritableMoves {
   std::vector<bool> arc;    ///< PathChange::new_arc can be written; elsewhere the arc can only be straightened
   std::vector<bool> split;  ///< and PathChange::inserted_arcs: the arc can become several
   bool has_axes = false;    ///< the file states tool axes
-  bool has_rapids = false;  ///< PathChange::at_rapid can be written: the dialect says rapid of one motion
+  bool has_rapids = false;  ///< PathChange::at_rapid can be written: the dialect has a rapid for one motion
   std::vector<bool> hole;   ///< PathChange::hole_shift_mm can be written; true for the first move of a hole alone
 };
 

@@ -9,7 +9,7 @@
 #include "lib/geom/vec.h"
 #include "lib/path/toolpath.h"
 
-// What is in a toolpath, counted: for `gougecheck path info` and for reports. Lengths in mm, part
+// Counts of a toolpath: for `gougecheck path info` and for reports. Lengths in mm, part
 // coordinates.
 
 namespace gouge {

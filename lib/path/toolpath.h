@@ -20,7 +20,7 @@
 #include "lib/path/feed.h"
 #include "lib/path/source_text.h"
 
-// The neutral toolpath: what a cutter-location file says, free of any dialect, in mm and part coordinates,
+// The neutral toolpath: the content of a cutter-location file, free of any dialect, in mm and part coordinates,
 // every move remembering the source line its statement begins on. Readers and writers: postproc/cldata.
 
 namespace gouge {
@@ -55,7 +55,7 @@ struct PathTool {
   std::optional<CutterStatement> cutter;  ///< from CUTTER or TLDATA
   double flute_length_mm = 0;             ///< 0: not given
   std::size_t line = 0;                   ///< where it is defined or loaded
-  double stated_diameter_mm = 0;          ///< all the file says of a cutter it does not define; 0: nothing
+  double stated_diameter_mm = 0;          ///< all that the file states about a cutter it does not define; 0: nothing
 };
 
 struct Operation {
@@ -63,7 +63,7 @@ struct Operation {
   std::size_t line = 0;
 };
 
-/// What a check of a motion that has a not_checked_reason still proves, where it finds the motion clean.
+/// The statement that a clean check still proves for a motion with a not_checked_reason.
 enum class Cover : std::uint8_t {
   none,    ///< nothing
   motion,  ///< the motion holds every motion that its statement may mean
@@ -75,7 +75,7 @@ enum class Cover : std::uint8_t {
 /// is kept small.
 struct Move {
   Pose end;
-  double feed_mm = 0;  ///< per minute or revolution, as `feed_unit` says; 0: no number is known
+  double feed_mm = 0;  ///< per minute or revolution, as `feed_unit` states; 0: no number is known
   /// Not empty: why this motion cannot be checked, or may only be found clean (`cover`); text that is never freed.
   std::string_view not_checked_reason;
   SmallIndex line;                         ///< where its statement begins, counted from 1
@@ -88,8 +88,8 @@ struct Move {
   FeedUnit feed_unit = FeedUnit::not_stated;
   /// False: the position alone, the first of the file, of a tool, of a block, or after a motion whose end is unknown.
   bool has_start = false;
-  /// Of a position alone: the tool was at the end of the move before, and the file changes neither tool nor frame
-  /// between both. How it gets here the file does not say.
+  /// A single position: the tool was at the end of the move before, and the file changes neither tool nor frame
+  /// between both. The file does not state how it gets here.
   bool is_linked = false;
   Cover cover = Cover::none;  ///< of a motion with a not_checked_reason
 
@@ -131,17 +131,17 @@ struct Toolpath {
   Moves moves;
   PagedVector<PathArc> arcs;        ///< of moves whose curve_kind is arc
   std::vector<PathSpline> splines;  ///< of moves whose curve_kind is spline
-  /// The user says that cycles without a height of their own retract to this plane, in the coordinates of positions, mm.
+  /// Plane to which cycles without a height of their own retract, by the user, in the coordinates of positions, mm.
   std::optional<double> retract_plane_mm;
-  std::vector<std::string> harmless_words;                  ///< the user says that they move and change nothing
+  std::vector<std::string> harmless_words;                  ///< the user states that they move and change nothing
   std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; reported to the user
   Diagnostics notes;              ///< warnings and notes of reading; errors make reading fail instead
   Assumptions assumptions;        ///< unit, dialect, completeness, statements and frame of a file that was read
   bool has_turned_frame = false;  ///< the file's X, Y and Z are not the part's in some of its moves
-  /// Null where the path was read without; whoever needs them then reads the file again.
+  /// Null where the path was read without; a caller that needs them then reads the file again.
   std::shared_ptr<const MoveOrigins> origins;
 
-  /// Where a move starts: whoever takes moves out of a path changes where those behind them start.
+  /// Where a move starts: removing moves from a path changes where those behind them start.
   /// Requires moves[move].has_start and move > 0.
   [[nodiscard]] const Pose& start_of(std::size_t move) const { return moves[move - 1].end; }
 };

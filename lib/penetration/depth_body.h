@@ -37,7 +37,7 @@ struct FacetRecord {
   /// Not above the distance of a point to the facet's disc, up to the body's slack: from its height over the
   /// plane and its squared distance from the centre. What lies across the plane is taken a millionth short:
   /// the difference of squares in single precision.
-  [[nodiscard]] static float least_distance(float height, float squared_distance, float radius) {
+  [[nodiscard]] static float min_distance(float height, float squared_distance, float radius) {
     const float across2 = squared_distance * (1 - 1e-6F) - height * height;
     const float beyond = across2 > radius * radius ? std::sqrt(across2) - radius : 0;
     return std::sqrt(height * height + beyond * beyond);

@@ -10,10 +10,10 @@
 namespace gouge {
 namespace {
 
-constexpr double kMostCells = 4e6;
+constexpr double kMaxCells = 4e6;
 constexpr double kFewestCells = 100;  // along the longest side: the finer, the fewer points need a search
 constexpr double kRoundUp = 1 + Tolerance::kRounding;
-// Of the body's slack, which is single precision's: some roundings of doubles, on which side of a border a
+// Relative to the body's slack, which is single precision's: some roundings of doubles, on which side of a border a
 // point is found.
 constexpr double kRounding = 1e-3;
 
@@ -32,7 +32,7 @@ DepthGrid::DepthGrid(const DepthBody& body) {
   const auto cells_at = [&](double cell) {
     return (size.x() / cell + 1) * (size.y() / cell + 1) * (size.z() / cell + 1);
   };
-  while (cells_at(cell_mm_) > kMostCells) cell_mm_ *= 1.2;
+  while (cells_at(cell_mm_) > kMaxCells) cell_mm_ *= 1.2;
   per_mm_ = 1 / cell_mm_;
   low_ = box.min();
   for (int i = 0; i < 3; ++i)

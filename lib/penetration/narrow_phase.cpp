@@ -54,7 +54,7 @@ bool NarrowPhase::filter(const Vec3& point) {
     const std::size_t lanes = std::min<std::size_t>(4, slots_.size() - i);
     for (std::size_t k = 0; k < lanes; ++k) {
       if (is_hit[k] == 0) continue;
-      const float least = FacetRecord::least_distance(h[k], d2[k], r[k]);
+      const float least = FacetRecord::min_distance(h[k], d2[k], r[k]);
       if (least > reach_) continue;
       hits_.push_back({static_cast<std::uint32_t>(i + k), least});
       is_behind = is_behind || h[k] <= kFilterSlack * body_.slack_mm;
@@ -96,7 +96,7 @@ NarrowResult NarrowPhase::nearest(const Vec3& point, PenetrationCounters& counte
 }
 
 /// The nearest facet that was given is the nearest of all if the point is inside. Whether it is, the face decides when
-/// nothing else lies between; edges and vertices ask the whole surface.
+/// nothing else lies between; edges and vertices query the whole surface.
 NarrowResult NarrowPhase::judge(const Vec3& point, std::uint32_t slot, const TrianglePoint& nearest,
                                 PenetrationCounters& counters) const {
   ClosestPoint foot = body_.surface.signed_closest_point(point, body_.tree.order[slot], nearest);
@@ -104,7 +104,7 @@ NarrowResult NarrowPhase::judge(const Vec3& point, std::uint32_t slot, const Tri
     ++counters.false_positives;
     return {};
   }
-  const bool is_sure = nearest.least_weight > kFaceRim && body_.is_clear_below[slot] != 0;
+  const bool is_sure = nearest.min_weight > kFaceRim && body_.is_clear_below[slot] != 0;
   if (!is_sure) {
     ++counters.inside_tests;
     if (const auto other = body_.surface.closest_point(point, foot.distance_mm)) foot = *other;

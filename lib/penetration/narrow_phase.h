@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// What a query cost, in numbers that are the same on every machine (thesis 5.4, tables 6.a to 6.c).
+/// Cost of a query, in numbers that are the same on every machine (thesis 5.4, tables 6.a to 6.c).
 struct PenetrationCounters {
   std::uint64_t volume_pairs = 0;         ///< N_b: overlap tests of two volumes
   std::uint64_t primitive_pairs = 0;      ///< N_n: points tested against facets
@@ -62,11 +62,11 @@ class NarrowPhase {
 };
 
 /// The rim of a facet that does not count as its face: points whose foot has a smaller barycentric coordinate
-/// are looked at as points of its edges.
+/// are examined as points of its edges.
 inline constexpr double kFaceRim = Tolerance::kRounding;
 
 /// By slot in the tree: 1 when no other facet crosses the prism of the body's depth below the facet. A point
-/// in such a prism is inside, and no wall behind the facet is thinner than the depth. Doubt counts as
+/// in such a prism is inside, and no wall behind the facet is thinner than the depth. Uncertainty counts as
 /// crossing.
 /// Cost     a search of the tree for each facet.
 [[nodiscard]] std::vector<std::uint8_t> facets_clear_below(const DepthBody& body);

@@ -17,7 +17,7 @@ struct PointBodyOptions {
   std::size_t width = 2;
   std::size_t leaf_points = 20;  ///< at most
   /// Thesis 6.1.1: a volume must not cost more than what it encloses. A node whose volume has more corners
-  /// than points below gets none: what asks for it goes on to its children, a leaf is bounded by its points.
+  /// than points below gets none: the query then continues with its children; a leaf is bounded by its points.
   bool is_cost_weighed = true;
 };
 

@@ -25,7 +25,7 @@ bool is_hit(const MoveVerdict& verdict) {
   return verdict.state == MoveState::gouge || verdict.state == MoveState::buried;
 }
 
-/// What keeps a move from being free.
+/// The reason that keeps a move from being free.
 struct Obstacle {
   Body body = Body::holder;
   MoveState state = MoveState::gouge;
@@ -70,7 +70,7 @@ class ToolSearch {
     check_options_.near_miss_mm = 0;
     const double first = std::floor(now_mm / options.step_mm + Tolerance::kRounding);
     first_mm_ = first * options.step_mm;
-    most_ = static_cast<std::size_t>(std::max(1.0, std::floor(options.most_longer_mm / options.step_mm)));
+    max_ = static_cast<std::size_t>(std::max(1.0, std::floor(options.max_longer_mm / options.step_mm)));
   }
 
   /// Nothing for a tool without moves, or that has neither shank nor holder nor a head above it.
@@ -89,7 +89,7 @@ class ToolSearch {
       const MoveVerdict& verdict = before.verdicts[i];
       was_uncertain_[i] = verdict.state == MoveState::not_certified;
       obstacles_[i] = Obstacle(verdict);
-      // Of a tool without bodies of its own the head alone can be in the way.
+      // For a tool without bodies of its own only the head can collide.
       if (is_hit(verdict) && (has_bodies || obstacles_[i].body == Body::head)) hit.push_back(i);
     }
     if (Outcome found = raise(hit, 0); !found) return found.error();
@@ -100,7 +100,7 @@ class ToolSearch {
   [[nodiscard]] double length_mm(std::size_t k) const {
     return k == 0 ? now_mm_ : first_mm_ + static_cast<double>(k) * options_.step_mm;
   }
-  [[nodiscard]] bool is_none(std::size_t k) const { return k > most_; }
+  [[nodiscard]] bool is_none(std::size_t k) const { return k > max_; }
 
   Outcome candidate(std::size_t k) {
     if (candidates_.contains(k)) return Done{};
@@ -135,9 +135,9 @@ class ToolSearch {
   /// Finds what each of `moves` needs, none of which is free at k: in steps that double, then by halving.
   Outcome raise(std::vector<std::size_t> moves, std::size_t k) {
     for (std::size_t step = 1; !moves.empty(); step *= 2) {
-      const std::size_t next = std::min(k + step, most_);
-      if (k >= most_) {
-        for (const std::size_t i : moves) needs_[i] = most_ + 1;
+      const std::size_t next = std::min(k + step, max_);
+      if (k >= max_) {
+        for (const std::size_t i : moves) needs_[i] = max_ + 1;
         return Done{};
       }
       Result<std::vector<std::size_t>> left = not_free(moves, next);
@@ -237,10 +237,10 @@ class ToolSearch {
   const ProgressCall& progress_;
   std::size_t tool_;
   double now_mm_, first_mm_ = 0;
-  std::size_t most_ = 1;
+  std::size_t max_ = 1;
   CheckOptions check_options_;
   std::vector<std::size_t> moves_;   // of the tool
-  std::vector<std::size_t> needs_;   // by move: the least number found; most_ + 1: none
+  std::vector<std::size_t> needs_;   // by move: the least number found; max_ + 1: none
   std::vector<Obstacle> obstacles_;  // by move: where it was last not free
   std::vector<bool> was_uncertain_;  // by move
   std::map<std::size_t, std::unique_ptr<Candidate>> candidates_;

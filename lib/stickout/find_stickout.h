@@ -13,7 +13,7 @@
 
 namespace gouge {
 
-/// What of a tool does not cut, its stick-out longer, and the heads above it.
+/// The non-cutting bodies of a tool with a longer stick-out, and the heads above it.
 struct LongerTool {
   ToolVariants bodies;  ///< shank and holder alone; no elements: it has none
   std::vector<HeadBody> heads;
@@ -21,11 +21,11 @@ struct LongerTool {
 using MakeLongerTool = std::function<Result<LongerTool>(std::size_t tool, double longer_mm)>;
 
 struct StickoutOptions {
-  double step_mm = 1;           ///< lengths are multiples of this
-  double most_longer_mm = 200;  ///< none is sought beyond
+  double step_mm = 1;          ///< lengths are multiples of this
+  double max_longer_mm = 200;  ///< none is sought beyond
 };
 
-/// What some moves of a tool need.
+/// Stick-out that some moves of a tool need.
 struct StickoutNeed {
   std::optional<double> stickout_mm;  ///< as it is, or the least multiple of the step found; none: none up to the most
   /// Where the stick-out is not enough as it is: the first move that is not free one step below, or at the most, and
@@ -50,7 +50,7 @@ struct ToolStickout {
 };
 
 /// For each tool that has a stick-out the least that frees its moves of gouges by shank, holder and heads. What the
-/// cutter does is not looked at.
+/// cutter does is not examined.
 ///
 /// `result` from check() with the same path and setup; `now_mm` one per Toolpath::tools, none for those to leave out.
 /// Ensures  with that stick-out check() of the bodies finds no gouge in any of the moves, buried or uncertain ones but

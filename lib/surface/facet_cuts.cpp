@@ -76,7 +76,7 @@ class Cutter {
     if (is_wide(task.polygon)) pieces_.polygons.push_back(std::move(task.polygon));
   }
 
-  /// Whether more than rounding of the segment is in the polygon.
+  /// Returns whether more than rounding of the segment is in the polygon.
   [[nodiscard]] bool runs_through(const Segment2& segment, const Polygon& polygon) const {
     double from = 0, to = 1;
     for (std::size_t k = 0; k < polygon.size() && from < to; ++k) {

@@ -17,7 +17,7 @@
 namespace gouge {
 namespace {
 
-/// What a part of the surface is to the body.
+/// Role of a part of the surface for the body.
 enum class Role : std::uint8_t { unknown, boundary, turned, inside };
 
 double area2_of(const IndexedMesh& mesh, std::size_t triangle) {
@@ -111,7 +111,7 @@ class BoundaryFinder {
     for (const std::uint32_t root : roots_) is_known_ = is_known_ && roles_[root] != Role::unknown;
   }
 
-  /// Of the part of triangle `t` around a point of it.
+  /// For the part of triangle `t` around a point of it.
   [[nodiscard]] Role role_at(std::uint32_t t, const Vec3& point, const Vec3& normal) const {
     const auto sides = find_sheet_sides(tree_, point, normal, rounding_mm_);
     if (!sides) return Role::unknown;

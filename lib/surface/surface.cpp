@@ -34,7 +34,7 @@ class RayWalk {
       for (std::size_t k = 0; k < 3; ++k) beside_[a][k] = static_cast<float>(beside[a][static_cast<Eigen::Index>(k)]);
       at_[a] = static_cast<float>(beside[a].dot(local));
     }
-    // Of coordinates and sums in single precision.
+    // Rounding of coordinates and sums in single precision.
     off_mm_ = static_cast<float>(Tolerance::kRounding_mm + 2 * tree.rounding_mm +
                                  Tolerance::kSingleSum * (tree.radius_mm + local.norm()));
   }
@@ -100,7 +100,7 @@ class RayWalk {
 };
 
 // How often closed surfaces wind around a point: the triangles that a ray from it leaves through, less those it enters
-// through. Nothing where the ray comes too near to an edge, or the point to a triangle, for rounding to tell.
+// through. Nothing where the ray comes too near to an edge, or the point to a triangle, for rounding to show.
 // Requires a unit direction. Cost about O(log n) and what the ray meets.
 std::optional<int> winding_along(const BlockTree& tree, const Vec3& point, const Vec3& direction) {
   return RayWalk(tree, point, direction).run();
@@ -116,12 +116,12 @@ struct Surface::Shared {
   std::optional<bool> known_solid{};  ///< of a boundary that was made
   bool is_cut = false;                ///< faces alone show the side
 
-  /// Made by the first who asks.
+  /// Made by the first who queries.
   template <class T>
   struct OnDemand {
     template <class Make>
     const T& get(Make make) const {
-      if (!is_made.load(std::memory_order_acquire)) {  // cheaper than call_once, which has to ask a library
+      if (!is_made.load(std::memory_order_acquire)) {  // cheaper than call_once, which has to query a library
         std::call_once(once, [&] {
           value = make();
           is_made.store(true, std::memory_order_release);
@@ -215,7 +215,7 @@ bool Surface::winds_around(const Vec3& point) const {
   return is_inside({&mesh(), 1}, point);
 }
 
-/// Zero where the winding number must be asked.
+/// Zero where the winding number must be queried.
 Vec3 Surface::outward_at(std::uint32_t triangle, const TrianglePoint& foot) const {
   if (shared_->is_cut) return foot.feature == TriangleFeature::face ? face_normal(triangle) : Vec3(Vec3::Zero());
   const SurfaceSign& sign = shared_->sign.get([&] { return SurfaceSign(mesh(), triangles_at_vertices()); });

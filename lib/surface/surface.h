@@ -21,15 +21,15 @@ struct ClosestPoint {
   Vec3 normal =
       Vec3::UnitZ();           ///< unit; out of the body: along the line to or from the point, the facet's normal on it
   double distance_mm = 0;      ///< never negative
-  bool is_inside = false;      ///< the point asked for lies in the solid; never where the surface is none
+  bool is_inside = false;      ///< the point requested lies in the solid; never where the surface is none
   std::uint32_t triangle = 0;  ///< of the mesh
 
   /// Negative inside.
   [[nodiscard]] double signed_mm() const { return is_inside ? -distance_mm : distance_mm; }
 };
 
-/// A mesh with its index and what shows the side of a point, each made once when first asked for. Small, and shared by
-/// its copies. Any number of threads may ask it.
+/// A mesh with its index and the data for the side of a point, each made once at the first request. Small, and shared by
+/// its copies. Any number of threads may call it it.
 class Surface {
  public:
   /// The mesh must outlive all copies. `threads` as in build_block_tree.
@@ -47,7 +47,7 @@ class Surface {
   [[nodiscard]] bool is_solid() const;
 
   /// Where the solid ends: the surface itself, or where shells nest, overlap or cross, what of it has no material on one
-  /// side (solid_boundary.h). The only surface to ask for a side of a solid, or for a depth in it. Of what is no solid
+  /// side (solid_boundary.h). The only surface to request a side of a solid, or for a depth in it. Of what is no solid
   /// the surface itself; no solid where rounding leaves some of its sides unknown.
   /// Ensures  valid as long as this surface or a copy of it. Cost of the first call as find_solid_boundary.
   [[nodiscard]] const Surface& boundary() const;
@@ -73,7 +73,7 @@ class Surface {
   /// Requires a mesh with triangles.
   [[nodiscard]] ClosestPoint closest_point_from(const Vec3& point, std::uint32_t near) const;
 
-  /// Whether a point off the surface lies in the solid, by how often all triangles wind around it. Requires is_solid().
+  /// Returns whether a point off the surface lies in the solid, by how often all triangles wind around it. Requires is_solid().
   /// Cost     about O(log n); O(n) where a few rays meet edges.
   [[nodiscard]] bool winds_around(const Vec3& point) const;
 

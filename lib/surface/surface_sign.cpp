@@ -19,7 +19,7 @@ bool runs_along(const IndexedMesh& mesh, std::uint32_t triangle, Corner from, Co
 
 SurfaceSign::SurfaceSign(const IndexedMesh& mesh, const VertexTriangles& around) : mesh_(&mesh), around_(&around) {
   for (Corner v = 0; v < mesh.vertices.size(); ++v) {
-    if (around_->at(v).size() > kMostAround) kept_.emplace_back(v, at_vertex(v));
+    if (around_->at(v).size() > kMaxAround) kept_.emplace_back(v, at_vertex(v));
   }
 }
 
@@ -27,7 +27,7 @@ Vec3 SurfaceSign::outward(std::uint32_t triangle, TriangleFeature feature, std::
   if (feature == TriangleFeature::face) return face_normal(*mesh_, triangle);
   const Corner corner = mesh_->triangles[triangle][index];
   if (feature == TriangleFeature::edge) return at_edge(corner, mesh_->triangles[triangle][(index + 1) % 3]);
-  if (around_->at(corner).size() <= kMostAround) return at_vertex(corner);
+  if (around_->at(corner).size() <= kMaxAround) return at_vertex(corner);
   const auto after = [](const std::pair<Corner, Vec3>& kept, Corner vertex) { return kept.first < vertex; };
   return std::lower_bound(kept_.begin(), kept_.end(), corner, after)->second;
 }
@@ -55,13 +55,13 @@ Vec3 SurfaceSign::at_vertex(Corner vertex) const {
   return length > Tolerance::kNoDirection ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
-/// Whether each edge at the vertex has two triangles, one in either direction: each of its other ends then follows it
+/// Returns whether each edge at the vertex has two triangles, one in either direction: each of its other ends then follows it
 /// in one triangle and comes before it in one.
 bool SurfaceSign::is_plain(Corner vertex) const {
   const std::span<const std::uint32_t> around = around_->at(vertex);
-  std::array<Corner, kMostAround> few_next, few_last;
+  std::array<Corner, kMaxAround> few_next, few_last;
   std::vector<Corner> many_next, many_last;
-  if (around.size() > kMostAround) {
+  if (around.size() > kMaxAround) {
     many_next.resize(around.size());
     many_last.resize(around.size());
   }

@@ -12,7 +12,7 @@ namespace gouge {
 
 /// On which side of a closed surface a point is, decided by the surface's closest point: by the normal of its
 /// face, by the mean of both faces at an edge, by the angle-weighted mean at a vertex. Normals are computed where they
-/// are asked for.
+/// are requested.
 ///
 /// Source  J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal, IEEE
 ///         Trans. Vis. Comput. Graph. 11 (2005): exact for a closed orientable 2-manifold.
@@ -24,13 +24,13 @@ class SurfaceSign {
   /// Mesh and triangles at its vertices must outlive it. Requires triangles with three distinct corners. Cost O(n).
   SurfaceSign(const IndexedMesh& mesh, const VertexTriangles& around);
 
-  /// Outward direction at a foot on `triangle`: zero where the winding number must be asked.
-  /// Cost  as many steps as triangles meet at the foot, at most kMostAround.
+  /// Outward direction at a foot on `triangle`: zero where the winding number must be queried.
+  /// Cost  as many steps as triangles meet at the foot, at most kMaxAround.
   [[nodiscard]] Vec3 outward(std::uint32_t triangle, TriangleFeature feature, std::size_t index) const;
 
  private:
   // Vertices of more triangles keep their normals: the tip of a cone is the nearest point of much of the space around.
-  static constexpr std::size_t kMostAround = 32;
+  static constexpr std::size_t kMaxAround = 32;
 
   [[nodiscard]] Vec3 at_edge(Corner from, Corner to) const;
   [[nodiscard]] Vec3 at_vertex(Corner vertex) const;

@@ -62,7 +62,7 @@ struct Heights {
 
 using Segment = std::array<Vec3, 2>;
 
-/// What a triangle has in common with the plane. Requires neither is_in_plane() nor is_beside().
+/// Returns the intersection of a triangle with the plane. Requires neither is_in_plane() nor is_beside().
 Segment segment_in_plane(const Facet& of, const Heights& heights) {
   Segment ends{of.corners[0], of.corners[0]};
   std::size_t count = 0;
@@ -78,7 +78,7 @@ Segment segment_in_plane(const Facet& of, const Heights& heights) {
   return ends;
 }
 
-/// Whether no edge of `a` has all of `b` on its outer side, as far as rounding shows. Both in one plane.
+/// Returns whether no edge of `a` has all of `b` on its outer side, up to rounding. Both in one plane.
 bool is_overlapped_at_edges(const Facet& a, const Facet& b, double slack_mm) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 along = a.corners[(k + 1) % 3] - a.corners[k];
@@ -144,7 +144,7 @@ struct FloatBox {
   }
 };
 
-/// A binary tree of boxes over the leaves, each of which is asked for those behind it that it meets.
+/// A binary tree of boxes over the leaves, each of which is requested those behind it that it meets.
 class MeetingFinder {
  public:
   explicit MeetingFinder(const BlockTree& tree)

@@ -13,7 +13,7 @@ AxesOutside find_axes_outside(const Toolpath& path, const AxisCone& cone) {
     const double angle = angle_between_rad(path.moves[i].end.axis, cone.axis);
     if (angle <= cone.half_angle_rad + Tolerance::kFileAxis) continue;
     if (outside.positions++ == 0) outside.first_move = i;
-    outside.most_rad = std::max(outside.most_rad, angle);
+    outside.max_rad = std::max(outside.max_rad, angle);
   }
   return outside;
 }

@@ -11,7 +11,7 @@ namespace gouge {
 struct AxesOutside {
   std::size_t positions = 0;
   std::size_t first_move = kNone;  ///< ends at the first of them; kNone: there is none
-  double most_rad = 0;             ///< from the axis of the cone, the farthest
+  double max_rad = 0;              ///< from the axis of the cone, the farthest
 };
 
 /// Finds the moves of which the axis at the end is more than a hundred-thousandth of a radian outside. Cost O(moves).

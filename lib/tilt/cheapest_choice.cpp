@@ -10,11 +10,12 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// What the step between two layers costs.
+/// Cost of the step between two layers.
 struct Step {
   double by_tilt = 0, by_change = 0;
   Step(const TiltLayer& from, const TiltLayer& to, double blend_mm) {
-    const double way = std::max(to.way_mm - from.way_mm, kLeastWay_mm), blend = std::max(blend_mm, kLeastWay_mm);
+    const double way = std::max(to.arc_length_mm - from.arc_length_mm, kMinWay_mm),
+                 blend = std::max(blend_mm, kMinWay_mm);
     by_tilt = 0.5 * way / (blend * blend);
     by_change = 1 / way;
   }
@@ -84,7 +85,7 @@ class Choosing {
     return parabolas_.find(rows_[layer], heights, 1, rows_[other]);
   }
 
-  /// Each one asked.
+  /// Each one queried.
   static std::uint32_t cheapest_allowed(const TiltLayer& from, const std::vector<double>& before, const Step& step,
                                         const TiltLayer& to, std::uint32_t b) {
     const double most2 = from.largest_change_rad * from.largest_change_rad;

@@ -12,7 +12,7 @@ namespace gouge {
 
 /// Tilts that may be chosen at one position of a run.
 struct TiltLayer {
-  double way_mm = 0;  ///< TiltPosition::way_mm
+  double arc_length_mm = 0;  ///< TiltPosition::arc_length_mm
   std::vector<Tilt> tilts;
   /// Those of it that may not be followed by these of the next layer, by their indices; sorted.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> struck;
@@ -21,13 +21,13 @@ struct TiltLayer {
 };
 
 /// Positions that are closer count as so far apart.
-inline constexpr double kLeastWay_mm = 1e-3;
+inline constexpr double kMinWay_mm = 1e-3;
 
 /// The choices of one tilt of each layer.
 struct LayerChoices {
   std::optional<std::vector<std::uint32_t>> cheapest;  ///< none where there is no choice
   std::size_t first_unreached = 0;                     ///< then: the first layer that none leads to
-  /// Of each layer's tilts: whether any choice takes it. It may be said of one that only changes struck out forbid.
+  /// For each layer's tilts: whether any choice takes it. May be true of a tilt that only removed changes forbid.
   /// Where there is no choice: whether any leads to it.
   std::vector<std::vector<char>> is_possible;
 };
@@ -37,7 +37,7 @@ struct LayerChoices {
 ///
 /// Requires layers in the order of the way, at least one.
 /// Cost     linear in the tilts and the rows times columns that they lie in, 0.2 ms a layer for 1,800 of a lattice; where a
-///          limit or a change struck out forbids the cheapest way to a tilt, all are asked that may lead there.
+///          limit or a change struck out forbids the cheapest way to a tilt, all are queried that may lead there.
 /// Source   dynamic programming over layers of postures: Plakhotnik and Lauwers 2014.
 [[nodiscard]] LayerChoices cheapest_choice(const std::vector<TiltLayer>& layers, double blend_mm);
 

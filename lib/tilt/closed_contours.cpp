@@ -16,7 +16,7 @@ PoseKey key_of(const Pose& pose) {
 }  // namespace
 
 std::vector<Seam> find_seams(const Toolpath& path, const std::vector<bool>& is_named) {
-  constexpr std::size_t kLeastMoves = 3;  // of a contour; less is there and back
+  constexpr std::size_t kMinMoves = 3;  // of a contour; less is there and back
   const Moves& moves = path.moves;
   std::map<PoseKey, std::size_t> visited;  // of the named ones: the move that ended there last
   for (std::size_t i = 0; i < moves.size(); ++i)
@@ -27,7 +27,7 @@ std::vector<Seam> find_seams(const Toolpath& path, const std::vector<bool>& is_n
     const auto at = visited.find(key_of(moves[i].end));
     if (at == visited.end()) return;
     const bool was_here = at->second != kNone && at->second >= since;
-    if (was_here && i - at->second < kLeastMoves) return;
+    if (was_here && i - at->second < kMinMoves) return;
     if (was_here) {
       seams.push_back({at->second, i});
       since = i;

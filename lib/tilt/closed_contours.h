@@ -15,7 +15,7 @@ struct Seam {
   std::size_t begin = 0, end = 0;  ///< moves
 };
 
-/// Of all contours: ways of one tool's feeds that come back to a pose they were at before, bit for bit, looked for among
+/// Closed contours: sequences of one tool's feeds that return to an earlier pose, bit for bit, searched among
 /// the ends of the moves named.
 [[nodiscard]] std::vector<Seam> find_seams(const Toolpath& path, const std::vector<bool>& is_named);
 
@@ -23,7 +23,7 @@ struct Seam {
 /// alike at both ends of a contour after tilting, too.
 class ClosedContours {
  public:
-  /// What `job` refers to must outlive it.
+  /// The objects that `job` refers to must outlive it.
   explicit ClosedContours(const TiltJob& job);
 
   /// Runs that will be tilted next. Ends of contours that are in none of them, nor were before, stay as programmed.

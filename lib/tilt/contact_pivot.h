@@ -15,7 +15,7 @@ struct SupportStretch {
 /// Requires direction.x() >= 0, not zero, and a tool with elements. Cost linear in the elements.
 [[nodiscard]] SupportStretch support_stretch(const CompiledTool& tool, const Vec2& direction);
 
-/// What stays where it is when the tool is tilted at a position: the point where the cutter touches the part, and with
+/// The fixed point of a tilt at a position: the point where the cutter touches the part, and with
 /// it the surface it cuts there. Of a tip that is a ball that is its centre, whatever it touches; of any other profile
 /// the point whose normal is that of the part. Without a contact the tip stays.
 class ContactPivot {

@@ -53,7 +53,7 @@ void CutPath::add_unchanged(const ReplacedMoves& replaced, const Vec3& centre, d
       if (motion.is_defined()) sweep.add(motion, cutter, i);
       continue;
     }
-    // Of a straight move what is between the stretches that are replaced.
+    // The pieces of a straight move between the replaced stretches.
     const Motion motion = law().straight(start, move.end);
     std::vector<Replaced> stretches = found->second;
     std::ranges::sort(stretches, {}, &Replaced::from);
@@ -94,9 +94,9 @@ std::optional<LeftStock> CutPath::left_by(const TiltSpace& space, const TiltSequ
   for (CutterSweep* const sweep : {&before, &own, &others}) sweep->index();
   const SweepsAfter after = {&own, &others};
   const CheckOptions& options = job_.checker.options();
-  StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMostStock_mm};
+  StockLimits limits{options.tolerance_mm, options.tolerance_mm + allowed_mm, kMaxStock_mm};
   limits.are_solids = job_.checker.scene().is_workpiece_solid();
-  limits.most_work_once_left = kWorkOnceLeft;
+  limits.max_work_once_left = kWorkOnceLeft;
   return find_left_stock(job_.checker.scene().workpiece_tree(), before, after, limits);
 }
 

@@ -11,14 +11,14 @@
 
 namespace gouge {
 
-/// What a path cuts of the part while runs of it are tilted one by one: as programmed but for those accepted. Rapids cut
+/// The surface that a path cuts while its runs are tilted one by one: as programmed except for accepted runs. Rapids cut
 /// nothing.
 class CutPath {
  public:
   /// `job` must outlive it.
   explicit CutPath(const TiltJob& job) : job_(job) {}
 
-  /// What would be left where the cut is finished now, were the run tilted so too; nothing: no more than
+  /// Returns the stock left on the finished surface if the run were tilted so too; none: no more than
   /// TiltOptions::max_stock_mm above the tolerance, proved.
   [[nodiscard]] std::optional<LeftStock> left_by(const TiltSpace& space, const TiltSequence& tilts) const;
 

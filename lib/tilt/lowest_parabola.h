@@ -23,7 +23,7 @@ class TiltRows {
   std::vector<double> columns_;         // x of each
 };
 
-/// Of each tilt `to` that tilt `from` for which height(from) + steepness * |to - from|^2 is least; of equal ones that are
+/// Finds for each tilt `to` the tilt `from` with the least height(from) + steepness * |to - from|^2; of equal ones that are
 /// at one place the first.
 ///
 /// Two passes of lower envelopes of parabolas, along the rows of `from` and then along the columns of `to`.
@@ -45,7 +45,7 @@ class LowestParabolas {
   };
   void clear() { envelope_.clear(); }
   void add(double at, double height, std::uint32_t tilt);
-  /// Of those added. Requires any.
+  /// Lowest of those added. Requires at least one.
   template <typename Where, typename Found>
   void look(std::size_t count, const Where& where, const Found& found) const;
 

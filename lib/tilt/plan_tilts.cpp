@@ -17,13 +17,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kStepsPerBlend = 8;
-constexpr double kMostSpacing_mm = 5, kLeastSpacing_mm = 0.2;
+constexpr double kMaxSpacing_mm = 5, kMinSpacing_mm = 0.2;
 constexpr int kFinerSpacings = 2;                  // how often a run is tried again with half the spacing
 constexpr int kSlowerBlends = 5;                   // how often the blend is doubled where the tool turns too fast
 constexpr double kStraight_rad = 0.005 * kDegree;  // an added position whose tilt is that of its neighbours is left out
 
 double spacing_mm(const TiltOptions& options) {
-  return std::clamp(options.blend_mm / kStepsPerBlend, kLeastSpacing_mm, kMostSpacing_mm);
+  return std::clamp(options.blend_mm / kStepsPerBlend, kMinSpacing_mm, kMaxSpacing_mm);
 }
 
 class RunPlanner {
@@ -31,16 +31,16 @@ class RunPlanner {
   RunPlanner(const TiltJob& job, const TiltRun& run, CutPath& cut, ClosedContours& contours)
       : job_(job), run_(run), cut_(cut), contours_(contours) {}
 
-  /// True where a tilt was found; else `reason` says why not. Where it would leave what was finished, forward and back
+  /// True where a tilt was found; else `reason` states why not. Where it would leave what was finished, forward and back
   /// alone are tried, which leave least under a flat end, and to the sides alone.
   bool plan() {
     const bool is_free_way = job_.options.freedom == TiltFreedom::both;
     if (plan_with(job_.options.freedom)) return true;
     for (const TiltFreedom freedom : {TiltFreedom::lead, TiltFreedom::side}) {
-      if (least_stock_ && is_free_way && plan_with(freedom)) return true;
+      if (min_stock_ && is_free_way && plan_with(freedom)) return true;
     }
-    if (least_stock_) reason = stock_reason();
-    is_leaving = least_stock_.has_value();
+    if (min_stock_) reason = stock_reason();
+    is_leaving = min_stock_.has_value();
     return false;
   }
 
@@ -142,12 +142,12 @@ class RunPlanner {
   }
 
   // Where it is open whether anything is left the tilt is made: a lift, which is what else there is, surely leaves it. The
-  // report of what is left says so.
+  // report of what is left states so.
   bool leaves_too_much(const TiltSpace& space, const TiltSequence& tilts) {
     const std::optional<LeftStock> left = cut_.left_by(space, tilts);
     if (!left || left->is_undecided) return false;
-    if (!least_stock_ || left->thickness_mm < least_stock_->thickness_mm) {
-      least_stock_ = left;
+    if (!min_stock_ || left->thickness_mm < min_stock_->thickness_mm) {
+      min_stock_ = left;
       stock_tilt_rad_ = 0;
       for (const Tilt& tilt : tilts) stock_tilt_rad_ = std::max(stock_tilt_rad_, tilt.norm());
     }
@@ -157,14 +157,14 @@ class RunPlanner {
   [[nodiscard]] std::string stock_reason() const {
     const double unit_mm = mm_per(job_.path.unit);
     const int digits = job_.path.unit == LengthUnit::mm ? 3 : 4;
-    const auto length = [&](double mm) { return people_text(mm / unit_mm, digits); };
+    const auto length = [&](double mm) { return display_text(mm / unit_mm, digits); };
     const auto& witness = job_.result.verdicts[run_.first_wanted].witness;
-    const Vec3& at = least_stock_->point;
+    const Vec3& at = min_stock_->point;
     return std::string("the ") + body_name(witness ? witness->body : Body::holder) +
-           " collides; the tilt that frees it and leaves least (" + people_text(stock_tilt_rad_ / kDegree, 1) +
-           " degrees) " + "would leave " + length(least_stock_->thickness_mm) + " " + unit_name(job_.path.unit) +
-           (least_stock_->is_more ? " or more" : "") + " of stock at (" + length(at.x()) + ", " + length(at.y()) +
-           ", " + length(at.z()) + "), which the programmed path finished (--allow-stock)";
+           " collides; the tilt that frees it and leaves least (" + display_text(stock_tilt_rad_ / kDegree, 1) +
+           " degrees) " + "would leave " + length(min_stock_->thickness_mm) + " " + unit_name(job_.path.unit) +
+           (min_stock_->is_more ? " or more" : "") + " of stock at (" + length(at.x()) + ", " + length(at.y()) + ", " +
+           length(at.z()) + "), which the programmed path finished (--allow-stock)";
   }
 
   bool keeps_turns(const Tilted& way) {
@@ -195,14 +195,14 @@ class RunPlanner {
     }
   }
 
-  /// Whether the straight motion from the last position kept to the next one needs none between.
+  /// Returns whether the straight motion from the last position kept to the next one needs none between.
   [[nodiscard]] bool is_needless(const TiltSpace& space, const TiltSequence& tilts, std::size_t from,
                                  std::size_t i) const {
     const std::size_t to = i + 1;
-    const double whole = space[to].way_mm - space[from].way_mm;
+    const double whole = space[to].arc_length_mm - space[from].arc_length_mm;
     if (!(whole > 0)) return false;
     for (std::size_t k = from + 1; k <= i; ++k) {
-      const double share = (space[k].way_mm - space[from].way_mm) / whole;
+      const double share = (space[k].arc_length_mm - space[from].arc_length_mm) / whole;
       if ((tilts[k] - tilts[from] - share * (tilts[to] - tilts[from])).norm() > kStraight_rad) return false;
     }
     return space.may_turn(from, tilts[from], to, tilts[to]) && space.is_free_between(from, tilts[from], to, tilts[to]);
@@ -215,16 +215,16 @@ class RunPlanner {
     return where + std::to_string(job_.path.moves[space[i].move].line) +
            " the tool stays as programmed, and there the " +
            body_name(verdict.witness ? verdict.witness->body : Body::cutter) + " is " +
-           people_text(verdict.depth_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
+           display_text(verdict.depth_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
            " too deep";
   }
 
   [[nodiscard]] std::string why_not(const TiltSpace& space, const LatticeResult& found) const {
-    const std::string most = people_text(job_.options.max_tilt_rad / kDegree, 3) + " degrees";
+    const std::string most = display_text(job_.options.max_tilt_rad / kDegree, 3) + " degrees";
     if (found.held_back) return held_back_reason(space, *found.held_back);
     if (!found.blocked)
       return "tilts within --max-tilt " + most + " are free at each position, but no way leads between them";
-    // What is in the way at the least.
+    // The obstacle at the least lift.
     const TiltPosition& at = space[*found.blocked];
     MoveVerdict least = space.verdict(*found.blocked, Tilt::Zero());
     constexpr int kRings = 6, kAround = 12;
@@ -242,7 +242,7 @@ class RunPlanner {
     const Body body = least.witness ? least.witness->body : Body::holder;
     return "no tilt within --max-tilt " + most + " frees line " + std::to_string(job_.path.moves[at.move].line) +
            ": at the best one looked at the " + body_name(body) + " is " +
-           people_text(least.depth_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
+           display_text(least.depth_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
            " too deep";
   }
 
@@ -250,7 +250,7 @@ class RunPlanner {
   const TiltRun& run_;
   CutPath& cut_;
   ClosedContours& contours_;
-  std::optional<LeftStock> least_stock_;  // of the tilts that leave too much
+  std::optional<LeftStock> min_stock_;  // of the tilts that leave too much
   double stock_tilt_rad_ = 0;
 };
 
@@ -302,7 +302,7 @@ TiltPlan plan_tilts(const TiltJob& job, const ProgressCall& progress) {
     // A longer blend turns slower, and positions closer to each other turn less from one to the next.
     if (!made.is_too_fast && !made.is_too_far) break;
     if (made.is_too_fast) options.blend_mm *= 2;
-    if (made.is_too_far) spacing = std::max(spacing / 2, kLeastSpacing_mm / 4);
+    if (made.is_too_far) spacing = std::max(spacing / 2, kMinSpacing_mm / 4);
   }
   return *best;
 }

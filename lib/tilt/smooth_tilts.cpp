@@ -18,16 +18,16 @@ constexpr double kExact_rad = 0.01 * kSmoothingDegree;   // how exactly its leas
 constexpr double kBeyond_rad = 0.03 * kSmoothingDegree;  // how much further than needed the curve may tilt
 constexpr double kMore_rad = 0.01 * kSmoothingDegree;    // given back at first where a motion between two is refused
 constexpr double kDigit_rad = 0x1p-27;                   // about 7e-9
-constexpr int kFewAtATime = 30;             // rounds in which only the worst position of a stretch gets an anchor
-constexpr std::size_t kMostLetGo = 40;      // anchors that are tried without,
-constexpr std::size_t kMostLooks = 20'000;  // as long as that looks at no more positions
+constexpr int kFewAtATime = 30;            // rounds in which only the worst position of a stretch gets an anchor
+constexpr std::size_t kMaxLetGo = 40;      // anchors that are tried without,
+constexpr std::size_t kMaxLooks = 20'000;  // as long as that examines no more positions
 constexpr std::size_t kChunk = 8;
 
 class Smoother {
  public:
   Smoother(const TiltSpace& space, const TiltSequence& proven, unsigned threads)
       : space_(space), proven_(proven), threads_(threads), proofs_(space) {
-    for (std::size_t i = 0; i < space.size(); ++i) ways_mm_.push_back(space[i].way_mm);
+    for (std::size_t i = 0; i < space.size(); ++i) arc_lengths_mm_.push_back(space[i].arc_length_mm);
   }
 
   TiltSequence run() {
@@ -47,7 +47,7 @@ class Smoother {
   }
 
  private:
-  // What a position keeps to: nothing, the tilt drawn in, by and by more of the proven one, and that itself.
+  // The constraint on a position: none, the tilt drawn in, by and by more of the proven one, and that itself.
   static constexpr int kFree = 0, kDrawnIn = 1, kProven = 7;
 
   void draw_in() {
@@ -86,13 +86,13 @@ class Smoother {
   [[nodiscard]] TiltSequence curve() const {
     std::vector<TiltAnchor> anchors;
     for (std::size_t i = 0; i < space_.size(); ++i) {
-      // Of positions at one place the curve has one value.
-      const bool is_apart = anchors.empty() || ways_mm_[i] > ways_mm_[anchors.back().position];
+      // Positions at one place share one value of the curve.
+      const bool is_apart = anchors.empty() || arc_lengths_mm_[i] > arc_lengths_mm_[anchors.back().position];
       if (kept_[i] != kFree && is_apart) anchors.push_back({i, wanted(i)});
     }
     if (anchors.empty()) anchors.push_back({0, Tilt::Zero()});
-    TiltSequence tilts =
-        curve_through(anchors, ways_mm_, space_[0].stays_programmed(), space_[space_.size() - 1].stays_programmed());
+    TiltSequence tilts = curve_through(anchors, arc_lengths_mm_, space_[0].stays_programmed(),
+                                       space_[space_.size() - 1].stays_programmed());
     // To digits that no file has, so that where an anchor far away changes next to nothing it changes nothing.
     for (Tilt& tilt : tilts) tilt = (tilt / kDigit_rad).array().round() * kDigit_rad;
     for (std::size_t i = 0; i < space_.size(); ++i) {
@@ -127,7 +127,7 @@ class Smoother {
     return is_refused;
   }
 
-  /// Whether nothing is refused. What is, is likely near `about`, where the tilts have changed most.
+  /// Returns whether nothing is refused. What is, is likely near `about`, where the tilts have changed most.
   [[nodiscard]] bool is_free_about(std::size_t about, const TiltSequence& tilts) {
     const auto distance = [about](std::size_t i) { return i > about ? i - about : about - i; };
     std::vector<std::size_t> outwards(space_.size());
@@ -171,7 +171,7 @@ class Smoother {
     }
   }
 
-  /// Of the ends of a motion the one that is tilted less: there more of it may do.
+  /// Returns the end of a motion that is tilted less: more tilt may help there.
   void keep_more_of(std::size_t i, const TiltSequence& tilts) {
     const std::size_t less = tilts[i].norm() < tilts[i + 1].norm() ? i : i + 1, other = i + i + 1 - less;
     keep_more(kept_[less] < kProven ? less : other);
@@ -194,15 +194,15 @@ class Smoother {
 
   void let_go() {
     std::size_t tried = 0;
-    double least = roughness(curve(), ways_mm_);
-    const std::size_t most = std::min(kMostLetGo, 1 + kMostLooks / space_.size());
+    double least = roughness(curve(), arc_lengths_mm_);
+    const std::size_t most = std::min(kMaxLetGo, 1 + kMaxLooks / space_.size());
     for (std::size_t i = 1; i + 1 < space_.size() && tried < most; ++i) {
       if (kept_[i] == kFree || space_[i].is_fixed()) continue;
       ++tried;
       const int was = kept_[i];
       kept_[i] = kFree;
       const TiltSequence tilts = curve();
-      const double now = roughness(tilts, ways_mm_);
+      const double now = roughness(tilts, arc_lengths_mm_);
       if (now < least && is_free_about(i, tilts)) {
         least = now;
       } else {
@@ -214,7 +214,7 @@ class Smoother {
   const TiltSpace& space_;
   const TiltSequence& proven_;
   unsigned threads_;
-  std::vector<double> ways_mm_;
+  std::vector<double> arc_lengths_mm_;
   TiltSequence drawn_in_;
   double largest_rad_ = 0;  // of the tilts drawn in
   std::vector<int> kept_;

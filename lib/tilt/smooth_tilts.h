@@ -10,10 +10,10 @@ namespace gouge {
 /// Then the smoothest curve is sought that needs no more than that: it begins untilted; where it is not free, or tilted
 /// further than any of the drawn-in tilts, the drawn-in tilt of the worst position becomes an anchor, and the smoothest
 /// curve through all anchors is tried; where that was an anchor already, the proven tilt; at the end anchors that are
-/// not needed are let go. Every position and every motion of the result is certified.
+/// not needed are released. Every position and every motion of the result is certified.
 ///
 /// Requires a sequence as find_tilts gives it.
-/// Ensures  free as TiltSpace says, everywhere; the same at any number of threads.
+/// Ensures  free by TiltSpace, everywhere; the same at any number of threads.
 /// Cost     some ten times the checks of all positions.
 [[nodiscard]] TiltSequence smooth_tilts(const TiltSpace& space, const TiltSequence& proven, unsigned threads);
 

@@ -40,19 +40,19 @@ std::vector<Tilt> slopes_at(const std::vector<double>& x, const std::vector<Tilt
 
 }  // namespace
 
-TiltSequence curve_through(const std::vector<TiltAnchor>& anchors, const std::vector<double>& ways_mm,
+TiltSequence curve_through(const std::vector<TiltAnchor>& anchors, const std::vector<double>& arc_lengths_mm,
                            bool is_first_level, bool is_last_level) {
   std::vector<double> x;
   std::vector<Tilt> y;
   for (const TiltAnchor& anchor : anchors) {
-    x.push_back(ways_mm[anchor.position]);
+    x.push_back(arc_lengths_mm[anchor.position]);
     y.push_back(anchor.tilt);
   }
   const std::vector<Tilt> slope = slopes_at(x, y, is_first_level, is_last_level);
-  TiltSequence curve(ways_mm.size());
+  TiltSequence curve(arc_lengths_mm.size());
   std::size_t k = 0;
-  for (std::size_t i = 0; i < ways_mm.size(); ++i) {
-    const double s = ways_mm[i];
+  for (std::size_t i = 0; i < arc_lengths_mm.size(); ++i) {
+    const double s = arc_lengths_mm[i];
     while (k + 1 < x.size() && s > x[k + 1]) ++k;
     if (s <= x.front() || k + 1 >= x.size()) {
       const std::size_t end = s <= x.front() ? 0 : x.size() - 1;
@@ -67,11 +67,11 @@ TiltSequence curve_through(const std::vector<TiltAnchor>& anchors, const std::ve
   return curve;
 }
 
-double roughness(const TiltSequence& tilts, const std::vector<double>& ways_mm) {
+double roughness(const TiltSequence& tilts, const std::vector<double>& arc_lengths_mm) {
   BendingSum<2> bending;
   std::size_t last = 0;
   for (std::size_t i = 1; i < tilts.size(); ++i) {
-    const double ds = ways_mm[i] - ways_mm[last];
+    const double ds = arc_lengths_mm[i] - arc_lengths_mm[last];
     if (!(ds > 0)) continue;
     bending.add((tilts[i] - tilts[last]) / ds, ds);
     last = i;

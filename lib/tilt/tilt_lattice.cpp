@@ -16,18 +16,18 @@ constexpr std::size_t kFirstLayers = 64;  // of a long run
 constexpr int kCoarseSteps = 6;           // of a lattice from no tilt to the largest one
 constexpr int kLevels = 4;                // each with half the step
 constexpr int kFinestSteps = kCoarseSteps << (kLevels - 1);
-constexpr int kFinerPerStep = 4;        // about the way found
-constexpr double kTube = 1.5;           // how many steps of it the finer lattice reaches about the way
-constexpr int kMostDoubted = 3;         // layers that are asked for any free tilt where no way is left
-constexpr std::size_t kMostOthers = 4;  // of those about a refused tilt that no known point refuses
-constexpr int kMostRounds = 60;         // in which layers are added, ...
-constexpr int kMostStrikes = 24;  // ... or motions struck out: what refuses these refuses most of their neighbours
+constexpr int kFinerPerStep = 4;       // about the way found
+constexpr double kTube = 1.5;          // how many steps of it the finer lattice reaches about the way
+constexpr int kMaxUncertain = 3;       // layers that are requested any free tilt where no way is left
+constexpr std::size_t kMaxOthers = 4;  // of those about a refused tilt that no known point refuses
+constexpr int kMaxRounds = 60;         // in which layers are added, ...
+constexpr int kMaxStrikes = 24;        // ... or motions struck out: what refuses these refuses most of their neighbours
 
 /// One lattice over the allowed tilts, and what is known of it at each position.
 ///
 /// Which of its tilts are free is found out lazily too: the cheapest way is sought as if all were, then the tilts it
-/// takes are looked at, and it is sought again without those that are refused. The way that is left is the cheapest of
-/// all, as no other way lost a tilt that is free. Tilts that no way leads through any more are not looked at.
+/// takes are examined, and it is sought again without those that are refused. The way that is left is the cheapest of
+/// all, as no other way lost a tilt that is free. Tilts that no way leads through any more are not examined.
 class Lattice {
  public:
   /// `near`: null, or the sequence that tilts may be no farther from than `reach_rad`. `known`: what other lattices
@@ -58,7 +58,7 @@ class Lattice {
     for (std::size_t i = 0; i + 1 < space.size(); ++i) changes_rad_.push_back(space.largest_change_rad(i));
   }
 
-  /// `doubtful`: a position where no tilt may be free, of which all are looked at first.
+  /// `doubtful`: a position where no tilt may be free, of which all are examined first.
   /// `needed`: positions that are layers from the first, as a coarser lattice needed them; those that this one has are
   /// returned in it.
   LatticeResult find(std::optional<std::size_t> doubtful, std::vector<std::size_t>& needed) {
@@ -76,7 +76,7 @@ class Lattice {
 
  private:
   LatticeResult search() {
-    for (int round = 0, strikes = 0; round < kMostRounds && strikes < kMostStrikes; ++round) {
+    for (int round = 0, strikes = 0; round < kMaxRounds && strikes < kMaxStrikes; ++round) {
       const std::size_t struck_before = struck_.size();
       const std::optional<Choice> choice = cheapest_free();
       if (!choice) return {std::nullopt, blocked(), std::nullopt};
@@ -102,7 +102,7 @@ class Lattice {
     std::vector<Node> open;     ///< that were not refused, and that ways may lead through; by columns
     std::vector<char> is_free;  ///< of each open one, whether that is known
     std::vector<Node> aside;    ///< not refused, but no way leads through them
-    std::size_t at_once = 1;    ///< how many more to look at where the one that was taken is refused
+    std::size_t at_once = 1;    ///< how many more to examine where the one that was taken is refused
 
     template <typename IsKept>
     void keep(const IsKept& is_kept) {
@@ -154,7 +154,7 @@ class Lattice {
     layers_.insert(std::ranges::upper_bound(layers_, i, {}, &Layer::position), std::move(layer));
   }
 
-  /// Of a tilt that need not be one of the lattice's.
+  /// For a tilt that need not be in the lattice.
   [[nodiscard]] Node node_of(const Tilt& tilt) {
     const auto known = std::ranges::find_if(nodes_, [&](const Tilt& node) { return node == tilt; });
     const auto node = static_cast<Node>(known - nodes_.begin());
@@ -170,7 +170,7 @@ class Lattice {
   }
 
   /// Where the tip may rise, what was refused before that stays refused if it does not or cannot. `is_raised`: whether
-  /// it does at any tilt there, from which on no more is asked.
+  /// it does at any tilt there, from which on no more is queried.
   [[nodiscard]] bool stays_refused(std::size_t position, Node node, bool& is_raised) {
     const KnownTilts::State state = state_of(position, node);
     KnownTilts& known = known_[position];
@@ -191,7 +191,7 @@ class Lattice {
     states[finest_[node]] = is_free ? KnownTilts::kFree : KnownTilts::kRefused;
   }
 
-  /// Whether a tilt is free, which is kept.
+  /// Returns whether a tilt is free, which is kept.
   [[nodiscard]] bool look(std::size_t position, Node node) {
     KnownTilts& known = known_[position];
     const bool was_free = state_in(known.unraised, node) == KnownTilts::kFree;
@@ -201,7 +201,7 @@ class Lattice {
     return is_free;
   }
 
-  /// Whether any tilt is free there, whether a way leads through it or not.
+  /// Returns whether any tilt is free there, whether a way leads through it or not.
   [[nodiscard]] bool has_free(Layer& layer) {
     if (std::ranges::find(layer.is_free, 1) != layer.is_free.end()) return true;
     for (std::size_t k = 0; k < layer.open.size(); ++k) {
@@ -220,7 +220,7 @@ class Lattice {
     });
   }
 
-  /// Whether the tilt that was taken is free. Where it is not, others about it are looked at too, twice as many each
+  /// Returns whether the tilt that was taken is free. Where it is not, others about it are examined too, twice as many each
   /// time: what refuses it refuses many, and a position where none is free is soon known.
   [[nodiscard]] bool is_free(Layer& layer, Node taken) {
     const auto index = static_cast<std::size_t>(std::ranges::find(layer.open, taken) - layer.open.begin());
@@ -251,7 +251,7 @@ class Lattice {
       if (space_.is_refused_by(known_[layer.position].refusing, layer.position, nodes_[node])) {
         keep(layer.position, node, false);
         is_refused[k] = 1;
-      } else if (looks++ < kMostOthers) {
+      } else if (looks++ < kMaxOthers) {
         layer.is_free[k] = look(layer.position, node) ? 1 : 0;
         is_refused[k] = layer.is_free[k] == 0 ? 1 : 0;
       }
@@ -270,11 +270,12 @@ class Lattice {
   /// A position where no tilt is free, of those where fewest are left.
   [[nodiscard]] std::optional<std::size_t> blocked() {
     if (near_ != nullptr) return std::nullopt;
-    std::vector<Layer*> doubted;
-    for (Layer& layer : layers_) doubted.push_back(&layer);
-    std::ranges::stable_sort(doubted, {}, [](const Layer* layer) { return layer->open.size() + layer->aside.size(); });
-    for (std::size_t k = 0; k < std::min<std::size_t>(kMostDoubted, doubted.size()); ++k) {
-      if (!has_free(*doubted[k])) return doubted[k]->position;
+    std::vector<Layer*> uncertain;
+    for (Layer& layer : layers_) uncertain.push_back(&layer);
+    std::ranges::stable_sort(uncertain, {},
+                             [](const Layer* layer) { return layer->open.size() + layer->aside.size(); });
+    for (std::size_t k = 0; k < std::min<std::size_t>(kMaxUncertain, uncertain.size()); ++k) {
+      if (!has_free(*uncertain[k])) return uncertain[k]->position;
     }
     return std::nullopt;
   }
@@ -304,7 +305,7 @@ class Lattice {
     std::vector<TiltLayer> layers;
     for (const Layer& layer : layers_) {
       TiltLayer& next = layers.emplace_back();
-      next.way_mm = space_[layer.position].way_mm;
+      next.arc_length_mm = space_[layer.position].arc_length_mm;
       for (const Node node : layer.open) next.tilts.push_back(nodes_[node]);
     }
     for (std::size_t l = 0; l + 1 < layers_.size(); ++l) {
@@ -337,18 +338,18 @@ class Lattice {
     TiltSequence sequence(space_.size(), nodes_[choice.front()]);
     for (std::size_t l = 1; l < layers_.size(); ++l) {
       const std::size_t i = layers_[l - 1].position, k = layers_[l].position;
-      const double begin = space_[i].way_mm, way = std::max(space_[k].way_mm - begin, kLeastWay_mm);
+      const double begin = space_[i].arc_length_mm, way = std::max(space_[k].arc_length_mm - begin, kMinWay_mm);
       const Tilt &from = nodes_[choice[l - 1]], &to = nodes_[choice[l]];
       for (std::size_t j = i + 1; j < k; ++j)
-        sequence[j] = from + std::min((space_[j].way_mm - begin) / way, 1.0) * (to - from);
+        sequence[j] = from + std::min((space_[j].arc_length_mm - begin) / way, 1.0) * (to - from);
       sequence[k] = to;
     }
     return sequence;
   }
 
-  /// Whether the sequence is free everywhere. Where not, layers are added or a change between two is struck out.
+  /// Returns whether the sequence is free everywhere. Where not, layers are added or a change between two is struck out.
   [[nodiscard]] bool prove(const TiltSequence& sequence, const Choice& choice) {
-    // Of each stretch between two layers: the first position that is refused, itself or the motion from it.
+    // For each stretch between two layers: the first position that is rejected, itself or the motion from it.
     std::vector<std::size_t> refused(layers_.size(), kNone);
     std::vector<char> is_motion(layers_.size(), 0);
     for_each_chunk(layers_.size() - 1, 1, threads_, [&](std::size_t first, std::size_t last) {

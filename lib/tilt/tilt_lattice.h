@@ -12,14 +12,14 @@ using TiltSequence = std::vector<Tilt>;
 
 struct LatticeResult {
   std::optional<TiltSequence> sequence;
-  /// Where there is none: a position at which no tilt that was looked at is free, or none, as they are free everywhere
+  /// Where there is none: a position at which no tilt that was examined is free, or none, as they are free everywhere
   /// but no way leads from each to the next.
   std::optional<std::size_t> blocked;
   /// Where there is none: a position that stays as programmed and lets there be none (TiltSpace::holds_back).
   std::optional<std::size_t> held_back;
 };
 
-/// What searches found out about the tilts of a position, so that it is not found out again.
+/// Cached results of searches about the tilts of a position.
 struct KnownTilts {
   enum State : char { kUnknown, kFree, kRefused };
   RefusingPoints refusing;
@@ -31,10 +31,10 @@ struct KnownTilts {
 ///
 /// Tilts of a square lattice over all that is allowed, coarse at first, finer about what the coarse one found or where it
 /// found nothing. Layers are positions of the run, few at first; dynamic programming finds the cheapest way through them:
-/// sum of |tilt|^2 ds / blend^2 + |change of tilt|^2 / ds. Only what that way takes is looked at, first its tilts at the
+/// sum of |tilt|^2 ds / blend^2 + |change of tilt|^2 / ds. Only what that way takes is examined, first its tilts at the
 /// layers, then every position and motion of it. A tilt that is not free is left out, a position where the way is not
 /// becomes a layer of its own, a motion that is not is struck out, and the way is sought again.
-/// `doubtful`: a position where no tilt may be free; it is looked at before all others. Where it is not, that is said at
+/// `doubtful`: a position where no tilt may be free; it is examined before all others. Where it is not, that is stated at
 /// once.
 /// `known`: of each position, empty at first; or of a search in the same space, but that the tip might not rise.
 /// Ensures  the same sequence at any number of threads.

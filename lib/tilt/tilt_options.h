@@ -18,7 +18,7 @@ struct AxisCone {
   double half_angle_rad = 0;
 };
 
-/// What a tilt keeps to, at every instant of the motions.
+/// Limits of a tilt, at every instant of the motions.
 struct TiltOptions {
   double max_tilt_rad = std::numbers::pi / 6;  ///< from the programmed axis
   TiltFreedom freedom = TiltFreedom::both;

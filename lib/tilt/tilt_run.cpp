@@ -24,7 +24,7 @@ constexpr double kArm_mm = 10;                    // at which a turn of the prog
 struct Station {
   std::size_t move = 0;
   double t = 1;
-  double way_mm = 0;
+  double arc_length_mm = 0;
   bool is_reached_clean = true;
 };
 
@@ -39,8 +39,8 @@ bool is_tiltable(const TiltJob& job, std::size_t i) {
   const bool is_straight = move.kind == MoveKind::feed ||
                            (move.kind == MoveKind::rapid && job.checker.options().law.rapid() == RapidMode::straight);
   const MoveState state = job.result.verdicts[i].state;
-  const bool is_told = state == MoveState::clean || state == MoveState::near_miss || state == MoveState::gouge;
-  return is_straight && is_told && move.curve_kind == CurveKind::none && move.not_checked_reason.empty() &&
+  const bool is_verdict_final = state == MoveState::clean || state == MoveState::near_miss || state == MoveState::gouge;
+  return is_straight && is_verdict_final && move.curve_kind == CurveKind::none && move.not_checked_reason.empty() &&
          move.tool != kNone && job.tools[move.tool] != nullptr;
 }
 
@@ -66,7 +66,7 @@ class Chain {
     }
     if (stations_.empty()) stations_.push_back({i, 0, 0, true});
     const Motion motion = law().straight(job_.path.start_of(i), move.end);
-    const double way = stations_.back().way_mm;
+    const double way = stations_.back().arc_length_mm;
     const double length = (motion.end().tip - motion.start().tip).norm() + kArm_mm * motion.turn_rad();
     const int pieces = 1 + static_cast<int>(length / spacing_mm);
     bool is_any = false;
@@ -83,14 +83,14 @@ class Chain {
     for (std::size_t k = first; k < stations_.size(); ++k) stations_[k].is_reached_clean = false;
   }
 
-  /// What is not clean, with the blend at both sides, where that overlaps as one.
+  /// Returns the stretches that are not clean, with the blend at both sides; overlapping ones are joined.
   [[nodiscard]] std::vector<Stretch> stretches() const {
     const double blend = job_.options.blend_mm;
     std::vector<Stretch> all;
     for (std::size_t k = 0; k < stations_.size(); ++k) {
       const Station& at = stations_[k];
       if (at.is_reached_clean) continue;
-      const double begin = stations_[k > 0 ? k - 1 : 0].way_mm - blend, end = at.way_mm + blend;
+      const double begin = stations_[k > 0 ? k - 1 : 0].arc_length_mm - blend, end = at.arc_length_mm + blend;
       if (all.empty() || begin > all.back().end_mm) {
         all.push_back({begin, end, at.move, at.move});
       } else {
@@ -102,7 +102,7 @@ class Chain {
   }
 
   [[nodiscard]] TiltRun run_over(const Stretch& stretch) const {
-    const auto by_way = [](const Station& station) { return station.way_mm; };
+    const auto by_way = [](const Station& station) { return station.arc_length_mm; };
     // The last one before the stretch, and the first one after it.
     const auto behind = std::ranges::upper_bound(stations_, stretch.begin_mm + Tolerance::kSamePoint_mm, {}, by_way);
     const auto begin = behind == stations_.begin() ? behind : behind - 1;
@@ -113,7 +113,7 @@ class Chain {
     run.first_wanted = stretch.first_move;
     run.last_wanted = stretch.last_move;
     const Moves& moves = job_.path.moves;
-    for (auto at = begin; at <= end; ++at) run.positions.push_back(position_at(*at, begin->way_mm));
+    for (auto at = begin; at <= end; ++at) run.positions.push_back(position_at(*at, begin->arc_length_mm));
     const bool begins_path = !moves[begin->move].has_start;
     const bool ends_path =
         end + 1 == stations_.end() && (last_move_ + 1 == moves.size() || !moves[last_move_ + 1].has_start);
@@ -135,7 +135,7 @@ class Chain {
     TiltPosition at;
     at.move = station.move;
     at.t = station.t;
-    at.way_mm = station.way_mm - begin_mm;
+    at.arc_length_mm = station.arc_length_mm - begin_mm;
     at.kind = move.kind;
     at.programmed = move.end;
     if (station.t < 1) at.programmed = law().straight(job_.path.start_of(station.move), move.end).at(station.t);
@@ -148,7 +148,7 @@ class Chain {
   std::vector<Station> stations_;
 };
 
-/// Of the part where the cutter is in it or near it. A corner of the tool that touches a face has no normal of its own:
+/// Normal of the part where the cutter is in it or near it. A corner of the tool that touches a face has no normal of its own:
 /// there the face's counts, as far as the tool reaches no deeper below its plane.
 Vec3 normal_at(const ToolContact& contact, double depth_mm, const Pose& pose, const CompiledTool& cutter) {
   constexpr double kSameDepth_mm = 0.01;
@@ -160,17 +160,17 @@ Vec3 normal_at(const ToolContact& contact, double depth_mm, const Pose& pose, co
   return std::abs(below - depth_mm) <= kSameDepth_mm ? face : contact.normal;
 }
 
-/// Normals of the contacts of the cutter, the deepest first; none where nothing is as near. One normal stands for all
+/// Normals of the contacts of the cutter, the deepest first; none where nothing is as near. One normal represents all
 /// that are about the same.
 std::vector<Vec3> contact_normals(const Pose& pose, const ToolVariants& tool, const BlockTree& parts,
                                   double within_mm) {
   constexpr double kSameNormal = 0.94, kAsDeep_mm = 0.05;
-  constexpr std::size_t kMostNormals = 4;
+  constexpr std::size_t kMaxNormals = 4;
   std::vector<Vec3> normals;
   std::vector<ToolContact> contacts = find_contacts(pose, tool.cutting, parts, -within_mm);
   std::ranges::stable_sort(contacts, std::greater<>(), &ToolContact::excess_mm);
   for (const ToolContact& contact : contacts) {
-    if (contact.excess_mm < contacts.front().excess_mm - kAsDeep_mm || normals.size() == kMostNormals) break;
+    if (contact.excess_mm < contacts.front().excess_mm - kAsDeep_mm || normals.size() == kMaxNormals) break;
     const Vec3 normal = normal_at(contact, contact.excess_mm - within_mm, pose, tool.cutting);
     if (std::ranges::none_of(normals, [&](const Vec3& known) { return known.dot(normal) > kSameNormal; }))
       normals.push_back(normal);
@@ -223,7 +223,7 @@ class Measurer {
     const auto spread = [&](std::size_t i, std::size_t& last) {
       if (!normals[i].empty()) last = i;
       const auto away = [&](std::size_t k) {
-        return k == kNone ? 1e300 : std::abs(run_.positions[i].way_mm - run_.positions[k].way_mm);
+        return k == kNone ? 1e300 : std::abs(run_.positions[i].arc_length_mm - run_.positions[k].arc_length_mm);
       };
       if (away(last) < away(nearest[i])) nearest[i] = last;
     };
@@ -275,14 +275,14 @@ TiltRun with_freedom(TiltRun run, TiltFreedom freedom) {
   return run;
 }
 
-std::vector<bool> moves_near(const Toolpath& path, const std::vector<bool>& is_wanted, double way_mm) {
+std::vector<bool> moves_near(const Toolpath& path, const std::vector<bool>& is_wanted, double arc_length_mm) {
   constexpr double kFar_mm = 1e300;
   std::vector<bool> is_near = is_wanted;
   double away_mm = kFar_mm;
   const auto visit = [&](std::size_t i) {
     if (is_wanted[i]) {
       away_mm = 0;
-    } else if (away_mm <= way_mm) {
+    } else if (away_mm <= arc_length_mm) {
       is_near[i] = true;
       if (path.moves[i].has_start) away_mm += move_length_mm(path, i);
     }

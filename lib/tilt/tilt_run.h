@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// A path with what a tilt asks of it. All must outlive it; vectors have one entry a move.
+/// A path with the data that a tilt needs. All must outlive it; vectors have one entry a move.
 struct TiltJob {
   const Toolpath& path;
   const CheckResult& result;
@@ -29,7 +29,7 @@ struct TiltRun {
 /// The runs of a path, in its order and apart from each other. Positions are at most `spacing_mm` of the tip's way apart.
 ///
 /// Ensures  Every wanted move that can be tilted (straight, checked, not inside a solid) lies in a run, as far as it is
-///          not clean: long moves are looked at piece by piece. No position of a move is in two runs, ends apart.
+///          not clean: long moves are examined piece by piece. No position of a move is in two runs, ends apart.
 /// Cost     a check of every piece of the wanted moves, and three of the cutter at each position of a run.
 [[nodiscard]] std::vector<TiltRun> find_tilt_runs(const TiltJob& job, double spacing_mm);
 
@@ -37,6 +37,7 @@ struct TiltRun {
 [[nodiscard]] TiltRun with_freedom(TiltRun run, TiltFreedom freedom);
 
 /// Wanted moves and those on the way before and after them, arcs and splines too.
-[[nodiscard]] std::vector<bool> moves_near(const Toolpath& path, const std::vector<bool>& is_wanted, double way_mm);
+[[nodiscard]] std::vector<bool> moves_near(const Toolpath& path, const std::vector<bool>& is_wanted,
+                                           double arc_length_mm);
 
 }  // namespace gouge

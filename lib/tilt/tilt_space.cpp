@@ -17,16 +17,16 @@ namespace gouge {
 namespace {
 
 constexpr double kBend = 0.5;  // of the tolerance
-constexpr std::size_t kMostRefusing = 24;
-constexpr int kMostRaises = 12;
+constexpr std::size_t kMaxRefusing = 24;
+constexpr int kMaxRaises = 12;
 constexpr double kLimitMargin_rad = 2e-4;  // positions keep so much of the limits for what lies between them
 constexpr double kSure_rad = 1e-7;
-constexpr int kMostHalvings = 24;
-constexpr double kMostShare = 0.97;  // of the tolerance, for a motion that is deeper than kMotionAimShare of it
+constexpr int kMaxHalvings = 24;
+constexpr double kMaxShare = 0.97;  // of the tolerance, for a motion that is deeper than kMotionAimShare of it
 
 void learn(const Witness& witness, RefusingPoints& refusing) {
   refusing.insert(refusing.begin(), witness);
-  if (refusing.size() > kMostRefusing) refusing.pop_back();
+  if (refusing.size() > kMaxRefusing) refusing.pop_back();
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ Pose TiltSpace::kept_pose(std::size_t i, const Tilt& tilt) const {
   return {at.pivot.tip_for(axis), axis};
 }
 
-double TiltSpace::most_raise_mm() const { return task_.may_raise ? task_.options.max_raise_mm : 0; }
+double TiltSpace::max_raise_mm() const { return task_.may_raise ? task_.options.max_raise_mm : 0; }
 
 std::optional<Pose> TiltSpace::pose(std::size_t i, const Tilt& tilt) const {
   const std::optional<double> raised_mm = raise_mm(i, tilt);
@@ -83,7 +83,7 @@ std::optional<double> TiltSpace::raise_mm(std::size_t i, const Tilt& tilt, Refus
   const TiltPosition& at = positions_[i];
   const double aim = at.tolerance_share * task_.checker->options().tolerance_mm;
   double raised_mm = 0;
-  for (int k = 0; k < kMostRaises; ++k) {
+  for (int k = 0; k < kMaxRaises; ++k) {
     const double excess =
         largest_excess(pose, task_.tool->cutting, task_.checker->scene(), aim, Tolerance::kCorrection_mm);
     if (excess <= 0) return raised_mm;
@@ -118,7 +118,7 @@ bool TiltSpace::is_refused(const Pose& pose, double deeper_mm, const CheckOption
 bool TiltSpace::is_refused_by(RefusingPoints& refusing, std::size_t i, const Tilt& tilt) const {
   const CheckOptions options = options_for(positions_[i].tolerance_share);
   const Pose kept = kept_pose(i, tilt);
-  if (is_refused(kept, most_raise_mm(), options, refusing)) return true;
+  if (is_refused(kept, max_raise_mm(), options, refusing)) return true;
   return task_.may_raise && tilt.norm() > 0 && stays_too_deep(i, kept, refusing);
 }
 
@@ -128,7 +128,7 @@ bool TiltSpace::stays_too_deep(std::size_t i, const Pose& kept, const RefusingPo
   const TiltPosition& at = positions_[i];
   const double allowed =
       at.tolerance_share * task_.checker->options().tolerance_mm + Tolerance::kCorrection_mm + Tolerance::kWitness_mm;
-  const Pose raised{kept.tip + most_raise_mm() * at.pivot.normal(), kept.axis};
+  const Pose raised{kept.tip + max_raise_mm() * at.pivot.normal(), kept.axis};
   const CompiledTool& cutter = task_.tool->cutting;
   return std::ranges::any_of(refusing, [&](const Witness& in) {
     return rule_of(in.against).is_workpiece && signed_distance_mm(cutter, kept, in.point) < -allowed &&
@@ -164,9 +164,9 @@ bool TiltSpace::may_turn(std::size_t i, const Tilt& from, std::size_t k, const T
   const double turn = angle_between_rad(positions_[i].axis_for(from), positions_[k].axis_for(to));
   const double programmed = angle_between_rad(positions_[i].programmed.axis, positions_[k].programmed.axis);
   const auto start = pose(i, from), end = pose(k, to);
-  const double way_mm = start && end ? (end->tip - start->tip).norm() : 0;
+  const double arc_length_mm = start && end ? (end->tip - start->tip).norm() : 0;
   const double allowed =
-      std::min(limits.max_turn_step_rad, limits.max_turn_rad_per_mm * std::max(way_mm, Tolerance::kWitness_mm));
+      std::min(limits.max_turn_step_rad, limits.max_turn_rad_per_mm * std::max(arc_length_mm, Tolerance::kWitness_mm));
   return turn <= std::max(allowed, programmed);
 }
 
@@ -192,7 +192,7 @@ bool TiltSpace::stays_within_limits(std::size_t i, const Pose& from, std::size_t
       most = std::max({most, off0 - limits.cone->half_angle_rad, off1 - limits.cone->half_angle_rad});
     }
     if (is_sure) return true;
-    if (most > kSure_rad || level == kMostHalvings) return false;
+    if (most > kSure_rad || level == kMaxHalvings) return false;
     const double middle = 0.5 * (t0 + t1);
     return self(self, t0, middle, level + 1) && self(self, middle, t1, level + 1);
   };
@@ -208,7 +208,7 @@ double TiltSpace::largest_turn_rad(std::size_t i, std::size_t k) const {
   return std::max(programmed, angle);
 }
 
-// Along the feed the frames of tilts turn about the axis, too, and say nothing of each other.
+// Along the feed the frames of tilts turn about the axis, too, and states nothing about each other.
 double TiltSpace::largest_change_rad(std::size_t i) const {
   if (task_.options.freedom != TiltFreedom::both) return std::numeric_limits<double>::infinity();
   const double programmed = angle_between_rad(positions_[i].programmed.axis, positions_[i + 1].programmed.axis);
@@ -228,7 +228,7 @@ bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, 
   const Motion motion = task_.checker->options().law.straight(*start, *end);
   if (!motion.is_defined() || motion.turn_rad() > largest_turn_rad(i, k) || !stays_within_limits(i, *start, k, *end))
     return false;
-  return std::ranges::any_of(std::array{kMotionAimShare, kMostShare}, [&](double share) {
+  return std::ranges::any_of(std::array{kMotionAimShare, kMaxShare}, [&](double share) {
     return task_.checker->is_clean(motion, positions_[k].kind, *task_.tool, options_for(share), true);
   });
 }
@@ -246,7 +246,7 @@ bool TiltSpace::may_stay_programmed(std::size_t i) const {
   return positions_[i].is_fixed() ? positions_[i].stays_programmed() : is_free(i, Tilt::Zero());
 }
 
-// Programmed motions are not asked again (is_free_between): a gouge of the cutter alone is no matter of tilts.
+// Programmed motions are not requested again (is_free_between): a gouge of the cutter alone is no matter of tilts.
 bool TiltSpace::holds_back(std::size_t i) const {
   if (!positions_[i].stays_programmed()) return false;
   const auto is_open = [&](std::size_t from, std::size_t neighbour) {

@@ -17,9 +17,9 @@ using Tilt = Vec2;
 
 /// A position of a run whose tool axis may be tilted: the end of a move, or an instant of it.
 struct TiltPosition {
-  std::size_t move = 0;  ///< of the path
-  double t = 1;          ///< instant of that move; 1: its end
-  double way_mm = 0;     ///< of the tip from the run's beginning, and 10 mm for each radian that the axis turns
+  std::size_t move = 0;      ///< of the path
+  double t = 1;              ///< instant of that move; 1: its end
+  double arc_length_mm = 0;  ///< of the tip from the run's beginning, and 10 mm for each radian that the axis turns
   MoveKind kind = MoveKind::feed;
   Pose programmed;
   Vec3 first = Vec3::UnitX(), second = Vec3::UnitY();  ///< unit, square to the axis and to each other
@@ -36,7 +36,7 @@ struct TiltPosition {
   [[nodiscard]] bool stays_programmed() const { return given && given->isZero(0); }
 };
 
-/// What every tilt of a run is held against.
+/// The constraints that every tilt of a run must meet.
 struct TiltTask {
   const ToolVariants* tool = nullptr;
   const MotionChecker* checker = nullptr;
@@ -49,11 +49,11 @@ struct TiltTask {
 /// which is seen at once; what is found is the same without.
 using RefusingPoints = std::vector<Witness>;
 
-/// Which tilts are free at the positions of a run, and which turns between them. It answers the same whoever asks, from
+/// Which tilts are free at the positions of a run, and which turns between them. The results do not depend on the caller, from
 /// any thread.
 class TiltSpace {
  public:
-  /// What `task` refers to must outlive it.
+  /// The objects that `task` refers to must outlive it.
   TiltSpace(std::vector<TiltPosition> positions, const TiltTask& task);
 
   [[nodiscard]] std::size_t size() const { return positions_.size(); }
@@ -68,18 +68,18 @@ class TiltSpace {
   [[nodiscard]] std::optional<double> raise_mm(std::size_t i, const Tilt& tilt,
                                                RefusingPoints* refusing = nullptr) const;
 
-  /// Whether one of the points shows that the tilt is not free, however the tip is raised.
+  /// Returns whether one of the points shows that the tilt is not free, however the tip is raised.
   [[nodiscard]] bool is_refused_by(RefusingPoints& refusing, std::size_t i, const Tilt& tilt) const;
 
-  /// Whether the tool is certified free there, with a margin for the motions beside it, and within the limits.
-  /// `refusing`, where given, is asked first and learns.
+  /// Returns whether the tool is certified free there, with a margin for the motions beside it, and within the limits.
+  /// `refusing`, where given, is tested first and learns.
   [[nodiscard]] bool is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusing = nullptr) const;
 
-  /// Whether the motion from position i with one tilt to position k > i with another is certified clean and within the
+  /// Returns whether the motion from position i with one tilt to position k > i with another is certified clean and within the
   /// limits of the axis at every instant. Requires that both are free or programmed.
   [[nodiscard]] bool is_free_between(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
 
-  /// Whether the axis may turn so far on that way. That is not part of being free: how fast a tilt comes and goes is a
+  /// Returns whether the axis may turn so far on that way. That is not part of being free: how fast a tilt comes and goes is a
   /// matter of the whole run.
   [[nodiscard]] bool may_turn(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
 
@@ -87,11 +87,11 @@ class TiltSpace {
   /// docs/algorithms/tilting.md, "The cut between positions"
   [[nodiscard]] double largest_change_rad(std::size_t i) const;
 
-  /// Whether position i, which stays as programmed, lets no sequence of tilts be free: the tool is too deep there for any
+  /// Returns whether position i, which stays as programmed, lets no sequence of tilts be free: the tool is too deep there for any
   /// motion, so its neighbours would have to stay as programmed too, and one of them cannot.
   [[nodiscard]] bool holds_back(std::size_t i) const;
 
-  /// What is in the way of the tool at a tilt, and how deep.
+  /// The obstacle to the tool at a tilt, and its depth.
   [[nodiscard]] MoveVerdict verdict(std::size_t i, const Tilt& tilt) const;
 
  private:
@@ -103,12 +103,12 @@ class TiltSpace {
   /// The contact kept, and not raised.
   [[nodiscard]] Pose kept_pose(std::size_t i, const Tilt& tilt) const;
   [[nodiscard]] Pose raised_pose(std::size_t i, const Tilt& tilt, double raised_mm) const;
-  [[nodiscard]] double most_raise_mm() const;
-  /// Whether a point is deeper in the tool than it may be, and by `deeper_mm` more.
+  [[nodiscard]] double max_raise_mm() const;
+  /// Returns whether a point is deeper in the tool than it may be, and by `deeper_mm` more.
   [[nodiscard]] bool is_refused(const Pose& pose, double deeper_mm, const CheckOptions& options,
                                 RefusingPoints& refusing) const;
 
-  /// Whether a point is deeper in the cutter than it may be, however the tip is raised.
+  /// Returns whether a point is deeper in the cutter than it may be, however the tip is raised.
   [[nodiscard]] bool stays_too_deep(std::size_t i, const Pose& kept, const RefusingPoints& refusing) const;
 
   std::vector<TiltPosition> positions_;
@@ -116,8 +116,8 @@ class TiltSpace {
   bool is_cutter_convex_ = false;
 };
 
-/// What was last found free at each position of a run, and on the motion from it to the next, so that a sequence that
-/// changes in places is proved in these places alone. Different positions may be asked for from different threads.
+/// The tilt last found free at each position of a run, and on the motion from it to the next, so that a sequence that
+/// changes in places is proved in these places alone. Different positions may be requested from different threads.
 class TiltProofs {
  public:
   explicit TiltProofs(const TiltSpace& space) : space_(space), free_at_(space.size()), free_after_(space.size()) {}

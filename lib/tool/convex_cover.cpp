@@ -13,8 +13,8 @@ namespace {
 // How far the cover stands off the tool, so that rounding in its making never cuts into it.
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 // A contour of more lines and arcs than the first is covered by chords of it, as many as the second at the most if
-// chords over kMostHeld elements allow it.
-constexpr std::size_t kMostExact = 64, kMostChords = 256, kMostHeld = 64;
+// chords over kMaxHeld elements allow it.
+constexpr std::size_t kMaxExact = 64, kMaxChords = 256, kMaxHeld = 64;
 constexpr double kFinest = 1e-5;  // of the tool's size: how far the contour may lie off its chords, doubled as needed
 
 Vec2 direction_at(const BoundaryElement& e, const Vec2& point) {
@@ -39,9 +39,9 @@ double farthest_off(const BoundaryElement& e, const Vec2& from, const Vec2& to) 
   return std::max(off(e.a), off(e.b)) + rise;
 }
 
-/// Chords of a contour as segments whose `radius_mm` says how far the contour lies off them. Level lines stay as they
+/// Chords of a contour as segments whose `radius_mm` states how far the contour lies off them. Level lines stay as they
 /// are: steps begin and end pieces.
-std::vector<BoundaryElement> chords_of(const std::vector<const BoundaryElement*>& curves, double most_off_mm) {
+std::vector<BoundaryElement> chords_of(const std::vector<const BoundaryElement*>& curves, double max_off_mm) {
   std::vector<BoundaryElement> chords;
   for (std::size_t first = 0; first < curves.size();) {
     BoundaryElement chord = *curves[first];
@@ -50,12 +50,12 @@ std::vector<BoundaryElement> chords_of(const std::vector<const BoundaryElement*>
     chord.radius_mm = farthest_off(*curves[first], chord.a, chord.b);
     const auto is_level = [](const BoundaryElement& e) { return !(std::abs(e.b.y() - e.a.y()) > 0); };
     std::size_t last = first + 1;
-    for (; last < curves.size() && last < first + kMostHeld; ++last) {
+    for (; last < curves.size() && last < first + kMaxHeld; ++last) {
       if (is_level(*curves[first]) || is_level(*curves[last])) break;
       double off = 0;
-      for (std::size_t k = first; k <= last && off <= most_off_mm; ++k)
+      for (std::size_t k = first; k <= last && off <= max_off_mm; ++k)
         off = std::max(off, farthest_off(*curves[k], chord.a, curves[last]->b));
-      if (off > most_off_mm) break;
+      if (off > max_off_mm) break;
       chord.b = curves[last]->b;
       chord.radius_mm = off;
     }
@@ -111,7 +111,7 @@ class CoverMaker {
 
   ConvexCover make() {
     const bool is_stack = std::all_of(curves_.begin(), curves_.end(), [](const auto* e) { return is_rising(*e); });
-    if (curves_.size() > kMostExact) take_chords();
+    if (curves_.size() > kMaxExact) take_chords();
     if (is_stack) {
       add_runs();
     } else {
@@ -132,10 +132,10 @@ class CoverMaker {
     return b.y() - a.y() <= Tolerance::kFewRoundings * cover_.size_mm;
   }
 
-  // What holds for the chord holds for what lies off it by no more than its radius: distances change no faster.
+  // A bound for the chord holds for points within its radius too: distances change no faster.
   void take_chords() {
     double off = kFinest * cover_.size_mm;
-    for (chords_ = chords_of(curves_, off); chords_.size() > kMostChords && off < cover_.size_mm; off *= 2)
+    for (chords_ = chords_of(curves_, off); chords_.size() > kMaxChords && off < cover_.size_mm; off *= 2)
       chords_ = chords_of(curves_, 2 * off);
     curves_.clear();
     for (const BoundaryElement& chord : chords_) curves_.push_back(&chord);

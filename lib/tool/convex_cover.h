@@ -8,7 +8,7 @@
 
 // The tool as a stack of convex solids of revolution, for bounds that must be cheap: each holds for the heights
 // of its slab, and its signed distance is convex, so that one subgradient bounds a whole triangle and a whole span
-// of time. What a cover says is never less than the truth; where it says more (undercuts, hollow ends, heights
+// of time. A cover's bound is never below the true value; where it is above (undercuts, hollow ends, heights
 // next to a step) the exact search decides. Proofs: docs/algorithms/wide_sweep.md.
 
 namespace gouge {
@@ -38,7 +38,7 @@ struct ConvexCover {
   double size_mm = 0;              ///< no point of the tool is farther from its tip
 };
 
-/// Of a contour of many elements the cover stands off by more: it goes by chords, so that its pieces stay few.
+/// The cover of a contour of many elements stands off by more: it follows chords, so that its pieces stay few.
 /// Cost linear in the number of elements, and in the square of pieces, which are some hundred at the most.
 [[nodiscard]] ConvexCover make_convex_cover(const CompiledTool& tool);
 

@@ -5,7 +5,7 @@
 
 namespace gouge {
 
-/// What the tool says about one point of its half plane.
+/// Distance and nearest boundary of the tool for one point of its half plane.
 struct ToolDistance {
   double signed_distance_mm = 0;  ///< to the boundary; negative inside
   std::uint32_t element = 0;      ///< nearest boundary element
@@ -24,7 +24,7 @@ struct ToolDistance {
 /// Source   Ho 1999, thesis 2.4.18.
 [[nodiscard]] ToolDistance evaluate(const CompiledTool& tool, double r_mm, double z_mm);
 
-/// The same through the tree of stretches alone; by looking at every element where the contour turns back on itself
+/// The same through the tree of stretches alone; by examining every element where the contour turns back on itself
 /// (no borders), or where there is no tree.
 [[nodiscard]] ToolDistance evaluate_by_stretches(const CompiledTool& tool, double r_mm, double z_mm);
 
@@ -41,7 +41,7 @@ struct ToolDistance {
 /// Distance to one element, its ends included; not signed.
 [[nodiscard]] double distance_to(const BoundaryElement& element, const Vec2& q);
 
-/// The same by looking at every element: the reference that tests hold the BSP against. The distance is the
+/// The same by examining every element: the reference that tests hold the BSP against. The distance is the
 /// smallest distance_to; the side follows from how often a ray along r crosses the contour, whatever the
 /// element. Where elements tie, a vertex is named before others, else the first.
 /// Requires a contour that is closed at the heights of the point.

@@ -33,7 +33,7 @@ int crossings_with_segment(const BoundaryElement& e, const Vec2& q) {
   return (e.b.y() > e.a.y() ? left > 0 : left < 0) ? 1 : 0;
 }
 
-// Whether the contour rises where it passes `at` on an arc; at a pole `inward` decides, +1 for the start.
+// Returns whether the contour rises where it passes `at` on an arc; at a pole `inward` decides, +1 for the start.
 bool rises_at(const BoundaryElement& arc, const Vec2& at, double inward) {
   const double out = at.x() - arc.center.x();
   if (out > 0 || out < 0) return turn_of(arc) * out > 0;

@@ -56,7 +56,7 @@ class NearestElementSearch {
 
   void push(std::uint32_t stretch, double squared) { open_[open_count_++] = {stretch, squared}; }
 
-  // The nearer one is looked at first.
+  // The nearer one is examined first.
   void open_halves(std::uint32_t one, std::uint32_t other) {
     const double d = squared_distance(tool_.stretches[one], q_);
     const double e = squared_distance(tool_.stretches[other], q_);

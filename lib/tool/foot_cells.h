@@ -27,7 +27,7 @@ struct FootCell {
   [[nodiscard]] double width_mm(double t) const;
   /// The distance from `point` to the farthest point of the cell at most t from its foot.
   [[nodiscard]] double farthest_mm(const Vec2& place, double t) const;
-  /// Whether every ray passes within `within_mm` of `point`, a point of the middle ray.
+  /// Returns whether every ray passes within `within_mm` of `point`, a point of the middle ray.
   [[nodiscard]] bool rays_meet(const Vec2& place, double within_mm) const;
 };
 

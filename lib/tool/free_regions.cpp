@@ -13,7 +13,7 @@ constexpr double kLeast = 1e-5;  // regions that are less deep than this share o
 constexpr int kRows = 200, kColumns = 64, kSamples = 256;
 
 /// Nothing between two points of depths a and b is less deep than this: depth changes no faster than the distance.
-double least_between(double a, double b, double distance) { return 0.5 * (a + b - distance); }
+double min_between(double a, double b, double distance) { return 0.5 * (a + b - distance); }
 
 }  // namespace
 
@@ -31,7 +31,7 @@ Body FreeRegions::uncovered() const {
 }
 
 RegionFinder::RegionFinder(const CompiledTool& tool)
-    : tool_(tool), least_mm_(std::max(kLeast * (tool.z_max_mm - tool.z_min_mm), Tolerance::kSamePoint_mm)) {
+    : tool_(tool), min_mm_(std::max(kLeast * (tool.z_max_mm - tool.z_min_mm), Tolerance::kSamePoint_mm)) {
   find_rings();
   for (std::size_t k = 0; k < has_body_.size(); ++k) {
     double low = tool.z_max_mm, high = tool.z_min_mm;
@@ -123,7 +123,7 @@ void RegionFinder::join_with_axis(Ring& ring) const {
     for (int k = 1; k <= kParts && least > ring.joint_depth_mm; ++k) {
       const Vec2 q = ring.point + (joint - ring.point) * (static_cast<double>(k) / kParts);
       const double depth = depth_at(q.x(), q.y());
-      least = std::min(least, least_between(before, depth, distance));
+      least = std::min(least, min_between(before, depth, distance));
       before = depth;
     }
     if (least <= ring.joint_depth_mm) continue;
@@ -136,13 +136,13 @@ FreeRegions RegionFinder::at(double depth_mm) const {
   FreeRegions found;
   found.depth_mm = depth_mm;
   found.has_body = has_body_;
-  for (std::size_t k = 0; k < has_body_.size(); ++k) found.is_covered[k] = body_depth_mm_[k] > depth_mm + least_mm_;
+  for (std::size_t k = 0; k < has_body_.size(); ++k) found.is_covered[k] = body_depth_mm_[k] > depth_mm + min_mm_;
   const double height = tool_.z_max_mm - tool_.z_min_mm;
   bool is_open = false;
   // Around a point on the axis everything within its excess is free, or within its lack is not.
   for (double z = tool_.z_min_mm; z <= tool_.z_max_mm && height > 0;) {
     const double depth = depth_at(0, z), excess = depth - depth_mm;
-    const bool is_free = excess > least_mm_;
+    const bool is_free = excess > min_mm_;
     if (is_free) {
       if (!is_open) found.regions.push_back({z - excess, z + excess, Vec2(0, z), depth});
       FreeRegion& region = found.regions.back();
@@ -150,7 +150,7 @@ FreeRegions RegionFinder::at(double depth_mm) const {
       if (depth > region.depth_mm) region.deepest = Vec2(0, z), region.depth_mm = depth;
     }
     is_open = is_free;
-    z += std::max(least_mm_, 0.95 * std::abs(excess));  // within the excess of a free point
+    z += std::max(min_mm_, 0.95 * std::abs(excess));  // within the excess of a free point
   }
   for (std::size_t k = 0; k < rings_.size(); ++k) {
     const Ring& ring = rings_[k];

@@ -20,7 +20,7 @@ struct FreeRegion {
   std::size_t ring = kNoRing;       ///< which ring of the tool it is
   static constexpr std::size_t kNoRing = static_cast<std::size_t>(-1);
 
-  /// Whether both, found in one tool for two depths, lie in one region of the lesser.
+  /// Returns whether both, found in one tool for two depths, lie in one region of the lesser.
   [[nodiscard]] bool meets(const FreeRegion& other) const {
     return ring == other.ring && z_lo_mm <= other.z_hi_mm && other.z_lo_mm <= z_hi_mm;
   }
@@ -30,9 +30,9 @@ struct FreeRegions {
   double depth_mm = 0;  ///< regions of what lies deeper than this
   std::vector<FreeRegion> regions;
   std::array<bool, 3> has_body{};    ///< by Body: the tool has a cutter, shank, holder
-  std::array<bool, 3> is_covered{};  ///< by Body: some point of it lies deeper, so a region speaks for it
+  std::array<bool, 3> is_covered{};  ///< by Body: some point of it lies deeper, so a region represents it
   [[nodiscard]] bool covers_all() const;
-  /// The first body that none speaks for. Requires that there is one.
+  /// The first body that none represents. Requires that there is one.
   [[nodiscard]] Body uncovered() const;
 };
 
@@ -60,7 +60,7 @@ class RegionFinder {
   [[nodiscard]] double depth_at(double r, double z) const;
 
   const CompiledTool& tool_;
-  double least_mm_;
+  double min_mm_;
   std::vector<Ring> rings_;
   std::array<bool, 3> has_body_{};
   std::array<double, 3> body_depth_mm_{};  // the deepest point at its heights

@@ -10,10 +10,10 @@ namespace gouge {
 namespace {
 
 constexpr double kShrink = 0.97;  // where that takes long, a smaller ball will do
-constexpr int kMostShrinks = 30, kQuickShrinks = 10;
-constexpr std::size_t kMostStretches = 100'000;  // beyond, what would be cut further counts as having no ball
+constexpr int kMaxShrinks = 30, kQuickShrinks = 10;
+constexpr std::size_t kMaxStretches = 100'000;  // beyond, what would be cut further counts as having no ball
 
-/// Whether heights do not fall along the element.
+/// Returns whether heights do not fall along the element.
 bool faces_outwards(const BoundaryElement& e) {
   if (e.kind == ElementKind::vertex) return true;
   if (e.kind == ElementKind::segment) return e.normal.x() >= -Tolerance::kExactDirection;
@@ -32,13 +32,13 @@ Box2 feet_of(const FootCell& cell) {
 
 }  // namespace
 
-InscribedBall inscribed_ball(const CompiledTool& tool, const FootCell& cell, double s, double least_mm,
+InscribedBall inscribed_ball(const CompiledTool& tool, const FootCell& cell, double s, double min_mm,
                              double nearly_mm) {
   const double size = tool.r_max_mm + tool.z_max_mm - tool.z_min_mm;
   const Vec2 foot = cell.at(s, 0), inward = cell.inward_at(s);
   double t = std::min(cell.longest_ray_mm(), size);
   if (inward.x() < 0) t = std::min(t, foot.x() / -inward.x());
-  for (int k = 0; k < kMostShrinks && t > least_mm; ++k) {
+  for (int k = 0; k < kMaxShrinks && t > min_mm; ++k) {
     Vec2 center = foot + t * inward;
     if (center.x() < Tolerance::kConstruction * size) center.x() = 0;
     const ToolDistance at = evaluate(tool, center.x(), center.y());
@@ -61,7 +61,7 @@ void InscribedBalls::cover(const CompiledTool& tool, const FootCell& cell) {
   // On the way from a foot to a depth of the radius the distance from the centre is largest at an end.
   const bool has_ball =
       ball.radius_mm > 0 && cell.farthest_mm(ball.center, ball.radius_mm) <= ball.radius_mm + slack_mm_;
-  if (has_ball || cell.width_mm(0) <= slack_mm_ || stretches_.size() >= kMostStretches) {
+  if (has_ball || cell.width_mm(0) <= slack_mm_ || stretches_.size() >= kMaxStretches) {
     stretches_.push_back({feet_of(cell), has_ball ? ball.radius_mm : 0});
     return;
   }
@@ -82,7 +82,7 @@ std::vector<Box2> InscribedBalls::sharp_zones(double depth_mm) const {
     if (is_sharp) zones.back().extend(stretch.feet);
     is_open = is_sharp;
   }
-  // What is less deep than that is no farther from its foot.
+  // A point less deep than that is no farther from its foot.
   for (Box2& zone : zones) zone = Box2(Vec2(zone.min().array() - depth_mm), Vec2(zone.max().array() + depth_mm));
   return zones;
 }

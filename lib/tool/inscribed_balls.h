@@ -18,10 +18,10 @@ struct InscribedBall {
   double radius_mm = 0;        ///< of the tool no point nearer to the centre is missing; 0: none was found
 };
 
-/// The largest ball found that touches the boundary at the foot of ray `s` of a cell, larger than `least_mm`.
+/// The largest ball found that touches the boundary at the foot of ray `s` of a cell, larger than `min_mm`.
 /// Ensures  its radius is the depth of its centre, and that is no more than `nearly_mm` less than the way to the foot.
 /// Cost     some evaluations.
-[[nodiscard]] InscribedBall inscribed_ball(const CompiledTool& tool, const FootCell& cell, double s, double least_mm,
+[[nodiscard]] InscribedBall inscribed_ball(const CompiledTool& tool, const FootCell& cell, double s, double min_mm,
                                            double nearly_mm);
 
 /// The balls inside a tool along the whole of its contour.
@@ -35,7 +35,7 @@ class InscribedBalls {
   /// Cost  linear in the stretches of the contour, about a thousand.
   [[nodiscard]] std::vector<Box2> sharp_zones(double depth_mm) const;
 
-  /// Whether the tool has one radius at each height.
+  /// Returns whether the tool has one radius at each height.
   [[nodiscard]] bool is_single_valued() const { return is_single_valued_; }
 
  private:

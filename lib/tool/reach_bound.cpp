@@ -15,16 +15,16 @@ namespace {
 constexpr double kRegionRounding = 2e-5;  // of the height: what RegionFinder passes over, twice
 constexpr double kNearly = 0.01;          // of the depth: how nearly the largest ball is found
 constexpr double kFine = 0.02;            // of the bound: cells no wider are not cut
-constexpr std::size_t kAxisPoints = 128, kNeighbours = 4, kMostCells = 5'000;
-constexpr int kHalvings = 30, kMostJoints = 16;
-// Looks at a ball, and how many an evaluation counts for: a tool of many teeth ends here, with a bound that is larger.
-constexpr std::size_t kMostLooks = 10'000'000, kLooksOfEvaluation = 30;
+constexpr std::size_t kAxisPoints = 128, kNeighbours = 4, kMaxCells = 5'000;
+constexpr int kHalvings = 30, kMaxJoints = 16;
+// Examines a ball, and how many an evaluation counts for: a tool of many teeth ends here, with a bound that is larger.
+constexpr std::size_t kMaxLooks = 10'000'000, kLooksOfEvaluation = 30;
 
-/// All that is nearer to `center` than `free_mm` lies deeper than the depth asked.
+/// All that is nearer to `center` than `free_mm` lies deeper than the depth queried.
 struct Ball {
   Vec2 center = Vec2::Zero();
   double free_mm = 0;
-  bool is_joined = false;  // with an axis point that the check asks for
+  bool is_joined = false;  // with an axis point that the check requests
 };
 
 struct CellBall {
@@ -36,11 +36,11 @@ struct CellBall {
 
 class ReachSearch {
  public:
-  ReachSearch(const CompiledTool& form, const CompiledTool& bare, double depth_mm, double enough_mm)
+  ReachSearch(const CompiledTool& form, const CompiledTool& bare, double depth_mm, double cutoff_mm)
       : form_(form),
         bare_(bare),
         depth_mm_(depth_mm),
-        enough_mm_(enough_mm),
+        cutoff_mm_(cutoff_mm),
         size_mm_(form.r_max_mm + form.z_max_mm - form.z_min_mm) {}
 
   double run() {
@@ -59,7 +59,7 @@ class ReachSearch {
     return -signed_distance_mm(form_, std::max(0.0, q.x()), q.y()) - depth_mm_ - Tolerance::kConstruction * size_mm_;
   }
 
-  /// What is deeper than asked of the largest ball that touches the boundary at the middle ray's foot, or nearly.
+  /// The part of the largest ball touching the boundary at the middle ray's foot, or nearly, that is deeper than the limit.
   [[nodiscard]] Ball own_ball(const FootCell& cell) const {
     looks_ += 4 * kLooksOfEvaluation;
     const InscribedBall ball = inscribed_ball(form_, cell, cell.middle(), depth_mm_, kNearly * depth_mm_);
@@ -83,10 +83,10 @@ class ReachSearch {
   void cover(const FootCell& cell) {
     const Ball ball = own_ball(cell);
     const bool has_ball = ball.free_mm > 0;
-    const bool is_covered = has_ball && bound_by_own(cell, ball) <= enough_mm_;
+    const bool is_covered = has_ball && bound_by_own(cell, ball) <= cutoff_mm_;
     const double width = cell.width_mm(0) + cell.width_mm(depth_mm_);
-    const bool is_fine = has_ball ? width < kFine * std::max(enough_mm_, depth_mm_) : width < size_mm_ / 16;
-    if (is_covered || is_fine || cells_.size() > kMostCells) {
+    const bool is_fine = has_ball ? width < kFine * std::max(cutoff_mm_, depth_mm_) : width < size_mm_ / 16;
+    if (is_covered || is_fine || cells_.size() > kMaxCells) {
       add_end_of_balls(cell, has_ball);
       cells_.push_back({cell, balls_.size(), has_ball, is_covered});
       if (has_ball) balls_.push_back(ball);
@@ -130,8 +130,8 @@ class ReachSearch {
     return -signed_distance_mm(bare_, 0, ball.center.y()) > depth_mm_ + excess;
   }
 
-  /// Whether all of the straight line between two points is deeper than asked.
-  [[nodiscard]] bool are_joined(const Ball& a, const Ball& b, int joints = kMostJoints) const {
+  /// Returns whether all of the straight line between two points is deeper than queried.
+  [[nodiscard]] bool are_joined(const Ball& a, const Ball& b, int joints = kMaxJoints) const {
     if (a.free_mm + b.free_mm > (a.center - b.center).norm()) return true;
     if (joints == 0 || is_tired()) return false;
     Ball middle;
@@ -156,8 +156,8 @@ class ReachSearch {
     return to.is_joined = true;
   }
 
-  // What is not joined, for want of a joint or of looks left, bounds nothing.
-  [[nodiscard]] bool is_tired() const { return looks_ > kMostLooks; }
+  // A point that is not joined, for lack of a joint or of budget, bounds nothing.
+  [[nodiscard]] bool is_tired() const { return looks_ > kMaxLooks; }
 
   bool join_any(Ball& ball) const {
     if (is_tired()) return false;
@@ -172,15 +172,15 @@ class ReachSearch {
     return axis.free_mm > 0 && is_asked(axis) && (ball.is_joined = are_joined(axis, ball));
   }
 
-  /// A bound for all points of a cell, not looked for below enough_mm or `known_mm`.
+  /// A bound for all points of a cell, not looked for below cutoff_mm or `known_mm`.
   [[nodiscard]] double bound(std::size_t k, double known_mm) {
     const CellBall& own = cells_[k];
     if (own.is_covered && balls_[own.ball].is_joined) return bound_by_own(own.cell, balls_[own.ball]);
-    std::size_t budget = kMostCells;
-    return bound_by_all(own.cell, own.ball, std::max(known_mm, enough_mm_), budget);
+    std::size_t budget = kMaxCells;
+    return bound_by_all(own.cell, own.ball, std::max(known_mm, cutoff_mm_), budget);
   }
 
-  [[nodiscard]] double bound_by_all(const FootCell& cell, std::size_t near, double least_mm, std::size_t& budget) {
+  [[nodiscard]] double bound_by_all(const FootCell& cell, std::size_t near, double min_mm, std::size_t& budget) {
     const double ray = longest_ray(cell);
     double upper = kNoReach_mm;
     const auto use = [&](const Ball& ball) {
@@ -190,22 +190,22 @@ class ReachSearch {
     for (std::size_t i = first; i < std::min(balls_.size(), near + kNeighbours); ++i) use(balls_[i]);
     if (is_tired()) return upper;
     looks_ += balls_.size();
-    for (std::size_t i = balls_.size(); i-- > 0 && upper > least_mm;) use(balls_[i]);  // the newest lie nearest
+    for (std::size_t i = balls_.size(); i-- > 0 && upper > min_mm;) use(balls_[i]);  // the newest lie nearest
     const double width = cell.width_mm(0) + cell.width_mm(std::min(ray, depth_mm_));
-    if (upper <= least_mm || width < kFine * upper || budget < 2) return upper;
+    if (upper <= min_mm || width < kFine * upper || budget < 2) return upper;
     budget -= 2;
-    const double one = bound_by_piece(half_of(cell, false), near, least_mm, budget);
-    return std::max(one, bound_by_piece(half_of(cell, true), near, std::max(least_mm, one), budget));
+    const double one = bound_by_piece(half_of(cell, false), near, min_mm, budget);
+    return std::max(one, bound_by_piece(half_of(cell, true), near, std::max(min_mm, one), budget));
   }
 
-  [[nodiscard]] double bound_by_piece(const FootCell& cell, std::size_t near, double least_mm, std::size_t& budget) {
+  [[nodiscard]] double bound_by_piece(const FootCell& cell, std::size_t near, double min_mm, std::size_t& budget) {
     Ball ball = own_ball(cell);
     if (ball.free_mm > 0 && join_any(ball)) {
       const double own = bound_by_own(cell, ball);
-      if (own <= least_mm) return own;
+      if (own <= min_mm) return own;
       balls_.push_back(ball);
     }
-    return bound_by_all(cell, near, least_mm, budget);
+    return bound_by_all(cell, near, min_mm, budget);
   }
 
   /// No point of the tool whose foot is in the cell is farther from it: if one at t were, the point at t of the middle
@@ -223,7 +223,7 @@ class ReachSearch {
 
   const CompiledTool& form_;
   const CompiledTool& bare_;
-  double depth_mm_, enough_mm_, size_mm_;
+  double depth_mm_, cutoff_mm_, size_mm_;
   std::vector<CellBall> cells_;
   std::vector<Ball> balls_;
   mutable std::size_t looks_ = 0;
@@ -231,9 +231,9 @@ class ReachSearch {
 
 }  // namespace
 
-double bound_reach(const CompiledTool& form, const CompiledTool& bare, double depth_mm, double enough_mm) {
+double bound_reach(const CompiledTool& form, const CompiledTool& bare, double depth_mm, double cutoff_mm) {
   if (form.elements.empty()) return 0;
-  return ReachSearch(form, bare, depth_mm, enough_mm).run();
+  return ReachSearch(form, bare, depth_mm, cutoff_mm).run();
 }
 
 }  // namespace gouge

@@ -3,8 +3,8 @@
 #include <memory>
 #include <span>
 
+#include "lib/tool/certified_depth.h"
 #include "lib/tool/compiled_tool.h"
-#include "lib/tool/sure_depth.h"
 
 namespace gouge {
 
@@ -16,20 +16,20 @@ struct ToolVariants {
   CompiledTool against_fixture;  ///< shank and holder offset by their clearances
   /// Bodies that have a clearance, alone, offset: any depth in it is a gouge. No elements: none has one.
   CompiledTool with_clearance;
-  CompiledTool cutting;                    ///< the cutter alone, offset by stock to leave: what touches the part
-  CompiledTool non_cutting;                ///< shank and holder as offset above: for near misses. May be empty.
-  SureDepths part_depths, fixture_depths;  ///< of the variants against_part and against_fixture
+  CompiledTool cutting;                         ///< the cutter alone, offset by stock to leave: what touches the part
+  CompiledTool non_cutting;                     ///< shank and holder as offset above: for near misses. May be empty.
+  CertifiedDepths part_depths, fixture_depths;  ///< of the variants against_part and against_fixture
   /// The tool with every body wider by the diameter of the cutter: all places it takes where its tip is up to a diameter
   /// beside a motion. Null: not made.
   std::shared_ptr<const ToolVariants> wide;
 
   /// A form of this tool with its own sure depths.
-  struct SureForm {
+  struct CertifiedForm {
     const CompiledTool* form;
-    const SureDepths* depths;
+    const CertifiedDepths* depths;
   };
-  /// find_sure_depth, the least one of the forms. Computed once for each depth given.
-  [[nodiscard]] SureDepth sure_depth(std::span<const SureForm> forms, double given_mm) const;
+  /// find_certified_depth, the least one of the forms. Computed once for each depth given.
+  [[nodiscard]] CertifiedDepth certified_depth(std::span<const CertifiedForm> forms, double given_mm) const;
 };
 
 }  // namespace gouge

@@ -73,10 +73,10 @@ class Nesting {
   Nesting(const IndexedMesh& mesh, const std::vector<std::uint32_t>& lowest)
       : mesh_(mesh), lowest_(lowest), near_(mesh, all_triangles(mesh)), crossings_(lowest.size(), 0) {}
 
-  /// How many others a piece lies in; nothing where no ray along the axes from its first corners tells.
+  /// How many others a piece lies in; nothing where no ray along the axes from its first corners shows.
   std::optional<std::size_t> depth(std::uint32_t piece) {
     std::size_t tried = 0;
-    for (std::uint32_t t = piece; t < lowest_.size() && tried < kMostCorners; ++t) {
+    for (std::uint32_t t = piece; t < lowest_.size() && tried < kMaxCorners; ++t) {
       if (lowest_[t] != piece) continue;
       for (int axis = 0; axis < 3; ++axis) {
         if (const auto depth = count(piece, mesh_.corner(t, tried % 3), axis)) return depth;
@@ -87,7 +87,7 @@ class Nesting {
   }
 
  private:
-  static constexpr std::size_t kMostCorners = 12;
+  static constexpr std::size_t kMaxCorners = 12;
 
   /// A point lies in those that a ray from it crosses an odd number of times.
   std::optional<std::size_t> count(std::uint32_t piece, const Vec3& point, int axis) {

@@ -7,7 +7,7 @@
 
 namespace gouge::detail {
 
-/// Whether a surface bounds a volume: pieces that lie in an even number of others face outward, those in an odd number
+/// Returns whether a surface bounds a volume: pieces that lie in an even number of others face outward, those in an odd number
 /// inward. Nothing where rounding leaves open which way one faces or what it lies in.
 ///
 /// Requires a closed, manifold, consistently oriented mesh that does not cross itself, of triangles with area.

@@ -9,18 +9,18 @@
 #include "lib/validate/repair_mesh.h"
 #include "lib/validate/validate_mesh.h"
 
-// What cgal_self_intersections.cpp and cgal_repair.cpp, the only sources that include CGAL, offer to this module.
+// The interface of cgal_self_intersections.cpp and cgal_repair.cpp, the only sources that include CGAL.
 // Exceptions of CGAL end there: each function returns an error (code "cgal-failed") instead.
 
 namespace gouge::detail {
 
-/// Of `triangles` those whose corners lie on one line. Exact.
+/// Returns those of `triangles` whose corners lie on one line. Exact.
 [[nodiscard]] Result<std::vector<std::uint32_t>> without_area(const IndexedMesh& mesh,
                                                               const std::vector<std::uint32_t>& triangles);
 
 using TrianglePair = std::pair<std::uint32_t, std::uint32_t>;  ///< the lower triangle first
 
-/// Of `pairs` those that have more in common than their shared corners. Exact. Requires triangles with area.
+/// Returns those of `pairs` that have more in common than their shared corners. Exact. Requires triangles with area.
 [[nodiscard]] Result<std::vector<TrianglePair>> crossing_pairs(const IndexedMesh& mesh,
                                                                const std::vector<TrianglePair>& pairs);
 

@@ -10,11 +10,11 @@
 namespace gouge::detail {
 
 /// Runs `work`, in which CGAL neither prints nor aborts. Error (cgal-failed) where CGAL threw one; its own words
-/// ("p1p2p3_2d!=COLLINEAR") help nobody who has a part to check. Running out of memory is not the mesh's fault: it goes
+/// ("p1p2p3_2d!=COLLINEAR") are of no use to a user with a part to check. Running out of memory is not the mesh's fault: it goes
 /// on.
 [[nodiscard]] Outcome run_guarded(const std::string& task, const std::function<void()>& work);
 
-/// What `work` returns, or the error of run_guarded.
+/// Returns the value of `work`, or the error of run_guarded.
 template <class Value, class Work>
 Result<Value> guarded(const std::string& task, const Work& work) {
   std::optional<Result<Value>> result;

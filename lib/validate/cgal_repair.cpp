@@ -123,10 +123,10 @@ SurfaceMesh::Halfedge_index longest_side(const SurfaceMesh& surface, SurfaceMesh
 // The corner of a face without area that lies between the two others splits the neighbour on its longest side: an
 // edge flip, by which no point of the surface moves. Nothing is lost either when a face without a neighbour there goes.
 void flip_faces_without_area(SurfaceMesh& surface) {
-  constexpr std::size_t kMostFlipsEach = 20;  // several faces on one line may pass their corners to and fro
+  constexpr std::size_t kMaxFlipsEach = 20;  // several faces on one line may pass their corners to and fro
   std::vector<SurfaceMesh::Face_index> open;
   pmp::degenerate_faces(surface, std::back_inserter(open));
-  for (std::size_t left = kMostFlipsEach * open.size(); left > 0 && !open.empty(); --left) {
+  for (std::size_t left = kMaxFlipsEach * open.size(); left > 0 && !open.empty(); --left) {
     const SurfaceMesh::Face_index face = open.back();
     open.pop_back();
     if (surface.is_removed(face) || !pmp::is_degenerate_triangle_face(face, surface)) continue;
@@ -201,7 +201,7 @@ void orient_as_one(SurfaceMesh& surface) {
   }
 }
 
-// Whether CGAL can tell which way a piece faces: not where the triangles about its uppermost corner lie in one plane.
+// Returns whether CGAL can show which way a piece faces: not where the triangles about its uppermost corner lie in one plane.
 bool has_facing(const SurfaceMesh& piece) {
   if (!CGAL::is_closed(piece)) return true;
   try {
@@ -255,7 +255,7 @@ Result<VolumeFacts> find_volume_facts(const IndexedMesh& mesh) {
     std::optional<SurfaceMesh> made = to_surface_mesh(mesh);
     if (!made) return make_error("cgal-failed", "the triangles do not form a manifold surface");
     SurfaceMesh& surface = *made;
-    remove_faces_without_area(surface);  // they bound nothing, and CGAL cannot tell which way they face
+    remove_faces_without_area(surface);  // they bound nothing, and CGAL cannot show which way they face
     if (surface.number_of_faces() == 0 || !CGAL::is_closed(surface))
       return make_error("cgal-failed", "the surface is not closed");
     VolumeFacts facts;

@@ -18,7 +18,7 @@ class NearTriangles {
   /// Requires finite coordinates. Cost O(n log n); 70 bytes a triangle, 32 more meanwhile.
   NearTriangles(const IndexedMesh& mesh, const std::vector<std::uint32_t>& triangles);
 
-  /// Pairs come in this many parts, which may be looked at in any order and at once.
+  /// Pairs come in this many parts, which may be examined in any order and at once.
   [[nodiscard]] std::size_t parts() const { return parts_.size(); }
 
   /// Calls visit(t, u) for pairs of triangles whose boxes meet, each once over all parts, in no promised order.

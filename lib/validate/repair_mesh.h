@@ -15,7 +15,7 @@ struct RepairOptions {
   LengthUnit unit = LengthUnit::mm;  ///< of the STL to write
 };
 
-/// What each step did, in the order of the steps.
+/// Effects of the steps, in their order.
 struct RepairSteps {
   std::size_t degenerate_removed = 0;  ///< triangles with identical corners (already left out by build_mesh)
   std::size_t duplicates_removed = 0;
@@ -25,7 +25,7 @@ struct RepairSteps {
   std::size_t collinear_left = 0;     ///< of those the ones that could not be removed
   std::size_t holes_filled = 0;
   std::size_t hole_triangles_added = 0;
-  std::size_t holes_left = 0;           ///< not asked for, or no filling found
+  std::size_t holes_left = 0;           ///< not requested, or no filling found
   std::size_t pieces_not_oriented = 0;  ///< closed but flat: no side of theirs is inside
   std::size_t triangles_turned = 0;     ///< against their orientation in the file
 };
@@ -42,7 +42,7 @@ struct MeshRepair {
 };
 
 /// Removes duplicates, orients the triangles alike, stitches borders with identical coordinates, removes
-/// triangles without area, splits vertices where surfaces only touch, fills holes when asked, and turns
+/// triangles without area, splits vertices where surfaces only touch, fills holes when requested, and turns
 /// closed pieces outward (cavities inward). No vertex is moved and no self-intersection is resolved.
 ///
 /// Requires a mesh in the frame of its file (no placement), and its validation.

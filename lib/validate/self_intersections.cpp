@@ -49,7 +49,7 @@ bool is_surely_clear(const IndexedMesh& mesh, const TrianglePair& pair) {
     case 2:
       return share_surely_one_side(one, other);
     default:
-      return true;  // copies say nothing new
+      return true;  // copies state nothing new
   }
 }
 

@@ -8,8 +8,8 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/validate/validate_mesh.h"
 
-// Exact answers at the price of double precision: what the filters of triangle_filter.h cannot prove, and only that, is
-// asked of CGAL (docs/algorithms/self_intersections.md).
+// Exact results at the price of double precision: CGAL decides only what the filters of triangle_filter.h cannot prove
+// (docs/algorithms/self_intersections.md).
 
 namespace gouge::detail {
 

@@ -36,7 +36,7 @@ struct Cross {
   Vec3 value, magnitude;
 };
 
-/// Whether the difference of points w makes a sharp angle with the direction n.
+/// Returns whether the difference of points w makes a sharp angle with the direction n.
 bool is_surely_along(const Vec3& n, const Vec3& w) {
   return n.dot(w) > kDot * n.cwiseAbs().dot(w.cwiseAbs()) + kUnderflow;
 }

@@ -4,8 +4,8 @@
 
 #include "lib/geom/vec.h"
 
-// What double precision can prove of triangles. Each answer "true" is proved, whatever rounding did
-// (docs/algorithms/self_intersections.md, section 3); "false" says nothing, and exact arithmetic must decide. Lengths of
+// Predicates of triangles that double precision can prove. Each result "true" is proved, whatever rounding did
+// (docs/algorithms/self_intersections.md, section 3); "false" states nothing, and exact arithmetic must decide. Lengths of
 // one unit and frame, each coordinate finite and at most 1e30. Cost: some 20 to 300 operations.
 
 namespace gouge::detail {
@@ -25,7 +25,7 @@ namespace gouge::detail {
 
 enum class RayMeeting { none, once, unknown };
 
-/// Whether the ray from p on along a coordinate axis (0 to 2), to infinity, meets the triangle. `none` and `once`, through
+/// Returns whether the ray from p on along a coordinate axis (0 to 2), to infinity, meets the triangle. `none` and `once`, through
 /// its inside, are proved.
 [[nodiscard]] RayMeeting meet_ray(const std::array<Vec3, 3>& t, const Vec3& p, int axis);
 

@@ -30,7 +30,7 @@ struct MeshValidation {
   std::optional<bool> bounds_volume;
   /// Signed volume, mm3; nothing as above.
   std::optional<double> volume_mm3;
-  /// What kept the exact part from being decided; empty when it was.
+  /// The reason why the exact part was not decided; empty when it was.
   std::string trouble;
 
   /// Closed, manifold, consistently oriented outward, free of self-intersections and duplicates.
@@ -45,7 +45,7 @@ struct MeshValidation {
 ///          Triangles of no area and repeated triangles are counted as such and take no part in
 ///          intersections.
 /// Cost     O(n log n) for the surfaces of parts: about a microsecond and 100 bytes a triangle. Ten times that where CGAL
-///          must say what the surface bounds: where a triangle has no area, or a piece may lie in another.
+///          must state what the surface bounds: where a triangle has no area, or a piece may lie in another.
 /// Errors   None: what CGAL cannot do is reported in `trouble`, and the mesh is not sound then.
 [[nodiscard]] MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findings,
                                            const ProgressCall& progress = {});

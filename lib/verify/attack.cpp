@@ -31,7 +31,7 @@ class Draws {
   std::uint64_t state_ = 20260101;
 };
 
-/// What must not be deeper than `allowed_mm`: a form of the tool, or the heads (no contour).
+/// The body that must not be deeper than `allowed_mm`: a form of the tool, or the heads (no contour).
 struct Target {
   const ToolContour* contour = nullptr;
   const TriangleOrder* surface = nullptr;
@@ -45,7 +45,7 @@ class Attack {
       : scene_(scene), orders_(orders), tools_(tools), claims_(claims) {
     for (const SolidDepth& head : scene.heads) {
       head_box_.extend(head.box());
-      looks_per_head_ += head.mesh().triangles.size() / 100;  // a look at a head takes time linear in its facets
+      looks_per_head_ += head.mesh().triangles.size() / 100;  // a examine a head takes time linear in its facets
     }
   }
 
@@ -78,7 +78,7 @@ class Attack {
   }
 
  private:
-  /// What the claim says no point is deeper than; nothing where it says nothing.
+  /// The depth that the claim states for all points; none where it states nothing.
   [[nodiscard]] std::optional<double> allowed_mm(std::size_t move) const {
     const std::size_t tool = scene_.path.moves[move].tool;
     if (tool >= tools_.size() || !tools_[tool]) return std::nullopt;
@@ -129,14 +129,14 @@ class Attack {
   }
 
   /// No point within `radius` of `center` is deeper.
-  [[nodiscard]] double most_depth(const Target& target, const Place& place, const Vec3& center, double radius) const {
+  [[nodiscard]] double max_depth(const Target& target, const Place& place, const Vec3& center, double radius) const {
     if (target.contour != nullptr) return depth(target, place, center) + radius;
     return radius - head_box_.exteriorDistance(place.heads.inverse().point(center));
   }
 
   /// A node of the order of triangles, or a part of one triangle.
   struct Piece {
-    double most_mm = 0;  ///< no point of it is deeper
+    double max_mm = 0;  ///< no point of it is deeper
     TriangleOrder::Node node;
     std::array<Vec3, 3> corners;  ///< of a part of the one triangle of `node`
   };
@@ -152,7 +152,7 @@ class Attack {
   /// there were many looks.
   [[nodiscard]] Deepest find_deepest(const Target& target, std::size_t move, double t) const {
     constexpr std::size_t kLooks = 300;
-    const auto is_less = [](const Piece& a, const Piece& b) { return a.most_mm < b.most_mm; };
+    const auto is_less = [](const Piece& a, const Piece& b) { return a.max_mm < b.max_mm; };
     std::priority_queue<Piece, std::vector<Piece>, decltype(is_less)> open(is_less);
     Deepest best;
     const Place here = place(target, move, t);
@@ -162,13 +162,13 @@ class Attack {
       for (const Vec3& p : c) radius = std::max(radius, (p - center).norm());
       const double at_center = depth(target, here, center);
       if (at_center > best.depth_mm) best = {at_center, center, node.first};
-      const double most = target.contour != nullptr ? at_center + radius : most_depth(target, here, center, radius);
+      const double most = target.contour != nullptr ? at_center + radius : max_depth(target, here, center, radius);
       if (most > target.allowed_mm) open.push({most, node, c});
     };
     const auto offer = [&](const TriangleOrder::Node& node) {
       if (node.size() == 1) return offer_triangle(node, target.surface->corners(node.first));
       const TriangleOrder::Extent& extent = target.surface->extent(node);
-      const double most = most_depth(target, here, extent.center, extent.half.norm());
+      const double most = max_depth(target, here, extent.center, extent.half.norm());
       if (most > target.allowed_mm) open.push({most, node, {}});
     };
     offer(target.surface->root());
@@ -228,8 +228,8 @@ class Attack {
     if (!(deepest.depth_mm > target.allowed_mm + kProofSlack_mm)) return std::nullopt;
     const std::string body = target.contour == nullptr ? "the head" : "the tool";
     return Counterexample{move, t, deepest.point,
-                          "the surface is " + people_text(deepest.depth_mm, 6) + " mm deep in " + body +
-                              ", and claimed to be at most " + people_text(target.allowed_mm, 6) + " mm"};
+                          "the surface is " + display_text(deepest.depth_mm, 6) + " mm deep in " + body +
+                              ", and claimed to be at most " + display_text(target.allowed_mm, 6) + " mm"};
   }
 
   const ClaimedScene& scene_;

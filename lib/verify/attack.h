@@ -19,7 +19,7 @@ struct Counterexample {
 };
 
 struct AttackResult {
-  std::size_t samples = 0;  ///< instants looked at
+  std::size_t samples = 0;  ///< instants examined
   std::size_t moves = 0;    ///< of how many moves, each without a proof at least once
   std::optional<Counterexample> found;
 };

@@ -55,7 +55,7 @@ inline Bounds3 direction_of(const Bounds3& a) {
   return {a[0] / n, a[1] / n, a[2] / n};
 }
 
-/// What holds both.
+/// Returns the hull of both.
 inline Bounds hull(const Bounds& a, const Bounds& b) {
   return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
 }

@@ -15,7 +15,7 @@ constexpr std::size_t kMovesPerBlock = 256, kMovesPerGroup = 32, kBlocksAtOnce =
 constexpr std::string_view kNoProof = "\x09";  // all the steps of a move for which none was found
 constexpr std::uint64_t kTriesPerMove = 3'000, kTriesAlone = 300'000;
 
-/// What is asked of one move of a tool: its forms against the surfaces they must stay out of.
+/// The claims to prove for one move of a tool: its forms against the surfaces they must stay out of.
 class Questions {
  public:
   Questions(const ClaimedScene& scene, const SceneOrders& orders) : scene_(scene), orders_(orders) {
@@ -24,7 +24,7 @@ class Questions {
     }
   }
 
-  /// Whether a proof can be about this move at all. The lemma of a certificate is about depths, not distances.
+  /// Returns whether a proof can be about this move at all. The lemma of a certificate is about depths, not distances.
   [[nodiscard]] bool is_askable(std::size_t move, const MoveClaim& claim) const {
     const auto has_clearance = [](const ClaimedLimit& limit) { return limit.clearance_mm > 0; };
     if (std::ranges::any_of(scene_.limits, has_clearance)) return false;
@@ -32,7 +32,7 @@ class Questions {
     if (tool >= forms_.size() || !forms_[tool] || !forms_[tool]->is_closed) return false;
     return claims_clean(claim) || (claim.state == ClaimedState::gouge && claim.depth_upper_mm);
   }
-  /// Whether one proof may be about both.
+  /// Returns whether one proof may be about both.
   [[nodiscard]] bool is_alike(std::size_t a, const MoveClaim& of_a, std::size_t b, const MoveClaim& of_b) const {
     return claims_clean(of_a) && claims_clean(of_b) && scene_.path.moves[a].tool == scene_.path.moves[b].tool;
   }
@@ -51,7 +51,7 @@ class Questions {
     }
     return all;
   }
-  /// Of a group of moves; `of_piece` tells the move of each piece. Nothing where a motion is not defined.
+  /// Poses of a group of moves; `of_piece` is the move of each piece. None where a motion is not defined.
   [[nodiscard]] std::optional<std::vector<MotionPiece>> pieces(std::size_t first, std::size_t count,
                                                                std::vector<std::size_t>& of_piece) const {
     if (scene_.axis_law != kGreatCircle) return std::nullopt;
@@ -117,7 +117,7 @@ class BlockMaker {
   }
 
  private:
-  // What cannot be proved together is proved in halves, and a move at last alone.
+  // A group that cannot be proved together is proved in halves, down to single moves.
   void prove(std::size_t first, std::size_t count) {
     const std::uint64_t tries = count > 1 ? kTriesPerMove * count : kTriesAlone;
     std::vector<std::size_t> of_piece;
@@ -188,16 +188,16 @@ class CertificateReader {
     const std::string length = stream_.take(4);
     if (length.size() != 4) return cut_short();
     const std::uint32_t size = block_length(length);
-    if (size > kMostBlockBytes) return invalid(name_, "a block of it is said to have more bytes than any has");
+    if (size > kMaxBlockBytes) return invalid(name_, "a block of it is said to have more bytes than any has");
     if (size == 0) {
       if (!stream_.is_at_end()) return invalid(name_, "it goes on after its end, or its check sum is wrong");
       return std::vector<ProofGroup>{};
     }
     const std::string block = stream_.take(size);
     if (block.size() != size) return cut_short();
-    auto groups = groups_of(block, least_move_, moves_);
+    auto groups = groups_of(block, min_move_, moves_);
     if (!groups) return invalid(name_, "a block of it names moves that are not there, or not in order");
-    least_move_ = groups->back().first + groups->back().count;
+    min_move_ = groups->back().first + groups->back().count;
     return std::move(*groups);
   }
 
@@ -209,7 +209,7 @@ class CertificateReader {
 
   const std::string& name_;
   ZstdReader stream_;
-  std::size_t moves_, least_move_ = 0;
+  std::size_t moves_, min_move_ = 0;
 };
 
 /// Why a group does not prove what the result claims; nothing where it does.

@@ -35,7 +35,7 @@ struct ProofRefutation {
 
 enum class ProofState : std::uint8_t {
   missing,  ///< the certificate does not mention the move
-  open,     ///< it says that none was found
+  open,     ///< it states that none was found
   proved,
   refuted,  ///< what it has proves nothing
 };
@@ -47,7 +47,7 @@ struct CertificateReading {
 
 /// Proves anew what the certificate proves. `orders` are those of the scene.
 /// Errors  certificate-invalid: it is no certificate, is cut short or broken, or belongs to other inputs or
-///         another result; the message says which.
+///         another result; the message states which.
 /// Cost    linear in what it holds once it is unpacked; memory for some thousand moves of it.
 [[nodiscard]] Result<CertificateReading> verify_certificate(const ClaimedScene& scene, const SceneOrders& orders,
                                                             const std::vector<MoveClaim>& claims,

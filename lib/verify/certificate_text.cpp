@@ -71,16 +71,16 @@ std::string block_bytes(const std::vector<ProofGroup>& groups) {
 
 std::uint32_t block_length(std::string_view bytes) { return static_cast<std::uint32_t>(fixed_at(bytes, 0, 4)); }
 
-std::optional<std::vector<ProofGroup>> groups_of(std::string_view block, std::size_t least_move, std::size_t moves) {
+std::optional<std::vector<ProofGroup>> groups_of(std::string_view block, std::size_t min_move, std::size_t moves) {
   std::vector<ProofGroup> groups;
   while (!block.empty()) {
     const auto first = take_number(block), count = take_number(block), length = take_number(block);
-    if (!first || !count || !length || *first < least_move || *first >= moves || *count == 0 ||
-        *count > kMostMovesOfGroup || *count > moves - *first || *length > block.size())
+    if (!first || !count || !length || *first < min_move || *first >= moves || *count == 0 ||
+        *count > kMaxMovesOfGroup || *count > moves - *first || *length > block.size())
       return std::nullopt;
     groups.push_back({*first, *count, std::string(block.substr(0, *length))});
     block.remove_prefix(*length);
-    least_move = *first + *count;
+    min_move = *first + *count;
   }
   return groups;
 }

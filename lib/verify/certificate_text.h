@@ -11,7 +11,7 @@
 namespace gouge {
 
 inline constexpr std::string_view kCertificateMagic = "gougecheck proof 2\n";
-inline constexpr std::size_t kMostBlockBytes = 1U << 26U, kMostMovesOfGroup = 256;
+inline constexpr std::size_t kMaxBlockBytes = 1U << 26U, kMaxMovesOfGroup = 256;
 
 /// Moves [first, first + count) and the steps that prove them.
 struct ProofGroup {
@@ -19,7 +19,7 @@ struct ProofGroup {
   std::string steps;
 };
 
-/// What stands before the blocks.
+/// The header before the blocks.
 struct CertificateHeader {
   std::string inputs;  ///< 64 hexadecimal digits
   std::uint64_t moves = 0, part_triangles = 0, fixture_triangles = 0;
@@ -37,9 +37,9 @@ inline constexpr std::size_t kHeaderBytes = 64 + 5 * 8 + kLawBytes;
 [[nodiscard]] std::string block_bytes(const std::vector<ProofGroup>& groups);
 /// The length a block begins with. Requires 4 bytes.
 [[nodiscard]] std::uint32_t block_length(std::string_view bytes);
-/// The groups of a block. Nothing where the bytes are none, or a group is empty or begins before `least_move`
+/// The groups of a block. Nothing where the bytes are none, or a group is empty or begins before `min_move`
 /// or before the one ahead of it ends, or ends beyond `moves`.
-[[nodiscard]] std::optional<std::vector<ProofGroup>> groups_of(std::string_view block, std::size_t least_move,
+[[nodiscard]] std::optional<std::vector<ProofGroup>> groups_of(std::string_view block, std::size_t min_move,
                                                                std::size_t moves);
 
 }  // namespace gouge

@@ -11,7 +11,7 @@
 #include "lib/tool/tool_variants.h"
 #include "lib/verify/solid_depth.h"
 
-// What a result says of a toolpath, and what it says it of: all that a verification starts from.
+// The claims of a result and their subject: all inputs of a verification.
 
 namespace gouge {
 
@@ -34,7 +34,7 @@ struct MoveClaim {
   std::optional<ClaimedWitness> witness;
 };
 
-/// What is claimed of one mesh besides.
+/// Further claims about one mesh.
 struct ClaimedLimit {
   bool is_fixture = true;
   std::size_t mesh = 0;
@@ -45,7 +45,7 @@ struct ClaimedLimit {
 /// The law of motion that is evaluated here.
 inline constexpr const char* kGreatCircle = "great-circle";
 
-/// What is referred to must outlive it. Lengths in mm.
+/// Referenced objects must outlive it. Lengths in mm.
 struct ClaimedScene {
   const Toolpath& path;
   std::vector<const ToolVariants*> tools;  ///< one per Toolpath::tools; null: not defined
@@ -60,7 +60,7 @@ struct ClaimedScene {
   [[nodiscard]] double largest_clean_mm() const { return tolerance_mm + resolution_mm; }
 };
 
-/// Whether a move of that state claims that nothing is deeper than tolerance + resolution.
+/// Returns whether a move of that state claims that nothing is deeper than tolerance + resolution.
 [[nodiscard]] inline bool claims_clean(const MoveClaim& claim) {
   return claim.state == ClaimedState::clean || claim.state == ClaimedState::near;
 }

@@ -7,7 +7,7 @@ namespace gouge {
 namespace {
 
 constexpr double kAxisRounding = 4e-16;  // of a component of a unit vector that was written as doubles
-constexpr double kMostPieces = 4096;
+constexpr double kMaxPieces = 4096;
 
 PoseBounds bounds_of(const Pose& pose) { return {Bounds3(pose.tip), widened(Bounds3(pose.axis), kAxisRounding)}; }
 
@@ -16,7 +16,7 @@ PoseBounds midway(const PoseBounds& a, const PoseBounds& b) {
   return {midway(a.tip, b.tip), direction_of(a.axis + b.axis)};
 }
 
-/// Of unit vectors. From the chord: asin x <= x + (pi / 2 - 1) x^3.
+/// For unit vectors. From the chord: asin x <= x + (pi / 2 - 1) x^3.
 double largest_angle(const Bounds3& a, const Bounds3& b) {
   const Bounds c = length(b - a);
   return (c + Bounds(0.1428) * c * c * c).sup();
@@ -90,7 +90,7 @@ std::array<MotionPiece, 2> MotionPiece::halves() const {
 std::optional<std::vector<MotionPiece>> MotionPiece::along_arc(const PoseBounds& from, const PoseBounds& to,
                                                                const PathArc& arc) {
   const double quarters = std::ceil(std::abs(arc.sweep_rad) / 1.5);
-  if (!(quarters <= kMostPieces) || !arc.center.allFinite() || !arc.axis.allFinite()) return std::nullopt;
+  if (!(quarters <= kMaxPieces) || !arc.center.allFinite() || !arc.axis.allFinite()) return std::nullopt;
   const auto count = static_cast<std::size_t>(std::max(1.0, quarters));
   Turn turn;
   turn.center = Bounds3(arc.center);
@@ -180,10 +180,10 @@ std::vector<MotionPiece> MotionPiece::dogleg(const Pose& from, const Pose& to) {
 
 std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std::size_t index, bool is_dogleg) {
   const Move& move = path.moves[index];
-  const bool has_way_here = move.has_start || move.is_linked;
-  if (!is_finite(move.end) || (has_way_here && (index == 0 || !is_finite(path.start_of(index))))) return std::nullopt;
+  const bool has_path_here = move.has_start || move.is_linked;
+  if (!is_finite(move.end) || (has_path_here && (index == 0 || !is_finite(path.start_of(index))))) return std::nullopt;
   const PoseBounds end = bounds_of(move.end);  // after that: an interval is of numbers alone
-  if (!has_way_here) return std::vector<MotionPiece>{MotionPiece(end, end)};
+  if (!has_path_here) return std::vector<MotionPiece>{MotionPiece(end, end)};
   const Pose& start = path.start_of(index);
   const PoseBounds from = bounds_of(start);
   if (!(length(from.axis + end.axis).inf() > 1e-6)) return std::nullopt;

@@ -14,18 +14,18 @@ Box3 box_around(std::span<const IndexedMesh> meshes) {
   return box;
 }
 
-/// Stretches of the axis deeper in the tool than `least_mm`, each joined within by steps that are shorter
+/// Stretches of the axis deeper in the tool than `min_mm`, each joined within by steps that are shorter
 /// than what the point before lies deeper.
 using Stretches = std::vector<std::pair<double, double>>;
 
-Stretches deep_stretches(const ToolContour& tool, double least_mm) {
+Stretches deep_stretches(const ToolContour& tool, double min_mm) {
   Stretches all;
   double top = 0;
   for (const ToolContour::Piece& p : tool.pieces()) top = std::max(top, p.z_hi());
   const double shortest = 1e-4 * top;
   bool is_open = false;
   for (double z = 0; z < top;) {
-    const double spare = -tool.nearest({0, z}).signed_distance_mm - least_mm;
+    const double spare = -tool.nearest({0, z}).signed_distance_mm - min_mm;
     if (spare > shortest) {
       if (!is_open) all.emplace_back(z, z);
       all.back().second = z;
@@ -39,7 +39,7 @@ Stretches deep_stretches(const ToolContour& tool, double least_mm) {
   return all;
 }
 
-/// Whether every body has a point in a stretch.
+/// Returns whether every body has a point in a stretch.
 bool covers_bodies(const ToolContour& tool, const Stretches& stretches) {
   for (const Body body : {Body::cutter, Body::shank, Body::holder}) {
     double lo = 1e300, hi = -1e300;

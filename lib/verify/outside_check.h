@@ -9,10 +9,10 @@
 
 namespace gouge {
 
-/// Whether the moves that claim to be clean are outside of all solids.
+/// Result of the test whether moves that claim to be clean are outside of all solids.
 struct OutsideCheck {
   std::size_t proved = 0;      ///< moves whose tool leaves the box of all surfaces without meeting one
-  std::size_t sampled = 0;     ///< moves for which a winding number alone says so
+  std::size_t sampled = 0;     ///< moves for which a winding number alone states so
   std::size_t unexamined = 0;  ///< moves of tools too thin to have a point that no surface reaches
   std::vector<Counterexample> refuted;
 };

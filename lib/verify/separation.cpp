@@ -9,10 +9,10 @@ namespace gouge {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// What pieces of a contour may be apart; and the way out of the tool must be shorter than the depth
+// Maximum gap between pieces of a contour; the way out of the tool must be shorter than the depth
 // (docs/verify.md).
 constexpr double kJoint_mm = 1e-9;
-constexpr std::ptrdiff_t kMostPoses = 5;
+constexpr std::ptrdiff_t kMaxPoses = 5;
 
 bool is_same(const PoseBounds& a, const PoseBounds& b) {
   for (std::size_t k = 0; k < 3; ++k)
@@ -60,7 +60,7 @@ TimeSpan span_of(const MotionPiece* first, const MotionPiece* last) {
                                                            begin.axis + span.poses.back().axis}
                                               : (first + (last - first) / 2)->start();
   span.middle = {middle.tip.middle(), middle.axis.middle().normalized()};
-  if (last - first > kMostPoses - 1) {
+  if (last - first > kMaxPoses - 1) {
     PoseBounds all = begin;
     for (const PoseBounds& pose : span.poses) all = {hull(all.tip, pose.tip), hull(all.axis, pose.axis)};
     span.poses = {{widened(all.tip, span.sag_mm), widened(all.axis, span.bend)}};
@@ -133,8 +133,8 @@ void Separation::clip(bool is_ring) {
   is_clipped_ = true;
   is_clipped_ring_ = is_ring;
   reaches_.clear();
-  const double lo = (Bounds(z_lo_) - Bounds(most_mm_)).inf(), hi = (Bounds(z_hi_) + Bounds(most_mm_)).sup();
-  const double near = is_ring ? (Bounds(r_lo_) - Bounds(most_mm_)).inf() : -1;
+  const double lo = (Bounds(z_lo_) - Bounds(max_mm_)).inf(), hi = (Bounds(z_hi_) + Bounds(max_mm_)).sup();
+  const double near = is_ring ? (Bounds(r_lo_) - Bounds(max_mm_)).inf() : -1;
   Bounds far2(0);
   for (const ToolContour::Piece& p : tool_.pieces()) {
     if (p.z_hi() < lo || p.z_lo() > hi || p.r_hi() < near) continue;

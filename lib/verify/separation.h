@@ -34,7 +34,7 @@ struct TimeSpan {
   double swing = 0;     ///< ... nor axis from its
   Pose middle;          ///< about; where planes are looked for
 };
-/// Of consecutive pieces of a motion. More than a few of them are one pose, known less closely.
+/// Poses of consecutive pieces of a motion. More than a few of them are one pose, known less closely.
 [[nodiscard]] TimeSpan span_of(const MotionPiece* first, const MotionPiece* last);
 
 /// How a plane is chosen, or what else bounds the depth. The numbers are those of
@@ -51,21 +51,21 @@ enum class ProofKind : std::uint8_t {
 
 class Separation {
  public:
-  /// About depths of up to `most_mm`: what is that deep or less, from any point of a patch, is looked at.
-  Separation(const ToolContour& tool, double most_mm) : tool_(tool), most_mm_(most_mm) {}
+  /// About depths of up to `max_mm`: what is that deep or less, from any point of a patch, is examined.
+  Separation(const ToolContour& tool, double max_mm) : tool_(tool), max_mm_(max_mm) {}
 
-  /// Asks about this patch in this span from now on; both must stay where they are.
+  /// Queries about this patch in this span from now on; both must stay where they are.
   void look_at(const SurfacePatch& patch, const TimeSpan& span);
-  /// Whether it is proved that no point of the patch is deeper in the tool than `depth_mm` at any instant of
-  /// the span. Requires look_at, depth_mm <= most_mm, RoundsUpward.
+  /// Returns whether it is proved that no point of the patch is deeper in the tool than `depth_mm` at any instant of
+  /// the span. Requires look_at, depth_mm <= max_mm, RoundsUpward.
   [[nodiscard]] bool holds(ProofKind kind, double depth_mm);
 
-  /// Of the last plane asked for: how much of what it lacks is due to the patch, and how much to the time.
+  /// For the last plane: the shares of the shortfall that are due to the patch and to the time.
   [[nodiscard]] double patch_loss_mm() const { return patch_loss_; }
   [[nodiscard]] double time_loss_mm() const { return time_loss_; }
 
  private:
-  /// A piece of the contour, or of one, that may come into question; what is said of more than there is does
+  /// A piece of the contour, or of one, that may come into question; what is stated of more than there is does
   /// no harm.
   struct Reach {
     Bounds r0, z0, r1, z1;  ///< ends of a line; corners of a box around an arc
@@ -82,7 +82,7 @@ class Separation {
   [[nodiscard]] bool is_near_exit_point(double depth_mm);
 
   const ToolContour& tool_;
-  double most_mm_;
+  double max_mm_;
   const SurfacePatch* patch_ = nullptr;
   const TimeSpan* span_ = nullptr;
   double z_lo_ = 0, z_hi_ = 0, r_lo_ = 0, r_hi_ = 0;  // of the patch, as seen from the tool

@@ -15,8 +15,8 @@
 namespace gouge {
 namespace {
 
-constexpr double kBeside_mm = 1e-7;  // of a triangle: where its sides are looked at
-constexpr double kAround_mm = 1e-5;  // of a place on it: where the parts that meet there are looked at
+constexpr double kBeside_mm = 1e-7;  // of a triangle: where its sides are examined
+constexpr double kAround_mm = 1e-5;  // of a place on it: where the parts that meet there are examined
 constexpr double kOn_mm = 1e-9;      // a point that near to a triangle is on it
 constexpr int kDirections = 24;
 
@@ -46,7 +46,7 @@ bool is_in_plane(const Triangle& a, const Triangle& b) {
   return std::all_of(a.begin(), a.end(), [&](const Vec3& x) { return std::abs(normal.dot(x - b[0])) <= kOn_mm; });
 }
 
-/// Whether two triangles of one plane have more in common than a line: what is left of `a` within the edges of `b`.
+/// Returns whether two triangles of one plane have more in common than a line: what is left of `a` within the edges of `b`.
 bool is_overlapping(const Triangle& a, const Triangle& b) {
   const Vec3 normal = (b[1] - b[0]).cross(b[2] - b[0]).normalized();
   std::vector<Vec3> left(a.begin(), a.end());
@@ -181,7 +181,7 @@ bool SolidDepth::has_outside_around(std::uint32_t triangle, const Vec3& point) c
   return false;
 }
 
-/// What of the triangle is on the boundary is made of parts between the segments where it meets others. So its nearest
+/// The boundary's share of the triangle consists of parts between the segments where it meets others. So its nearest
 /// point is the foot of the point, or one of a segment, or a corner of a part.
 std::vector<Vec3> SolidDepth::places_on(std::uint32_t triangle, const Vec3& point) const {
   const Triangle own = corners(triangle);

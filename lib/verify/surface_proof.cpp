@@ -50,7 +50,7 @@ struct Time {
   [[nodiscard]] bool is_one() const { return last - first == 1; }
 };
 
-/// Calls `part(half)` for both halves of a time until it says no.
+/// Calls `part(half)` for both halves of a time until it states no.
 template <typename Part>
 bool for_halves(const Time& time, const Part& part) {
   if (time.is_one()) {
@@ -64,11 +64,11 @@ bool for_halves(const Time& time, const Part& part) {
 
 class Finder {
  public:
-  Finder(const ProofQuestion& question, std::uint64_t most_tries, std::string& steps)
+  Finder(const ProofQuestion& question, std::uint64_t max_tries, std::string& steps)
       : question_(question),
         depth_mm_(question.depth_mm + 0.9 * kProofSlack_mm),  // what another machine rounds otherwise is in the rest
         separation_(question.tool, question.depth_mm + kProofSlack_mm),
-        left_(most_tries),
+        left_(max_tries),
         steps_(steps) {}
 
   bool prove(const Place& place, const Time& time, int level) {
@@ -98,7 +98,7 @@ class Finder {
   static double patch_reach(const SurfacePatch& patch, const Time& time) {
     return (patch.center - time.span.middle.tip).norm() + patch.radius_mm;
   }
-  // Of poses that are one box: how large it is.
+  // Size of the box that holds the poses.
   static double vague(const Time& time) {
     if (time.span.poses.size() > 1) return 0;
     double wide = 0;
@@ -177,12 +177,12 @@ bool is_nothing(const ProofQuestion& question) { return question.tool.empty() ||
 
 }  // namespace
 
-bool find_proof(const ProofQuestion& question, std::span<const MotionPiece> pieces, std::uint64_t most_tries,
+bool find_proof(const ProofQuestion& question, std::span<const MotionPiece> pieces, std::uint64_t max_tries,
                 std::string& steps) {
   if (is_nothing(question)) return true;
   const std::size_t before = steps.size();
   const Time all(pieces.data(), pieces.data() + pieces.size(), 0);
-  if (Finder(question, most_tries, steps).prove(place_of(question.surface, question.surface.root()), all, 0))
+  if (Finder(question, max_tries, steps).prove(place_of(question.surface, question.surface.root()), all, 0))
     return true;
   steps.resize(before);
   return false;

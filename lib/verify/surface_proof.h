@@ -29,10 +29,10 @@ struct ProofQuestion {
 /// Verified bounds are true to this: a depth is proved to be no more than what is claimed and this.
 inline constexpr double kProofSlack_mm = 1e-6;
 
-/// Appends the steps of a proof. False where none was found within `most_tries`; `steps` is then as it was.
+/// Appends the steps of a proof. False where none was found within `max_tries`; `steps` is then as it was.
 /// Requires RoundsUpward, at least one piece.
 [[nodiscard]] bool find_proof(const ProofQuestion& question, std::span<const MotionPiece> pieces,
-                              std::uint64_t most_tries, std::string& steps);
+                              std::uint64_t max_tries, std::string& steps);
 
 /// Where a proof fails.
 struct ProofFault {
@@ -41,8 +41,8 @@ struct ProofFault {
   const char* what = "";
 };
 
-/// Follows a proof from the front of `steps` and removes it there. False: it proves nothing, and `fault` says
-/// where. Requires RoundsUpward, at least one piece. Cost: linear in the steps, whatever they say.
+/// Follows a proof from the front of `steps` and removes it there. False: it proves nothing, and `fault` states
+/// where. Requires RoundsUpward, at least one piece. Cost: linear in the steps, whatever they state.
 [[nodiscard]] bool follow_proof(const ProofQuestion& question, std::span<const MotionPiece> pieces,
                                 std::string_view& steps, ProofFault& fault);
 

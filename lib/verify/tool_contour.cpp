@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-// Whether a monotone piece holds the height: its lower end and not its upper one, so that a joint counts
+// Returns whether a monotone piece holds the height: its lower end and not its upper one, so that a joint counts
 // once.
 bool holds_height(const ToolContour::Piece& p, double z) { return (p.a.y() <= z) != (p.b.y() <= z); }
 

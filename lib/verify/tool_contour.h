@@ -20,7 +20,7 @@ class ToolContour {
     [[nodiscard]] double z_lo() const { return std::min(a.y(), b.y()); }
     [[nodiscard]] double z_hi() const { return std::max(a.y(), b.y()); }
     [[nodiscard]] double r_hi() const { return std::max(a.x(), b.x()); }
-    /// Of the piece nearest to q.
+    /// Normal of the piece nearest to q.
     [[nodiscard]] Vec2 foot(const Vec2& q) const;
   };
 
@@ -38,12 +38,12 @@ class ToolContour {
   /// No piece ends farther than this from where the next begins, nor the first and last from the axis: else
   /// it bounds nothing.
   [[nodiscard]] double largest_gap_mm() const;
-  /// By looking at every piece; the side by how often a ray along r crosses the contour.
+  /// By examining every piece; the side by how often a ray along r crosses the contour.
   [[nodiscard]] Nearest nearest(const Vec2& q) const;
   [[nodiscard]] bool has(const Vec2& q) const;
   /// Distance to the pieces of one body.
   [[nodiscard]] double distance_to(Body body, const Vec2& q) const;
-  /// Whether it has a corner that goes in, or a hollow arc: such a tool is no convex body.
+  /// Returns whether it has a corner that goes in, or a hollow arc: such a tool is no convex body.
   [[nodiscard]] bool is_stepped() const { return is_stepped_; }
   /// No point is farther from the tip.
   [[nodiscard]] double size_mm() const { return size_mm_; }

@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::uint32_t kMostWithNormal = 512;
+constexpr std::uint32_t kMaxWithNormal = 512;
 constexpr double kEven = 0.95;  // cosine of the cone of normals
 
 }  // namespace
@@ -69,7 +69,7 @@ Box3 TriangleOrder::bound(const Node& node) {
     const Bounds c(extent.center[k]);
     extent.half[k] = std::max((Bounds(box.max()[k]) - c).sup(), (c - Bounds(box.min()[k])).sup());
   }
-  if (node.size() > kMostWithNormal) return box;
+  if (node.size() > kMaxWithNormal) return box;
   Vec3 sum = Vec3::Zero();
   for (std::uint32_t i = node.first; i < node.last; ++i) {
     const std::array<Vec3, 3> c = corners(i);

@@ -21,7 +21,7 @@ class TriangleOrder {
     [[nodiscard]] std::uint32_t middle() const { return first + (last - first) / 2; }
   };
 
-  /// What is known of the triangles of a node of two or more.
+  /// Bounds of the triangles of a node of two or more.
   struct Extent {
     Vec3 center = Vec3::Zero(), half = Vec3::Zero();  ///< every corner is within center +- half
     Vec3 into = Vec3::Zero();                         ///< about the unit normal into the solid; zero: too uneven

@@ -11,9 +11,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kExact_mm = 1e-6;  // what the promise says a witness is true to
+constexpr double kExact_mm = 1e-6;  // what the promise states a witness is true to
 
-std::string mm(double value) { return people_text(value, 7) + " mm"; }
+std::string mm(double value) { return display_text(value, 7) + " mm"; }
 
 Eigen::Quaterniond turn_from_z(const Vec3& axis) {
   if (1 + axis.z() < 1e-9) return Eigen::Quaterniond(0, 1, 0, 0);  // half a turn about x
@@ -41,10 +41,10 @@ class WitnessChecker {
     if (auto off = find_off_triangle()) return off;
     const double depth = depth_with({0, 0, 0});
     const std::optional<double> within = depth_in_clearance({0, 0, 0});
-    if (within && is_near(*within, claim_.depth_mm)) return find_wrong_way_out_of_clearance();
+    if (within && is_near(*within, claim_.depth_mm)) return find_wrong_exit_of_clearance();
     if (!is_near(depth, claim_.depth_mm))
       return "the point is " + mm(depth) + " deep, and said to be " + mm(claim_.depth_mm);
-    if (claim_.depth_mm > 0) return find_wrong_way_out();
+    if (claim_.depth_mm > 0) return find_wrong_exit();
     if (claim_.clearance_mm && !is_near(clearance(), *claim_.clearance_mm))
       return "the point is " + mm(clearance()) + " away, and said to be " + mm(*claim_.clearance_mm);
     return std::nullopt;
@@ -84,13 +84,13 @@ class WitnessChecker {
     return std::max(0.0, limit->clearance_mm - distance);
   }
 
-  [[nodiscard]] std::optional<std::string> find_wrong_way_out_of_clearance() const {
+  [[nodiscard]] std::optional<std::string> find_wrong_exit_of_clearance() const {
     const double left = *depth_in_clearance(claim_.depth_mm * w_.normal);
     if (left <= kExact_mm) return std::nullopt;
     return "the point is still " + mm(left) + " within the clearance after the tool has given way";
   }
 
-  [[nodiscard]] std::optional<std::string> find_wrong_way_out() const {
+  [[nodiscard]] std::optional<std::string> find_wrong_exit() const {
     const double left = depth_with(claim_.depth_mm * w_.normal);
     if (left > kExact_mm) return "the point is still " + mm(left) + " deep after the tool has given way";
     if (w_.body == Body::head) return std::nullopt;

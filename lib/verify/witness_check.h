@@ -30,7 +30,7 @@ using ClaimedTools = std::vector<std::unique_ptr<ClaimedTool>>;  ///< by Toolpat
 /// A point of the part in the half plane of a tool.
 [[nodiscard]] Vec2 in_tool(const Pose& pose, const Vec3& point);
 
-/// The frame of the bodies that move with the tool at t, as docs/method.md says: at a position the part's z
+/// The frame of the bodies that move with the tool at t, as docs/method.md states: at a position the part's z
 /// axis turned the shortest way to the tool's, in between on the great circle, the rest of the turn spread
 /// evenly.
 [[nodiscard]] RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t);
@@ -40,7 +40,7 @@ using ClaimedTools = std::vector<std::unique_ptr<ClaimedTool>>;  ///< by Toolpat
 /// The signed distance of a point from the heads, negative in one; infinite where there are none. Cost: O(facets).
 [[nodiscard]] double distance_from_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point);
 
-/// Why what a claim says of its witness, or of its numbers, is not so; nothing where it is.
+/// The reason why a claim about a witness, or its numbers, is wrong; none where it is right.
 [[nodiscard]] std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const ClaimedTools& tools,
                                                             std::size_t move, const MoveClaim& claim);
 

@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-// zstd says by null or a number what everything else says by std::bad_alloc. What it gave up must not pass for whole.
+// zstd reports a lack of memory by null or a number in place of std::bad_alloc. Incomplete data must not pass for complete.
 void end_without_memory() { static_cast<void>(::operator new(PTRDIFF_MAX)); }
 
 template <class Context>

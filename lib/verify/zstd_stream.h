@@ -31,7 +31,7 @@ class ZstdReader {
   /// The next `count` bytes; fewer where the stream ends, or where it is broken (is_broken).
   [[nodiscard]] std::string take(std::size_t count);
   [[nodiscard]] bool is_broken() const;
-  /// Whether nothing is left, and the check sum at the end was right.
+  /// Returns whether nothing is left, and the check sum at the end was right.
   [[nodiscard]] bool is_at_end();
 
  private:

@@ -60,7 +60,7 @@ Json entry_json(const Acceptance& a) {
           {"setup", setup_json(a.setup)},   {"moves", std::move(moves)}};
 }
 
-// Of the entry without its seal, its keys in their alphabetical order: white space and the order of keys do not matter.
+// Text of the entry without its seal, its keys in their alphabetical order: white space and the order of keys do not matter.
 std::string seal_of(const nlohmann::json& entry) {
   return "sha256:" + sha256_of(entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
@@ -202,7 +202,7 @@ class Accepter {
  public:
   Accepter(const StoredResult& result, const StoredFinding& finding) : result_(result), finding_(finding) {}
 
-  /// What keeps it from being accepted; none: nothing.
+  /// Returns the reason that keeps it from being accepted; none: it can be.
   [[nodiscard]] std::optional<std::string> why_impossible() const {
     if (finding_.state == MoveState::buried)
       return "the tool is buried: there is no depth that a later one could be compared with";
@@ -260,7 +260,7 @@ class Accepter {
   const StoredFinding& finding_;
 };
 
-// Whether all of its motions are accepted as often as they gouge.
+// Returns whether all of its motions are accepted as often as they gouge.
 bool is_accepted_already(const Acceptance& made, const std::vector<Acceptance>& accepted) {
   std::map<std::string, std::size_t> times;
   for (const Acceptance& other : accepted) {

@@ -40,14 +40,14 @@ struct Acceptance {
 /// The file, each entry with a seal of its contents. Reads back as the same entries.
 [[nodiscard]] std::string write_accepted(const std::vector<Acceptance>& entries);
 
-/// Who accepts, why and when.
+/// The person, reason and date of an acceptance.
 struct AcceptanceNote {
   std::string reason, by, date;
 };
 
 /// Accepts finding `number` of a result, beside what `accepted` has already.
 /// Errors: usage (no finding of that number); accept-impossible (buried, a depth that is not certified, a tool that is not
-/// known: what nobody can compare later); accept-twice (it is accepted already).
+/// known: it cannot be compared later); accept-twice (it is accepted already).
 [[nodiscard]] Result<Acceptance> accept_finding(const StoredResult& result, std::size_t number,
                                                 const AcceptanceNote& note, const std::vector<Acceptance>& accepted);
 

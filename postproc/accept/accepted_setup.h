@@ -25,8 +25,8 @@ struct AcceptedSetup {
 /// That of a check that was just made.
 [[nodiscard]] AcceptedSetup setup_of(const ReportModel& model, const std::string& tool);
 
-/// What is not as it was when something was accepted, a sentence ("the part is another one"); none: nothing. The tool is
-/// not looked at. Lengths of the sentence are in `unit`.
+/// Returns the first change of the set-up since an acceptance, a sentence ("the part is another one"); none: nothing. The tool is
+/// not examined. Lengths of the sentence are in `unit`.
 [[nodiscard]] std::optional<std::string> find_change(const AcceptedSetup& accepted, const AcceptedSetup& now,
                                                      LengthUnit unit);
 

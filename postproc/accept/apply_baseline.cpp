@@ -23,13 +23,13 @@ struct Offer {
   bool is_used = false;
 };
 
-/// What was accepted of one key.
+/// Acceptances of one key.
 struct Slot {
   std::vector<Offer> offers;
   std::size_t passes = 0, used = 0;  ///< how often it may gouge, and does
 };
 
-/// Of one move.
+/// Result for one move.
 struct MoveAnswer {
   std::optional<std::size_t> entry;  ///< that accepts it
   std::set<std::size_t> of_motion;   ///< entries that are of its motion
@@ -114,7 +114,7 @@ class Baseline {
     return judged;
   }
 
-  // What was accepted is not what is there now: nothing of it is accepted any more.
+  // The accepted finding has changed: none of its moves is accepted any more.
   void void_entry(std::size_t k, const std::string& why) {
     BaselineEntry& entry = facts_.entries[k];
     if (entry.use != BaselineEntry::Use::unused) return;

@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// What the acceptances of `file` say of a result. A finding is accepted only where each of its moves is: the very motion,
+/// Applies the acceptances of `file` to a result. A finding is accepted only where each of its moves is: the very motion,
 /// with the same tool, body, counterpart and set-up, proved no deeper than it was, and no more often. What was not checked
 /// or certified, and a buried tool, is never accepted. Why that hides no gouge: docs/formats/accepted.md.
 [[nodiscard]] BaselineFacts apply_baseline(const std::string& file, const std::vector<Acceptance>& accepted,

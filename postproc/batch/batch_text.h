@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// What `batch` prints: a table of its jobs, the worst first, and one line that counts them. Names from outside are made
+/// Text that `batch` prints: a table of its jobs, the worst first, and one line that counts them. Names from outside are made
 /// printable. `most`: rows at most; those left out are counted.
 [[nodiscard]] std::string batch_text(const std::vector<JobResult>& jobs, std::size_t most);
 

@@ -39,7 +39,7 @@ const char* JobResult::verdict() const {
   if (*status == kExitClean)
     return verdict_name(gouge_findings() > 0 ? OverallVerdict::accepted_gouges : OverallVerdict::clean);
   if (*status == kExitNotChecked) return verdict_name(OverallVerdict::not_fully_checked);
-  // `correct` refuses with it what plainly does not fit; then nothing was looked at to the end.
+  // `correct` refuses with it what plainly does not fit; then nothing was examined to the end.
   if (*status == kExitGouges && !unit.empty()) return verdict_name(OverallVerdict::gouges);
   return "failed";
 }

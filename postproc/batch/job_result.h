@@ -19,7 +19,7 @@ struct JobOutput {
   bool operator==(const JobOutput&) const = default;
 };
 
-/// What one job of a batch came to. Lengths are in the unit of its toolpath.
+/// Result of one job of a batch. Lengths are in the unit of its toolpath.
 struct JobResult {
   std::string name, command;
   std::string toolpath;           ///< as the job names it
@@ -37,9 +37,9 @@ struct JobResult {
   std::vector<JobOutput> outputs;
   std::string report;       ///< its report.html below the folder of the batch; empty: none
   std::string key;          ///< SHA-256 of all that the result depends on; empty: it may not be used again
-  std::string messages;     ///< what its command said on standard error
+  std::string messages;     ///< what its command stated on standard error
   bool is_altered = false;  ///< a store gave back other rows than were put into it: it is no result
-  // What may differ between two runs of the same job.
+  // Fields that may differ between two runs of the same job.
   double seconds = 0;
   double memory_mb = 0;  ///< at the peak of the process until its end
   std::string host;
@@ -48,7 +48,7 @@ struct JobResult {
   [[nodiscard]] std::size_t moves() const;
   /// How many of its findings are gouges or a buried tool.
   [[nodiscard]] std::size_t gouge_findings() const;
-  /// Its warnings as text; of a job without a result what its command said of its errors.
+  /// Its warnings as text; of a job without a result what its command stated of its errors.
   [[nodiscard]] std::vector<std::string> remarks() const;
   /// "clean", "accepted-gouges", "gouges", "not-fully-checked", "failed" or "not-run".
   [[nodiscard]] const char* verdict() const;

@@ -18,7 +18,7 @@
 namespace gouge {
 namespace {
 
-// What two runs do not share beside their paths, a sentence each: parts, fixtures, heads, placement, tools of one name,
+// Differences of two runs beside their paths, a sentence each: parts, fixtures, heads, placement, tools of one name,
 // options, the version of the program. Empty: what they found can be compared as it is.
 std::vector<std::string> setup_differences(const StoredResult& before, const StoredResult& after) {
   std::vector<std::string> all;
@@ -52,7 +52,7 @@ std::vector<std::string> setup_differences(const StoredResult& before, const Sto
 
 constexpr double kAny_mm = std::numeric_limits<double>::infinity();
 
-/// What is known of how deep something is: at least `low`, at most `high`.
+/// Bounds of a depth: at least `low`, at most `high`.
 struct DepthBounds {
   double low = 0, high = 0;
 };
@@ -70,7 +70,7 @@ DepthBounds overcut_of(const StoredMove& move) {
 /// Moves of the new path between two motions that the old one has too.
 struct Stretch {
   std::size_t first = 0, end = 0;
-  std::optional<bool> has_grown = {};  ///< none: not asked yet
+  std::optional<bool> has_grown = {};  ///< none: not requested yet
 };
 
 class Comparer {
@@ -158,7 +158,7 @@ class Comparer {
     return made;
   }
 
-  // Whether something gouged at the place of a move; of a buried tool nothing says where.
+  // Returns whether something gouged at the place of a move; of a buried tool nothing states where.
   [[nodiscard]] static bool is_there(const WitnessGrid& places, const StoredMove& move) {
     if (!move.witness) return true;
     bool is_there = false;
@@ -166,8 +166,8 @@ class Comparer {
     return is_there;
   }
 
-  // Whether more moves gouge between the nearest motions that both paths have than did there. Where the depth is the same
-  // over an area, its deepest point may be anywhere in it, so that places alone say little.
+  // Returns whether more moves gouge between the nearest motions that both paths have than did there. Where the depth is the same
+  // over an area, its deepest point may be anywhere in it, so that places alone state little.
   [[nodiscard]] bool has_grown(std::size_t n, const std::vector<std::size_t>& was, Stretch& stretch) const {
     if (stretch.has_grown) return *stretch.has_grown;
     const std::vector<std::size_t>& other = motions_.after_to_before;

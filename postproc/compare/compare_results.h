@@ -28,7 +28,7 @@ struct Comparison {
   /// First those of the new run in the order of its path, then the others in the order of the old one's.
   std::vector<ComparedFinding> findings;
   std::vector<std::string> differences;  ///< between the set-ups of both runs, a sentence each
-  std::size_t open_moves = 0;            ///< of the new run, neither checked nor left out as asked
+  std::size_t open_moves = 0;            ///< of the new run, neither checked nor left out as requested
 
   [[nodiscard]] std::size_t count(Change change) const;
   /// 1: something is new or deeper; else 4: something is not checked any more or the new run has open moves; else 0.

@@ -91,7 +91,7 @@ class AbsenceJudge {
     for (std::size_t k = first; k < end; ++k) {
       if (Why why = if_open(k)) return why;
     }
-    // What stands for it must be of its operation and tool, and about as much.
+    // A substitute must have its operation and tool, and about its size.
     const StoredRun& run = before_.run_of(move.move);
     const std::size_t old_moves = before_.moves_like(run, is_begun ? from + 1 : 0, to);
     if (2 * after_.moves_like(run, first, end) < old_moves) return "its motion is not in the new path";
@@ -105,7 +105,7 @@ class AbsenceJudge {
     if (found->state == MoveState::not_checked || found->state == MoveState::not_certified)
       return line + "is " + (found->state == MoveState::not_checked ? "not checked: " : "not certified: ") +
              found->reason;
-    // Of a motion the deepest body alone is told.
+    // A motion reports its deepest body only.
     const bool is_other =
         !found->witness || found->witness->body != finding_.body || found->witness->against != finding_.against;
     if (is_other && (!found->witness || move_depth(*found) > before_.options.tolerance_mm))

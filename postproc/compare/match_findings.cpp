@@ -68,12 +68,12 @@ class Matcher {
     for (const std::size_t n : changed) {
       const StoredMove& worst = after_.worst_of(after_.findings[n]);
       if (!worst.witness || worst.statement.empty()) continue;
-      double least_mm = std::numeric_limits<double>::infinity();
+      double min_mm = std::numeric_limits<double>::infinity();
       std::size_t nearest = kNone;
       before.for_each_near(worst.witness->point, [&](const WitnessGrid::Near& near, double apart_mm) {
-        if (near.move->statement != worst.statement || apart_mm >= least_mm) return;
+        if (near.move->statement != worst.statement || apart_mm >= min_mm) return;
         if (taken.contains(near.finding) || !is_alike(before_.findings[near.finding], after_.findings[n])) return;
-        least_mm = apart_mm;
+        min_mm = apart_mm;
         nearest = near.finding;
       });
       if (nearest == kNone) continue;

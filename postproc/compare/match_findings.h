@@ -32,7 +32,7 @@ inline constexpr double kSamePlace_mm = 1, kSameStatement_mm = 10;
                                                                    const StoredResult& after,
                                                                    const MotionAlignment& motions);
 
-/// The witnesses of findings by place, so that those near a point are found without looking at all.
+/// The witnesses of findings by place, so that those near a point are found without examining all.
 class WitnessGrid {
  public:
   struct Near {
@@ -40,7 +40,7 @@ class WitnessGrid {
     const StoredMove* move = nullptr;
   };
 
-  /// Of these findings, for points up to `reach_mm` (above 0) away. `result` must outlive it.
+  /// Builds the grid of these findings, for points up to `reach_mm` (above 0) away. `result` must outlive it.
   WitnessGrid(const StoredResult& result, const std::vector<std::size_t>& findings, double reach_mm);
 
   /// Calls `call(near, distance in mm)` for each within reach, in an order that depends on the witnesses alone.

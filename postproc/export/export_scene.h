@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-/// What a mesh of an exported scene is. The values are written to VTP files.
+/// Role of a mesh in an exported scene. The values are written to VTP files.
 enum class ExportKind : std::uint8_t { part = 0, fixture = 1, path = 2, tool = 3, head = 4 };
 
 /// A surface with what was found of it, at its vertices. mm, part coordinates.

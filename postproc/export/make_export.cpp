@@ -14,9 +14,9 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMostStations = 200'000;  // moves of the path that are kept
-constexpr std::size_t kMostPoints = 2000;       // gouged ones that are known beforehand
-constexpr std::size_t kMostFindings = 50;       // looked at for tools
+constexpr std::size_t kMaxStations = 200'000;  // moves of the path that are kept
+constexpr std::size_t kMaxPoints = 2000;       // gouged ones that are known beforehand
+constexpr std::size_t kMaxFindings = 50;       // examined for tools
 
 /// The meshes a surface consists of, without values; some may be empty.
 std::vector<ExportMesh> split(const ViewerMesh& mesh, std::size_t count) {
@@ -52,7 +52,7 @@ class ExportMaker {
     const PicturedPath path(input_);
     const SurfaceValues fields(path);
     std::vector<Vec3> points;
-    for (const GougeWitness& gouge : gouge_witnesses(input_, kMostPoints)) points.push_back(gouge.at);
+    for (const GougeWitness& gouge : gouge_witnesses(input_, kMaxPoints)) points.push_back(gouge.at);
     const VertexValues values = refine_surface(
         mesh,
         {{&fields, SurfaceQuantity::pictured}, {&fields, SurfaceQuantity::depth}, {&fields, SurfaceQuantity::overcut}},
@@ -76,7 +76,7 @@ class ExportMaker {
   // Each tool once, where it is at its worst finding.
   void add_tools() {
     std::set<std::size_t> shown;
-    for (const PictureEvent& event : worst_events(input_, kMostFindings)) {
+    for (const PictureEvent& event : worst_events(input_, kMaxFindings)) {
       const std::size_t tool = event.event.tool;
       if (tool >= input_.tools.size() || input_.tools[tool] == nullptr || !shown.insert(tool).second) continue;
       if (shown.size() == 1 && !input_.heads.empty()) add_heads(event.heads);
@@ -131,7 +131,7 @@ class ExportMaker {
 
   void add_path() {
     const Station* last = nullptr;
-    const std::vector<Station> stations = stations_of(input_, scene_.part_size_mm() / 2000, kMostStations);
+    const std::vector<Station> stations = stations_of(input_, scene_.part_size_mm() / 2000, kMaxStations);
     bool is_open = false;  // the last line goes on
     for (const Station& station : stations) {
       if (station.is_start || last == nullptr) {

@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// What an exported file shows of a checked path: parts and fixtures, cut finer where the path gouges, with depth,
+/// Builds the exported scene of a checked path: parts and fixtures, cut finer where the path gouges, with depth,
 /// overcut and the colours of the heat map; the path of the tip; for each tool with a gouge the tool at its worst, and
 /// the heads at the worst of all.
 ///

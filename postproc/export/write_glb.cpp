@@ -19,8 +19,8 @@ constexpr int kFloat = 5126, kUnsignedInt = 5125, kUnsignedShort = 5123;
 constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;
 constexpr int kLines = 1, kTriangles = 4;
 constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-constexpr std::uint16_t kMostShort = 65535;
-constexpr std::uint64_t kMostBytes = 0xFFFFFFFF;
+constexpr std::uint16_t kMaxShort = 65535;
+constexpr std::uint64_t kMaxBytes = 0xFFFFFFFF;
 
 // glTF colours are linear, those of the pictures are of a screen (IEC 61966-2-1).
 double linear(double channel) {
@@ -79,7 +79,7 @@ class GlbWriter {
     return accessors_.size() - 1;
   }
 
-  // Positions say what they span, as they are written.
+  // Positions state what they span, as they are written.
   std::size_t add_positions(const std::vector<Vec3>& points) {
     LittleEndian data;
     Eigen::Vector3f least = points.front().cast<float>(), most = least;
@@ -106,8 +106,8 @@ class GlbWriter {
     for (const Eigen::Vector3f& n : mesh.normals) normals.f32(n);
     for (const Colour& c : mesh.colours) {
       for (const double channel : {double(c.r), double(c.g), double(c.b)})
-        colours.u16(static_cast<std::uint16_t>(std::lround(kMostShort * linear(channel))));
-      colours.u16(kMostShort);
+        colours.u16(static_cast<std::uint16_t>(std::lround(kMaxShort * linear(channel))));
+      colours.u16(kMaxShort);
     }
     for (const auto& triangle : mesh.triangles) {
       for (const std::uint32_t corner : triangle) corners.u32(corner);
@@ -180,7 +180,7 @@ class GlbWriter {
     text.resize((text.size() + 3) / 4 * 4, ' ');
     LittleEndian out;
     const std::size_t binary = binary_.empty() ? 0 : 8 + binary_.size();
-    if (12 + 8 + text.size() + binary > kMostBytes)
+    if (12 + 8 + text.size() + binary > kMaxBytes)
       return make_error("scene-too-large", "a .glb file holds 4 GiB at most; name a .vtp or .ply file");
     out.u32(kMagic);
     out.u32(kVersion);

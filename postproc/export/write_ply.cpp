@@ -4,14 +4,14 @@
 namespace gouge {
 
 Result<std::string> write_ply(const ExportScene& scene) {
-  constexpr std::size_t kMostVertices = 0x7FFFFFFF;
+  constexpr std::size_t kMaxVertices = 0x7FFFFFFF;
   std::size_t vertices = 0, faces = 0;
   for (const ExportMesh& mesh : scene.meshes) {
     if (!mesh.is_measured()) continue;
     vertices += mesh.positions.size();
     faces += mesh.triangles.size();
   }
-  if (vertices > kMostVertices)
+  if (vertices > kMaxVertices)
     return make_error("scene-too-large", "a .ply file holds 2147483647 vertices at most; name a .vtp file");
   const double mm = mm_per(scene.unit);
   std::string header = "ply\nformat binary_little_endian 1.0\ncomment gougecheck: depth and overcut in ";

@@ -6,7 +6,7 @@
 
 // Reads cutter-location files: APT CL data in the forms CAM systems write it, Siemens NX CLSF, binary NCCS,
 // Mastercam NCI. The dialect is recognized by the content, never by the file's name, or by the user. docs/formats/
-// says what is understood of each.
+// states what is understood of each.
 
 namespace gouge {
 

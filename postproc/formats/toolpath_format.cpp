@@ -50,7 +50,7 @@ Decimals decimals_by(const Toolpath& path, const MotionRecords& records) {
   return {text.coordinate_decimals(), text.axis_decimals()};
 }
 
-// Of numbers without decimals: what a double of a part's size can tell apart.
+// For numbers without decimals: the resolution of a double at a part's size.
 Decimals decimals_of_records(const Toolpath&, const MotionRecords&) { return {7, 9}; }
 
 // In order of trust. Text takes every file.

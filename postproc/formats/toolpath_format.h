@@ -21,8 +21,8 @@ struct Decimals {
   int coordinates = 0, axes = 0;
 };
 
-/// How the bytes of a toolpath file hold what it says: one row of the table of formats. Several dialects share a
-/// format. No code outside that table asks which row it has.
+/// How the bytes of a toolpath file hold what it states: one row of the table of formats. Several dialects share a
+/// format. No code outside that table queries which row it has.
 struct ToolpathFormat {
   std::string_view id;  ///< Dialect::format
   /// The dialect of a file in this format, without its byte order mark; nothing where it is in another one.
@@ -34,7 +34,7 @@ struct ToolpathFormat {
   std::shared_ptr<const MotionRecords> (*records)(const Toolpath& path);
   /// write_corrected for changes that find_wrong_change accepts.
   Result<Edits> (*rewrite)(const Toolpath& path, const std::vector<PathChange>& changes);
-  /// What another file must have to hold the numbers of this one.
+  /// Decimals that another file needs to hold the numbers of this one.
   Decimals (*decimals)(const Toolpath& path, const MotionRecords& records);
   /// Null: files in this format are only read.
   std::unique_ptr<MotionSink> (*make_sink)(const SinkOptions& options);

@@ -30,7 +30,7 @@ std::string feed_name(const Feed& feed) {
   return "at a feed that is not stated";
 }
 
-// What was written, read again.
+// The written file, read again.
 struct Verification {
   const Toolpath& path;
   const Dialect& target;
@@ -45,7 +45,7 @@ struct Verification {
 };
 
 // A tool that the result does not name or define is not checked, or reported. Shapes are compared where the dialect
-// says them whole.
+// states them whole.
 bool Verification::is_same_tool(const Move& found, const Move& meant) const {
   constexpr double kSameSize_mm = 2e-3, kSameAngle_deg = 1e-3;
   if (found.tool == kNone) return true;
@@ -82,7 +82,7 @@ std::optional<Diagnostic> Verification::find_other_tool() const {
 // A feed motion that becomes rapid, or one at another feed, breaks tools: nothing is written then.
 std::optional<Diagnostic> Verification::find_other_feed() const {
   if (target.has_positions_alone) return std::nullopt;
-  // Binary NCCS files say their feeds, like their positions, without a unit.
+  // Binary NCCS files state their feeds, like their positions, without a unit.
   const bool has_no_unit = target.is_binary;
   const double scale = has_no_unit ? factor() : 1;
   for (std::size_t i = 0; i < std::min(again.moves.size(), expected.size()); ++i) {

@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// What one written position is meant to be read as.
+/// Expected reading of one written position.
 struct ExpectedMotion {
   Pose end;
   std::size_t move = 0;  ///< of the path that was written

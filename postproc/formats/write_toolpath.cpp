@@ -20,11 +20,11 @@ namespace {
 
 bool is_after_retract(const Move& move) { return kind_of(move.not_checked_reason) == ReasonKind::after_retract; }
 
-// Motions whose end is what the file says although they are not checked: only their start or the cutter's
+// Motions whose end is what the file states although they are not checked: only their start or the cutter's
 // side of the contour is in doubt.
 bool is_understood(const Move& move) { return is_motion_known(move.not_checked_reason) || is_after_retract(move); }
 
-// The file or the user says of every compensated position that it is the cutter's centre.
+// The file or the user states of every compensated position that it is the cutter's centre.
 bool are_on_centre(const Toolpath& path, const MotionRecords& records) {
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const bool is_compensated = records.of_move[i].cutcom != CutcomSide::none;
@@ -37,7 +37,7 @@ bool is_tilted(const Move& move) {
   return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > Tolerance::kExactDirection;
 }
 
-// The dialect cannot say the whole shape of this cutter.
+// The dialect cannot state the whole shape of this cutter.
 bool loses_shape(CutterForm form, const PathTool& tool) {
   if (!tool.cutter) return tool.stated_diameter_mm > 0 && form != CutterForm::diameter_alone;
   switch (form) {

@@ -6,7 +6,7 @@
 #include "lib/path/toolpath.h"
 #include "postproc/cldata/language/dialect.h"
 
-// Writes a neutral toolpath anew in a dialect, and says what the dialect cannot carry. Motions, tools, feeds
+// Writes a neutral toolpath anew in a dialect, and states what the dialect cannot carry. Motions, tools, feeds
 // and the names of operations are written; spindle, coolant and comments are not. To change a file and keep
 // the rest of its bytes there is write_corrected.h.
 
@@ -18,10 +18,10 @@ struct WrittenToolpath {
 };
 
 /// Lengths in the unit of `path`, positions in part coordinates with the digits of the dialect, or those of
-/// the source file where it has more. Arcs and splines that the dialect cannot say become chords within
+/// the source file where it has more. Arcs and splines that the dialect cannot state become chords within
 /// kChordError_mm.
 ///
-/// Ensures  The bytes, read again, hold the same motions to the last digit written; where not, a note says
+/// Ensures  The bytes, read again, hold the same motions to the last digit written; where not, a note states
 /// so.
 /// Errors   convert-not-understood: the path holds motions that are not understood, so that no dialect can hold them.
 ///          convert-dialect: `target` is read only (Mastercam NCI), or has no tool axis (CLT) and the path needs one.

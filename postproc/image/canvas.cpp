@@ -277,7 +277,7 @@ class Painter {
 double text_width(const std::string& text, double size, bool is_bold) {
   if (installed_font().has_letters()) return installed_font().width(text, is_bold) * Painter::em_of(size);
   const Result<const MaskPainter*> masks = mask_painter();
-  if (!masks) return 0;  // render_png says so
+  if (!masks) return 0;  // render_png states so
   return (*masks)->width(ascii_text(text), Painter::scale_of(size)) / kSupersampling +
          (is_bold ? static_cast<double>(Painter::stroke_of(size, true)) / kSupersampling : 0.0);
 }

@@ -14,7 +14,7 @@ constexpr Colour kNotCertifiedFill{252, 232, 190, 1};
 constexpr Colour kBuriedFill{64, 20, 84, 1};
 constexpr double kWithinTolerance = 0.5;  // opacity of depths of moves that do not gouge
 
-// What one column of the strip shows: one move, or the worst of several.
+// Content of one column of the strip: one move, or the worst of several.
 constexpr Colour kProvedFill{33, 125, 90, 0.30};
 
 struct Column {

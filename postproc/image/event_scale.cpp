@@ -68,7 +68,7 @@ double worst_depth(const ReportModel& model, const CheckedToolpath& input) {
   return std::max(input.result->worst_depth_mm, before != nullptr ? before->worst_depth_mm : 0.0);
 }
 
-/// What colours the surface at most: an overcut, or the depth of a gouge without one or of a head.
+/// Maximum of the coloured quantity: an overcut, or the depth of a gouge without one or of a head.
 double worst_on_surface(const CheckResult& result) {
   double worst = 0;
   for (const MoveVerdict& v : result.verdicts) {

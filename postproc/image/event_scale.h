@@ -15,7 +15,7 @@ namespace gouge {
 /// The tool of a finding.
 [[nodiscard]] const ToolVariants& variants_of(const PictureSet& set, const PictureEvent& event);
 
-/// Of a gouge of the tool: the radius of the body that gouges, or more when it is reached deep inside.
+/// For a gouge of the tool: the radius of the body that gouges, or more when it is reached deep inside.
 [[nodiscard]] double tool_size_mm(const PictureSet& set, const PictureEvent& event);
 
 /// The heads of a finding in part coordinates: corners of a box about each, and the tool's tip.
@@ -24,7 +24,7 @@ namespace gouge {
 /// How far from the finding a head is shown: a machine's whole column would leave nothing of the part.
 [[nodiscard]] double head_reach_mm(const PictureSet& set, const PictureEvent& event);
 
-/// What of a flat picture about (0, 0) is to be seen.
+/// Visible part of a flat picture about (0, 0).
 struct FlatExtent {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();
   /// Takes in a point, no farther out than `reach`.
@@ -34,10 +34,10 @@ struct FlatExtent {
   [[nodiscard]] double mm_per_unit(double width, double height) const;
 };
 
-/// Of the depths of moves.
+/// Scale of the depths of moves.
 [[nodiscard]] ColourScale depth_scale(const ReportModel& model, const CheckedToolpath& input);
 
-/// Of what colours the surface: overcuts, and the depths of gouges without one or of a head.
+/// Scale of the coloured quantity: overcuts, and the depths of gouges without one or of a head.
 [[nodiscard]] ColourScale surface_scale(const ReportModel& model, const CheckedToolpath& input);
 
 }  // namespace gouge

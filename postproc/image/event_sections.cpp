@@ -147,8 +147,8 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
                                  : SectionPanel{kWhole, Vec2(0, at.y() + 0.55 * size), 3.4 * size / kWhole.height};
   const double radius = event.head ? whole.mm_per_unit * kWhole.height / 3.4 : size;
   const Vec2 foot = plane.flat(Vec3(event.at - event.witness.normal * event.depth_mm));
-  const double most_mm = std::max(1.6 * radius, 2.6 * event.depth_mm);
-  const double detail_mm = std::clamp(9 * event.depth_mm, 0.02 * radius, most_mm);
+  const double max_mm = std::max(1.6 * radius, 2.6 * event.depth_mm);
+  const double detail_mm = std::clamp(9 * event.depth_mm, 0.02 * radius, max_mm);
   const SectionPanel detail{kDetail, Vec2(0.5 * (at + foot)), detail_mm / kDetail.height};
   const std::string title = whole_title(set, plane);
   page.text({kWhole.x, kWhole.y - 10}, title, fitting_size(title, 15, kWhole.width, true), kInk, TextAnchor::left,

@@ -183,7 +183,7 @@ class Font::Files {
   }
 
   // FreeType goes on without what it has no memory for where it can (kerning, a glyph): the picture would be another
-  // one, and nobody would know.
+  // one, without any sign of it.
   static void* resize(FT_Memory memory, void* block, long bytes) {
     void* const got = std::realloc(block, static_cast<std::size_t>(bytes));
     if (got == nullptr && bytes > 0) static_cast<Files*>(memory->user)->is_short_of_memory_ = true;

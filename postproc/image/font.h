@@ -35,7 +35,7 @@ class Font {
   /// Codes: out-of-memory, file-unreadable.
   [[nodiscard]] std::optional<Diagnostic> trouble() const;
 
-  /// Whether any file could be read. Without, every letter is a box.
+  /// Returns whether any file could be read. Without, every letter is a box.
   [[nodiscard]] bool has_letters() const;
   [[nodiscard]] bool has_letter(char32_t letter) const;
 

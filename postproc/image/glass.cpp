@@ -34,7 +34,7 @@ struct PixelRange {
   int left = 0, top = 0, right = 0, bottom = 0;  ///< the last two behind the last
 };
 
-/// What a view shows of these pixels alone.
+/// Restricts a view to these pixels.
 View part_of(const View& view, const PixelRange& range) {
   View out = view;
   out.width = std::max(0, range.right - range.left);

@@ -102,14 +102,14 @@ void add_path_key(Page& page, const PictureSet& set, double x, double y) {
   };
   entry(kCheckedPath, {"path of the tip", "while it cuts:", "checked"});
   if (n.not_checked + n.not_certified > 0) entry(kUncheckedPath, {"not checked", "or not certified"});
-  if (!set.model.result->closeness) return;
-  const Closeness& c = *set.model.result->closeness;
+  if (!set.model.result->closest_approach) return;
+  const ClosestApproach& c = *set.model.result->closest_approach;
   const LengthUnit unit = set.model.toolpath->unit;
   y += 18;
   for (const std::string& words :
        {std::string("Distance from the part"), "at " + std::to_string(c.positions) + " cutting positions:",
-        "closest approach: " + closeness_words(c.nearest_mm, unit),
-        "half of them " + closeness_words(c.median_mm, unit)}) {
+        "closest approach: " + closest_approach_words(c.nearest_mm, unit),
+        "half of them " + closest_approach_words(c.median_mm, unit)}) {
     page.text({x, y}, words, fitting_size(words, 14, kPageWidth - 16 - x), kSoftInk);
     y += 19;
   }

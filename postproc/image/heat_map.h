@@ -59,7 +59,7 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
 [[nodiscard]] std::string badge_text(const ReportModel& model, const CheckResult& result);
 [[nodiscard]] Colour badge_colour(const CheckResult& result);
 
-/// `count` directions to look at the part from, out of the faces and corners of a cube and the mean tool
+/// `count` directions to examine the part from, out of the faces and corners of a cube and the mean tool
 /// axis: the one that shows the most of what is gouged (gouge_witnesses.h) and the worst events, then the best that differs by 50
 /// degrees. Without gouges the usual view from above the tool and the one opposite.
 [[nodiscard]] std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene,

@@ -7,7 +7,7 @@
 
 #include "lib/base/result.h"
 
-// What pictures take from OpenCV. It is in a shared module of its own, loaded by the first picture: the library
+// Drawing functions of OpenCV for pictures. They are in a shared module of its own, loaded by the first picture: the library
 // brings a dozen others that a check without pictures has no use for.
 
 namespace gouge {

@@ -125,21 +125,21 @@ struct ScaleBar {
   std::string words;
 };
 
-ScaleBar scale_bar(const View& view, LengthUnit unit, double most_width) {
+ScaleBar scale_bar(const View& view, LengthUnit unit, double max_width) {
   const double unit_per_picture = view.mm_per_pixel * kSupersampling / mm_per(unit);
-  const double length = round_down(most_width * unit_per_picture);
+  const double length = round_down(max_width * unit_per_picture);
   return {length / unit_per_picture, tick_text(length, length) + " " + unit_name(unit)};
 }
 
 }  // namespace
 
-double scale_bar_width(const View& view, LengthUnit unit, double most_width) {
-  const ScaleBar bar = scale_bar(view, unit, most_width);
+double scale_bar_width(const View& view, LengthUnit unit, double max_width) {
+  const ScaleBar bar = scale_bar(view, unit, max_width);
   return bar.width + 10 + text_width(bar.words, 15);
 }
 
-void add_scale_bar(Page& page, const Vec2& at, const View& view, LengthUnit unit, double most_width) {
-  const auto [width, words] = scale_bar(view, unit, most_width);
+void add_scale_bar(Page& page, const Vec2& at, const View& view, LengthUnit unit, double max_width) {
+  const auto [width, words] = scale_bar(view, unit, max_width);
   page.line(at, at + Vec2(width, 0), kInk, 2);
   page.line(at + Vec2(0, -5), at + Vec2(0, 5), kInk, 2);
   page.line(at + Vec2(width, -5), at + Vec2(width, 5), kInk, 2);

@@ -49,10 +49,10 @@ struct Page {
 /// Vertical bar with numbers; grey below the tolerance.
 void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit, const std::string& title);
 /// A round length drawn to the view's scale, its left end at `at`. The view's pixels are supersampled ones.
-/// `most_width`: of the bar alone.
-void add_scale_bar(Page& page, const Vec2& at, const View& view, LengthUnit unit, double most_width);
+/// `max_width`: of the bar alone.
+void add_scale_bar(Page& page, const Vec2& at, const View& view, LengthUnit unit, double max_width);
 /// With its words.
-[[nodiscard]] double scale_bar_width(const View& view, LengthUnit unit, double most_width);
+[[nodiscard]] double scale_bar_width(const View& view, LengthUnit unit, double max_width);
 /// The directions of x, y and z as the view sees them.
 void add_triad(Page& page, const Vec2& at, const View& view, double size);
 

@@ -96,7 +96,7 @@ std::string size_text(const Toolpath& path, const Box3& box) {
   const double factor = mm_per(path.unit);
   const Vec3 size = (box.max() - box.min()) / factor;
   std::string text = path.dialect + ", " + std::to_string(path.moves.size()) + " moves, box ";
-  for (Eigen::Index i = 0; i < 3; ++i) text += (i > 0 ? " x " : "") + people_text(size[i], 2, Zeros::kept);
+  for (Eigen::Index i = 0; i < 3; ++i) text += (i > 0 ? " x " : "") + display_text(size[i], 2, Zeros::kept);
   return text + " " + unit_name(path.unit);
 }
 
@@ -139,7 +139,7 @@ Result<std::string> plot_path(const Toolpath& path, const std::vector<IndexedMes
 
 namespace {
 
-constexpr std::size_t kMostMoves = 100'000;
+constexpr std::size_t kMaxMoves = 100'000;
 constexpr double kOpacity = 0.5;
 
 enum Mark : std::uint8_t { kNothing, kChecked, kUnchecked };
@@ -186,7 +186,7 @@ bool is_checked(const MoveVerdict& verdict) {
 
 void lay_path(Raster& raster, const SurfaceBuffer& buffer, const Toolpath& path, const CheckResult& result) {
   Overlay overlay(buffer);
-  const std::size_t every = 1 + path.moves.size() / kMostMoves;
+  const std::size_t every = 1 + path.moves.size() / kMaxMoves;
   for (std::size_t i = 0; i < path.moves.size(); i += every) {
     const Move& move = path.moves[i];
     if (!move.has_start || move.kind == MoveKind::rapid) continue;

@@ -6,7 +6,7 @@
 #include "lib/field/checked_toolpath.h"
 #include "lib/geom/pose.h"
 
-// What the directions of views are chosen by: no picture need be drawn to know what it would show.
+// Input for the choice of view directions: no picture need be drawn to know its content.
 
 namespace gouge {
 
@@ -40,7 +40,7 @@ struct GougeWitness {
 /// Those of a path, in its order; of more than `most` every so manieth.
 [[nodiscard]] std::vector<GougeWitness> gouge_witnesses(const CheckedToolpath& input, std::size_t most);
 
-/// Whether nothing of parts and fixtures lies between the point and a viewer far away in direction `toward` (unit),
+/// Returns whether nothing of parts and fixtures lies between the point and a viewer far away in direction `toward` (unit),
 /// farther than `clear_mm` from the point. Cost: about O(log n).
 [[nodiscard]] bool is_in_sight(const CheckedToolpath& input, const Vec3& point, const Vec3& toward, double clear_mm);
 

@@ -13,7 +13,7 @@ namespace gouge {
 namespace {
 
 constexpr double kSmoothCosine = 0.819;  // of 35 degrees
-constexpr std::size_t kLargestFan = 64;  // triangles of a vertex looked at for its smooth normal
+constexpr std::size_t kLargestFan = 64;  // triangles of a vertex examined for its smooth normal
 
 using Normal = Eigen::Vector3f;
 
@@ -124,7 +124,7 @@ std::vector<std::uint32_t> PictureScene::faces_in(const View& view) const {
                                        {-view.up, -along - half_height}}};
   const auto shows_all = [&](const BlockTree& tree) {
     return std::ranges::all_of(
-        seen, [&](const HalfSpace& half) { return half.direction.dot(tree.origin) - tree.radius_mm >= half.least_mm; });
+        seen, [&](const HalfSpace& half) { return half.direction.dot(tree.origin) - tree.radius_mm >= half.min_mm; });
   };
   if (prepared_ == nullptr || !prepared_->is_within_reach || shows_all(prepared_->workpiece_tree())) {
     std::vector<std::uint32_t> all(face_count());

@@ -15,10 +15,10 @@
 
 namespace gouge {
 
-/// Whether two directions of any length are within the angle of that cosine, which is positive.
-[[nodiscard]] inline bool is_smooth_between(const Vec3& a, const Vec3& b, double least_cosine) {
+/// Returns whether two directions of any length are within the angle of that cosine, which is positive.
+[[nodiscard]] inline bool is_smooth_between(const Vec3& a, const Vec3& b, double min_cosine) {
   const double dot = a.dot(b);
-  return dot > 0 && dot * dot >= least_cosine * least_cosine * a.squaredNorm() * b.squaredNorm();
+  return dot > 0 && dot * dot >= min_cosine * min_cosine * a.squaredNorm() * b.squaredNorm();
 }
 
 /// Parts and fixtures, or heads, as one list of faces and one of vertices. The meshes stay where they are.
@@ -43,7 +43,7 @@ class PictureScene {
   [[nodiscard]] std::vector<std::uint32_t> faces_in(const View& view) const;
   /// Unit, at the three corners: smooth across edges that bend less than 35 degrees.
   [[nodiscard]] const std::array<Eigen::Vector3f, 3>& normals(std::uint32_t face) const { return normals_[face]; }
-  /// Of the face alone, twice its area long.
+  /// Normal of the face alone, twice its area long.
   [[nodiscard]] Vec3 area_normal(std::uint32_t face) const;
   /// The obstacle that it is of. Requires a scene that was made of obstacles.
   [[nodiscard]] Against against(std::uint32_t face) const {
@@ -56,13 +56,13 @@ class PictureScene {
   }
   /// Counted through all obstacles.
   [[nodiscard]] std::uint32_t mesh_of(std::uint32_t face) const;
-  /// Of the mesh of the face; 0: none. Requires a scene that was made of obstacles.
+  /// Index of the mesh of the face; 0: none. Requires a scene that was made of obstacles.
   [[nodiscard]] double clearance_mm(std::uint32_t face) const { return clearances_mm_[mesh_of(face)]; }
 
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   [[nodiscard]] const Vec3& vertex(std::uint32_t index) const;
   [[nodiscard]] std::uint32_t vertex_count() const;
-  /// Of a face, in the list of vertices.
+  /// Corners of a face, in the list of vertices.
   [[nodiscard]] std::array<std::uint32_t, 3> corner_vertices(std::uint32_t face) const;
 
   /// Vertices of each part: what a picture should show whole.

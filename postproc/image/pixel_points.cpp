@@ -25,13 +25,13 @@ std::uint32_t even_bits(std::uint32_t code) {
 /// A surface point that a picture is coloured by: one for neighbouring pixels (2 x 2) that lie on one piece of surface.
 struct PixelPoint {
   int x = 0, y = 0;  ///< it lies in the middle of this pixel, the first of those it is for
-  /// Of the square of 2 x 2 pixels that has this one, those it is for: bit x + 2 y.
+  /// Pixels served, within the square of 2 x 2 pixels that has this one: bit x + 2 y.
   std::uint8_t covers = 0;
 };
 
 constexpr int kSide = 8;  // of a square, in blocks of 2 x 2 pixels
 
-/// Some blocks of a picture that are looked at together: its first.
+/// Some blocks of a picture that are examined together: its first.
 struct Square {
   int column = 0, row = 0;
 };
@@ -74,7 +74,7 @@ std::vector<PixelPoint> points_in(const SurfaceBuffer& buffer, const std::vector
     const std::size_t lead = buffer.index(2 * column, 2 * row);
     const float z = buffer.z[lead];
     const bool has_lead = buffer.face[lead] != kNoFace;
-    std::uint8_t covers = 0;  // what the lead stands for
+    std::uint8_t covers = 0;  // what the lead represents
     std::array<PixelPoint, 4> alone;
     std::size_t more = 0;
     for (int k = 0; k < 4; ++k) {
@@ -108,7 +108,7 @@ class Slabs {
   explicit Slabs(const SurfaceBuffer& buffer)
       : columns_((buffer.view.width + kPixels - 1) / kPixels),
         slabs_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(buffer.view.height / kPixels + 1)) {
-    // A lane for each pixel of a row of a square, so that they are looked at in one.
+    // A lane for each pixel of a row of a square, so that they are examined in one.
     const auto padded = static_cast<std::size_t>(columns_ * kPixels),
                width = static_cast<std::size_t>(buffer.view.width);
     std::vector<float> least(padded), most(padded);
@@ -148,20 +148,20 @@ class Slabs {
   std::vector<Slab> slabs_;
 };
 
-/// Squares that are asked about as balls of one radius.
+/// Squares that are queried about as balls of one radius.
 struct Balls {
   double radius_mm;
   std::vector<Vec3> centres{};
   std::vector<std::size_t> of{};  ///< the square of each
 };
 
-// Those where the field may be more than nothing. Each is asked as a ball about what it shows; where that is deep, at
-// an edge of the part, a ball says little and the square stays.
+// Those where the field may be more than nothing. Each is queried as a ball about what it shows; where that is deep, at
+// an edge of the part, a ball states little and the square stays.
 template <class Field>
 std::vector<Square> squares_with(const Field& field, const SurfaceBuffer& buffer) {
   const View& view = buffer.view;
   const double half_mm = kSide * view.mm_per_pixel;
-  // What is seen from above or at a slant, and what is steep.
+  // Separates faces seen from above or at a slant from steep ones.
   std::array<Balls, 2> balls{Balls{1.75 * half_mm}, Balls{3 * half_mm}};
   const Slabs slabs(buffer);
   std::vector<Square> asked;

@@ -39,7 +39,7 @@ void draw_ticks(const PlotPanel& panel, LengthUnit unit, bool is_horizontal, Dra
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + Tolerance::kRounding)));
   for (double k = std::ceil(std::min(first, last) / step); k * step <= std::max(first, last); ++k) {
     const double at = shift + sign * k * step * per_unit;
-    const std::string text = people_text(k * step, decimals);
+    const std::string text = display_text(k * step, decimals);
     if (is_horizontal) {
       const double y = panel.y + panel.height;
       add_line(drawing, {at, y}, {at, y - kTick}, kGrey);
@@ -59,7 +59,7 @@ void draw_scale(const PlotPanel& panel, LengthUnit unit, Drawing& drawing) {
   add_line(drawing, {a, y}, {b, y}, kPlotInk, 2);
   for (const double end : {a, b}) add_line(drawing, {end, y - 4}, {end, y + 4}, kPlotInk);
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(length) + Tolerance::kRounding)));
-  add_text(drawing, {(a + b) / 2, y - 7}, people_text(length, decimals) + " " + unit_name(unit), TextAnchor::middle);
+  add_text(drawing, {(a + b) / 2, y - 7}, display_text(length, decimals) + " " + unit_name(unit), TextAnchor::middle);
 }
 
 void draw_directions(const PlotPanel& panel, Drawing& drawing) {

@@ -14,7 +14,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kViews = 2;
-constexpr std::size_t kMostWitnessesDrawn = 2000;
+constexpr std::size_t kMaxWitnessesDrawn = 2000;
 
 struct Album {
   const ProgressCall& progress;
@@ -85,7 +85,7 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportScene& shown, co
                  depth_scale(model, input),
                  surface_scale(model, input),
                  {},
-                 gouge_witnesses(input, kMostWitnessesDrawn)};
+                 gouge_witnesses(input, kMaxWitnessesDrawn)};
   const std::size_t of_path = 1U + (shown.before ? 1U : 0U) + (has_tilt_field(model) ? 1U : 0U);
   const std::size_t of_scene = shown.scene.face_count() == 0 ? 0 : of_path + set.events.size();
   Album album{progress, of_scene + 1};

@@ -17,7 +17,7 @@ struct PicturedPath {
   OvercutField overcuts;
 };
 
-/// What the pictures and the 3D view of a report are drawn from, made once for both.
+/// Source of the pictures and the 3D view of a report, made once for both.
 ///
 /// Shape    `input` belongs to model.toolpath and model.result. `before` is the same for the path as read; it is looked
 ///          at only for a correction and may be empty. All, and what they point at, must outlive it.

@@ -51,7 +51,7 @@ Body body_at(const std::array<BodyRange, 3>& ranges, double z) {
   return Body::cutter;
 }
 
-// What is inside an outline, row by row from the left.
+// The inside of an outline, row by row from the left.
 class InsideOf {
  public:
   InsideOf(const SectionPanel& panel, const std::vector<SectionLine>& lines, int rows)

@@ -6,7 +6,7 @@
 
 namespace gouge {
 
-/// What one section panel shows.
+/// Content of one section panel.
 struct SectionPanel {
   Area area;
   Vec2 centre = Vec2::Zero();  ///< of the plane, in the middle of the panel

@@ -37,7 +37,7 @@ constexpr float kPerReach = 1.0F / 40;  // of the pixels that what hides the sky
 constexpr int kBlock = 2;               // pixels a side that share a light where they show one piece of surface
 constexpr int kBorder = 10;             // blocks a neighbour may be outside the picture
 constexpr float kNothing = -1e15F;      // as deep as where nothing is seen
-constexpr double kAlike = 0.998;        // of faces so much in line no eye could tell the light apart
+constexpr double kAlike = 0.998;        // of faces so much in line no eye could show the light apart
 
 Vec3 key_light() { return Vec3(-0.45, 0.75, 0.75).normalized(); }
 Vec3 fill_light() { return Vec3(0.8, 0.1, 0.6).normalized(); }
@@ -74,13 +74,13 @@ class BlockDepths {
   std::vector<float> z_;
 };
 
-/// Of a run of blocks, each value a list: normals as the view sees them, x right, y down and z towards the viewer; how
+/// Values of a run of blocks, each a list: normals as the view sees them, x right, y down and z towards the viewer; how
 /// much of the sky over them their surroundings hide, 0 to 1; and their light.
 struct LitBlocks {
   explicit LitBlocks(std::size_t count) : x(count), y(count), z(count), hidden(count), light(count) {}
   std::vector<float> x, y, z, hidden, light;
 
-  /// Of any length, to either side.
+  /// Normals of any length, to either side.
   void set(std::size_t at, const Eigen::Vector3f& right_up_toward) {
     x[at] = right_up_toward.x();
     y[at] = -right_up_toward.y();
@@ -104,10 +104,10 @@ GOUGE_WIDE void turn_to_viewer(LitBlocks& lit, std::size_t at, std::size_t count
 }
 
 constexpr float kRise = 0.12F;         // what rises less over a surface hides nothing of its sky
-constexpr std::size_t kTogether = 32;  // blocks looked at in one, for mostly nothing hides any of them
-constexpr float kLeastRiseSquare = 0.0143F, kMostReachSquare = 1601.0F;  // a little wider than kRise and kPerReach
+constexpr std::size_t kTogether = 32;  // blocks examined in one, for mostly nothing hides any of them
+constexpr float kMinRiseSquare = 0.0143F, kMaxReachSquare = 1601.0F;  // a little wider than kRise and kPerReach
 
-// What one neighbour hides of the sky over each of `count` blocks from `at` on.
+// Share of the sky that one neighbour hides over each of `count` blocks from `at` on.
 GOUGE_WIDE void add_hidden(const float* z, const float* neighbour, const Offset& o, float per_mm, LitBlocks& lit,
                            std::size_t at, std::size_t count) {
   const auto ox = static_cast<float>(o.x), oy = static_cast<float>(o.y), across = ox * ox + oy * oy;
@@ -122,8 +122,8 @@ GOUGE_WIDE void add_hidden(const float* z, const float* neighbour, const Offset&
       const float dz = (neighbour[i] - z[i]) * per_mm;
       const float square = across + dz * dz;
       const float rise = ox * nx[i] + oy * ny[i] + dz * nz[i];
-      may_hide |= static_cast<int>(rise > 0) & static_cast<int>(rise * rise > kLeastRiseSquare * square) &
-                  static_cast<int>(square < kMostReachSquare);
+      may_hide |= static_cast<int>(rise > 0) & static_cast<int>(rise * rise > kMinRiseSquare * square) &
+                  static_cast<int>(square < kMaxReachSquare);
     }
     if (may_hide == 0) continue;
     for (std::size_t i = first; i < last; ++i) {
@@ -201,7 +201,7 @@ class Shader {
  private:
   [[nodiscard]] float per_mm() const { return static_cast<float>(1 / buffer_.view.mm_per_pixel); }
 
-  /// Pixels of one face mostly follow each other, so the last answer is kept.
+  /// Pixels of one face mostly follow each other, so the last result is kept.
   [[nodiscard]] bool is_alike(std::uint32_t face, std::uint32_t lead) {
     if (face == lead) return true;
     if (face != compared_face_ || lead != compared_lead_) {

@@ -13,7 +13,7 @@ namespace gouge {
 
 inline constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
 
-/// What each pixel of a view shows: the nearest face and how near (z-buffer).
+/// Content of each pixel of a view: the nearest face and how near (z-buffer).
 struct SurfaceBuffer {
   View view;
   LargePageVector<float> z;             ///< mm towards the viewer; lowest float where nothing is seen
@@ -46,7 +46,7 @@ class NormalsAt {
   NormalsAt(const PictureScene& scene, const View& view) : scene_(scene), view_(view), kept_(kKept) {}
   /// Unit, turned towards the viewer, in part coordinates.
   [[nodiscard]] Vec3 operator()(std::uint32_t face, int x, int y);
-  /// Of any length and to either side: what of it points right, up and towards the viewer.
+  /// A normal of any length and to either side, as its components right, up and towards the viewer.
   [[nodiscard]] Eigen::Vector3f in_view(std::uint32_t face, int x, int y);
 
  private:
@@ -66,7 +66,7 @@ class NormalsAt {
   std::vector<Known> kept_;
 };
 
-/// Whether a surface point is seen and not hidden behind another face.
+/// Returns whether a surface point is seen and not hidden behind another face.
 [[nodiscard]] bool is_visible(const SurfaceBuffer& buffer, const Vec3& point_part, double slack_mm);
 
 }  // namespace gouge

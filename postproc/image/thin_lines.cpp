@@ -10,9 +10,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kSame = 0.1;            // picture units: a tenth of a pixel is not seen
-constexpr double kCellsPerUnit = 2;      // finer than a line is wide
-constexpr std::size_t kMostPassed = 64;  // points that one segment may stand for: bounds the work for each
+constexpr double kSame = 0.1;           // picture units: a tenth of a pixel is not seen
+constexpr double kCellsPerUnit = 2;     // finer than a line is wide
+constexpr std::size_t kMaxPassed = 64;  // points that one segment may represent: bounds the work for each
 constexpr std::uint8_t kNoInk = 255;
 
 }  // namespace
@@ -39,7 +39,7 @@ void ThinLines::add(const std::vector<Vec2>& points, std::uint8_t ink, const Dra
     const Vec2& p = points[i];
     const bool is_near = std::all_of(passed_.begin(), passed_.end(),
                                      [&](const Vec2& q) { return distance_to_segment(q, kept_.back(), p) <= kSame; });
-    if (passed_.size() > 1 && (!is_near || passed_.size() >= kMostPassed)) {
+    if (passed_.size() > 1 && (!is_near || passed_.size() >= kMaxPassed)) {
       kept_.push_back(passed_.back());
       passed_.assign(1, kept_.back());
     }

@@ -10,7 +10,7 @@ namespace gouge {
 /// Requires has_tilt_field(set.model), and at least one direction in the set.
 [[nodiscard]] Page draw_tilt_field(const PictureSet& set);
 
-/// Whether a correction tilted anything.
+/// Returns whether a correction tilted anything.
 [[nodiscard]] bool has_tilt_field(const ReportModel& model);
 
 }  // namespace gouge

@@ -46,7 +46,7 @@ void fit_view(View& view, std::span<const std::span<const Vec3>> points, double 
 namespace {
 
 constexpr double kDistinctCosine = 0.643;  // of 50 degrees
-constexpr std::size_t kMostWitnessesSeen = 400;
+constexpr std::size_t kMaxWitnessesSeen = 400;
 constexpr double kClear = 0.01;  // of the parts' size: what lies as near to a point does not hide it
 
 struct Candidate {
@@ -94,10 +94,10 @@ double gouged_area(const CheckedToolpath& input, const std::vector<GougeWitness>
 std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene,
                                     const std::vector<PictureEvent>& events, std::size_t count) {
   const Vec3 axis = mean_axis(*input.toolpath);
-  const std::vector<GougeWitness> gouges = gouge_witnesses(input, kMostWitnessesSeen);
+  const std::vector<GougeWitness> gouges = gouge_witnesses(input, kMaxWitnessesSeen);
   const double clear_mm = kClear * scene.part_size_mm();
   std::vector<Candidate> all = candidates(axis);
-  double most_gouged = 0;
+  double max_gouged = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     Candidate& c = all[i];
     c.gouged = gouged_area(input, gouges, c.toward, clear_mm);
@@ -108,14 +108,14 @@ std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureS
       weight += share;
       if (is_in_sight(input, event.at, c.toward, clear_mm)) seen += share;
     }
-    most_gouged = std::max(most_gouged, c.gouged);
+    max_gouged = std::max(max_gouged, c.gouged);
     c.score = weight > 0 ? 0.6 * seen / weight : 0;
     c.score += 0.25 * c.toward.dot(axis);      // the side the tool comes from is the one people know
     if (i < 8) c.score += 0.45;                // corners show a body better than faces do
-    if (c.toward.z() > -0.1) c.score += 0.15;  // people look at parts from above
+    if (c.toward.z() > -0.1) c.score += 0.15;  // people examine parts from above
     c.score -= 1e-3 * static_cast<double>(i);
   }
-  for (Candidate& c : all) c.score += most_gouged > 0 ? c.gouged / most_gouged : 0;
+  for (Candidate& c : all) c.score += max_gouged > 0 ? c.gouged / max_gouged : 0;
   std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   std::vector<Vec3> chosen;
   for (const Candidate& c : all) {

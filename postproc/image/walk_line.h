@@ -11,9 +11,9 @@ namespace gouge {
 /// more than 20,000 pixels).
 template <class At>
 void walk_line(const Vec3& a, const Vec3& b, At&& at) {
-  constexpr double kMostSteps = 20'000;
+  constexpr double kMaxSteps = 20'000;
   const double pixels = std::max(std::abs(b.x() - a.x()), std::abs(b.y() - a.y()));
-  const int steps = static_cast<int>(std::min(std::ceil(pixels), kMostSteps)) + 1;
+  const int steps = static_cast<int>(std::min(std::ceil(pixels), kMaxSteps)) + 1;
   for (int s = 0; s <= steps; ++s) at(Vec3(a + (b - a) * (static_cast<double>(s) / steps)));
 }
 

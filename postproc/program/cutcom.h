@@ -6,10 +6,10 @@
 
 namespace gouge {
 
-/// Which side of the path CUTCOM takes the cutter to; unknown where it says only that it does.
+/// Which side of the path CUTCOM takes the cutter to; unknown where it states only that it does.
 enum class CutcomSide : std::uint8_t { none, left, right, unknown };
 
-/// The word that says it.
+/// The word that states it.
 [[nodiscard]] constexpr const char* cutcom_word(CutcomSide side) {
   constexpr std::array<const char*, 4> kWords = {"OFF", "LEFT", "RIGHT", "ON"};
   return kWords[static_cast<std::size_t>(side)];

@@ -7,10 +7,10 @@ namespace gouge {
 // The machine does not go home between two positions only because a FROM, a CUTTER or another sequence stands there.
 void MotionChain::break_off() {
   is_broken_ = is_broken_ || last_pose_.has_value();
-  if (last_pose_) can_link_ = unknown_start_ == nullptr && last_doubt_ == nullptr && !builder_.path.moves.empty();
+  if (last_pose_) can_link_ = unknown_start_ == nullptr && last_uncertainty_ == nullptr && !builder_.path.moves.empty();
   last_pose_.reset();
   unknown_start_ = nullptr;
-  last_doubt_ = nullptr;
+  last_uncertainty_ = nullptr;
 }
 
 // To a position alone, unless a tool may have been changed before it: another number, or a loading of another cutter.
@@ -24,12 +24,12 @@ void MotionChain::attach_link(Move& move) {
   move.is_linked = move.tool == tool || (before && before == now && !was_loaded);
 }
 
-void MotionChain::advance(Move& move, const char* doubt) {
+void MotionChain::advance(Move& move, const char* uncertainty) {
   if (is_broken_) not_swept_.add(move.line);
   attach_link(move);
   is_broken_ = false;
   last_pose_ = move.end;
-  last_doubt_ = doubt;
+  last_uncertainty_ = uncertainty;
   unknown_start_ = nullptr;
   was_from_ = false;
 }

@@ -15,10 +15,10 @@ class MotionChain {
   [[nodiscard]] const std::optional<Pose>& last_pose() const { return last_pose_; }
   /// Why the next motion's start is not known, or null.
   [[nodiscard]] const char* unknown_start() const { return unknown_start_; }
-  /// Why the last position was nobody knows where, or null.
-  [[nodiscard]] const char* last_doubt() const { return last_doubt_; }
+  /// Why the last position was an unknown place, or null.
+  [[nodiscard]] const char* last_uncertainty() const { return last_uncertainty_; }
   [[nodiscard]] bool is_start_certain() const {
-    return last_pose_ && unknown_start_ == nullptr && last_doubt_ == nullptr;
+    return last_pose_ && unknown_start_ == nullptr && last_uncertainty_ == nullptr;
   }
   [[nodiscard]] bool was_from() const { return was_from_; }
 
@@ -34,9 +34,9 @@ class MotionChain {
   /// Nor was the tool at the last position before it came to the next one.
   void forbid_link() { can_link_ = false; }
   void note_loading() { was_loaded_ = true; }
-  /// `move` is about to become the last one; `doubt` is why it is nobody knows where, or null.
-  void advance(Move& move, const char* doubt);
-  /// A motion nobody knows the end of.
+  /// `move` is about to become the last one; `doubt` is why it is an unknown place, or null.
+  void advance(Move& move, const char* uncertainty);
+  /// A motion of unknown end.
   void stand(const Pose& end, const char* reason);
   void note_from(bool is_from) { was_from_ = is_from; }
   void write_note() const;
@@ -47,7 +47,7 @@ class MotionChain {
   PathBuilder& builder_;
   std::optional<Pose> last_pose_;
   const char* unknown_start_ = nullptr;
-  const char* last_doubt_ = nullptr;
+  const char* last_uncertainty_ = nullptr;
   bool was_from_ = false;  // the last move was FROM
   bool is_broken_ = false;
   bool can_link_ = false;    // the motion broke off at the end of the last move

@@ -5,7 +5,7 @@
 #include "lib/path/toolpath.h"
 #include "postproc/program/cutcom.h"
 
-// What a neutral toolpath is written into: one motion after another, in the order of the path. Poses and
+// Receives a neutral toolpath: one motion after another, in the order of the path. Poses and
 // feeds in mm and part coordinates; a sink knows the unit and the words of its dialect.
 
 namespace gouge {
@@ -20,18 +20,18 @@ class MotionSink {
   /// The name of an operation; and the tool of the motions that follow, where `tool` is not null.
   virtual void begin_operation(const std::string& name) = 0;
   virtual void change_tool(const PathTool& tool) = 0;
-  /// Nothing leads to the next position. False where the dialect cannot say so.
+  /// Nothing leads to the next position. False where the dialect cannot state so.
   [[nodiscard]] virtual bool break_motion() = 0;
-  /// The motions that follow are compensated; none: no longer. False where the dialect cannot say so.
+  /// The motions that follow are compensated; none: no longer. False where the dialect cannot state so.
   [[nodiscard]] virtual bool set_cutcom(CutcomSide side) = 0;
-  /// The tool retracts to where nobody knows. Not asked of dialects that cannot say so.
+  /// The tool retracts to where unknown. Not queried of dialects that cannot state so.
   virtual void retract() = 0;
-  /// The feed of the motions that follow; requires one that is a number. False where the dialect cannot say so.
+  /// The feed of the motions that follow; requires one that is a number. False where the dialect cannot state so.
   [[nodiscard]] virtual bool set_feed(const Feed& feed) = 0;
-  /// The next motion is rapid. False where the dialect cannot say so.
+  /// The next motion is rapid. False where the dialect cannot state so.
   [[nodiscard]] virtual bool make_rapid() = 0;
   virtual void go_to(const Pose& end) = 0;
-  /// False where the dialect cannot say this arc; then nothing was written.
+  /// False where the dialect cannot state this arc; then nothing was written.
   [[nodiscard]] virtual bool go_round(const PathArc& arc, const Pose& start, const Pose& end) = 0;
   /// The bytes of the file. To be called once, at the end.
   [[nodiscard]] virtual std::string finish() = 0;

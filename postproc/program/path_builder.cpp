@@ -9,7 +9,7 @@ namespace gouge {
 namespace {
 
 constexpr double kShareThatDecides = 0.02;  // of a file, to expect the same of its rest
-constexpr double kFirstGrowth = 4, kLeastGrowth = 1.125, kMargin = 1.01;
+constexpr double kFirstGrowth = 4, kMinGrowth = 1.125, kMargin = 1.01;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void PathBuilder::add_statement(const SourceStatement& statement) {
 
 std::size_t PathBuilder::expected_count(std::size_t until_here) const {
   const double share = static_cast<double>(read_bytes_) / static_cast<double>(path.source.size());
-  const double growth = share < kShareThatDecides ? kFirstGrowth : std::max(kMargin / share, kLeastGrowth);
+  const double growth = share < kShareThatDecides ? kFirstGrowth : std::max(kMargin / share, kMinGrowth);
   return static_cast<std::size_t>(std::ceil(static_cast<double>(until_here) * growth));
 }
 

@@ -7,7 +7,7 @@
 
 #include "lib/path/toolpath.h"
 
-// What readers of all formats build a toolpath with.
+// Builds a toolpath for the readers of all formats.
 
 namespace gouge {
 
@@ -27,7 +27,7 @@ class PathBuilder {
   explicit PathBuilder(Toolpath& path_read) : path(path_read) {}
 
   void add_statement(const SourceStatement& statement);
-  /// Of the last statement, in Toolpath::statements.
+  /// Index of the last statement, in Toolpath::statements.
   [[nodiscard]] std::size_t index() const { return path.statements.size() - 1; }
   [[nodiscard]] std::size_t moves() const { return path.moves.size(); }
 

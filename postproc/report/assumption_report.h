@@ -5,7 +5,7 @@
 
 #include "lib/check/check_result.h"
 
-// What a verdict rests on, for programs and for people.
+// The assumptions of a verdict, for programs and for people.
 
 namespace gouge {
 

@@ -21,14 +21,14 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kWidth = 1030, kLeft = 76, kRight = 14;
 constexpr double kTop = 34, kPanel = 132, kBetween = 16, kBottom = 44;
 constexpr double kHeight = kTop + 2 * kPanel + kBetween + kBottom;
-constexpr double kLeastSpan_deg = 2, kAir = 0.08;
-constexpr double kLeastLength = 1e-6;
+constexpr double kMinSpan_deg = 2, kAir = 0.08;
+constexpr double kMinLength = 1e-6;
 
 using Series = double TiltPlace::*;
 constexpr std::array<Series, 4> kSeries = {&TiltPlace::lead_before_rad, &TiltPlace::side_before_rad,
                                            &TiltPlace::lead_after_rad, &TiltPlace::side_after_rad};
 
-std::string number(double value) { return people_text(value, 1); }
+std::string number(double value) { return display_text(value, 1); }
 
 /// 1, 2 or 5 times a power of ten, so that at most `most` of them make `span`.
 double tick_step(double span, double most) {
@@ -69,14 +69,14 @@ class AxisChart {
   }
 
   [[nodiscard]] std::string svg() {
-    if (!(length_ > kLeastLength) || !std::isfinite(length_)) return {};
+    if (!(length_ > kMinLength) || !std::isfinite(length_)) return {};
     keep_what_shows();
     const std::string size = number(kWidth) + " " + number(kHeight);
     std::string out = "<svg class=\"axes\" viewBox=\"0 0 " + size + "\" role=\"img\" aria-label=\"Lead and side tilt " +
                       "over the length of the path\">\n";
     Range lead = range(kSeries[0], kSeries[2]), side = range(kSeries[1], kSeries[3]);
     // One span for both, so that slopes compare.
-    const double span = std::max({lead.high - lead.low, side.high - side.low, kLeastSpan_deg}) * (1 + 2 * kAir);
+    const double span = std::max({lead.high - lead.low, side.high - side.low, kMinSpan_deg}) * (1 + 2 * kAir);
     lead.widen_to(span);
     side.widen_to(span);
     out += legend() + panel(kTop, "lead", lead, kSeries[0], kSeries[2], false) +
@@ -162,13 +162,13 @@ class AxisChart {
     for (double k = std::ceil(range.low / step); k * step <= range.high; ++k) {
       const double y = y_of(top, range, k * step);
       out += line(kLeft, y, right, y, std::abs(k) < 0.5 ? "zero" : "grid") +
-             words(kLeft - 8, y + 4.5, "end", people_text(k * step, tick_decimals(step)) + "°");
+             words(kLeft - 8, y + 4.5, "end", display_text(k * step, tick_decimals(step)) + "°");
     }
     const double along = tick_step(length_ / scale_, 12);
     for (double k = 0; k * along * scale_ <= length_ * (1 + Tolerance::kRounding); ++k) {
       const double x = x_of(k * along * scale_);
       out += line(x, bottom, x, bottom + 4, "frame");
-      if (is_lowest) out += words(x, bottom + 18, "middle", people_text(k * along, tick_decimals(along)));
+      if (is_lowest) out += words(x, bottom + 18, "middle", display_text(k * along, tick_decimals(along)));
     }
     out += "<polygon class=\"gap\" points=\"" + points(top, range, before) + " " + points(top, range, after, true) +
            "\"/>\n<polyline class=\"before\" points=\"" + points(top, range, before) +
@@ -224,7 +224,7 @@ class AxisSection {
     add_positions(table);
     add(table, "Feed time", [](const AxisQuality& q, const Toolpath&) { return feed_time_text(q.feed_seconds); });
     if (axes_.max_rotary_deg_per_min) {
-      add(table, "Feed time, turning by at most " + people_text(*axes_.max_rotary_deg_per_min, 3) + "°/min",
+      add(table, "Feed time, turning by at most " + display_text(*axes_.max_rotary_deg_per_min, 3) + "°/min",
           [](const AxisQuality& q, const Toolpath&) { return feed_time_text(q.limited_feed_seconds.value_or(0)); });
     }
     if (axes_.before.moves_without_feed + axes_.after.moves_without_feed > 0) {
@@ -275,8 +275,8 @@ class AxisSection {
     const std::string lines = first == last ? "Line " + std::to_string(first)
                                             : "Lines " + std::to_string(first) + " to " + std::to_string(last);
     // Two decimals of a millimetre are enough of a length that people compare with others.
-    const std::string length =
-        people_text((run.end_mm - run.begin_mm) / mm_per(unit_), facts_of(unit_).decimals - 1) + " " + unit_name(unit_);
+    const std::string length = display_text((run.end_mm - run.begin_mm) / mm_per(unit_), facts_of(unit_).decimals - 1) +
+                               " " + unit_name(unit_);
     const std::string caption =
         lines + ": " + count_text(run.last - run.first, "move") + " over " + length + ", tilted by up to " +
         with_line(angle_text(run.tilt_rad.value, DegreeSign::sign), *model_.toolpath, run.tilt_rad.move);

@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kLeastPlain = 0.001;
+constexpr double kMinPlain = 0.001;
 constexpr double kDegreesOfText = 180 / std::numbers::pi;
 
 // As with three digits of each: 9.996 is 10.
@@ -19,9 +19,9 @@ std::string three_digits(double value) {
   double first = value;
   for (; first >= 9.995 && power < 300; first /= 10) ++power;
   for (; first < 0.9995 && power > -300; first *= 10) --power;
-  if (value >= kLeastPlain) return people_text(value, std::clamp(2 - power, 0, 15));
+  if (value >= kMinPlain) return display_text(value, std::clamp(2 - power, 0, 15));
   const std::string exponent = std::to_string(-power);
-  return people_text(first, 2) + "e-" + (exponent.size() < 2 ? "0" : "") + exponent;
+  return display_text(first, 2) + "e-" + (exponent.size() < 2 ? "0" : "") + exponent;
 }
 
 std::string degrees(double angle, DegreeSign sign) {
@@ -59,7 +59,7 @@ std::string time_line(const AxisFacts& axes) {
   };
   std::string text = "feed time: " + both(axes.after.feed_seconds, axes.before.feed_seconds);
   if (axes.max_rotary_deg_per_min) {
-    text += "; turning by at most " + people_text(*axes.max_rotary_deg_per_min, 3) + " deg/min " +
+    text += "; turning by at most " + display_text(*axes.max_rotary_deg_per_min, 3) + " deg/min " +
             both(axes.after.limited_feed_seconds.value_or(0), axes.before.limited_feed_seconds.value_or(0));
   }
   if (axes.after.moves_without_feed > 0)
@@ -84,7 +84,7 @@ std::string feed_time_text(double seconds) {
   const double small = seconds < kHour ? 1 : kMinute, large = small * 60;
   const double rounded = std::round(seconds / small) * small;
   const double left = std::round((rounded - std::floor(rounded / large) * large) / small);
-  return people_text(std::floor(rounded / large), 0) + (seconds < kHour ? " min " : " h ") + people_text(left, 0) +
+  return display_text(std::floor(rounded / large), 0) + (seconds < kHour ? " min " : " h ") + display_text(left, 0) +
          (seconds < kHour ? " s" : " min");
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-// What accepted findings say of a result: plain data, made by postproc/accept.
+// Effect of accepted findings on a result: plain data, made by postproc/accept.
 
 namespace gouge {
 
@@ -18,7 +18,7 @@ struct BaselineEntry {
   std::string why;               ///< voided: what changed
 };
 
-/// What holds for one of CheckResult::events.
+/// Acceptance of one of CheckResult::events.
 struct EventAcceptance {
   std::vector<std::size_t> entries;  ///< of BaselineFacts::entries, that accept its moves
   bool is_accepted = false;          ///< every move of it is accepted

@@ -12,7 +12,7 @@ namespace gouge {
 /// "1 accepted gouge", "3 accepted gouges".
 [[nodiscard]] std::string accepted_words(const ReportModel& model);
 
-/// What is to be said of one of CheckResult::events: who accepted it and why, or why it is not accepted although
+/// Remarks on one of CheckResult::events: who accepted it and why, or why it is not accepted although
 /// something at it was. None where no acceptance is of it.
 [[nodiscard]] std::vector<std::string> acceptance_remarks(const ReportModel& model, std::size_t event);
 

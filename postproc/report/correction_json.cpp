@@ -66,7 +66,7 @@ class CorrectionReport {
   // Per length to the power given, in the toolpath's unit.
   [[nodiscard]] Json per_length(double value, int power) const { return value * std::pow(mm_per(unit_), power) + 0.0; }
 
-  // A feed of next to nothing takes no time that a number says.
+  // A feed of next to nothing takes no time that a number states.
   [[nodiscard]] static Json seconds(const std::optional<double>& time) {
     return time && std::isfinite(*time) ? Json(*time) : Json(nullptr);
   }
@@ -109,7 +109,7 @@ class CorrectionReport {
             {"tilted_runs", tilts.runs.size() + tilts.runs_left_out}};
   }
 
-  // What the change cures: of a buried move no surface is named.
+  // The finding that the change cures: for a buried move no surface is named.
   [[nodiscard]] Json cause(const CorrectionFacts& c, const CorrectedRecord& r) const {
     if (!r.cause || c.result_before == nullptr) return nullptr;
     const MoveVerdict& verdict = c.result_before->verdicts[*r.cause];

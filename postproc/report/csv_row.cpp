@@ -7,7 +7,7 @@
 namespace gouge {
 namespace {
 
-// Whether a spreadsheet might take the text for a formula: =, +, - or @, also in full width, behind blanks,
+// Returns whether a spreadsheet might take the text for a formula: =, +, - or @, also in full width, behind blanks,
 // quotes and the apostrophe that hides one; tabs and carriage returns begin a cell of their own in some.
 bool may_be_formula(std::string_view text) {
   using namespace std::string_view_literals;

@@ -36,13 +36,13 @@ struct Finding {
 /// Every event in the order of the path, then every reason why moves were not checked or not certified.
 [[nodiscard]] std::vector<Finding> list_findings(const ReportModel& model);
 
-/// What is said of a run beside its findings.
+/// Facts of a run beside its findings.
 struct SarifNote {
   std::string level, code, text;
 };
 [[nodiscard]] SarifNote sarif_note_of(const Diagnostic& diagnostic);
 
-/// What one run adds to a SARIF file.
+/// The part of one run in a SARIF file.
 struct SarifJob {
   std::string toolpath;  ///< as the user named it
   int exit_status = 0;
@@ -62,7 +62,7 @@ struct JunitCase {
   std::string error_message;                                ///< empty: none
 };
 
-/// What one run adds to a JUnit file. `seconds` is divided among the cases by their moves.
+/// The part of one run in a JUnit file. `seconds` is divided among the cases by their moves.
 struct JunitSuite {
   std::string toolpath;  ///< as the user named it
   std::string name;      ///< of the suite

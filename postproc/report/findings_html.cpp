@@ -64,7 +64,7 @@ class FindingsTable {
     return event.state == MoveState::near_miss ? -worst.clearance_mm.value_or(0) : worst.depth_mm;
   }
 
-  // What the script goes by; lengths in the path's unit.
+  // Input of the script; lengths in the path's unit.
   [[nodiscard]] std::string attributes(const Event& event) const {
     const auto add = [](const char* name, const std::string& value) {
       return std::string(" data-") + name + "=\"" + xml_escaped(value) + "\"";
@@ -136,13 +136,13 @@ class FindingsTable {
   std::vector<std::size_t> numbers_;
 };
 
-/// What is told of an operation or a tool.
+/// Counts of an operation or a tool.
 struct Share {
   std::size_t moves = 0, findings = 0, cured = 0;
   double depth_mm = 0, overcut_mm = 0;
 };
 
-/// Of each operation or tool: `of(move)` is its index; what has none comes last.
+/// Counts each operation or tool: `of(move)` is its index; moves without one come last.
 template <class Of>
 std::vector<Share> shares_of(const ReportModel& model, std::size_t count, Of&& of) {
   std::vector<Share> shares(count + 1);

@@ -35,7 +35,7 @@ struct Checked {
   const CheckResult& result;
 };
 
-// Of all gouges, accepted or not.
+// Counts all gouges, accepted or not.
 std::string deepest_words(const Checked& checked, const CheckOptions& limits) {
   const CheckResult& result = checked.result;
   if (result.worst_move >= result.verdicts.size()) return {};
@@ -94,7 +94,7 @@ std::string headline(const Checked& checked, const CheckOptions& limits, const s
   return text;
 }
 
-// The word before the colon says it all: that is what a terminal shows in colour.
+// The word before the colon states it all: that is what a terminal shows in colour.
 std::string verdict_line(const std::string& text, OverallVerdict verdict, bool is_coloured) {
   const Paint paint = verdict == OverallVerdict::clean    ? Paint::clean
                       : verdict == OverallVerdict::gouges ? Paint::error
@@ -267,7 +267,7 @@ std::string summary_text(const ReportModel& model, bool is_coloured) {
   const std::string overcut = overcut_gaps_text(model);
   if (!overcut.empty()) text += line("overcut: " + overcut);
   text += baseline_lines(model);
-  if (model.result->closeness) text += line("closest approach to the part: " + closeness_text(model));
+  if (model.result->closest_approach) text += line("closest approach to the part: " + closest_approach_text(model));
   text += stickout_lines(model);
   if (model.has_correction) text += correction_lines(model);
   return text + line("guarantee: " + guarantee_text(model));

@@ -19,12 +19,12 @@ struct HtmlColumn {
 class HtmlTable {
  public:
   static constexpr std::size_t kRowsOfPage = 200;
-  static constexpr std::size_t kMostRows = 20'000;  ///< about 8 MB
+  static constexpr std::size_t kMaxRows = 20'000;  ///< about 8 MB
 
   explicit HtmlTable(std::vector<HtmlColumn> columns) : columns_(std::move(columns)) {}
 
-  /// Whether the next row still has a page; what is not wanted need not be made, but must be counted by skip().
-  [[nodiscard]] bool has_room() const { return rows_ < kMostRows; }
+  /// Returns whether the next row still has a page; what is not wanted need not be made, but must be counted by skip().
+  [[nodiscard]] bool has_room() const { return rows_ < kMaxRows; }
   /// `attributes`: of the row, each with a blank before it.
   void add(const std::string& cells, const std::string& attributes = {});
   void skip() { ++skipped_; }

@@ -6,18 +6,18 @@
 #include "lib/path/toolpath.h"
 #include "postproc/report/report_model.h"
 
-// What of a report lets another run be compared with it (docs/formats/report_json.md).
+// The fields of a report that comparisons with other runs use (docs/formats/report_json.md).
 
 namespace gouge {
 
-/// Of every move the first digits of its motion_key, as texts of many moves each.
+/// The first digits of every move's motion_key, as texts of many moves each.
 [[nodiscard]] nlohmann::ordered_json motions_json(const Toolpath& path);
 /// The runs of moves of one operation and tool, by their first move.
 [[nodiscard]] nlohmann::ordered_json runs_json(const Toolpath& path);
 /// The statement of a move, its line end and what is beyond 2000 bytes left out, as UTF-8.
 [[nodiscard]] std::string statement_json(const Toolpath& path, const Move& move);
 
-/// What --baseline said of the result: its entries and how each was used; null without one.
+/// Effect of --baseline on the result: its entries and how each was used; null without one.
 [[nodiscard]] nlohmann::ordered_json baseline_json(const ReportModel& model);
 /// The same of one of CheckResult::events; null where nothing accepts it or anything of it.
 [[nodiscard]] nlohmann::ordered_json acceptance_json(const ReportModel& model, std::size_t event);
@@ -25,7 +25,7 @@ namespace gouge {
 /// A report's JSON with its digest: `json`, which ends in "\n}\n", and one key more.
 [[nodiscard]] std::string with_digest(std::string json);
 
-/// Whether the digest at the end of `json` is that of the bytes before it.
+/// Comparison of the digest at the end of `json` with the bytes before it.
 enum class DigestState { right, wrong, missing };
 [[nodiscard]] DigestState check_digest(std::string_view json);
 

@@ -70,7 +70,7 @@ std::string tilt_words(const TiltCure& tilt) {
   constexpr double kDecimals = 100;
   if (tilt.tilt_rad) {
     const double degrees = std::ceil(*tilt.tilt_rad / kDegree * kDecimals - Tolerance::kRounding) / kDecimals;
-    return "a tilt of up to " + people_text(degrees, 2) + " deg";
+    return "a tilt of up to " + display_text(degrees, 2) + " deg";
   }
   return "no tilt (" + tilt.reason + ")";
 }
@@ -84,7 +84,7 @@ std::string lift_words(const ReportModel& model, const LiftCure& lift) {
                                   short_length_text(lift.not_free_below_mm, unit) + " on, is not certified");
   }
   const std::string where = "line " + std::to_string(std::size_t{model.toolpath->moves[lift.move].line});
-  return "no lift up to " + length_text(model.cure_options->most_lift_mm, unit) + " along the tool axis (the " +
+  return "no lift up to " + length_text(model.cure_options->max_lift_mm, unit) + " along the tool axis (the " +
          body_name(lift.body) + ", " + where + ")";
 }
 

@@ -15,7 +15,7 @@ inline constexpr const char* kLengthsInMm = "option-unit";
 /// request do not count.
 [[nodiscard]] std::vector<std::string> remedies(const ReportModel& model);
 
-/// The cures of a finding; null: none were asked for, or it is of the cutter.
+/// The cures of a finding; null: none were requested, or it is of the cutter.
 [[nodiscard]] const FindingCures* cures_of(const ReportModel& model, std::size_t event);
 
 /// For people: "a tilt of 6.31 deg; a lift of 2.09 mm along the tool axis", or why there is none of either.

@@ -23,7 +23,7 @@ namespace {
 // Moves that could not be checked or certified, but for rapids left out on request.
 bool has_open_moves(const StateCounts& n) { return n.not_checked > n.skipped || n.not_certified > 0; }
 
-// Of the fixtures that must be kept at a distance, each.
+// Lists the fixtures that must be kept at a distance.
 std::string clearances_text(const ReportModel& model) {
   std::string text;
   for (const MeshFacts& mesh : model.fixtures) {
@@ -123,9 +123,9 @@ std::vector<std::string> reservations(const ReportModel& model) {
   return all;
 }
 
-std::string closeness_words(const std::optional<double>& distance_mm, LengthUnit unit) {
+std::string closest_approach_words(const std::optional<double>& distance_mm, LengthUnit unit) {
   constexpr double kTouch_mm = 0.01;
-  if (!distance_mm) return "not within " + length_text(Closeness::kFar_mm, unit);
+  if (!distance_mm) return "not within " + length_text(ClosestApproach::kFar_mm, unit);
   if (*distance_mm <= kTouch_mm) return "touching";
   // Rounded up: it is as near as that.
   const int decimals = facts_of(unit).decimals - 1;
@@ -134,13 +134,13 @@ std::string closeness_words(const std::optional<double>& distance_mm, LengthUnit
   return "within " + fixed_text(reported, decimals) + " " + unit_name(unit);
 }
 
-std::string closeness_text(const ReportModel& model) {
-  if (!model.result->closeness) return {};
-  const Closeness& c = *model.result->closeness;
+std::string closest_approach_text(const ReportModel& model) {
+  if (!model.result->closest_approach) return {};
+  const ClosestApproach& c = *model.result->closest_approach;
   const LengthUnit unit = model.toolpath->unit;
-  if (c.positions == 1) return closeness_words(c.nearest_mm, unit) + " at the only cutting position";
-  return closeness_words(c.nearest_mm, unit) + "; half of the " + positions_examined(c) + " are " +
-         closeness_words(c.median_mm, unit);
+  if (c.positions == 1) return closest_approach_words(c.nearest_mm, unit) + " at the only cutting position";
+  return closest_approach_words(c.nearest_mm, unit) + "; half of the " + positions_examined(c) + " are " +
+         closest_approach_words(c.median_mm, unit);
 }
 
 std::vector<ReasonGroup> group_reasons(const CheckResult& result) {

@@ -21,7 +21,7 @@
 #include "postproc/report/baseline_facts.h"
 #include "postproc/report/sign_off.h"
 
-// What every writer of a report shares, as plain data. Lengths are in mm here and turned into the toolpath's
+// Data that all writers of a report share. Lengths are in mm here and converted to the toolpath's
 // unit when they are written. The model points at the toolpath and the verdicts; they must outlive it.
 
 namespace gouge {
@@ -94,7 +94,7 @@ struct UncutRecord {
   Kind kind = Kind::left_out;
 };
 
-/// What a stretch of changed moves leaves of the surface that it finished before.
+/// Stock that a stretch of changed moves leaves on the surface that it finished before.
 struct StockRecord {
   std::size_t first_move = 0, last_move = 0;  ///< of the path before the correction
   std::size_t first_line = 0, last_line = 0;
@@ -132,7 +132,7 @@ struct AxisFacts {
 struct CorrectionFacts {
   std::string output_file;                  ///< empty: none was written
   std::string_view output_bytes;            ///< the corrected toolpath, as it goes there
-  std::string strategy;                     ///< as asked
+  std::string strategy;                     ///< as requested
   double max_shift_mm = 0;                  ///< 0: no limit
   std::optional<double> max_side_shift_mm;  ///< none: by the depth
   double rapid_clearance_mm = 0;
@@ -149,7 +149,7 @@ struct CorrectionFacts {
   const CheckResult* result_before = nullptr;  ///< its verdicts
 };
 
-/// What --find-stickout found of one tool.
+/// Result of --find-stickout for one tool.
 struct StickoutFacts {
   ToolStickout found;
   std::optional<double> shank_end_mm;  ///< how far its flutes and shank reach; none: not stated
@@ -175,9 +175,9 @@ struct ReportModel {
   CorrectionFacts correction;
   std::string_view certificate_bytes;  ///< of --certificate
   double seconds = 0;                  ///< spent from the first file read to this report; only JUnit has it
-  std::optional<StickoutOptions> stickout_options;  ///< none: not asked
+  std::optional<StickoutOptions> stickout_options;  ///< none: not requested
   std::vector<StickoutFacts> stickouts;
-  std::optional<CureOptions> cure_options;  ///< none: not asked
+  std::optional<CureOptions> cure_options;  ///< none: not requested
   std::vector<FindingCures> cures;          ///< by event, in their order
   BaselineFacts baseline;
 };
@@ -201,17 +201,17 @@ enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 /// Returns one sentence for each assumption that keeps the verdict from being clean: which, why, and what to do.
 [[nodiscard]] std::vector<std::string> open_facts(const CheckResult& result);
 
-/// What a reader of the verdict must know beside it, a sentence each: which option settles why moves are not checked
+/// Reservations about the verdict, a sentence each: which option settles why moves are not checked
 /// (remedies.h), that the path may not belong to the part, that tools have no holder.
 [[nodiscard]] std::vector<std::string> reservations(const ReportModel& model);
 
-/// A distance of Closeness, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm", "not within 20
+/// A distance of ClosestApproach, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm", "not within 20
 /// mm".
-[[nodiscard]] std::string closeness_words(const std::optional<double>& distance_mm, LengthUnit unit);
+[[nodiscard]] std::string closest_approach_words(const std::optional<double>& distance_mm, LengthUnit unit);
 
-/// "seen nearest, the tool is touching; half of the 400 cutting positions looked at (of 2425) are within 0.83 mm".
+/// "seen nearest, the tool is touching; half of the 400 cutting positions examined (of 2425) are within 0.83 mm".
 /// Empty without closeness.
-[[nodiscard]] std::string closeness_text(const ReportModel& model);
+[[nodiscard]] std::string closest_approach_text(const ReportModel& model);
 
 /// Moves that share a reason for not being checked or certified, in order of their first move.
 struct ReasonGroup {

@@ -18,9 +18,9 @@ int first_digit(double value) {
   return power;
 }
 
-constexpr int kMostDecimals = 12;
+constexpr int kMaxDecimals = 12;
 
-// Of a length with its unit.
+// For a length with its unit.
 double number_in(const std::string& text) { return parse_number(text.substr(0, text.find(' '))).value_or(0); }
 
 int decimals_of(const std::string& text) {
@@ -66,8 +66,8 @@ std::string depth_text(double length_mm, LengthUnit unit) {
   const int usual = unit == LengthUnit::inch ? 4 : 3;
   // Below a millionth of a millimetre it is rounding, whose digits would only look like a finding.
   const bool is_reported = length_mm >= Tolerance::kWitness_mm;
-  const int decimals = is_reported ? std::clamp(1 - first_digit(value), usual, kMostDecimals) : usual;
-  return people_text(value, decimals, Zeros::kept) + " " + unit_name(unit);
+  const int decimals = is_reported ? std::clamp(1 - first_digit(value), usual, kMaxDecimals) : usual;
+  return display_text(value, decimals, Zeros::kept) + " " + unit_name(unit);
 }
 
 std::string depth_text(double length_mm, LengthUnit unit, const CheckOptions& limits) {
@@ -76,18 +76,18 @@ std::string depth_text(double length_mm, LengthUnit unit, const CheckOptions& li
   const double value = length_mm / mm_per(unit);
   std::string text = usual;
   for (int decimals = decimals_of(usual);;
-       ++decimals, text = people_text(value, decimals, Zeros::kept) + " " + unit_name(unit)) {
+       ++decimals, text = display_text(value, decimals, Zeros::kept) + " " + unit_name(unit)) {
     const double read = number_in(text);
-    const auto is_told_apart = [&](double limit_mm) {
+    const auto is_distinguished = [&](double limit_mm) {
       if (limit_mm <= 0) return true;
       const double limit = number_in(length_text(limit_mm, unit));
       if (length_mm < limit_mm) return read < limit;
       return length_mm > limit_mm ? read > limit : true;
     };
-    const bool is_clear = is_told_apart(limits.tolerance_mm) && is_told_apart(limits.near_miss_mm) &&
-                          is_told_apart(limits.tolerance_mm + limits.resolution_mm);
+    const bool is_clear = is_distinguished(limits.tolerance_mm) && is_distinguished(limits.near_miss_mm) &&
+                          is_distinguished(limits.tolerance_mm + limits.resolution_mm);
     if (is_clear) return text;
-    if (decimals >= kMostDecimals) return usual;
+    if (decimals >= kMaxDecimals) return usual;
   }
 }
 
@@ -96,28 +96,28 @@ std::string length_text(double length_mm, LengthUnit unit) {
   if (!std::isfinite(value)) return "any length";
   const int power = first_digit(value);
   const int digits = power < 0 ? 4 : 6;
-  return people_text(value, std::clamp(digits - 1 - power, 0, 15)) + " " + unit_name(unit);
+  return display_text(value, std::clamp(digits - 1 - power, 0, 15)) + " " + unit_name(unit);
 }
 
 std::string short_length_text(double length_mm, LengthUnit unit) {
   const double value = length_mm / mm_per(unit);
   if (!std::isfinite(value)) return "any length";
   const int decimals = std::clamp(2 - first_digit(value), 6, 15);
-  return people_text(value, decimals) + " " + unit_name(unit);
+  return display_text(value, decimals) + " " + unit_name(unit);
 }
 
 std::string point_text(const Vec3& point_mm, LengthUnit unit) {
   const int decimals = unit == LengthUnit::inch ? 4 : 3;
   std::string text = "(";
   for (int k = 0; k < 3; ++k) {
-    text += (k > 0 ? ", " : "") + people_text(point_mm[k] / mm_per(unit), decimals);
+    text += (k > 0 ? ", " : "") + display_text(point_mm[k] / mm_per(unit), decimals);
   }
   return text + ")";
 }
 
 const char* unit_words(LengthUnit unit) { return unit == LengthUnit::inch ? "inches" : "mm"; }
 
-std::string instant_text(double t) { return people_text(t, 4); }
+std::string instant_text(double t) { return display_text(t, 4); }
 
 std::size_t inserted_positions(const CorrectionFacts& correction) {
   return static_cast<std::size_t>(
@@ -135,13 +135,13 @@ const char* uncut_kind_name(UncutRecord::Kind kind) {
 
 std::string moved_cuts_text(const CorrectionFacts& correction, LengthUnit unit) {
   if (correction.toolpath_before == nullptr) return {};
-  double most_mm = 0;
+  double max_mm = 0;
   for (const CorrectedRecord& change : correction.changes) {
     const bool is_cut = correction.toolpath_before->moves[change.move].kind != MoveKind::rapid;
-    if (is_cut && !change.is_uncut && change.strategy != "tilt") most_mm = std::max(most_mm, change.shift_length_mm);
+    if (is_cut && !change.is_uncut && change.strategy != "tilt") max_mm = std::max(max_mm, change.shift_length_mm);
   }
-  if (!(most_mm > 0)) return {};
-  return "cuts were moved by up to " + depth_text(most_mm, unit) + ": less is cut there than was programmed";
+  if (!(max_mm > 0)) return {};
+  return "cuts were moved by up to " + depth_text(max_mm, unit) + ": less is cut there than was programmed";
 }
 
 UncutTotal uncut_total(const CorrectionFacts& correction) {
@@ -149,7 +149,7 @@ UncutTotal uncut_total(const CorrectionFacts& correction) {
   for (const UncutRecord& stretch : correction.uncut) {
     if (stretch.kind == UncutRecord::Kind::hole) {
       ++total.holes;
-      total.most_of_hole_mm = std::max(total.most_of_hole_mm, stretch.length_mm);
+      total.max_of_hole_mm = std::max(total.max_of_hole_mm, stretch.length_mm);
       continue;
     }
     ++total.stretches;
@@ -168,7 +168,7 @@ std::string uncut_text(const CorrectionFacts& correction, LengthUnit unit) {
   }
   if (total.holes > 0) {
     text += (text.empty() ? "" : ", ") + count_text(total.holes, "hole") + " left uncut by up to " +
-            depth_text(total.most_of_hole_mm, unit);
+            depth_text(total.max_of_hole_mm, unit);
   }
   return text;
 }
@@ -242,7 +242,7 @@ std::string_view statement_text(const Toolpath& path, const Move& move) {
 }
 
 std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t move) {
-  constexpr std::size_t kMostLines = 3, kMostBytes = 200;
+  constexpr std::size_t kMaxLines = 3, kMaxBytes = 200;
   const std::string_view all = statement_text(toolpath, toolpath.moves[move]);
   if (std::ranges::any_of(all, [](char c) { return c >= 0 && c < ' ' && c != '\t' && c != '\r' && c != '\n'; }))
     return {};
@@ -252,11 +252,11 @@ std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t m
     std::string_view one = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
     while (!one.empty() && (one.back() == '\r' || one.back() == ' ')) one.remove_suffix(1);
-    const bool is_cut = one.size() > kMostBytes || (lines.size() + 1 == kMostLines && !rest.empty());
-    std::string shown(one.substr(0, kMostBytes));
+    const bool is_cut = one.size() > kMaxBytes || (lines.size() + 1 == kMaxLines && !rest.empty());
+    std::string shown(one.substr(0, kMaxBytes));
     std::ranges::replace(shown, '\t', ' ');
     lines.push_back(shown + (is_cut ? " ..." : ""));
-    if (lines.size() == kMostLines) break;
+    if (lines.size() == kMaxLines) break;
   }
   return lines;
 }

@@ -17,8 +17,8 @@ inline constexpr const char* kProjectFile = "project-file";
 [[nodiscard]] std::string grouped_text(std::size_t count);
 /// A length for people, in `unit`, with its name: "0.213 mm", "0.0084 in". Small lengths keep two digits.
 [[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit);
-/// The same beside the limits of the check: with as many digits more as it takes to tell it from the tolerance, from
-/// tolerance + resolution and from the near miss asked for: "0.0112 mm" beside 0.011 mm.
+/// The same beside the limits of the check: with as many digits more as it takes to show it from the tolerance, from
+/// tolerance + resolution and from the near miss requested: "0.0112 mm" beside 0.011 mm.
 [[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit, const CheckOptions& limits);
 /// Up to six digits, four below 1, no trailing zeros: "0.011 mm", "44.4543 mm", "0.0004331 in".
 [[nodiscard]] std::string length_text(double length_mm, LengthUnit unit);
@@ -34,7 +34,7 @@ inline constexpr const char* kProjectFile = "project-file";
 
 /// How many of its changes are positions that the path did not have.
 [[nodiscard]] std::size_t inserted_positions(const CorrectionFacts& correction);
-/// Of programmed positions, those that are not left uncut.
+/// The programmed positions that are not left uncut.
 [[nodiscard]] std::size_t moved_positions(const CorrectionFacts& correction);
 
 /// "left-out", "hole", "lifted".
@@ -47,7 +47,7 @@ struct UncutTotal {
   std::size_t stretches = 0, positions = 0;
   double length_mm = 0;
   std::size_t holes = 0;
-  double most_of_hole_mm = 0;  ///< most that is missing of the depth of one
+  double max_of_hole_mm = 0;  ///< most that is missing of the depth of one
 };
 [[nodiscard]] UncutTotal uncut_total(const CorrectionFacts& correction);
 /// "12 positions and 81.2 mm left uncut in 1 stretch, 2 holes left uncut by up to 0.02 mm"; empty where nothing is.
@@ -67,12 +67,12 @@ struct UncutTotal {
 [[nodiscard]] std::string tool_label(const Toolpath& toolpath, std::size_t tool);
 /// For programs: the number, else the name, else nothing.
 [[nodiscard]] std::string tool_key(const Toolpath& toolpath, std::size_t tool);
-/// Name of the mesh a witness lies on; empty when the model does not say.
+/// Name of the mesh a witness lies on; empty when the model does not state.
 [[nodiscard]] std::string mesh_name(const ReportModel& model, const Witness& witness);
 /// The clearance of the mesh of a witness; 0: none.
 [[nodiscard]] double mesh_clearance_mm(const ReportModel& model, const Witness& witness);
 [[nodiscard]] std::string operation_name(const Toolpath& toolpath, std::size_t operation);
-/// The bytes of a move's statement, line end included; empty where the path does not say.
+/// The bytes of a move's statement, line end included; empty where the path does not state.
 [[nodiscard]] std::string_view statement_text(const Toolpath& toolpath, const Move& move);
 
 /// The statement of a move as its file has it, up to three lines of at most 200 bytes; what is more ends in " ...". None

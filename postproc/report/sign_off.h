@@ -6,7 +6,7 @@ namespace gouge {
 
 struct ReportModel;
 
-/// What the head of a report says of itself.
+/// Fields of the head of a report.
 struct SignOff {
   std::string date;               ///< "2026-11-23 14:05 UTC", the one line that differs between runs; may be empty
   std::string command;            ///< the command line that repeats it; may be empty

@@ -11,7 +11,7 @@ namespace gouge {
 
 namespace {
 
-/// The length looked at before `stickout_mm`.
+/// The length examined before `stickout_mm`.
 double one_step_less(const ReportModel& model, const StickoutFacts& tool, double stickout_mm) {
   const double step = model.stickout_options->step_mm;
   return std::max(tool.found.now_mm, stickout_mm - step);
@@ -34,7 +34,7 @@ std::string stickout_need_text(const ReportModel& model, const StickoutFacts& to
   const std::string where =
       std::string(body_name(need.body)) + state_words(need.state) + ", " + line_of(model, need.move);
   if (!need.stickout_mm) {
-    const double most = tool.found.now_mm + model.stickout_options->most_longer_mm;
+    const double most = tool.found.now_mm + model.stickout_options->max_longer_mm;
     return "no stick-out up to " + length_text(most, unit) + " is enough: the " + where;
   }
   std::string text = length_text(*need.stickout_mm, unit) + " needed, " +
@@ -112,7 +112,7 @@ Json stickout_json(const ReportModel& model) {
     tools.push_back(std::move(one));
   }
   return {{"step", length_json(model.stickout_options->step_mm, unit)},
-          {"most_longer", length_json(model.stickout_options->most_longer_mm, unit)},
+          {"most_longer", length_json(model.stickout_options->max_longer_mm, unit)},
           {"tools", std::move(tools)}};
 }
 

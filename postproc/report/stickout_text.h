@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// What the moves of a tool need, for people: "74 mm; at 73 mm the holder gouges, line 18845".
+/// Describes the stick-out that the moves of a tool need: "74 mm; at 73 mm the holder gouges, line 18845".
 [[nodiscard]] std::string stickout_need_text(const ReportModel& model, const StickoutFacts& tool,
                                              const StickoutNeed& need);
 
@@ -23,7 +23,7 @@ namespace gouge {
 /// A length in `unit`; null for a bound that was never reached and so has no number.
 [[nodiscard]] nlohmann::ordered_json length_json(double length_mm, LengthUnit unit);
 
-/// What --find-stickout found; null where it was not asked.
+/// Result of --find-stickout; null without the option.
 [[nodiscard]] nlohmann::ordered_json stickout_json(const ReportModel& model);
 
 }  // namespace gouge

@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-// Bounds are sums of many doubles; the gap itself was asked of them.
+// Bounds are sums of many doubles; the gap itself was queried of them.
 
 /// How far two bounds are apart, and how far they may be.
 struct Gap {

@@ -27,7 +27,7 @@ std::string figure(const NamedFile& picture) {
 
 std::string lengths_text(const Vec3& v, LengthUnit unit) { return point_text(v, unit) + " " + unit_name(unit); }
 
-/// Of equal ones the first before the others.
+/// Equal ones keep their order.
 template <typename Record>
 std::vector<const Record*> largest_first(const std::vector<Record>& records, double Record::*size) {
   std::vector<const Record*> sorted;
@@ -94,9 +94,9 @@ class HtmlReport {
     out += acceptances();
     const std::string overcut = overcut_gaps_text(model_);
     if (!overcut.empty()) out += "<p class=\"soft\">Overcut: " + xml_escaped(overcut) + ".</p>\n";
-    const std::string closeness = closeness_text(model_);
-    if (closeness.empty()) return out;
-    return out + "<p class=\"soft\">Closest approach to the part: " + xml_escaped(closeness) + ".</p>\n";
+    const std::string closest_approach = closest_approach_text(model_);
+    if (closest_approach.empty()) return out;
+    return out + "<p class=\"soft\">Closest approach to the part: " + xml_escaped(closest_approach) + ".</p>\n";
   }
 
   [[nodiscard]] std::string acceptances() const {

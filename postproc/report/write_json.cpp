@@ -45,7 +45,7 @@ class JsonReport {
     out["heads"] = meshes(model_.heads);
     out["tools"] = tools();
     out["totals"] = totals();
-    out["closeness"] = closeness();
+    out["closeness"] = closest_approach();
     out["stickout"] = stickout_json(model_);
     out["cures"] = cure_options();
     out["baseline"] = baseline_json(model_);
@@ -220,7 +220,7 @@ class JsonReport {
   [[nodiscard]] Json cure_options() const {
     if (!model_.cure_options) return nullptr;
     return {{"lift_step", length(model_.cure_options->lift_step_mm)},
-            {"most_lift", length(model_.cure_options->most_lift_mm)},
+            {"most_lift", length(model_.cure_options->max_lift_mm)},
             {"max_tilt_rad", model_.cure_options->tilt.max_tilt_rad},
             {"blend", length(model_.cure_options->tilt.blend_mm)}};
   }
@@ -263,9 +263,9 @@ class JsonReport {
     return all;
   }
 
-  [[nodiscard]] Json closeness() const {
-    if (!model_.result->closeness) return nullptr;
-    const Closeness& c = *model_.result->closeness;
+  [[nodiscard]] Json closest_approach() const {
+    if (!model_.result->closest_approach) return nullptr;
+    const ClosestApproach& c = *model_.result->closest_approach;
     const auto distance = [&](const std::optional<double>& mm) { return mm ? length(*mm) : Json(nullptr); };
     return {{"cuts", c.cuts},
             {"positions", c.positions},

@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-/// What `check` and `correct` print: one finding a line as compilers print them, in the order of the path,
+/// Text that `check` and `correct` print: one finding a line as compilers print them, in the order of the path,
 /// then what was not checked or not certified, grouped by reason, then a summary of a few lines. `view` may list fewer of
 /// the findings, in another order; what it leaves out is counted.
 /// `path.apt:123: gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42 (7 moves, 118-124), operation ROUGH`
@@ -29,7 +29,7 @@ struct Headlines {
 
 /// The report as one HTML page that needs nothing beside it: verdict, guarantee, pictures (embedded), findings,
 /// the changes of a correction, what was not checked, inputs with checksums, options. Prints well on A4.
-/// Long tables show their worst rows and say how many more there are; the CSV and JSON have them all.
+/// Long tables show their worst rows and state how many more there are; the CSV and JSON have them all.
 /// `pictures` are PNG files named as by draw_report_pictures; event_N.png is linked from the findings.
 /// `view` is the 3D view (postproc/viewer), HTML that stands before the pictures; may be empty.
 [[nodiscard]] std::string write_html(const ReportModel& model, const std::vector<NamedFile>& pictures,

@@ -97,7 +97,7 @@ class SarifReport {
     results_.push_back(std::move(result));
   }
 
-  // An empty list: looked at and not accepted.
+  // An empty list: examined and not accepted.
   [[nodiscard]] static Json suppressions(const Finding& finding) {
     if (finding.justification.empty()) return Json::array();
     return Json::array(

@@ -57,7 +57,7 @@ struct StoredInput {
   std::string role, name, checksum;
 };
 
-/// What the check was asked, as it has a bearing on which gouges there are.
+/// Options of the check that affect which gouges there are.
 struct StoredOptions {
   double tolerance_mm = 0, resolution_mm = 0, stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0;
   std::string rapid;

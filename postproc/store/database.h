@@ -18,7 +18,7 @@ namespace gouge {
 /// A value of a row. Text need not be UTF-8.
 using Cell = std::variant<std::nullptr_t, std::int64_t, double, std::string_view>;
 
-/// One row of an answer. Columns count from 0; what is NULL is 0 or empty.
+/// One row of an result. Columns count from 0; what is NULL is 0 or empty.
 class Row {
  public:
   explicit Row(sqlite3_stmt* statement) : statement_(statement) {}
@@ -65,7 +65,7 @@ inline constexpr int kStoreApplication = 0x676f7567;
 /// Those that hold rows of a job beside `jobs`, each with a column `job`.
 inline constexpr std::string_view kTablesOfJob[] = {"counts", "findings", "cases", "warnings", "inputs", "outputs"};
 
-/// docs/formats/batch_store.md says what each column means.
+/// docs/formats/batch_store.md states what each column means.
 inline constexpr std::string_view kCreateTables[] = {
     "CREATE TABLE runs(run INTEGER PRIMARY KEY, version TEXT NOT NULL, build TEXT NOT NULL, list TEXT NOT NULL, "
     "jobs INTEGER NOT NULL, is_ended INTEGER NOT NULL)",

@@ -151,7 +151,7 @@ std::string text_of(const Cell& cell) {
   return "n";
 }
 
-// Of all rows of a job, without its number in the list.
+// For all rows of a job, without its number in the list.
 std::string digest_of(const JobResult& result) {
   Sha256 digest;
   const PutRow add = [&](std::string_view sql, const std::vector<Cell>& values) {
@@ -163,7 +163,7 @@ std::string digest_of(const JobResult& result) {
   return digest.finish();
 }
 
-/// What a row of a job says that its other rows give as well: nobody reads it from there but queries.
+/// Columns of a job's row that its other rows contain as well: only queries read them.
 struct StatedAgain {
   std::string name, verdict;
   std::int64_t moves = 0, findings = 0;

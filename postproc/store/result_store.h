@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// What a batch runs, as its store knows it.
+/// A batch as its store describes it.
 struct BatchIdentity {
   std::string version;               ///< of the program
   std::string build;                 ///< SHA-256 of its executable
@@ -21,7 +21,7 @@ struct BatchIdentity {
   std::vector<std::string> names;    ///< of these
 };
 
-/// Of a job that has a result in the store.
+/// Returns the result of a job in the store.
 struct StoredJob {
   std::string name, key;  ///< no key: the result may not be used again
   int status = 0;
@@ -35,7 +35,7 @@ class ResultStore {
   /// store-foreign (a database that is no store of a batch), those of Database.
   [[nodiscard]] static Result<ResultStore> open(const std::string& path);
 
-  /// Whether a batch was begun here and not ended, and how many of its jobs are done.
+  /// Returns whether a batch was begun here and not ended, and how many of its jobs are done.
   [[nodiscard]] bool is_interrupted() const { return is_interrupted_; }
   [[nodiscard]] std::size_t jobs_done() const { return done_.size(); }
 
@@ -54,7 +54,7 @@ class ResultStore {
   /// One for each job that is run here, in order; those that have not run have a name alone, and those whose rows
   /// were altered since they were put (is_altered).
   [[nodiscard]] Result<std::vector<JobResult>> all();
-  /// Of the batch that was begun last; empty names where there is none.
+  /// Returns the batch that began last; empty names where there is none.
   [[nodiscard]] Result<BatchIdentity> identity();
   /// The batch is whole: every job that was to run has run, and its files stand.
   [[nodiscard]] Outcome end();

@@ -5,24 +5,24 @@
 #include <string>
 #include <string_view>
 
-#include "lib/base/kept_work.h"
+#include "lib/base/checkpoints.h"
 #include "postproc/store/database.h"
 
 namespace gouge {
 
-/// What is done of one long job, stretch by stretch, in a database of its own, each stretch committed and synchronised
-/// when it is there. The file is opened, or made, when the job first asks: short jobs never do. Where that fails
+/// Checkpoints of one long job, stretch by stretch, in a database of its own, each stretch committed and synchronised
+/// when it is there. The file is opened, or made, when the job first queries: short jobs never do. Where that fails
 /// nothing is kept; a file that is damaged is begun anew.
-class WorkStore : public KeptWork {
+class WorkStore : public CheckpointStore {
  public:
-  /// `path`: a name that says which work it is, to the contents of its inputs. Its folder is made when needed.
+  /// `path`: a name that states which work it is, to the contents of its inputs. Its folder is made when needed.
   WorkStore(std::string path, std::size_t items) : path_(std::move(path)), items_(items) {}
 
   [[nodiscard]] std::size_t items() const override { return items_; }
   [[nodiscard]] std::optional<std::string> find(std::string_view stage, std::size_t stretch) override;
   void keep(std::string_view stage, std::size_t stretch, std::string_view bytes) override;
 
-  /// Whether anything was asked or kept: there may be a file.
+  /// Returns whether anything was queried or kept: there may be a file.
   [[nodiscard]] bool is_used() const { return is_opened_; }
 
  private:

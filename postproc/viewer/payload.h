@@ -11,14 +11,14 @@
 
 namespace gouge {
 
-/// What a browser gets of a scene: a JSON text and numbers beside it, deflated as one and written as base64.
+/// Scene data for a browser: a JSON text and numbers beside it, deflated as one and written as base64.
 ///
 /// Before deflating: the bytes of the JSON text as a little-endian number of four bytes, the text, then the planes of
 /// numbers, one after the other. A plane is the lowest byte of each number, then the next of each: neighbours are alike
 /// then, which deflates well. The JSON names each run of planes by the byte at which it begins, its count and its width.
 class Payload {
  public:
-  /// `count` numbers below 256^bytes as they are, number(i) of each i in turn. Returns what the JSON says of them.
+  /// `count` numbers below 256^bytes as they are, number(i) of each i in turn. Returns what the JSON states of them.
   template <typename Number>
   nlohmann::ordered_json add(std::size_t count, int bytes, const Number& number) {
     const std::size_t at = planes_.size();

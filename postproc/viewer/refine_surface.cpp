@@ -10,11 +10,11 @@ namespace gouge {
 
 namespace {
 
-constexpr double kLooks = 60'000;                      // points that are looked at
-constexpr std::size_t kMostTriangles = 150'000;        // that may be added
+constexpr double kLooks = 60'000;                      // points that are examined
+constexpr std::size_t kMaxTriangles = 150'000;         // that may be added
 constexpr double kFinest = 1.0 / 400, kCoarser = 1.4;  // of the parts' size; what follows where that is too many
-constexpr double kLeastApart = 1e-6;                   // of the parts' size: points of a flat part without area
-constexpr int kMostCuts = 24;                          // of a triangle, one in the other
+constexpr double kMinApart = 1e-6;                     // of the parts' size: points of a flat part without area
+constexpr int kMaxCuts = 24;                           // of a triangle, one in the other
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -67,7 +67,7 @@ std::vector<SurfacePoint> spread_points(const ViewerMesh& mesh, double apart_mm)
 class Cutter {
  public:
   Cutter(ViewerMesh& mesh, const GougedCells& cells, double finest_mm)
-      : out_(mesh), most_(mesh.triangles.size() + kMostTriangles), cells_(cells), finest_mm_(finest_mm) {
+      : out_(mesh), max_(mesh.triangles.size() + kMaxTriangles), cells_(cells), finest_mm_(finest_mm) {
     triangles_.reserve(mesh.triangles.size());
   }
 
@@ -76,7 +76,7 @@ class Cutter {
     const std::size_t vertices = out_.positions.size();
     for (const Triangle& t : out_.triangles) {
       cut(t, 0);
-      if (triangles_.size() <= most_) continue;
+      if (triangles_.size() <= max_) continue;
       out_.positions.resize(vertices);
       out_.normals.resize(vertices);
       out_.mesh_of.resize(vertices);
@@ -89,7 +89,7 @@ class Cutter {
  private:
   static constexpr std::uint32_t kWhole = 0xFFFFFFFFU;
 
-  // The middle of an edge that is to be cut, else kWhole. Whether, is said by where it is alone.
+  // The middle of an edge that is to be cut, else kWhole. Whether, is stated by where it is alone.
   std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
     const double length = (out_.positions[a] - out_.positions[b]).norm();
     if (length <= finest_mm_) return kWhole;
@@ -109,12 +109,12 @@ class Cutter {
   void cut(const Triangle& t, int depth) {
     std::array<std::uint32_t, 3> m{kWhole, kWhole, kWhole};  // m[k]: between k and k + 1
     int cuts = 0;
-    for (std::size_t k = 0; k < 3 && depth < kMostCuts; ++k) {
+    for (std::size_t k = 0; k < 3 && depth < kMaxCuts; ++k) {
       m[k] = middle(t[k], t[(k + 1) % 3]);
       cuts += m[k] != kWhole ? 1 : 0;
     }
     if (cuts == 0) return triangles_.push_back(t);
-    if (triangles_.size() > most_) return;
+    if (triangles_.size() > max_) return;
     const auto go = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { cut({a, b, c}, depth + 1); };
     if (cuts == 3) {
       for (std::size_t k = 0; k < 3; ++k) go(t[k], m[k], m[(k + 2) % 3]);
@@ -134,7 +134,7 @@ class Cutter {
 
   ViewerMesh& out_;
   std::vector<Triangle> triangles_;
-  std::size_t most_;
+  std::size_t max_;
   const GougedCells& cells_;
   double finest_mm_;
   std::unordered_map<std::uint64_t, std::uint32_t> middles_;
@@ -164,7 +164,7 @@ std::vector<SurfacePoint> vertex_points(const ViewerMesh& mesh, const std::vecto
 
 VertexValues refine_surface(ViewerMesh& mesh, const std::vector<AskedValues>& asked, const std::vector<Vec3>& points,
                             double size_mm) {
-  const double apart_mm = std::max(std::sqrt(area_of(mesh) / kLooks), kLeastApart * size_mm + Tolerance::kSamePoint_mm);
+  const double apart_mm = std::max(std::sqrt(area_of(mesh) / kLooks), kMinApart * size_mm + Tolerance::kSamePoint_mm);
   GougedCells cells(apart_mm);
   for (const Vec3& point : points) cells.add(point);
   const std::vector<SurfacePoint> looks = spread_points(mesh, apart_mm);
@@ -237,7 +237,7 @@ bool GougedCells::is_near(const Vec3& at, double reach_mm) const {
     ++level;
   }
   const Cell c = cell_of(at, side);
-  // A cell that has a point lies in larger ones that have it too: mostly one of those is looked at, and found empty.
+  // A cell that has a point lies in larger ones that have it too: mostly one of those is examined, and found empty.
   for (const std::size_t up : {std::size_t{4}, std::size_t{2}, std::size_t{0}}) {
     if (level + up >= levels_.size()) continue;
     if (!has_any(levels_[level + up], {(c.x - 1) >> up, (c.y - 1) >> up, (c.z - 1) >> up},

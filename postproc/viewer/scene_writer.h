@@ -5,7 +5,7 @@
 #include "postproc/viewer/refine_surface.h"
 #include "postproc/viewer/viewer_mesh.h"
 
-// The parts of a scene as numbers of a Payload. Each returns what its JSON says of it: docs/formats/report_scene.md.
+// The parts of a scene as numbers of a Payload. Each returns what its JSON states of it: docs/formats/report_scene.md.
 
 namespace gouge {
 
@@ -16,7 +16,7 @@ namespace gouge {
 [[nodiscard]] nlohmann::ordered_json write_values(Payload& payload, const std::vector<float>& values_mm,
                                                   const ColourScale& scale);
 
-/// Stations with what each move says: line, tool, kind, state and depth.
+/// Stations with what each move states: line, tool, kind, state and depth.
 [[nodiscard]] nlohmann::ordered_json write_path(Payload& payload, const std::vector<Station>& stations,
                                                 const CheckedToolpath& input, const ColourScale& depths);
 

@@ -13,10 +13,10 @@ struct SurfacePoint {
   std::size_t mesh = 0;         ///< among parts, then fixtures
 };
 
-/// What is asked of a point: what the pictures colour it by, the depth, or the overcut alone (0 where none is known).
+/// Quantity of a point: the colour of the pictures, the depth, or the overcut alone (0 where none is known).
 enum class SurfaceQuantity : std::uint8_t { pictured, depth, overcut };
 
-/// What colours the surface in the pictures of one path, at any point: the overcut, or the depth where no move has one.
+/// The coloured quantity in the pictures of one path, at any point: the overcut, or the depth where no move has one.
 class SurfaceValues {
  public:
   /// `path` and what it points at must outlive it.

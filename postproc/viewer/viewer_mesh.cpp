@@ -12,7 +12,7 @@ namespace gouge {
 namespace {
 
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t kMostEdges = 300'000;
+constexpr std::size_t kMaxEdges = 300'000;
 constexpr float kSameNormal = 0.9999F;
 constexpr std::size_t kMoreVertices = 200'000;  // along sharp edges, and where the surface is cut finer
 
@@ -48,7 +48,7 @@ ViewerMesh ViewerMesh::from(const PictureScene& scene) {
     }
     out.triangles.push_back(triangle);
   }
-  if (scene.edges().size() <= kMostEdges) {
+  if (scene.edges().size() <= kMaxEdges) {
     for (const PictureScene::Edge& edge : scene.edges()) {
       if (latest[edge.a] != kNoVertex && latest[edge.b] != kNoVertex)
         out.edges.push_back({latest[edge.a], latest[edge.b]});
@@ -59,7 +59,7 @@ ViewerMesh ViewerMesh::from(const PictureScene& scene) {
 
 namespace {
 
-constexpr std::size_t kMostChords = 64;  // of a curve
+constexpr std::size_t kMaxChords = 64;  // of a curve
 
 void add_motion(const CheckedToolpath& input, std::size_t move, double error_mm, std::vector<Station>& out) {
   const Toolpath& path = *input.toolpath;
@@ -70,7 +70,7 @@ void add_motion(const CheckedToolpath& input, std::size_t move, double error_mm,
     return;
   }
   if (m.curve_kind != CurveKind::none) {
-    const std::size_t chords = std::clamp<std::size_t>(chords_of(path, move, error_mm).size(), 1, kMostChords);
+    const std::size_t chords = std::clamp<std::size_t>(chords_of(path, move, error_mm).size(), 1, kMaxChords);
     for (std::size_t k = 1; k < chords; ++k) {
       const double t = static_cast<double>(k) / static_cast<double>(chords);
       out.push_back({motion.at(t), move, t, false});

@@ -33,7 +33,7 @@ struct Station {
 };
 
 /// Stations of a path: curves with chords `error_mm` from them. Of a path of more than `most` moves every so manieth, and
-/// the worst move of each finding with its neighbours, where the next but one would not be told apart.
+/// the worst move of each finding with its neighbours, where the next but one would not be distinguished.
 [[nodiscard]] std::vector<Station> stations_of(const CheckedToolpath& input, double error_mm, std::size_t most);
 
 }  // namespace gouge

@@ -19,8 +19,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostStations = 200'000;  // moves of a path that are shown
-constexpr std::size_t kMostPoints = 2000;       // gouged ones that are known beforehand
+constexpr std::size_t kMaxStations = 200'000;  // moves of a path that are shown
+constexpr std::size_t kMaxPoints = 2000;       // gouged ones that are known beforehand
 
 Json colour_json(const Colour& c) { return {c.r, c.g, c.b}; }
 
@@ -85,7 +85,7 @@ class ViewerWriter {
     json_["tools"] = tools;
     write_heads();
     write_paths();
-    json_["findings"] = finding_texts(model_, input_, HtmlTable::kMostRows);
+    json_["findings"] = finding_texts(model_, input_, HtmlTable::kMaxRows);
     json_["view"] = first_view();
     tell(kSteps - 1);
     Result<std::string> text = payload_.text(json_);
@@ -107,7 +107,7 @@ class ViewerWriter {
     std::vector<Vec3> points;
     for (const PicturedPath* path : paths_) {
       asked.push_back({fields.emplace_back(std::make_unique<SurfaceValues>(*path)).get()});
-      for (const GougeWitness& gouge : gouge_witnesses(path->input, kMostPoints)) points.push_back(gouge.at);
+      for (const GougeWitness& gouge : gouge_witnesses(path->input, kMaxPoints)) points.push_back(gouge.at);
     }
     is_overcut_ = fields.front()->is_overcut() || fields.back()->is_overcut();
     const VertexValues values = refine_surface(mesh, asked, points, scene_.part_size_mm());
@@ -144,7 +144,7 @@ class ViewerWriter {
     const double error_mm = scene_.part_size_mm() / 2000;
     for (const PicturedPath* path : paths_) {
       const CheckedToolpath& input = path->input;
-      Json one = write_path(payload_, stations_of(input, error_mm, kMostStations), input, depth_scale(model_, input_));
+      Json one = write_path(payload_, stations_of(input, error_mm, kMaxStations), input, depth_scale(model_, input_));
       one["name"] = paths_.size() == 1 ? "" : path == paths_.front() ? "After" : "Before";
       one["moves_of_path"] = input.toolpath->moves.size();
       out.push_back(one);
@@ -177,7 +177,7 @@ std::string viewer_page(const std::string& scene) {
   page += kViewerMarkup;
   page += "<script type=\"text/plain\" id=\"desk-data\">";
   page += scene;
-  // The table of findings is behind it in the page, and is asked for the first one.
+  // The table of findings is behind it in the page, and is requested the first one.
   page += "</script>\n<script>\n\"use strict\";\ndocument.addEventListener(\"DOMContentLoaded\", () => {\n";
   page += kViewerScript;
   return page + "});\n</script>\n";
@@ -200,7 +200,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLinesAround = 3;
 constexpr std::size_t kLongestLine = 160;  // characters quoted of a line
-constexpr std::size_t kMostLines = 24;
+constexpr std::size_t kMaxLines = 24;
 
 Json scaled_json(const Vec3& v, double scale) {
   Json out = Json::array();
@@ -235,7 +235,7 @@ Json quote_of(const Toolpath& path, const Move& move) {
   }
   Json lines = Json::array();
   std::size_t at = first, after = 0;
-  for (std::size_t k = 0; k < kMostLines && at < source.size() && after < kLinesAround; ++k) {
+  for (std::size_t k = 0; k < kMaxLines && at < source.size() && after < kLinesAround; ++k) {
     const std::size_t found = source.find('\n', at);
     const std::size_t stop = found == std::string_view::npos ? source.size() : found;
     if (at >= end) ++after;

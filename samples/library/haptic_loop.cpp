@@ -1,5 +1,5 @@
-// What a haptic device asks a thousand times a second: how deep is the tool where the hand is, and which way is out?
-// The hand circles over a part of 20 000 triangles and presses into it. Prints the rate and the slowest answer.
+// Queries of a haptic device, a thousand a second: how deep is the tool where the hand is, and which way is out?
+// The hand circles over a part of 20 000 triangles and presses into it. Prints the rate and the slowest result.
 
 #include <algorithm>
 #include <chrono>

@@ -122,7 +122,7 @@ Complaints check_closed_headers(const std::vector<SourceFile>& files, const std:
 Complaints check_heavy_libraries(const std::vector<SourceFile>& files) {
   struct Heavy {
     std::string prefix, room;
-    std::size_t most_sources;
+    std::size_t max_sources;
     std::set<std::string> users;
   };
   std::array<Heavy, 4> libraries = {Heavy{"CGAL/", "lib/validate/", 2, {}}, Heavy{"opencv2/", "postproc/image/", 1, {}},
@@ -145,9 +145,9 @@ Complaints check_heavy_libraries(const std::vector<SourceFile>& files) {
     }
   }
   for (const Heavy& library : libraries) {
-    if (library.users.size() > library.most_sources) {
+    if (library.users.size() > library.max_sources) {
       complaints.push_back(library.prefix + " is included by " + std::to_string(library.users.size()) +
-                           " files; it may be by " + std::to_string(library.most_sources));
+                           " files; it may be by " + std::to_string(library.max_sources));
     }
   }
   return complaints;

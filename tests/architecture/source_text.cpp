@@ -40,7 +40,7 @@ bool is_message_code(const std::string& word) {
   return std::any_of(kKinds.begin(), kKinds.end(), [&](const char* kind) { return word.rfind(kind, 0) == 0; });
 }
 
-/// What stands between pairs of `open` and `close`, in order.
+/// The texts between pairs of `open` and `close`, in order.
 std::vector<std::string> all_between(std::string_view text, std::string_view open, std::string_view close) {
   std::vector<std::string> all;
   for (std::size_t i = text.find(open); i != std::string_view::npos; i = text.find(open, i + 1)) {

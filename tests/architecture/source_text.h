@@ -36,14 +36,14 @@ struct Module {
 
 [[nodiscard]] std::vector<Include> includes_of(std::string_view text);
 
-/// Whether `word` stands in `text` as a whole identifier (a leading "std::" in `word` included).
+/// Returns whether `word` stands in `text` as a whole identifier (a leading "std::" in `word` included).
 [[nodiscard]] bool has_word(std::string_view text, std::string_view word);
 
 /// String literals that have the form of a message code: "stl-empty", "path-number", ... (kinds listed in the
 /// source).
 [[nodiscard]] std::set<std::string> message_codes_of(std::string_view text);
 
-/// What stands first in the rows of a document's tables, in back quotes, and has the form of a message code.
+/// The first cells of the rows of a document's tables, in back quotes, that have the form of a message code.
 [[nodiscard]] std::set<std::string> documented_codes_of(std::string_view markdown);
 
 /// Targets of the links and pictures of a Markdown text that lead to files: no addresses, no anchors.

@@ -8,8 +8,8 @@
 #include "tests/bench/bench_part.h"
 #include "tests/bench/bench_tool.h"
 
-// What a part of the benchmark is and how it is finished, as plain data: surface, tools, and a curve that
-// says for every point of the path where the tool touches and how it leans.
+// A part of the benchmark and its finishing, as plain data: surface, tools, and a curve that
+// states for every point of the path where the tool touches and how it leans.
 
 namespace gouge::bench {
 
@@ -36,7 +36,7 @@ struct PartPlan {
 /// The wavy block, 100 x 100 mm, finished in 80 passes of 250 positions: what the engine is tuned with.
 [[nodiscard]] PartPlan plan_wavy();
 
-/// A bladed hub with pockets, finished along a spiral with other tools: never looked at while tuning.
+/// A bladed hub with pockets, finished along a spiral with other tools: never examined while tuning.
 [[nodiscard]] PartPlan plan_unseen();
 
 /// 0 outside (first, last), 1 inside but for smooth ramps of the given length at both ends.

@@ -7,7 +7,7 @@
 #include "tests/bench/workload.h"
 #include "tests/support/brute_force.h"
 
-// What the benchmark takes for the truth, held against the library's slow reference and against itself.
+// Compares the benchmark's reference results with the library's slow reference and with themselves.
 
 namespace gouge::bench {
 namespace {

@@ -8,7 +8,7 @@ namespace gouge::bench {
 namespace {
 
 constexpr std::uint32_t kLeafTriangles = 4;
-constexpr double kRounding_mm = 1e-9;  // far above that of doubles at 100 mm, far below every accuracy asked
+constexpr double kRounding_mm = 1e-9;  // far above that of doubles at 100 mm, far below every accuracy queried
 
 }  // namespace
 
@@ -103,10 +103,10 @@ void ExactDistance::descend(const ConvexPiece& piece, const Pose& pose, std::uin
   }
 }
 
-TriangleMinimum ExactDistance::minimum(const ConvexPiece& piece, const Pose& pose, double at_most_mm,
+TriangleMinimum ExactDistance::minimum(const ConvexPiece& piece, const Pose& pose, double at_max_mm,
                                        double accuracy_mm) const {
   TriangleMinimum best;
-  best.distance_mm = at_most_mm;
+  best.distance_mm = at_max_mm;
   descend(piece, pose, 0, accuracy_mm, best);
   return best;
 }

@@ -6,7 +6,7 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "tests/bench/convex_piece.h"
 
-// The truth the benchmark measures answers by: the smallest signed distance of a convex piece over a whole
+// The truth the benchmark measures results by: the smallest signed distance of a convex piece over a whole
 // mesh. Slow and plain beside the engine; its tree, its bounds and its distance are its own.
 
 namespace gouge::bench {
@@ -15,8 +15,8 @@ class ExactDistance {
  public:
   explicit ExactDistance(const IndexedMesh& mesh);
 
-  /// The smallest signed distance, never more than `at_most_mm`, to `accuracy_mm` from above.
-  [[nodiscard]] TriangleMinimum minimum(const ConvexPiece& piece, const Pose& pose, double at_most_mm,
+  /// The smallest signed distance, never more than `at_max_mm`, to `accuracy_mm` from above.
+  [[nodiscard]] TriangleMinimum minimum(const ConvexPiece& piece, const Pose& pose, double at_max_mm,
                                         double accuracy_mm) const;
 
   /// Triangles over which the smallest signed distance may be below `below_mm`: the list of those that truly

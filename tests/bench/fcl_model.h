@@ -7,7 +7,7 @@
 #include "lib/geom/pose.h"
 #include "lib/mesh/indexed_mesh.h"
 
-// What the programs that measure FCL share.
+// Functions that the programs that measure FCL share.
 
 namespace gouge::bench {
 

@@ -8,7 +8,7 @@
 
 // Bullet: the tool as exact convex shapes (a capsule, a cylinder whose margin rounds its edge, the hull of
 // two balls), the part as a quantised triangle tree. Swept queries move, but do not turn, the shape; they are
-// asked in the pose of the start. At single poses contactPairTest.
+// queried in the pose of the start. At single poses contactPairTest.
 
 namespace gouge::bench {
 namespace {

@@ -56,7 +56,7 @@ class EmbreeScene {
   double depth(const BenchTool& tool, const SphereCover& cover, const Pose& pose) const {
     const Eigen::Matrix3d turn = rotation_of(pose.axis);
     double deepest = 0;
-    // Several spheres may name a triangle; each is looked at once for each piece.
+    // Several spheres may name a triangle; each is examined once for each piece.
     if (stamp_ > 4000000000U) {
       std::fill(seen_.begin(), seen_.end(), 0U);
       stamp_ = 0;

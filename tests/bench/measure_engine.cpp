@@ -13,8 +13,8 @@
 namespace gouge::bench {
 namespace {
 
-constexpr double kFloorReach_mm = 0.01;  // a triangle this near must be looked at, whatever the method
-constexpr std::size_t kJudged = 400;     // moves whose verdict is held against 65 instants
+constexpr double kFloorReach_mm = 0.01;  // a triangle this near must be examined, whatever the method
+constexpr std::size_t kJudged = 400;     // moves whose verdict is compared with 65 instants
 
 /// How many verdicts the truth contradicts: a gouge not reported, one reported that is not there, a bound too low.
 void judge(benchmark::State& state, const CheckResult& result, const std::vector<SampledMove>& sample) {

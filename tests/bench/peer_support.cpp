@@ -75,7 +75,7 @@ std::shared_ptr<const PeerCase> current_case(BenchPart part, ToolKind tool, std:
   return kept;
 }
 
-/// What `prepare` made for this label, made once however often the benchmark library calls.
+/// Result of `prepare` for this label, made once however often the benchmark library calls.
 const std::function<void(benchmark::State&)>& prepared(const std::string& label, const Measurement& m, BenchPart part,
                                                        ToolKind tool, std::size_t size) {
   static std::string kept_label;

@@ -10,13 +10,13 @@
 #include "lib/motion/motion.h"
 #include "tests/bench/workload.h"
 
-// What the measuring programs share: the cases they run, a sample of poses and moves with the truth about
-// each, and the counting of wrong answers.
+// Functions that the measuring programs share: the cases they run, a sample of poses and moves with the truth about
+// each, and the counting of wrong results.
 
 namespace gouge::bench {
 
 /// The truth about a sampled pose or move: the smallest signed distance of the tool from the mesh, over the
-/// instants looked at. Independent of the engine.
+/// instants examined. Independent of the engine.
 struct SampledPose {
   std::size_t position = 0;
   double closest_mm = 0;
@@ -40,13 +40,13 @@ struct PeerCase {
 /// Positions in stretches of consecutive ones, evenly spread, `count` in all (or every one, if fewer).
 [[nodiscard]] std::vector<SampledPose> sample_poses(const PeerCase& c, std::size_t count);
 
-/// Moves likewise, each looked at in 64 instants besides its start.
+/// Moves likewise, each examined in 64 instants besides its start.
 [[nodiscard]] std::vector<SampledMove> sample_moves(const PeerCase& c, std::size_t count);
 
 /// Answers of a yes-or-no engine. What lies within a grey band about contact is not judged.
 class Wrongs {
  public:
-  /// `closest_mm` is the truth, `is_hit` the answer.
+  /// `closest_mm` is the truth, `is_hit` the result.
   void count(double closest_mm, bool is_hit);
   void count_depth(double closest_mm, double depth_mm);
   void report(benchmark::State& state) const;
@@ -73,17 +73,17 @@ struct Measurement {
 };
 
 /// Times are of the processor, which a busy machine disturbs less; the wall clock's stand beside them.
-/// Registers each measurement for every asked part, tool and size as "<name>/<part>/<tool>/<size>". A case is
+/// Registers each measurement for every queried part, tool and size as "<name>/<part>/<tool>/<size>". A case is
 /// made when its turn comes and kept until another one's. The environment chooses: GOUGE_BENCH_SIZES (numbers
 /// and commas), GOUGE_BENCH_PARTS ("wavy", "unseen" or both).
 void register_measurements(std::vector<Measurement> measurements);
 
 /// Answers every sampled pose once in each iteration and counts what is wrong. `depth` gives the depth, or
-/// for an engine that only says yes or no, `is_yes_or_no`, something above or not above 0.
+/// for an engine that only states yes or no, `is_yes_or_no`, something above or not above 0.
 void time_poses(benchmark::State& state, const PeerCase& c, const std::vector<SampledPose>& sample,
                 const std::function<double(const Pose&)>& depth, bool is_yes_or_no);
 
-/// The same for moves; engines for motions say yes or no.
+/// The same for moves; engines for motions state yes or no.
 void time_moves(benchmark::State& state, const std::vector<SampledMove>& sample,
                 const std::function<bool(const Motion&)>& is_hit);
 

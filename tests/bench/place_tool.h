@@ -7,7 +7,7 @@
 #include "tests/bench/exact_distance.h"
 
 // The path of a tool over a mesh: every position is pushed along the surface's normal until the tool is
-// 0.005 mm clear of that very mesh, then lifted or dipped as the plan says.
+// 0.005 mm clear of that very mesh, then lifted or dipped as the plan states.
 
 namespace gouge::bench {
 

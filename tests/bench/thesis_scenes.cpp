@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kApart_mm = 2;  // without overlap, still within each other's volumes
 
-/// Slides the body in along `axis` until at least `range.least` points are inside; says whether it is not too
+/// Slides the body in along `axis` until at least `range.least` points are inside; states whether it is not too
 /// many.
 bool slide_in(PenetrationFinder& finder, const PoseRange& range, const Vec3& axis, RigidTransform& pose) {
   double out_mm = 90, in_mm = 20;

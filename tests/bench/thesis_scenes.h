@@ -9,7 +9,7 @@
 
 // Scenes of the size of thesis chapter 6: a standing body of 2,400 triangles, a moving one of 554 points.
 // Neither is convex. Poses are sought, from a seed, until as many points are inside as a line of table 6.a
-// says.
+// states.
 
 namespace gouge::bench {
 

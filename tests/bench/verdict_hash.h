@@ -7,7 +7,7 @@
 
 namespace gouge::bench {
 
-/// FNV-1a over everything the verdicts of a path say: equal bytes give equal hashes.
+/// FNV-1a over everything the verdicts of a path state: equal bytes give equal hashes.
 class VerdictHash {
  public:
   explicit VerdictHash(const CheckResult& result) {

@@ -21,14 +21,14 @@ namespace gouge::bench {
 enum class BenchPart : std::uint8_t { wavy, unseen };
 enum class ToolKind : std::uint8_t { ball, bull, taper };
 
-/// What a move is by the truth about its two ends.
+/// Class of a move by the reference results of its two ends.
 enum class MoveGroup : std::uint8_t { contact, air, gouge, holder, link };
 [[nodiscard]] const char* group_name(MoveGroup group);
 
 struct WorkloadKey {
   BenchPart part = BenchPart::wavy;
   ToolKind tool = ToolKind::ball;
-  std::size_t triangles = 2400;  ///< asked for; the mesh has within 2 % of it
+  std::size_t triangles = 2400;  ///< requested; the mesh has within 2 % of it
   std::size_t density = 1;       ///< positions for each of the 20,000 of the curve
 };
 

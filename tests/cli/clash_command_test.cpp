@@ -136,7 +136,7 @@ TEST_F(ClashCommand, AnOpenMeshWithinReachIsNotCertified) {
   EXPECT_EQ(run().out + run().err, "");
 }
 
-// The nearest facet of a point in both boxes says outside; the winding number does not.
+// The nearest facet of a point in both boxes states outside; the winding number does not.
 TEST_F(ClashCommand, ABodyOfBoxesThatOverlapHidesNothingInTheirOverlap) {
   arguments_.a = write("part.stl", shapes::joined(shapes::box(Vec3(0, 0, 0), Vec3(10, 10, 10)),
                                                   shapes::box(Vec3(9, -5, -5), Vec3(30, 15, 15))));

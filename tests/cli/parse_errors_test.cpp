@@ -13,7 +13,7 @@
 namespace gouge {
 namespace {
 
-// What the program says of a wrong command line, without its frame; fails the test where it is not one such line.
+// Message of the program for a wrong command line, without its frame; fails the test where it is not one such line.
 std::string said(const std::vector<const char*>& words) {
   std::vector<const char*> argv = {"/usr/bin/gougecheck"};
   argv.insert(argv.end(), words.begin(), words.end());

@@ -34,7 +34,7 @@ TEST(SettledFiles, CountOnceNobodyHasWrittenThemForASecond) {
   ASSERT_TRUE(settled.contains(file));
   EXPECT_EQ(settled.at(file).bytes, 22);
   EXPECT_FALSE(files.is_unsettled());
-  // What is written again is another file.
+  // A file that is written again is another file.
   add(file, "FINI\n");
   EXPECT_TRUE(files.look(20).empty());
   EXPECT_NE(files.look(21), settled);

@@ -13,7 +13,7 @@
 #include "tests/support/scatter.h"
 
 // A batch that is ended by signals at random instants, or by a disk that is full, again and again, and resumed until it
-// is whole, leaves what an undisturbed one leaves: no job lost, none twice, the same bytes. GOUGE_KILLS says how many
+// is whole, leaves what an undisturbed one leaves: no job lost, none twice, the same bytes. GOUGE_KILLS states how many
 // signals, GOUGE_RANK_KILLS how many ranks, GOUGE_FULL_DISKS how many disks, GOUGE_SEED which.
 
 namespace gouge::testing_faults {

@@ -28,14 +28,14 @@ Tally::~Tally() {
 
 void Tally::add(const FaultJob& job, const Ending& ending, const std::string& trial,
                 const std::vector<std::string>& wrong) {
-  constexpr long kMostReported = 5;
+  constexpr long kMaxReported = 5;
   ++trials_;
   if (ending.signal != 0)
     ++killed_;
   else
     ++(ending.exit_status == job.ending.exit_status ? right_ : refused_);
   if (wrong.empty()) return;
-  if (++wrong_ > kMostReported) return;
+  if (++wrong_ > kMaxReported) return;
   std::string text;
   for (const std::string& line : wrong) text += "\n  " + line;
   ADD_FAILURE() << what_ << ", " << trial << ":" << text;

@@ -1,9 +1,9 @@
 // Loaded before a program (LD_PRELOAD): lets the n-th call of a kind fail, deliver less, or end the process. The
-// environment says which, GOUGE_FAULT=KIND:N:WHAT, N counted from 1 and with a + for that call and all after it:
+// environment states which, GOUGE_FAULT=KIND:N:WHAT, N counted from 1 and with a + for that call and all after it:
 //
 //   KIND   memory (malloc and its like), map (mmap), thread, open, read, write, sync, place (rename, linkat, mkdir,
 //          fchmod, fchown, ftruncate), remove (unlink, rmdir), close
-//   WHAT   the name of an errno (EIO), short (half of what was asked), or a signal (SIGKILL)
+//   WHAT   the name of an errno (EIO), short (half of what was queried), or a signal (SIGKILL)
 //
 // Calls are counted from main on, or where GOUGE_FAULT_EARLY is set from the first of the dynamic loader on. Their
 // numbers are written to the file GOUGE_FAULT_COUNTS, one "KIND N" a line. What the C library calls within itself

@@ -26,7 +26,7 @@ struct FaultJob {
 /// "check", "correct" or "report" in a fresh folder below the build folder. Fails the test when it cannot be made.
 [[nodiscard]] FaultJob make_job(const std::string& name);
 
-/// What is wrong with what a trial left, in one line for each; empty when nothing is. Every output is absent, as it was
+/// Errors in the remains of a trial, one line each; empty when there are none. Every output is absent, as it was
 /// before or as undisturbed; nothing else is there but the inputs, unchanged. `may_leave_hidden`: files whose names
 /// begin with .gougecheck may be there, as after SIGKILL.
 [[nodiscard]] std::vector<std::string> wrong_files(const FaultJob& job, bool has_older, bool may_leave_hidden);

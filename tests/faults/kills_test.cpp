@@ -7,7 +7,7 @@
 #include "tests/faults/campaign.h"
 #include "tests/support/scatter.h"
 
-// check, correct and report, ended by a signal: at random instants (GOUGE_KILLS of them, GOUGE_SEED says which) and at
+// check, correct and report, ended by a signal: at random instants (GOUGE_KILLS of them, GOUGE_SEED states which) and at
 // calls that change the disk (GOUGE_FAULTS of a kind, or all; GOUGE_FAULT_KINDS of these kinds alone). No file is half;
 // what SIGTERM and SIGINT end leaves nothing behind, and what SIGKILL ends the next run completes and tidies up.
 

@@ -20,7 +20,7 @@ struct Ending {
   double seconds = 0;
 };
 
-/// What befalls a run.
+/// Fault injected into a run.
 struct Misfortune {
   std::string fault;        ///< GOUGE_FAULT for the fault library; empty: none
   bool is_early = false;    ///< count from the loader on, not from main

@@ -16,7 +16,7 @@
 #include "tests/fuzz/require.h"
 
 // Command lines, one argument a line, in a scratch folder that holds a small job. No argument reaches out of it:
-// slashes and double dots become underscores. The exit status is one of the documented ones, a refusal says why,
+// slashes and double dots become underscores. The exit status is one of the documented ones, a refusal states why,
 // nothing that a terminal would take for a command is printed on standard error, and a file that was given as input is
 // as it was.
 
@@ -31,7 +31,7 @@ struct InputFile {
   std::string bytes;
 };
 
-constexpr std::size_t kMostArguments = 40;
+constexpr std::size_t kMaxArguments = 40;
 
 const std::vector<InputFile>& inputs() {
   static const std::string kTriangles =
@@ -65,7 +65,7 @@ std::vector<std::string> arguments_of(std::string text) {
   for (std::size_t at = 0; (at = text.find("..", at)) != std::string::npos;) text.replace(at, 2, "__");
   std::vector<std::string> words;
   std::istringstream lines(text);
-  for (std::string line; words.size() < kMostArguments && std::getline(lines, line);) words.emplace_back(line.c_str());
+  for (std::string line; words.size() < kMaxArguments && std::getline(lines, line);) words.emplace_back(line.c_str());
   return words;
 }
 

@@ -8,7 +8,7 @@
 #include "toolmodels/import/import_tools.h"
 
 // One target for each importer, GOUGE_FUZZ_FORMAT. Files beside the library hold the same bytes. An import ends in an
-// error, in notes that say why there is no tool, or in a library that is sound.
+// error, in notes that state why there is no tool, or in a library that is sound.
 
 namespace gouge {
 namespace {

@@ -13,7 +13,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
-// Certificates of a small scene: five moves, two of which are said to be clean and dive 1 mm deep. By its first byte an
+// Certificates of a small scene: five moves, two of which are stated to be clean and dive 1 mm deep. By its first byte an
 // input is the steps of a proof for each move, the file itself, or what is packed in it behind a right header. It is
 // refused as certificate-invalid, or read; whatever it holds, no false claim is proved.
 
@@ -81,7 +81,7 @@ void read(std::string_view bytes) {
 }  // namespace gouge
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
-  // The scene is what it is said to be: the honest moves have proofs, which are read, and no others.
+  // The scene is what it is stated to be: the honest moves have proofs, which are read, and no others.
   const gouge::Case& of = gouge::the_case();
   const gouge::MadeCertificate made = gouge::make_certificate(of.scene, of.claims, gouge::kInputs, {});
   const auto read =

@@ -11,7 +11,7 @@
 namespace gouge::fuzz {
 namespace {
 
-constexpr std::size_t kMostCompiled = 4;  // compiling takes a thousand times as long as reading
+constexpr std::size_t kMaxCompiled = 4;  // compiling takes a thousand times as long as reading
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void require_sound(const ToolLibrary& library) {
   require(back.has_value());
   require(write_tool_library(*back) == text);
   require(back->tools.size() == library.tools.size() && back->holders.size() == library.holders.size());
-  for (std::size_t i = 0; i < std::min(kMostCompiled, library.tools.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMaxCompiled, library.tools.size()); ++i) {
     const Result<ToolVariants> variants =
         make_tool_variants(library.tools[i], i % 2 == 0 ? 0 : 0.3, 0, i % 2 == 0 ? 0 : 1);
     require(variants.has_value() || !variants.error().code.empty());

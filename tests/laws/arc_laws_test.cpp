@@ -98,7 +98,7 @@ TEST(ArcLaws, TheGuaranteeHoldsOnRandomArcs) {
   EXPECT_GT(2 * close, gouges);  // the sampling sees what there is
 }
 
-// A thin post beside the chord, on the arc, and the reverse: chords in place of arcs would say the opposite of both.
+// A thin post beside the chord, on the arc, and the reverse: chords in place of arcs would state the opposite of both.
 TEST(ArcLaws, AnArcIsNotItsChord) {
   const ToolVariants ball = tools::ball(4);
   Toolpath path = paths::through({paths::upright(10, 0, 0), paths::upright(-10, 0, 0)});

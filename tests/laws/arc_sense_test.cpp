@@ -68,7 +68,7 @@ TEST(FiveDialects, OfOnePartHaveOneVerdictAndOneDepth) {
     EXPECT_EQ(result.counts.not_checked, 0U);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
       ASSERT_EQ(result.verdicts[i].state, first.verdicts[i].state) << i;
-      // Of a clean move no more is asked than that it is not deeper than the tolerance.
+      // A clean move need only be no deeper than the tolerance.
       if (result.verdicts[i].state != MoveState::gouge) continue;
       ++gouges;
       ASSERT_NEAR(result.verdicts[i].depth_mm, first.verdicts[i].depth_mm, 1e-5) << i;

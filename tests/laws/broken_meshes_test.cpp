@@ -67,7 +67,7 @@ void leave_some_out(SceneScatter& random, IndexedMesh& mesh) {
   }
 }
 
-/// What a crack does: a vertex that its triangles do not share.
+/// Adds a crack: a vertex that its triangles do not share.
 void crack_some(SceneScatter& random, IndexedMesh& mesh) {
   for (std::size_t n = random.below(6) + 1; n-- > 0;) {
     Corner& c = mesh.triangles[random.below(mesh.triangles.size())][random.below(3)];
@@ -257,7 +257,7 @@ void check_once(std::uint64_t stream, Damage damage, Tally& tally) {
   options.threads = 1;
   if (random.below(8) == 0) options.tolerance_mm = random.in(0.1, 3);
   const CheckResult r = whole_check(path, &tool, scene, options);
-  // Whether the tool's own way leads out of the solid.
+  // The tool's own path leads out of the solid.
   const auto leaves = [&](const Box3& box) {
     return box.isEmpty() || std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {
              return !box.contains(pose.tip) || !box.contains(pose.tip + length * pose.axis);
@@ -303,7 +303,7 @@ Tally check_many(Damage damage) {
 
 TEST(BrokenMeshes, NeverMakeABuriedToolCleanNorAFreeOneBuried) { EXPECT_GT(check_many(break_at_random).clean, 60); }
 
-// What stands there twice vouches for nothing: every edge of an open surface has an even number of triangles then.
+// Duplicate triangles prove nothing: every edge of an open surface has an even number of triangles then.
 TEST(BrokenMeshes, AnOpenSurfaceThatStandsThereSeveralTimesProvesNoOutside) { check_many(repeat_at_random); }
 
 TEST(BrokenMeshes, AFileThatIsInsideOutIsNoCavityOfAnother) { check_many(turn_files_at_random); }

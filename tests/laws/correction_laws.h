@@ -13,7 +13,7 @@
 #include "postproc/cldata/rewriting/list_written.h"
 #include "tests/support/brute_force.h"
 
-// The laws of a correction, held against the corrected file as it is read and checked, by means of their own: which
+// The laws of a correction, compared with the corrected file as it is read and checked, by means of their own: which
 // moves belong together, what the tool meets on a shift, how far a path is off. Nothing of lib/correct/laws.h is used.
 
 namespace gouge::laws {
@@ -58,7 +58,7 @@ class LawBook {
     first_.push_back(next);
   }
 
-  /// What is broken, in words; empty: nothing.
+  /// Describes the broken law; empty: none.
   std::vector<std::string> broken(Figures& figures) {
     if (first_.back() != c_.after->moves.size()) return {"the corrected file has another number of moves"};
     for (std::size_t i = 0; i < changes_.size(); ++i) {
@@ -138,7 +138,7 @@ class LawBook {
       say('b', i, "gouges still, " + std::to_string(farthest) + " mm off its programmed motion");
   }
 
-  // What remains is listed, with a reason, and nothing else is.
+  // Remaining gouges are listed, with a reason, and nothing else is.
   void listed(std::size_t i) {
     bool is_bad = false;
     for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
@@ -217,7 +217,7 @@ class LawBook {
   }
 
   /// Left out on purpose: its positions are no shifted ones, and the path is not kept to. That every motion of it is as
-  /// lawful as others (a, b, c) is asked all the same.
+  /// lawful as others (a, b, c) is queried all the same.
   bool is_uncut(std::size_t i) const {
     return std::ranges::any_of(c_.correction->uncut, [i](const Uncut& u) {
       return u.kind == Uncut::Kind::left_out && i >= u.first && i <= u.last;
@@ -230,7 +230,7 @@ class LawBook {
     const Move& old = c_.before->moves[i];
     const ToolVariants* tool = c_.setup->tools[old.tool];
     const Pose to = c_.after->moves[first_[i + 1] - 1].end;
-    // A tilt about the contact is no shift: tilt_law_test.cpp looks at those.
+    // A tilt about the contact is no shift: tilt_law_test.cpp examines those.
     constexpr double kDigitsOfAxis = 1e-5;
     if ((to.axis - old.end.axis).norm() > kDigitsOfAxis) return;
     const Vec3 displacement = to.tip - old.end.tip;
@@ -283,11 +283,11 @@ class LawBook {
     }
   }
 
-  /// The nearest that a tool comes to parts and fixtures, up to `most_mm`; negative inside. No smaller than the truth,
+  /// The nearest that a tool comes to parts and fixtures, up to `max_mm`; negative inside. No smaller than the truth,
   /// and larger by what lies between the instants and 0.02 mm at most.
-  double nearest(const Motion& motion, const ToolVariants& tool, double most_mm) const {
+  double nearest(const Motion& motion, const ToolVariants& tool, double max_mm) const {
     constexpr int kInstants = 24;
-    double depth = -most_mm;
+    double depth = -max_mm;
     for (int s = 0; s <= kInstants; ++s) {
       const Pose pose = motion.at(static_cast<double>(s) / kInstants);
       for (const bool is_part : {true, false}) {
@@ -330,7 +330,7 @@ class LawBook {
       say('g', i, "a rapid over what is left uncut does not keep the clearance");
   }
 
-  // Brute force looks at every triangle: at all moves of small scenes, at some of large ones.
+  // Brute force examines every triangle: at all moves of small scenes, at some of large ones.
   static std::size_t one_of(const Scene& scene) {
     std::size_t triangles = 0;
     for (const IndexedMesh& mesh : scene.parts) triangles += mesh.triangles.size();

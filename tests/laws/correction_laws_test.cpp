@@ -197,7 +197,7 @@ TEST_P(CorrectionLawsOnRealPairs, Hold) {
   hold([](const std::string& text) { return text; });
 }
 
-// What pushed the tool through the surface into solid metal: the right part, and one sign of the tool axis wrong.
+// A cause that pushed the tool through the surface into solid metal: the right part, and one sign of the tool axis wrong.
 TEST_P(CorrectionLawsOnRealPairs, HoldWithJNegated) {
   hold([](const std::string& text) {
     std::istringstream lines(text);

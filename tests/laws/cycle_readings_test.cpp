@@ -27,7 +27,7 @@ std::string creo_holes(const std::string& retract) {
 
 const std::vector<ToolVariants> kMill = {make_tool_variants({1, "", FlatCutter{10, 50}, {}}, 0, 0, 0).value()};
 
-// A clamp over the second hole, higher than what the file says: only a tool that comes from above meets it.
+// A clamp over the second hole, higher than what the file states: only a tool that comes from above meets it.
 const IndexedMesh& clamp() {
   static const IndexedMesh mesh = shapes::box({50, -20, 65}, {70, 20, 70});
   return mesh;
@@ -133,7 +133,7 @@ TEST(Step, FromAHoleWhoseRetractIsNotKnownGoesOnFromThatHole) {
   EXPECT_EQ(path.moves.at(path.moves.size() - 3).end.tip, Vec3(40, 0, -8));
 }
 
-// From the last position of the program, or from where the tool is: which one counts no file says.
+// From the last position of the program, or from where the tool is: which one counts no file states.
 TEST(Step, AfterTheLastHoleIsNotRead) {
   const std::string step = "CYCLE/OFF\nGODLTA/-20,0,-3\nGOTO/0,0,50\nFINI\n";
   const IndexedMesh none = shapes::box({500, 500, 0}, {501, 501, 1});

@@ -32,12 +32,13 @@ CurvePoints turned_points(const Vec3& center, const Vec3& normal, double sweep_r
   return points;
 }
 
-std::optional<CurvePoints> arc_points(const StatedArc& arc, const Vec3& start, const Vec3& end, std::string& doubt) {
+std::optional<CurvePoints> arc_points(const StatedArc& arc, const Vec3& start, const Vec3& end,
+                                      std::string& uncertainty) {
   Vec3 normal = arc.normal;
   const Vec3 u = across(start - arc.center, normal), v = across(end - arc.center, normal);
   const double r = arc.radius.value_or(u.norm());
   if (std::abs(u.norm() - v.norm()) > kRadiusOff_mm || std::abs(u.norm() - r) > kRadiusOff_mm || u.norm() <= 0) {
-    doubt = "start, end and radius of the arc differ";
+    uncertainty = "start, end and radius of the arc differ";
     return std::nullopt;
   }
   double angle = std::atan2(normal.dot(u.cross(v)), u.dot(v));
@@ -48,7 +49,7 @@ std::optional<CurvePoints> arc_points(const StatedArc& arc, const Vec3& start, c
       normal = -normal;
     }
     if (gap < kNearlySame_mm || angle > 0.99 * std::numbers::pi) {
-      doubt = "nothing says which way the arc runs";
+      uncertainty = "nothing says which way the arc runs";
       return std::nullopt;
     }
     return turned_points(arc.center, normal, angle, start, end);
@@ -58,7 +59,7 @@ std::optional<CurvePoints> arc_points(const StatedArc& arc, const Vec3& start, c
   else if (angle <= 0)
     angle += kTurn;
   if (gap >= kSamePoint_mm && gap < kNearlySame_mm && !arc.sweep_deg) {
-    doubt = "the arc ends next to its start";
+    uncertainty = "the arc ends next to its start";
     return std::nullopt;
   }
   angle += kTurn * (arc.turns - 1);
@@ -66,7 +67,7 @@ std::optional<CurvePoints> arc_points(const StatedArc& arc, const Vec3& start, c
     const double stated = *arc.sweep_deg * std::numbers::pi / 180;
     const double turns = std::round((stated - angle) / kTurn);
     if (std::abs(stated - angle - turns * kTurn) * r > 0.05 || stated <= 0) {
-      doubt = "the stated angle does not lead to the end of the arc";
+      uncertainty = "the stated angle does not lead to the end of the arc";
       return std::nullopt;
     }
     angle = stated;

@@ -15,7 +15,7 @@ namespace gouge::laws {
 /// Where the tip is after a quarter, a half and three quarters of its motion. Part coordinates, mm.
 using CurvePoints = std::array<Vec3, 3>;
 
-/// What a statement says of an arc. Part coordinates, mm.
+/// Content of an arc statement. Part coordinates, mm.
 struct StatedArc {
   Vec3 center = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();  ///< unit; the arc is right-handed about it
@@ -27,7 +27,7 @@ struct StatedArc {
 
 /// Empty, and why in `doubt`, where start and end contradict what is stated.
 [[nodiscard]] std::optional<CurvePoints> arc_points(const StatedArc& arc, const Vec3& start, const Vec3& end,
-                                                    std::string& doubt);
+                                                    std::string& uncertainty);
 
 /// `arc` turned by `sweep_rad` in all, its height and radius changing evenly.
 [[nodiscard]] CurvePoints turned_points(const Vec3& center, const Vec3& normal, double sweep_rad, const Vec3& start,

@@ -22,7 +22,7 @@ bool holds(const Words& words, std::string_view word) {
 // Words with the numbers behind each; a word twice is a contradiction.
 using Values = std::map<std::string, std::vector<double>, std::less<>>;
 
-std::optional<Values> values_by_word(const std::vector<LooseArgument>& arguments, std::string& doubt) {
+std::optional<Values> values_by_word(const std::vector<LooseArgument>& arguments, std::string& uncertainty) {
   Values values;
   std::string word;
   for (const LooseArgument& argument : arguments) {
@@ -32,11 +32,11 @@ std::optional<Values> values_by_word(const std::vector<LooseArgument>& arguments
     }
     word = argument.text;
     if (!word.empty() && word.find_first_not_of("+-.0123456789") == std::string::npos) {
-      doubt = "'" + word + "' in a cycle is no number";
+      uncertainty = "'" + word + "' in a cycle is no number";
       return std::nullopt;
     }
     if (word.empty() || !values.try_emplace(word).second) {
-      doubt = "the cycle has an empty argument, or '" + word + "' twice";
+      uncertainty = "the cycle has an empty argument, or '" + word + "' twice";
       return std::nullopt;
     }
   }
@@ -49,20 +49,20 @@ std::optional<double> one(const Values& values, std::string_view word) {
   return found->second.front();
 }
 
-std::optional<StatedCycle> of_clt(const Values& values, std::string& doubt) {
+std::optional<StatedCycle> of_clt(const Values& values, std::string& uncertainty) {
   const bool is_g98 = values.contains("G98");
   const std::optional<double> depth = one(values, is_g98 ? "G98" : "G99");
   for (const std::string_view unit : kFeedUnits) {
     const auto feed = values.find(unit);
     if (feed == values.end() || feed->second.size() < 3 || !depth || *depth <= 0) continue;
     for (const auto& [word, numbers] : values) {
-      if (word == "OFF" || word == "ON") doubt = "'" + word + "' in a cycle";
+      if (word == "OFF" || word == "ON") uncertainty = "'" + word + "' in a cycle";
     }
-    if (values.contains("G98") && values.contains("G99")) doubt = "G98 and G99";
-    if (!doubt.empty()) return std::nullopt;
+    if (values.contains("G98") && values.contains("G99")) uncertainty = "G98 and G99";
+    if (!uncertainty.empty()) return std::nullopt;
     return StatedCycle{-*depth, feed->second[1], is_g98 ? feed->second[2] : feed->second[1]};
   }
-  doubt = "a cycle without its numbers";
+  uncertainty = "a cycle without its numbers";
   return std::nullopt;
 }
 
@@ -98,11 +98,11 @@ bool may_be_height(const CycleWords& words, std::string_view word) {
 }  // namespace
 
 std::optional<StatedCycle> stated_cycle(const std::vector<LooseArgument>& arguments, std::string_view dialect,
-                                        std::string& doubt) {
+                                        std::string& uncertainty) {
   const bool is_clt = dialect == "camworks-clt";
-  const std::optional<Values> values = values_by_word(is_clt ? without_leading_on(arguments) : arguments, doubt);
+  const std::optional<Values> values = values_by_word(is_clt ? without_leading_on(arguments) : arguments, uncertainty);
   if (!values) return std::nullopt;
-  if (is_clt) return of_clt(*values, doubt);
+  if (is_clt) return of_clt(*values, uncertainty);
   if (dialect == "apt-catia" && values->size() == 1 && values->contains("DRILL") && values->at("DRILL").size() == 2 &&
       values->at("DRILL")[0] > 0)
     return StatedCycle{-values->at("DRILL")[0], values->at("DRILL")[1], values->at("DRILL")[1]};
@@ -119,12 +119,12 @@ std::optional<StatedCycle> stated_cycle(const std::vector<LooseArgument>& argume
     else if (place != nullptr && numbers.size() == 1 && !*place)
       *place = numbers.front();
     else if (place != nullptr || may_be_height(words, word))
-      doubt = "'" + word + "' in a cycle";
+      uncertainty = "'" + word + "' in a cycle";
   }
-  if (!has_kind || !depth) doubt = "a cycle without its kind or its depth";
-  if (!clearance && dialect != "apt-camplete") doubt = "a cycle without its clearance";
-  if (dialect != "nx-clsf" && depth && *depth < 0) doubt = "a cycle of negative depth";
-  if (!doubt.empty()) return std::nullopt;
+  if (!has_kind || !depth) uncertainty = "a cycle without its kind or its depth";
+  if (!clearance && dialect != "apt-camplete") uncertainty = "a cycle without its clearance";
+  if (dialect != "nx-clsf" && depth && *depth < 0) uncertainty = "a cycle of negative depth";
+  if (!uncertainty.empty()) return std::nullopt;
   const double bottom = dialect == "nx-clsf" ? *depth : -*depth;
   return StatedCycle{bottom, clearance.value_or(0), retract.value_or(clearance.value_or(0))};
 }

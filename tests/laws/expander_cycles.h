@@ -19,6 +19,6 @@ struct StatedCycle {
 /// Nothing, and why in `doubt`, where a word or a number of the statement is not understood, or contradicts
 /// another.
 [[nodiscard]] std::optional<StatedCycle> stated_cycle(const std::vector<LooseArgument>& arguments,
-                                                      std::string_view dialect, std::string& doubt);
+                                                      std::string_view dialect, std::string& uncertainty);
 
 }  // namespace gouge::laws

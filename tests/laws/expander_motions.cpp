@@ -39,7 +39,7 @@ bool StatementExpander::axis_of_three(Vec3& axis) {
   axis = is("nx-clsf") ? now_.axis : is_known ? now_.frame.turned(Vec3::UnitZ()) : plain;
   if (is("nx-clsf") || is_known || now_.multax == Multax::off) return true;
   if (!now_.has_moved || (now_.axis - axis).norm() <= kSame) return true;
-  doubt("an axis that is +Z or the one before");
+  uncertainty("an axis that is +Z or the one before");
   return false;
 }
 
@@ -47,7 +47,7 @@ bool StatementExpander::pose_of(const double* v, std::size_t count, Pose& pose) 
   pose.tip = now_.frame.placed(now_.mm * Vec3(v[0], v[1], v[2]));
   if (count == 3) return axis_of_three(pose.axis);
   if (!is_unit(v + 3)) {
-    doubt("an axis that is no unit vector");
+    uncertainty("an axis that is no unit vector");
     return false;
   }
   pose.axis = now_.frame.turned(Vec3(v[3], v[4], v[5])).normalized();
@@ -70,10 +70,10 @@ void StatementExpander::positions(const std::vector<double>& v) {
   } else if (n % 3 == 0) {
     stride = n % 6 == 0 && is_unit(&v[3]) && is_unit(&v[n - 3]) ? 0 : 3;
   }
-  if (stride == 0) return doubt("one position or several");
-  if (now_.arc && n > stride && !is("apt-creo") && !is("apt-nccs")) return doubt("an arc to several positions");
+  if (stride == 0) return uncertainty("one position or several");
+  if (now_.arc && n > stride && !is("apt-creo") && !is("apt-nccs")) return uncertainty("an arc to several positions");
   const std::optional<StatedArc> arc = now_.arc;
-  for (std::size_t i = 0; i < n && out_.doubts.empty(); i += stride) {
+  for (std::size_t i = 0; i < n && out_.uncertainties.empty(); i += stride) {
     Pose to;
     if (!pose_of(&v[i], stride, to)) return;
     now_.arc = arc;
@@ -82,28 +82,28 @@ void StatementExpander::positions(const std::vector<double>& v) {
 }
 
 void StatementExpander::move_to(const Pose& to) {
-  if (is("nx-clsf") && !now_.is_block_open) return doubt("a position outside a block");
-  if (is("nx-clsf") && !now_.diameter_mm) return doubt("a block without its tool");
-  if (!now_.is_frame_said && now_.has_frames) return doubt("a section without its frame");
-  if (now_.is_compensated && !now_.is_cutter_centre) return doubt("a compensated position");
-  if (!now_.lost_word.empty()) return doubt(now_.lost_word);
-  if (!now_.unknown_word.empty()) return doubt(now_.unknown_word);
-  if (!now_.tool_doubt.empty()) return doubt(now_.tool_doubt);
-  if (!now_.cutter_doubt.empty()) return doubt(now_.cutter_doubt);
-  if (!now_.matrix_doubt.empty()) return doubt(now_.matrix_doubt);
-  if (now_.diameter_mm && *now_.diameter_mm < 0) return doubt("a tool whose cutter nothing defines");
+  if (is("nx-clsf") && !now_.is_block_open) return uncertainty("a position outside a block");
+  if (is("nx-clsf") && !now_.diameter_mm) return uncertainty("a block without its tool");
+  if (!now_.is_frame_said && now_.has_frames) return uncertainty("a section without its frame");
+  if (now_.is_compensated && !now_.is_cutter_centre) return uncertainty("a compensated position");
+  if (!now_.lost_word.empty()) return uncertainty(now_.lost_word);
+  if (!now_.unknown_word.empty()) return uncertainty(now_.unknown_word);
+  if (!now_.tool_uncertainty.empty()) return uncertainty(now_.tool_uncertainty);
+  if (!now_.cutter_uncertainty.empty()) return uncertainty(now_.cutter_uncertainty);
+  if (!now_.matrix_uncertainty.empty()) return uncertainty(now_.matrix_uncertainty);
+  if (now_.diameter_mm && *now_.diameter_mm < 0) return uncertainty("a tool whose cutter nothing defines");
   const bool is_on_arc = now_.arc.has_value();
   if (now_.cycle) {
     if (is_on_arc || !now_.cycle->contradicted.empty())
-      return doubt("a hole of the cycle of line " + std::to_string(now_.cycle->line) +
-                   ", or none: " + now_.cycle->contradicted);
-    if (!now_.cycle->stated) return doubt(now_.cycle->contradicted);
+      return uncertainty("a hole of the cycle of line " + std::to_string(now_.cycle->line) +
+                         ", or none: " + now_.cycle->contradicted);
+    if (!now_.cycle->stated) return uncertainty(now_.cycle->contradicted);
     hole(to);
   } else if (is_on_arc) {
-    if (!now_.at) return doubt("an arc from nowhere");
+    if (!now_.at) return uncertainty("an arc from nowhere");
     std::string why;
     const std::optional<CurvePoints> curve = arc_points(*now_.arc, now_.at->tip, to.tip, why);
-    if (!curve) return doubt(why);
+    if (!curve) return uncertainty(why);
     emit(now_.at, to, curve);
     now_.at = to;
   } else {
@@ -147,9 +147,9 @@ void StatementExpander::hole(const Pose& at) {
 
 void StatementExpander::step_by(const std::vector<double>& v) {
   const bool is_hole = now_.cycle && now_.cycle->last_hole;  // goes on from the hole, not from above it
-  if (!is_hole && now_.is_behind_cycle) return doubt("a step from a hole or from above it");
+  if (!is_hole && now_.is_behind_cycle) return uncertainty("a step from a hole or from above it");
   const std::optional<Pose> start = now_.at ? now_.at : now_.step_from;
-  if (!start || (v.size() != 3 && v.size() != 1)) return doubt("a step from a place that is not known");
+  if (!start || (v.size() != 3 && v.size() != 1)) return uncertainty("a step from a place that is not known");
   Pose to = *start;
   const Vec3 step = v.size() == 1 ? Vec3(v[0] * now_.axis) : now_.frame.turned(Vec3(v[0], v[1], v[2]));
   if (is_hole) to.tip = *now_.cycle->last_hole;
@@ -158,11 +158,11 @@ void StatementExpander::step_by(const std::vector<double>& v) {
 }
 
 void StatementExpander::from(const std::vector<double>& v, bool is_home) {
-  if (v.size() != 3 && v.size() != 6) return doubt("a place without its numbers");
+  if (v.size() != 3 && v.size() != 6) return uncertainty("a place without its numbers");
   Pose to;
   if (!pose_of(v.data(), v.size(), to)) return;
   if (!is_home) now_.at.reset();
-  if (out_.doubts.empty()) move_to(to);
+  if (out_.uncertainties.empty()) move_to(to);
 }
 
 void StatementExpander::arc(const LooseStatement& s) {
@@ -199,8 +199,8 @@ void StatementExpander::arc(const LooseStatement& s) {
   } else if (is("apt-mori")) {
     is_whole = n == 7 && words == "CENTER,AXIS,RADIUS,";
   }
-  if (!is_whole || (n > 6 && v[6] <= 0)) return doubt("an arc that is not understood");
-  if (!is_unit(&v[3])) return doubt("an arc whose vector is no unit vector");
+  if (!is_whole || (n > 6 && v[6] <= 0)) return uncertainty("an arc that is not understood");
+  if (!is_unit(&v[3])) return uncertainty("an arc whose vector is no unit vector");
   stated.center = now_.frame.placed(now_.mm * Vec3(v[0], v[1], v[2]));
   stated.normal = (sense * now_.frame.turned(Vec3(v[3], v[4], v[5]))).normalized();
   if (n > 6) stated.radius = v[6] * now_.mm;
@@ -216,34 +216,34 @@ void StatementExpander::chained_line(const LooseStatement& s) {
   const std::size_t circle = text.find("CIRCLE"), line = text.find("LINE");
   const std::size_t close = text.find(')', circle);
   if (circle == std::string::npos || line == std::string::npos || close > line)
-    return doubt("TLON that is not understood");
+    return uncertainty("TLON that is not understood");
   const std::string head = letters_of(text.substr(0, circle)), middle = letters_of(text.substr(close, line - close));
   const bool is_far = middle == "ON2INTOF";
   if (head != "TLONGOFWD" || (middle != "ON" && !is_far) || !direction || now_.arc)
-    return doubt("TLON that is not understood, or has no INDIRV of its own");
+    return uncertainty("TLON that is not understood, or has no INDIRV of its own");
   std::vector<double> c, l;
   const auto inside = [&](std::size_t begin, std::size_t end) {
     const std::size_t first = text.find_first_not_of("/ ", begin);
     return loose_arguments(text.substr(first, text.find_last_not_of(") ", end - 1) + 1 - first));
   };
   if (!numbers(inside(circle + 6, close), c) || !numbers(inside(line + 4, text.size()), l)) return;
-  if (c.size() != 4 || l.size() != 6 || !now_.at) return doubt("TLON without its numbers or its start");
-  if (now_.cycle) return doubt("an arc within a cycle");
+  if (c.size() != 4 || l.size() != 6 || !now_.at) return uncertainty("TLON without its numbers or its start");
+  if (now_.cycle) return uncertainty("an arc within a cycle");
   Pose to;
   if (!pose_of(&l[3], 3, to)) {
     if (now_.multax != Multax::on) return;
-    out_.doubts.clear();  // under MULTAX the tool keeps its axis on an arc, which names none
+    out_.uncertainties.clear();  // under MULTAX the tool keeps its axis on an arc, which names none
     to.axis = now_.axis;
   }
   StatedArc stated;
   stated.center = now_.frame.placed(now_.mm * Vec3(c[0], c[1], c[2]));
   stated.radius = c[3] * now_.mm;
   const Vec3 outward = now_.at->tip - stated.center;
-  if (std::abs(outward.normalized().dot(direction->normalized())) > 0.01) return doubt("INDIRV does not touch");
+  if (std::abs(outward.normalized().dot(direction->normalized())) > 0.01) return uncertainty("INDIRV does not touch");
   stated.normal = outward.cross(*direction).normalized();
   const Vec3 end = to.tip - stated.center;
   const bool is_long = stated.normal.dot(outward.cross(end)) < 0;
-  if (is_long != is_far) return doubt("INTOF against the way of the arc");
+  if (is_long != is_far) return uncertainty("INTOF against the way of the arc");
   now_.arc = stated;
   move_to(to);
 }
@@ -256,7 +256,7 @@ void StatementExpander::end_spline() {
   now_.control.clear();
   now_.knots.clear();
   if (!now_.at || knots.empty() || std::abs(knots.back() - 1) > kSame || control.size() + 1 != knots.size() + 3)
-    return doubt("a spline without its start, or with other knots than it needs");
+    return uncertainty("a spline without its start, or with other knots than it needs");
   knots.pop_back();
   control.insert(control.begin(), now_.at->tip);
   const Pose to{control.back(), now_.at->axis};

@@ -35,18 +35,18 @@ class NciExpander {
     else if (code == 1014 || code == 1027)
       frame(code, v);
     else if (code == 1018 || code == 1019 || (code < 1000 && code != 4 && code != 80))
-      doubt("a code that may move or shift");
+      uncertainty("a code that may move or shift");
     else if (code == 1004)
       is_compensated_ = false;
   }
 
-  void doubt(const char* why) { out_.doubts.push_back({line_, why}); }
+  void uncertainty(const char* why) { out_.uncertainties.push_back({line_, why}); }
 
  private:
   bool compensate(double value) {
     const int code = static_cast<int>(std::lround(value));
     if (code != 0) is_compensated_ = code != 40 && code != 140;
-    if (is_compensated_) doubt("a compensated position");
+    if (is_compensated_) uncertainty("a compensated position");
     return !is_compensated_;
   }
 
@@ -56,24 +56,25 @@ class NciExpander {
   }
 
   void line_to(const std::vector<double>& v) {
-    if (v.size() < 5) return doubt("a line without its fields");
+    if (v.size() < 5) return uncertainty("a line without its fields");
     if (compensate(v[0])) move_to({Vec3(v[1], v[2], v[3]), Vec3::UnitZ()});
   }
 
   void turn_to(const std::vector<double>& v) {
-    if (v.size() < 7) return doubt("a five-axis line without its fields");
+    if (v.size() < 7) return uncertainty("a five-axis line without its fields");
     const Vec3 tip(v[0], v[1], v[2]), axis = Vec3(v[3], v[4], v[5]) - tip;
-    if (axis.norm() < 1e-3 || (v.size() > 8 && v[8] >= 100)) return doubt("an axis or flags that are not understood");
+    if (axis.norm() < 1e-3 || (v.size() > 8 && v[8] >= 100))
+      return uncertainty("an axis or flags that are not understood");
     if (compensate(0)) move_to({tip, axis.normalized()});
   }
 
   void arc_to(int code, const std::vector<double>& v) {
-    if (v.size() < 8 || !at_) return doubt("an arc without its fields or its start");
+    if (v.size() < 8 || !at_) return uncertainty("an arc without its fields or its start");
     const double plane = v[0] < 40 && std::abs(v[0]) > 0 ? v[0] : v[1] < 40 ? v[1] : v[0] < 40 ? v[0] : -1;
     const double compensation = v[0] >= 40 ? v[0] : v[1] >= 40 ? v[1] : 0;
     const bool is_yz = std::abs(plane - 1) < 0.5;
     if (plane < 0 || plane > 1 || (v[0] < 40 && v[1] < 40 && std::abs(v[0] * v[1]) > 0))
-      return doubt("a plane that is not stated");
+      return uncertainty("a plane that is not stated");
     if (!compensate(compensation)) return;
     const auto place = [&](double a, double b, double across) {
       return is_yz ? Vec3(across, a, b) : Vec3(a, b, across);
@@ -84,14 +85,14 @@ class NciExpander {
     const Pose to{place(v[2], v[3], v[6]), Vec3::UnitZ()};
     std::string why;
     const std::optional<CurvePoints> curve = arc_points(arc, at_->tip, to.tip, why);
-    if (!curve) return out_.doubts.push_back({line_, why});
+    if (!curve) return out_.uncertainties.push_back({line_, why});
     const bool is_closed = (at_->tip - to.tip - (at_->tip - to.tip).dot(arc.normal) * arc.normal).norm() < 1e-6;
-    if (v.size() > 9 && v[9] > 0 && !is_closed) return doubt("a full circle that ends elsewhere");
+    if (v.size() > 9 && v[9] > 0 && !is_closed) return uncertainty("a full circle that ends elsewhere");
     move_to(to, curve);
   }
 
   void tool(const std::vector<double>& v) {
-    if (v.size() < 4) return doubt("a tool without its number");
+    if (v.size() < 4) return uncertainty("a tool without its number");
     const int number = static_cast<int>(std::lround(v[3]));
     if (tool_ && *tool_ != number) at_.reset();
     tool_ = number;
@@ -101,7 +102,7 @@ class NciExpander {
     constexpr std::array<double, 12> kIdentity{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
     bool is_identity = v.size() == (code == 1014 ? 9U : 12U);
     for (std::size_t i = 0; i < v.size() && is_identity; ++i) is_identity = std::abs(v[i] - kIdentity[i]) < 1e-9;
-    if (!is_identity) doubt("a plane or a system of its own");
+    if (!is_identity) uncertainty("a plane or a system of its own");
   }
 
   Expansion& out_;
@@ -118,19 +119,19 @@ Expansion expand_nci(std::string_view bytes) {
   NciExpander expander(expansion);
   int code = -1;  // below 0: a code must come
   const std::vector<std::string_view> lines = physical_lines(bytes);
-  for (std::size_t i = 0; i < lines.size() && expansion.doubts.empty(); ++i) {
+  for (std::size_t i = 0; i < lines.size() && expansion.uncertainties.empty(); ++i) {
     if (code >= 0) {
       expander.pair(i, code, lines[i]);  // the line of its code
       code = -1;
     } else if (!lines[i].empty()) {
       const std::optional<double> number = loose_number(lines[i]);
       if (!number || lines[i].find_first_not_of("0123456789") != std::string_view::npos)
-        expansion.doubts.push_back({i + 1, "a line that is no code"});
+        expansion.uncertainties.push_back({i + 1, "a line that is no code"});
       else
         code = static_cast<int>(std::lround(*number));
     }
   }
-  if (code >= 0) expansion.doubts.push_back({lines.size(), "a code without its line"});
+  if (code >= 0) expansion.uncertainties.push_back({lines.size(), "a code without its line"});
   return expansion;
 }
 

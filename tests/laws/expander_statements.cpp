@@ -8,7 +8,7 @@
 namespace gouge::laws {
 bool StatementExpander::numbers(const Arguments& arguments, std::vector<double>& values) {
   if (arguments.empty() || !is_all_numbers(arguments)) {
-    doubt("an argument that is no number");
+    uncertainty("an argument that is no number");
     return false;
   }
   for (const LooseArgument& argument : arguments) values.push_back(*argument.number);
@@ -20,12 +20,12 @@ void StatementExpander::step(const LooseStatement& statement) {
   if (statement.is_comment) return comment(statement);
   if (statement.word == "PARTNO" && out_.motions.empty()) now_.unknown_word.clear();
   if (statement.is_text) return;
-  if (statement.is_cut_off) return doubt("the file ends within a statement");
+  if (statement.is_cut_off) return uncertainty("the file ends within a statement");
   if (is_meaningful(statement.word) || statement.word.starts_with("TLON,") || statement.word.starts_with("$$->"))
     return word(statement);
   if (is_passive(statement.word)) {
     if (!is_naming(statement.word) && !meaning_within(squeezed(statement.rest)).empty())
-      return doubt("another statement within one of " + statement.word);
+      return uncertainty("another statement within one of " + statement.word);
     return word(statement);
   }
   // Without its slash, or with a number glued to it: still that word, where a word is what it begins with.
@@ -52,15 +52,15 @@ void StatementExpander::step(const LooseStatement& statement) {
   if (is_passive(whole.substr(begin, whole.find_first_of(" \t,\r\n", begin) - begin))) return;
   // A word that is in no list may mean anything, but for what stands before a program.
   now_.unknown_word = "'" + statement.word + "' is no word that is known";
-  if (!out_.motions.empty()) doubt(now_.unknown_word);
+  if (!out_.motions.empty()) uncertainty(now_.unknown_word);
 }
 
-// What another line has lost, or the rest of a text.
+// The lost end of another line, or the rest of a text.
 void StatementExpander::wordless(const LooseStatement& statement) {
   const std::string text = squeezed(statement.whole);
   const std::size_t begin = std::min(text.find_first_not_of("/,"), text.size());
   if (text.find_first_of("+-.0123456789", begin) == begin && loose_arguments(text.substr(begin)).front().number)
-    return doubt("a line without a word: '" + text + "'");
+    return uncertainty("a line without a word: '" + text + "'");
   const Arguments arguments = loose_arguments(text.substr(begin));
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     for (const std::string_view modal : {"ON", "OFF", "MM", "INCH", "INCHES", "LEFT", "RIGHT", "FEDTO", "RAPTO",
@@ -68,7 +68,7 @@ void StatementExpander::wordless(const LooseStatement& statement) {
       if (arguments[i].text == modal) now_.lost_word = "a line without a word: '" + text + "'";
     }
     if (arguments[i].text == "TOOL" && i + 1 < arguments.size() && arguments[i + 1].number)
-      now_.tool_doubt = "a line without a word: '" + text + "'";
+      now_.tool_uncertainty = "a line without a word: '" + text + "'";
   }
 }
 
@@ -77,7 +77,7 @@ void StatementExpander::comment(const LooseStatement& statement) {
   if (text.starts_with("OPERATIONNAME")) contradict_cycle("an operation");
   if (!is("apt-catia")) return;
   const Arguments row = loose_arguments(statement.rest);
-  if (row.size() == 4 && is_all_numbers(row)) now_.matrix_doubt = "a row of a matrix that does not begin";
+  if (row.size() == 4 && is_all_numbers(row)) now_.matrix_uncertainty = "a row of a matrix that does not begin";
 }
 
 bool StatementExpander::is_matrix_begun(const LooseStatement& statement) {
@@ -107,10 +107,10 @@ std::size_t StatementExpander::matrix(const std::vector<LooseStatement>& stateme
                        loose_arguments(statements[last + 1].rest).size() == 4 &&
                        is_all_numbers(loose_arguments(statements[last + 1].rest));
   if (rows.size() != 12 || goes_on) {
-    doubt("a matrix that is not whole");
+    uncertainty("a matrix that is not whole");
     return last;
   }
-  now_.matrix_doubt.clear();
+  now_.matrix_uncertainty.clear();
   set_frame(
       {rows[3], rows[7], rows[11], rows[0], rows[4], rows[8], rows[1], rows[5], rows[9], rows[2], rows[6], rows[10]},
       true);
@@ -122,10 +122,10 @@ void StatementExpander::contradict_cycle(std::string_view by) {
   if (!now_.cycle) now_.positions_without_cycle = 0;  // nor would it stand in one whose beginning was lost
 }
 
-// What stands between the halves of a motion that has two statements.
+// Statements between the halves of a motion that has two statements.
 void StatementExpander::interrupt(std::string_view word) {
-  if (now_.arc) doubt(std::string(word) + " where the end of an arc must come");
-  if (now_.direction) doubt(std::string(word) + " where TLON must come");
+  if (now_.arc) uncertainty(std::string(word) + " where the end of an arc must come");
+  if (now_.direction) uncertainty(std::string(word) + " where TLON must come");
   end_spline();
 }
 
@@ -141,7 +141,7 @@ void StatementExpander::end_of_file() {
   interrupt("the end of the file");
   // Its end may have been lost behind any of its holes; one hole it must have.
   if (now_.cycle && now_.cycle->holes > 1)
-    doubt("the cycle of line " + std::to_string(now_.cycle->line) + " never ends");
+    uncertainty("the cycle of line " + std::to_string(now_.cycle->line) + " never ends");
 }
 
 void StatementExpander::word(const LooseStatement& s) {
@@ -158,12 +158,12 @@ void StatementExpander::word(const LooseStatement& s) {
     return;
   }
   if (s.word == "CNTRL" || s.word == "KNOT") {
-    if (!now_.is_spline_open) return doubt(s.word + " outside a spline");
+    if (!now_.is_spline_open) return uncertainty(s.word + " outside a spline");
     if (!numbers(s.arguments, v)) return;
     if (s.word == "KNOT") {
       now_.knots.insert(now_.knots.end(), v.begin(), v.end());
     } else if (v.size() != 3)
-      doubt("CNTRL without three numbers");
+      uncertainty("CNTRL without three numbers");
     else
       now_.control.push_back(now_.frame.placed(now_.mm * Vec3(v[0], v[1], v[2])));
     return;
@@ -174,7 +174,7 @@ void StatementExpander::word(const LooseStatement& s) {
   if (is_meaningful(s.word) && !is_load && std::find(kBetween.begin(), kBetween.end(), s.word) == kBetween.end())
     interrupt(s.word);
   if (s.word == "GOTO") {
-    if (now_.direction) return doubt("GOTO where TLON must come");
+    if (now_.direction) return uncertainty("GOTO where TLON must come");
     end_spline();
     if (numbers(s.arguments, v)) positions(v);
   } else if (s.word == "GODLTA") {
@@ -182,7 +182,7 @@ void StatementExpander::word(const LooseStatement& s) {
   } else if (s.word == "FROM" || s.word == "GOHOME") {
     contradict_cycle(s.word);
     if (s.arguments.empty()) {
-      if (s.word == "FROM") return doubt("FROM without a place");
+      if (s.word == "FROM") return uncertainty("FROM without a place");
       now_.at.reset();
     } else if (numbers(s.arguments, v))
       from(v, s.word == "GOHOME");
@@ -192,7 +192,7 @@ void StatementExpander::word(const LooseStatement& s) {
   } else if (s.word == "INDIRV") {
     contradict_cycle(s.word);
     if (!numbers(s.arguments, v)) return;
-    if (v.size() != 3) return doubt("INDIRV without three numbers");
+    if (v.size() != 3) return uncertainty("INDIRV without three numbers");
     now_.direction = now_.frame.turned(Vec3(v[0], v[1], v[2]));
   } else if (s.word.starts_with("TLON")) {
     chained_line(s);
@@ -213,30 +213,30 @@ void StatementExpander::word(const LooseStatement& s) {
     tool_data(s);
   } else if (s.word == "TLAXIS") {
     if (!numbers(s.arguments, v)) return;
-    if (v.size() != 3) return doubt("TLAXIS without three numbers");
+    if (v.size() != 3) return uncertainty("TLAXIS without three numbers");
     now_.plain_axis = Vec3(v[0], v[1], v[2]);
-    if (is("camworks-clt") && now_.plain_axis != Vec3::UnitZ()) doubt("TLAXIS of a turned setup");
+    if (is("camworks-clt") && now_.plain_axis != Vec3::UnitZ()) uncertainty("TLAXIS of a turned setup");
   } else if (s.word == "MSYS" || s.word == "MCS") {
-    if (is("nx-clsf") && !now_.is_block_open) return doubt("MSYS outside a block");
+    if (is("nx-clsf") && !now_.is_block_open) return uncertainty("MSYS outside a block");
     if (!numbers(s.arguments, v)) return;
     if (v.size() == 9 && s.word == "MSYS")
       set_frame(v, false);
     else if (v.size() == 12 && s.word == "MCS")
       set_frame({v[9], v[10], v[11], v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]}, true);
     else
-      doubt("a frame without its numbers");
+      uncertainty("a frame without its numbers");
   } else if (s.word == "MCSYS") {
     mori_frame(s.arguments);
   } else if (s.word == "TRANS" || s.word == "ORIGIN" || s.word == "ROTABL") {
     zeros(s.arguments, s.word == "ROTABL" ? 3 : 0);
   } else if (s.word == "TRNTYP") {
-    if (s.arguments.empty() || s.arguments.front().text != "WORLD") return doubt("TRNTYP other than WORLD");
+    if (s.arguments.empty() || s.arguments.front().text != "WORLD") return uncertainty("TRNTYP other than WORLD");
     zeros(Arguments(s.arguments.begin() + 1, s.arguments.end()), 0);
   } else if (s.word == "MODE") {
-    if (is_one_letter_away(squeezed(s.rest), "TURN")) doubt("a turning tool");
+    if (is_one_letter_away(squeezed(s.rest), "TURN")) uncertainty("a turning tool");
   } else if (s.word == "TOOLPATH") {
     begin_section("TOOL PATH", false);
-    now_.tool_doubt.clear();
+    now_.tool_uncertainty.clear();
     now_.is_block_open = true;
     now_.axis = Vec3::UnitZ();
     now_.frame = {};
@@ -270,7 +270,7 @@ void StatementExpander::word(const LooseStatement& s) {
   } else if (s.word.starts_with("$$->") || is_passive(s.word)) {
     return;
   } else {
-    doubt(s.word + " may move or shift");
+    uncertainty(s.word + " may move or shift");
   }
 }
 

@@ -28,7 +28,7 @@ class StatementExpander {
 
   // expander_statements.cpp
   bool is(std::string_view dialect) const { return dialect_ == dialect; }
-  void doubt(const std::string& why) { out_.doubts.push_back({line_, why}); }
+  void uncertainty(const std::string& why) { out_.uncertainties.push_back({line_, why}); }
   bool numbers(const Arguments& arguments, std::vector<double>& values);
   void word(const LooseStatement& statement);
   void wordless(const LooseStatement& statement);

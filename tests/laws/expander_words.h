@@ -20,7 +20,7 @@ namespace gouge::laws {
 /// Accepts an empty list.
 [[nodiscard]] bool is_all_numbers(const std::vector<LooseArgument>& arguments);
 
-/// What follows its slash is a name or a free text.
+/// The text after its slash is a name or free text.
 [[nodiscard]] bool is_naming(std::string_view word);
 
 /// One letter added, lost, changed, or two of them the wrong way round; or the same.

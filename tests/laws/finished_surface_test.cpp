@@ -1,4 +1,4 @@
-// What a tilt leaves of the cut: no point of the part that the programmed path finished is left higher by the tilted
+// A tilt keeps the cut: no point of the part that the programmed path finished is left higher by the tilted
 // one than the tolerance and 0.01 mm. The swept cutter is measured against points of the surface by sampled motions, by
 // means of its own: the distance of a point to the cutter's contour, nothing of lib/tilt.
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ std::vector<std::size_t> heights_cut(const std::vector<SurfacePoint>& points, co
 struct Finish {
   std::size_t finished = 0;  // points of the surface by the programmed path, to the tolerance
   std::size_t left = 0;      // of these, those that the new path leaves higher than that and kMore_mm
-  double highest_mm = 0;     // of those, at least: by the heights that were looked at
+  double highest_mm = 0;     // of those, at least: by the heights that were examined
   double farthest_mm = 0;    // the farthest of those from all that is cut
 };
 
@@ -208,7 +208,7 @@ struct FloorRun {
                                [](const ChangeRecord& record) { return record.strategy == Strategy::tilt; });
   }
 
-  /// Of points of the floor.
+  /// For points of the floor.
   [[nodiscard]] Finish finish() const {
     const Span span = tilted_span(path, corrected->correction);
     std::vector<SurfacePoint> points;
@@ -235,7 +235,7 @@ TEST(FinishedSurface, OfABallOnAFloorIsAsFinishedAsBefore) {
 }
 
 // A flat or bull-nose end that stood square on a floor touches it with its edge alone once it leans: so it is not tilted,
-// and where that is allowed what it leaves is told, as high as samples of the swept cutter find it.
+// and where that is allowed what it leaves is stated, as high as samples of the swept cutter find it.
 TEST(FinishedSurface, OfAFlatEndOnAFloorKeepsItFromBeingTilted) {
   for (const ToolVariants& tool : {tools::flat(10), tools::bull(10, 2)}) {
     const FloorRun lifted(tool, 0, 0, {});
@@ -252,7 +252,7 @@ TEST(FinishedSurface, OfAFlatEndOnAFloorKeepsItFromBeingTilted) {
     const Finish finish = tilted.finish();
     EXPECT_GT(finish.finished, 1000U);
     EXPECT_GT(finish.left, 0U);
-    // The same path asked for what is left: no less than the samples find, but for how they are spaced.
+    // The same path requested what is left: no less than the samples find, but for how they are spaced.
     CorrectOptions usual;
     const std::vector<StockStretch> stock =
         measure_stock(tilted.path, tilted.corrected->correction, tilted.corrected->after.path, tilted.own.setup, usual);

@@ -11,7 +11,7 @@
 #include "lib/certify/check.h"
 #include "tests/support/reference.h"
 
-// The guarantee of docs/method.md held against a checked job: every witness by own arithmetic, every depth_upper
+// The guarantee of docs/method.md compared with a checked job: every witness by own arithmetic, every depth_upper
 // against the reference. Header only.
 
 namespace gouge::guarantee {
@@ -36,27 +36,27 @@ struct Contours {
   [[nodiscard]] const reference::Contour& against(Against a) const { return a == Against::part ? part : fixture; }
 };
 
-/// What stands in the way of believing a witness; empty when nothing does.
-inline std::vector<std::string> doubts(const Witness& w, double depth_mm, const reference::Movement& movement,
-                                       const Contours& tool, const Scene& scene) {
+/// Reason to reject a witness; empty when there is none.
+inline std::vector<std::string> uncertainties(const Witness& w, double depth_mm, const reference::Movement& movement,
+                                              const Contours& tool, const Scene& scene) {
   constexpr double kSlack_mm = 1e-6;
   std::vector<std::string> all;
-  const auto doubt = [&all](const std::string& what, double value) {
+  const auto uncertainty = [&all](const std::string& what, double value) {
     all.push_back(what + ": " + std::to_string(value));
   };
   const reference::Contour& contour = tool.against(w.against);
   const Pose pose = movement.at(w.t);
   const double depth = contour.depth(pose, w.point);
-  if (!(std::abs(depth - depth_mm) <= kSlack_mm)) doubt("the point is deep", depth);
-  if (!(w.t >= 0 && w.t <= 1)) doubt("t is not of the move", w.t);
-  if (!(std::abs(w.normal.norm() - 1) <= 1e-12)) doubt("length of the normal", w.normal.norm());
+  if (!(std::abs(depth - depth_mm) <= kSlack_mm)) uncertainty("the point is deep", depth);
+  if (!(w.t >= 0 && w.t <= 1)) uncertainty("t is not of the move", w.t);
+  if (!(std::abs(w.normal.norm() - 1) <= 1e-12)) uncertainty("length of the normal", w.normal.norm());
   const double left = contour.depth({pose.tip + depth_mm * w.normal, pose.axis}, w.point);
-  if (!(left <= kSlack_mm)) doubt("deep after giving way by the depth", left);
+  if (!(left <= kSlack_mm)) uncertainty("deep after giving way by the depth", left);
   const double half = contour.depth({pose.tip + 0.5 * depth_mm * w.normal, pose.axis}, w.point);
-  if (!(std::abs(half - 0.5 * depth_mm) <= kSlack_mm)) doubt("deep after giving way by half the depth", half);
+  if (!(std::abs(half - 0.5 * depth_mm) <= kSlack_mm)) uncertainty("deep after giving way by half the depth", half);
   const Vec3 d = w.point - pose.tip;
   const double away = contour.distance_to(w.body, d.cross(pose.axis).norm(), d.dot(pose.axis));
-  if (!(std::abs(away - depth_mm) <= kSlack_mm)) doubt("the named body is away", away);
+  if (!(std::abs(away - depth_mm) <= kSlack_mm)) uncertainty("the named body is away", away);
   const auto& meshes = w.against == Against::part ? scene.parts : scene.fixtures;
   if (w.mesh >= meshes.size()) return {"the mesh does not exist"};
   const IndexedMesh& mesh = meshes[w.mesh];
@@ -64,7 +64,7 @@ inline std::vector<std::string> doubts(const Witness& w, double depth_mm, const 
   if (found == mesh.file_triangle.end()) return {"the triangle does not exist"};
   const auto t = static_cast<std::size_t>(found - mesh.file_triangle.begin());
   const double off = reference::distance_to_triangle(w.point, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-  if (!(off <= 1e-9 * (1 + w.point.norm()))) doubt("the point is off its triangle", off);
+  if (!(off <= 1e-9 * (1 + w.point.norm()))) uncertainty("the point is off its triangle", off);
   return all;
 }
 
@@ -93,7 +93,7 @@ inline void expect_witnesses(const Job& job, const CheckResult& result) {
     }
     if (!v.witness) continue;
     const reference::Movement movement = reference::movement(job.toolpath, i);
-    for (const std::string& d : doubts(*v.witness, v.depth_mm, movement, *contours, job.scene())) {
+    for (const std::string& d : uncertainties(*v.witness, v.depth_mm, movement, *contours, job.scene())) {
       ADD_FAILURE() << "line " << move.line << ", move " << i << ", told " << v.depth_mm << " mm: " << d;
     }
   }

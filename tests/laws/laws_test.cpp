@@ -1,4 +1,4 @@
-// What must hold between the answers to two questions, whatever the scene. A verdict says that the true depth lies
+// Relations between the results of two queries that hold in every scene. A verdict states that the true depth lies
 // in [depth, depth_upper]; two verdicts on the same truth must therefore overlap, however they were found.
 #include <gtest/gtest.h>
 

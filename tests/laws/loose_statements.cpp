@@ -9,7 +9,7 @@ namespace gouge::laws {
 namespace {
 
 constexpr std::array<std::string_view, 6> kTextWords{"PPRINT", "PARTNO", "REMARK", "INSERT", "TPRINT", "LETTER"};
-// What follows them is a name, which no `$` continues.
+// A name follows them, which no `$` continues.
 constexpr std::array<std::string_view, 5> kNamingWords{"TOOLPATH", "CSI_TOOL_PATH", "OPFEATSTART", "OPFEATEND",
                                                        "OPNAME"};
 

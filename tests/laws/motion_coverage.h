@@ -7,7 +7,7 @@
 #include "lib/path/toolpath.h"
 #include "tests/laws/motion_expander.h"
 
-// Whether the moves that the product checks hold every motion that its file may mean.
+// Law: the moves that the product checks contain every motion that its file may mean.
 
 namespace gouge::laws {
 

@@ -10,7 +10,7 @@
 namespace gouge::laws {
 namespace {
 
-// What the first UNITS of the file says, else its feeds.
+// The unit of the first UNITS of the file, else of its feeds.
 double first_unit(const std::vector<LooseStatement>& statements, Expansion& expansion) {
   bool inch = false, mm = false;
   for (const LooseStatement& statement : statements) {
@@ -22,7 +22,7 @@ double first_unit(const std::vector<LooseStatement>& statements, Expansion& expa
       mm = mm || argument.text == "MMPM" || argument.text == "MMPR";
     }
   }
-  if (inch && mm) expansion.doubts.push_back({1, "feeds in mm and in inches, and no unit"});
+  if (inch && mm) expansion.uncertainties.push_back({1, "feeds in mm and in inches, and no unit"});
   return inch ? 25.4 : 1;
 }
 
@@ -60,14 +60,14 @@ Expansion expand_motions(std::string_view bytes, std::string_view dialect, const
       if (i >= kOwn.size() || std::abs(value - kOwn[i]) > 1e-9) expander.reading().has_frames = true;
     }
   }
-  if (holds_lone_return(bytes)) expansion.doubts.push_back({1, "a carriage return within a line"});
-  for (std::size_t i = 0; i < statements.size() && expansion.doubts.empty(); ++i) {
+  if (holds_lone_return(bytes)) expansion.uncertainties.push_back({1, "a carriage return within a line"});
+  for (std::size_t i = 0; i < statements.size() && expansion.uncertainties.empty(); ++i) {
     if (expander.is_matrix_begun(statements[i]))
       i = expander.matrix(statements, i);
     else
       expander.step(statements[i]);
   }
-  if (expansion.doubts.empty()) expander.end_of_file();
+  if (expansion.uncertainties.empty()) expander.end_of_file();
   return expansion;
 }
 

@@ -11,7 +11,7 @@
 
 // The mutation law's own reader: small, and written from docs/formats and the real files alone. For each
 // statement of APT-like text it lists the motions that it may mean under the modal states which the file
-// leaves possible, or says that anything may happen there. It takes less for granted than a reader that must
+// leaves possible, or states that anything may happen there. It takes less for granted than a reader that must
 // not raise false alarms: what opens and is never closed, or is closed and was never opened, is a doubt.
 
 namespace gouge::laws {
@@ -26,14 +26,14 @@ struct PossibleMotion {
 };
 
 /// A statement that may mean any motion, or more than one.
-struct Doubt {
+struct Uncertainty {
   std::size_t line = 0;
   std::string why;
 };
 
 struct Expansion {
   std::vector<PossibleMotion> motions;
-  std::vector<Doubt> doubts;
+  std::vector<Uncertainty> uncertainties;
 };
 
 [[nodiscard]] Expansion expand_nci(std::string_view bytes);

@@ -22,8 +22,8 @@ class Expanded : public ::testing::TestWithParam<Reading> {};
 TEST_P(Expanded, ListsMotionsOrDoubts) {
   const Expansion expansion =
       expand_motions("UNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,9\n" + GetParam().body + "FINI\n", "apt");
-  EXPECT_EQ(expansion.doubts.empty(), GetParam().motions > 0);
-  if (expansion.doubts.empty()) {
+  EXPECT_EQ(expansion.uncertainties.empty(), GetParam().motions > 0);
+  if (expansion.uncertainties.empty()) {
     EXPECT_EQ(expansion.motions.size(), GetParam().motions);
   }
 }
@@ -60,7 +60,7 @@ TEST(Expanded, MotionsAreInPartCoordinatesAndMm) {
       "TOOL PATH/A,TOOL,B\nTLDATA/MILL,1.0,0.0,5.0,0.0,0.0\nMSYS/1.0,0.0,0.0,0.0,1.0,0.0,-1.0,0.0,0.0\n"
       "FEDRAT/IPM,9.0\nGOTO/1.0,0.0,0.0\nGOTO/2.0,0.0,0.0,1.0,0.0,0.0\nEND-OF-PATH\n",
       "nx-clsf");
-  ASSERT_TRUE(expansion.doubts.empty());
+  ASSERT_TRUE(expansion.uncertainties.empty());
   ASSERT_EQ(expansion.motions.size(), 2u);
   EXPECT_TRUE(expansion.motions[0].to.tip.isApprox(Vec3(25.4, 25.4, 0)));
   EXPECT_TRUE(expansion.motions[1].to.axis.isApprox(Vec3(0, 1, 0)));

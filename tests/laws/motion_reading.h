@@ -10,7 +10,7 @@
 #include "tests/laws/expander_cycles.h"
 #include "tests/laws/motion_expander.h"
 
-// What the mutation law's own reader carries from statement to statement.
+// State of the mutation law's own reader between statements.
 
 namespace gouge::laws {
 
@@ -41,7 +41,7 @@ struct MotionReading {
   double mm = 1;  ///< the unit in force
   bool is_unit_said = false;
   LooseFrame frame;
-  bool has_frames = false;       ///< some block or section of the file says its frame
+  bool has_frames = false;       ///< some block or section of the file states its frame
   bool is_frame_said = true;     ///< in this block or section
   bool is_block_open = true;     ///< NX: between TOOL PATH and END-OF-PATH
   bool has_block_moved = false;  ///< since its block or section began
@@ -59,12 +59,12 @@ struct MotionReading {
   std::size_t positions_without_cutcom = 0;
   bool was_compensated = false;  ///< somewhere before
   std::optional<int> tool;
-  std::string tool_name;     ///< NX: of the block
-  std::string lost_word;     ///< a line that may have switched something; empty: none
-  std::string unknown_word;  ///< before any motion; empty: none
-  std::string tool_doubt;    ///< why nobody knows which tool is in; empty: it is known
-  std::string cutter_doubt;  ///< why the cutter is unknown until the next CUTTER; empty: it is known
-  std::string matrix_doubt;  ///< why the frame is unknown until the next whole matrix; empty: it is known
+  std::string tool_name;           ///< NX: of the block
+  std::string lost_word;           ///< a line that may have switched something; empty: none
+  std::string unknown_word;        ///< before any motion; empty: none
+  std::string tool_uncertainty;    ///< why unknown which tool is in; empty: it is known
+  std::string cutter_uncertainty;  ///< why the cutter is unknown until the next CUTTER; empty: it is known
+  std::string matrix_uncertainty;  ///< why the frame is unknown until the next whole matrix; empty: it is known
   std::optional<double> diameter_mm;
   std::optional<double> stated_diameter;  ///< of `$$-> CUTTER`, in the unit of the file
   bool is_cutter_new = false;             ///< nothing was cut with it yet

@@ -81,8 +81,9 @@ std::vector<std::string> segments(const std::string& bytes, std::size_t statemen
 std::string violation(const MutationBase& base, const Toolpath& path, const std::string& bytes) {
   for (const std::string& dialect : std::set<std::string>{base.dialect, path.dialect}) {
     const Expansion expansion = expand_motions(bytes, dialect, base.library_tools);
-    if (!expansion.doubts.empty())
-      return "line " + std::to_string(expansion.doubts.front().line) + ": " + expansion.doubts.front().why;
+    if (!expansion.uncertainties.empty())
+      return "line " + std::to_string(expansion.uncertainties.front().line) + ": " +
+             expansion.uncertainties.front().why;
     if (const auto missing = first_not_swept(expansion, path)) return "not swept: " + *missing;
   }
   return "";

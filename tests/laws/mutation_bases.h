@@ -29,7 +29,7 @@ struct MutationBase {
 /// Nothing where the product does not read it.
 [[nodiscard]] std::optional<MutationBase> mutation_base(const std::string& name, const std::string& bytes);
 
-/// Stretches of a file that stand for themselves: what comes before its first position, some statements from
+/// Stretches of a file that represent themselves: what comes before its first position, some statements from
 /// further down, and its last one.
 [[nodiscard]] std::vector<std::string> segments(const std::string& bytes, std::size_t statements, std::size_t count);
 

@@ -56,7 +56,7 @@ TEST(NciReading, ArcsOfCode2AreClockwiseAboutXInTheYzPlane) {
   }
 }
 
-// Which way an arc of the XZ plane runs no source says: either way a post may stand in it.
+// Which way an arc of the XZ plane runs no source states: either way a post may stand in it.
 TEST(NciReading, ArcsOfTheXzPlaneAreNotChecked) {
   const std::string start = "0\n0 20. 0. 0. -2. 0\n";
   const IndexedMesh far = post({500, 500, 0}, 5);

@@ -1,6 +1,6 @@
 // The two bounds of overcut on random gouging moves of every kind, with tools of every shape and heads, in closed
 // meshes: against points that are looked for by own arithmetic, and every lower bound at the point it was realised at.
-// GOUGE_OVERCUTS sets how many gouging moves, GOUGE_SEED which, GOUGE_STREAM looks at one stream of a failure again.
+// GOUGE_OVERCUTS sets how many gouging moves, GOUGE_SEED which, GOUGE_STREAM examines one stream of a failure again.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -169,7 +169,7 @@ class Campaign {
     const Surface& surface = scene.surface(v.witness->against, v.witness->mesh).boundary();
     // The search by cells alone: nothing is taken from the depth.
     OvercutOptions brief;
-    brief.most_cells = 500;
+    brief.max_cells = 500;
     const Vec3 seed = v.witness->point - v.depth_mm * v.witness->normal;
     const Overcut found = find_overcut(swept, surface, seed, v.witness->t, brief);
     if (found.depth_mm > 0) {

@@ -1,5 +1,5 @@
 // The guarantee of docs/method.md on random moves of every kind, with tools of every shape and heads, among closed and
-// open meshes. GOUGE_RANDOM_MOVES sets how many moves, GOUGE_SEED which; GOUGE_STREAM looks at one stream of a failure
+// open meshes. GOUGE_RANDOM_MOVES sets how many moves, GOUGE_SEED which; GOUGE_STREAM examines one stream of a failure
 // again. docs/testing.md has the longest run.
 #include <gtest/gtest.h>
 
@@ -118,7 +118,7 @@ class Campaign {
     options.threads = 1;
     options.tolerance_mm = std::array{0.01, 0.0, 0.1}[done_ % 3];
     options.resolution_mm = done_ % 2 == 0 ? 0.001 : 0.01;
-    // What is guaranteed holds at any budget; a small one for most lets many more moves be tried.
+    // The guarantee holds at any budget; a small budget for most allows many more moves.
     const bool is_patient = ++jobs_ % 32 == 0;
     if (!is_patient) options.budget_per_move = kBounds;
     if (kind_.has_rotaries) options.law = {RapidMode::straight, std::make_shared<test::RotaryHeadLaw>()};
@@ -209,9 +209,10 @@ class Campaign {
     if (const MeshLimit* limit = limit_of(job, v); limit != nullptr && v.depth_mm > 0)
       return judge_kept_witness(job, v, i, movement, limit->clearance_mm);
     if (v.witness->body != Body::head) {
-      for (const std::string& doubt : guarantee::doubts(*v.witness, v.depth_mm, movement, tool, job.scene)) {
+      for (const std::string& uncertainty :
+           guarantee::uncertainties(*v.witness, v.depth_mm, movement, tool, job.scene)) {
         // Giving way by the depth frees a point, but on a concave boundary by no plain sum.
-        if (doubt.rfind("deep after", 0) != 0) fail(job, i, doubt);
+        if (uncertainty.rfind("deep after", 0) != 0) fail(job, i, uncertainty);
       }
       return;
     }
@@ -349,7 +350,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, RandomMoves,
                            return kind.param.has_rotaries ? "RotaryHead" : "GreatCircle";
                          });
 
-/// The reference of the other law finds depths above the bounds: it tells the two apart.
+/// The reference of the other law finds depths above the bounds: it shows the two apart.
 TEST(RandomMovesOfRotaries, AreNotThoseOnTheGreatCircle) {
   Campaign campaign({.has_rotaries = true, .is_mismatched = true});
   campaign.run(500);

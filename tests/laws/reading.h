@@ -37,7 +37,7 @@ inline std::vector<MoveState> check_states(const Toolpath& path, const IndexedMe
   return states;
 }
 
-/// What is wrong with the path: "clean", or the state of its first move that is not.
+/// Verdict of the path: "clean", or the state of its first move that is not.
 inline std::string verdict(const Toolpath& path, const IndexedMesh& part, const std::vector<ToolVariants>& tools) {
   for (const MoveState state : check_states(path, part, tools)) {
     if (state != MoveState::clean) return state_name(state);
@@ -57,7 +57,7 @@ inline std::string verdict(const Toolpath& path, const IndexedMesh& part) {
   return verdict(path, part, tools);
 }
 
-/// Of a file against a box whose top is z = 0; the code of its first error where it cannot be read.
+/// Verdict of a file against a box whose top is z = 0; the code of its first error where it cannot be read.
 inline std::string outcome_at_box(const std::string& text) {
   const ReadOutcome read = read_toolpath("a.apt", text);
   if (!read.toolpath) return read.errors.empty() ? "no error" : read.errors.front().code;

@@ -29,7 +29,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, ForcedSense,
     ::testing::Values(ForcedArc{"Nx", "apt-solidworks-cam", "gouge"}, ForcedArc{"Creo", "nx-clsf", "gouge"},
                       ForcedArc{"SolidWorks", "nx-clsf", "gouge"},
-                      // These say more than the sense, so that the contradiction is seen.
+                      // These state more than the sense, so that the contradiction is seen.
                       ForcedArc{"Camplete", "apt-creo", "not-checked"}, ForcedArc{"Autodesk", "nx-clsf", "not-checked"},
                       ForcedArc{"Clt", "nx-clsf", "not-checked"}, ForcedArc{"Catia", "nx-clsf", "clean"}),
     [](const auto& test) { return std::string(test.param.name); });

@@ -67,7 +67,7 @@ struct Opposite {
   std::string_view word, addition;
 };
 
-// Words that take back what the statement says, or say it again otherwise.
+// Words that take back what the statement states, or state it again otherwise.
 constexpr std::array<Opposite, 14> kOpposites{{{"UNIT", ",INCHES"},
                                                {"UNIT", ",MM"},
                                                {"CYCLE", ",OFF"},

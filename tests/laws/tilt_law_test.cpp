@@ -1,4 +1,4 @@
-// No tilt breaks its limits at any instant, none gouges by a reference that looks at every triangle, none touches what it
+// No tilt breaks its limits at any instant, none gouges by a reference that examines every triangle, none touches what it
 // need not, and hardly one is missed that a lattice of 1 degree has a way for. GOUGE_TILTS sets how many random runs,
 // GOUGE_FIRST_TILT the number of the first.
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ struct RandomRun {
     path = paths::through(poses(diameter));
     options.max_tilt_rad = random.in(8, 45) * kDegree;
     options.blend_mm = random.in(2, 20);
-    // What a tilt leaves is asked of plans, not of single tilts, as those of the lattice are.
+    // Left stock is checked for plans, not for single tilts, as those of the lattice are.
     options.max_stock_mm = std::numeric_limits<double>::infinity();
     if (random.is(0.2)) options.freedom = random.is(0.5) ? TiltFreedom::lead : TiltFreedom::side;
     if (random.is(0.2)) options.cone = AxisCone{random.axis(0.3), random.in(25, 50) * kDegree};
@@ -114,7 +114,7 @@ struct Laws {
   /// A long move may hold several runs: one of them begins where the one before it ends.
   void expect_kept(const TiltPlan& plan, std::size_t index, std::size_t number) const {
     const SmoothedRun& tilted = plan.runs[index];
-    // The motions of the run, with the programmed ones that they stand for.
+    // The motions of the run, with the programmed ones that they represent.
     std::vector<std::pair<Pose, Pose>> stations;  // programmed, tilted
     const std::size_t first = tilted.positions.front().move, last = tilted.positions.back().move;
     const auto is_of = [](const UntiltedRun& failed, std::size_t i) {
@@ -166,7 +166,7 @@ struct Laws {
     }
   }
 
-  /// Of walls closely, of the floor, which a flat end lies on, to 0.05 mm: from below both.
+  /// Walls closely; the floor, which a flat end lies on, to 0.05 mm: from below both.
   [[nodiscard]] double depth_at(const Pose& pose) const {
     const std::vector<IndexedMesh> floor{run.scene.parts.front()};
     const std::vector<IndexedMesh> walls(run.scene.parts.begin() + 1, run.scene.parts.end());
@@ -174,9 +174,9 @@ struct Laws {
                     brute_force::mesh_depth(run.tool.against_part, pose, walls, 5e-3));
   }
 
-  /// Whether a lattice of 1 degree has a way through the run: free tilts at every position, and free motions from each
+  /// Returns whether a lattice of 1 degree has a way through the run: free tilts at every position, and free motions from each
   /// to a tilt at most 3 degrees away.
-  [[nodiscard]] bool has_way_from(std::size_t first_wanted) const {
+  [[nodiscard]] bool has_path_from(std::size_t first_wanted) const {
     const TiltJob job{run.path, before, tools, checker, run.options, is_wanted};
     for (const TiltRun& found : find_tilt_runs(job, run.options.blend_mm / 8)) {
       if (found.first_wanted == first_wanted) return has_way(found);
@@ -249,9 +249,9 @@ TEST(TiltLaw, HoldsForRandomRuns) {
     }
     watch.lap();
     for (const SmoothedRun& one : plan.runs)
-      if (is_at_length) ours_alone += laws.has_way_from(one.first_wanted) ? 0U : 1U;
+      if (is_at_length) ours_alone += laws.has_path_from(one.first_wanted) ? 0U : 1U;
     for (const UntiltedRun& one : plan.failed) {
-      const bool is_missed = laws.has_way_from(one.first_wanted);
+      const bool is_missed = laws.has_path_from(one.first_wanted);
       missed += is_missed ? 1 : 0;
       if (is_missed) std::cout << "run " << n << " has a way on a lattice of 1 degree, but: " << one.reason << "\n";
     }

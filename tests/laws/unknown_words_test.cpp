@@ -124,7 +124,7 @@ TEST(UnknownWordBefore, IsOverWhereABlockStatesAllAgain) {
             "4 ");
 }
 
-// What CAM systems write, in the forms of their documents.
+// Words that CAM systems write, in the forms of their documents.
 INSTANTIATE_TEST_SUITE_P(
     Harmless, UnknownWord,
     ::testing::Values(

@@ -5,7 +5,7 @@
 
 #include "tests/samples/small_shop.h"
 
-// `gougecheck accept` and `check --baseline`: what is accepted is told apart, and every way in which an acceptance could
+// `gougecheck accept` and `check --baseline`: what is accepted is distinguished, and every way in which an acceptance could
 // hide another gouge. Each expectation was written down before the program was run.
 
 namespace gouge::testing_samples {

@@ -11,7 +11,7 @@
 #include "tests/samples/batch_folder.h"
 #include "tests/samples/program.h"
 
-// What a batch finds in its folder or in a share that is not its own, is in the way, or was changed.
+// Foreign, blocking or changed files that a batch finds in its folder or in a share.
 
 namespace gouge::testing_samples {
 namespace {

@@ -40,7 +40,7 @@ TEST(Batch, SaysOfEveryJobWhatItsOwnCommandSays) {
   }
 }
 
-// What a job leaves is to the byte what its command alone leaves.
+// The outputs of a job equal those of its command alone, byte for byte.
 TEST(Batch, LeavesTheReportsAndPathsThatTheCommandsLeave) {
   const std::string folder = samples_with_list({"pocket"});
   ASSERT_EQ(run_batch(folder, {"jobs.json", "-o", "out"}).exit_status, 1);
@@ -192,7 +192,7 @@ TEST(Batch, IsTheSameUnderMpirunAndAfterARankIsKilled) {
   EXPECT_EQ(difference(expected, batch_files(folder + "/killed")), "");
 }
 
-// The numbers of meshes that processes say they copied, together.
+// The numbers of meshes that processes state they copied, together.
 int meshes_copied(const std::string& err) {
   const std::string before = "holds ";
   int meshes = 0;

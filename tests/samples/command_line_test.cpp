@@ -47,7 +47,7 @@ TEST(CommandLine, HelpIsStatus0AndHasAnExamplePerCommand) {
   }
 }
 
-// What is loaded before main is paid for by every command: with OpenCV's imgcodecs it was 141 libraries and 0.05 s.
+// Every command pays for libraries that are loaded before main: with OpenCV's imgcodecs it was 141 libraries and 0.05 s.
 TEST(CommandLine, LoadsFewLibraries) {
   ::setenv("LD_TRACE_LOADED_OBJECTS", "1", 1);  // the dynamic loader lists them instead of running the program
   const Outcome ran = run_gougecheck(fresh_folder(), {"--version"});

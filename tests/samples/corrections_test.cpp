@@ -29,7 +29,7 @@ bool begins_with(const std::string& line, const std::string& start) {
   return line.compare(0, start.size(), start) == 0;
 }
 
-/// Lines that a correction may change: the positions at both ends of moves with a finding, and what says that
+/// Lines that a correction may change: the positions at both ends of moves with a finding, and what states that
 /// such a move is an arc.
 std::set<std::size_t> changeable_lines(const SampleFolder& sample, const std::vector<std::string>& lines) {
   std::set<std::size_t> changeable;

@@ -88,7 +88,7 @@ TEST(Cures, OfTheFreeformsHolderAreWhatACheckAndACorrectionSay) {
               written.at("quality").at("largest_tilt").at("rad").get<double>(), 1e-4);
 }
 
-// The post is 1.005 mm deep in the head as its formula says, and the tool leans while it goes by.
+// The post is 1.005 mm deep in the head as its formula states, and the tool leans while it follows.
 TEST(Cures, OfTheHeadAreFound) {
   const SampleFolder sample = open_sample("between_head");
   const Checked found = check(sample, sample.toolpath(), {"--find-cures"});

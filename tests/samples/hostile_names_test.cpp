@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 const std::string kNasty =
     "\x1B[2J\x1B]0;t\x07\rFORGED: clean\nFORGED: clean\t\xC2\x9B"
     "31m\u202Egpj\u2066\u200B\u2028\x7F\x08\xFF\xC3";
-// What of it a toolpath may hold: a control byte makes it no text, a line separator of Unicode an error.
+// The part that a toolpath may hold: a control byte makes it no text, a line separator of Unicode an error.
 const std::string kNastyText =
     "\xC2\x9B"
     "31m\u202Egpj\u2066\u200B FORGED: clean";

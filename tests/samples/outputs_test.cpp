@@ -5,7 +5,7 @@
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
 
-// What a run writes, replaces and spares: docs/formats/report_folder.md.
+// Files that a run writes, replaces and keeps: docs/formats/report_folder.md.
 
 namespace gouge::testing_samples {
 namespace {

@@ -7,7 +7,7 @@
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
 
-// A plate and a path over it, small enough that a person sees at once what must be said of it: the flat cutter of 10 mm
+// A plate and a path over it, small enough that a person sees at once what must be stated of it: the flat cutter of 10 mm
 // runs along y = 50 on the plate's top, z = 0, and is as deep in it as z is below.
 
 namespace gouge::testing_samples {
@@ -20,7 +20,7 @@ struct Station {
 /// Stations every 10 mm from x = 10 to 90 on the plate, with those of `changed` instead.
 [[nodiscard]] std::vector<Station> stations(const std::vector<Station>& changed = {});
 
-/// What stands before the first station, and the path with these stations.
+/// The text before the first station, and the path with these stations.
 inline constexpr const char* kHead = "PARTNO/SHOP\nUNITS/MM\nCUTTER/10\nLOADTL/1\n";
 [[nodiscard]] std::string path_text(const std::vector<Station>& stations, const std::string& head = kHead);
 

@@ -5,7 +5,7 @@
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
 
-// What the program loads.
+// Libraries that the program loads.
 
 namespace gouge::testing_samples {
 namespace {

@@ -7,7 +7,7 @@
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
 
-// check --find-stickout on the samples whose holder or head is in the way, proved by checks just below the answer and at
+// check --find-stickout on the samples whose holder or head is in the way, proved by checks just below the result and at
 // it with the tool made longer by hand.
 
 namespace gouge::testing_samples {
@@ -54,7 +54,7 @@ TEST(Stickout, FreesTheHolderAndOneStepLessDoesNot) {
   }
 }
 
-// The post is 1.005 mm deep in the head as its formula says, and the head goes up along the tilted axis.
+// The post is 1.005 mm deep in the head as its formula states, and the head goes up along the tilted axis.
 TEST(Stickout, FreesTheHead) {
   const SampleFolder sample = open_sample("between_head");
   const Json tool = stickout_of(sample, {"--stickout-step", "0.1"}).at("tools").at(0);

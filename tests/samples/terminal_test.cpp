@@ -6,7 +6,7 @@
 #include "tests/samples/sample_folder.h"
 #include "tests/support/plain_text.h"
 
-// What people see: colours, the order and number of findings, quoted statements, versions, help.
+// Output for people: colours, the order and number of findings, quoted statements, versions, help.
 
 namespace gouge::testing_samples {
 namespace {
@@ -145,7 +145,7 @@ TEST(Terminal, ManualPagesNameEveryOptionOfTheHelp) {
   EXPECT_EQ(run_gougecheck(folder, {"man", "corect"}).exit_status, 2);
 }
 
-// What bash offers for a line that ends at its last word.
+// Completions of bash for a line that ends at its last word.
 std::string completed(const std::string& folder, const std::string& words) {
   return run_script(folder,
                     "\"$GOUGECHECK\" completion bash > c.bash && bash --norc -c 'compopt() { :; }; . ./c.bash; "

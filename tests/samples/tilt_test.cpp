@@ -74,7 +74,7 @@ TEST(Tilt, LimitsInForceStandInTheReport) {
 
 /// A box as an STL file of text.
 std::string box_text(const std::array<double, 3>& low, const std::array<double, 3>& high) {
-  // Of each face two triangles, corners numbered by bits: x 1, y 2, z 4.
+  // Two triangles for each face, corners numbered by bits: x 1, y 2, z 4.
   constexpr std::array<std::array<int, 3>, 12> kFaces{{{0, 2, 1},
                                                        {1, 2, 3},
                                                        {4, 5, 6},
@@ -103,7 +103,7 @@ std::string box_text(const std::array<double, 3>& low, const std::array<double, 
 }
 
 // The edge of a flat end does what its face did: nothing gouges, but the floor would be left higher. So it is not
-// tilted unless that is allowed, and what the lift leaves instead is told too.
+// tilted unless that is allowed, and what the lift leaves instead is stated too.
 TEST(Tilt, OfAFlatEndThatWouldLeaveStockIsNotMadeUnlessAllowed) {
   const std::string folder = fresh_folder();
   write_text(folder + "/floor.stl", box_text({-200, -200, -10}, {200, 200, 0}));

@@ -94,7 +94,7 @@ TEST(Trim, OfTheHeadLeavesOutWhereItMeetsThePost) {
   EXPECT_EQ(trimmed.correction().at("uncut").at("stretches").size(), 1U);
 }
 
-// Binary records cannot say rapid of one motion: the crossing is a feed, and certified as one.
+// Binary records cannot state rapid of one motion: the crossing is a feed, and certified as one.
 TEST(Trim, OfBinaryRecordsCrossesAsFeed) {
   const SampleFolder sample = open_sample("freeform");
   const Outcome converted =

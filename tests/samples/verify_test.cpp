@@ -73,7 +73,7 @@ TEST(VerifyCommand, FindsInputsBesideTheResultAndRefusesThoseThatChanged) {
   EXPECT_EQ(verify(sample).exit_status, 0);
 }
 
-// The library is changed by 0.01 mm and the result says that it was so: the proofs and witnesses must tell.
+// The library is changed by 0.01 mm and the result states that it was so: the proofs and witnesses must show.
 TEST(VerifyCommand, FindsAToolThatIsNotTheOneThatWasChecked) {
   const SampleFolder sample = checked_sample("pocket");
   json tools = json::parse(text_of(sample.path + "/tools.json"));
@@ -176,7 +176,7 @@ TEST(VerifyCommand, AResultThatSaysWhatCannotBeIsRefusedByLineAndField) {
   }
 }
 
-// Its moves are what it says, and its first lines what people and scripts look at.
+// Its moves are what it states, and its first lines what people and scripts examine.
 TEST(VerifyCommand, FindsAVerdictThatIsNotThatOfTheMoves) {
   const SampleFolder sample = checked_sample("pocket");
   const json whole = result_of(sample);

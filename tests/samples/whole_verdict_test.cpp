@@ -69,7 +69,7 @@ std::string field(const std::string& folder, std::size_t move, const std::string
   return rows[1 + move][static_cast<std::size_t>(at)];
 }
 
-/// Of every move: what its row says, but for where in the file it stands.
+/// The row of every move, except its place in the file.
 std::vector<std::string> verdicts_of(const std::string& csv) {
   std::vector<std::string> all;
   for (const std::vector<std::string>& row : parse_csv(csv)) {

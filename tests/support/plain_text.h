@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-// Texts as tests look at them.
+// Texts as tests examine them.
 
 namespace gouge {
 

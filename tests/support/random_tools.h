@@ -39,7 +39,7 @@ inline ProfileElement bulged(const Vec2& p, const Vec2& q, double bulge, Body bo
   return bulge > 0 ? make_convex_arc(body, p, q, center, radius) : make_concave_arc(body, p, q, center, radius);
 }
 
-/// Whether the elements keep clear of each other, so that the contour is simple beyond doubt.
+/// Returns whether the elements keep clear of each other, so that the contour is simple beyond doubt.
 inline bool is_clear_of_itself(const Profile& profile) {
   constexpr int kSteps = 64;
   const std::vector<ProfileElement>& parts = profile.elements;

@@ -124,7 +124,7 @@ struct Movement {
   }
 };
 
-/// Of a path's move; one without a start rests.
+/// For a path's move; one without a start rests.
 inline Movement movement(const Toolpath& path, std::size_t index) {
   const Move& move = path.moves[index];
   Movement m{move.has_start ? path.start_of(index) : move.end, move.end, nullptr, nullptr, std::nullopt};
@@ -172,7 +172,7 @@ class Search {
     }
   }
 
-  /// What is no deeper than `mark_mm` is of no interest but as a place to climb from.
+  /// A point no deeper than `mark_mm` serves only as a place to climb from.
   Found run(double mark_mm) {
     mark_ = mark_mm;
     std::vector<std::size_t> all(pieces_.size());

@@ -11,7 +11,7 @@
 
 namespace gouge::reference {
 
-/// The half profile of a tool as lines and arcs, with distances by looking at each. Inside is where a ray away from
+/// The half profile of a tool as lines and arcs, with distances by examining each. Inside is where a ray away from
 /// the axis crosses the profile an odd number of times: undercuts and hollows count as what they are.
 class Contour {
  public:
@@ -80,7 +80,7 @@ class Contour {
     return p;
   }
 
-  // Whether the direction d from the centre meets the arc; arcs are shorter than half a circle.
+  // Returns whether the direction d from the centre meets the arc; arcs are shorter than half a circle.
   static bool faces(const Piece& p, const Vec2& d) {
     return p.turn * cross(p.a - p.c, d) >= 0 && p.turn * cross(d, p.b - p.c) >= 0;
   }

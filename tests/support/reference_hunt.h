@@ -102,7 +102,7 @@ class Hunt {
     }
   }
 
-  /// What is no deeper than `mark_mm` is of no interest but as a place to climb from.
+  /// A point no deeper than `mark_mm` serves only as a place to climb from.
   Found run(double mark_mm) {
     for (std::uint32_t i = 0; i < triangles_.size(); ++i)
       offer({0, 0, 1, i, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}}, mark_mm);

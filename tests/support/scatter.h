@@ -29,14 +29,14 @@ class Scatter {
     const double x = in(-size, size), y = in(-size, size), z = in(-size, size);
     return {x, y, z};
   }
-  /// Of length 1, all directions alike.
+  /// Unit vector, all directions alike.
   Vec3 direction() {
     for (;;) {
       const Vec3 v = point(1);
       if (v.squaredNorm() < 1 && v.squaredNorm() > 1e-6) return v.normalized();
     }
   }
-  /// Of length 1, upright but for `lean`.
+  /// Unit vector, upright but for `lean`.
   Vec3 axis(double lean) {
     const double x = in(-lean, lean), y = in(-lean, lean);
     return Vec3(x, y, 1).normalized();

@@ -9,7 +9,7 @@
 
 #include "lib/mesh/indexed_mesh.h"
 
-// Named small meshes for tests: mm, triangles counter-clockwise seen from outside unless the name says
+// Named small meshes for tests: mm, triangles counter-clockwise seen from outside unless the name states
 // otherwise. Header only: include it, link lib/mesh (or any room above it).
 
 namespace gouge::shapes {

@@ -7,7 +7,7 @@
 #include "lib/tool/evaluate.h"
 #include "tests/support/scatter.h"
 
-// Points of the half plane at which a tool's answers are most likely to be wrong.
+// Points of the half plane at which a tool's results are most likely to be wrong.
 
 namespace gouge::test {
 

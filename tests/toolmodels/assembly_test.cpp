@@ -78,7 +78,7 @@ TEST(Assembly, MistakesNameTheFieldAndWhatIsAllowed) {
             "tool T7: extension \"collet\" 1: length is 0 mm; it must be greater than 0 [tool-dimension-not-positive]");
 }
 
-// A point of the scene that is no farther from the tip than `reach` sees the tool that goes on for ever.
+// A point of the scene that is no farther from the tip than `reach` sees the tool that goes on forever.
 TEST(Assembly, ALongerStickoutRaisesWhatHoldsAndLengthensTheShankWhereItMust) {
   const ToolAssembly tool = held();
   for (const double by : {0.0, 5.0, 25.0}) {

@@ -221,7 +221,7 @@ TEST(Bsp, RandomAssembliesGiveTheDistanceOfTheBruteForce) {
 }
 
 // A rounded head under a wider shank: arc and face touch at a cusp, where the rounding of the turn has no
-// say.
+// state.
 TEST(Bsp, ACrackBetweenAnArcAndAFaceIsReflex) {
   for (const double shift : {0.0, 1e-16, -1e-16, 3e-9, -3e-9}) {
     Profile profile;

@@ -17,7 +17,7 @@
 #include "toolmodels/trace_regions.h"
 
 // Cutters of many points: traced ones, and ones of many teeth. What they take grows with their points, and what they
-// answer is what every element together answers.
+// result is what every element together results.
 
 namespace gouge {
 namespace {
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Counts, ManyPoints, testing::Values(20, 39, 51, 200, 20
 TEST_P(ManyPoints, TreesAreNoLargerThanAFewTimesTheContour) {
   for (const Drawn& drawn : test::drawn_cutters(GetParam())) {
     const CompiledTool tool = compile_tool(drawn.name, profile_of(drawn));
-    EXPECT_LE(tool.nodes.size(), (kMostBspNodes + 1) * tool.elements.size()) << drawn.name;
+    EXPECT_LE(tool.nodes.size(), (kMaxBspNodes + 1) * tool.elements.size()) << drawn.name;
     EXPECT_LE(tool.stretches.size(), tool.elements.size()) << drawn.name;
     EXPECT_EQ(test::verify_tool(tool), std::vector<std::string>{}) << drawn.name;
   }
@@ -84,7 +84,7 @@ TEST_P(ManyPoints, GrownVariantsAreDistancesOfTheBareOneLessTheGrowth) {
   }
 }
 
-// A tangent plane's range ends where the contour first comes before it: by looking at all of it.
+// A tangent plane's range ends where the contour first comes before it: by examining all of it.
 TEST(ManyPointsSupport, RangesAreThoseOfALookAtEveryElement) {
   for (const Drawn& drawn : {traced(400, 0), toothed("rougher", 400, 4.4, 5, 0.75), random_teeth(400)}) {
     const Profile profile = profile_of(drawn);
@@ -130,7 +130,7 @@ TEST(ContourTree, BoxesHoldTheirElements) {
   }
 }
 
-// On tools that have a BSP the tree of stretches says the same.
+// On tools that have a BSP the tree of stretches states the same.
 TEST(ContourTree, AgreesWithTheBspOnOrdinaryTools) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const test::RandomTool made = test::random_tool(seed);

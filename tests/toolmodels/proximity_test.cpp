@@ -62,7 +62,7 @@ void expect_small(const Worst& worst, const char* what, const std::string& tool)
 }
 
 // Where the leaf is another element than the reference names, the two tie, and the way out leads to the foot
-// on one of them: that is what the four figures say together.
+// on one of them: that is what the four figures state together.
 TEST(Proximity, DistanceLeafAndWayOutAreThoseOfTheNearestElement) {
   const std::size_t points = points_per_tool();
   Worst all;

@@ -131,7 +131,7 @@ TEST(SupportRange, TangentPlanesBoundTheDepthOfWholeHulls) {
   }
 }
 
-// Of a tool with one radius at each height something is always claimed.
+// A tool with one radius at each height always has a bound.
 TEST(SupportRange, HoldsForRandomToolsOfAllKinds) {
   const char* wanted = std::getenv("GOUGE_SUPPORT_HULLS");
   const int hulls = wanted != nullptr ? std::atoi(wanted) : 400;

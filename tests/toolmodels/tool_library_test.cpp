@@ -207,7 +207,7 @@ TEST(ToolLibrary, PointsAndExtensionsAreReadWithCare) {
             "what is between is not in the file and not checked [tool-gauge-length]");
 }
 
-// Every single damage to a good file is a clean answer, never a crash, and what reads builds.
+// Every single damage to a good file is a clean result, never a crash, and what reads builds.
 TEST(ToolLibrary, DamagedFilesNeverCrash) {
   test::Scatter random(31);
   ToolLibrary sample = sample_library();

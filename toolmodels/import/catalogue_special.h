@@ -4,13 +4,13 @@
 
 namespace gouge {
 
-/// What makers of cutters share: the dimensions of a file, and the notes on them.
+/// Input that makers of cutters share: the dimensions of a file, and the notes on them.
 class CatalogueMaker {
  public:
   CatalogueMaker(const Dimensions& d, Diagnostics& notes) : d_(d), notes_(notes) {}
 
  protected:
-  // Files round to a few decimals, in inches too; beyond this two numbers say different things.
+  // Files round to a few decimals, in inches too; beyond this two numbers state different things.
   static constexpr double kAgree_mm = 5e-3;
 
   [[nodiscard]] double at(Dimension dimension) const { return d_.value_or(dimension, 0); }

@@ -31,7 +31,7 @@ struct CatalogueTool {
   Dimensions dimensions;
   std::vector<ToolSegment> shaft;
   std::vector<ToolSegment> holder;
-  std::string doubt;  ///< see ToolAssembly
+  std::string uncertainty;  ///< see ToolAssembly
 };
 
 /// Errors   import-field, import-shape, import-stickout, and those of make_body_profiles; none names the tool

@@ -72,7 +72,7 @@ void Collector::add(CatalogueTool tool) {
     return report_of(tool, who, make_warning("import-shape", "not imported: shape " + made.error().message));
   for (const Diagnostic& note : notes) report_of(tool, who, note);
   if (!made) return report_of(tool, who, made.error());
-  made->doubt = tool.doubt;
+  made->uncertainty = tool.uncertainty;
   assign_number(*made, tool.line);
   is_all_inch_ = is_all_inch_ && tool.unit == LengthUnit::inch;
   made_.library.tools.push_back(std::move(*made));
@@ -122,7 +122,7 @@ struct Place {
   std::optional<Diagnostic> ambiguous;
 };
 
-// `name` below `folder`, spelled as it stands there; as it was asked for where there is none.
+// `name` below `folder`, spelled as it stands there; as it was requested where there is none.
 Place find_ignoring_case(const fs::path& folder, const fs::path& name) {
   fs::path at = folder;
   for (const fs::path& step : name) {
@@ -140,14 +140,14 @@ Place find_ignoring_case(const fs::path& folder, const fs::path& name) {
 
 }  // namespace
 
-Result<BesideFile> read_beside(const std::string& library_file, const std::string& name, std::uint64_t most_bytes) {
+Result<BesideFile> read_beside(const std::string& library_file, const std::string& name, std::uint64_t max_bytes) {
   const fs::path folder = fs::path(library_file).parent_path();
   std::vector<std::string> tried;
   for (const fs::path& below : {fs::path(), fs::path("..") / "Bit"}) {
     const Place place = find_ignoring_case(folder, below / name);
     if (place.ambiguous) return *place.ambiguous;
     tried.push_back(place.path.lexically_normal().string());
-    Result<std::string> bytes = read_file(tried.back(), most_bytes);
+    Result<std::string> bytes = read_file(tried.back(), max_bytes);
     if (bytes) return BesideFile{tried.back(), std::move(*bytes)};
     if (bytes.error().code != "file-not-found") return bytes.error();
   }

@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// Turns catalogue tools into the library's, and keeps account of what had to be said about each. Numbers
+/// Turns catalogue tools into the library's, and keeps account of what had to be stated about each. Numbers
 /// stay unique: the first tool of a number keeps it.
 class Collector {
  public:
@@ -27,7 +27,7 @@ class Collector {
   [[nodiscard]] const ImportOptions& options() const { return options_; }
   [[nodiscard]] const std::string& file() const { return made_.library.file; }
 
-  /// Says so in the notes when nothing is left.
+  /// States so in the notes when nothing is left.
   [[nodiscard]] ImportedTools finish();
 
  private:
@@ -57,6 +57,6 @@ struct BesideFile {
 /// Errors   file-not-found with both places; import-beside where several files differ in case alone; those of
 ///          read_file.
 [[nodiscard]] Result<BesideFile> read_beside(const std::string& library_file, const std::string& name,
-                                             std::uint64_t most_bytes);
+                                             std::uint64_t max_bytes);
 
 }  // namespace gouge

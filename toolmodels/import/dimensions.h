@@ -7,7 +7,7 @@
 
 #include "lib/base/result.h"
 
-// The dimensions tool catalogues speak of, under whatever name a file gives them.
+// The dimensions tool catalogues name, under whatever name a file gives them.
 
 namespace gouge {
 
@@ -50,7 +50,7 @@ class Dimensions {
   [[nodiscard]] const std::optional<Given>& operator[](Dimension dimension) const {
     return given_[static_cast<std::size_t>(dimension)];
   }
-  /// The value, or `otherwise` when the file says nothing.
+  /// The value, or `otherwise` when the file states nothing.
   [[nodiscard]] double value_or(Dimension dimension, double otherwise) const {
     const std::optional<Given>& given = (*this)[dimension];
     return given ? given->value : otherwise;

@@ -31,7 +31,7 @@ std::optional<CatalogueShape> freecad_shape(const std::string& word) {
   return std::nullopt;
 }
 
-// Of two shapes with the dimensions of one file, the one that contains the other. Nothing where neither does.
+// Returns which of two shapes with the dimensions of one file contains the other. None where neither does.
 std::optional<CatalogueShape> larger_shape(CatalogueShape a, CatalogueShape b) {
   using enum CatalogueShape;
   // Each contains those behind it: the cylinder of the flutes, one with rounded corners, one with a round end.
@@ -109,7 +109,7 @@ class BitImporter {
   }
 
  private:
-  // "shape-type" and the name of the file in "shape" both say the shape.
+  // "shape-type" and the name of the file in "shape" both state the shape.
   bool read_shape() {
     std::string type = detail::text_of(json_.root, "shape-type");
     const std::string file_name = stem(detail::text_of(json_.root, "shape"));

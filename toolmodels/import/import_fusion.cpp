@@ -46,7 +46,7 @@ std::optional<CatalogueShape> fusion_shape(const std::string& word) {
   return std::nullopt;
 }
 
-// Keys of `geometry` that say nothing about the contour of the shapes above.
+// Keys of `geometry` that state nothing about the contour of the shapes above.
 bool is_no_fusion_contour(const std::string& key) {
   static constexpr std::string_view kKeys[] = {"NOF",
                                                "NT",
@@ -152,7 +152,7 @@ class FusionImporter {
     Result<std::vector<ToolSegment>> segments = read_segments(*holder, "holder", *unit);
     if (!segments) return segments.error();
     tool.holder = std::move(*segments);
-    if (tool.holder.empty()) tool.doubt = "its holder has no segments";
+    if (tool.holder.empty()) tool.uncertainty = "its holder has no segments";
     const double gauge_mm = check_gauge_length(*holder, tool.holder, *unit);
     check_assembly_length(geometry, tool, gauge_mm);
     return Done{};

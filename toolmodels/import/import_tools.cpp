@@ -19,7 +19,7 @@ bool has_class_line(std::string_view text) {
 std::optional<ImportFormat> format_of(const nlohmann::json& root) {
   if (detail::is_fusion_library(root)) return ImportFormat::fusion;
   if (detail::is_freecad_bit(root)) return ImportFormat::freecad;
-  // Our own library has "tools" too, but always says its "units".
+  // Our own library has "tools" too, but always states its "units".
   if (detail::is_freecad_library(root) && !root.contains("units")) return ImportFormat::freecad;
   return std::nullopt;
 }

@@ -21,8 +21,8 @@ enum class ImportFormat { fusion, freecad, nx };
 
 struct ImportOptions {
   std::vector<ToolSegment> holder;    ///< put on tools that have none; empty: they stay without
-  std::optional<double> stickout_mm;  ///< tip to holder, for tools whose file does not say
-  std::optional<LengthUnit> unit;     ///< for formats that do not say theirs (NX)
+  std::optional<double> stickout_mm;  ///< tip to holder, for tools whose file does not state
+  std::optional<LengthUnit> unit;     ///< for formats that do not state theirs (NX)
   /// Bytes of a file beside the library, for libraries that only name their tools. May be empty.
   std::function<Result<std::string>(const std::string& name)> read_beside;
 };
@@ -30,7 +30,7 @@ struct ImportOptions {
 struct ImportedTools {
   ToolLibrary library;  ///< write_tool_library of it reads back as the same tools; may be empty
   /// Errors: a tool that was left out because its numbers make no tool. Warnings: a shape that cannot be
-  /// imported, numbers that contradict each other (the message says which were believed). Notes: what was
+  /// imported, numbers that contradict each other (the message states which were believed). Notes: what was
   /// assumed.
   Diagnostics notes;
 };

@@ -7,7 +7,7 @@ namespace gouge::detail {
 
 namespace {
 
-// Whether `key` is a list that is empty or has an object with one of `members`.
+// Returns whether `key` is a list that is empty or has an object with one of `members`.
 bool has_list_with(const nlohmann::json& root, const char* key, std::initializer_list<const char*> members) {
   const auto list = root.find(key);
   if (list == root.end() || !list->is_array()) return false;

@@ -12,11 +12,11 @@
 #include "toolmodels/assembly.h"
 #include "toolmodels/import/quantity.h"
 
-// What the importers of JSON formats share.
+// Functions that importers of JSON formats share.
 
 namespace gouge::detail {
 
-/// Of a file to import, where `what` was expected: "a Fusion tool library".
+/// For a file to import, where `what` was expected: "a Fusion tool library".
 [[nodiscard]] JsonKind imported_kind(const std::string& what);
 
 /// The cleaned text of `key`; empty when there is none or it is no text.
@@ -31,16 +31,16 @@ namespace gouge::detail {
 /// The text of a file without byte order mark and without blanks around it.
 [[nodiscard]] std::string_view without_mark(std::string_view bytes);
 
-/// Whether the text of a file begins as JSON of an object or a list does.
+/// Returns whether the text of a file begins as JSON of an object or a list does.
 [[nodiscard]] bool is_json(std::string_view bytes);
 
-/// Whether a JSON file is a FreeCAD tool bit: it has "parameter" and a shape.
+/// Returns whether a JSON file is a FreeCAD tool bit: it has "parameter" and a shape.
 [[nodiscard]] bool is_freecad_bit(const nlohmann::json& root);
 
-/// Whether a JSON file is a FreeCAD library: a list "tools" that is empty or has an entry with a "path".
+/// Returns whether a JSON file is a FreeCAD library: a list "tools" that is empty or has an entry with a "path".
 [[nodiscard]] bool is_freecad_library(const nlohmann::json& root);
 
-/// Whether a JSON file is a Fusion library: a list "data" that is empty or has an entry with a "geometry" or "segments".
+/// Returns whether a JSON file is a Fusion library: a list "data" that is empty or has an entry with a "geometry" or "segments".
 [[nodiscard]] bool is_fusion_library(const nlohmann::json& root);
 
 }  // namespace gouge::detail

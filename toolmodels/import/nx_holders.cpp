@@ -48,7 +48,7 @@ Result<ToolSegment> segment_of(const NxRow& row, double mm) {
   const auto [diameter, length, taper_deg] = values;
   constexpr double kSteepest = 89;
   if (std::abs(taper_deg) > kSteepest)
-    return make_error("import-field", "TAPER " + people_text(taper_deg, 3) + " is not possible; expected -89 to 89");
+    return make_error("import-field", "TAPER " + display_text(taper_deg, 3) + " is not possible; expected -89 to 89");
   const double upper = diameter + 2 * length * std::tan(taper_deg * std::numbers::pi / 180);
   if (upper < 0)
     return make_error("import-field", "section " + row.text("SEQ") + " has a TAPER that would end below its axis");

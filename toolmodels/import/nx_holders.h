@@ -9,13 +9,13 @@
 
 namespace gouge {
 
-/// Whether these are the rows of a holder_database.dat.
+/// Returns whether these are the rows of a holder_database.dat.
 [[nodiscard]] bool has_holders(const std::vector<NxRow>& rows);
 
 /// Adds the holders of a holder_database.dat to the library. What is wrong with one leaves it out, and is reported.
 void import_nx_holders(Collector& collector, const std::vector<NxRow>& rows, LengthUnit unit);
 
-/// The holders of the holder_database.dat beside a tool_database.dat, read when the first is asked for.
+/// The holders of the holder_database.dat beside a tool_database.dat, read when the first is requested.
 class NxHolderSource {
  public:
   NxHolderSource(const ImportOptions& options, LengthUnit unit) : options_(options), unit_(unit) {}

@@ -34,7 +34,7 @@ constexpr std::array<Beginning, 9> kBeginnings = {{
     {"\xd0\xcf\x11\xe0", "is an old file of Office"},
 }};
 
-// What a file is that is neither JSON nor in a format that can be imported, and what to do.
+// Names the format of a file that is neither JSON nor importable, and what to do.
 std::string describe_foreign(std::string_view bytes) {
   const std::string_view text = detail::without_mark(bytes);
   if (text.empty()) return std::string("the file is empty; ") + kExpected;
@@ -45,7 +45,7 @@ std::string describe_foreign(std::string_view bytes) {
   return std::string("the file is no tool library; ") + kExpected;
 }
 
-// Ours has "tools", each with a "cutter", or says its "units".
+// Ours has "tools", each with a "cutter", or states its "units".
 bool is_ours(const nlohmann::json& root) {
   if (!root.is_object()) return false;
   if (root.contains("units")) return true;
@@ -63,11 +63,11 @@ std::string with_remedy(const Diagnostic& diagnostic, const std::string& file) {
 }
 
 Result<ReadTools> read_imported(const std::string& file, std::string_view bytes, ImportFormat format,
-                                std::uint64_t most_bytes) {
+                                std::uint64_t max_bytes) {
   ReadTools read;
   ImportOptions options;
   options.read_beside = [&](const std::string& name) -> Result<std::string> {
-    Result<BesideFile> beside = read_beside(file, name, most_bytes);
+    Result<BesideFile> beside = read_beside(file, name, max_bytes);
     if (!beside) return beside.error();
     read.besides.push_back(std::move(*beside));
     return read.besides.back().bytes;
@@ -98,9 +98,9 @@ Result<ReadTools> read_imported(const std::string& file, std::string_view bytes,
 
 }  // namespace
 
-Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t most_bytes) {
+Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes, std::uint64_t max_bytes) {
   if (const std::optional<ImportFormat> format = recognise_format(bytes))
-    return read_imported(file, bytes, *format, most_bytes);
+    return read_imported(file, bytes, *format, max_bytes);
   if (!detail::is_json(bytes)) return make_error("library-foreign", describe_foreign(bytes), file);
   const Result<JsonFile> json = parse_json(file, bytes, {"library-syntax", "library-duplicate-key", "a tool library"});
   if (json && !is_ours(json->root))

@@ -22,7 +22,7 @@ struct ReadTools {
 /// Errors   those of read_tool_library and import_tools; library-foreign: a file of another kind, which the message
 ///          names with what to do; library-empty: no tool of the file can be imported, with the first reason.
 [[nodiscard]] Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes,
-                                               std::uint64_t most_bytes);
+                                               std::uint64_t max_bytes);
 
 [[nodiscard]] bool is_zip(std::string_view bytes);
 

@@ -22,7 +22,7 @@ struct CheckOptions {
   double stock_to_leave = 0;    ///< grows the cutter against the part
   double shank_clearance = 0;   ///< grows the shank; any depth in it is then a gouge
   double holder_clearance = 0;  ///< grows the holder
-  double near_miss = 0;         ///< report what comes nearer than this; 0: not asked
+  double near_miss = 0;         ///< report what comes nearer than this; 0: not requested
   Rapids rapids = Rapids::straight;
   unsigned threads = 0;  ///< 0: all; the result is the same at any number
   /// Facts to take as stated: "path-unit", "placement", "tool=T3", ... (docs/guide/assumptions.md).
@@ -42,7 +42,7 @@ struct CheckOptions {
 [[nodiscard]] GOUGECHECK_EXPORT Report check(const Path& path, const Scene& scene, const ToolLibrary& tools,
                                              const CheckOptions& options = {});
 
-/// What a tool at one position meets.
+/// Contact of a tool at one position.
 struct Contact {
   State state = State::clean;
   double depth = 0, depth_upper = 0;  ///< positive inside; depth <= true depth <= depth_upper
@@ -52,17 +52,17 @@ struct Contact {
   Body body = Body::cutter;           ///< of the tool, the nearest to the point
 };
 
-/// How deep a tool is, position after position: what a haptic loop or an optimiser asks. Tolerance 0: any depth is a
-/// gouge, and its gap is closed to the resolution. Made once, then asked from any number of threads.
+/// How deep a tool is, position after position: what a haptic loop or an optimiser queries. Tolerance 0: any depth is a
+/// gouge, and its gap is closed to the resolution. Made once, then queried from any number of threads.
 class GOUGECHECK_EXPORT DepthQuery {
  public:
   /// `options`: tolerance, near_miss, rapids and threads mean nothing here. Throws as check.
   DepthQuery(const Scene& scene, const Tool& tool, const CheckOptions& options = {});
 
-  /// Of one position; axis of any length but 0. Allocates little; microseconds to a millisecond. Throws Error for a
+  /// Queries one position; axis of any length but 0. Allocates little; microseconds to a millisecond. Throws Error for a
   /// position or axis that is no number.
   [[nodiscard]] Contact at(const Vec3& tip, const Vec3& axis) const;
-  /// Of many, on `threads` threads (0: all). Axes: as many as tips, or one for all.
+  /// Queries many positions, on `threads` threads (0: all). Axes: as many as tips, or one for all.
   [[nodiscard]] std::vector<Contact> at(std::span<const Vec3> tips, std::span<const Vec3> axes,
                                         unsigned threads = 0) const;
 

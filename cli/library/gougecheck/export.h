@@ -1,4 +1,4 @@
 #pragma once
 
-/// What libgougecheck exports; everything else in it is hidden.
+/// Marks the exported symbols of libgougecheck; all others are hidden.
 #define GOUGECHECK_EXPORT __attribute__((visibility("default")))

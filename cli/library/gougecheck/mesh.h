@@ -31,7 +31,7 @@ class GOUGECHECK_EXPORT Mesh {
 
   /// It separates inside from outside: a buried tool is found, and depths of bodies mean something.
   [[nodiscard]] bool is_solid() const;
-  /// What was noticed: open edges, wrong orientations, triangles left out.
+  /// Warnings: open edges, wrong orientations, triangles left out.
   [[nodiscard]] std::vector<Note> notes() const;
 
   struct Content;
@@ -44,11 +44,11 @@ class GOUGECHECK_EXPORT Mesh {
   std::shared_ptr<const Content> content_;
 };
 
-/// What stands still: parts, which must not be cut into, and fixtures, which must not be touched. Immutable; copies
+/// The stationary objects: parts, which must not be cut into, and fixtures, which must not be touched. Immutable; copies
 /// share the index, which is made at the first check, from any thread.
 class GOUGECHECK_EXPORT Scene {
  public:
-  /// Of one part. The index stays with the mesh: a scene of the same mesh costs nothing.
+  /// Builds a scene of one part. The index stays with the mesh: a scene of the same mesh costs nothing.
   Scene(const Mesh& part);  // NOLINT: a part is a scene
   /// `fixture_clearances`: the distance that the tool keeps from each fixture, mm; empty: none has one.
   /// Errors  usage: no mesh, another count of clearances than of fixtures, or a clearance that is no length of 0 or more.

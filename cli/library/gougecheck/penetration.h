@@ -33,12 +33,12 @@ struct Penetration {
   Vec3 point_b = {0, 0, 0};                           ///<
   std::optional<Vec3> deepest;                        ///< a point of the one that is `depth` deep in the other
   std::optional<Vec3> normal;                         ///< unit; the direction in which B moves away from there
-  std::optional<Vec3> shift;                          ///< where asked for: takes B out of A, which was proved there
+  std::optional<Vec3> shift;                          ///< where requested: takes B out of A, which was proved there
   bool a_is_inside_b = false, b_is_inside_a = false;  ///< wholly, without surfaces that meet
   std::string reason;                                 ///< of not_certified
 };
 
-/// Whether two bodies penetrate and how deep, B placed by `pose_b`.
+/// Returns whether two bodies penetrate and how deep, B placed by `pose_b`.
 /// Ensures  free and touching are proved, for bodies whose inside is not known as well.
 /// Throws   Error: a rotation that is none, a number that is none, a body beyond 100 m.
 [[nodiscard]] GOUGECHECK_EXPORT Penetration penetration(const Mesh& a, const Mesh& b, const Transform& pose_b = {},

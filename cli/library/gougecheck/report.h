@@ -14,19 +14,19 @@ enum class State : std::uint8_t {
   near_miss,  ///< nearer than CheckOptions::near_miss
   gouge,
   buried,         ///< inside a solid with no surface inside the tool
-  not_checked,    ///< could not be asked: see Report::reason
-  not_certified,  ///< asked, and not proved within the budget
+  not_checked,    ///< could not be queried: see Report::reason
+  not_certified,  ///< queried, and not proved within the budget
 };
 /// clean, near, gouge, buried, not-checked, not-certified
 [[nodiscard]] GOUGECHECK_EXPORT const char* state_name(State state);
 
 enum class Body : std::uint8_t { cutter, shank, holder, head };
 
-/// Of a whole path: gouges where a move gouges or is buried; clean where every move is clean or near and no fact that this
+/// Verdict of a whole path: gouges where a move gouges or is buried; clean where every move is clean or near and no fact that this
 /// rests on is open.
 enum class Verdict : std::uint8_t { clean, gouges, not_fully_checked };
 
-/// What a check says: one entry a move, in order, as a structure of arrays. For every move depth <= true depth <=
+/// Result of a check: one entry a move, in order, as a structure of arrays. For every move depth <= true depth <=
 /// depth_upper. Immutable; spans are valid as long as a copy of the report lives.
 class GOUGECHECK_EXPORT Report {
  public:
@@ -45,18 +45,18 @@ class GOUGECHECK_EXPORT Report {
   [[nodiscard]] std::span<const double> t() const;
   [[nodiscard]] std::span<const Vec3> point() const;
   [[nodiscard]] std::span<const Vec3> normal() const;
-  /// Of the witness: face of its mesh as given, index of the mesh, the body of the tool. -1 where there is none.
+  /// The witness: face of its mesh as given, index of the mesh, the body of the tool. -1 where there is none.
   [[nodiscard]] std::span<const std::int64_t> triangle() const;
   [[nodiscard]] std::span<const std::int32_t> mesh() const;
   [[nodiscard]] std::span<const std::int8_t> body() const;        ///< a Body
   [[nodiscard]] std::span<const std::int8_t> is_fixture() const;  ///< 1: `mesh` counts fixtures; 0: parts
   /// How far below the surface the tool reached, at least; NaN where it was not measured.
   [[nodiscard]] std::span<const double> overcut() const;
-  /// Why a move is not checked, not certified or buried; else empty, or what else is to be said.
+  /// Why a move is not checked, not certified or buried; else empty, or what else is to be stated.
   [[nodiscard]] std::string reason(std::size_t move) const;
   /// Returns the facts that the verdict rests on. It is clean only if none of them is open.
   [[nodiscard]] std::vector<Assumption> assumptions() const;
-  /// What the verdict does not cover, and what was noticed of the inputs.
+  /// Exceptions to the verdict, and warnings about the inputs.
   [[nodiscard]] std::vector<Note> notes() const;
 
   /// As the program prints it: one finding a line, then the summary.

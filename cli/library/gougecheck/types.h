@@ -9,7 +9,7 @@
 
 #include <gougecheck/export.h>
 
-// What all headers share. Lengths are in mm, points in part coordinates, angles in degrees.
+// Types that all headers share. Lengths are in mm, points in part coordinates, angles in degrees.
 
 namespace gougecheck {
 
@@ -25,7 +25,7 @@ struct Transform {
   Vec3 shift = {0, 0, 0};
 };
 
-/// What a user should know of an input or a result; never an error.
+/// A note about an input or a result; never an error.
 struct Note {
   bool is_warning = false;
   std::string code;  ///< stable, as in docs/errors.md
@@ -40,7 +40,7 @@ struct Assumption {
   std::string state;     ///< "stated", "derived", "default", "contradicted" or "unknown"
   bool is_open = false;  ///< the verdict is not clean because of it
   std::string value;     ///< what was taken
-  std::string evidence;  ///< why, or what speaks against it
+  std::string evidence;  ///< why, or what contradicts it
   std::string remedy;    ///< how to establish it
 };
 

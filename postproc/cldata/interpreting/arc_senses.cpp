@@ -30,20 +30,20 @@ ArcSense shorter_path(ArcStatement arc, const Vec3& start, const Vec3& end) {
 
 }  // namespace
 
-void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& start, std::string_view other_doubt,
-                       Move& move) {
+void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& start,
+                       std::string_view other_uncertainty, Move& move) {
   const bool is_understood = arc.problem.empty();
   const bool runs_shorter_way = in_.dialect.arc_rule == ArcRule::shorter_path;
   if (runs_shorter_way && is_understood && !is_round(arc, position, start, move)) return;
-  if (in_.dialect.arc_rule == ArcRule::by_vector_or_against && is_understood) doubt_sense(arc, start, move);
+  if (in_.dialect.arc_rule == ArcRule::by_vector_or_against && is_understood) mark_sense_uncertain(arc, start, move);
   const bool is_open = is_understood && arc.sense == ArcSense::unknown;
   if (is_understood && last_direction_) vote(arc, start.tip, *last_direction_);
   // Points that follow one another on a circle; where the shorter way is the rule, one alone as well.
   if (is_open && (position.points > 1 || runs_shorter_way)) arc.sense = shorter_path(arc, start.tip, move.end.tip);
-  // Where the vector has no sense, what other arcs show of it says nothing of this one.
+  // Where the vector has no sense, what other arcs show of it states nothing about this one.
   if (arc.sense == ArcSense::unknown && is_understood && !runs_shorter_way) {
     in_.make_room(open_);
-    open_.push_back({in_.moves(), arc, other_doubt});
+    open_.push_back({in_.moves(), arc, other_uncertainty});
   }
   fit(arc, start.tip, move);
   const bool turns = start.axis.cross(move.end.axis).norm() > Tolerance::kSameDirection;
@@ -55,7 +55,7 @@ void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& s
 
 // Newer posts of Autodesk turn a clockwise arc's vector round; older ones leave it, so that its stated angle shows
 // how it runs unless that is half a turn, or a whole one of a helix. Of a flat full circle both ways are the same.
-void ArcSenses::doubt_sense(ArcStatement& arc, const Pose& start, const Move& move) {
+void ArcSenses::mark_sense_uncertain(ArcStatement& arc, const Pose& start, const Move& move) {
   constexpr double kOpposite = -0.999;
   const Vec3& end = move.end.tip;
   if (fits_both_ways(arc, start.tip, end)) {
@@ -90,7 +90,7 @@ void ArcSenses::fit(const ArcStatement& arc, const Vec3& start, Move& move) {
   }
   move.not_checked_reason = fit.problem;
   if (fit.problem == ArcProblems::kTiny) return cover_by_circle(arc, start, move);
-  // What else it may be is one turn more: emit() adds that.
+  // The other possible reading is one more turn: emit() adds it.
   if (fit.problem == ArcProblems::kTimes) move.cover = Cover::motion;
   if (!fit.problem.empty() && fit.problem != ArcProblems::kTimes) return;
   move.curve_kind = CurveKind::arc;
@@ -136,7 +136,7 @@ void ArcSenses::note_motion(const Move& move, const std::optional<Pose>& start) 
   if (!open_.empty() && open_.back().move + 1 == in_.moves()) vote(open_.back().arc, start->tip, *last_direction_);
 }
 
-void ArcSenses::doubt(std::size_t begin, std::size_t end, std::string_view reason) {
+void ArcSenses::uncertainty(std::size_t begin, std::size_t end, std::string_view reason) {
   for (auto open = open_.rbegin(); open != open_.rend() && open->move >= begin; ++open) {
     if (open->move < end && open->not_checked_reason.empty()) open->not_checked_reason = reason;
   }

@@ -11,20 +11,21 @@
 
 namespace gouge {
 
-/// Which way round arcs run. Where neither the dialect nor the statement says it, the lines that arcs touch do, once
+/// Which way round arcs run. Where neither the dialect nor the statement states it, the lines that arcs touch do, once
 /// the whole file is read; arcs whose sense nothing shows are not checked.
 class ArcSenses {
  public:
   explicit ArcSenses(StatementContext& in) : in_(in) {}
 
   /// `arc`, in part coordinates, from `start` to the end of `move`, which is about to become the last one.
-  /// `other_doubt` is why the move is not checked whatever its sense; it may be empty.
-  void attach(ArcStatement arc, const Position& position, const Pose& start, std::string_view other_doubt, Move& move);
+  /// `other_uncertainty` is why the move is not checked whatever its sense; it may be empty.
+  void attach(ArcStatement arc, const Position& position, const Pose& start, std::string_view other_uncertainty,
+              Move& move);
   /// `move` is about to become the last one.
   void note_motion(const Move& move, const std::optional<Pose>& start);
   void break_motion() { last_direction_.reset(); }
   /// Moves [begin, end) are not checked, whatever their sense.
-  void doubt(std::size_t begin, std::size_t end, std::string_view reason);
+  void uncertainty(std::size_t begin, std::size_t end, std::string_view reason);
   /// At the end of the file.
   void close();
   void write_notes() const;
@@ -35,7 +36,7 @@ class ArcSenses {
     ArcStatement arc;                     // part coordinates
     std::string_view not_checked_reason;  // whatever its sense
   };
-  void doubt_sense(ArcStatement& arc, const Pose& start, const Move& move);
+  void mark_sense_uncertain(ArcStatement& arc, const Pose& start, const Move& move);
   [[nodiscard]] bool is_round(const ArcStatement& arc, const Position& position, const Pose& start, Move& move) const;
   void fit(const ArcStatement& arc, const Vec3& start, Move& move);
   void vote(const ArcStatement& arc, const Vec3& tip, const Vec3& direction);

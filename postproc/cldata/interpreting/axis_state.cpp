@@ -22,14 +22,14 @@ bool is_tilted(const Vec3& axis, const Vec3& upright = Vec3::UnitZ()) {
 void AxisState::take_multax() {
   const bool is_off = in_.has("OFF");
   const bool is_known = in_.arguments.empty() || (in_.arguments.size() == 1 && (is_off || in_.has("ON")));
-  doubts_.set(Doubt::multax, is_known ? nullptr : in_.because(Reasons::kMultax));
+  uncertainties_.set(Uncertainty::multax, is_known ? nullptr : in_.because(Reasons::kMultax));
   if (!is_known) in_.count_unknown();
   multax_ = !is_off;
   if (!is_off) {
     locked_axis_.reset();
     return;
   }
-  // Whether a TLAXIS outlives MULTAX/OFF no document says.
+  // Returns whether a TLAXIS outlives MULTAX/OFF no document states.
   is_fixed_doubtful_ = is_tilted(fixed_axis_);
   if (in_.dialect.locks_axis) lock_axis();
 }
@@ -67,7 +67,7 @@ void AxisState::note_position(const Vec3& axis_local) {
   is_tlaxis_new_ = false;
 }
 
-// Whether a locked axis turns with the frame no document says.
+// Returns whether a locked axis turns with the frame no document states.
 void AxisState::note_frame(bool says_axis) {
   const bool is_lost = last_axis_ && !says_axis;
   if (locked_axis_) is_fixed_doubtful_ = is_lost;
@@ -93,7 +93,7 @@ std::size_t AxisState::numbers_per_point() {
     if (!is_list || is_multax_on()) return 6;
     if (in_.dialect.has_points_at_multax_off && multax_ == false) return 3;
     if (are_axes_unit()) return 6;
-    // Two positions and a wrong axis look alike; only where MULTAX/OFF or the dialect says is it two
+    // Two positions and a wrong axis look alike; only where MULTAX/OFF or the dialect states is it two
     // positions.
     return multax_.has_value() || in_.dialect.has_points_without_axis || count > 6 ? 3 : 6;
   }
@@ -104,7 +104,7 @@ std::size_t AxisState::numbers_per_point() {
 }
 
 // Two positions, the second of which happens to lie at a distance of 1 from the origin, look like a position and
-// its axis. Where MULTAX/OFF says so, or a writer known to state MULTAX has not, nobody can tell.
+// its axis. Where MULTAX/OFF states so, or a writer known to state MULTAX has not, is not known.
 const char* AxisState::two_readings(std::size_t numbers) const {
   if (in_.statement().has_axes || in_.dialect.is_axis_modal) return nullptr;
   if (may_have_normals()) return Reasons::kNineNumbers;
@@ -124,8 +124,8 @@ bool AxisState::may_have_normals() const {
 }
 
 std::pair<std::size_t, std::size_t> AxisState::note_list(std::size_t numbers) {
-  const bool is_told = multax_.has_value() || in_.dialect.has_known_plain_axis || in_.dialect.is_axis_modal;
-  if (is_told || in_.statement().is_decoded) return {0, 0};
+  const bool is_verdict_final = multax_.has_value() || in_.dialect.has_known_plain_axis || in_.dialect.is_axis_modal;
+  if (is_verdict_final || in_.statement().is_decoded) return {0, 0};
   if (numbers == 6 && first_axis_ == kNone) first_axis_ = in_.moves();
   if (numbers != 3 || in_.arguments.size() <= numbers) return {0, 0};
   has_lists_ = true;
@@ -145,13 +145,13 @@ bool AxisState::is_doubtful(const Position& position) {
     last_axis_ = position.axis_local;
     is_lock_lost_ = false;
     // A fixed axis, and another vector behind the position: its axis, or the normal of the surface. Of a line of NCI the
-    // code says which.
+    // code states which.
     if (has_tlaxis_ && !in_.statement().is_decoded && !is_multax_on() && is_tilted(position.axis_local, fixed_axis_))
       return true;
     is_last_tilted_ = is_tilted(position.axis_local, fixed_axis_);
     return false;
   }
-  // MULTAX/OFF says it where the dialect does; who writes axes under MULTAX alone has not written this one.
+  // MULTAX/OFF states it where the dialect does; who writes axes under MULTAX alone has not written this one.
   const bool is_off = multax_ == false;
   const bool is_known = in_.dialect.has_known_plain_axis && (is_off || !in_.dialect.has_axes_under_multax);
   if (!is_last_tilted_ || is_known || locked_axis_) return false;

@@ -3,17 +3,17 @@
 #include <optional>
 #include <utility>
 
-#include "postproc/cldata/interpreting/doubts.h"
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/statement_context.h"
+#include "postproc/cldata/interpreting/uncertainties.h"
 
 namespace gouge {
 
-/// The tool axis: MULTAX, TLAXIS and what a position of three numbers means. A file that never says MULTAX is judged by
+/// The tool axis: MULTAX, TLAXIS and what a position of three numbers means. A file that never states MULTAX is judged by
 /// what its dialect's writers do; one that never ends it keeps it.
 class AxisState {
  public:
-  AxisState(StatementContext& in, Doubts& doubts) : in_(in), doubts_(doubts) {}
+  AxisState(StatementContext& in, Uncertainties& uncertainties) : in_(in), uncertainties_(uncertainties) {}
 
   void take_multax();
   void take_tlaxis();
@@ -29,11 +29,11 @@ class AxisState {
   [[nodiscard]] bool is_multax_on() const { return multax_.value_or(false); }
   /// TLAXIS since the last position.
   [[nodiscard]] bool is_new() const { return is_tlaxis_new_; }
-  /// Of a position without an axis, in the block's frame.
+  /// Axis of a position that states none, in the block's frame.
   [[nodiscard]] Vec3 implied() const {
     return in_.dialect.is_axis_modal ? modal_axis_ : locked_axis_ ? *locked_axis_ : fixed_axis_;
   }
-  /// Before an axis can be written. Those who write files that state MULTAX say it where they mean it.
+  /// Before an axis can be written. Those who write files that state MULTAX state it where they mean it.
   [[nodiscard]] bool needs_multax() const { return !multax_.value_or(!in_.dialect.states_multax); }
   /// How many numbers of the statement make a position: 3 or 6, or 0 after an error.
   [[nodiscard]] std::size_t numbers_per_point();
@@ -54,7 +54,7 @@ class AxisState {
   void lock_axis();
 
   StatementContext& in_;
-  Doubts& doubts_;
+  Uncertainties& uncertainties_;
   std::optional<bool> multax_;
   Vec3 modal_axis_ = Vec3::UnitZ();  // the last axis given, or TLAXIS
   Vec3 fixed_axis_ = Vec3::UnitZ();  // TLAXIS

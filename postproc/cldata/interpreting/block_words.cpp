@@ -29,8 +29,8 @@ void take_creo_comment(States& s, std::string_view text) {
     const bool is_on_centre = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER");
     const bool is_on_profile = starts_with_ignoring_case(rest, "OUTPUT_ON_PROFILE");
     const bool is_understood = is_on_centre || is_on_profile || rest.empty();
-    s.doubts.set(Doubt::contour,
-                 is_understood ? nullptr : s.in.named(Reasons::kContour, "CUTCOM_GEOMETRY_TYPE", s.in.line()));
+    s.uncertainties.set(Uncertainty::contour,
+                        is_understood ? nullptr : s.in.named(Reasons::kContour, "CUTCOM_GEOMETRY_TYPE", s.in.line()));
     is_on_profile ? s.cutcom.begin_contour() : s.cutcom.end_contour();
     if (is_on_centre) s.cutcom.begin_centre();
   } else if (starts_with_ignoring_case(text, "CUTTER")) {
@@ -41,7 +41,7 @@ void take_creo_comment(States& s, std::string_view text) {
 void take_catia_row(States& s, std::string_view text) {
   const std::optional<RigidTransform> frame = s.matrix.take_row(text);
   if (!frame) return;
-  s.doubts.clear(Doubt::matrix);
+  s.uncertainties.clear(Uncertainty::matrix);
   set_frame(s, *frame);
 }
 
@@ -79,20 +79,21 @@ bool names_other_point(std::string_view text) {
 
 void note_point(States& s, std::string_view text) {
   if (starts_with_ignoring_case(text, "centerline data")) {
-    s.doubts.clear(Doubt::tip);
+    s.uncertainties.clear(Uncertainty::tip);
     if (s.blocks.is_open()) s.cutcom.begin_centre();
   }
   if (names_other_point(text))
-    s.doubts.set(Doubt::tip, s.in.named(Reasons::kTipElsewhere, s.in.statement().major, s.in.line()));
+    s.uncertainties.set(Uncertainty::tip, s.in.named(Reasons::kTipElsewhere, s.in.statement().major, s.in.line()));
 }
 
 }  // namespace
 
-// What follows is another program, or none: nothing that was stated before needs to hold for it.
+// Another program may follow: earlier statements need not hold for it.
 void end_program(States& s) {
   break_motion(s);
   s.chain.forbid_link();
-  if (!s.doubts.has(Doubt::ended)) s.doubts.set(Doubt::ended, s.in.because(Reasons::kAfterEnd));
+  if (!s.uncertainties.has(Uncertainty::ended))
+    s.uncertainties.set(Uncertainty::ended, s.in.because(Reasons::kAfterEnd));
 }
 
 void take_comment(States& s) {
@@ -104,7 +105,7 @@ void take_comment(States& s) {
   } else if (s.matrix.expects_row()) {
     take_catia_row(s, text);
   } else if (is_catia && s.matrix.is_row(text)) {
-    s.doubts.set(Doubt::matrix, s.in.named(Reasons::kMatrixRow, "$$", s.in.line()));
+    s.uncertainties.set(Uncertainty::matrix, s.in.named(Reasons::kMatrixRow, "$$", s.in.line()));
   } else if (is_catia && starts_with_ignoring_case(text, "OPERATION NAME")) {
     const std::size_t colon = text.find(':');
     if (colon != std::string_view::npos) s.operation.name(name_text(text.substr(colon + 1)), s.in.line());
@@ -124,20 +125,20 @@ void take_tool_path(States& s) {
   s.axes.begin_block();
   s.cutcom.end_centre();
   s.frame.begin_block();
-  s.doubts.clear(Doubt::skew);
+  s.uncertainties.clear(Uncertainty::skew);
   s.feed.begin_block();
   s.cycle.begin_block();
   s.blocks.open();
   s.is_unknown_in_block = false;
-  s.doubts.clear(Doubt::tip);
-  s.doubts.set(Doubt::block, s.blocks.take_frame_between() ? Reasons::kMsysOutside : nullptr);
+  s.uncertainties.clear(Uncertainty::tip);
+  s.uncertainties.set(Uncertainty::block, s.blocks.take_frame_between() ? Reasons::kMsysOutside : nullptr);
 }
 
 void take_end_of_path(States& s) {
-  if (s.blocks.number() == 0) doubt_moves(s, 0, s.in.moves(), Reasons::kNoToolPath);
+  if (s.blocks.number() == 0) mark_moves_uncertain(s, 0, s.in.moves(), Reasons::kNoToolPath);
   s.blocks.end();
   s.end_line = s.in.line();
-  s.doubts.set(Doubt::block, Reasons::kBetweenBlocks);
+  s.uncertainties.set(Uncertainty::block, Reasons::kBetweenBlocks);
   break_motion(s);
 }
 
@@ -159,7 +160,7 @@ void take_free_text(States& s) {
     if (s.in.moves() > 0) {
       end_program(s);
     } else {
-      s.doubts.clear(Doubt::unknown);  // what stands before a program is no part of it
+      s.uncertainties.clear(Uncertainty::unknown);  // what stands before a program is no part of it
     }
   }
   if (equals_ignoring_case(major, "OPFEATEND")) s.setup.end_feature();

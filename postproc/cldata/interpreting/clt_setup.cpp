@@ -76,15 +76,17 @@ void CltSetup::take_axis() {
 void CltSetup::choose_decimals() {
   if (!in_.dialect.has_setups || !is_new_) return;
   is_new_ = false;
-  const auto doubt = [&](const char* reason) { doubts_.set(Doubt::clt_setup, in_.named(reason, word_, line_)); };
+  const auto uncertainty = [&](const char* reason) {
+    uncertainties_.set(Uncertainty::clt_setup, in_.named(reason, word_, line_));
+  };
   const Eigen::Matrix3d setup = axes();
-  doubts_.clear(Doubt::clt_setup);
+  uncertainties_.clear(Uncertainty::clt_setup);
   if (!axis_) {
-    doubt(Reasons::kCltAxis);
+    uncertainty(Reasons::kCltAxis);
   } else if ((setup.col(2) - *axis_).norm() > Tolerance::kFileAxis) {
-    doubt(turns_.empty() ? Reasons::kCltAxis : Reasons::kSetupAxis);
+    uncertainty(turns_.empty() ? Reasons::kCltAxis : Reasons::kSetupAxis);
   } else if (first_ && (setup - *first_).cwiseAbs().maxCoeff() > Tolerance::kFileAxis) {
-    doubt(Reasons::kOtherSetup);
+    uncertainty(Reasons::kOtherSetup);
   } else if (!first_) {
     first_ = setup;
     if (!turns_.empty()) turned_line_ = line_;

@@ -5,17 +5,17 @@
 #include <string_view>
 #include <vector>
 
-#include "postproc/cldata/interpreting/doubts.h"
 #include "postproc/cldata/interpreting/statement_context.h"
+#include "postproc/cldata/interpreting/uncertainties.h"
 
 namespace gouge {
 
 /// The setups of CAMWorks CLT: ROTABL turns the table, TLAXIS names the setup's Z in model axes. Where a setup lies in
-/// the model no word says; so the first one of the file is the frame of its positions, those of other setups are not
-/// checked, and what the words say twice must agree. A setup that the file never ends holds to its end.
+/// the model no word states; so the first one of the file is the frame of its positions, those of other setups are not
+/// checked, and what the words state twice must agree. A setup that the file never ends holds to its end.
 class CltSetup {
  public:
-  CltSetup(StatementContext& in, Doubts& doubts) : in_(in), doubts_(doubts) {}
+  CltSetup(StatementContext& in, Uncertainties& uncertainties) : in_(in), uncertainties_(uncertainties) {}
 
   /// ROTABL/angle,AAXIS,TABLE,CCLW: turns are undone by the opposite ones, the last one first. False where another word
   /// stands beside its four: then nothing was taken.
@@ -37,7 +37,7 @@ class CltSetup {
   void begin();
 
   StatementContext& in_;
-  Doubts& doubts_;
+  Uncertainties& uncertainties_;
   std::vector<TableTurn> turns_;              // those in force
   std::optional<Vec3> axis_ = Vec3::UnitZ();  // TLAXIS, in model axes; nothing: not understood
   std::optional<Eigen::Matrix3d> first_;      // of the first position

@@ -27,9 +27,9 @@ void choose_offset(States& s, const std::string& offset) {
   if (s.work_offset.empty()) s.work_offset = s.in.moves() > 0 ? kFirst : offset;
   const bool is_same = s.work_offset == offset;
   if (s.in.moves() == 0) s.work_offset = offset;
-  if (is_same || s.in.moves() == 0) return s.doubts.clear(Doubt::work_offset);
+  if (is_same || s.in.moves() == 0) return s.uncertainties.clear(Uncertainty::work_offset);
   s.in.count_unknown();
-  s.doubts.set(Doubt::work_offset, s.in.because(Reasons::kWorkOffset));
+  s.uncertainties.set(Uncertainty::work_offset, s.in.because(Reasons::kWorkOffset));
 }
 
 // PREFUN/g and AUXFUN/m are a G and an M of the control; the addresses behind them belong to the same block.
@@ -49,19 +49,19 @@ void take_codes(States& s, char letter) {
 
 }  // namespace
 
-// What stands between ON and OFF is run or not, by a switch of the control. A tool, a frame or a cycle that begins or
+// A switch of the control decides whether statements between ON and OFF run. A tool, a frame or a cycle that begins or
 // ends there may hold behind it, or not.
 void take_opskip(States& s) {
   const bool is_on = s.in.has("ON");
   const bool is_understood = is_on != s.in.has("OFF");
   if (!is_understood) s.in.count_unknown();
   if (is_understood && s.skips_more_than_motion) return;
-  const bool was_on = s.doubts.has(Doubt::skip);
-  switch_doubt(s, Doubt::skip, is_on || !is_understood, Reasons::kSkipped);
+  const bool was_on = s.uncertainties.has(Uncertainty::skip);
+  switch_uncertainty(s, Uncertainty::skip, is_on || !is_understood, Reasons::kSkipped);
   s.skips_more_than_motion = !is_understood;
   if (!is_on && was_on) s.is_behind_skip = s.in.moves() > s.skip_begin;
   if (!is_on || was_on) return;
-  s.skip_reason = s.doubts.reason();
+  s.skip_reason = s.uncertainties.reason();
   s.skip_begin = s.in.moves();
   s.skip_start.reset();
   if (s.chain.is_start_certain()) s.skip_start = s.chain.last_pose();
@@ -77,14 +77,16 @@ void take_machine_text(States& s, const MachineEffect& effect) {
   if (!effect.work_offset.empty()) choose_offset(s, effect.work_offset);
   if (moves || shifts || effect.changes_length || effect.begins_cycle || effect.begins_steps) s.in.count_unknown();
   if (moves) emit_unread(s);
-  const auto doubt = [&](Doubt which, const char* reason) { s.doubts.set(which, s.in.because(reason)); };
-  if (effect.changes_length) doubt(Doubt::loading, Reasons::kMachineShift);
-  if (effect.changes_tool) doubt(Doubt::loading, Reasons::kUnreadTool);
-  if (shifts) doubt(Doubt::machine_shift, Reasons::kMachineShift);
-  if (effect.ends_cycle) s.doubts.clear(Doubt::machine_cycle);
-  if (effect.begins_cycle) doubt(Doubt::machine_cycle, Reasons::kMachineCycle);
-  if (effect.ends_steps) s.doubts.clear(Doubt::machine_steps);
-  if (effect.begins_steps) doubt(Doubt::machine_steps, Reasons::kMachineSteps);
+  const auto uncertainty = [&](Uncertainty which, const char* reason) {
+    s.uncertainties.set(which, s.in.because(reason));
+  };
+  if (effect.changes_length) uncertainty(Uncertainty::loading, Reasons::kMachineShift);
+  if (effect.changes_tool) uncertainty(Uncertainty::loading, Reasons::kUnreadTool);
+  if (shifts) uncertainty(Uncertainty::machine_shift, Reasons::kMachineShift);
+  if (effect.ends_cycle) s.uncertainties.clear(Uncertainty::machine_cycle);
+  if (effect.begins_cycle) uncertainty(Uncertainty::machine_cycle, Reasons::kMachineCycle);
+  if (effect.ends_steps) s.uncertainties.clear(Uncertainty::machine_steps);
+  if (effect.begins_steps) uncertainty(Uncertainty::machine_steps, Reasons::kMachineSteps);
   if (effect.ends_program) end_program(s);
 }
 
@@ -97,13 +99,13 @@ void take_insert(States& s) {
   if (!is_setup_text(text)) s.pending = PendingInsert{s.in.index(), is_tool_name(text)};
 }
 
-// What stood before the word `next` was a name, or text that is not understood.
+// The text before the word `next` was a name, or was not understood.
 void settle_insert(States& s, Word next) {
   if (!s.pending || next == Word::comment) return;
   const PendingInsert pending = *std::exchange(s.pending, std::nullopt);
   if (pending.is_name && next == Word::cutter) return;
   s.in.count_unknown("INSERT");
-  doubt_all(s, "INSERT", pending.statement);
+  mark_all_uncertain(s, "INSERT", pending.statement);
 }
 
 void take_prefun(States& s) { take_codes(s, 'G'); }
@@ -127,14 +129,14 @@ void take_setup(States& s) {
                          s.in.has_numbers_alone(1) && *arguments.front().number > 0;
   if (is_offset) return choose_offset(s, "ZERO " + exact_text(*arguments.front().number));
   s.in.count_unknown();
-  s.doubts.set(Doubt::setup, s.in.because(Reasons::kSetup));
+  s.uncertainties.set(Uncertainty::setup, s.in.because(Reasons::kSetup));
 }
 
 // SELECT/TOOL,n makes the next tool ready. An origin or a head changes where positions are.
 void take_select(States& s) {
   if (s.in.arguments.empty() || equals_ignoring_case(s.in.arguments.front().text, "TOOL")) return;
   s.in.count_unknown();
-  s.doubts.set(Doubt::setup, s.in.because(Reasons::kSetup));
+  s.uncertainties.set(Uncertainty::setup, s.in.because(Reasons::kSetup));
 }
 
 }  // namespace gouge

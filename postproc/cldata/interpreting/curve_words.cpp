@@ -31,7 +31,7 @@ bool are_numbers_alone(const StatementContext& in, std::size_t count) {
 
 }  // namespace
 
-// ARC/center,axis,radius,end of VERICUT. Which way round it runs no page says.
+// ARC/center,axis,radius,end of VERICUT. Which way round it runs no page states.
 void take_arc_record(States& s) {
   constexpr std::size_t kNumbers = 10, kEnd = 7;
   if (!are_numbers_alone(s.in, kNumbers) || !s.chain.last_pose() || s.chain.unknown_start() != nullptr)
@@ -55,11 +55,11 @@ void take_arc_slope(States& s) {
 // way round it runs; any other is not read.
 void take_helical(States& s) {
   constexpr std::size_t kNumbers = 9, kRadius = 6, kRise = 7, kAngle = 8;
-  constexpr double kTurn_deg = 360, kWhole_deg = 1e-6, kMostTurns = 1000;
-  const bool is_start_known = s.chain.is_start_certain() && s.doubts.reason() == nullptr;
+  constexpr double kTurn_deg = 360, kWhole_deg = 1e-6, kMaxTurns = 1000;
+  const bool is_start_known = s.chain.is_start_certain() && s.uncertainties.reason() == nullptr;
   const double turns = are_numbers_alone(s.in, kNumbers) ? std::abs(*s.in.arguments[kAngle].number) / kTurn_deg : 0;
   const bool is_whole =
-      std::round(turns) >= 1 && turns <= kMostTurns && std::abs(turns - std::round(turns)) <= kWhole_deg;
+      std::round(turns) >= 1 && turns <= kMaxTurns && std::abs(turns - std::round(turns)) <= kWhole_deg;
   if (!is_start_known || !is_whole) return take_unread_curve(s);
   ArcStatement arc = read_arc(dialect_of(DialectKind::apt),
                               std::span<const Argument>(s.in.arguments).first(kRadius + 1), s.frame.mm_per_unit());
@@ -73,7 +73,7 @@ void take_helical(States& s) {
 // With ON, until it is switched off.
 void take_unread_curve(States& s) {
   const bool is_on = s.in.has("ON");
-  if (is_on || s.in.has("OFF")) return switch_doubt(s, Doubt::spline, is_on, Reasons::kCurve);
+  if (is_on || s.in.has("OFF")) return switch_uncertainty(s, Uncertainty::spline, is_on, Reasons::kCurve);
   s.curve.describe(unreadable_arc(s.in.because(Reasons::kCurve)));
 }
 
@@ -89,12 +89,12 @@ bool take_control_nurbs(States& s) {
   const bool is_nurbs = starts_with_ignoring_case(text, kNurbs);
   if (is_nurbs && (is_whole || equals_ignoring_case(statement.major, kBegin))) {
     emit_unread(s, s.in.because(Reasons::kCurve));
-    s.doubts.set(Doubt::control_curve, s.in.because(Reasons::kCurve));
+    s.uncertainties.set(Uncertainty::control_curve, s.in.because(Reasons::kCurve));
     return true;
   }
-  if (!s.doubts.has(Doubt::control_curve)) return false;
+  if (!s.uncertainties.has(Uncertainty::control_curve)) return false;
   if (is_nurbs && equals_ignoring_case(statement.major, "END")) {
-    s.doubts.clear(Doubt::control_curve);
+    s.uncertainties.clear(Uncertainty::control_curve);
     s.chain.lose_last_pose(Reasons::kAfterUnread);
     return true;
   }
@@ -119,7 +119,7 @@ void take_tlon(States& s) {
   s.curve.describe_end(is_start_known ? arc_of_tlon(*tlon, here.tip, s.curve.tangent())
                                       : unreadable_arc(ArcProblems::kStart));
   const bool is_doubtful = !s.axes.is_multax_on() && s.axes.is_doubtful(position);
-  position.doubt = is_doubtful ? Reasons::kPlainAxis : nullptr;
+  position.uncertainty = is_doubtful ? Reasons::kPlainAxis : nullptr;
   emit(s, position);
   if (is_doubtful) s.chain.lose_start(Reasons::kPlainAxis);
   s.curve.end_arc();

@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// CUTCOM: the control offsets the path by a radius nobody here knows, unless the file or the user says that positions
+/// CUTCOM: the control offsets the path by a radius unknown here, unless the file or the user states that positions
 /// are the cutter's centre. One that the file never ends holds for all positions that follow.
 class CutterCompensation {
  public:
@@ -21,11 +21,11 @@ class CutterCompensation {
   [[nodiscard]] bool end();
   /// The first move since it was last switched off, which it is now.
   [[nodiscard]] std::size_t begin_run() { return std::exchange(run_begin_, in_.moves()); }
-  /// Positions are the cutter's centre: so says the user, for the whole file; or the file, until end_centre().
+  /// Positions are the cutter's centre: so states the user, for the whole file; or the file, until end_centre().
   void say_centre() { is_centre_ = is_centre_said_ = true; }
   void begin_centre() { is_centre_ = true; }
   void end_centre() { is_centre_ = is_centre_said_; }
-  /// Positions are the contour, whatever CUTCOM says.
+  /// Positions are the contour, whatever CUTCOM states.
   void begin_contour() { is_contour_ = true; }
   void end_contour() { is_contour_ = false; }
   [[nodiscard]] bool is_centre() const { return is_centre_; }
@@ -33,7 +33,7 @@ class CutterCompensation {
   [[nodiscard]] CutcomSide side() const { return side_; }
   /// Why the next motion is not checked; empty where CUTCOM does not keep it from being so.
   [[nodiscard]] std::string_view reason() const;
-  /// Of the motion to `move`, which reason() keeps from being checked: the tip is beside it, across `plane_normal`, where
+  /// Deviation of the motion to `move`, which reason() keeps from being checked: the tip is beside it, across `plane_normal`, where
   /// the control offsets it in that plane.
   [[nodiscard]] Cover cover(const Move& move, const std::optional<Pose>& start, const Vec3& plane_normal) const;
   void note_position();
@@ -41,13 +41,13 @@ class CutterCompensation {
   void write_note() const;
 
  private:
-  /// On, and nothing says that positions are the cutter's centre.
+  /// On, and nothing states that positions are the cutter's centre.
   [[nodiscard]] bool is_on() const { return is_contour_ || (side_ != CutcomSide::none && !is_centre_); }
 
   StatementContext& in_;
   CutcomSide side_ = CutcomSide::none;
   bool is_centre_said_ = false, is_centre_ = false, is_contour_ = false;
-  bool is_across_axis_ = true;  // all that CUTCOM says is a side, a register and the plane XY
+  bool is_across_axis_ = true;  // all that CUTCOM states is a side, a register and the plane XY
   bool was_on_ = false;         // at the last position
   bool was_ever_on_ = false;
   std::size_t run_begin_ = 0;

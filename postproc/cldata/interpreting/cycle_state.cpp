@@ -89,7 +89,7 @@ void CycleState::count_hole() {
   if (first_positions_ == statement) certain_moves_ = in_.moves();
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> CycleState::doubt() {
+std::optional<std::pair<std::size_t, std::size_t>> CycleState::uncertainty() {
   if (!reason_.empty()) return std::nullopt;
   reason_ = in_.named(Reasons::kCycleOpen, "CYCLE", line_);
   never_ended_.add(line_);
@@ -113,7 +113,7 @@ void CycleState::write_notes() const {
 namespace {
 
 // CYCLE/OFF where no cycle is in force: one may have begun anywhere behind the last word that no cycle has.
-void doubt_moves_before_stray_end(States& s) {
+void mark_moves_before_stray_end_uncertain(States& s) {
   Moves& moves = s.in.path.moves;
   std::string_view reason;
   for (std::size_t i = s.cycle.first_possible_hole(); i < moves.size(); ++i) {
@@ -137,10 +137,10 @@ void take_cycle(States& s) {
   s.feed_units.note(s.in.arguments, s.in.line());
   const std::string_view what = s.in.arguments.front().text;
   if (equals_ignoring_case(what, "INIT") || equals_ignoring_case(what, "CLEAR")) {
-    if (s.cycle.is_on()) s.cycle.contradict();  // does it end the one in force? no document says
+    if (s.cycle.is_on()) s.cycle.contradict();  // does it end the one in force? no document states
     return;
   }
-  // Whether the control or the post-processor makes the moves.
+  // Either the control or the post-processor makes the moves.
   if (s.in.dialect.cycle_form == CycleForm::ncl && equals_ignoring_case(what, "AUTO")) return;
   const bool is_end = equals_ignoring_case(what, "OFF") || equals_ignoring_case(what, "NOMORE");
   if (!is_end || s.in.arguments.size() > 1) {
@@ -149,7 +149,7 @@ void take_cycle(States& s) {
     if (drill && drill->csink_mm > 0) s.cycle.set_countersink(s.tool.countersink_depth(drill->csink_mm));
     return;
   }
-  if (s.cycle.end()) doubt_moves_before_stray_end(s);
+  if (s.cycle.end()) mark_moves_before_stray_end_uncertain(s);
   s.cycle.bound_holes();
 }
 

@@ -12,7 +12,7 @@
 namespace gouge {
 
 /// A drilling cycle, while which positions are holes. It ends by CYCLE/OFF; one that should have ended, as a later
-/// statement says, or that the file never ends, leaves all positions behind its first in doubt.
+/// statement states, or that the file never ends, leaves all positions behind its first in doubt.
 class CycleState {
  public:
   explicit CycleState(StatementContext& in) : in_(in) {}
@@ -32,7 +32,7 @@ class CycleState {
   /// A statement that no cycle holds. What follows could be a hole or a motion: reported at the next position, as
   /// before it nothing is lost.
   void contradict();
-  /// What no cycle holds bounds the moves that could be holes of one whose CYCLE is missing.
+  /// A statement that no cycle contains bounds the moves that could be holes of a cycle whose CYCLE is missing.
   void bound_holes() {
     if (!is_on_) first_possible_hole_ = in_.moves();
   }
@@ -44,7 +44,7 @@ class CycleState {
   void count_hole();
   void leave_hole() { last_hole_.reset(); }
   /// [first, last) of the moves that are holes or motions of their own, the first time after begin(); else nothing.
-  [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> doubt();
+  [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> uncertainty();
   /// The plane that the user states is below the clearance of this hole.
   void note_low_plane() { below_clearance_.add(in_.line()); }
   void note_stray_end() { never_begun_.add(in_.line()); }
@@ -59,7 +59,7 @@ class CycleState {
   /// Nothing: its words are not understood, for why().
   [[nodiscard]] const std::optional<DrillCycle>& drill() const { return drill_; }
   [[nodiscard]] const char* why() const { return why_; }
-  [[nodiscard]] std::string_view doubt_reason() const { return reason_; }
+  [[nodiscard]] std::string_view uncertainty_reason() const { return reason_; }
   /// Where the last position was a hole: what GODLTA goes on from, not where the tool is.
   [[nodiscard]] const std::optional<Pose>& last_hole() const { return last_hole_; }
   [[nodiscard]] std::size_t first_possible_hole() const { return first_possible_hole_; }
@@ -76,7 +76,7 @@ class CycleState {
   std::size_t line_ = 0;                 // of the CYCLE in force
   std::size_t first_positions_ = kNone;  // the statement of its first position
   std::size_t certain_moves_ = 0;        // those before this one are certain whether or not the cycle ever ended
-  bool is_contradicted_ = false;         // a later statement says that it should have ended
+  bool is_contradicted_ = false;         // a later statement states that it should have ended
   std::size_t contradicted_moves_ = 0;   // read until then
   std::string_view reason_;              // reported for what it leaves doubtful
   std::size_t first_possible_hole_ = 0;  // while none is in force

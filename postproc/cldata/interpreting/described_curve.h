@@ -27,12 +27,12 @@ class DescribedCurve {
     tangent_.reset();
     if (in_.has_numbers_alone(3)) tangent_ = in_.vector(0);
   }
-  /// Of a TLON, which uses the tangent up.
+  /// Tangent of a TLON, which consumes it.
   void describe_end(const ArcStatement& arc) {
     arc_ = arc;
     end_tangent();
   }
-  /// Of one statement that holds its end.
+  /// Curve of one statement that holds its end.
   void describe_whole(const ArcStatement& arc) {
     describe_end(arc);
     statement_ = kNone;

@@ -14,12 +14,12 @@
 namespace gouge {
 namespace {
 
-// What is defined by now belongs to the motion that begins.
+// Definitions so far belong to the motion that begins.
 void resolve_tool(States& s) {
   const std::size_t before = s.tool.index();
   if (!s.tool.resolve()) return;
   if (before == kNone && s.chain.was_from()) {
-    s.in.path.moves.back().tool = s.tool.index();  // FROM says where the first tool stands
+    s.in.path.moves.back().tool = s.tool.index();  // FROM states where the first tool stands
   } else {
     const std::optional<ArcStatement> arc = s.curve.arc();
     break_motion(s);
@@ -58,7 +58,7 @@ void push(States& s, const Move& move) {
   s.in.path.moves.push_back(move);
 }
 
-// Of the numbers that state a position, in mm; 0 where it has none, or they are whole ones.
+// Resolution of the numbers that state a position, in mm; 0 where it has none, or they are whole ones.
 double rounding_mm(const States& s, const Position& position) {
   constexpr std::size_t kCoordinates = 3;
   const std::span<const Argument> all(s.in.arguments);
@@ -97,13 +97,13 @@ void attach_curve(States& s, const Position& position, Move& move) {
 }
 
 // The positions that the control may leave out are where the program runs them.
-bool is_skipped(const States& s) { return s.doubts.is_alone(Doubt::skip) && !s.skips_more_than_motion; }
+bool is_skipped(const States& s) { return s.uncertainties.is_alone(Uncertainty::skip) && !s.skips_more_than_motion; }
 
 // Under a cycle that should have ended: a hole or a position of a motion.
-void emit_doubtful(States& s, const Position& position) {
-  doubt_cycle(s);
+void emit_uncertain(States& s, const Position& position) {
+  mark_cycle_uncertain(s);
   Move move = make_move(s, position, MoveKind::cycle);
-  if (s.doubts.reason() == nullptr) move.not_checked_reason = s.cycle.doubt_reason();
+  if (s.uncertainties.reason() == nullptr) move.not_checked_reason = s.cycle.uncertainty_reason();
   append(s, move, position);
   s.chain.lose_start(Reasons::kAfterCycle);
 }
@@ -115,10 +115,11 @@ void emit(States& s, const Position& position) {
   resolve_tool(s);
   (void)s.operation.resolve();
   const bool is_from = position.form == PositionForm::from;
-  if (s.cycle.is_doubtful()) return emit_doubtful(s, position);
+  if (s.cycle.is_doubtful()) return emit_uncertain(s, position);
   const bool is_cycle =
       s.cycle.is_on() && (position.form == PositionForm::go_to || position.form == PositionForm::godlta);
-  if (is_cycle && s.cycle.drill() && s.doubts.reason() == nullptr) return emit_hole(s, position, *s.cycle.drill());
+  if (is_cycle && s.cycle.drill() && s.uncertainties.reason() == nullptr)
+    return emit_hole(s, position, *s.cycle.drill());
 
   const bool is_arc = !is_cycle && (s.curve.arc() || position.form == PositionForm::curve);
   const bool is_rapid = s.feed.is_rapid() || is_from || position.form == PositionForm::gohome;
@@ -161,20 +162,20 @@ Move make_move(States& s, const Position& position, MoveKind kind) {
   const bool is_at_rapid = kind == MoveKind::rapid || (kind == MoveKind::arc && s.feed.is_rapid());
   move.set_feed(is_at_rapid ? Feed{0, FeedUnit::rapid} : s.feed.feed());
   move.has_start = s.chain.is_start_certain();
-  const char* const doubt = is_skipped(s) ? nullptr : s.doubts.reason();
-  for (const char* reason : {doubt, s.chain.last_doubt(), s.chain.unknown_start()}) {
+  const char* const uncertainty = is_skipped(s) ? nullptr : s.uncertainties.reason();
+  for (const char* reason : {uncertainty, s.chain.last_uncertainty(), s.chain.unknown_start()}) {
     if (reason != nullptr && move.not_checked_reason.empty()) move.not_checked_reason = reason;
   }
   return move;
 }
 
 void append(States& s, Move move, const Position& position) {
-  if (move.not_checked_reason.empty() && position.doubt != nullptr) {
-    move.not_checked_reason = position.doubt;
+  if (move.not_checked_reason.empty() && position.uncertainty != nullptr) {
+    move.not_checked_reason = position.uncertainty;
     move.cover = position.cover;
   }
   if (move.not_checked_reason.empty() && is_skipped(s)) {
-    move.not_checked_reason = s.doubts.reason();
+    move.not_checked_reason = s.uncertainties.reason();
     move.cover = Cover::motion;
   }
   if (move.not_checked_reason.empty() && s.movnrb.is_on) {
@@ -189,7 +190,7 @@ void append(States& s, Move move, const Position& position) {
   record(s, move, position);
   s.axes.note_position(position.axis_local);
   s.senses.note_motion(move, s.chain.last_pose());
-  s.chain.advance(move, is_skipped(s) ? nullptr : s.doubts.reason());
+  s.chain.advance(move, is_skipped(s) ? nullptr : s.uncertainties.reason());
   s.cycle.leave_hole();
   s.cutcom.note_position();
   s.feed.end_rapid();
@@ -235,29 +236,31 @@ void break_motion(States& s) {
   s.curve.end_arcs();
 }
 
-void doubt_moves(States& s, std::size_t begin, std::size_t end, std::string_view reason) {
+void mark_moves_uncertain(States& s, std::size_t begin, std::size_t end, std::string_view reason) {
   for (std::size_t i = begin; i < end; ++i) {
     std::string_view& own = s.in.path.moves[i].not_checked_reason;
     if (own.empty()) own = reason;
   }
-  s.senses.doubt(begin, end, reason);
+  s.senses.uncertainty(begin, end, reason);
 }
 
-void switch_doubt(States& s, Doubt doubt, bool is_on, const char* reason) {
-  const std::size_t run_begin = s.doubts.begin_run(doubt, s.in.moves());
-  if (!is_on && !s.doubts.has(doubt) && s.doubts.was_on(doubt)) doubt_run(s, run_begin);
-  s.doubts.set(doubt, is_on ? s.in.because(reason) : nullptr);
+void switch_uncertainty(States& s, Uncertainty uncertainty, bool is_on, const char* reason) {
+  const std::size_t run_begin = s.uncertainties.begin_run(uncertainty, s.in.moves());
+  if (!is_on && !s.uncertainties.has(uncertainty) && s.uncertainties.was_on(uncertainty))
+    mark_run_uncertain(s, run_begin);
+  s.uncertainties.set(uncertainty, is_on ? s.in.because(reason) : nullptr);
 }
 
-void doubt_run(States& s, std::size_t begin) {
+void mark_run_uncertain(States& s, std::size_t begin) {
   begin = std::max(begin, s.run_begin);
   if (begin == s.in.moves()) return;
-  doubt_moves(s, begin, s.in.moves(), s.in.because(Reasons::kStrayOff));
+  mark_moves_uncertain(s, begin, s.in.moves(), s.in.because(Reasons::kStrayOff));
   s.chain.lose_last_pose(Reasons::kAfterUnread);
 }
 
-void doubt_cycle(States& s) {
-  if (const auto moves = s.cycle.doubt()) doubt_moves(s, moves->first, moves->second, s.cycle.doubt_reason());
+void mark_cycle_uncertain(States& s) {
+  if (const auto moves = s.cycle.uncertainty())
+    mark_moves_uncertain(s, moves->first, moves->second, s.cycle.uncertainty_reason());
 }
 
 void drop_described_curve(States& s) {

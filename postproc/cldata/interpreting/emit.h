@@ -14,7 +14,7 @@ namespace gouge {
 
 /// The moves to `position`: one, or those of a hole.
 void emit(States& s, const Position& position);
-/// A motion nobody knows the end of stands where the last one ended, so that it is reported as a move not checked. It
+/// A motion of unknown end stands where the last one ended, so that it is reported as a move not checked. It
 /// is that of `statement`, or of the one being taken.
 void emit_unread(States& s, const char* reason, std::size_t statement);
 inline void emit_unread(States& s, const char* reason = Reasons::kUnread) { emit_unread(s, reason, s.in.index()); }
@@ -31,19 +31,19 @@ void emit_turned_round(States& s);
 void break_motion(States& s);
 
 /// Moves [begin, end) are not checked, unless they have another reason.
-void doubt_moves(States& s, std::size_t begin, std::size_t end, std::string_view reason);
+void mark_moves_uncertain(States& s, std::size_t begin, std::size_t end, std::string_view reason);
 /// A word with an OFF of its own switches `doubt`, for `reason`. An OFF that ends nothing makes moves doubtful: what it
 /// should end may have begun anywhere since the last tool, operation or OFF.
-void switch_doubt(States& s, Doubt doubt, bool is_on, const char* reason);
-void doubt_run(States& s, std::size_t begin);
+void switch_uncertainty(States& s, Uncertainty uncertainty, bool is_on, const char* reason);
+void mark_run_uncertain(States& s, std::size_t begin);
 /// The cycle in force should have ended.
-void doubt_cycle(States& s);
-/// A motion that is announced and not finished: where it ends nobody knows.
+void mark_cycle_uncertain(States& s);
+/// A motion that is announced and not finished: where it ends unknown.
 void drop_described_curve(States& s);
 /// The statements of a NURBS are all read.
 void end_nurbs(States& s);
 
-// What emit() is made of.
+// The steps of emit().
 [[nodiscard]] Move make_move(States& s, const Position& position, MoveKind kind);
 void append(States& s, Move move, const Position& position);
 /// A move with its record, which changes no state.

@@ -17,7 +17,7 @@ Position step_to(const Position& position, const Vec3& tip_local) {
   return step;
 }
 
-// To a plane nobody knows, past `tip_local`; the tool comes from there to the next position.
+// To a plane unknown, past `tip_local`; the tool comes from there to the next position.
 void emit_retract(States& s, const Position& position, const Vec3& tip_local) {
   const Position step = step_to(position, tip_local);
   Move move = make_move(s, step, MoveKind::cycle);
@@ -62,7 +62,7 @@ void emit_rise(States& s, const Position& position, double height, double cleara
     return s.frame.to_part().pose({Vec3(position.tip_local + mm * axis), position.axis_local});
   };
   Position open = position;
-  open.doubt = Reasons::kHigherHole;
+  open.uncertainty = Reasons::kHigherHole;
   open.cover = Cover::motion;
   emit_step(s, open, s.frame.to_local(start).tip + (clearance_mm - height) * axis, true);
   emit_step(s, open, position.tip_local + clearance_mm * axis, true);
@@ -93,7 +93,7 @@ bool emit_bounds_from(States& s, const Position& position, const std::vector<Pos
   const Pose end = s.in.path.moves.back().end;
   for (const Pose& place : places) {
     const std::array<Pose, 2> ends = {place, end};
-    emit_other_way(s, position, start, ends, position.doubt);
+    emit_other_way(s, position, start, ends, position.uncertainty);
   }
   return true;
 }
@@ -110,7 +110,7 @@ bool emit_bounds_between(States& s, const Position& position, const std::vector<
   const Pose end = s.in.path.moves.back().end;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const std::array<Pose, 2> ends = {places[i], end};
-    emit_other_way(s, position, from[i], ends, position.doubt);
+    emit_other_way(s, position, from[i], ends, position.uncertainty);
   }
   return true;
 }
@@ -118,7 +118,7 @@ bool emit_bounds_between(States& s, const Position& position, const std::vector<
 // The column that holds the hole whichever of its ends the position is, and all ways to it.
 void emit_bounds(States& s, const Position& own, const DrillCycle& cycle) {
   Position position = step_to(own, own.tip_local);
-  position.doubt = Reasons::kHoleBounds;
+  position.uncertainty = Reasons::kHoleBounds;
   position.cover = Cover::motion;
   const std::vector<double> levels = levels_of(cycle, own.tip_local.z());
   const double top_mm = *std::ranges::max_element(levels);
@@ -128,7 +128,7 @@ void emit_bounds(States& s, const Position& own, const DrillCycle& cycle) {
   const std::vector<Pose> from = std::exchange(s.open_places, {});
   const bool is_upright =
       own.axis_local.cross(Vec3::UnitZ()).norm() <= Tolerance::kSameDirection && own.axis_local.z() > 0;
-  bool is_read = is_upright && own.doubt == nullptr;
+  bool is_read = is_upright && own.uncertainty == nullptr;
   if (is_read && s.chain.last_pose()) {
     const bool is_start_read =
         s.chain.is_start_certain() &&
@@ -155,10 +155,12 @@ void emit_bounds(States& s, const Position& own, const DrillCycle& cycle) {
 // clearance where that is higher. A tool that must turn goes there straight, turning.
 void emit_hole(States& s, const Position& own, const DrillCycle& cycle) {
   Position position = own;
-  if (std::exchange(s.is_behind_skip, false) && position.doubt == nullptr) position.doubt = s.skip_reason;
-  if (std::exchange(s.retracted, std::nullopt) && position.doubt == nullptr) position.doubt = Reasons::kAfterRetract;
+  if (std::exchange(s.is_behind_skip, false) && position.uncertainty == nullptr) position.uncertainty = s.skip_reason;
+  if (std::exchange(s.retracted, std::nullopt) && position.uncertainty == nullptr)
+    position.uncertainty = Reasons::kAfterRetract;
   if (cycle.is_bounding) return emit_bounds(s, position, cycle);
-  if (!std::exchange(s.open_places, {}).empty() && position.doubt == nullptr) position.doubt = Reasons::kHoleBounds;
+  if (!std::exchange(s.open_places, {}).empty() && position.uncertainty == nullptr)
+    position.uncertainty = Reasons::kHoleBounds;
   const Vec3& axis = position.axis_local;
   const std::size_t before = s.in.moves();
   const auto above = [&](double height_mm) { return Vec3(position.tip_local + height_mm * axis); };

@@ -5,7 +5,7 @@
 
 namespace gouge {
 
-/// What the statements of a file establish about the file as a whole. Lines are counted from 1; 0: nowhere.
+/// Facts that the statements of a file establish about the whole file. Lines are counted from 1; 0: nowhere.
 struct FileFacts {
   std::size_t end_line = 0;       ///< of the last mark that ends a program or a block
   std::string cut_short;          ///< why the file may be cut short, a sentence; empty: nothing suggests it

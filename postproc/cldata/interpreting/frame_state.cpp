@@ -125,8 +125,8 @@ bool is_rigid_by_rows(const StatementContext& in) {
          rotation.determinant() > 0;
 }
 
-void doubt_frame_word(States& s, const char* reason = Reasons::kUnreadFrame) {
-  s.doubts.set(Doubt::unread_frame, s.in.because(reason));
+void mark_frame_word_uncertain(States& s, const char* reason = Reasons::kUnreadFrame) {
+  s.uncertainties.set(Uncertainty::unread_frame, s.in.because(reason));
 }
 
 // MCSYS/ NUM,n,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k: its numbers, or nothing where it has another form.
@@ -160,10 +160,10 @@ void set_frame(States& s, const RigidTransform& to_part, bool says_axis) {
   if (is_changed) {
     break_motion(s);
     s.chain.forbid_link();
-    if (has_blocks && s.blocks.has_positions(s.in.moves())) doubt_frame_word(s);
+    if (has_blocks && s.blocks.has_positions(s.in.moves())) mark_frame_word_uncertain(s);
   }
-  s.doubts.clear(Doubt::setup);  // the file says where it is
-  s.doubts.set(Doubt::skew, s.frame.is_skewed() ? s.in.because(Reasons::kSkewed) : nullptr);
+  s.uncertainties.clear(Uncertainty::setup);  // the file states where it is
+  s.uncertainties.set(Uncertainty::skew, s.frame.is_skewed() ? s.in.because(Reasons::kSkewed) : nullptr);
 }
 
 void take_msys(States& s) {
@@ -178,21 +178,21 @@ void take_msys(States& s) {
   set_frame(s, *frame);
   s.blocks.require_frames();
   if (!s.blocks.is_open()) return;
-  s.doubts.clear(Doubt::block);
-  if (!s.is_unknown_in_block) s.doubts.clear(Doubt::unknown);  // the block states tool, axis and frame
+  s.uncertainties.clear(Uncertainty::block);
+  if (!s.is_unknown_in_block) s.uncertainties.clear(Uncertainty::unknown);  // the block states tool, axis and frame
   s.blocks.note_frame(s.in.moves());
 }
 
 void take_csys(States& s) {
   if (s.in.dialect.is_in_world && s.is_world_stated) return;
-  s.doubts.set(Doubt::csys, is_identity(s.in.arguments) ? nullptr : s.in.because(Reasons::kCsys));
+  s.uncertainties.set(Uncertainty::csys, is_identity(s.in.arguments) ? nullptr : s.in.because(Reasons::kCsys));
 }
 
 // Creo 9 writes it where older files have the comment $$-> CSYS, with the same twelve numbers.
 void take_camera(States& s) {
   if (s.in.dialect.has_camera_csys && is_rigid_by_rows(s.in)) return note_creo_csys(s);
   s.in.count_unknown();
-  doubt_frame_word(s);
+  mark_frame_word_uncertain(s);
 }
 
 void note_creo_csys(States& s) {
@@ -223,7 +223,7 @@ void take_mcs(States& s) {
 // of three numbers have their axis from nowhere else.
 void take_mcsys(States& s) {
   const std::optional<std::array<Vec3, 3>> vectors = read_mcsys(s.in.arguments);
-  s.doubts.set(Doubt::mcs, vectors ? nullptr : s.in.because(Reasons::kMcsys));
+  s.uncertainties.set(Uncertainty::mcs, vectors ? nullptr : s.in.because(Reasons::kMcsys));
   if (!vectors) return;
   constexpr std::size_t kBehindOrigin = 6;
   const double rounding = rounding_of(std::span<const Argument>(s.in.arguments).subspan(kBehindOrigin));
@@ -242,7 +242,7 @@ void take_rotabl(States& s) {
   if (s.in.dialect.has_setups && s.setup.take_turn()) return;
   const bool is_turned = std::ranges::any_of(
       arguments, [](const Argument& a) { return a.number ? std::abs(*a.number) > 0 : may_be_number(a); });
-  if (is_turned) doubt_frame_word(s, Reasons::kTurned);
+  if (is_turned) mark_frame_word_uncertain(s, Reasons::kTurned);
 }
 
 // All that is known of other systems than the part's is that these three numbers would shift them.
@@ -251,25 +251,25 @@ void take_trntyp(States& s) {
   constexpr std::size_t kWorldAndPoint = 4;
   const bool is_world =
       all.size() == kWorldAndPoint && equals_ignoring_case(all.front().text, "WORLD") && is_all_zero(all.subspan(1));
-  s.doubts.set(Doubt::trntyp, is_world ? nullptr : s.in.because(Reasons::kTrntyp));
+  s.uncertainties.set(Uncertainty::trntyp, is_world ? nullptr : s.in.because(Reasons::kTrntyp));
   s.is_world_stated = is_world;
-  if (is_world && s.in.dialect.is_in_world) s.doubts.clear(Doubt::csys);
+  if (is_world && s.in.dialect.is_in_world) s.uncertainties.clear(Uncertainty::csys);
 }
 
 // TRANS and ORIGIN shift what a post-processor writes. Whether the part shifts with it no file shows. Zeros undo
-// their own word's shift, unless another word says how they are meant.
+// their own word's shift, unless another word states how they are meant.
 void take_trans(States& s) {
   if (s.in.arguments.empty()) return;
   const bool is_origin = equals_ignoring_case(s.in.statement().major, "ORIGIN");
   const bool is_none = is_all_zero(s.in.arguments) || (is_origin && is_same_system(s.in.arguments));
-  switch_doubt(s, is_origin ? Doubt::origin : Doubt::trans, !is_none, Reasons::kTrans);
+  switch_uncertainty(s, is_origin ? Uncertainty::origin : Uncertainty::trans, !is_none, Reasons::kTrans);
 }
 
 // A lathe's or a wire's program has its positions in another plane.
 void take_mode(States& s) {
-  if (s.in.has("MILL")) s.doubts.clear(Doubt::mode);
+  if (s.in.has("MILL")) s.uncertainties.clear(Uncertainty::mode);
   for (const char* word : {"TURN", "LATHE", "WIRE", "EDM"}) {
-    if (s.in.has(word)) s.doubts.set(Doubt::mode, s.in.because(Reasons::kTurning));
+    if (s.in.has(word)) s.uncertainties.set(Uncertainty::mode, s.in.because(Reasons::kTurning));
   }
   const auto leaves_positions_alone = [&](const Argument& argument) {
     constexpr std::array<std::string_view, 8> kWords = {"MILL", "TURN",  "LATHE",    "WIRE",
@@ -281,7 +281,7 @@ void take_mode(States& s) {
   };
   if (!s.in.arguments.empty() && std::ranges::all_of(s.in.arguments, leaves_positions_alone)) return;
   s.in.count_unknown();
-  doubt_frame_word(s);
+  mark_frame_word_uncertain(s);
 }
 
 void take_tlaxis(States& s) {
@@ -308,7 +308,7 @@ void take_units(States& s) {
   // The guess of the unit knows of it; before it a reader takes mm.
   const bool is_other = *stated != LengthUnit::mm || std::abs(mm_per(*stated) - s.frame.mm_per_unit()) > 0;
   const bool is_late = s.frame.state_unit(mm_per(*stated)) && s.in.moves() > 0;
-  if (is_late && is_other) doubt_moves(s, 0, s.in.moves(), s.in.because(Reasons::kLateUnit));
+  if (is_late && is_other) mark_moves_uncertain(s, 0, s.in.moves(), s.in.because(Reasons::kLateUnit));
 }
 
 }  // namespace gouge

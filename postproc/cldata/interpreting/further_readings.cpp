@@ -47,7 +47,7 @@ void emit_other_sweep(States& s, const Position& position, double sweep_rad, Mov
 
 }  // namespace
 
-// Whether the part of a turn counts as one of TIMES the file does not say.
+// The file does not state whether the part of a turn counts as one of TIMES.
 void emit_one_turn_more(States& s, const Position& position) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const Move& last = s.in.path.moves.back();

@@ -2,7 +2,7 @@
 
 #include "postproc/cldata/interpreting/states.h"
 
-// What the last move may mean besides, as moves of their own: docs/formats/modal_states.md. Each is called behind the
+// Further possible readings of the last move, as moves of their own: docs/formats/modal_states.md. Each is called behind the
 // move it is about, but settle_retract.
 
 namespace gouge {

@@ -17,7 +17,7 @@ constexpr std::size_t kLongestShownMajor = 24;  // of a word that is shown
 
 bool is_within_curve(Word word) { return word == Word::cntrl || word == Word::knot || word == Word::comment; }
 
-// Of words that say where the tool is, or that nothing follows.
+// For words that state where the tool is, or that nothing follows.
 bool needs_frame(Word word) {
   static constexpr WordSet kWords = {Word::go_to,  Word::from,       Word::godlta,  Word::gohome, Word::indirv,
                                      Word::circle, Word::movarc,     Word::nurbs,   Word::tlon,   Word::unread_motion,
@@ -34,7 +34,7 @@ bool has_arguments(Word word) {
 void fail_too_long(StatementContext& in) {
   in.arguments.clear();
   in.fail("path-count", std::string(in.statement().major.substr(0, kLongestShownMajor)) + " has " +
-                            std::to_string(kMostArguments) +
+                            std::to_string(kMaxArguments) +
                             " arguments or more; expected a statement as CAM systems write it: divide it into several");
 }
 
@@ -54,11 +54,11 @@ void fail_run_on(StatementContext& in, std::string_view hidden) {
 
 }  // namespace
 
-// What is no statement of CL data.
+// Text that is not a statement of CL data.
 bool Interpreter::refuse() {
   StatementContext& in = states_.in;
   const Statement& statement = in.statement();
-  if (std::max(in.arguments.size(), statement.pieces.size()) >= kMostArguments) {
+  if (std::max(in.arguments.size(), statement.pieces.size()) >= kMaxArguments) {
     fail_too_long(in);
   } else if (const std::string_view hidden = find_run_on(statement); !hidden.empty()) {
     fail_run_on(in, hidden);
@@ -92,20 +92,21 @@ void Interpreter::take(const Statement& statement) {
   s.previous_statement = s.in.index();
 }
 
-// What the file never ended is decided, then what is reported once is.
+// Decides what the file never ended, then reports what is reported once.
 void Interpreter::finish() {
   States& s = states_;
   settle_insert(s, Word::fini);
   s.program.refuse_assignments();
   distrust_last_axis(s);
   // The OPSKIP/OFF that is missing may have stood anywhere.
-  if (s.doubts.has(Doubt::skip)) {
+  if (s.uncertainties.has(Uncertainty::skip)) {
     for (std::size_t i = s.skip_begin; i < s.in.moves(); ++i) s.in.path.moves[i].cover = Cover::none;
   }
   if (s.nurbs.is_open()) end_nurbs(s);
   if (s.curve.is_open()) drop_described_curve(s);
-  if (s.cycle.is_left_open()) doubt_cycle(s);
-  for (const auto& [begin, end] : s.blocks.without_frame(s.in.moves())) doubt_moves(s, begin, end, Reasons::kNoMsys);
+  if (s.cycle.is_left_open()) mark_cycle_uncertain(s);
+  for (const auto& [begin, end] : s.blocks.without_frame(s.in.moves()))
+    mark_moves_uncertain(s, begin, end, Reasons::kNoMsys);
   write_notes();
 }
 

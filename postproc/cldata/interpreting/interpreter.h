@@ -14,19 +14,19 @@ class Interpreter {
   Interpreter(Toolpath& path, const Dialect& dialect, LengthUnit unit, MotionRecords* records)
       : states_(path, dialect, unit, records) {}
 
-  /// Takes the next statement. Once is_hopeless(), reading further has no use.
+  /// Takes the next statement. Once is_beyond_cutoff(), reading further has no use.
   void take(const Statement& statement);
   /// To be called once, after the last statement.
   void finish();
 
-  /// Positions under CUTCOM are the cutter's centre, because the user says so.
+  /// Positions under CUTCOM are the cutter's centre, because the user states so.
   void set_cutter_centre() { states_.cutcom.say_centre(); }
 
   [[nodiscard]] Diagnostics take_errors() { return states_.in.take_errors(); }
   [[nodiscard]] const FeedUnits& feed_units() const { return states_.feed_units; }
-  /// What the file establishes about itself. Requires finish().
+  /// Facts that the file establishes about itself. Requires finish().
   [[nodiscard]] const FileFacts& facts() const { return facts_; }
-  [[nodiscard]] bool is_hopeless() const { return states_.in.is_hopeless(); }
+  [[nodiscard]] bool is_beyond_cutoff() const { return states_.in.is_beyond_cutoff(); }
 
  private:
   [[nodiscard]] bool refuse();

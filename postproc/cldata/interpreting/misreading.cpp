@@ -21,7 +21,7 @@ bool begins_with_number(std::string_view text) {
          (is_digit(text.front()) || (text.size() > 1 && is_sign(text[0]) && (is_digit(text[1]) || is_sign(text[1]))));
 }
 
-// What follows a `/` that deletes blocks, a sequence number or a label: "N10 X5", "20 FOO/1", "LAB1) -50."
+// Returns the text after a `/` that deletes blocks, a sequence number or a label: "N10 X5", "20 FOO/1", "LAB1) -50."
 std::string_view without_label(std::string_view text) {
   while (!text.empty() && (is_blank(text.front()) || text.front() == '/')) text.remove_prefix(1);
   std::size_t at = !text.empty() && (text[0] == 'N' || text[0] == 'n') ? 1 : 0;
@@ -55,7 +55,7 @@ bool is_among_positions(Word word) {
   return kWords.has(word);
 }
 
-// Words that say nothing without an argument.
+// Words that state nothing without an argument.
 bool needs_arguments(Word word) {
   static constexpr WordSet kWords = {Word::cycle,  Word::load,  Word::loadtl, Word::mode,   Word::rotabl,
                                      Word::select, Word::setup, Word::tldata, Word::toolno, Word::trans};
@@ -91,7 +91,7 @@ void distrust_moves(States& s, std::size_t statement) {
 void distrust_beginning(States& s, bool is_position) {
   if (s.previous_statement != kNone) distrust_moves(s, s.previous_statement);
   distrust(s, s.previous_word);
-  if (!is_position) s.doubts.set(Doubt::unread_frame, s.in.because(Reasons::kUnreadFrame));
+  if (!is_position) s.uncertainties.set(Uncertainty::unread_frame, s.in.because(Reasons::kUnreadFrame));
 }
 
 bool has_numbers_alone(std::string_view text) {
@@ -110,7 +110,7 @@ bool is_last_number_whole(const States& s) {
          decimals(last.last_number) >= kFewest && decimals(last.last_number) == decimals(last.number_before);
 }
 
-// Of the curve that is being read, or was last.
+// For the curve that is being read, or was read last.
 void distrust_curve(Moves& moves) {
   if (!moves.empty() && !is_unread(moves.back().not_checked_reason)) moves.back().not_checked_reason = Reasons::kSpline;
 }
@@ -135,7 +135,9 @@ bool take_misread(States& s, std::string_view text) {
 }
 
 void distrust(States& s, Word word) {
-  const auto doubt = [&](Doubt which, const char* reason) { s.doubts.set(which, s.in.because(reason)); };
+  const auto uncertainty = [&](Uncertainty which, const char* reason) {
+    s.uncertainties.set(which, s.in.because(reason));
+  };
   static constexpr WordSet kCutters = {Word::cutter, Word::tldata, Word::unread_tool};
   static constexpr WordSet kLoads = {Word::tool_path, Word::load, Word::loadtl, Word::toolno, Word::turret};
   static constexpr WordSet kFrames = {Word::tool_path, Word::csys,        Word::mcs,    Word::mcsys,  Word::msys,
@@ -144,11 +146,11 @@ void distrust(States& s, Word word) {
                                       Word::units,     Word::unread_frame};
   if (kCutters.has(word)) {
     s.tool.forget_cutter();
-    doubt(Doubt::cutter, Reasons::kUnreadTool);
+    uncertainty(Uncertainty::cutter, Reasons::kUnreadTool);
   }
-  if (kLoads.has(word)) doubt(Doubt::loading, Reasons::kUnreadTool);
-  if (kFrames.has(word)) doubt(Doubt::unread_frame, Reasons::kUnreadFrame);
-  if (word == Word::multax) doubt(Doubt::multax, Reasons::kMultax);
+  if (kLoads.has(word)) uncertainty(Uncertainty::loading, Reasons::kUnreadTool);
+  if (kFrames.has(word)) uncertainty(Uncertainty::unread_frame, Reasons::kUnreadFrame);
+  if (word == Word::multax) uncertainty(Uncertainty::multax, Reasons::kMultax);
   if (word == Word::cycle) s.cycle.begin_unknown();
   if (word == Word::cutcom) s.cutcom.begin();
   if (word == Word::cntrl || word == Word::knot) distrust_curve(s.in.path.moves);
@@ -192,7 +194,7 @@ namespace {
 
 // Words that begin something new: none of them is written while a cycle drills or before the end of an arc.
 constexpr WordSet kBeginsAnew = {Word::operation, Word::from, Word::gohome, Word::rapid};
-// The other words of that kind: what they say holds for more than the next motion.
+// The other words of that kind: what they state holds for more than the next motion.
 constexpr WordSet kSetsUp = {Word::tool_path, Word::end_of_path, Word::units, Word::mode,   Word::multax,
                              Word::tlaxis,    Word::cutcom,      Word::csys,  Word::mcs,    Word::mcsys,
                              Word::msys,      Word::rotabl,      Word::trans, Word::trntyp, Word::unread_frame};
@@ -203,7 +205,7 @@ constexpr WordSet kCurves = {Word::circle,  Word::movarc, Word::curve, Word::ind
 constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion, Word::godlta};
 constexpr WordSet kNewRun = {Word::cutter, Word::tldata,    Word::loadtl,    Word::load,        Word::toolno,
                              Word::turret, Word::operation, Word::tool_path, Word::end_of_path, Word::from};
-// What may hold for more than the next motion besides.
+// Other words that may hold for more than the next motion.
 constexpr WordSet kMayLast = {Word::cycle,  Word::curve, Word::auxfun, Word::prefun,     Word::setup,
                               Word::select, Word::index, Word::copy,   Word::arc_record, Word::repeat};
 
@@ -238,7 +240,7 @@ constexpr auto kRules = std::to_array<ModalRule>({
     {ModalState::between_blocks, ends, {Word::tool_path}},
 });
 
-// FEDRAT behind a hole: it says that the cycle has ended where CAM systems write none in their cycles.
+// FEDRAT behind a hole: it states that the cycle has ended where CAM systems write none in their cycles.
 bool ends_holes(FeedInCycle feeds, bool is_used) {
   return feeds == FeedInCycle::nowhere || (feeds == FeedInCycle::before_first_hole && is_used);
 }
@@ -265,7 +267,7 @@ bool is_open(const States& s, ModalState state) {
     case ModalState::motion_run:
       return true;
     case ModalState::block_skip:
-      return s.doubts.has(Doubt::skip);
+      return s.uncertainties.has(Uncertainty::skip);
     case ModalState::between_blocks:
       return s.blocks.is_between();
   }

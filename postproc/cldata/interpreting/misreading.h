@@ -11,7 +11,7 @@
 // Statements that are damaged, cut short or not understood: where they could have moved the tool, the moves they could
 // have changed are not checked.
 
-// What a statement of CL data leaves in force for those after it, and which words say that it no longer is what it
+// The modal states that a statement of CL data leaves in force, and the words that state that one no longer is what it
 // was. One table for all readers: docs/formats/modal_states.md explains every row.
 
 namespace gouge {
@@ -19,28 +19,28 @@ namespace gouge {
 /// "9.X1", "ANG1": what holds a digit may have been a number.
 [[nodiscard]] bool may_be_number(const Argument& argument);
 
-/// What a statement of this word would have changed is not known any more.
+/// Makes the states unknown that a statement of this word would have changed.
 void distrust(States& s, Word word);
 /// A feed rate with what may be its unit's number, and behind them what may be a position.
 void distrust_numbers_of_feed(States& s);
-/// A statement that ends with a comma, has blanks within what may be one number, or a word alone that says nothing so.
+/// A statement that ends with a comma, has blanks within what may be one number, or a word alone that states nothing so.
 void distrust_cut_short(States& s);
 /// A statement at the end of a file that has no line end there: it may be the beginning of a longer one.
 void distrust_last_line(States& s);
 /// At the end of the file: its last position lacks the axis that those before it have.
 void distrust_last_axis(States& s);
-/// What a statement that is not understood says of those before it and of the word that it was meant to be: a line of
+/// Effects of a statement that is not understood on those before it and on the word it was meant to be: a line of
 /// numbers, a word that something was glued to or that is misspelt. True where it can only be more positions of the
 /// statement before it, so that the next one is certain again.
 [[nodiscard]] bool take_misread(States& s, std::string_view text);
-/// Nothing that the file stated before `statement`, whose word is `major`, is certain any more: see Doubt::unknown.
-void doubt_all(States& s, std::string_view major, std::size_t statement);
+/// Nothing that the file stated before `statement`, whose word is `major`, is certain any more: see Uncertainty::unknown.
+void mark_all_uncertain(States& s, std::string_view major, std::size_t statement);
 /// The statement being taken is not understood at all.
 void take_unknown_statement(States& s);
 /// So is it where the reader of its word does not know one of its arguments.
 void distrust_arguments(States& s);
 
-/// What text for the machine's control may have done.
+/// Applies the possible effects of text for the machine's control.
 void take_machine_text(States& s, const MachineEffect& effect);
 
 enum class ModalState : std::uint8_t {
@@ -54,7 +54,7 @@ enum class ModalState : std::uint8_t {
   between_blocks,  ///< after END-OF-PATH of NX: no TOOL PATH gives a frame, a tool and an axis
 };
 
-/// What a word does to a modal state that is open.
+/// Effect of a word on a modal state that is open.
 enum class ModalEffect : std::uint8_t {
   none,
   ends,         ///< the state is no longer in force, as files write it
@@ -65,16 +65,16 @@ inline constexpr ModalState kModalStates[] = {
     ModalState::cycle,         ModalState::described_arc, ModalState::start_tangent, ModalState::rapid,
     ModalState::cutter_centre, ModalState::motion_run,    ModalState::block_skip,    ModalState::between_blocks};
 
-/// What `statement` acts as: its word, or for comments that are statements the word of another dialect that does the
+/// Returns the word that `statement` acts as: its own, or for comments that are statements the word of another dialect that does the
 /// same.
 [[nodiscard]] Word acting_word(const Statement& statement, CommentForm comments);
 
-/// What `word` does to `state`. `is_used`: a position has been read under the state.
+/// Returns the effect of `word` on `state`. `is_used`: a position has been read under the state.
 [[nodiscard]] ModalEffect effect_on(ModalState state, Word word, FeedInCycle feeds, bool is_used);
 
 struct States;
 
-/// What `word` does to all that is in force, before the statement's own handler has its turn.
+/// Applies the effects of `word` to all states in force, before the statement's own handler has its turn.
 void apply_modal_states(States& s, Word word);
 
 }  // namespace gouge

@@ -18,7 +18,7 @@ namespace gouge {
 /// How a position is written, as far as a writer must know.
 enum class PositionForm : std::uint8_t { go_to, from, gohome, godlta, curve, cycle, unread };
 
-/// What makes a position's numbers a point: p = to_part(mm_per_unit x).
+/// Converts a position's numbers to a point: p = to_part(mm_per_unit x).
 struct MotionFrame {
   double mm_per_unit = 1;
   RigidTransform to_part;
@@ -57,8 +57,8 @@ struct Position {
   Vec3 axis_local = Vec3::UnitZ();
   std::size_t point = 0, points = 1, first_argument = 0, numbers = 0;
   PositionForm form = PositionForm::go_to;
-  const char* doubt = nullptr;  ///< why it cannot be checked, whatever the state it is read in
-  Cover cover = Cover::none;    ///< of a motion with a doubt
+  const char* uncertainty = nullptr;  ///< why it cannot be checked, whatever the state it is read in
+  Cover cover = Cover::none;          ///< of a motion with a doubt
 };
 
 inline constexpr const char* kPositionForm = "expected x,y,z or x,y,z,i,j,k";

@@ -26,7 +26,7 @@ void take_positions(States& s, PositionForm form) {
   if (numbers == 0) return;
   if (const char* reason = s.axes.two_readings(numbers)) return emit_unread(s, reason);
   const auto [first, last] = s.axes.note_list(numbers);
-  if (first < last) doubt_moves(s, first, last, Reasons::kSixNumbers);
+  if (first < last) mark_moves_uncertain(s, first, last, Reasons::kSixNumbers);
   const std::size_t points = s.in.arguments.size() / numbers;
   const auto before = s.last_positions;
   s.last_positions = {s.in.index(),       numbers,
@@ -51,7 +51,7 @@ void take_positions(States& s, PositionForm form) {
     if (form == PositionForm::from) break_motion(s);
     const bool is_doubtful = s.axes.is_doubtful(position);
     const bool may_go_on = s.curve.may_go_on(position);
-    position.doubt = is_doubtful ? Reasons::kPlainAxis : may_go_on ? Reasons::kNccsGoesOn : nullptr;
+    position.uncertainty = is_doubtful ? Reasons::kPlainAxis : may_go_on ? Reasons::kNccsGoesOn : nullptr;
     is_going_on = is_going_on || may_go_on;
     emit(s, position);
     if (is_doubtful) s.chain.lose_start(Reasons::kPlainAxis);
@@ -63,7 +63,7 @@ void take_positions(States& s, PositionForm form) {
 // is the post-processor's. After the last one the tool is elsewhere, and files do not show which of both positions
 // counts.
 std::optional<Pose> start_of_step(const States& s) {
-  if (s.chain.last_doubt() != nullptr || s.cycle.is_doubtful()) return std::nullopt;
+  if (s.chain.last_uncertainty() != nullptr || s.cycle.is_doubtful()) return std::nullopt;
   const std::optional<Pose>& hole = s.cycle.last_hole();
   if (hole && s.cycle.is_on()) return hole;
   const bool is_elsewhere = hole && (hole->tip - s.chain.last_pose()->tip).norm() > Tolerance::kSamePoint_mm;
@@ -100,7 +100,7 @@ void take_godlta(States& s) {
     if (!axis) return;
     position.axis_local = *axis;
     position.numbers = 6;
-    if (s.axes.is_doubtful(position)) position.doubt = Reasons::kPlainAxis;
+    if (s.axes.is_doubtful(position)) position.uncertainty = Reasons::kPlainAxis;
     position.numbers = 0;
   }
   if (count == 1) {
@@ -114,7 +114,7 @@ void take_godlta(States& s) {
   s.curve.end_arcs();
 }
 
-// GOHOME / Z: these axes go home, at rapid. Where that is no file says, so the next position stands alone, as after
+// GOHOME / Z: these axes go home, at rapid. Where that is no file states, so the next position stands alone, as after
 // GOHOME without words.
 void take_gohome(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
@@ -140,7 +140,7 @@ void take_clear_plane(States& s) {
 // Up to the plane of CLEARP where it is known; else the tool is somewhere above.
 void take_retract(States& s) {
   const bool is_known = s.in.arguments.empty() && s.clear_plane_mm && s.chain.is_start_certain() &&
-                        s.doubts.reason() == nullptr && s.cutcom.reason().empty() && !s.cycle.is_on() &&
+                        s.uncertainties.reason() == nullptr && s.cutcom.reason().empty() && !s.cycle.is_on() &&
                         !s.cycle.is_doubtful() && !s.curve.is_open();
   const Pose here = is_known ? s.frame.to_local(*s.chain.last_pose()) : Pose{};
   if (!is_known || here.axis.cross(Vec3::UnitZ()).norm() > Tolerance::kSameDirection || here.axis.z() < 0 ||
@@ -150,7 +150,7 @@ void take_retract(States& s) {
   position.form = PositionForm::unread;
   position.tip_local = {here.tip.x(), here.tip.y(), *s.clear_plane_mm};
   position.axis_local = here.axis;
-  position.doubt = Reasons::kRetractPath;
+  position.uncertainty = Reasons::kRetractPath;
   position.cover = Cover::motion;
   append(s, make_move(s, position, MoveKind::rapid), position);
   s.retracted = s.chain.last_pose();
@@ -175,25 +175,26 @@ void take_fedrat(States& s) {
   s.feed.take_fedrat(s.frame.mm_per_unit());
 }
 
-// ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT.
+// ADJUST is about fixture registers; its OFF states nothing about LEFT and RIGHT.
 void take_cutcom(States& s) {
   const bool has_side = s.in.has("LEFT") || s.in.has("RIGHT"), has_off = s.in.has("OFF");
   if (s.in.has("ADJUST")) {
     const bool is_off = s.in.arguments.size() == 2 && equals_ignoring_case(s.in.arguments.back().text, "OFF");
-    switch_doubt(s, Doubt::adjust, !is_off, Reasons::kAdjust);
+    switch_uncertainty(s, Uncertainty::adjust, !is_off, Reasons::kAdjust);
     if (has_side) s.cutcom.begin();
     return;
   }
   if (has_off && (has_side || s.in.has("ON"))) return s.cutcom.begin();
-  // Of the tool's length: along its axis, as positions are of its tip.
+  // For the tool's length: along its axis, since positions are those of its tip.
   if (s.in.has("LENGTH") && !has_side) {
     const auto is_no_register = [](const Argument& argument) { return argument.number.value_or(0) < 0; };
-    if (std::ranges::any_of(s.in.arguments, is_no_register)) switch_doubt(s, Doubt::adjust, true, Reasons::kAdjust);
+    if (std::ranges::any_of(s.in.arguments, is_no_register))
+      switch_uncertainty(s, Uncertainty::adjust, true, Reasons::kAdjust);
     return;
   }
   if (!has_off) return s.cutcom.begin();
   const std::size_t run_begin = s.cutcom.begin_run();
-  if (s.cutcom.end()) doubt_run(s, run_begin);
+  if (s.cutcom.end()) mark_run_uncertain(s, run_begin);
 }
 
 }  // namespace gouge

@@ -111,7 +111,7 @@ std::optional<std::vector<double>> inner_knots(const MovnrbState& curve) {
 // The curve as one move from where the tool stands.
 std::optional<Move> curve_move(States& s) {
   const std::optional<std::vector<double>> inner = inner_knots(s.movnrb);
-  if (!inner || s.movnrb.is_five_axis || !s.chain.is_start_certain() || s.doubts.reason() != nullptr ||
+  if (!inner || s.movnrb.is_five_axis || !s.chain.is_start_certain() || s.uncertainties.reason() != nullptr ||
       !s.cutcom.reason().empty())
     return std::nullopt;
   std::vector<Vec3> control;
@@ -137,7 +137,7 @@ std::optional<Move> curve_move(States& s) {
 void begin_positions(States& s) {
   const std::optional<Move> curve = curve_move(s);
   if (!curve) {
-    s.doubts.set(Doubt::spline, s.in.because(Reasons::kSpline));
+    s.uncertainties.set(Uncertainty::spline, s.in.because(Reasons::kSpline));
     return;
   }
   s.movnrb.begin = s.in.moves();
@@ -147,7 +147,7 @@ void begin_positions(States& s) {
 }
 
 void end_positions(States& s) {
-  s.doubts.clear(Doubt::spline);
+  s.uncertainties.clear(Uncertainty::spline);
   if (!std::exchange(s.movnrb.is_on, false)) return;
   const bool is_end =
       s.chain.last_pose() && (s.chain.last_pose()->tip - s.movnrb.end).norm() <= Tolerance::kFilePoint_mm;

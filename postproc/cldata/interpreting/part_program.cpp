@@ -40,7 +40,7 @@ bool is_geometry(std::string_view value) {
 
 }  // namespace
 
-// What gives a symbol geometry is written in APT. A number given to a name is what logs hold as well: only beside a
+// Statements that define geometry are written in APT. A number given to a name is what logs hold as well: only beside a
 // position is it part of a program.
 bool PartProgram::take_assignment() {
   const std::string_view major = in_.statement().major;
@@ -67,7 +67,7 @@ void PartProgram::refuse_assignments() {
 
 namespace {
 
-constexpr double kMostCopies = 1000;
+constexpr double kMaxCopies = 1000;
 
 // Straight moves and arcs that are all checked, of the tool and in the frame that are in force.
 bool is_repeatable(const States& s, const IndexedMoves& range) {
@@ -80,8 +80,8 @@ bool is_repeatable(const States& s, const IndexedMoves& range) {
         move.kind == MoveKind::cycle || move.tool != moves[range.begin].tool)
       return false;
   }
-  return moves[range.begin].tool == s.tool.index() && s.chain.is_start_certain() && s.doubts.reason() == nullptr &&
-         s.cutcom.reason().empty() && !s.cycle.is_on() && !s.curve.is_open();
+  return moves[range.begin].tool == s.tool.index() && s.chain.is_start_certain() &&
+         s.uncertainties.reason() == nullptr && s.cutcom.reason().empty() && !s.cycle.is_on() && !s.curve.is_open();
 }
 
 struct CopyStatement {
@@ -103,7 +103,7 @@ std::optional<CopyStatement> read_copy(const std::vector<Argument>& arguments) {
     return std::nullopt;
   if (is_shifted) copy.shift = {*arguments[2].number, *arguments[3].number, *arguments[4].number};
   const double copies = size == 3 + numbers ? *arguments.back().number : 1;
-  if (!(copies >= 1 && copies <= kMostCopies) || std::floor(copies) < copies) return std::nullopt;
+  if (!(copies >= 1 && copies <= kMaxCopies) || std::floor(copies) < copies) return std::nullopt;
   copy.copies = static_cast<std::size_t>(copies);
   return copy;
 }
@@ -150,7 +150,7 @@ void take_copy(States& s) {
   if (found == s.indexed.end()) return take_repeat(s);
   IndexedMoves range = found->second;
   if (range.end == kNone) range.end = s.in.moves();
-  if (!is_repeatable(s, range) || (range.end - range.begin) * copy->copies > kMostCopied) return take_repeat(s);
+  if (!is_repeatable(s, range) || (range.end - range.begin) * copy->copies > kMaxCopied) return take_repeat(s);
   const Vec3 shift = s.frame.to_part().direction(copy->shift * s.frame.mm_per_unit());
   for (std::size_t k = 1; k <= copy->copies; ++k) {
     for (std::size_t i = range.begin; i < range.end; ++i) repeat_move(s, i, static_cast<double>(k) * shift);

@@ -46,7 +46,7 @@ namespace {
 
 constexpr std::size_t kLongestMajor = 24;
 
-// Of the whole process: moves outlive the reader that names their reasons, and are copied without it.
+// Lives as long as the process: moves outlive the reader that names their reasons, and are copied without it.
 const char* kept(std::string text) {
   static std::mutex mutex;
   static std::set<std::string> texts;
@@ -70,7 +70,7 @@ const char* NamedReasons::name(std::string_view reason, std::string_view major, 
   std::string text = std::string(reason) + ": " + word;
   if (line == 0) return kept(std::move(text));
   std::size_t& lines = lines_named_[{std::string(reason), std::move(word)}];
-  if (lines < kMostLines) {
+  if (lines < kMaxLines) {
     ++lines;
     text += " in line " + std::to_string(line);
   }

@@ -107,21 +107,21 @@ struct Reasons {
   static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";
 };
 
-/// What a reason says of its motion: what code asks for, so that it compares no texts.
+/// Meaning of a reason for its motion, so that code compares no texts.
 enum class ReasonKind : std::uint8_t {
   none,           ///< the motion is checked
   compensated,    ///< it is understood: only CUTCOM keeps it from being checked
   after_retract,  ///< its start is not known, as the tool retracted before it
   around_hole,    ///< it begins or ends at a retract height that is not known
   not_understood,
-  unread,        ///< nobody knows where the statement takes the tool
+  unread,        ///< an unknown place the statement takes the tool
   may_be_unread  ///< it is a statement that is not understood and may not move the tool at all
 };
 
 /// `reason` with or without the word and the line behind it.
 [[nodiscard]] ReasonKind kind_of(std::string_view reason);
 
-/// True where nobody knows where the statement takes the tool.
+/// True where an unknown place the statement takes the tool.
 [[nodiscard]] inline bool is_unread(std::string_view reason) { return kind_of(reason) >= ReasonKind::unread; }
 /// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
 [[nodiscard]] inline bool is_motion_known(std::string_view reason) {
@@ -134,9 +134,9 @@ enum class ReasonKind : std::uint8_t {
 
 class NamedReasons {
  public:
-  /// Of each pair of reason and word so many lines are named; texts for further ones name the word alone, so that
+  /// Maximum number of lines named for each pair of reason and word; later texts name the word alone, so that
   /// a file that repeats a statement has no list of all its lines.
-  static constexpr std::size_t kMostLines = 20;
+  static constexpr std::size_t kMaxLines = 20;
 
   /// `reason` with the word and the line of its statement (0: the word alone). The text is never freed, as
   /// Move::not_checked_reason requires; equal texts are one text.

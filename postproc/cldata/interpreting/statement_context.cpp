@@ -76,7 +76,7 @@ void StatementContext::refuse_part_program(std::string_view what, std::size_t li
                             "); expected CL data with positions in numbers: run it through an APT system and check the "
                             "CL file that gives",
                         path.file, line)};
-  is_hopeless_ = true;
+  is_beyond_cutoff_ = true;
 }
 
 Diagnostics StatementContext::take_errors() {

@@ -15,7 +15,7 @@
 namespace gouge {
 
 /// The statement being taken, the file it stands in, and what is wrong with either: what every state of the
-/// interpreter looks at.
+/// interpreter examines.
 class StatementContext : public PathBuilder {
  public:
   StatementContext(Toolpath& path_read, const Dialect& of_file) : PathBuilder(path_read), dialect(of_file) {}
@@ -29,7 +29,7 @@ class StatementContext : public PathBuilder {
   [[nodiscard]] std::string_view text_behind_major() const;
   [[nodiscard]] std::size_t line() const { return statement_->line; }
 
-  /// Of the arguments.
+  /// Cursor over the arguments.
   [[nodiscard]] bool has(std::string_view word) const { return has_argument(arguments, word); }
   [[nodiscard]] bool has_numbers_alone(std::size_t count) const;
   [[nodiscard]] Vec3 vector(std::size_t first) const;
@@ -50,8 +50,8 @@ class StatementContext : public PathBuilder {
   /// The file is no CL data: of all errors this one is left, and reading further has no use.
   void refuse_part_program(std::string_view what) { refuse_part_program(what, line()); }
   void refuse_part_program(std::string_view what, std::size_t line);
-  void give_up() { is_hopeless_ = true; }
-  [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
+  void give_up() { is_beyond_cutoff_ = true; }
+  [[nodiscard]] bool is_beyond_cutoff() const { return is_beyond_cutoff_; }
   [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
   [[nodiscard]] Diagnostics take_errors();
 
@@ -63,7 +63,7 @@ class StatementContext : public PathBuilder {
   NamedReasons reasons_;
   Diagnostics errors_;
   std::size_t errors_not_listed_ = 0;
-  bool is_hopeless_ = false;
+  bool is_beyond_cutoff_ = false;
   Tally declared_;
 };
 

@@ -16,25 +16,25 @@
 #include "postproc/cldata/interpreting/cutter_compensation.h"
 #include "postproc/cldata/interpreting/cycle_state.h"
 #include "postproc/cldata/interpreting/described_curve.h"
-#include "postproc/cldata/interpreting/doubts.h"
 #include "postproc/cldata/interpreting/feed_units.h"
 #include "postproc/cldata/interpreting/frame_state.h"
 #include "postproc/cldata/interpreting/nurbs_state.h"
 #include "postproc/cldata/interpreting/part_program.h"
 #include "postproc/cldata/interpreting/statement_context.h"
 #include "postproc/cldata/interpreting/tool_state.h"
+#include "postproc/cldata/interpreting/uncertainties.h"
 #include "postproc/cldata/parsing/feed_statement.h"
 #include "postproc/program/motion_chain.h"
 
 namespace gouge {
 
 /// FEDRAT, which holds until the next one, and RAPID, which holds for one motion. One that the file never follows by a
-/// motion says nothing.
+/// motion states nothing.
 class FeedState {
  public:
   explicit FeedState(StatementContext& in) : in_(in) {}
 
-  // One without a unit after one per revolution: of which kind it is no file says.
+  // One without a unit after one per revolution: of which kind it is no file states.
   void take_fedrat(double mm_per_unit) {
     if (switches_inverse_time(in_.arguments)) return;
     feed_ = read_feed(in_.arguments, mm_per_unit);
@@ -72,7 +72,7 @@ struct IndexedMoves {
   std::size_t begin = 0, end = kNone;  ///< kNone: not ended
   std::size_t frames = 0;              ///< States::frame_changes at its beginning
 };
-inline constexpr std::size_t kMostCopied = 1000000;  ///< by one COPY
+inline constexpr std::size_t kMaxCopied = 1000000;  ///< by one COPY
 
 /// MOVNRB of Creo: a NURBS of its own statements.
 struct MovnrbState {
@@ -85,7 +85,7 @@ struct MovnrbState {
   Vec3 end = Vec3::Zero();  ///< of it, in part coordinates
 };
 
-/// All that a statement may look at or change. Each state says in its own file what holds where the file never ends it.
+/// All that a statement may examine or change. Each state states in its own file what holds where the file never ends it.
 struct States {
   /// `motion_records` may be null; else it gets one entry for each move.
   States(Toolpath& path, const Dialect& dialect, LengthUnit unit, MotionRecords* motion_records)
@@ -95,20 +95,20 @@ struct States {
 
   StatementContext in;
   MotionRecords* records;
-  Doubts doubts;
-  AxisState axes{in, doubts};
+  Uncertainties uncertainties;
+  AxisState axes{in, uncertainties};
   FeedState feed{in};
   FeedUnits feed_units;
   FrameState frame;
   BlockState blocks;
   CatiaMatrix matrix{in, frame};
-  CltSetup setup{in, doubts};
+  CltSetup setup{in, uncertainties};
   CutterCompensation cutcom{in};
   DescribedCurve curve{in};
   NurbsState nurbs{in, frame, axes};
   ArcSenses senses{in};
   CycleState cycle{in};
-  ToolState tool{in, doubts};
+  ToolState tool{in, uncertainties};
   OperationState operation{in};
   MotionChain chain{in};
   PartProgram program{in};

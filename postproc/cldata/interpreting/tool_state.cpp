@@ -22,7 +22,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kCuttersReported = 20;
-constexpr std::size_t kMostTools = 10000;  // a machine has hundreds
+constexpr std::size_t kMaxTools = 10000;  // a machine has hundreds
 constexpr std::array<std::string_view, 5> kTurningTypes = {"TURN", "GROOVE", "THREAD", "WEDM", "WIRE"};
 
 // TOOLNO/n,d and TOOLNO/n,MILL,..,..,d of CATIA; 0 where no diameter stands there.
@@ -44,7 +44,7 @@ std::array<double, 7> key_of(const CutterStatement& c) {
   return {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
 }
 
-// Of a taper TOOLNO has the largest diameter, or that of the tip.
+// For a taper TOOLNO has the largest diameter, or that of the tip.
 bool is_diameter_of(const CutterStatement& cutter, double stated_mm) {
   constexpr double kSameDiameter = 0.01;  // of it: files round them
   const double taper_mm = 2 * cutter.h_mm * std::tan(cutter.beta_deg * std::numbers::pi / 180);
@@ -75,7 +75,7 @@ void ToolState::set_cutter(const CutterOutcome& outcome) {
 }
 
 void ToolState::take_cutter(double mm_per_unit, bool is_behind_insert) {
-  doubts_.clear(Doubt::cutter);
+  uncertainties_.clear(Uncertainty::cutter);
   const CutterOutcome outcome = make_cutter(in_.arguments, mm_per_unit, in_.dialect.has_tip_diameter);
   if (outcome.is_recomputed) recomputed_.add(in_.line());
   if (!outcome.error.empty()) {
@@ -89,7 +89,7 @@ void ToolState::take_cutter(double mm_per_unit, bool is_behind_insert) {
   set_cutter(outcome);
 }
 
-// A flat, a ball and a bull-nose cutter look the same, so it defines no tool, but a library's tool can be held against
+// A flat, a ball and a bull-nose cutter look the same, so it defines no tool, but a library's tool can be compared with
 // it.
 void ToolState::take_diameter(std::string_view text, double mm_per_unit) {
   Statement values;
@@ -105,12 +105,12 @@ void ToolState::take_diameter(std::string_view text, double mm_per_unit) {
 
 void ToolState::take_tldata(double mm_per_unit) {
   if (in_.arguments.empty()) return in_.count_unknown();
-  doubts_.clear(Doubt::cutter);
+  uncertainties_.clear(Uncertainty::cutter);
   const std::string_view type = in_.arguments.front().text;
   const bool is_drill = equals_ignoring_case(type, "DRILL");
   forget_cutter();
   const bool is_turning = is_one_of(type, kTurningTypes);
-  doubts_.set(Doubt::turning, is_turning ? in_.because(Reasons::kTurning) : nullptr);
+  uncertainties_.set(Uncertainty::turning, is_turning ? in_.because(Reasons::kTurning) : nullptr);
   if (is_turning) return;
   CutterOutcome outcome;
   outcome.note = "TLDATA/" + name_text(type) + " is not understood: define the tool in the tool library";
@@ -153,7 +153,7 @@ std::optional<double> ToolState::countersink_depth(double diameter_mm) const {
 }
 
 void ToolState::change_number(int number) {
-  doubts_.clear(Doubt::loading);
+  uncertainties_.clear(Uncertainty::loading);
   if (tool_.number == number) return;
   is_changed_ = true;
   tool_.number = number;
@@ -181,8 +181,8 @@ void ToolState::begin_block(const std::string& name) {
   is_changed_ = true;
   is_used_ = false;
   is_loaded_ = true;
-  doubts_.clear(Doubt::cutter);
-  doubts_.clear(Doubt::loading);
+  uncertainties_.clear(Uncertainty::cutter);
+  uncertainties_.clear(Uncertainty::loading);
 }
 
 // Another cutter under the number of the loaded tool: in the spindle, or for the next loading.
@@ -202,8 +202,8 @@ std::size_t ToolState::find_or_add() {
   std::vector<PathTool>& tools = in_.path.tools;
   const auto [it, is_new] = index_of_key_.try_emplace(std::move(key), tools.size());
   if (is_new) {
-    if (tools.size() == kMostTools) {
-      in_.fail("path-tools", "more than " + std::to_string(kMostTools) +
+    if (tools.size() == kMaxTools) {
+      in_.fail("path-tools", "more than " + std::to_string(kMaxTools) +
                                  " different tools; expected those of a machine: divide the file by operations");
       in_.give_up();
     }
@@ -223,9 +223,9 @@ bool ToolState::resolve() {
   if (!is_changed_) return false;
   is_changed_ = false;
   if (was_used && is_cutter_unloaded())
-    doubts_.set(Doubt::loading, in_.named(Reasons::kUnloadedCutter, "CUTTER", tool_.line));
+    uncertainties_.set(Uncertainty::loading, in_.named(Reasons::kUnloadedCutter, "CUTTER", tool_.line));
   if (tool_.cutter && tool_.toolno_diameter_mm > 0 && !is_diameter_of(*tool_.cutter, tool_.toolno_diameter_mm))
-    doubts_.set(Doubt::loading, in_.named(Reasons::kUnreadTool, "TOOLNO", tool_.toolno_line));
+    uncertainties_.set(Uncertainty::loading, in_.named(Reasons::kUnreadTool, "TOOLNO", tool_.toolno_line));
   const bool is_known = tool_.number || tool_.cutter || (in_.dialect.has_named_tools && !tool_.name.empty());
   const std::size_t index = is_known ? find_or_add() : kNone;
   return std::exchange(index_, index) != index;
@@ -255,9 +255,9 @@ void change_number(States& s, int number) {
 
 void take_tool_number(States& s) {
   const bool is_turning = s.in.has("TURN");
-  if (is_turning) s.doubts.set(Doubt::turning, s.in.because(Reasons::kTurning));
+  if (is_turning) s.uncertainties.set(Uncertainty::turning, s.in.because(Reasons::kTurning));
   if (s.in.arguments.empty()) {
-    s.doubts.set(Doubt::loading, s.in.because(Reasons::kUnreadTool));
+    s.uncertainties.set(Uncertainty::loading, s.in.because(Reasons::kUnreadTool));
     return s.in.count_unknown();
   }
   const std::optional<int> number = whole_number(s.in.arguments.front());
@@ -265,12 +265,12 @@ void take_tool_number(States& s) {
     return s.in.fail("path-statement", s.in.major() + ": " + quoted_text(s.in.arguments.front().text) +
                                            " is not a tool number; expected a whole number");
   }
-  if (!is_turning && s.tool.number() != *number) s.doubts.clear(Doubt::turning);
+  if (!is_turning && s.tool.number() != *number) s.uncertainties.clear(Uncertainty::turning);
   const bool is_loading = s.in.statement().word != Word::toolno;
   const bool may_be_ready_only = !is_loading && s.tool.may_be_ready_only(*number);
   change_number(s, *number);
   if (is_loading) s.tool.note_load();
-  if (may_be_ready_only) s.doubts.set(Doubt::loading, s.in.because(Reasons::kReadyTool));
+  if (may_be_ready_only) s.uncertainties.set(Uncertainty::loading, s.in.because(Reasons::kReadyTool));
   // Behind LOADTL/n stands a register.
   if (s.in.statement().word == Word::toolno) s.tool.take_diameter_of_toolno(s.frame.mm_per_unit());
 }
@@ -280,9 +280,9 @@ void take_load(States& s) {
   if (arguments.empty() || !equals_ignoring_case(arguments.front().text, "TOOL")) {
     if (count_numbers(arguments).count > 0) distrust(s, Word::load);
     const std::string_view what = arguments.empty() ? std::string_view() : arguments.front().text;
-    if (s.in.has("WIRE")) s.doubts.set(Doubt::turning, s.in.because(Reasons::kTurning));
+    if (s.in.has("WIRE")) s.uncertainties.set(Uncertainty::turning, s.in.because(Reasons::kTurning));
     if (starts_with_ignoring_case("TOOL", what) || is_one_letter_off("TOOL", what))
-      s.doubts.set(Doubt::loading, s.in.because(Reasons::kUnreadTool));
+      s.uncertainties.set(Uncertainty::loading, s.in.because(Reasons::kUnreadTool));
     return s.in.count_unknown();
   }
   const std::optional<int> number = arguments.size() > 1 ? whole_number(arguments[1]) : std::nullopt;

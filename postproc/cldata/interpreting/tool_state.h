@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "postproc/cldata/interpreting/doubts.h"
 #include "postproc/cldata/interpreting/statement_context.h"
+#include "postproc/cldata/interpreting/uncertainties.h"
 #include "postproc/cldata/parsing/cutter_statement.h"
 
 namespace gouge {
@@ -18,7 +18,7 @@ namespace gouge {
 /// stays until the file names another one.
 class ToolState {
  public:
-  ToolState(StatementContext& in, Doubts& doubts) : in_(in), doubts_(doubts) {}
+  ToolState(StatementContext& in, Uncertainties& uncertainties) : in_(in), uncertainties_(uncertainties) {}
 
   void take_cutter(double mm_per_unit, bool is_behind_insert);
   /// Creo's comment, which states the diameter alone.
@@ -30,7 +30,7 @@ class ToolState {
   /// Text that may name the tool that is defined next.
   void take_insert(std::string_view text);
   /// Ensures  a tool that was not described since the last motion is the one last seen under that number, or one the
-  ///          file says nothing about: never the one before it.
+  ///          file states nothing about: never the one before it.
   void change_number(int number);
   /// The tool of that number is in the spindle: LOADTL, LOAD/TOOL.
   void note_load() { is_loaded_ = true, is_used_ = false; }
@@ -56,7 +56,7 @@ class ToolState {
     std::optional<CutterStatement> cutter;
     std::string name;
     double flute_length_mm = 0;
-    double diameter_mm = 0;         // of Creo, whose $$-> CUTTER says nothing else
+    double diameter_mm = 0;         // of Creo, whose $$-> CUTTER states nothing else
     double toolno_diameter_mm = 0;  // behind the number of TOOLNO; 0 where none stands there
     std::size_t toolno_line = 0;
     std::size_t line = 0;
@@ -74,7 +74,7 @@ class ToolState {
   [[nodiscard]] std::size_t find_or_add();
 
   StatementContext& in_;
-  Doubts& doubts_;
+  Uncertainties& uncertainties_;
   Tool tool_;
   bool is_changed_ = false;  // since the last motion
   bool is_loaded_ = false;   // a tool was loaded, or its block begun

@@ -45,9 +45,11 @@ bool is_statement(const StatementContext& in) {
   return rest.empty() || rest.front() == '/' || rest.front() == '(' || rest.front() == ',' || rest.front() == '$';
 }
 
-void doubt_frame(States& s) { s.doubts.set(Doubt::unread_frame, s.in.because(Reasons::kUnreadFrame)); }
+void mark_frame_uncertain(States& s) {
+  s.uncertainties.set(Uncertainty::unread_frame, s.in.because(Reasons::kUnreadFrame));
+}
 
-// Of a statement that is text: its first line, with the word.
+// For a statement that is text: its first line, with the word.
 std::string whole_text(const Statement& statement) {
   const char* const begin = statement.major.data();
   const std::string_view end = statement.pieces.empty() ? statement.major : statement.pieces.front();
@@ -90,16 +92,17 @@ bool is_end_of_another(const StatementContext& in) {
 
 }  // namespace
 
-void doubt_all(States& s, std::string_view major, std::size_t statement) {
+void mark_all_uncertain(States& s, std::string_view major, std::size_t statement) {
   if (!s.in.path.moves.empty()) emit_unread(s, s.in.named(Reasons::kUnread, major), statement);
   s.is_unknown_in_block = true;
-  if (s.doubts.has(Doubt::unknown)) return;
-  s.doubts.set(Doubt::unknown, s.in.named(Reasons::kAfterUnknown, major, s.in.path.statements[statement].line));
+  if (s.uncertainties.has(Uncertainty::unknown)) return;
+  s.uncertainties.set(Uncertainty::unknown,
+                      s.in.named(Reasons::kAfterUnknown, major, s.in.path.statements[statement].line));
 }
 
 void take_unknown_statement(States& s) {
   s.in.count_unknown();
-  doubt_all(s, s.in.statement().major, s.in.index());
+  mark_all_uncertain(s, s.in.statement().major, s.in.index());
 }
 
 void take_harmless(States& s) {
@@ -128,7 +131,7 @@ void take_unknown(States& s) {
   s.in.count_unknown();
   bool is_rest = true;
   for (const std::string_view part : parts) is_rest = take_misread(s, part) && is_rest;
-  if (!is_rest) doubt_all(s, s.in.statement().major, s.in.index());
+  if (!is_rest) mark_all_uncertain(s, s.in.statement().major, s.in.index());
 }
 
 void take_unread_motion(States& s) {
@@ -143,7 +146,7 @@ void take_repeat(States& s) {
                         is_one_of(s.in.arguments.front().text, kFrames);
   if (is_frame) return;
   take_unread_motion(s);
-  doubt_frame(s);
+  mark_frame_uncertain(s);
 }
 
 // TRACUT/NOMORE and COUPLE/OFF end nothing in a file that has begun nothing of the kind.
@@ -152,9 +155,9 @@ void take_unread_frame(States& s) {
     return equals_ignoring_case(s.in.statement().major, major) && s.in.arguments.size() == 1 &&
            equals_ignoring_case(s.in.arguments.front().text, end);
   };
-  if ((ends("TRACUT", "NOMORE") || ends("COUPLE", "OFF")) && !s.doubts.was_on(Doubt::unread_frame)) return;
+  if ((ends("TRACUT", "NOMORE") || ends("COUPLE", "OFF")) && !s.uncertainties.was_on(Uncertainty::unread_frame)) return;
   s.in.count_unknown();
-  doubt_frame(s);
+  mark_frame_uncertain(s);
 }
 
 void take_unread_tool(States& s) {

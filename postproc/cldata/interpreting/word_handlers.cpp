@@ -69,7 +69,7 @@ constexpr auto kRows = std::to_array<std::pair<Word, WordHandler>>({
     {Word::toolno, take_tool_number},
     {Word::trans, take_trans},
     {Word::trntyp, take_trntyp},
-    {Word::turret, [](States& s) { s.doubts.set(Doubt::turning, s.in.because(Reasons::kTurning)); }},
+    {Word::turret, [](States& s) { s.uncertainties.set(Uncertainty::turning, s.in.because(Reasons::kTurning)); }},
     {Word::units, take_units},
     {Word::repeat, take_repeat},
     {Word::unread_frame, take_unread_frame},

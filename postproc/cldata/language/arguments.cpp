@@ -61,7 +61,7 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
   arguments.clear();
   bool is_expecting = true;  // after a comma, or at the start: a further comma means an empty argument
   for (const std::string_view piece : statement.pieces) {
-    for (std::size_t i = 0; i < piece.size() && arguments.size() < kMostArguments;) {
+    for (std::size_t i = 0; i < piece.size() && arguments.size() < kMaxArguments;) {
       const Role role = role_of(piece[i]);
       if (role == Role::text) {
         const std::size_t begin = i;
@@ -154,12 +154,12 @@ bool has_damaged_argument(std::span<const Argument> arguments) {
 }
 
 bool has_repeated_word(std::span<const Argument> arguments) {
-  constexpr std::size_t kMostWords = 64;  // of any statement that is understood; comparing all pairs must stay cheap
+  constexpr std::size_t kMaxWords = 64;  // of any statement that is understood; comparing all pairs must stay cheap
   std::vector<std::string_view> words;
   for (const Argument& argument : arguments) {
     if (argument.number || argument.text.empty()) continue;
     const auto is_same = [&](std::string_view word) { return equals_ignoring_case(word, argument.text); };
-    if (words.size() == kMostWords || std::ranges::any_of(words, is_same)) return true;
+    if (words.size() == kMaxWords || std::ranges::any_of(words, is_same)) return true;
     words.push_back(argument.text);
   }
   return false;

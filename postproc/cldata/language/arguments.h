@@ -11,11 +11,11 @@
 namespace gouge {
 
 /// No CAM system writes a statement of so many arguments; one that has them is refused rather than held.
-inline constexpr std::size_t kMostArguments = 100000;
+inline constexpr std::size_t kMaxArguments = 100000;
 
 /// The arguments of `statement`, into `arguments` (whose memory is used again). Commas separate them; so do
 /// blanks, line ends, brackets and further slashes, as CAM systems write them. One trailing comma is allowed.
-/// Stops at kMostArguments.
+/// Stops at kMaxArguments.
 void split_arguments(const Statement& statement, std::vector<Argument>& arguments);
 
 /// The first argument that is not a number, or nothing.
@@ -49,7 +49,7 @@ struct NumberCount {
 /// knows.
 [[nodiscard]] bool has_damaged_argument(std::span<const Argument> arguments);
 
-/// True where a word stands twice, in any case: which of both counts no reader can tell; and of
+/// True where a word stands twice, in any case: which of both counts no reader can show; and of
 /// more than 64 words, as no statement that is understood has them.
 [[nodiscard]] bool has_repeated_word(std::span<const Argument> arguments);
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 // Which CAM system's way of writing CL data a file follows, recognised by its content or stated by the user. A dialect
-// is data: one row of traits that readers and writers ask for. No code asks which dialect it is. Evidence for each
+// is data: one row of traits that readers and writers request. No code queries which dialect it is. Evidence for each
 // trait: docs/formats/.
 
 namespace gouge {
@@ -28,7 +28,7 @@ enum class DialectKind : std::uint8_t {
   nci
 };
 
-/// Which comments say something.
+/// Which comments state something.
 enum class CommentForm : std::uint8_t {
   none,
   creo,  ///< `$$->` and `REMARK ->` are statements
@@ -37,7 +37,7 @@ enum class CommentForm : std::uint8_t {
 
 enum class ArcSense : std::uint8_t { right_handed, left_handed, unknown };
 
-/// What stands in a CIRCLE or MOVARC.
+/// Arguments of a CIRCLE or MOVARC.
 enum class ArcForm : std::uint8_t {
   apt,         ///< centre, vector, radius, and what NX writes after them
   with_sweep,  ///< the same, or an eighth number: the sweep in degrees
@@ -52,17 +52,17 @@ enum class ArcRule : std::uint8_t {
   shorter_path           ///< the post-processor takes the shorter arc between two points, whatever the vector
 };
 
-/// What the words and numbers of a CYCLE mean.
+/// Meaning of the words and numbers of a CYCLE.
 enum class CycleForm : std::uint8_t { any, nx, depths, depths_without_rapto, creo, catia, clt, ncl, unknown };
 
 /// Where FEDRAT may stand while a cycle drills.
 enum class FeedInCycle : std::uint8_t { anywhere, nowhere, before_first_hole };
 
-/// How much of a cutter the dialect can say.
+/// How much of a cutter the dialect can state.
 enum class CutterForm : std::uint8_t { whole, with_diameter, without_angles, diameter_alone, none };
 
 struct Dialect {
-  DialectKind kind = DialectKind::apt;     ///< its row in the tables of dialects, and nothing to ask for
+  DialectKind kind = DialectKind::apt;     ///< its row in the tables of dialects, and nothing to request
   std::string_view id = "apt";             ///< Toolpath::dialect, and what --dialect takes
   std::string_view title = "APT CL data";  ///< for people
   std::string_view format = "text";        ///< its row in the table of formats
@@ -93,13 +93,13 @@ struct Dialect {
   bool names_operations = false;       ///< has words of its own for it, so that PPRINT is only text
   bool operations_are_blocks = false;  ///< each has its MCS
   bool has_blocks = false;             ///< TOOL PATH to END-OF-PATH: frame, tool, axis and feed are of a block
-  bool is_in_world = false;            ///< positions are in world coordinates, whatever CSYS says
+  bool is_in_world = false;            ///< positions are in world coordinates, whatever CSYS states
   bool has_camera_csys = false;        ///< CAMERA states the machine's coordinate system, in which positions are
-  bool has_setups = false;             ///< ROTABL and TLAXIS say how the setup of the positions lies
+  bool has_setups = false;             ///< ROTABL and TLAXIS state how the setup of the positions lies
   bool gohome_names_axes = true;       ///< GOHOME/Z: an axis, not a number
   bool pprint_includes_files = false;  ///< PPRINT INCLUD: the motion of another file stands here
   bool inserts_are_names = false;      ///< INSERT holds names of tools, setups and stock
-  bool has_named_tools = false;        ///< the name tells tools apart
+  bool has_named_tools = false;        ///< the name distinguishes tools
   bool has_tool_angles = true;         ///< a CUTTER without angles is straight; else it may be of any shape
   bool has_tip_diameter = false;       ///< the third number of CUTTER is the diameter of the tip
 
@@ -114,7 +114,7 @@ struct Dialect {
 
   // Writing.
   bool is_written = true;
-  bool has_positions_alone = false;  ///< no tool, feed, rapid, CUTCOM or break can be said
+  bool has_positions_alone = false;  ///< no tool, feed, rapid, CUTCOM or break can be stated
   CutterForm cutter_form = CutterForm::whole;
 };
 

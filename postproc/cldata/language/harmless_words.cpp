@@ -118,7 +118,7 @@ bool has_three_numbers_in_a_row(std::span<const Argument> arguments) {
 
 bool fits(const HarmlessWord& row, std::span<const Argument> arguments) {
   const NumberCount numbers = count_numbers(arguments);
-  if (numbers.count > row.most_numbers) return false;
+  if (numbers.count > row.max_numbers) return false;
   const bool may_be_negative = row.sign == Sign::any || (row.sign == Sign::one && numbers.count == 1);
   if (numbers.negative > 0 && !may_be_negative) return false;
   if (row.sign != Sign::any && has_three_numbers_in_a_row(arguments)) return false;
@@ -128,7 +128,7 @@ bool fits(const HarmlessWord& row, std::span<const Argument> arguments) {
     if (argument.number) continue;
     if (is_among(argument.text, row.minors)) {
       has_minor = true;
-    } else if (row.others != Others::names || !is_name(argument.text) || ++names > kMostNames) {
+    } else if (row.others != Others::names || !is_name(argument.text) || ++names > kMaxNames) {
       return false;
     }
   }

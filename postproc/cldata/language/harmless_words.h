@@ -17,19 +17,19 @@ struct HarmlessWord {
   enum class Sign : std::uint8_t { none, one, any };
   enum class Others : std::uint8_t {
     none,      ///< only the words of `minors`
-    names,     ///< names as well: up to kMostNames words that no dialect knows
+    names,     ///< names as well: up to kMaxNames words that no dialect knows
     required,  ///< only the words of `minors`, of which one must stand there
   };
 
   std::string_view word;
   std::string_view minors;  ///< words that may stand among its arguments, separated by blanks
-  std::uint8_t most_numbers;
+  std::uint8_t max_numbers;
   Sign sign;
   Others others;
-  std::string_view source;  ///< the documents that say what it means: docs/formats/harmless_words.md names them
+  std::string_view source;  ///< the documents that state what it means: docs/formats/harmless_words.md names them
 };
 
-inline constexpr std::size_t kMostNames = 6;
+inline constexpr std::size_t kMaxNames = 6;
 
 /// All of them, in alphabetical order.
 [[nodiscard]] std::span<const HarmlessWord> harmless_words();

@@ -28,12 +28,12 @@ struct Statement {
   std::string_view major;        ///< as written, without blanks around it
   bool is_unterminated = false;  ///< the file ends after a `$`
   bool hides_comment = false;    ///< a comment with data, such as `$$*CATIA0`, stands between its lines
-  /// What follows the major word, one piece for each physical line, without `$` and comments. A comment has
+  /// The text after the major word, one piece for each physical line, without `$` and comments. A comment has
   /// one piece: what follows `$$` (and for Creo's `$$->`, its continuation lines).
   std::vector<std::string_view> pieces;
   bool is_decoded = false;        ///< `decoded` holds the arguments; `pieces` has one piece, of text or empty
   std::vector<Argument> decoded;  ///< arguments of a file that does not write them as APT text
-  bool has_axes = false;          ///< every position has its axis, whatever MULTAX says
+  bool has_axes = false;          ///< every position has its axis, whatever MULTAX states
   bool is_continuation = false;   ///< its positions continue the path of those of the statement before
 
   /// As new, with the memory it has.
@@ -47,7 +47,7 @@ struct Statement {
   }
 };
 
-/// The statements of a file one after another, whatever way it writes them. Whoever takes them need not know which.
+/// The statements of a file one after another, independent of the format. The consumer need not know the format.
 class StatementSource {
  public:
   StatementSource() = default;

@@ -16,10 +16,10 @@ namespace gouge {
 
 [[nodiscard]] constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
-/// Of a word as people write it: letters, digits, `_` and `-`.
+/// Characters of a word: letters, digits, `_` and `-`.
 [[nodiscard]] constexpr bool is_word_character(char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '-'; }
 
-/// What some editors put before UTF-8 text; no part of it.
+/// Byte order mark that some editors put before UTF-8 text; not part of it.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 /// `text` in UTF-8 without control characters, cut behind a letter that reaches `longest` bytes; bytes that are no UTF-8
@@ -31,7 +31,7 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 /// How many spaces stand right before `bytes[at]`.
 [[nodiscard]] std::size_t blanks_before(std::string_view bytes, std::size_t at);
 
-/// What the first line of `bytes` ends with: "\r\n" or "\n".
+/// Line end of the first line of `bytes`: "\r\n" or "\n".
 [[nodiscard]] std::string line_end_of(std::string_view bytes);
 
 /// < 0, 0, > 0 as `a` sorts before, equal to or after `b`, letters compared as capitals.

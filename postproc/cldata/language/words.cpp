@@ -125,7 +125,7 @@ constexpr std::array<Entry, kWordCount> kWords = [] {
   return all;
 }();
 
-// Of those that never begin a statement the ones that matter to motion.
+// Words that never begin a statement and matter to motion.
 constexpr auto kMinorWords =
     std::to_array<std::string_view>({"AAXIS",  "ADJUST", "ANGLE",  "ATANGL", "BAXIS",     "BORE",  "BRKCHP",
                                      "CAXIS",  "CCLW",   "CENTER", "CLEAR",  "CLOCKWISE", "CLW",   "COUNTERCLOCKWISE",

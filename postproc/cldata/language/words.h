@@ -107,7 +107,7 @@ class WordSet {
 /// True of words that move the tool or change what motion means: what would be missed if it were overlooked.
 [[nodiscard]] bool changes_motion(Word word);
 
-/// Of a statement whose word is not known: the known word that its beginning was meant to be, as far as that
+/// For a statement with an unknown word: the known word that its beginning was meant to be, as far as that
 /// can be determined; else `unknown`. Either something stands at the word without a slash ("GOTO(0", "GODLTA-50.",
 /// "CUTTER=5"), or one character is missing, wrong or too many ("GODLT", "CUTTTER"), or two are in each
 /// other's place. Only words that change motion are found.

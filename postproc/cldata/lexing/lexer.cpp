@@ -143,7 +143,7 @@ void Lexer::take_pieces(Statement& statement, std::string_view text) {
     statement.hides_comment = statement.hides_comment || more.starts_with("$$->") || more.starts_with("$$*");
     const bool is_continued_again = strip_line(more, is_comment);
     if (more.empty() && !is_continued_again) continue;  // a comment or an empty line amid a statement
-    if (!more.empty() && statement.pieces.size() < kMostArguments) statement.pieces.push_back(more);
+    if (!more.empty() && statement.pieces.size() < kMaxArguments) statement.pieces.push_back(more);
     is_continued = is_continued_again;
   }
 }

@@ -35,7 +35,7 @@ class NccsCorrector {
   [[nodiscard]] Pose local_end(std::size_t move) const;
   [[nodiscard]] std::string numbers(const MotionRecord& record, const Pose& local, bool with_axis) const;
   void copy(std::size_t first_word, std::size_t last_word);
-  /// Without the circles that go. To be called for ever later words.
+  /// Without the circles that go. To be called forever later words.
   void copy_source(std::size_t first_word, std::size_t last_word);
   void add(std::uint16_t klass, std::uint16_t subclass, std::uint16_t sequence, const std::string& words);
   void add_position(const MotionRecord& record, const Pose& local, std::uint16_t sequence);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kWordsOfBlock = 35;
 constexpr std::size_t kBlock = 288;
-constexpr std::size_t kLeastBytes = 8;
+constexpr std::size_t kMinBytes = 8;
 
 unsigned byte_at(std::string_view bytes, std::size_t at) { return static_cast<unsigned char>(bytes[at]); }
 
@@ -30,7 +30,7 @@ bool is_known_class(std::uint16_t klass) {
   return std::find(kKnown.begin(), kKnown.end(), klass) != kKnown.end();
 }
 
-// A file without the header record: its first records are of classes that are known, each as long as it says, up to the
+// A file without the header record: its first records are of classes that are known, each as long as it states, up to the
 // end or as many as no other file has by chance.
 bool is_chain_of_records(std::string_view bytes) {
   constexpr std::size_t kFewest = 3, kEnough = 16;
@@ -48,7 +48,7 @@ bool is_chain_of_records(std::string_view bytes) {
 }  // namespace
 
 bool is_nccs_binary(std::string_view bytes) {
-  if (bytes.size() < kLeastBytes) return false;
+  if (bytes.size() < kMinBytes) return false;
   const NccsHeader header = NccsWords(bytes).header(0);
   return header.klass == NccsClass::kHeader ? header.words > 0 : is_chain_of_records(bytes);
 }

@@ -29,7 +29,7 @@ struct NccsClass {
                                  kFini = 14000;
 };
 
-/// What a record of a class is, where more than one file of this folder must know it.
+/// Classes of records that more than one file of this folder uses.
 struct NccsSubclass {
   static constexpr std::uint16_t kPoints = 5, kRapid = 5, kMultaxOn = 0, kMultaxOff = 1;
 };
@@ -45,7 +45,7 @@ inline constexpr std::size_t kNccsExpandedWords = 21;
 /// begins with at least three records of known classes, one after another.
 [[nodiscard]] bool is_nccs_binary(std::string_view bytes);
 
-/// The words of a file, without its padding. Requires `word` < words() where one is asked for.
+/// The words of a file, without its padding. Requires `word` < words() where one is requested.
 class NccsWords {
  public:
   explicit NccsWords(std::string_view bytes) : bytes_(bytes) {}

@@ -100,7 +100,7 @@ void NccsSink::go_to(const Pose& end) {
   add(NccsClass::kMotion, 5, words);
 }
 
-// A planar arc with one tool axis, reached the shorter arc: which sense it has the record does not say.
+// A planar arc with one tool axis, reached the shorter arc: which sense it has the record does not state.
 bool NccsSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) {
   const Vec3 radial = start.tip - arc.center;
   const bool is_planar = std::abs(radial.dot(arc.axis)) <= Tolerance::kWitness_mm &&

@@ -17,10 +17,10 @@ constexpr std::uint16_t kCutter = 6, kInnerTolerance = 4, kOuterTolerance = 5;
 constexpr std::uint16_t kFirstText = 1043, kLastText = 1046, kOtherText = 1199;
 constexpr std::size_t kTextLetters = 66;  // what follows in the record is not part of the text
 constexpr std::size_t kCircleNumbers = 7;
-// Before them five words that say which geometry it was.
+// Before them five words that state which geometry it was.
 constexpr std::size_t kCircleWords = 12;
 
-// What is neither a number nor a word that is known.
+// An item that is neither a number nor a known word.
 constexpr Argument kNotKnown = {"?", std::nullopt};
 
 // Numbers that a CL file may hold; words and text read as a number are far from it.
@@ -44,7 +44,7 @@ bool is_text(std::uint16_t subclass) {
   return (subclass >= kFirstText && subclass <= kLastText) || subclass == kOtherText;
 }
 
-// What the word means in text, but for what only text can be.
+// Meaning of the word in text, except statements that only text can hold.
 Word post_word(const Statement& statement) {
   const Word word = find_word(statement.major);
   if (word == Word::part_program) return Word::unread_frame;
@@ -101,7 +101,7 @@ void NccsStatements::take_motion(const NccsHeader& header, Statement& statement)
   for (std::size_t i = 1; i < header.words; ++i) statement.decoded.push_back(number_at(i));
 }
 
-// Each point is its position, its axis and five more vectors, of which none says where the tool is.
+// Each point is its position, its axis and five more vectors, of which none states where the tool is.
 void NccsStatements::take_expanded(const NccsHeader& header, Statement& statement) {
   statement.word = Word::unread_motion;
   statement.major = "expanded motion";

@@ -21,7 +21,7 @@ namespace gouge {
 namespace {
 
 // Motion pairs as one NCI file writes them: its pairs with other ends, and new ones that look like them. Ends
-// are in the file's unit. What a position inserted before a pair says besides its end: compensation 0 (no
+// are in the file's unit. What a position inserted before a pair states besides its end: compensation 0 (no
 // change) and flags 0, as both are events of the pair's own position; the feed of the pair, which -1 and -2
 // keep right.
 
@@ -63,17 +63,17 @@ class NciText {
 
   const Toolpath& path_;
   NumberStyle tips_, second_points_;
-  double least_axis_error_ = 0;  // what the decimals of the file's points leave open, times the length
+  double min_axis_error_ = 0;  // what the decimals of the file's points leave open, times the length
   std::string line_end_;
 };
 
 constexpr std::size_t kPairsLearned = 5000;
-constexpr int kUsualNciDecimals = 6, kMostDecimals = 15;
-constexpr double kLeastAxisError = 1e-6, kMostAxisError = 1e-5;
+constexpr int kUsualNciDecimals = 6, kMaxDecimals = 15;
+constexpr double kMinAxisError = 1e-6, kMaxAxisError = 1e-5;
 
 bool is_zero(const Argument& field) { return field.number && std::abs(*field.number) <= 0; }
 
-// What a position of its own says of compensation and flags: no change, nothing special.
+// Compensation and flags of an inserted position: no change, nothing special.
 void put_nothing(const NciMotionPair& pair, std::optional<std::size_t> field, std::vector<std::string>& tokens) {
   if (field && *field < pair.fields.size() && !is_zero(pair.fields[*field])) tokens[*field] = "0";
 }
@@ -88,9 +88,9 @@ NciText::NciText(const Toolpath& path, const MotionRecords& records) : path_(pat
   }
   NumberStyle as_it_is = second_points_;
   as_it_is.choose_decimals(0, kUsualNciDecimals);
-  least_axis_error_ = std::sqrt(0.75) * std::pow(10.0, -as_it_is.decimals());
-  tips_.choose_decimals(least_coordinate_decimals(path.unit), kUsualNciDecimals);
-  second_points_.choose_decimals(least_coordinate_decimals(path.unit), kUsualNciDecimals);
+  min_axis_error_ = std::sqrt(0.75) * std::pow(10.0, -as_it_is.decimals());
+  tips_.choose_decimals(min_coordinate_decimals(path.unit), kUsualNciDecimals);
+  second_points_.choose_decimals(min_coordinate_decimals(path.unit), kUsualNciDecimals);
 }
 
 NciMotionPair NciText::pair_of(std::size_t move) const {
@@ -116,7 +116,7 @@ void NciText::learn(const NciMotionPair& pair) {
 
 void NciText::put_second_point(const NciMotionPair& pair, const Vec3& tip, const Vec3& axis, Tokens& tokens) const {
   const double length = pair.motion.axis_length;
-  const double allowed = std::clamp(least_axis_error_ / length, kLeastAxisError, kMostAxisError);
+  const double allowed = std::clamp(min_axis_error_ / length, kMinAxisError, kMaxAxisError);
   NumberStyle style = second_points_;
   for (;;) {
     Vec3 read = Vec3::Zero();
@@ -128,7 +128,7 @@ void NciText::put_second_point(const NciMotionPair& pair, const Vec3& tip, const
       tokens[field] = is_same ? std::string() : token;
       read[i] = is_same ? before : parse_number(token).value_or(before);
     }
-    if (((read - tip).normalized() - axis).norm() <= allowed || style.decimals() >= kMostDecimals) return;
+    if (((read - tip).normalized() - axis).norm() <= allowed || style.decimals() >= kMaxDecimals) return;
     style.choose_decimals(style.decimals() + 1, style.decimals() + 1);
   }
 }

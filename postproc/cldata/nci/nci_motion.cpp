@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::size_t kFieldsOfLinear = 5, kFieldsOfArc = 8, kFieldsOfFiveAxis = 7;
 constexpr std::size_t kFullCircleField = 9;
-constexpr double kLeastComp = 40;
+constexpr double kMinComp = 40;
 constexpr double kRapidFeed = -2;
-constexpr double kShortestVector = 1e-3;  // below it the digits of the points say nothing of a direction
+constexpr double kShortestVector = 1e-3;  // below it the digits of the points states nothing about a direction
 constexpr double kLargestFlags = 1e15;    // beyond it a number has no last digits
 
 bool is_equal(double a, double b) { return std::abs(a - b) < Tolerance::kRounding; }
@@ -50,9 +50,9 @@ bool read_plane(std::span<const Argument> fields, NciMotion& motion) {
   const std::array<double, 2> value = {*fields[0].number, *fields[1].number};
   double plane = 0;
   motion.compensation.reset();
-  if (value[0] >= kLeastComp && value[1] >= kLeastComp) return false;
-  if (value[0] >= kLeastComp || value[1] >= kLeastComp) {
-    motion.comp = value[0] >= kLeastComp ? 0 : 1;
+  if (value[0] >= kMinComp && value[1] >= kMinComp) return false;
+  if (value[0] >= kMinComp || value[1] >= kMinComp) {
+    motion.comp = value[0] >= kMinComp ? 0 : 1;
     motion.compensation = value[*motion.comp];
     plane = value[1 - *motion.comp];
   } else {
@@ -140,15 +140,15 @@ NciMotion read_nci_motion(int code, std::span<const Argument> fields) {
 namespace {
 
 constexpr std::size_t kPairsLookedAt = 2000;  // hundreds of parameters may come before the first motion
-constexpr std::size_t kMostFields = 100;
-constexpr std::size_t kLeastNumbersOfMotion = 5;
+constexpr std::size_t kMaxFields = 100;
+constexpr std::size_t kMinNumbersOfMotion = 5;
 constexpr int kLargestCode = 99999;
 
 bool is_motion(const NciPair& pair) {
   if (!pair.code || *pair.code > 11) return false;
   std::vector<Argument> fields;
   split_nci_fields(pair.parameters, fields);
-  return fields.size() >= kLeastNumbersOfMotion &&
+  return fields.size() >= kMinNumbersOfMotion &&
          std::all_of(fields.begin(), fields.end(), [](const Argument& a) { return a.number.has_value(); });
 }
 
@@ -181,7 +181,7 @@ bool NciLines::next(NciPair& pair) {
 
 void split_nci_fields(std::string_view parameters, std::vector<Argument>& fields) {
   fields.clear();
-  while (!parameters.empty() && fields.size() < kMostFields) {
+  while (!parameters.empty() && fields.size() < kMaxFields) {
     std::size_t end = 0;
     while (end < parameters.size() && !is_blank(parameters[end])) ++end;
     fields.push_back({parameters.substr(0, end), parse_number(parameters.substr(0, end))});

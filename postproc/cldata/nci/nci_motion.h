@@ -12,7 +12,7 @@
 #include "postproc/cldata/language/statement.h"
 #include "postproc/cldata/language/text.h"
 
-// What a motion pair of a Mastercam NCI file says, and where: the reader makes statements of it, the writer
+// Content and location of a motion pair of a Mastercam NCI file: the reader makes statements of it, the writer
 // puts other numbers into its fields. Evidence for each field: docs/formats/mastercam_nci.md.
 
 // The container of Mastercam NCI files: pairs of lines, first a code alone, then its parameters separated by
@@ -45,7 +45,7 @@ enum class NciPlane : std::uint8_t { xy, yz, xz };
 
 /// Notation: fields are counted from 0; lengths are in the file's unit.
 struct NciMotion {
-  const char* problem = nullptr;       ///< one of NciProblems: then only `compensation` says anything
+  const char* problem = nullptr;       ///< one of NciProblems: then only `compensation` states anything
   std::optional<double> compensation;  ///< 0: no change; 40 and 140: off; nothing: not stated
   NciForm form = NciForm::linear;
   bool is_rapid = false;
@@ -57,7 +57,7 @@ struct NciMotion {
   Vec3 center = Vec3::Zero();        ///< of arcs; along their axis it is where the end is
   NciPlane plane = NciPlane::xy;     ///< of arcs
   bool is_clockwise = false;         ///< of arcs
-  bool is_full_circle = false;       ///< of arcs, where the pair says so
+  bool is_full_circle = false;       ///< of arcs, where the pair states so
 };
 
 /// Fields of the second point of a five-axis line.

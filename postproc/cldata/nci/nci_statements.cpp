@@ -32,7 +32,7 @@ CutcomSide side_of(double compensation) {
   return is(kCompLeft) ? CutcomSide::left : is(kCompRight) ? CutcomSide::right : CutcomSide::unknown;
 }
 
-// What describes tools, stock and toolpaths to a post-processor, in the chapter "The NCI File".
+// Codes that describe tools, stock and toolpaths to a post-processor, in the chapter "The NCI File".
 bool is_harmless_nci_code(int code) {
   constexpr std::array<int, 9> kCodes = {1011, 1012, 1016, 1017, 1020, 1050, 1051, 1052, 1053};
   constexpr int kFirstOfPath = 10000, kLastOfTool = 29999;
@@ -105,7 +105,7 @@ void NciStatements::take_motion() {
   for (Eigen::Index i = 0; i < 3; ++i) decoded().push_back(number(motion.axis[i]));
 }
 
-// The tool plane turns positions in a way that no public reference describes. The plane of the part says that lines of
+// The tool plane turns positions in a way that no public reference describes. The plane of the part states that lines of
 // three axes have the axis +Z, whatever stands before it.
 void NciStatements::take_plane() {
   if (!is_identity(read_fields())) return add(Word::unread_frame, "NCI 1014 (tool plane)");

@@ -22,8 +22,8 @@ constexpr double kNearFull_mm = 0.02;    // an arc that ends so near before its 
 constexpr double kTinyChord_mm = 2e-3;   // rounding could make of an arc this short a full circle
 constexpr double kTurnsChord_mm = 0.01;  // and of whole turns, which TIMES states, in inches of 4 decimals
 constexpr double kAngleError_rad = 0.01;
-constexpr double kLeastTangency = 0.02;  // cosine between tangent and radius that rounding can make
-constexpr double kMostTurns = 1000;
+constexpr double kMinTangency = 0.02;  // cosine between tangent and radius that rounding can make
+constexpr double kMaxTurns = 1000;
 
 // Centre and vector; with the radius; with what NX and CAMplete write behind it. Any other number of them is a comma
 // lost or a number twice, and what stands behind it is read as something else. Readers of records make their own lists.
@@ -97,7 +97,7 @@ bool read_sense_word(std::span<const Argument> arguments, ArcStatement& statemen
   return !(is_right && is_left);
 }
 
-// Of the centre, or of the radius where that is in whole numbers; the vector has decimals of its own. Records hold
+// Decimals of the centre, or of the radius where that has whole numbers; the vector has decimals of its own. Records hold
 // numbers of no known decimals.
 double rounding_of_circle(const Dialect& dialect, std::span<const Argument> arguments) {
   if (dialect.is_binary) return kEndsError_mm / kRadiusError;
@@ -110,7 +110,7 @@ double rounding_of_circle(const Dialect& dialect, std::span<const Argument> argu
 
 double positive(double angle) { return angle <= 0 ? angle + 2 * kPi : angle; }
 
-// PTC: x,y,z,r, without the vector that tells which way round.
+// PTC: x,y,z,r, without the vector that shows which way round.
 bool is_flat_circle(std::span<const Argument> arguments) {
   constexpr std::size_t kNumbers = 4;
   return arguments.size() == kNumbers && find_word_argument(arguments) == nullptr;
@@ -171,7 +171,7 @@ ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> argument
   if (sweep_deg && *sweep_deg > 0) statement.sweep_rad = *sweep_deg * kPi / 180;
   if (has_argument(arguments, "TIMES")) {
     const double times = number_after(arguments, "TIMES").value_or(0);
-    if (!(times >= 1 && times <= kMostTurns) || std::floor(times) < times) return unreadable_arc(ArcProblems::kForm);
+    if (!(times >= 1 && times <= kMaxTurns) || std::floor(times) < times) return unreadable_arc(ArcProblems::kForm);
     statement.turns = static_cast<int>(times);
   }
   return statement;
@@ -214,7 +214,7 @@ ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start, const std
   if (!(radial.norm() > Tolerance::kSamePoint_mm)) return unreadable_arc(ArcProblems::kPoint);
   if (!tangent || !(tangent->norm() > 0)) return unreadable_arc(ArcProblems::kTangent);
   const Vec3 direction = tangent->normalized();
-  if (std::abs(direction.dot(radial.normalized())) > kLeastTangency) return unreadable_arc(ArcProblems::kTangent);
+  if (std::abs(direction.dot(radial.normalized())) > kMinTangency) return unreadable_arc(ArcProblems::kTangent);
   ArcStatement statement;
   statement.center = tlon.center;
   statement.axis = radial.cross(direction).normalized();
@@ -264,7 +264,7 @@ ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end
   } else if (statement.sweep_rad) {
     sweep += 2 * kPi * std::round((*statement.sweep_rad - sweep) / (2 * kPi));
     const double allowed = kAngleError_rad + 2 * kNearFull_mm / r0;
-    if (std::abs(sweep - *statement.sweep_rad) > allowed || *statement.sweep_rad > 2 * kPi * kMostTurns) {
+    if (std::abs(sweep - *statement.sweep_rad) > allowed || *statement.sweep_rad > 2 * kPi * kMaxTurns) {
       fit.problem = ArcProblems::kAngle;
     }
   } else if (is_tiny) {

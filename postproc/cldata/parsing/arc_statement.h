@@ -34,7 +34,7 @@ struct ArcProblems {
   static constexpr const char* kSense = "nothing in the file states which way round its arcs run";
 };
 
-/// What an arc statement says, in mm and in the frame its numbers are in.
+/// Content of an arc statement, in mm and in the frame its numbers are in.
 struct ArcStatement {
   Vec3 center = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();  ///< unit
@@ -43,7 +43,7 @@ struct ArcStatement {
   int turns = 1;                    ///< TIMES
   double rounding_mm = 0;           ///< how far each of its numbers, and of those of its ends, may be off
   ArcSense sense = ArcSense::unknown;
-  std::string_view problem;  ///< one of ArcProblems: then the rest says nothing; empty: none
+  std::string_view problem;  ///< one of ArcProblems: then the rest states nothing; empty: none
 };
 
 /// One of which nothing is known but `problem`.

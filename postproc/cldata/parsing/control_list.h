@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-// What the words of a machine's control mean, each with the control and the document that say so. Text is harmless only
+// Meanings of the words of a machine's control, each with the control and the document that state so. Text is harmless only
 // if every one of its words is here: a word that is in no row may do anything. Where controls disagree, a word has all
-// of its meanings, as a CL file does not say for which control it is.
+// of its meanings, as a CL file does not state for which control it is.
 
 namespace gouge {
 
@@ -40,7 +40,7 @@ struct ControlCode {
 /// The rows of G or M `number`: none where it is not known.
 [[nodiscard]] std::vector<const ControlCode*> find_control_code(char letter, double number);
 
-/// What may stand behind a word of a control.
+/// Arguments that a word of a control may have.
 enum class ControlForm : std::uint8_t {
   alone,     ///< nothing
   values,    ///< brackets, or = and a value; behind them addresses

@@ -166,7 +166,7 @@ namespace {
 
 constexpr std::string_view kOfMacros = "#=<>;";
 
-// Kinds of tools and what is said of them, as CAM systems and catalogues write them.
+// Kinds of tools and what is stated of them, as CAM systems and catalogues write them.
 constexpr std::string_view kToolWords =
     "MILL EM CRB CARBIDE HSS HSSE COBALT DRILL CENTERDRILL CENTREDRILL JOBBER SPOT SPOTDRILL REAMER REAM TAP TAPER BALL BALLNOSE "
     "BULL BULLNOSE HOG HOGNOSE FLAT ENDMILL FACEMILL SLOTMILL CHAMFER CSINK COUNTERSINK CBORE COUNTERBORE BORING BORE "

@@ -13,7 +13,7 @@
 namespace gouge {
 
 /// A cutter; or why the numbers are wrong; or nothing, where they are not wrong but define no cutter that
-/// CUTTER/ can express (diameter 0, an upper corner radius): `note` says which.
+/// CUTTER/ can express (diameter 0, an upper corner radius): `note` states which.
 struct CutterOutcome {
   std::optional<CutterStatement> cutter;
   double flute_length_mm = 0;

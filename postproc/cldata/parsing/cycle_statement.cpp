@@ -47,7 +47,7 @@ struct Retract {
   bool has_number = false;  ///< other than 0, behind a word of either kind
 };
 
-// Both words may stand in one statement; `own` is the one whose number is read. The other one alone says that there
+// Both words may stand in one statement; `own` is the one whose number is read. The other one alone states that there
 // is a retract, not how high.
 Retract read_retract(Arguments arguments, std::string_view own) {
   Retract retract;
@@ -104,7 +104,7 @@ bool is_fixed_form(Arguments arguments) {
   return is_numbers_alone(arguments.subspan(4)) && (arguments.size() == kFewest || has_more);
 }
 
-// A height's word with a letter wrong, or its number run into it: what it said is lost.
+// A height's word with a letter wrong, or its number run into it: what it stated is lost.
 bool is_damaged_height(const Argument& argument) {
   if (argument.number || argument.text.empty()) return false;
   std::string letters;
@@ -121,7 +121,7 @@ bool has_both(Arguments arguments, std::string_view one, std::string_view other)
   return has_argument(arguments, one) && has_argument(arguments, other);
 }
 
-// Two depths, two clearances that differ, a height with two numbers: which one counts nobody can tell.
+// Two depths, two clearances that differ, a height with two numbers: which one counts is unknown.
 bool contradicts_itself(CycleForm form, Arguments arguments) {
   if (has_repeated_word(arguments) || has_both(arguments, "FEDTO", "DEPTH") || has_both(arguments, "G98", "G99") ||
       has_argument(arguments, "OFF") || has_argument(arguments, "NOMORE")) {
@@ -144,7 +144,7 @@ struct CycleWord {
   std::size_t least, most;
 };
 
-// Words that say no more than is read of them, or how the feed, the pecks and the dwell are: nothing of where the tool
+// Words that state no more than is read of them, or how the feed, the pecks and the dwell are: nothing of where the tool
 // goes. THRU, TIP, TOP or OFFSET of other post-processors would move the bottom or the tool.
 constexpr auto kCycleWords = std::to_array<CycleWord>(
     {{"FEDTO", 1, 1}, {"DEPTH", 1, 1}, {"RAPTO", 1, 1},   {"CLEAR", 1, 1},  {"RTRCTO", 0, 1},  {"RETURN", 0, 1},
@@ -270,7 +270,7 @@ std::optional<DrillCycle> read_catia(Arguments arguments) {
     return arguments[1].number ? std::nullopt : read_creo(arguments);
   }
   for (const std::string_view height : {"FEDTO", "RAPTO", "CLEAR"}) {
-    if (has_argument(arguments, height)) return std::nullopt;  // beside the numbers, which say it already
+    if (has_argument(arguments, height)) return std::nullopt;  // beside the numbers, which state it already
   }
   if (arguments.size() < 3 || !arguments[1].number || !arguments[2].number || *arguments[1].number < 0) {
     return std::nullopt;

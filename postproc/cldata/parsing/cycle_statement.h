@@ -8,13 +8,13 @@
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/dialect.h"
 
-// The canned drilling cycles: what CYCLE/ says of the path up and down at each of its positions. The words of
+// The canned drilling cycles: what CYCLE/ states of the path up and down at each of its positions. The words of
 // each dialect and their evidence: docs/formats/cycles.md.
 
 namespace gouge {
 
 /// Heights along the tool axis, counted from the position of a GOTO, in mm. Pecks go up and down the path the
-/// plunge sweeps, so they add nothing to what a check must look at.
+/// plunge sweeps, so they add nothing to what a check must examine.
 struct DrillCycle {
   double clearance_mm = 0;        ///< down to here at rapid, from here at feed
   double bottom_mm = 0;           ///< the deepest point, usually below 0
@@ -22,7 +22,7 @@ struct DrillCycle {
   Feed feed;                      ///< of the plunge; not_stated: that of FEDRAT
   bool is_fed_out = false;        ///< up again at the feed, not at rapid
   bool is_tapping = false;        ///< the spindle turns back on the path up
-  bool is_retract_stated = true;  ///< false: taken as the clearance, because the statement says nothing of it
+  bool is_retract_stated = true;  ///< false: taken as the clearance, because the statement states nothing about it
   double csink_mm = 0;            ///< NX: the diameter at which a pointed tool stops, in place of the bottom; else 0
   /// The position is the top of the hole or its bottom, and the clearance a height above it or a plane of the frame: what
   /// is read are the bottom of the one and the top of the other.

@@ -5,7 +5,7 @@
 #include "lib/path/feed.h"
 #include "postproc/cldata/language/arguments.h"
 
-// What FEDRAT and CYCLE say of feeds: IPM, IPR, MMPM, MMPR, FPM, FPR, PERMIN, PERREV, INVERS.
+// Units of feeds in FEDRAT and CYCLE: IPM, IPR, MMPM, MMPR, FPM, FPR, PERMIN, PERREV, INVERS.
 
 namespace gouge {
 
@@ -13,7 +13,7 @@ namespace gouge {
 /// unit of length. not_understood: another number of numbers, one that is not above 0, two units, INVERS.
 [[nodiscard]] Feed read_feed(std::span<const Argument> arguments, double mm_per_unit);
 
-/// True where FEDRAT only switches how the control gets its feeds (INVERS,AUTO and INVERS,OFF), and where it says
+/// True where FEDRAT only switches how the control gets its feeds (INVERS,AUTO and INVERS,OFF), and where it states
 /// no unit.
 [[nodiscard]] bool switches_inverse_time(std::span<const Argument> arguments);
 [[nodiscard]] bool has_feed_unit(std::span<const Argument> arguments);

@@ -16,10 +16,10 @@ namespace {
 struct KnownArguments {
   Word word;
   std::string_view minors;  ///< separated by blanks
-  std::size_t most_numbers;
+  std::size_t max_numbers;
 };
 
-// Of words whose reader looks for some arguments and passes over the others. The documents are those of
+// Words whose reader uses some arguments and skips the others. The documents are those of
 // docs/formats/harmless_words.md.
 constexpr auto kRows = std::to_array<KnownArguments>({
     {Word::cutcom,
@@ -49,14 +49,14 @@ bool are_known_arguments(Word word, std::span<const Argument> arguments) {
   // Whatever else is selected shifts what follows: its reader doubts that.
   if (word == Word::select && !has_argument(arguments.first(std::min(arguments.size(), std::size_t{1})), "TOOL"))
     return true;
-  // Its positions are not checked whatever else is said of a turning tool.
+  // Its positions are not checked whatever else is stated of a turning tool.
   if (word == Word::toolno && has_argument(arguments, "TURN")) return true;
   std::size_t numbers = 0;
   bool is_quoted = false;
   for (const Argument& argument : arguments) {
     const bool begins_quoted = argument.text.starts_with('\'');
     if (argument.number && !is_quoted) {
-      if (++numbers > row->most_numbers) return false;
+      if (++numbers > row->max_numbers) return false;
     } else if (!is_quoted && !begins_quoted && !argument.text.empty() && !is_among_words(argument.text, row->minors)) {
       return false;
     }
@@ -83,7 +83,7 @@ bool is_part_of(const Statement& statement, Word word, std::string_view before) 
   return statement.word == Word::cycle && word == Word::cycle && equals_ignoring_case(trim(before), "ON");
 }
 
-// Of "GODLTA" in "GODLTA-50", or all of `token`.
+// Length of "GODLTA" in "GODLTA-50", or of the whole `token`.
 std::size_t glued_length(std::string_view token) {
   const auto letters = static_cast<std::size_t>(std::ranges::find_if_not(token, is_letter) - token.begin());
   return takes_position(find_word(token.substr(0, letters))) ? letters : token.size();
@@ -99,7 +99,7 @@ bool is_block_of_control(std::string_view token, std::string_view text) {
          read_machine_text(text).moves;
 }
 
-// Whether the word at the end of `token` begins a statement with what comes after it.
+// Returns whether the word at the end of `token` begins a statement with what comes after it.
 bool begins_statement(Word word, std::string_view rest) {
   rest = trim(rest);
   const char next = rest.empty() ? '\0' : rest.front();

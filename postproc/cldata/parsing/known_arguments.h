@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// True where the reader of `word` knows every argument, or looks at all of them itself. Text in single quotes is a
+/// True where the reader of `word` knows every argument, or examines all of them itself. Text in single quotes is a
 /// name. One that is not known may change what the statement means, or belong to a statement that was joined to it.
 [[nodiscard]] bool are_known_arguments(Word word, std::span<const Argument> arguments);
 

@@ -105,7 +105,7 @@ bool has_meaning(Tokens codes, std::initializer_list<ControlMeaning> meanings) {
 // The numbers of axes beside these are no position to go to.
 bool takes_axes(Tokens codes) { return has_meaning(codes, {ControlMeaning::shifts, ControlMeaning::shifts_with_axes}); }
 
-// Of all tokens beside it those count that belong to the code.
+// Counts the tokens beside it that belong to the code.
 std::string offset_of(const Token& code, const ControlCode& row, Tokens tokens) {
   std::string name = "G" + exact_text(*code.number);
   for (const Token& t : tokens) {

@@ -6,7 +6,7 @@
 
 #include "lib/base/units.h"
 
-// What text for a machine's control does that a CL file carries as it stands (INSERT, PREFUN, manual
+// Effects of text for a machine's control that a CL file carries unchanged (INSERT, PREFUN, manual
 // entries): G-code, Heidenhain and Siemens words, macros. Nothing of it is run. It is harmless only if every one of its
 // words is in the list of control_list.h.
 

@@ -34,9 +34,9 @@ std::size_t skipped_length(std::string_view text) {
 
 // No G code has four digits: such a word is a name that was cut, or a typing error.
 bool is_too_long_for_a_code(std::string_view letters, std::string_view number) {
-  constexpr std::size_t kMostDigits = 3;
+  constexpr std::size_t kMaxDigits = 3;
   const std::string_view whole = number.substr(0, number.find('.'));
-  return equals_ignoring_case(letters, "G") && whole.size() > kMostDigits;
+  return equals_ignoring_case(letters, "G") && whole.size() > kMaxDigits;
 }
 
 MachineToken take_token(std::string_view& text) {

@@ -39,7 +39,7 @@ constexpr std::array<bool, 256> kIsControl = [] {
 bool is_control(char c) { return kIsControl[static_cast<unsigned char>(c)]; }
 
 // Where the first control character is, or the end. A stretch at a time, because a loop that cannot end early
-// looks at several bytes at once.
+// examines several bytes at once.
 std::size_t find_control(std::string_view bytes) {
   constexpr std::size_t kStretch = 4096;
   for (std::size_t at = 0; at < bytes.size(); at += kStretch) {
@@ -87,7 +87,7 @@ std::size_t find_break(std::string_view bytes) {
   return bytes.size();
 }
 
-// What begins a statement: a word and what follows it.
+// The beginning of a statement: a word and the text after it.
 bool begins_statement(std::string_view text) {
   text = trim(text.substr(0, text.find('\n')));
   const auto letters = static_cast<std::size_t>(std::ranges::find_if_not(text, is_letter) - text.begin());
@@ -272,11 +272,11 @@ ReadOutcome read_cl_data(const std::string& file_name, SourceText bytes, const D
   const auto source = open(path.source, 0, 1);
   Statement statement;
   Stage stage(progress, "reading " + file_name, lines.with_text);
-  for (std::size_t i = 0; !interpreter.is_hopeless() && source->next(statement); ++i) {
+  for (std::size_t i = 0; !interpreter.is_beyond_cutoff() && source->next(statement); ++i) {
     stage.pass(i);
     interpreter.take(statement);
   }
-  if (!interpreter.is_hopeless()) interpreter.finish();
+  if (!interpreter.is_beyond_cutoff()) interpreter.finish();
   outcome.errors = interpreter.take_errors();
   report_last_line(path.source, dialect, outcome.errors);
   if (outcome.errors.empty() && !has_motion(path)) outcome.errors.push_back(no_motion(path, dialect));

@@ -14,7 +14,7 @@
 
 namespace gouge {
 
-/// What the user says about a file; nothing: recognized by its content.
+/// Options of the user about a file; none: recognized by its content.
 struct ReadOptions {
   std::optional<Dialect> dialect;
   std::optional<LengthUnit> unit;           ///< of a file that states none

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kArcStatementsLearned = 5000;
-constexpr int kLeastDirectionDecimals = 6, kUsualDirectionDecimals = 9;
-constexpr int kLeastAngleDecimals = 4, kUsualAngleDecimals = 6;
+constexpr int kMinDirectionDecimals = 6, kUsualDirectionDecimals = 9;
+constexpr int kMinAngleDecimals = 4, kUsualAngleDecimals = 6;
 constexpr int kUsualArcDecimals = 6;
 constexpr double kMoreThanOneTurn_rad = 2 * kPi + 1e-6;
 constexpr double kSameNumber_mm = 3e-4;  // half a digit of a file of the fewest decimals, in each direction
@@ -57,7 +57,7 @@ Vec3 start_direction(const WrittenArc& arc) {
   return ((arc.arc.sweep_rad < 0 ? -1.0 : 1.0) * arc.arc.axis).cross(arc.start - arc.arc.center).normalized();
 }
 
-// What the reader makes of a statement that was written.
+// Reads a statement that was written.
 bool reads_as(ArcStatement read, const WrittenArc& meant) {
   if (read.sense == ArcSense::unknown) {
     read.sense = meant.arc.sweep_rad < 0 ? ArcSense::left_handed : ArcSense::right_handed;
@@ -95,9 +95,9 @@ ArcText::ArcText(const Toolpath& path, const MotionRecords& records)
     if (record.form == PositionForm::curve) learn(statement_at(path_, record.statement));
     ++learned;
   }
-  lengths_.choose_decimals(least_coordinate_decimals(path.unit), kUsualArcDecimals);
-  directions_.choose_decimals(kLeastDirectionDecimals, kUsualDirectionDecimals);
-  angles_.choose_decimals(kLeastAngleDecimals, kUsualAngleDecimals);
+  lengths_.choose_decimals(min_coordinate_decimals(path.unit), kUsualArcDecimals);
+  directions_.choose_decimals(kMinDirectionDecimals, kUsualDirectionDecimals);
+  angles_.choose_decimals(kMinAngleDecimals, kUsualAngleDecimals);
 }
 
 void ArcText::learn(const Statement& statement) {
@@ -122,7 +122,7 @@ void ArcText::learn(const Statement& statement) {
   if (indices->angle) learn_from(angles_, *indices->angle, 1);
 }
 
-// As read_arc reads them; that it does is asked of every statement written.
+// As read_arc reads them; that it does is queried of every statement written.
 std::optional<ArcText::ArgumentIndices> ArcText::indices_of(const Statement& statement,
                                                             const std::vector<Argument>& arguments) const {
   if (statement.word != Word::circle && statement.word != Word::movarc) return std::nullopt;
@@ -264,7 +264,7 @@ Result<std::string> ArcText::tlon(std::size_t move, const WrittenArc& arc) const
     return refuse(move, "it crosses half a turn, which a TLON says in other words");
   WrittenArc meant = arc;
   if (meant.arc.sweep_rad < 0) meant.arc = {meant.arc.center, Vec3(-meant.arc.axis), -meant.arc.sweep_rad};
-  // The reader takes the plane from the start as it is written, so a tangent as exact as its digits says it.
+  // The reader takes the plane from the start as it is written, so a tangent as exact as its digits states it.
   if (!reads_as(arc_of_tlon(*read, arc.start, start_direction(arc)), meant))
     return refuse(move, "its start and end do not lie on it");
   return text;

@@ -25,7 +25,7 @@ class ArcText {
   /// Learns from the first arcs of the file. `records` as read_motion_records gives them.
   ArcText(const Toolpath& path, const MotionRecords& records);
 
-  /// True where the statements of the arc that is move `move` can say another one: those of a dialect of
+  /// True where the statements of the arc that is move `move` can state another one: those of a dialect of
   /// text, which describe this arc alone, of one turn at most.
   [[nodiscard]] bool is_writable(std::size_t move) const;
 

@@ -53,7 +53,7 @@ class ReplacedStatements {
   /// `path` must outlive the object.
   explicit ReplacedStatements(const Toolpath& path) : path_(path) {}
 
-  /// What `statement` becomes; empty at first.
+  /// Replacement of `statement`; empty at first.
   [[nodiscard]] std::string& operator[](std::size_t statement) { return text_of_[statement]; }
 
   /// As the file has it.

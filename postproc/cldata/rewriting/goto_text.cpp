@@ -12,7 +12,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kStatementsLearned = 5000;
-constexpr int kLeastAxisDecimals = 6;
+constexpr int kMinAxisDecimals = 6;
 constexpr int kUsualAxisDecimals = 9;
 constexpr int kUsualDecimals = 6;
 
@@ -27,8 +27,8 @@ GotoText::GotoText(const Toolpath& path, const MotionRecords& records, OpenState
     if (++learned == kStatementsLearned) break;
   }
   if (learned == 0) learn_holes(records);
-  coordinates_.choose_decimals(least_coordinate_decimals(path.unit), kUsualDecimals);
-  components_.choose_decimals(kLeastAxisDecimals, kUsualAxisDecimals);
+  coordinates_.choose_decimals(min_coordinate_decimals(path.unit), kUsualDecimals);
+  components_.choose_decimals(kMinAxisDecimals, kUsualAxisDecimals);
 }
 
 // A file that does nothing but drill.
@@ -157,14 +157,14 @@ void NumberStyle::learn(std::string_view token, std::size_t field) {
   keeps_negative_zero_ = keeps_negative_zero_ || token.starts_with("-0.");
 }
 
-void NumberStyle::choose_decimals(int least_decimals, int usual_decimals) {
+void NumberStyle::choose_decimals(int min_decimals, int usual_decimals) {
   if (count_ == 0) {
     decimals_ = fewest_decimals_ = usual_decimals;
     is_aligned_ = false;
   }
   const bool is_bare_point = keeps_point_ && decimals_ == 0;  // "25.": zeros are dropped
   const bool is_fixed = fewest_decimals_ == decimals_ && !is_bare_point;
-  decimals_ = std::max(decimals_, least_decimals);
+  decimals_ = std::max(decimals_, min_decimals);
   if (is_fixed) fewest_decimals_ = decimals_;
   is_aligned_ = is_aligned_ && has_varying_length_;
 }

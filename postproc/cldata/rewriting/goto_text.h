@@ -26,9 +26,9 @@ class NumberStyle {
  public:
   /// `field` is how many characters the number takes with the blanks before it.
   void learn(std::string_view token, std::size_t field);
-  /// To be called once: no fewer than `least_decimals` are written; `usual_decimals` where nothing was
+  /// To be called once: no fewer than `min_decimals` are written; `usual_decimals` where nothing was
   /// learned.
-  void choose_decimals(int least_decimals, int usual_decimals);
+  void choose_decimals(int min_decimals, int usual_decimals);
 
   /// `value` as the file would write it.
   [[nodiscard]] std::string text(double value) const;
@@ -56,7 +56,7 @@ void append_changed_number(std::string& text, std::size_t& copied, std::string_v
                            const NumberStyle& style, double value);
 
 /// Decimals that keep a coordinate within 1e-4 mm.
-[[nodiscard]] constexpr int least_coordinate_decimals(LengthUnit unit) { return unit == LengthUnit::inch ? 5 : 4; }
+[[nodiscard]] constexpr int min_coordinate_decimals(LengthUnit unit) { return unit == LengthUnit::inch ? 5 : 4; }
 
 /// A position to write: the statement's own frame and unit. Without axis it is written with 3 numbers.
 struct WrittenPosition {

@@ -56,7 +56,7 @@ class Comparison {
     next_after_ = b + 1;
   }
 
-  /// What stands before the statements `a` and `b` and after those met last.
+  /// The statements before `a` and `b` and after those met last.
   void between(std::size_t a, std::size_t b) {
     while (next_before_ < a && next_after_ < b && is_same(next_before_, next_after_)) {
       ++next_before_;
@@ -128,7 +128,7 @@ std::vector<WrittenStatement> list_written(const Toolpath& before, const std::ve
 
 namespace {
 
-// What the writer closes the frame of a position with an axis with.
+// The statement with which the writer closes the frame of a position with an axis.
 bool closes_a_frame(const Toolpath& path, std::size_t statement) {
   const SourceStatement& span = path.statements[statement];
   const std::string_view bytes =
@@ -167,7 +167,7 @@ std::optional<std::string_view> RecordTexts::after(std::size_t move) const {
   return text_of(after_, first_[move], first_[move] + inserted_[move] + 1);
 }
 
-// What is written stands before its position, but for what closes its frame (MULTAX/OFF).
+// Written statements stand before their position, except the one that closes its frame (MULTAX/OFF).
 std::optional<std::string_view> RecordTexts::text_of(const File& file, std::size_t first, std::size_t last) const {
   const Toolpath& path = *file.path;
   if (!is_text_ || last > path.moves.size()) return std::nullopt;

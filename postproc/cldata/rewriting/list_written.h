@@ -38,12 +38,12 @@ class RecordTexts {
   RecordTexts(const Toolpath& before, const std::vector<PathChange>& changes, const Toolpath& after,
               const std::vector<WrittenStatement>& written);
 
-  /// Of a move as it was. Nothing for binary records (NCCS), whose bytes are no text, and for moves without a
+  /// Text of a move as it was. Nothing for binary records (NCCS), whose bytes are no text, and for moves without a
   /// statement.
   [[nodiscard]] std::optional<std::string_view> before(std::size_t move) const;
-  /// Of the k-th position inserted before the end of `move`; the end itself stands behind the last of them.
+  /// Text of the k-th position inserted before the end of `move`; the end itself stands behind the last of them.
   [[nodiscard]] std::optional<std::string_view> after(std::size_t move, std::size_t k) const;
-  /// Of all that the move became.
+  /// Text of all that the move became.
   [[nodiscard]] std::optional<std::string_view> after(std::size_t move) const;
 
  private:
@@ -51,7 +51,7 @@ class RecordTexts {
     const Toolpath* path = nullptr;
     std::vector<bool> is_written;  // by statement
   };
-  /// Of moves [first, last) of a file.
+  /// Text of moves [first, last) of a file.
   [[nodiscard]] std::optional<std::string_view> text_of(const File& file, std::size_t first, std::size_t last) const;
 
   File before_, after_;

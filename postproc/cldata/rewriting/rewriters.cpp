@@ -15,7 +15,7 @@ bool is_same_hole(const MotionRecord& a, const MotionRecord& b) {
          a.point == b.point;
 }
 
-// Of the records of one hole [first, last).
+// For the records of one hole [first, last).
 bool is_shiftable(const Toolpath& path, const std::vector<MotionRecord>& records, std::size_t first, std::size_t last) {
   if (records[first].numbers == 0) return false;  // a step from somewhere
   for (std::size_t i = first; i < last; ++i) {
@@ -126,7 +126,7 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
   return std::nullopt;
 }
 
-// What only dialects of text can say.
+// Only dialects of text can state this.
 std::optional<Diagnostic> find_unsaid(const Toolpath& path, const std::vector<PathChange>& changes) {
   const bool is_text = dialect_or_apt(path.dialect).has_apt_words;
   for (const PathChange& change : changes) {

@@ -13,15 +13,15 @@
 #include "postproc/cldata/rewriting/arc_text.h"
 #include "postproc/program/edits.h"
 
-// What write_corrected is made of.
+// The steps of write_corrected.
 
 namespace gouge {
 
-/// Whether files of the dialect say RAPID of one motion, so that a feed can become a rapid.
+/// Returns whether files of the dialect state RAPID of one motion, so that a feed can become a rapid.
 [[nodiscard]] bool can_say_rapid(std::string_view dialect);
 
-/// What is wrong with a list of changes whatever the file's statements are: a move named twice, changes that exclude
-/// each other, arcs where the dialect cannot rewrite any. Nothing: write_corrected may look at the statements.
+/// Finds errors in a list of changes that do not depend on the file's statements: a move named twice, changes that exclude
+/// each other, arcs where the dialect cannot rewrite any. Nothing: write_corrected may examine the statements.
 /// Errors   write-move, write-arc, write-alone, as write_corrected.
 [[nodiscard]] std::optional<Diagnostic> find_wrong_change(const Toolpath& path, const std::vector<PathChange>& changes);
 
@@ -30,7 +30,7 @@ namespace gouge {
 [[nodiscard]] Result<Edits> edits_of_text(const Toolpath& path, const MotionRecords& records,
                                           const std::vector<PathChange>& changes);
 
-/// What write_corrected can write of `path` within its own statements.
+/// Returns the moves of `path` that write_corrected can rewrite within its own statements.
 ///
 /// Shape    two entries a move. Requires `path` as read by read_toolpath, with its records.
 /// Ensures  an arc that is rewritable can be written as any arc that turns less than a whole turn (or a whole one,

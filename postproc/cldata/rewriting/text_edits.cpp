@@ -182,7 +182,7 @@ bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const
   return relies_on_axis && !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
 }
 
-// What to write for `local`, and the axis it leaves in force. The axis is left out where 3 numbers mean the
+// The text for `local`, and the axis that it leaves in force. The axis is left out where 3 numbers mean the
 // same.
 WrittenPosition CorrectedWriter::written(const MotionRecord& record, const Pose& local, bool is_axis_kept) {
   WrittenPosition position;
@@ -259,12 +259,12 @@ std::string CorrectedWriter::one_by_one(std::size_t first, std::size_t last) {
   return text;
 }
 
-// Where the text written agrees with the file read, the axis in force is the one the file says is in force.
+// Where the text written agrees with the file read, the axis in force is the one the file states is in force.
 void CorrectedWriter::begin_statement(const MotionRecord& record, bool is_new_block) {
   if (is_new_block || goto_text_.is_same_axis(axis_written_, axis_read_)) axis_written_ = record.implied_axis_local;
 }
 
-// Arcs and cycles that stay what they are, where what they go by changes.
+// Arcs and cycles that stay what they are, where what they follow changes.
 std::optional<Diagnostic> CorrectedWriter::find_stuck(std::size_t first, std::size_t last) const {
   const MotionRecord& record = records_[first];
   if (has_curve_left(first, last)) {

@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// What a sink must know of the toolpath that it writes, before its first motion.
+/// Facts about the toolpath that a sink needs before its first motion.
 struct SinkOptions {
   Dialect dialect;
   LengthUnit unit = LengthUnit::mm;

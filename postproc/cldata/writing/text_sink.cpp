@@ -18,9 +18,9 @@ bool is_plus_z(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxC
 // Enough for a feed to keep its value, which in inches per revolution may be small.
 int feed_decimals(double value, int usual) {
   constexpr double kRelativeError = 1e-5;
-  constexpr int kMostDecimals = 15;
+  constexpr int kMaxDecimals = 15;
   int decimals = usual;
-  while (decimals < kMostDecimals && 0.5 * std::pow(10.0, -decimals) > kRelativeError * value) ++decimals;
+  while (decimals < kMaxDecimals && 0.5 * std::pow(10.0, -decimals) > kRelativeError * value) ++decimals;
   return decimals;
 }
 
@@ -154,7 +154,7 @@ void TextSink::go_to(const Pose& end) {
   line(text.append(format_.go_to_end));
 }
 
-// Of the arc's vector each dialect has its own sense; the end is the position that follows.
+// Each dialect has its own sense of the arc's vector; the end is the position that follows.
 bool TextSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) {
   const double sweep = std::abs(arc.sweep_rad);
   if (sweep > 2 * kPi * (1 + Tolerance::kRounding)) return false;

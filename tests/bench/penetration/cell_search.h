@@ -27,7 +27,7 @@ struct CellBody {
 /// The exact mode through the standing body's cells: what most points cost is to look up their cell.
 ///
 /// Descends the moving tree only, by balls: a ball farther from the solid than its radius is done. The
-/// points of the leaves left over ask the grid; those that may be inside measure the few facets of their
+/// points of the leaves left over query the grid; those that may be inside measure the few facets of their
 /// cell, or search the standing tree from the one nearest to it. Returns what the trees do (docs/algorithms/
 /// shallow_penetration.md, section 4).
 class CellSearch {

@@ -22,7 +22,7 @@ std::size_t place_of(const std::array<int, 3>& block, const std::array<int, 3>& 
 
 }  // namespace
 
-/// Of blocks whose middle is outside by more than half their diagonal.
+/// For blocks whose middle is outside by more than half their diagonal.
 Clearance::Clearance(const DepthBody& body) : low_(body.mesh().box().min()), high_(body.mesh().box().max()) {
   const Vec3 size = high_ - low_;
   block_mm_ = std::max(body.depths.cell_mm(), size.maxCoeff() / kBlocks);

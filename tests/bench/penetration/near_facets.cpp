@@ -18,7 +18,7 @@ namespace {
 constexpr double kBand = 2;  // lists reach to this many depths below the surface
 constexpr int kBrick = 8;    // cells along a side
 constexpr std::size_t kChunk = 8;
-constexpr std::size_t kMostGathered = 64, kMostListed = 12;
+constexpr std::size_t kMaxGathered = 64, kMaxListed = 12;
 constexpr int kHalvings = 2;        // of a cell
 constexpr std::size_t kLevels = 7;  // four of cubes of cells, two of halved cells, one to spare
 
@@ -106,7 +106,7 @@ class BrickFacets {
       if (!foot) return;
       gathered_.clear();
       const double reach = foot->distance_mm + 2 * diagonal(half_mm) + rounding_mm_;
-      if (facets_within(body_, centre, reach, kMostGathered, gathered_)) among = &gathered_;
+      if (facets_within(body_, centre, reach, kMaxGathered, gathered_)) among = &gathered_;
     }
     Slots& here = here_[level];
     if (among != nullptr) {
@@ -132,7 +132,7 @@ class BrickFacets {
       order_.emplace_back(closest_on_triangle(centre, body_.corners[slot]).distance2_mm2, slot);
     std::sort(order_.begin(), order_.end());
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] = order_[i].second;
-    if (kept_.size() > kMostListed) return add_list(cell, {kept_[0]}, 0);
+    if (kept_.size() > kMaxListed) return add_list(cell, {kept_[0]}, 0);
     add_list(cell, kept_, NearFacets::kIsComplete);
   }
 
@@ -161,7 +161,7 @@ class BrickFacets {
     return std::min(plain, h * (d.way - nearest.way).norm() + h * h / (2 * (nearest.mm - h)));
   }
 
-  /// Of `among` those that may be nearest in the cube; returns the distance of the one nearest to its centre.
+  /// Selects those of `among` that may be nearest in the cube; returns the distance of the one nearest to its centre.
   double prune(const Vec3& centre, double half_mm, const Slots& among, Slots& here, std::size_t level) {
     std::vector<Distant>& distances = distances_[level];
     distances.clear();
@@ -242,7 +242,7 @@ NearFacets::NearFacets(const DepthBody& body) {
   number_facets(body);
 }
 
-/// In the order of the bricks, so that what is asked for together lies together.
+/// In the order of the bricks, so that what is requested together lies together.
 void NearFacets::number_facets(const DepthBody& body) {
   constexpr std::uint32_t kNone = ~0U;
   std::vector<std::uint32_t> facet_at(body.corners.size(), kNone);

@@ -26,7 +26,7 @@ class NearFacets {
   static constexpr std::uint32_t kIsComplete = 1U << 31;
 
   NearFacets() = default;
-  /// Of cells that may hold inside points no deeper than twice the depth, and their surroundings.
+  /// For cells that may hold inside points no deeper than twice the depth, and their surroundings.
   /// Requires body.depths, body.boxes and body.discs. Cost about 1 microsecond a cell.
   explicit NearFacets(const DepthBody& body);
 

@@ -20,7 +20,7 @@ struct Tally {
   std::size_t complete = 0, seeds = 0, listed = 0;
 };
 
-/// Every list said to be complete holds the nearest facet of every point of its cell; the others a facet.
+/// Every list stated to be complete holds the nearest facet of every point of its cell; the others a facet.
 Tally expect_nearest(const IndexedMesh& mesh, double depth_mm, int points) {
   DepthBodyOptions options;
   options.depth_mm = depth_mm;

@@ -21,7 +21,7 @@ class BallSearch {
  public:
   explicit BallSearch(const DepthBody& body) : body_(body) {}
 
-  /// Balls about `foot - r normal`. Lowers `radius` to the smallest found and says whether it did.
+  /// Balls about `foot - r normal`. Lowers `radius` to the smallest found and states whether it did.
   bool lower(const Corners& foot, const Vec3& normal, const TriangleCorners& own, double& radius) {
     foot_ = &foot;
     normal_ = &normal;

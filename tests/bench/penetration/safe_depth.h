@@ -7,7 +7,7 @@
 namespace gouge {
 
 enum class SafeDepthLimit {
-  asked,     ///< safe as deep as was asked
+  asked,     ///< safe as deep as was queried
   collapse,  ///< a facet of the offset has shrunk to nothing: local curvature
   obstacle,  ///< another part of the surface comes within reach: feature size
 };

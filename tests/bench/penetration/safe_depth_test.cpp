@@ -13,7 +13,7 @@ DepthBody body_of(const IndexedMesh& mesh, decltype(&offset_by_planes) normals =
   return build_depth_body(Surface(IndexedMesh(mesh)), options);
 }
 
-/// Whether an edge of one triangle passes through the inside of another.
+/// Returns whether an edge of one triangle passes through the inside of another.
 bool do_cross(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
   const Vec3 n = (b[1] - b[0]).cross(b[2] - b[0]);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -5,7 +5,7 @@
 namespace gouge {
 namespace {
 
-// Whether the projections `p` of a point, one for each axis, lie in every interval.
+// Returns whether the projections `p` of a point, one for each axis, lie in every interval.
 bool does_hold(const float* volume, const float* p, std::size_t stride) {
   for (std::size_t i = 0; i < stride; i += 4) {
     const Float4 at = load4(p + i);
@@ -15,7 +15,7 @@ bool does_hold(const float* volume, const float* p, std::size_t stride) {
 }
 
 /// Spanned by the edge and the sum of both normals (the rhombus diagonal), which unlike their difference also
-/// stands for coplanar neighbours. Neighbours folded back on each other share the facet's own rim.
+/// represents coplanar neighbours. Neighbours folded back on each other share the facet's own rim.
 BisectorNormals bisectors_of(const DepthBody& body, const MeshAdjacency& adjacency, std::uint32_t triangle) {
   BisectorNormals normals;
   const std::array<Vec3, 3> facet = {body.mesh().corner(triangle, 0), body.mesh().corner(triangle, 1),

@@ -10,7 +10,7 @@
 
 #include "tests/cli/library/block.h"
 
-// What other programs see, against answers known by hand.
+// The interface for other programs, against results known by hand.
 
 namespace gougecheck {
 namespace {

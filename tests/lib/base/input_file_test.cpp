@@ -42,7 +42,7 @@ class InputFileTest : public testing::Test {
   fs::path folder_;
 };
 
-// What the rest of the file gives.
+// Reads the rest of the file.
 std::string code_of_rest(InputReader& file) {
   char bytes[16];
   for (;;) {

@@ -54,14 +54,14 @@ TEST(FixedText, NeverWritesANegativeZero) {
 }
 
 TEST(PeopleText, IsShortHoweverLargeTheNumber) {
-  EXPECT_EQ(people_text(1e300, 3), "1e+300") << "its zeros are not dropped";
-  EXPECT_EQ(people_text(-1.5e20, 3, Zeros::kept), "-1.5e+20");
-  EXPECT_EQ(people_text(999999999999999.0, 0), "999999999999999");
-  EXPECT_EQ(people_text(12.5, 3), "12.5");
-  EXPECT_EQ(people_text(100, 3), "100");
-  EXPECT_EQ(people_text(100, 0), "100");
-  EXPECT_EQ(people_text(12.5, 3, Zeros::kept), "12.500");
-  EXPECT_EQ(people_text(-0.0001, 3), "0");
+  EXPECT_EQ(display_text(1e300, 3), "1e+300") << "its zeros are not dropped";
+  EXPECT_EQ(display_text(-1.5e20, 3, Zeros::kept), "-1.5e+20");
+  EXPECT_EQ(display_text(999999999999999.0, 0), "999999999999999");
+  EXPECT_EQ(display_text(12.5, 3), "12.5");
+  EXPECT_EQ(display_text(100, 3), "100");
+  EXPECT_EQ(display_text(100, 0), "100");
+  EXPECT_EQ(display_text(12.5, 3, Zeros::kept), "12.500");
+  EXPECT_EQ(display_text(-0.0001, 3), "0");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-// What a whole check lists as the facts that its verdict rests on.
+// The assumptions that a whole check lists for its verdict.
 
 namespace gouge {
 namespace {

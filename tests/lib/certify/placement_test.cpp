@@ -23,15 +23,15 @@ TEST(Placement, AGapIsFoundOnlyBeyondTheReachOfTheTool) {
 
 TEST(Placement, CutsThatStayAwayFromThePartAreFoundFromTenPositionsOn) {
   const auto is_apart = [](std::size_t positions, std::optional<double> nearest) {
-    return find_apart(Closeness{2000, positions, nearest, {}, 0}).has_value();
+    return find_apart(ClosestApproach{2000, positions, nearest, {}, 0}).has_value();
   };
   EXPECT_TRUE(is_apart(400, 8.5));
   EXPECT_TRUE(is_apart(400, std::nullopt));
   EXPECT_FALSE(is_apart(400, 1.5)) << "roughing";
   EXPECT_FALSE(is_apart(9, 8.5)) << "too few to judge by";
-  EXPECT_EQ(find_apart(Closeness{2000, 400, 8.59, {}, 8.58}),
+  EXPECT_EQ(find_apart(ClosestApproach{2000, 400, 8.59, {}, 8.58}),
             "at none of 400 cutting positions examined (of 2000) is the tool nearer than 8.5 mm to the part");
-  EXPECT_EQ(find_apart(Closeness{40, 40, {}, {}, 20}),
+  EXPECT_EQ(find_apart(ClosestApproach{40, 40, {}, {}, 20}),
             "at none of 40 cutting positions is the tool nearer than 20.0 mm to the part");
 }
 

@@ -7,7 +7,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-// What the meshes do not prove is never clean.
+// A move that the meshes do not prove is never clean.
 
 namespace gouge {
 namespace {

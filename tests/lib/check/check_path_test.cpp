@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "lib/check/closeness.h"
+#include "lib/check/closest_approach.h"
 #include "lib/check/reach.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
@@ -182,8 +182,8 @@ TEST(CheckPath, WhatIsNoNumberOrNoUnitVectorIsRefusedWithTheReason) {
     EXPECT_EQ(r.verdicts[0].state, MoveState::clean);
     EXPECT_EQ(r.verdicts[1].state, MoveState::not_checked);
     const ToolVariants tool = tools::ball();
-    const auto closeness = measure_closeness(path, {&tool}, prepare_scene(scene), r.verdicts, 1);
-    EXPECT_TRUE(closeness && closeness->cuts == 1 && closeness->nearest_mm);
+    const auto closest_approach = measure_closest_approach(path, {&tool}, prepare_scene(scene), r.verdicts, 1);
+    EXPECT_TRUE(closest_approach && closest_approach->cuts == 1 && closest_approach->nearest_mm);
     return reason_text(r.verdicts[1].reason);
   };
   for (const bool has_start : {true, false}) {

@@ -10,7 +10,7 @@
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
 
-// A check whose stretches are kept, taken from an earlier run in part or in whole, says to the bit what one says that
+// A check whose stretches are kept, taken from an earlier run in part or in whole, states to the bit what one states that
 // knows nothing of stretches: also of events, chains of free points, links and overcuts that cross their borders.
 
 namespace gouge {
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kStretch = 256;  // the least there is: moves share bounds by so many
 
-class InMemory : public KeptWork {
+class InMemory : public CheckpointStore {
  public:
   [[nodiscard]] std::size_t items() const override { return 1; }
   [[nodiscard]] std::optional<std::string> find(std::string_view stage, std::size_t stretch) override {
@@ -70,9 +70,9 @@ Toolpath varied_path() {
   return path;
 }
 
-class KeptCheck : public ::testing::Test {
+class CheckpointedCheck : public ::testing::Test {
  protected:
-  CheckResult run(KeptWork* kept, unsigned threads = 2) {
+  CheckResult run(CheckpointStore* kept, unsigned threads = 2) {
     CheckOptions options;
     options.threads = threads;
     options.near_miss_mm = 0.15;
@@ -116,21 +116,21 @@ class KeptCheck : public ::testing::Test {
   Scene scene_{{shapes::box(Vec3(-50, -50, -300), Vec3(80, 50, 0))}, {}};
 };
 
-TEST_F(KeptCheck, SaysWhatAnUndisturbedOneSays) { expect_same(); }
+TEST_F(CheckpointedCheck, SaysWhatAnUndisturbedOneSays) { expect_same(); }
 
-TEST_F(KeptCheck, SaysItOfHeadsToo) {
+TEST_F(CheckpointedCheck, SaysItOfHeadsToo) {
   has_head_ = true;
   expect_same();
 }
 
-TEST_F(KeptCheck, SaysItInAnOpenMeshWhereThePathAloneTellsInsideFromOutside) {
+TEST_F(CheckpointedCheck, SaysItInAnOpenMeshWhereThePathAloneTellsInsideFromOutside) {
   IndexedMesh& mesh = scene_.parts[0];
   mesh.triangles.pop_back();
   mesh.file_triangle.pop_back();
   expect_same();
 }
 
-TEST_F(KeptCheck, HasAnEventOverABorder) {
+TEST_F(CheckpointedCheck, HasAnEventOverABorder) {
   InMemory kept;
   const CheckResult result = run(&kept);
   bool is_any_over = false;

@@ -97,7 +97,7 @@ TEST(Reach, StockToLeaveThickensABladeAgainstThePartAlone) {
   EXPECT_EQ(check({upright(100, 0, -20), upright(15, 0, -20)}, grown, 0.26).verdicts[1].state, MoveState::gouge);
 }
 
-/// How far a tool reaches below the plane z = 0 at a pose: its lowest point, by looking at its boundary.
+/// How far a tool reaches below the plane z = 0 at a pose: its lowest point, by examining its boundary.
 double lowest(const CompiledTool& tool, const Pose& pose) {
   double low = pose.tip.z();
   const double lean = std::sqrt(std::max(0.0, 1 - pose.axis.z() * pose.axis.z()));

@@ -199,7 +199,7 @@ TEST(Search, ClearancesGrowRoundedAndAnyEntryIsAGouge) {
   EXPECT_EQ(grazing.witness->body, Body::holder);
 }
 
-// What the check for gouges leaves alone as within the tolerance: a near miss says how deep its witness is.
+// A contact within the tolerance, which is no gouge: a near miss states how deep its witness is.
 TEST(Search, ANearMissWithinTheToleranceSaysItsDepth) {
   CheckOptions options;
   options.near_miss_mm = 0.5;

@@ -47,7 +47,7 @@ CompiledTool tool_of(std::uint64_t seed) {
   return chosen.elements.empty() ? variants.bare : chosen;
 }
 
-/// A point of the tool's own coordinates worth looking at: near its surface, on its axis, around it.
+/// A point of the tool's own coordinates worth examining: near its surface, on its axis, around it.
 Vec3 near_tool(Scatter& scatter, const CompiledTool& tool, const Vec3& axis) {
   const auto at = static_cast<std::size_t>(scatter.in(0, static_cast<double>(tool.elements.size())) * 0.999999);
   const BoundaryElement& e = tool.elements[at];
@@ -130,7 +130,7 @@ Case random_case(std::uint64_t seed, bool is_straight_only) {
 /// A number that is exact in single precision.
 double even(Scatter& scatter, double size) { return size * std::round(scatter.in(-16, 16)) / 16; }
 
-/// What is drawn at random hardly ever lies exactly: tools upright on a grid, corners on their axes and on each other.
+/// Random scenes hardly ever have exact contacts: tools upright on a grid, corners on their axes and on each other.
 Case aligned_case(std::uint64_t seed) {
   Scatter scatter(seed * 104729 + 11);
   Case made;
@@ -195,7 +195,7 @@ TEST(SweepClaims, NoBoundOfAPieceIsAboveThePiece) {
     for (std::uint32_t m = 0; m < c.motions.size(); ++m) append_steps(c.motions[m], m, steps);
     const SweepFrame frame = sweep_frame(steps, tree.origin, tree.rounding_mm);
     for (const CoverPiece& piece : make_convex_cover(c.tool).pieces) {
-      // Feet and ends are claims about the tool; here the distance of the piece itself is asked for.
+      // Feet and ends are claims about the tool; here the distance of the piece itself is requested.
       KernelPiece k = kernel_piece(piece);
       k.foot_lo_mm = -3e38F, k.foot_hi_mm = 3e38F, k.r_below_mm = k.r_above_mm = 3e38F;
       KernelResult node, triangle;

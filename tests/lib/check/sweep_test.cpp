@@ -147,7 +147,7 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBytes) {
   }
 }
 
-// Inside a step of the tool a facet may be deeper than the cone above the step says; that the facet next to it is
+// Inside a step of the tool a facet may be deeper than the cone above the step states; that the facet next to it is
 // deep as well, and was met first, must not prune it.
 TEST(Sweep, ADeepFacetDoesNotSettleADeeperOneByFeetThatNobodyLookedAt) {
   ToolAssembly made = tools::assembly(FlatCutter{10, 10}, 10);
@@ -222,7 +222,7 @@ TEST(Sweep, APointOnTheAxisInsideACutterThatWidensIsAsDeepAsTheCone) {
   }
 }
 
-// What makes it fast: of a thousand positions over a surface hardly one triangle needs the exact search.
+// Reason for its speed: of a thousand positions over a surface hardly one triangle needs the exact search.
 TEST(Sweep, AClearPassOverASurfaceNeedsNoExactSearch) {
   const IndexedMesh ball = shapes::sphere(50, 96);
   const ToolVariants tool = tools::ball();

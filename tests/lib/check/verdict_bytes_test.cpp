@@ -79,7 +79,7 @@ TEST(VerdictBytes, OfNoStateAreRefused) {
   EXPECT_FALSE(take_bytes(left, read));
 }
 
-// What a file from somebody else may hold: each would be an index out of range, or no number, later.
+// Possible content of a foreign file: each would be an index out of range, or no number, later.
 TEST(VerdictBytes, WhatNoVerdictCanBeIsNotTaken) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const auto is_taken = [](const auto& change) {

@@ -18,7 +18,7 @@ namespace gouge {
 namespace {
 
 constexpr double kGap_mm = 0.3;
-constexpr std::size_t kMostCells = 3000;
+constexpr std::size_t kMaxCells = 3000;
 
 double distance_to(const IndexedMesh& mesh, const Vec3& point) {
   double best2 = 1e300;
@@ -47,7 +47,7 @@ class Reference {
     const Box3 box = a_.box().intersection(b_.box());
     if (box.isEmpty()) return {};
     offer(box);
-    for (std::size_t looked = 0; !open_.empty() && looked < kMostCells; ++looked) {
+    for (std::size_t looked = 0; !open_.empty() && looked < kMaxCells; ++looked) {
       const Cell cell = open_.top();
       if (cell.upper <= low_ + kGap_mm) break;
       open_.pop();

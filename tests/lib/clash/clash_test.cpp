@@ -126,7 +126,7 @@ TEST(Clash, ABudgetThatRunsOutLeavesTheBoundsAndCertifiesNothing) {
   EXPECT_GE(deep.depth_upper_mm, 19);
 }
 
-// Two boxes that overlap in one file: the nearest facet of a point in both may be one that says outside.
+// Two boxes that overlap in one file: the nearest facet of a point in both may be one that states outside.
 TEST(Clash, OfABodyThatCrossesItselfTheWindingNumberShowsTheSide) {
   const IndexedMesh pair =
       shapes::joined(shapes::box(Vec3(0, 0, 0), Vec3(10, 10, 10)), shapes::box(Vec3(6, -1, -1), Vec3(16, 11, 11)));

@@ -35,7 +35,7 @@ double common_depth_mm(const Placed& a, const Placed& b, const Vec3& point) {
   return in_a > 0 && in_b > 0 ? std::max(in_a, in_b) : 0;
 }
 
-/// Of many random points, each led uphill by random steps.
+/// Maximum over many random points, each moved uphill by random steps.
 double hunted_mm(const Placed& a, const Placed& b, test::Scatter& random, const Vec3& known) {
   const Vec3 middle = Vec3::Constant(6);
   double best = 0;

@@ -65,7 +65,7 @@ TEST(LeftStock, IsTheLiftOfALiftedPath) {
       EXPECT_EQ(found->move, 0U);
       EXPECT_NEAR(found->point.z(), 0, 1e-9);
     }
-    // Where nothing cuts at all it is as much as is told apart.
+    // Where nothing cuts at all it is as much as is distinguished.
     const auto gone = left(bench, before, sweep_of(tool.cutting, {row(60, 0)}));
     ASSERT_TRUE(gone.has_value());
     EXPECT_TRUE(gone->is_more);
@@ -106,7 +106,7 @@ TEST(LeftStock, IsNoneWhereOtherMotionsCutIt) {
   EXPECT_NEAR(found->point.x(), 0, 0.11);
 }
 
-// What a gouge went through was not finished, nor was its rim, which a cutter crosses at any angle.
+// A gouged surface was not finished, nor was its rim, which a cutter crosses at any angle.
 TEST(LeftStock, IsNoneWhereThePathBeforeGouged) {
   const Bench bench = floor_alone();
   for (const ToolVariants& tool : tools::all()) {

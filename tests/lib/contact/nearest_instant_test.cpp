@@ -19,7 +19,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kSamples = 400;
 
-/// What `NearestInstant` is asked, by the motion itself at many instants.
+/// Reference for `NearestInstant`: the motion itself at many instants.
 double sampled_mm(const CompiledTool& tool, const Motion& motion, std::span<const Vec3> points) {
   double least = 1e9;
   for (int k = 0; k <= kSamples; ++k) {

@@ -70,7 +70,7 @@ std::set<std::size_t> changed_moves(const Correction& correction) {
   return moves;
 }
 
-/// Of these the positions themselves, not only what lies before them.
+/// The positions themselves, not only the moves before them.
 std::set<std::size_t> moved_positions(const Correction& correction) {
   std::set<std::size_t> moves;
   for (const PathChange& change : correction.changes) {

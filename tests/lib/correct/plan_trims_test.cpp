@@ -12,7 +12,7 @@
 #include "tests/support/whole_check.h"
 
 // A ball cutter of 10 mm in a holder of 32 mm that reaches 50 mm above the tip, on a floor at z = 0 along y, and a wall
-// 12 mm beside it from y = -30 to 30, as high as a test says. The holder, 16 mm of radius, is in the wall from y = -30
+// 12 mm beside it from y = -30 to 30, as high as a test states. The holder, 16 mm of radius, is in the wall from y = -30
 // - sqrt(16^2 - 12^2) = -40.583 on.
 
 namespace gouge {
@@ -47,7 +47,7 @@ struct Beside {
     correct.rewritable = &rewritable;
   }
 
-  /// What the changes make of the path, without a file.
+  /// Applies the changes to the path, without a file.
   [[nodiscard]] Toolpath changed(const std::vector<PathChange>& changes) const {
     Toolpath after = path;
     after.moves.clear();

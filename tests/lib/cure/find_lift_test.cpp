@@ -38,10 +38,10 @@ struct Problem {
     return bad;
   }
 
-  [[nodiscard]] LiftCure solve(double most_mm = 100) const {
+  [[nodiscard]] LiftCure solve(double max_mm = 100) const {
     const OwnSetup own(&tool, scene, options, {});
     const CheckSetup setup{{&tool}, heads, own.scene, own.options};
-    return find_lift(path, bad_moves(), setup, kStep_mm, most_mm);
+    return find_lift(path, bad_moves(), setup, kStep_mm, max_mm);
   }
 
   /// By means of its own: every bad move by itself, lifted by hand.
@@ -136,7 +136,7 @@ TEST(FindLift, CurvesAreLiftedWithTheirForm) {
   }
 }
 
-// What lies inside a solid, no surface within the tool, is free where it has come out.
+// A tool inside a solid, with no surface within it, is free where it has come out.
 TEST(FindLift, OutOfASolid) {
   Problem problem;
   problem.scene.parts = {shapes::box(Vec3(-100, -100, -300), Vec3(100, 100, 60))};

@@ -57,7 +57,7 @@ TEST(PointTree, BoundsHowFarItsPointsReachInAnyDirection) {
   std::vector<Vec3> points;
   for (int k = 0; k < 4000; ++k) points.emplace_back(0.1 * (k % 64), 0.003 * k, 0.2 * std::sin(0.01 * k));
   const PointTree tree = tree_over(points);
-  double least_share = 1;
+  double min_share = 1;
   for (const PointTree::Node& node : tree.nodes()) {
     for (int d = 0; d < 20; ++d) {
       const Vec3 direction = Vec3(std::sin(d), std::cos(1.7 * d), 0.3 * d - 3).normalized();
@@ -66,10 +66,10 @@ TEST(PointTree, BoundsHowFarItsPointsReachInAnyDirection) {
       for (std::size_t i = node.first; i < node.last; ++i)
         reach = std::max(reach, direction.dot(points[i] - node.centre));
       EXPECT_LE(reach, bound + 1e-12);
-      if (node.radius > 0) least_share = std::min(least_share, bound / node.radius);
+      if (node.radius > 0) min_share = std::min(min_share, bound / node.radius);
     }
   }
-  EXPECT_LT(least_share, 0.6) << "along the surface's normal it is much less than the radius";
+  EXPECT_LT(min_share, 0.6) << "along the surface's normal it is much less than the radius";
 }
 
 TEST(PointTree, IsCutIntoBlocksThatShareNoPoint) {
@@ -139,7 +139,7 @@ TEST(PointDepths, AreTheLargestOfAllBodies) {
   EXPECT_LT(deep, points.size());
 }
 
-/// Forty balls, and behind them those that stand for four of them.
+/// Forty balls, and behind them those that represent four of them.
 std::vector<Ball> grouped_balls() {
   std::vector<Ball> balls;
   for (int k = 0; k < 40; ++k) balls.push_back({Vec3(0.4 * k - 8, 0.2 * k, 1), 5 + 0.05 * (k % 7)});
@@ -181,7 +181,7 @@ TEST(AnyDepth, MissesNoBallThatReachesIntoABody) {
         ++reaching;
         EXPECT_GT(found[i], 0) << "point " << i << ", radius " << radius;
       }
-      // A body that stands for four is a little larger than they are, and a ball's box than the ball.
+      // A body that represents four is a little larger than they are, and a ball's box than the ball.
       if (deepest < Ball::floor_mm() - 3 - radius) {
         EXPECT_LE(found[i], 0) << "point " << i << ", radius " << radius;
       }

@@ -12,12 +12,12 @@
 namespace gouge {
 namespace {
 
-/// A hundred digits: exact to far beyond what is asked, also of triangles a millionth of a nanometre wide.
+/// A hundred digits: exact to far beyond what is queried, also of triangles a millionth of a nanometre wide.
 using Number = boost::multiprecision::cpp_bin_float_100;
 using Exact = std::array<Number, 3>;
 using Triangle = std::array<Vec3, 3>;
 
-/// Of every width from that of rounding to that of its length; the third corner also beyond the ends of the edge.
+/// Triangles of every width from that of rounding to that of its length; the third corner also beyond the ends of the edge.
 Triangle random_triangle(test::Scatter& random) {
   const double length = std::pow(10.0, random.in(-3, 3)), width = length * std::pow(10.0, random.in(-17, 0));
   const Vec3 base = random.is(0.5) ? Vec3(random.point(1e5)) : Vec3::Zero(), along = length * random.direction();

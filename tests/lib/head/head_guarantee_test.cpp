@@ -42,7 +42,7 @@ struct Tally {
 using MakeMotion = std::function<Motion(Scatter&)>;
 
 /// Samples surface points, also those next to where the head was found deepest, over many instants; from the deepest
-/// sample on it goes by random steps that lead deeper.
+/// sample on it follows random steps that lead deeper.
 double sampled_depth(const BodyMotion& moving, const HeadBody& head, const IndexedMesh& part,
                      const HeadResult& reported, Scatter& random) {
   struct Sample {

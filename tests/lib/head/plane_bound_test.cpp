@@ -49,13 +49,13 @@ Tally try_pieces(const IndexedMesh& mesh, std::uint64_t seed) {
     for (Vec3& corner : corners) corner = about + spread * random.point(1);
     const PieceRegion region(corners, 0.01 * spread);
     const ClosestPoint foot = *head.surface.closest_point(region.middle);
-    const double enough_mm = random.in(0, 0.3) * spread;
+    const double cutoff_mm = random.in(0, 0.3) * spread;
     // Any plane will do: also that of another point.
     const HeadPlane plane(random.is(0.5) ? foot : *head.surface.closest_point(corners[random.below(6)]));
-    const auto bound_mm = depth_by_plane(head, region, plane, foot.is_inside, enough_mm);
+    const auto bound_mm = depth_by_plane(head, region, plane, foot.is_inside, cutoff_mm);
     if (!bound_mm) continue;
     ++tally.bounded;
-    tally.raised += *bound_mm >= enough_mm ? 1 : 0;
+    tally.raised += *bound_mm >= cutoff_mm ? 1 : 0;
     double deepest_mm = 0;
     for (int k = 0; k < 200; ++k) {
       const Vec3 x = k < 6 ? corners[static_cast<std::size_t>(k)] : within(corners, random);
@@ -100,7 +100,7 @@ TEST(PlaneBound, OfANodeIsNowhereExceeded) {
     ++bounded;
     const std::array<Vec3, 8> hull = held.hull();
     for (int k = 0; k < 100; ++k) {
-      // Of the node's ball and disc: what its bound speaks of. Any point between both ends.
+      // The region of the node's bound: its ball and disc. Any point between both ends.
       const Vec3 x = within(hull, random);
       if ((x - held.center).norm() > held.radius_mm) continue;
       const Vec3 q0 = to_tool0.point(x), q1 = to_tool1.point(x);

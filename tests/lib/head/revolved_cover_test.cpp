@@ -1,4 +1,4 @@
-// What a cover says of a point is held against the mesh itself.
+// Compares the bounds of a cover with the mesh itself.
 #include "lib/head/revolved_cover.h"
 
 #include <gtest/gtest.h>

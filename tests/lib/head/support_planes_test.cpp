@@ -41,7 +41,7 @@ TEST(SupportPlanes, RiseNoLessThanAnyCornerAndHardlyMore) {
         ASSERT_LE(told, rise + 1e-7) << mesh.name << ", facet " << t;
         ++bounded;
       } else {
-        ASSERT_GT(rise, 0.99 * SupportPlanes::kMostRise_mm) << mesh.name << ", facet " << t;
+        ASSERT_GT(rise, 0.99 * SupportPlanes::kMaxRise_mm) << mesh.name << ", facet " << t;
       }
       ASSERT_EQ(told, supports.rise_mm(t));
     }

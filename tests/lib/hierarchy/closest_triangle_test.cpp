@@ -178,7 +178,7 @@ TEST(DistanceKernel, GivesTheSameBytesWithEveryInstructionSet) {
   }
 }
 
-double least_below(const BlockTree& tree, const NodeBlock& node, std::size_t lane, const Vec3& point) {
+double min_below(const BlockTree& tree, const NodeBlock& node, std::size_t lane, const Vec3& point) {
   double least2 = std::numeric_limits<double>::infinity();
   if (node.has_leaves) {
     const TriangleBlock& leaf = tree.leaves[node.child[lane]];
@@ -188,7 +188,7 @@ double least_below(const BlockTree& tree, const NodeBlock& node, std::size_t lan
   }
   double least = least2;
   const NodeBlock& child = tree.nodes[node.child[lane]];
-  for (std::size_t k = 0; k < child.count; ++k) least = std::min(least, least_below(tree, child, k, point));
+  for (std::size_t k = 0; k < child.count; ++k) least = std::min(least, min_below(tree, child, k, point));
   return least;
 }
 
@@ -209,7 +209,7 @@ TEST(DistanceKernel, IsNeverAboveTheDistanceAndOftenNearIt) {
       static_cast<void>(fastest_distance_kernel().nodes(node, query, within, least));
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < node.count; ++k) {
-        const double truth = least_below(tree, node, k, rounded);
+        const double truth = min_below(tree, node, k, rounded);
         nearest = std::min(nearest, truth);
         EXPECT_LE(static_cast<double>(least[k]), truth + slack);
       }
@@ -251,8 +251,7 @@ TEST(LaneBound, HoldsEverythingBelow) {
             EXPECT_LE(direction.dot(x - bound.center), bound.extent_mm(direction) + 1e-9);
             EXPECT_LE(std::abs(up.dot(x - bound.center)), height + 1e-9);
           }
-          EXPECT_LE(bound.least_distance_mm(point),
-                    std::sqrt(closest_on_triangle(point, corners).distance2_mm2) + 1e-9);
+          EXPECT_LE(bound.min_distance_mm(point), std::sqrt(closest_on_triangle(point, corners).distance2_mm2) + 1e-9);
         }
       }
     }

@@ -63,7 +63,7 @@ TEST(CutEntries, SizesFarApartAndHardlyApartAreCut) {
 }
 
 TEST(CutEntries, EntriesThatNoSampleSeesAreCutAllTheSame) {
-  // Of 5120 entries every tenth is looked at for the box; here those are all in one place, or nearly.
+  // The box uses every tenth of 5120 entries; here those are all in one place, or nearly.
   for (const float spread : {0.0F, 1e-30F, 1e-6F, 1.0F}) {
     for (const float far : {1.0F, 1e9F}) {
       std::vector<Entry> entries(5120), scratch(5120);

@@ -16,7 +16,7 @@ using test::Scatter;
 using Space = std::vector<HalfSpace>;
 
 bool is_in(const Vec3& x, const Space& space) {
-  return std::ranges::all_of(space, [&](const HalfSpace& half) { return half.direction.dot(x) >= half.least_mm; });
+  return std::ranges::all_of(space, [&](const HalfSpace& half) { return half.direction.dot(x) >= half.min_mm; });
 }
 
 // How surely a triangle reaches into a space: by its corners and points in between.

@@ -21,7 +21,7 @@ std::string error_of(const std::string& text) {
   return json ? "" : to_text(json.error());
 }
 
-long most_memory_kB() {
+long max_memory_kB() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss;
@@ -38,7 +38,7 @@ TEST(JsonFile, NestingEndsAtSixtyFourLevels) {
 }
 
 TEST(JsonFile, NestingTakesNoMemory) {
-  const long before = most_memory_kB();
+  const long before = max_memory_kB();
   for (const std::string& text : {repeated("[", 200'000), repeated("{\"a\":", 40'000), repeated("[{\"a\":", 40'000)}) {
     EXPECT_NE(error_of(text).find("[json-too-deep]"), std::string::npos);
     const auto library = read_tool_library("a.json", text);
@@ -48,7 +48,7 @@ TEST(JsonFile, NestingTakesNoMemory) {
   // Gigabytes, if every value kept the names of all around it.
   const std::string key = repeated("k", 2'000);
   EXPECT_EQ(error_of(repeated("{\"" + key + "\":", 60) + "[" + repeated("0,", 30'000) + "0]" + repeated("}", 60)), "");
-  EXPECT_LT(most_memory_kB() - before, 64'000);
+  EXPECT_LT(max_memory_kB() - before, 64'000);
 }
 
 TEST(JsonFile, TextsAndNumbersHaveALimit) {

@@ -149,7 +149,7 @@ TEST(Overcut, OfASharpCornerIsMoreThanItsDepth) {
 }
 
 TEST(Overcut, OfAHeadIsHowFarTheHeadReachedBelowTheSurface) {
-  // A bar 6 mm wide beside the tool, its end 15 mm deep in the block: depth says 3.
+  // A bar 6 mm wide beside the tool, its end 15 mm deep in the block: depth states 3.
   const ToolVariants tool = tools::ball(10);
   const Toolpath path = paths::through({paths::upright(80, 0, 30), paths::upright(80, 0, 5)});
   Scene scene;
@@ -182,7 +182,7 @@ TEST(Overcut, IsBracketedByASampledReference) {
                                        Pose{Vec3(45, 5, 2), Vec3(0.4, 0, 1).normalized()});
   SweptTool swept(motion, tool.bare);
   OvercutOptions fine;
-  fine.most_cells = 20000;
+  fine.max_cells = 20000;
   const Overcut reported = find_overcut(swept, part, Vec3(0, 0, 0), 0, fine);
   double sampled = 0;
   for (double x = -55; x < 55; x += 2) {

@@ -37,7 +37,7 @@ TEST(AxisQuality, OfAnAxisThatStandsIsNothing) {
 }
 
 TEST(AxisQuality, OfOneKinkIsThatOfItsFormula) {
-  // The axis stands for 2 mm, then leans by 1 degree over 0.5 mm: |du| is the chord 2 sin(0.5 deg).
+  // The axis represents 2 mm, then leans by 1 degree over 0.5 mm: |du| is the chord 2 sin(0.5 deg).
   const AxisQuality quality = measure_axis_quality(path_of({0, 2, 2.5}, {0, 0, kDegree}));
   const double slope = 2 * std::sin(kDegree / 2) / 0.5;
   EXPECT_NEAR(quality.bending, slope * slope * 2 / 2.5, 1e-15);

@@ -27,7 +27,7 @@ ToolAssembly held_tool() {
   return tool;
 }
 
-/// A path of one tool over a scene, and what is asked of both.
+/// A path of one tool over a scene, and what is queried of both.
 struct Problem {
   ToolAssembly tool = held_tool();
   Scene scene;
@@ -60,7 +60,7 @@ struct Problem {
     return found->front();
   }
 
-  /// Whether shank, holder and heads gouge in no move with this stick-out.
+  /// Returns whether shank, holder and heads gouge in no move with this stick-out.
   [[nodiscard]] bool is_free(double at_mm) const {
     const LongerTool made = longer(at_mm - stickout_mm(tool));
     const OwnSetup own(&made.bodies, scene, check_options, made.heads);
@@ -153,7 +153,7 @@ TEST(FindStickout, EachOperationHasItsOwn) {
   EXPECT_NEAR(*found.all.stickout_mm, 55, 1e-9);
 }
 
-// The holder has a groove that a rib fits into: longer is not always freer, and the answer is free all the same.
+// The holder has a groove that a rib fits into: longer is not always freer, and the result is free all the same.
 TEST(FindStickout, ALongerToolThatMeetsWhatTheShorterOneMissedGoesOn) {
   Problem problem;
   problem.tool.holder = {{40, 40, 5}, {12, 12, 10}, {40, 40, 30}};
@@ -167,7 +167,7 @@ TEST(FindStickout, ALongerToolThatMeetsWhatTheShorterOneMissedGoesOn) {
   EXPECT_NEAR(*found.all.stickout_mm, 52, 1e-9);
 }
 
-// Boxes and tilted positions at random: as an exhaustive search says.
+// Boxes and tilted positions at random: as an exhaustive search states.
 TEST(FindStickout, IsTheLeastOfAllForToolsThatGetWiderUpwards) {
   Scatter random(71);
   int needing = 0, none = 0;
@@ -190,7 +190,7 @@ TEST(FindStickout, IsTheLeastOfAllForToolsThatGetWiderUpwards) {
     std::optional<double> least;
     const double step = problem.options.step_mm, now = stickout_mm(problem.tool);
     if (problem.is_free(now)) least = now;
-    for (double k = 1; !least && k <= std::floor(problem.options.most_longer_mm / step); ++k) {
+    for (double k = 1; !least && k <= std::floor(problem.options.max_longer_mm / step); ++k) {
       const double at = (std::floor(now / step + 1e-9) + k) * step;
       if (problem.is_free(at)) least = at;
     }

@@ -21,21 +21,21 @@ double cost_of(const std::vector<TiltLayer>& layers, const Choice& choice, doubl
     const Tilt &from = layers[l - 1].tilts[choice[l - 1]], &to = layers[l].tilts[choice[l]];
     if ((to - from).squaredNorm() > layers[l - 1].largest_change_rad * layers[l - 1].largest_change_rad)
       return std::numeric_limits<double>::infinity();
-    const double way = std::max(layers[l].way_mm - layers[l - 1].way_mm, kLeastWay_mm);
+    const double way = std::max(layers[l].arc_length_mm - layers[l - 1].arc_length_mm, kMinWay_mm);
     cost +=
         0.5 * way * (from.squaredNorm() + to.squaredNorm()) / (blend_mm * blend_mm) + (to - from).squaredNorm() / way;
   }
   return cost;
 }
 
-/// Of all choices.
-double least_cost(const std::vector<TiltLayer>& layers, double blend_mm, Choice& choice) {
+/// Cost of all choices.
+double min_cost(const std::vector<TiltLayer>& layers, double blend_mm, Choice& choice) {
   if (choice.size() == layers.size()) return cost_of(layers, choice, blend_mm);
   double least = std::numeric_limits<double>::infinity();
   const auto count = static_cast<std::uint32_t>(layers[choice.size()].tilts.size());
   for (std::uint32_t k = 0; k < count; ++k) {
     choice.push_back(k);
-    least = std::min(least, least_cost(layers, blend_mm, choice));
+    least = std::min(least, min_cost(layers, blend_mm, choice));
     choice.pop_back();
   }
   return least;
@@ -48,7 +48,7 @@ TEST(CheapestChoice, IsTheCheapestOfAllThatAreNotStruck) {
     std::vector<TiltLayer> layers(static_cast<std::size_t>(random.in(1, 6)));
     double way = 0;
     for (TiltLayer& layer : layers) {
-      layer.way_mm = way;
+      layer.arc_length_mm = way;
       way += random.is(0.1) ? 0 : random.in(0.1, 5);
       const int count = random.is(0.05) ? 0 : static_cast<int>(random.in(1, 6));
       for (int k = 0; k < count; ++k) layer.tilts.emplace_back(random.in(-0.5, 0.5), random.in(-0.5, 0.5));
@@ -66,7 +66,7 @@ TEST(CheapestChoice, IsTheCheapestOfAllThatAreNotStruck) {
     }
     const double blend_mm = random.in(0.5, 20);
     Choice none;
-    const double least = least_cost(layers, blend_mm, none);
+    const double least = min_cost(layers, blend_mm, none);
     const auto found = cheapest_choice(layers, blend_mm).cheapest;
     ASSERT_EQ(found.has_value(), least < std::numeric_limits<double>::infinity());
     blocked += found ? 0 : 1;
@@ -77,7 +77,7 @@ TEST(CheapestChoice, IsTheCheapestOfAllThatAreNotStruck) {
   EXPECT_LT(blocked, 200);
 }
 
-/// By looking at every change: the least cost to the last layer, and of each tilt whether a way goes through it.
+/// By examining every change: the least cost to the last layer, and of each tilt whether a way goes through it.
 struct EveryChange {
   double least = std::numeric_limits<double>::infinity();
   std::vector<std::vector<char>> is_possible;
@@ -113,7 +113,7 @@ TEST(CheapestChoice, OnLatticesIsThatOfEveryChange) {
     std::vector<TiltLayer> layers(2 + random.below(5));
     double way = 0;
     for (TiltLayer& layer : layers) {
-      layer.way_mm = way;
+      layer.arc_length_mm = way;
       way += random.in(0.2, 3);
       const double free = random.in(0.05, 1);
       for (int x = -4; x <= 4; ++x)
@@ -140,7 +140,7 @@ TEST(CheapestChoice, OnLatticesIsThatOfEveryChange) {
       }
     };
     compare();
-    // What the cheapest way takes is struck out, as a search does.
+    // Removes the change that the cheapest sequence takes, as a search does.
     for (int strikes = 0; strikes < 4; ++strikes) {
       const LayerChoices found = cheapest_choice(layers, blend_mm);
       if (!found.cheapest) break;
@@ -159,7 +159,7 @@ TEST(CheapestChoice, OfEqualOnesTakesTheFirst) {
   TiltLayer layer;
   layer.tilts = {Tilt(0, 0), Tilt(0, 0), Tilt(0, 0)};
   std::vector<TiltLayer> layers(4, layer);
-  for (std::size_t l = 0; l < layers.size(); ++l) layers[l].way_mm = static_cast<double>(l);
+  for (std::size_t l = 0; l < layers.size(); ++l) layers[l].arc_length_mm = static_cast<double>(l);
   EXPECT_EQ(cheapest_choice(layers, 10).cheapest, Choice(4, 0));
   layers[1].struck = {{0, 0}, {1, 0}};
   EXPECT_EQ(cheapest_choice(layers, 10).cheapest, (Choice{0, 2, 0, 0}));

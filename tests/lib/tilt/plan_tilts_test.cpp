@@ -21,7 +21,7 @@ TEST(PlanTilts, BesideAWallIsTheLeastTiltThatFreesTheHolder) {
     const Bench bench(row(-40, 40, 5), {floor_plate(), shapes::box(Vec3(wall, -100, -5), Vec3(wall + 50, 100, 90))});
     const TiltPlan plan = bench.plan();
     expect_clean(bench, plan);
-    const double least = least_tilt(wall);
+    const double least = min_tilt(wall);
     for (const TiltedPosition& p : positions_of(plan)) {
       if (p.programmed.tip.z() > 0 || std::abs(p.programmed.tip.y()) > 35) continue;
       EXPECT_GT(p.tilt_rad, least - 0.1 * kDegree) << wall;
@@ -59,7 +59,7 @@ TEST(PlanTilts, TurnsSmootherThanTheLeastTiltOfEachPosition) {
   options.blend_mm = 40;
   const TiltPlan plan = bench.plan(options);
   expect_clean(bench, plan);
-  // What open tools do: at every position the least tilt that frees it there.
+  // Method of open-source tools: at every position the least tilt that frees it there.
   std::vector<Pose> least;
   double most = 0;
   for (const Move& move : bench.path.moves) {
@@ -87,8 +87,8 @@ TEST(PlanTilts, LeansOneWayAndThenTheOtherWhereWallsStandOnBothSides) {
     to_left = std::max(to_left, -p.pose.axis.x());
     to_right = std::max(to_right, p.pose.axis.x());
   }
-  EXPECT_GT(to_left, std::sin(least_tilt(8)) - 0.01);
-  EXPECT_GT(to_right, std::sin(least_tilt(8)) - 0.01);
+  EXPECT_GT(to_left, std::sin(min_tilt(8)) - 0.01);
+  EXPECT_GT(to_right, std::sin(min_tilt(8)) - 0.01);
 }
 
 TEST(PlanTilts, IsNoneInAWellAndSaysWhatIsInTheWay) {
@@ -113,8 +113,8 @@ TEST(PlanTilts, KeepsItsLimitsAtEveryInstant) {
     bool is_solvable;
   };
   TiltOptions usual, tight, lead, side, cone, slow;
-  tight.max_tilt_rad = least_tilt(9) - 0.2 * kDegree;
-  usual.max_tilt_rad = least_tilt(9) + 0.5 * kDegree;
+  tight.max_tilt_rad = min_tilt(9) - 0.2 * kDegree;
+  usual.max_tilt_rad = min_tilt(9) + 0.5 * kDegree;
   lead.freedom = TiltFreedom::lead;
   side.freedom = TiltFreedom::side;
   cone.cone = AxisCone{Vec3(0.1, 0, 1).normalized(), 16 * kDegree};

@@ -32,13 +32,11 @@ inline ToolAssembly long_ball() {
 }
 
 /// Least tilt, rad, that frees the holder beside a wall at a distance of the ball's centre.
-inline double least_tilt(double distance_mm) {
-  return std::acos(distance_mm / std::hypot(15, 35)) - std::atan2(35, 15);
-}
+inline double min_tilt(double distance_mm) { return std::acos(distance_mm / std::hypot(15, 35)) - std::atan2(35, 15); }
 
 inline IndexedMesh floor_plate() { return shapes::box(Vec3(-200, -200, -10), Vec3(200, 200, 0)); }
 
-/// Of all runs.
+/// Totals of all runs.
 inline std::vector<TiltedPosition> positions_of(const TiltPlan& plan) {
   std::vector<TiltedPosition> all;
   for (const SmoothedRun& run : plan.runs) all.insert(all.end(), run.positions.begin(), run.positions.end());

@@ -19,7 +19,7 @@ IndexedMesh leaning_box(const Vec3& low, const Vec3& high, double dx_per_mm) {
   return mesh;
 }
 
-/// Of a record on the row, away from its ends.
+/// For a record on the row, away from its ends.
 double largest_turn(const Toolpath& path) {
   double most = 0;
   for (std::size_t i = 1; i < path.moves.size(); ++i)
@@ -61,7 +61,7 @@ TEST(TiltCases, PastAPostBetweenTwoFreePositionsItLeansAndComesBack) {
   EXPECT_GT(path.moves.size(), bench.path.moves.size());
   for (const std::size_t i : {std::size_t{1}, path.moves.size() - 2}) EXPECT_EQ(path.moves[i].end.axis, Vec3::UnitZ());
   // A holder that is free beside the post leans by no more than one that is free beside a wall there.
-  EXPECT_LT(largest_tilt(plan), least_tilt(9) + 0.2 * kDegree);
+  EXPECT_LT(largest_tilt(plan), min_tilt(9) + 0.2 * kDegree);
 }
 
 // The programmed axis goes from 15 degrees on one side through Z to 15 on the other, where the rotary axis of a table

@@ -1,4 +1,4 @@
-// What the cover says of a point is held against the tool itself.
+// Compares the bounds of the cover with the tool itself.
 #include "lib/tool/convex_cover.h"
 
 #include <gtest/gtest.h>
@@ -129,7 +129,7 @@ TEST(ConvexCover, TheCutterOfABallIsExact) {
   }
 }
 
-// Of many points the cover goes by chords.
+// With many points the cover follows chords.
 TEST(ConvexCover, HoldsForCuttersOfManyPointsInFewPieces) {
   test::Scatter random(21);
   Claims claims;

@@ -30,7 +30,7 @@ TEST(InscribedBalls, RollOverABallNoseAndStopAtCorners) {
   EXPECT_FALSE(is_in(of_flat, Vec2(4, 0)));
 }
 
-// Outside of the zones a ball as large as asked for is in the tool, as near as the slack: looked for by brute force among
+// Outside of the zones a ball as large as requested is in the tool, as near as the slack: looked for by brute force among
 // centres along the ray through the point's own foot, where the largest such ball has its centre.
 TEST(InscribedBalls, ReachEveryPointOutsideOfTheZones) {
   test::Scatter random(5);

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "lib/tool/certified_depth.h"
 #include "lib/tool/evaluate.h"
-#include "lib/tool/sure_depth.h"
 #include "tests/support/random_tools.h"
 #include "tests/support/tools.h"
 
@@ -24,7 +24,7 @@ double reach_at(const CompiledTool& tool, double depth, double enough) {
   return bound_reach(tool, tool, depth, enough);
 }
 
-/// The reach by looking: places of a grid, those deeper than asked by all but half a step that are joined with the axis
+/// The reach by looking: places of a grid, those deeper than queried by all but half a step that are joined with the axis
 /// by neighbours (so no fewer than truly are), and the farthest point of the tool from them.
 class GridReach {
  public:
@@ -131,7 +131,7 @@ TEST(ReachBound, OfUsualCuttersIsLessThanThreeTimesTheDepth) {
     usual.push_back(tools::variants(tools::assembly(DovetailCutter{20, 0, angle, 6}, 6)));
   for (const ToolVariants& tool : usual) {
     for (const double depth : {0.001, 0.011, 0.06}) {
-      const SureDepth sure = find_sure_depth(tool.bare, tool.bare, depth);
+      const CertifiedDepth sure = find_certified_depth(tool.bare, tool.bare, depth);
       EXPECT_EQ(sure.halvings, 0) << "cutter of " << tool.bare.elements[1].a.transpose() << ", "
                                   << tool.bare.elements[3].a.transpose() << " at " << depth << ": " << sure.reach_mm;
     }
@@ -163,20 +163,20 @@ TEST(ReachBound, IsNeverLessThanWhatIsSeenOnAGridInEveryShape) {
   EXPECT_GT(thin, count / 10);
 }
 
-TEST(SureDepth, OfAPointIsTheDepthThatItsAngleLeaves) {
+TEST(CertifiedDepth, OfAPointIsTheDepthThatItsAngleLeaves) {
   const CompiledTool tool = tools::variants(tools::assembly(ChamferCutter{1, 0, 2, 0}, 1)).bare;
-  const SureDepth sure = find_sure_depth(tool, tool, 0.011);
+  const CertifiedDepth sure = find_certified_depth(tool, tool, 0.011);
   const double largest = kReachPerDepth * 0.011 * std::sin(2 * std::numbers::pi / 180);
   EXPECT_LE(sure.depth_mm, largest);
   EXPECT_GT(sure.depth_mm, 0.7 * largest);
   EXPECT_NEAR(sure.reach_mm, 0.011 / std::sin(2 * std::numbers::pi / 180), 0.01);
 }
 
-TEST(SureDepth, OfAnOffsetToolIsThatOfItsOffsetVariant) {
+TEST(CertifiedDepth, OfAnOffsetToolIsThatOfItsOffsetVariant) {
   const ToolAssembly saw = tools::assembly(SlittingSawCutter{63, 0.5, 16, 4}, 6);
   const ToolVariants grown = tools::variants(saw, 1);
-  EXPECT_EQ(find_sure_depth(grown.against_part, grown.bare, 0.26).halvings, 0);
-  EXPECT_GT(find_sure_depth(grown.against_fixture, grown.bare, 0.26).halvings, 0);
+  EXPECT_EQ(find_certified_depth(grown.against_part, grown.bare, 0.26).halvings, 0);
+  EXPECT_GT(find_certified_depth(grown.against_fixture, grown.bare, 0.26).halvings, 0);
 }
 
 }  // namespace

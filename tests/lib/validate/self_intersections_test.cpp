@@ -140,7 +140,7 @@ TEST(FindSelfIntersections, AreThoseOfOneThreadAtAnyNumber) {
   EXPECT_EQ(one.position_mm, three.position_mm);
 }
 
-// A corner far away must not make all near triangles look at each other, as lengths in single precision would.
+// A corner far away must not make all near triangles examine each other, as lengths in single precision would.
 TEST(FindSelfIntersections, AFarCornerCostsNoPrecision) {
   IndexedMesh mesh = shapes::sphere(1, 200, 200);
   const std::size_t n = mesh.vertices.size();

@@ -19,7 +19,7 @@ TEST(SineCosine, HoldTheTrueValuesCloselyAtAllAnglesThatAreAskedFor) {
   }
 }
 
-// r <= sqrt(x) where r r - x <= 0, whose sign fma tells however it rounds.
+// r <= sqrt(x) where r r - x <= 0, whose sign fma shows however it rounds.
 TEST(SquareRoot, HoldsTheTrueRootWithinTwoSteps) {
   const RoundsUpward upward;
   test::Scatter scatter(20261125);

@@ -31,7 +31,7 @@ TEST(CertificateText, GroupsThatOverlapGoBackOrReachBeyondThePathAreRefused) {
   EXPECT_TRUE(is_refused({{3, 2, ""}, {4, 1, ""}}));
   EXPECT_TRUE(is_refused({{3, 2, ""}, {3, 2, ""}}));
   EXPECT_TRUE(is_refused({{3, 0, ""}}));
-  EXPECT_TRUE(is_refused({{3, kMostMovesOfGroup + 1, ""}}));
+  EXPECT_TRUE(is_refused({{3, kMaxMovesOfGroup + 1, ""}}));
   EXPECT_TRUE(is_refused({{999, 2, ""}}));
   EXPECT_TRUE(is_refused({{~std::size_t{0} >> 1U, 2, ""}}));
   EXPECT_TRUE(is_refused(kGroups, 4));

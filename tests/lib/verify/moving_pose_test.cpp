@@ -54,7 +54,7 @@ bool holds(const Bounds3& bounds, const Vec3& v, double slack) {
   return true;
 }
 
-/// Every instant is `off` the chord of its piece by no more than the piece says; ends are where they are said
+/// Every instant is `off` the chord of its piece by no more than the piece states; ends are where they are stated
 /// to be.
 void expect_bounded(const Toolpath& path, const MotionPiece& piece, double t0, double t1, int level) {
   for (const auto& [t, pose] : {std::pair(t0, piece.start()), std::pair(t1, piece.end())}) {

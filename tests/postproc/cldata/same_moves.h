@@ -21,7 +21,7 @@ inline void expect_same_moves(const Toolpath& found, const Toolpath& expected, d
     const Move& a = found.moves[i];
     const Move& b = expected.moves[i];
     ASSERT_EQ(a.kind, b.kind);
-    // What a binary file says by its records, its text leaves open.
+    // Facts that a binary file states by its records and its text leaves open.
     const bool is_open = b.not_checked_reason == Reasons::kNccsGoesOn;
     ASSERT_EQ(unnamed(a.not_checked_reason), unnamed(is_open ? a.not_checked_reason : b.not_checked_reason));
     ASSERT_LE((a.end.tip - b.end.tip).norm(), within_mm);

@@ -10,7 +10,7 @@
 #include "lib/base/units.h"
 #include "lib/path/toolpath.h"
 
-// What a machine would do with a written toolpath, found without the readers of the project: for each motion whether
+// Effect of a written toolpath on a machine, found without the readers of the project: for each motion whether
 // it is rapid, its feed and its tool.
 
 namespace gouge {
@@ -56,7 +56,7 @@ inline std::vector<std::string> words_of(std::string line) {
   return words;
 }
 
-/// Of APT text: RAPID holds for one motion, FEDRAT until the next one, and to the end of its block in NX.
+/// For APT text: RAPID holds for one motion, FEDRAT until the next one, and to the end of its block in NX.
 inline MotionStates scan_states(const std::string& text, LengthUnit unit) {
   MotionStates states;
   Feed feed;

@@ -25,7 +25,7 @@ class OverlayTest : public testing::Test {
     buffer_ = draw_surface(scene, view);
   }
 
-  /// What is seen at a place of the top: "white", "blue" or "amber".
+  /// Colour at a place of the top: "white", "blue" or "amber".
   std::string at(const Toolpath& path, double x, double y, MoveState state = MoveState::clean) {
     CheckResult result;
     result.verdicts.resize(path.moves.size());

@@ -78,7 +78,7 @@ TEST(SurfaceBuffer, ShowsTheNearestFaceAndNoGaps) {
   EXPECT_FALSE(is_visible(buffer, {20, 15, 9}, 0.01));
 }
 
-// What the pixel in the middle of (x, y) shows of these triangles, one by one.
+// Content of the pixel in the middle of (x, y) for these triangles, one by one.
 std::uint32_t face_by_hand(const std::vector<Vec3>& vertices, const std::vector<FaceCorners>& faces, const View& view,
                            int x, int y, double& nearest, double& edge_gap) {
   std::uint32_t seen = kNoFace;

@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// The pages of a small scene as drawings, for what they say.
+/// The pages of a small scene as drawings, for what they state.
 struct SmallPages {
   explicit SmallPages(const SmallScene& small)
       : scene(*small.prepared),

@@ -235,20 +235,21 @@ TEST(FindingsText, SaysWhichOvercutsAreLowerBounds) {
 TEST(FindingsText, SaysHowNearTheToolComesToThePart) {
   SmallReport report;
   const auto text = [&](std::optional<double> nearest, std::optional<double> median) {
-    report.result.closeness = Closeness{2425, 400, nearest, median, 0};
-    EXPECT_NE(summary_text(report.model).find("\nclosest approach to the part: " + closeness_text(report.model) + "\n"),
+    report.result.closest_approach = ClosestApproach{2425, 400, nearest, median, 0};
+    EXPECT_NE(summary_text(report.model)
+                  .find("\nclosest approach to the part: " + closest_approach_text(report.model) + "\n"),
               std::string::npos);
-    return closeness_text(report.model);
+    return closest_approach_text(report.model);
   };
   EXPECT_EQ(text(0.0, 0.0042), "touching; half of the 400 cutting positions examined (of 2425) are touching");
   EXPECT_EQ(text(0.834, 4.2),
             "within 0.84 mm; half of the 400 cutting positions examined (of 2425) are within 4.20 mm");
   EXPECT_EQ(text({}, {}),
             "not within 20 mm; half of the 400 cutting positions examined (of 2425) are not within 20 mm");
-  report.result.closeness = Closeness{37, 37, 1.0, 2.0, 1.0};
-  EXPECT_EQ(closeness_text(report.model), "within 1.00 mm; half of the 37 cutting positions are within 2.00 mm");
-  report.result.closeness.reset();
-  EXPECT_EQ(closeness_text(report.model), "");
+  report.result.closest_approach = ClosestApproach{37, 37, 1.0, 2.0, 1.0};
+  EXPECT_EQ(closest_approach_text(report.model), "within 1.00 mm; half of the 37 cutting positions are within 2.00 mm");
+  report.result.closest_approach.reset();
+  EXPECT_EQ(closest_approach_text(report.model), "");
 }
 
 TEST(FindingsText, ReportsTheCurvesThatBecameStraight) {

@@ -94,9 +94,9 @@ TEST(WriteHtml, ListsEveryFindingTheWorstFirstInPages) {
 
 TEST(HtmlTable, CountsTheRowsForWhichThereIsNoPage) {
   HtmlTable table(std::vector<HtmlColumn>{{"Move", "n"}});
-  for (std::size_t k = 0; k < HtmlTable::kMostRows + 3; ++k) table.has_room() ? table.add("<td></td>") : table.skip();
+  for (std::size_t k = 0; k < HtmlTable::kMaxRows + 3; ++k) table.has_room() ? table.add("<td></td>") : table.skip();
   const std::string html = table.html();
-  EXPECT_EQ(count_of(html, "<td></td>"), HtmlTable::kMostRows);
+  EXPECT_EQ(count_of(html, "<td></td>"), HtmlTable::kMaxRows);
   EXPECT_EQ(count_of(html, "<summary>19801 to 20000 of 20003</summary>"), 1U);
   EXPECT_EQ(count_of(html, "and 3 more; the CSV and JSON files have them all"), 1U);
 }

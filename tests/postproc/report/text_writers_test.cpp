@@ -37,7 +37,7 @@ TEST(WriteCsv, HasOneRowForEveryMoveAndTheContractsColumns) {
   EXPECT_EQ(lines[7], "6,16,feed,\"long, \"\"thin\"\"\",not-checked,,,,,,,,,,,,,,,\"arcs, as yet, are not read\",,,");
 }
 
-// What is in the operation's column of the first move.
+// The operation's column of the first move.
 std::string operation_cell(const std::string& name) {
   SmallReport report;
   report.path.operations[0].name = name;

@@ -36,7 +36,7 @@ inline void expect_segment(const ToolSegment& s, double lower, double upper, dou
   EXPECT_NEAR(s.length_mm, length, 1e-9);
 }
 
-/// What is written reads back, tool for tool, with the same contours.
+/// A written library reads back, tool for tool, with the same contours.
 inline void expect_round_trip(const ToolLibrary& library) {
   const std::string text = write_tool_library(library);
   const Result<ToolLibrary> back = read_tool_library("back.json", text);

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostBytes = 1'000'000;
+constexpr std::uint64_t kMaxBytes = 1'000'000;
 
 std::string bit(const std::string& name, const std::string& diameter) {
   return R"({"name":")" + name + R"(","shape-type":"Endmill","parameter":{"Diameter":")" + diameter +
@@ -34,7 +34,7 @@ class ToolFolders : public testing::Test {
   }
   [[nodiscard]] std::string at(const std::string& name) const { return folder_ + "/" + name; }
   [[nodiscard]] Result<ReadTools> read(const std::string& name) const {
-    return read_any_tools(at(name), *read_file(at(name)), kMostBytes);
+    return read_any_tools(at(name), *read_file(at(name)), kMaxBytes);
   }
 
  private:
@@ -83,7 +83,7 @@ TEST_F(ToolFolders, FilesThatDifferInCaseAloneAreNotChosenFrom) {
 
 TEST_F(ToolFolders, ABitThatIsNowhereIsReportedWithBothPlaces) {
   write("Library/Mill.fctl", R"({"tools":[{"nr":1,"path":"em6.fctb"}]})");
-  const Result<BesideFile> beside = read_beside(at("Library/Mill.fctl"), "em6.fctb", kMostBytes);
+  const Result<BesideFile> beside = read_beside(at("Library/Mill.fctl"), "em6.fctb", kMaxBytes);
   ASSERT_FALSE(beside.has_value());
   EXPECT_EQ(to_text(beside.error()),
             at("Library/em6.fctb") + ": error: there is no such file, nor " + at("Bit/em6.fctb") + " [file-not-found]");
@@ -91,13 +91,13 @@ TEST_F(ToolFolders, ABitThatIsNowhereIsReportedWithBothPlaces) {
 }
 
 TEST(ReadAnyTools, LibrariesOfOtherProgramsAreReadWithTheirWarnings) {
-  const Result<ReadTools> fusion = read_any_tools("shop.tools", test::corpus("fusion-mill.tools"), kMostBytes);
+  const Result<ReadTools> fusion = read_any_tools("shop.tools", test::corpus("fusion-mill.tools"), kMaxBytes);
   ASSERT_TRUE(fusion.has_value()) << to_text(fusion.error());
   const ImportedTools imported = *import_fusion("shop.tools", test::corpus("fusion-mill.tools"), {});
   EXPECT_EQ(write_tool_library(fusion->library), write_tool_library(imported.library));
   EXPECT_EQ(fusion->library.notes.size(), imported.notes.size());
   EXPECT_FALSE(has_error(fusion->library.notes)) << "a tool that is left out is a warning";
-  const Result<ReadTools> one = read_any_tools("b.fctb", bit("EM 6", "6 mm"), kMostBytes);
+  const Result<ReadTools> one = read_any_tools("b.fctb", bit("EM 6", "6 mm"), kMaxBytes);
   ASSERT_TRUE(one.has_value()) << to_text(one.error());
   EXPECT_EQ(one->library.tools.size(), 1u);
 }
@@ -105,17 +105,17 @@ TEST(ReadAnyTools, LibrariesOfOtherProgramsAreReadWithTheirWarnings) {
 TEST(ReadAnyTools, OurOwnLibraryIsReadAsEver) {
   const std::string ours =
       R"({"units":"mm","tools":[{"number":1,"cutter":{"shape":"ball","diameter":8,"length":20}}]})";
-  EXPECT_EQ(read_any_tools("t.json", ours, kMostBytes)->library.tools.size(), 1u);
-  EXPECT_EQ(read_any_tools("t.json", R"({"tools":[{"number":1,"cutter":{}}]})", kMostBytes).error().code,
+  EXPECT_EQ(read_any_tools("t.json", ours, kMaxBytes)->library.tools.size(), 1u);
+  EXPECT_EQ(read_any_tools("t.json", R"({"tools":[{"number":1,"cutter":{}}]})", kMaxBytes).error().code,
             "library-field");
-  EXPECT_EQ(read_any_tools("t.json", R"({"units":"mm","tools":[)", kMostBytes).error().code, "library-syntax");
+  EXPECT_EQ(read_any_tools("t.json", R"({"units":"mm","tools":[)", kMaxBytes).error().code, "library-syntax");
 }
 
 TEST(ReadAnyTools, AnyOtherFileIsRefusedWithWhatWasExpected) {
   const std::string expected =
       "expected a tool library of gougecheck (JSON), Fusion (.json or .tools), FreeCAD (.fctl or .fctb) or NX "
       "(tool_database.dat)";
-  const auto error = [](const std::string& bytes) { return to_text(read_any_tools("t", bytes, kMostBytes).error()); };
+  const auto error = [](const std::string& bytes) { return to_text(read_any_tools("t", bytes, kMaxBytes).error()); };
   EXPECT_EQ(error(""), "t: error: the file is empty; " + expected + " [library-foreign]");
   EXPECT_EQ(error("<?xml version='1.0'?><tools/>"), "t: error: the file is XML or HTML; " + expected +
                                                         ", so export the tools as one of these [library-foreign]");

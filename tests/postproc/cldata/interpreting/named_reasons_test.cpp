@@ -18,7 +18,7 @@ TEST(NamedReasons, ReportTheWordAndTheLine) {
 
 TEST(NamedReasons, OfAWordThatIsRepeatedTheFirstLinesAreReported) {
   NamedReasons reasons;
-  for (std::size_t line = 1; line <= NamedReasons::kMostLines; ++line) {
+  for (std::size_t line = 1; line <= NamedReasons::kMaxLines; ++line) {
     EXPECT_EQ(reasons.name("shifted", "TRANS", line), "shifted: TRANS in line " + std::to_string(line));
   }
   EXPECT_STREQ(reasons.name("shifted", "TRANS", 21), "shifted: TRANS");
@@ -30,7 +30,7 @@ std::string reason_after(const std::string& statements) {
   return path.moves.empty() ? std::string() : std::string(path.moves.back().not_checked_reason);
 }
 
-// A reason that a whole file may have says which statement is behind it.
+// A reason that a whole file may have states which statement is behind it.
 TEST(NamedReasons, OfAllThatFollowsAStatement) {
   EXPECT_EQ(reason_after("FOO/1,2,3,4,5,6,7,8,9"),
             "follows a statement that is not understood: it may move or change the tool, or shift what follows: FOO in "

@@ -184,9 +184,9 @@ TEST(ReadCycles, TheToolGoesAcrossBeforeItGoesDownAndUpBeforeItGoesAcross) {
   expect_vector(path.moves[6].end.tip, 7, 0, 5);
   for (std::size_t i = 1; i < 5; ++i) EXPECT_EQ(path.moves[i].line, 4U);
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
-    const bool is_on_the_way_up = i >= 5 && i < 12;  // first up and across, straight, or first across
-    EXPECT_EQ(path.moves[i].is_covered(), is_on_the_way_up);
-    EXPECT_EQ(path.moves[i].not_checked_reason.empty(), !is_on_the_way_up);
+    const bool is_on_rising_part = i >= 5 && i < 12;  // first up and across, straight, or first across
+    EXPECT_EQ(path.moves[i].is_covered(), is_on_rising_part);
+    EXPECT_EQ(path.moves[i].not_checked_reason.empty(), !is_on_rising_part);
   }
   EXPECT_FALSE(path.moves[7].has_start);
   expect_vector(path.moves[8].end.tip, 7, 0, 5);

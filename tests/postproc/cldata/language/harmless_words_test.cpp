@@ -57,7 +57,7 @@ TEST(HarmlessWords, MayNeedAWord) {
   EXPECT_FALSE(is_harmless_statement("PPFUN", "43,2"));
 }
 
-// ARCSLP of Mori and CLEARP are read for what they say of motion, and harmless in their other forms.
+// ARCSLP of Mori and CLEARP are read for what they state of motion, and harmless in their other forms.
 TEST(HarmlessWords, AreNoWordsThatAreRead) {
   for (const HarmlessWord& row : harmless_words()) {
     const bool is_read_too = row.word == "ARCSLP" || row.word == "CLEARP";

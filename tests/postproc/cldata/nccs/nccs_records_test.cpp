@@ -1,4 +1,4 @@
-// Binary NCCS records beside the ASCII that says the same: one interpreter reads both, so the moves are the same.
+// Binary NCCS records beside the ASCII that states the same: one interpreter reads both, so the moves are the same.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

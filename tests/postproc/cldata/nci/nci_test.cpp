@@ -1,4 +1,4 @@
-// What each field of a motion pair of Mastercam NCI means.
+// Meaning of each field of a motion pair of Mastercam NCI.
 #include <numbers>
 
 #include "postproc/cldata/interpreting/reasons.h"
@@ -122,7 +122,7 @@ TEST(Nci, TheFullCircleFlagIsHeld) {
     ASSERT_EQ(path.moves[2].curve_kind, CurveKind::arc) << flag;
     EXPECT_NEAR(path.arcs[0].sweep_rad, -2 * kPi, 1e-12) << flag;
   }
-  // Rounding of a thousandth: nearly nothing, unless the flag says otherwise.
+  // Rounding of a thousandth: nearly nothing, unless the flag states otherwise.
   const Toolpath reported = with(pair("3", "0 0 5. .001 0. 0. 1. 100. 0 1"));
   ASSERT_EQ(reported.moves[2].curve_kind, CurveKind::arc);
   EXPECT_NEAR(reported.arcs[0].sweep_rad, 2 * kPi, 1e-3);

@@ -4,7 +4,7 @@
 
 #include "postproc/formats/read_toolpath.h"
 
-// What a file establishes about itself.
+// Facts that a file establishes about itself.
 
 namespace gouge {
 namespace {

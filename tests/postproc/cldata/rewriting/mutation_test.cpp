@@ -179,7 +179,7 @@ TEST(MutatedNci, CanBeCorrectedAndReadAgain) {
   EXPECT_GT(written, 1000u);
 }
 
-// What a reader keeps of a file is what reading it again finds.
+// The origins that a reader keeps equal those of a new reading.
 TEST(MutatedPath, IsCorrectedTheSameWithOriginsKept) {
   test::Scatter random(41);
   const std::string nci = bytes_of(corpus() / "five_axis.nci");

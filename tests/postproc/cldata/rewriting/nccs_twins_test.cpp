@@ -33,7 +33,7 @@ class Twins {
 
  private:
   std::size_t pick(std::size_t count) { return random_.next() % count; }
-  // Of four decimals, so that both forms hold the same numbers.
+  // Four decimals, so that both forms hold the same numbers.
   double number() { return static_cast<double>(static_cast<int>(pick(400001)) - 200000) / 1e4; }
 
   void say(std::uint16_t code, const std::vector<NccsFile::Argument>& binary, const std::string& text) {

@@ -123,7 +123,7 @@ TEST(WriteCorrected, InsertsBeforeALastLineWithoutLineEnd) {
             "GOTO/0.0000,0.0000,9.0000\nGOTO/1.0000,2.0000,3.0000\nGOTO/9.0000,0.0000,9.0000");
 }
 
-// In a dialect that says what a position without axis means; else it would be in doubt behind a tilted one.
+// In a dialect that states what a position without axis means; else it would be in doubt behind a tilted one.
 TEST(WriteCorrected, AnAxisThatThreeNumbersDoNotMeanIsWritten) {
   const std::string start = "$$* Pro/CLfile\nMULTAX/ON\nGOTO/0.0000,0.0000,9.0000,1.0000000,0.0000000,0.0000000\n";
   const Toolpath path = path_of(start + "GOTO/9.0000,0.0000,9.0000\n");
@@ -144,7 +144,7 @@ TEST(WriteCorrected, UnderMultaxOffAnAxisSwitchesItOn) {
       << text;
 }
 
-// The file does not say which axis it has.
+// The file does not state which axis it has.
 TEST(WriteCorrected, APositionWithoutAxisBehindATiltedOneCannotBeChanged) {
   const Toolpath path = path_of("GOTO/0.,0.,9.,1.,0.,0.\nGOTO/9.,0.,9.\n");
   EXPECT_EQ(write_corrected(path, {lift(path, 1, 1)}).error().code, "write-move");

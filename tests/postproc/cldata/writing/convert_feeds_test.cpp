@@ -17,7 +17,7 @@ bool is_written_with_feeds(const Dialect& dialect) {
   return dialect.kind != DialectKind::nci && dialect.kind != DialectKind::goto_list;
 }
 
-// What the written bytes do: by the test's own scanner where they are text.
+// Effect of the written bytes: by the test's own scanner where they are text.
 MotionStates states_in(const std::string& bytes, const Dialect& dialect, LengthUnit unit) {
   if (dialect.kind != DialectKind::nccs_binary) return scan_states(bytes, unit);
   ReadOptions options;

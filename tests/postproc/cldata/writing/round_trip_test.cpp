@@ -152,7 +152,7 @@ TEST(RoundTrip, NoMoveGetsTheToolOfAnother) {
   for (const Case& c : cases) {
     for (const Dialect& dialect : all_dialects()) {
       if (dialect.kind == DialectKind::nci) continue;
-      // Dialects without these tools or without any leave them to the library, and say so.
+      // Dialects without these tools or without any leave them to the library, and state so.
       const bool says_no_cutter = dialect.kind == DialectKind::creo || dialect.kind == DialectKind::mori;
       const std::string outcome = outcome_of(c.text, dialect);
       if (dialect.kind == DialectKind::goto_list || c.can_say == dialect.kind) {
@@ -232,7 +232,7 @@ TEST(RoundTrip, CompensationIsKept) {
   }
 }
 
-// Where the user says that positions are the cutter's centre, Creo's words say it on.
+// Where the user states that positions are the cutter's centre, Creo's words state it on.
 TEST(RoundTrip, CompensationOfPositionsOnTheCentreIsKeptAsWell) {
   ReadOptions options;
   options.is_cutcom_centre = true;
@@ -259,7 +259,7 @@ TEST(RoundTrip, CompensationOfPositionsOnTheCentreIsKeptAsWell) {
                           [](const Diagnostic& note) { return note.code == "convert-cutcom"; }));
 }
 
-// What leads from a retract nobody knows, before conversion and after it.
+// A move from an unknown retract is unknown before and after conversion.
 TEST(RoundTrip, RetractsAreKept) {
   const Toolpath path = path_of(
       "UNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,10\nRETRCT\nCUTCOM/LEFT\nGOTO/10,0,10\nCUTCOM/OFF\nGOTO/20,0,10\n"

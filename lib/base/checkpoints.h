@@ -11,13 +11,13 @@
 namespace gouge {
 
 /// Results of stretches of long work that outlast the process: kept as soon as they are there, and taken from here
-/// when the same work is begun again. What they belong to, whoever makes one sees to. Used from one thread at a time.
-class KeptWork {
+/// when the same work is begun again. The owner must key a store to the inputs of the work. Used from one thread at a time.
+class CheckpointStore {
  public:
-  KeptWork() = default;
-  KeptWork(const KeptWork&) = delete;
-  KeptWork& operator=(const KeptWork&) = delete;
-  virtual ~KeptWork() = default;
+  CheckpointStore() = default;
+  CheckpointStore(const CheckpointStore&) = delete;
+  CheckpointStore& operator=(const CheckpointStore&) = delete;
+  virtual ~CheckpointStore() = default;
 
   /// How many items make a stretch, about.
   [[nodiscard]] virtual std::size_t items() const = 0;
@@ -26,16 +26,16 @@ class KeptWork {
   virtual void keep(std::string_view stage, std::size_t stretch, std::string_view bytes) = 0;
 };
 
-/// What a stretch is as bytes, and back. `read` tells whether they are those of items [first, last).
-struct StretchForm {
+/// Converts a stretch to bytes and back. `read` returns whether they are those of items [first, last).
+struct CheckpointForm {
   std::function<std::string(std::size_t first, std::size_t last)> write;
   std::function<bool(std::size_t first, std::size_t last, std::string_view bytes)> read;
 };
 
 /// for_each_chunk, stretch after stretch: one that is in `kept` is read, and each other one kept once all its chunks are
 /// done. The chunks are the same ones. Without `kept`, and where all of the work is one stretch, nothing is kept.
-void for_each_kept_chunk(std::size_t count, std::size_t chunk, unsigned threads, std::string_view stage,
-                         const ProgressCall& progress, KeptWork* kept, const StretchForm& form,
-                         const std::function<void(std::size_t, std::size_t)>& body);
+void for_each_checkpointed_chunk(std::size_t count, std::size_t chunk, unsigned threads, std::string_view stage,
+                                 const ProgressCall& progress, CheckpointStore* kept, const CheckpointForm& form,
+                                 const std::function<void(std::size_t, std::size_t)>& body);
 
 }  // namespace gouge

@@ -1,4 +1,4 @@
-#include "postproc/cldata/interpreting/doubts.h"
+#include "postproc/cldata/interpreting/uncertainties.h"
 
 #include <gtest/gtest.h>
 
@@ -10,23 +10,23 @@ namespace {
 
 using Range = std::pair<std::size_t, std::size_t>;
 
-TEST(Doubts, ReportTheFirstOfThoseInForce) {
-  Doubts doubts;
-  EXPECT_EQ(doubts.reason(), nullptr);
-  doubts.set(Doubt::machine_steps, "steps");
-  doubts.set(Doubt::turning, "turning");
-  EXPECT_STREQ(doubts.reason(), "turning");
-  doubts.clear(Doubt::turning);
-  EXPECT_STREQ(doubts.reason(), "steps");
-  EXPECT_TRUE(doubts.has(Doubt::machine_steps));
-  EXPECT_FALSE(doubts.has(Doubt::turning));
+TEST(Uncertainties, ReportTheFirstOfThoseInForce) {
+  Uncertainties uncertainties;
+  EXPECT_EQ(uncertainties.reason(), nullptr);
+  uncertainties.set(Uncertainty::machine_steps, "steps");
+  uncertainties.set(Uncertainty::turning, "turning");
+  EXPECT_STREQ(uncertainties.reason(), "turning");
+  uncertainties.clear(Uncertainty::turning);
+  EXPECT_STREQ(uncertainties.reason(), "steps");
+  EXPECT_TRUE(uncertainties.has(Uncertainty::machine_steps));
+  EXPECT_FALSE(uncertainties.has(Uncertainty::turning));
 }
 
-TEST(Doubts, RememberSinceWhenEachWasLastSwitched) {
-  Doubts doubts;
-  EXPECT_EQ(doubts.begin_run(Doubt::trans, 3), 0U);
-  EXPECT_EQ(doubts.begin_run(Doubt::origin, 4), 0U);
-  EXPECT_EQ(doubts.begin_run(Doubt::trans, 5), 3U);
+TEST(Uncertainties, RememberSinceWhenEachWasLastSwitched) {
+  Uncertainties uncertainties;
+  EXPECT_EQ(uncertainties.begin_run(Uncertainty::trans, 3), 0U);
+  EXPECT_EQ(uncertainties.begin_run(Uncertainty::origin, 4), 0U);
+  EXPECT_EQ(uncertainties.begin_run(Uncertainty::trans, 5), 3U);
 }
 
 TEST(Blocks, LoseTheirFrameWhereOthersStateOne) {

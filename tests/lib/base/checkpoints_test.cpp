@@ -1,4 +1,4 @@
-#include "lib/base/kept_work.h"
+#include "lib/base/checkpoints.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using Chunk = std::pair<std::size_t, std::size_t>;
 
-class InMemory : public KeptWork {
+class InMemory : public CheckpointStore {
  public:
   explicit InMemory(std::size_t items) : items_(items) {}
   [[nodiscard]] std::size_t items() const override { return items_; }
@@ -37,8 +37,8 @@ struct Squares {
   std::vector<std::size_t> all;
   std::set<Chunk> chunks;
 
-  Squares(std::size_t count, std::size_t chunk, KeptWork* kept, unsigned threads = 3) : all(count) {
-    StretchForm form;
+  Squares(std::size_t count, std::size_t chunk, CheckpointStore* kept, unsigned threads = 3) : all(count) {
+    CheckpointForm form;
     form.write = [&](std::size_t first, std::size_t last) {
       return std::string(reinterpret_cast<const char*>(&all[first]), (last - first) * sizeof(std::size_t));
     };
@@ -48,15 +48,16 @@ struct Squares {
       return true;
     };
     std::mutex guard;
-    for_each_kept_chunk(count, chunk, threads, "squares", {}, kept, form, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) all[k] = k * k;
-      const std::scoped_lock lock(guard);
-      chunks.emplace(first, last);
-    });
+    for_each_checkpointed_chunk(count, chunk, threads, "squares", {}, kept, form,
+                                [&](std::size_t first, std::size_t last) {
+                                  for (std::size_t k = first; k < last; ++k) all[k] = k * k;
+                                  const std::scoped_lock lock(guard);
+                                  chunks.emplace(first, last);
+                                });
   }
 };
 
-TEST(KeptWork, HasTheChunksAndResultsOfWorkThatIsNotKept) {
+TEST(CheckpointStore, HasTheChunksAndResultsOfWorkThatIsNotKept) {
   const Squares plain(1003, 8, nullptr);
   for (const std::size_t items : {1U, 8U, 9U, 100U, 1002U}) {
     InMemory kept(items);
@@ -69,7 +70,7 @@ TEST(KeptWork, HasTheChunksAndResultsOfWorkThatIsNotKept) {
   }
 }
 
-TEST(KeptWork, DoesWhatIsMissingOrDoesNotReadAsItsStretch) {
+TEST(CheckpointStore, DoesWhatIsMissingOrDoesNotReadAsItsStretch) {
   const Squares plain(1000, 8, nullptr);
   InMemory kept(80);
   Squares(1000, 8, &kept);
@@ -83,13 +84,13 @@ TEST(KeptWork, DoesWhatIsMissingOrDoesNotReadAsItsStretch) {
   EXPECT_TRUE(Squares(1000, 8, &kept).chunks.empty());
 }
 
-TEST(KeptWork, KeepsNothingOfWorkOfOneStretch) {
+TEST(CheckpointStore, KeepsNothingOfWorkOfOneStretch) {
   InMemory kept(1000);
   Squares(1000, 8, &kept);
   EXPECT_TRUE(kept.all.empty());
 }
 
-TEST(KeptWork, ReportsAllOfTheWorkInOrder) {
+TEST(CheckpointStore, ReportsAllOfTheWorkInOrder) {
   InMemory kept(16);
   std::vector<std::size_t> done;
   const auto report = [&](std::string_view stage, std::size_t now, std::size_t total) {
@@ -97,10 +98,10 @@ TEST(KeptWork, ReportsAllOfTheWorkInOrder) {
     EXPECT_EQ(total, 100U);
     done.push_back(now);
   };
-  for_each_kept_chunk(100, 4, 2, "squares", report, &kept,
-                      {[](std::size_t, std::size_t) { return std::string(); },
-                       [](std::size_t, std::size_t, std::string_view) { return true; }},
-                      [](std::size_t, std::size_t) {});
+  for_each_checkpointed_chunk(100, 4, 2, "squares", report, &kept,
+                              {[](std::size_t, std::size_t) { return std::string(); },
+                               [](std::size_t, std::size_t, std::string_view) { return true; }},
+                              [](std::size_t, std::size_t) {});
   EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
   EXPECT_EQ(done.front(), 0U);
   EXPECT_EQ(done.back(), 100U);

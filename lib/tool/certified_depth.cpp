@@ -1,4 +1,4 @@
-#include "lib/tool/sure_depth.h"
+#include "lib/tool/certified_depth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr int kMostHalvings = 40;
+constexpr int kMaxHalvings = 40;
 constexpr double kLeast_mm = 1e-5;  // below, rounding would decide
 
 bool is_same_form(const CompiledTool& a, const CompiledTool& b) {
@@ -22,15 +22,15 @@ bool is_same_form(const CompiledTool& a, const CompiledTool& b) {
 
 }  // namespace
 
-SureDepth find_sure_depth(const CompiledTool& form, const CompiledTool& bare, double given_mm) {
+CertifiedDepth find_certified_depth(const CompiledTool& form, const CompiledTool& bare, double given_mm) {
   const double enough = kReachPerDepth * given_mm;
-  SureDepth sure;
+  CertifiedDepth sure;
   sure.reach_mm = bound_reach(form, bare, given_mm, enough);
   if (sure.reach_mm <= enough) {
     sure.depth_mm = given_mm;
     return sure;
   }
-  for (int k = 1; k <= kMostHalvings; ++k) {
+  for (int k = 1; k <= kMaxHalvings; ++k) {
     const double depth = given_mm * std::exp2(-0.5 * k);
     if (depth < kLeast_mm) break;
     if (!(bound_reach(form, bare, depth, enough) <= enough)) continue;
@@ -41,19 +41,19 @@ SureDepth find_sure_depth(const CompiledTool& form, const CompiledTool& bare, do
   return sure;
 }
 
-SureDepth SureDepths::at(const CompiledTool& form, const CompiledTool& bare, double given_mm) const {
+CertifiedDepth CertifiedDepths::at(const CompiledTool& form, const CompiledTool& bare, double given_mm) const {
   const std::scoped_lock lock(mutex_);
   const auto known = known_.find(given_mm);
   if (known != known_.end()) return known->second;
-  return known_[given_mm] = find_sure_depth(form, bare, given_mm);
+  return known_[given_mm] = find_certified_depth(form, bare, given_mm);
 }
 
-SureDepth ToolVariants::sure_depth(std::span<const SureForm> forms, double given_mm) const {
-  SureDepth sure{given_mm, given_mm, 0};
+CertifiedDepth ToolVariants::certified_depth(std::span<const CertifiedForm> forms, double given_mm) const {
+  CertifiedDepth sure{given_mm, given_mm, 0};
   for (std::size_t k = 0; k < forms.size(); ++k) {
-    const auto is_known = [&](const SureForm& before) { return is_same_form(*before.form, *forms[k].form); };
+    const auto is_known = [&](const CertifiedForm& before) { return is_same_form(*before.form, *forms[k].form); };
     if (std::any_of(forms.begin(), forms.begin() + static_cast<std::ptrdiff_t>(k), is_known)) continue;
-    const SureDepth own = forms[k].depths->at(*forms[k].form, bare, given_mm);
+    const CertifiedDepth own = forms[k].depths->at(*forms[k].form, bare, given_mm);
     const double reach = k == 0 ? own.reach_mm : std::max(sure.reach_mm, own.reach_mm);
     if (k == 0 || own.depth_mm < sure.depth_mm) sure = own;
     sure.reach_mm = reach;

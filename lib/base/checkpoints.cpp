@@ -1,12 +1,12 @@
-#include "lib/base/kept_work.h"
+#include "lib/base/checkpoints.h"
 
 #include <algorithm>
 
 namespace gouge {
 
-void for_each_kept_chunk(std::size_t count, std::size_t chunk, unsigned threads, std::string_view stage,
-                         const ProgressCall& progress, KeptWork* kept, const StretchForm& form,
-                         const std::function<void(std::size_t, std::size_t)>& body) {
+void for_each_checkpointed_chunk(std::size_t count, std::size_t chunk, unsigned threads, std::string_view stage,
+                                 const ProgressCall& progress, CheckpointStore* kept, const CheckpointForm& form,
+                                 const std::function<void(std::size_t, std::size_t)>& body) {
   const std::size_t wanted = kept != nullptr ? std::max<std::size_t>(kept->items(), 1) : count;
   if (kept == nullptr || wanted >= count) return for_each_chunk(count, chunk, threads, stage, progress, body);
   const std::size_t items = (wanted + chunk - 1) / chunk * chunk;

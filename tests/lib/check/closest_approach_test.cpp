@@ -1,4 +1,4 @@
-#include "lib/check/closeness.h"
+#include "lib/check/closest_approach.h"
 
 #include <gtest/gtest.h>
 
@@ -11,16 +11,16 @@ namespace {
 
 using paths::upright;
 
-std::optional<Closeness> closeness(const Toolpath& path, const ToolVariants& tool = tools::flat(), unsigned threads = 1,
-                                   const MoveVerdicts& verdicts = {}) {
+std::optional<ClosestApproach> closest_approach(const Toolpath& path, const ToolVariants& tool = tools::flat(),
+                                                unsigned threads = 1, const MoveVerdicts& verdicts = {}) {
   const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
-  return measure_closeness(path, {&tool}, prepare_scene(scene), verdicts, threads);
+  return measure_closest_approach(path, {&tool}, prepare_scene(scene), verdicts, threads);
 }
 
-TEST(Closeness, IsTheDistanceOfTheToolFromThePartAtTheEndsOfCuts) {
+TEST(ClosestApproach, IsTheDistanceOfTheToolFromThePartAtTheEndsOfCuts) {
   Toolpath path = paths::through({upright(0, 0, 9), upright(0, 0, 3), upright(1, 0, 1), upright(2, 0, 2)});
   path.moves[0].kind = MoveKind::rapid;
-  const auto found = closeness(path);
+  const auto found = closest_approach(path);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->cuts, 3U);
   EXPECT_EQ(found->positions, 3U);
@@ -28,38 +28,38 @@ TEST(Closeness, IsTheDistanceOfTheToolFromThePartAtTheEndsOfCuts) {
   EXPECT_NEAR(*found->median_mm, 2, 0.011);
 }
 
-TEST(Closeness, TouchingAndDeeperIsNothing) {
-  const auto found = closeness(paths::through({upright(0, 0, 0), upright(0, 0, -2)}));
+TEST(ClosestApproach, TouchingAndDeeperIsNothing) {
+  const auto found = closest_approach(paths::through({upright(0, 0, 0), upright(0, 0, -2)}));
   EXPECT_LE(*found->nearest_mm, 0);
   EXPECT_LE(*found->median_mm, 0.011);
 }
 
-TEST(Closeness, CountsFromTheStockToLeave) {
+TEST(ClosestApproach, CountsFromTheStockToLeave) {
   const ToolVariants grown = tools::variants(tools::assembly(FlatCutter{10, 30}), 0.5, 0, 0);
-  EXPECT_NEAR(*closeness(paths::through({upright(0, 0, 0.75)}), grown)->nearest_mm, 0.25, 0.011);
+  EXPECT_NEAR(*closest_approach(paths::through({upright(0, 0, 0.75)}), grown)->nearest_mm, 0.25, 0.011);
 }
 
-TEST(Closeness, WhatIsFarAwayHasNoNumber) {
-  const auto found = closeness(paths::through({upright(0, 0, 21), upright(0, 0, 25), upright(0, 0, 19)}));
+TEST(ClosestApproach, WhatIsFarAwayHasNoNumber) {
+  const auto found = closest_approach(paths::through({upright(0, 0, 21), upright(0, 0, 25), upright(0, 0, 19)}));
   EXPECT_NEAR(*found->nearest_mm, 19, 0.011);
   EXPECT_FALSE(found->median_mm.has_value());
 }
 
 // Every 25th position of a long path touches; steps of 25 from the 13th on never meet one of them.
-TEST(Closeness, APatternOfThePathIsNotMissedByEqualSteps) {
+TEST(ClosestApproach, APatternOfThePathIsNotMissedByEqualSteps) {
   std::vector<Pose> poses;
   for (int i = 0; i < 10'000; ++i) poses.push_back(upright(0.002 * i, 0, i % 25 == 0 ? 0 : 5));
-  const auto found = closeness(paths::through(poses));
+  const auto found = closest_approach(paths::through(poses));
   ASSERT_EQ(found->positions, 400U);
   EXPECT_NEAR(*found->nearest_mm, 0, 0.011);
 }
 
-TEST(Closeness, WhatTheCheckHasSeenCounts) {
+TEST(ClosestApproach, WhatTheCheckHasSeenCounts) {
   std::vector<Pose> poses;
   for (int i = 0; i < 5000; ++i) poses.push_back(upright(0.002 * i, 0, 5));
   Toolpath path = paths::through(poses);
   MoveVerdicts verdicts(poses.size());
-  const auto nearest = [&] { return closeness(path, tools::flat(), 1, verdicts)->nearest_mm.value_or(99); };
+  const auto nearest = [&] { return closest_approach(path, tools::flat(), 1, verdicts)->nearest_mm.value_or(99); };
   EXPECT_NEAR(nearest(), 5, 0.011);
   MoveVerdict& dive = verdicts[7];
   dive.witness = Witness{0.5, {0, 0, -3}, {0, 0, 1}, Body::cutter, Against::part, 0, 0};
@@ -78,19 +78,19 @@ TEST(Closeness, WhatTheCheckHasSeenCounts) {
   EXPECT_NEAR(nearest(), 5, 0.011);
 }
 
-TEST(Closeness, SaysNothingWithoutCutsOrParts) {
-  EXPECT_FALSE(closeness(paths::through({upright(0, 0, 1)}, MoveKind::rapid)).has_value());
+TEST(ClosestApproach, SaysNothingWithoutCutsOrParts) {
+  EXPECT_FALSE(closest_approach(paths::through({upright(0, 0, 1)}, MoveKind::rapid)).has_value());
   const ToolVariants tool = tools::flat();
   const Toolpath path = paths::through({upright(0, 0, 1)});
-  EXPECT_FALSE(measure_closeness(path, {nullptr}, prepare_scene(Scene{}), {}, 1).has_value());
-  EXPECT_FALSE(measure_closeness(path, {&tool}, prepare_scene(Scene{}), {}, 1).has_value());
+  EXPECT_FALSE(measure_closest_approach(path, {nullptr}, prepare_scene(Scene{}), {}, 1).has_value());
+  EXPECT_FALSE(measure_closest_approach(path, {&tool}, prepare_scene(Scene{}), {}, 1).has_value());
 }
 
-TEST(Closeness, OfALongPathSomePositionsAreLookedAtWhateverTheThreads) {
+TEST(ClosestApproach, OfALongPathSomePositionsAreLookedAtWhateverTheThreads) {
   std::vector<Pose> poses;
   for (int i = 0; i < 10'000; ++i) poses.push_back(upright(0.002 * i, 0, 1 + 1e-3 * i));
-  const auto one = closeness(paths::through(poses));
-  const auto four = closeness(paths::through(poses), tools::flat(), 4);
+  const auto one = closest_approach(paths::through(poses));
+  const auto four = closest_approach(paths::through(poses), tools::flat(), 4);
   EXPECT_EQ(one->cuts, 10'000U);
   EXPECT_EQ(one->positions, 400U);
   EXPECT_NEAR(*one->median_mm, 6, 0.05);

@@ -1,4 +1,4 @@
-#include "lib/check/closeness.h"
+#include "lib/check/closest_approach.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,10 +11,10 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMostPositions = 400;
+constexpr std::size_t kMaxPositions = 400;
 constexpr std::size_t kPositionsPerChunk = 16;
 constexpr double kAccuracy_mm = 0.01;
-constexpr std::uint64_t kClosenessBudget = 20'000;
+constexpr std::uint64_t kApproachBudget = 20'000;
 
 bool is_cut(const Move& move, const std::vector<const ToolVariants*>& tools) {
   return move.kind != MoveKind::rapid && move.not_checked_reason.empty() && move.tool < tools.size() &&
@@ -27,11 +27,11 @@ std::uint64_t mixed(std::uint64_t k) {
   return k ^ (k >> 31U);
 }
 
-// Of `count` cuts one out of each of equal shares, by hash: paths repeat a pattern over and over, and equal steps would
+// Picks one of `count` cuts out of each equal share, by hash: paths repeat a pattern over and over, and equal steps would
 // meet the same point of it every time.
 std::vector<std::size_t> spread(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                 std::size_t count) {
-  const std::size_t wanted = std::min(count, kMostPositions);
+  const std::size_t wanted = std::min(count, kMaxPositions);
   std::vector<std::size_t> chosen;
   std::size_t seen = 0;
   for (std::size_t i = 0; i < toolpath.moves.size() && chosen.size() < wanted; ++i) {
@@ -44,20 +44,20 @@ std::vector<std::size_t> spread(const Toolpath& toolpath, const std::vector<cons
 }
 
 struct Distance {
-  double seen_mm = 0;   ///< of a point of the surface; infinite where none was met
-  double least_mm = 0;  ///< proved
+  double seen_mm = 0;  ///< of a point of the surface; infinite where none was met
+  double min_mm = 0;   ///< proved
 };
 
 Distance distance_from_part(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
   const SearchTarget part = target_on(tool.*scene.workpiece().rule.form, scene.workpiece());
-  const SearchResult result = sweep_and_search(MotionLaw::tool_at(pose), {part},
-                                               {{0, kAccuracy_mm, kAccuracy_mm, kClosenessBudget}, Closeness::kFar_mm});
+  const SearchResult result = sweep_and_search(
+      MotionLaw::tool_at(pose), {part}, {{0, kAccuracy_mm, kAccuracy_mm, kApproachBudget}, ClosestApproach::kFar_mm});
   const double seen =
-      result.has_witness ? Closeness::kFar_mm - result.value_mm : std::numeric_limits<double>::infinity();
-  return {std::max(0.0, seen), std::max(0.0, Closeness::kFar_mm - result.value_upper_mm)};
+      result.has_witness ? ClosestApproach::kFar_mm - result.value_mm : std::numeric_limits<double>::infinity();
+  return {std::max(0.0, seen), std::max(0.0, ClosestApproach::kFar_mm - result.value_upper_mm)};
 }
 
-// What the check has seen of cuts already: a surface point of a part in the tool, or as near as it was seen.
+// Results of the check about cuts: a surface point of a part in the tool, or as near as it was seen.
 double seen_by_check_mm(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                         const MoveVerdicts& verdicts) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -72,39 +72,41 @@ double seen_by_check_mm(const Toolpath& toolpath, const std::vector<const ToolVa
 }
 
 std::optional<double> if_near(double distance) {
-  return distance <= Closeness::kFar_mm ? std::optional(distance) : std::nullopt;
+  return distance <= ClosestApproach::kFar_mm ? std::optional(distance) : std::nullopt;
 }
 
 }  // namespace
 
-std::string positions_examined(const Closeness& closeness) {
-  const std::string positions = count_text(closeness.positions, "cutting position");
-  if (closeness.positions == closeness.cuts) return positions;
-  return positions + " examined (of " + std::to_string(closeness.cuts) + ")";
+std::string positions_examined(const ClosestApproach& closest_approach) {
+  const std::string positions = count_text(closest_approach.positions, "cutting position");
+  if (closest_approach.positions == closest_approach.cuts) return positions;
+  return positions + " examined (of " + std::to_string(closest_approach.cuts) + ")";
 }
 
-std::optional<Closeness> measure_closeness(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
-                                           const PreparedScene& scene, const MoveVerdicts& verdicts, unsigned threads) {
-  Closeness closeness;
-  closeness.cuts = static_cast<std::size_t>(std::count_if(toolpath.moves.begin(), toolpath.moves.end(),
-                                                          [&](const Move& move) { return is_cut(move, tools); }));
-  if (closeness.cuts == 0 || scene.workpiece_tree().nodes.empty() || !scene.is_within_reach) return std::nullopt;
-  const std::vector<std::size_t> chosen = spread(toolpath, tools, closeness.cuts);
+std::optional<ClosestApproach> measure_closest_approach(const Toolpath& toolpath,
+                                                        const std::vector<const ToolVariants*>& tools,
+                                                        const PreparedScene& scene, const MoveVerdicts& verdicts,
+                                                        unsigned threads) {
+  ClosestApproach closest_approach;
+  closest_approach.cuts = static_cast<std::size_t>(std::count_if(
+      toolpath.moves.begin(), toolpath.moves.end(), [&](const Move& move) { return is_cut(move, tools); }));
+  if (closest_approach.cuts == 0 || scene.workpiece_tree().nodes.empty() || !scene.is_within_reach) return std::nullopt;
+  const std::vector<std::size_t> chosen = spread(toolpath, tools, closest_approach.cuts);
   std::vector<double> distances(chosen.size()), least(chosen.size());
   for_each_chunk(chosen.size(), kPositionsPerChunk, threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const Move& move = toolpath.moves[chosen[k]];
       const Distance found = distance_from_part(move.end, *tools[move.tool], scene);
       distances[k] = found.seen_mm;
-      least[k] = found.least_mm;
+      least[k] = found.min_mm;
     }
   });
   std::sort(distances.begin(), distances.end());
-  closeness.positions = distances.size();
-  closeness.apart_mm = *std::min_element(least.begin(), least.end());
-  closeness.nearest_mm = if_near(std::min(distances.front(), seen_by_check_mm(toolpath, tools, verdicts)));
-  closeness.median_mm = if_near(distances[(distances.size() - 1) / 2]);
-  return closeness;
+  closest_approach.positions = distances.size();
+  closest_approach.apart_mm = *std::min_element(least.begin(), least.end());
+  closest_approach.nearest_mm = if_near(std::min(distances.front(), seen_by_check_mm(toolpath, tools, verdicts)));
+  closest_approach.median_mm = if_near(distances[(distances.size() - 1) / 2]);
+  return closest_approach;
 }
 
 }  // namespace gouge

@@ -8,8 +8,8 @@
 
 namespace gouge {
 
-/// What can make every position that follows one of nobody knows where; in the order in which reasons are reported.
-enum class Doubt : std::uint8_t {
+/// Reasons for which all following positions are unknown, in the order in which they are reported.
+enum class Uncertainty : std::uint8_t {
   ended,  ///< the program
   skip,   ///< the control may leave positions out
   block,
@@ -41,23 +41,26 @@ enum class Doubt : std::uint8_t {
   count
 };
 
-/// The doubts in force: each with its reason, until the file says otherwise. One that the file never ends holds for all
+/// The doubts in force: each with its reason, until the file states otherwise. One that the file never ends holds for all
 /// positions that follow.
-class Doubts {
+class Uncertainties {
  public:
   /// A reason of null ends the doubt.
-  void set(Doubt doubt, const char* reason) {
-    const auto place = static_cast<std::size_t>(doubt);
+  void set(Uncertainty uncertainty, const char* reason) {
+    const auto place = static_cast<std::size_t>(uncertainty);
     reasons_[place] = reason;
     was_on_[place] = was_on_[place] || reason != nullptr;
   }
-  void clear(Doubt doubt) { set(doubt, nullptr); }
-  [[nodiscard]] bool has(Doubt doubt) const { return reasons_[static_cast<std::size_t>(doubt)] != nullptr; }
+  void clear(Uncertainty uncertainty) { set(uncertainty, nullptr); }
+  [[nodiscard]] bool has(Uncertainty uncertainty) const {
+    return reasons_[static_cast<std::size_t>(uncertainty)] != nullptr;
+  }
   /// True where it is in force or was before.
-  [[nodiscard]] bool was_on(Doubt doubt) const { return was_on_[static_cast<std::size_t>(doubt)]; }
+  [[nodiscard]] bool was_on(Uncertainty uncertainty) const { return was_on_[static_cast<std::size_t>(uncertainty)]; }
   /// True where that doubt is in force and no other.
-  [[nodiscard]] bool is_alone(Doubt doubt) const {
-    return has(doubt) && std::ranges::count_if(reasons_, [](const char* reason) { return reason != nullptr; }) == 1;
+  [[nodiscard]] bool is_alone(Uncertainty uncertainty) const {
+    return has(uncertainty) &&
+           std::ranges::count_if(reasons_, [](const char* reason) { return reason != nullptr; }) == 1;
   }
   /// The reason to report, or null.
   [[nodiscard]] const char* reason() const {
@@ -66,13 +69,13 @@ class Doubts {
     return first == reasons_.end() ? nullptr : *first;
   }
 
-  /// Of a doubt with an OFF of its own: the first move since it was last switched on or off. Now it is again.
-  [[nodiscard]] std::size_t begin_run(Doubt doubt, std::size_t moves) {
-    return std::exchange(run_begins_[static_cast<std::size_t>(doubt)], moves);
+  /// Returns the first move since an uncertainty with its own OFF was last switched, and begins a new run at `moves`.
+  [[nodiscard]] std::size_t begin_run(Uncertainty uncertainty, std::size_t moves) {
+    return std::exchange(run_begins_[static_cast<std::size_t>(uncertainty)], moves);
   }
 
  private:
-  static constexpr auto kCount = static_cast<std::size_t>(Doubt::count);
+  static constexpr auto kCount = static_cast<std::size_t>(Uncertainty::count);
   std::array<const char*, kCount> reasons_{};
   std::array<bool, kCount> was_on_{};
   std::array<std::size_t, kCount> run_begins_{};

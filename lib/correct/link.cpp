@@ -1,4 +1,4 @@
-#include "lib/correct/bridge.h"
+#include "lib/correct/link.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lib/base/tolerance.h"
-#include "lib/correct/bridger.h"
 #include "lib/correct/lifts.h"
+#include "lib/correct/link_finder.h"
 
 namespace gouge {
 namespace {
@@ -21,21 +21,21 @@ Pose retracted(const Pose& pose, double lift) { return {pose.tip + lift * pose.a
 
 }  // namespace
 
-BridgePose bridge_stop(const Pose& before, const Pose& after, double lift_mm, double depth_mm) {
+LinkPose link_stop(const Pose& before, const Pose& after, double lift_mm, double depth_mm) {
   return {{after, Strategy::axis, lift_mm, lift_mm > 0 ? 1 : 0}, before, depth_mm};
 }
 
-std::optional<BridgeNodes> Bridger::halve(const BridgeNode& u, const BridgeNode& v, int level) {
+std::optional<LinkNodes> LinkFinder::halve(const LinkNode& u, const LinkNode& v, int level) {
   const Motion motion = motion_between(u.pose(), v.pose());
   if (!motion.is_defined()) return std::nullopt;
   const MoveVerdict verdict = check(motion);
-  if (verdict.state == MoveState::clean) return BridgeNodes{};
+  if (verdict.state == MoveState::clean) return LinkNodes{};
   const bool is_near = air_mm_ > 0 && verdict.state == MoveState::near_miss;
   if (verdict.state != MoveState::gouge && !is_near) return std::nullopt;
   const double t = verdict.witness ? verdict.witness->t : 0;
-  if (level == 0 || ++count_ > kMostPositions || t <= 0 || t >= 1) return std::nullopt;
+  if (level == 0 || ++count_ > kMaxPositions || t <= 0 || t >= 1) return std::nullopt;
   if (auto waypoints = corner(u, v, verdict.depth_mm)) return waypoints;
-  BridgeNode node;
+  LinkNode node;
   node.stop.before = motion.at(t);
   node.stop.depth_before_mm = verdict.depth_mm;
   node.t = u.t + t * (v.t - u.t);
@@ -58,11 +58,11 @@ std::optional<BridgeNodes> Bridger::halve(const BridgeNode& u, const BridgeNode&
 
 /// Away from the programmed motion at one end of the gap, as far as the other end is off, and parallel to it from there
 /// on.
-std::optional<BridgeNodes> Bridger::corner(const BridgeNode& u, const BridgeNode& v, double depth_mm) {
+std::optional<LinkNodes> LinkFinder::corner(const LinkNode& u, const LinkNode& v, double depth_mm) {
   if (task_.programmed == nullptr) return std::nullopt;
   const Vec3 off_u = offset_mm(u), off_v = offset_mm(v);
   const bool is_at_u = off_v.squaredNorm() > off_u.squaredNorm();
-  const BridgeNode &near = is_at_u ? u : v, &far = is_at_u ? v : u;
+  const LinkNode &near = is_at_u ? u : v, &far = is_at_u ? v : u;
   const Vec3& off = is_at_u ? off_v : off_u;
   if ((off_u - off_v).norm() <= task_.keeps_to_mm) return std::nullopt;
   const Pose on = task_.programmed->at(near.t);
@@ -71,10 +71,10 @@ std::optional<BridgeNodes> Bridger::corner(const BridgeNode& u, const BridgeNode
   const bool is_lift = (off - lift * far.pose().axis).norm() <= Tolerance::kFilePoint_mm;
   const Pose turn{on.tip + (is_lift ? Vec3(lift * near.pose().axis) : off), near.pose().axis};
   if (!is_clean(near.pose(), turn) || !is_clean(turn, far.pose())) return std::nullopt;
-  return BridgeNodes{{bridge_stop(on, turn, off.norm(), depth_mm), near.t}};
+  return LinkNodes{{link_stop(on, turn, off.norm(), depth_mm), near.t}};
 }
 
-PoseLimits Bridger::limits() const {
+PoseLimits LinkFinder::limits() const {
   PoseLimits limits = task_.limits;
   const double aim = -kAirMargin * air_mm_;
   if (air_mm_ > 0) limits.aim = {aim, aim, aim};
@@ -84,7 +84,7 @@ PoseLimits Bridger::limits() const {
 /// The crossing keeps `clearance_mm`; what leads up to it and down again does not. Lifts grow; where only the largest
 /// one is free, the least between it and the one before is found by halving. For a rapid, lifts between these are tried
 /// where none is free.
-std::optional<BridgeNodes> Bridger::over(const BridgeNode& from, const BridgeNode& to, double clearance_mm) {
+std::optional<LinkNodes> LinkFinder::over(const LinkNode& from, const LinkNode& to, double clearance_mm) {
   const bool is_rapid = task_.kind == MoveKind::rapid;
   bool is_blocked = false;  // a way up or down
   const auto is_free = [&](double lift) {
@@ -94,8 +94,8 @@ std::optional<BridgeNodes> Bridger::over(const BridgeNode& from, const BridgeNod
   };
   const auto way = [&](double lift) {
     const double depth = check(motion_between(from.pose(), to.pose())).depth_mm;
-    return BridgeNodes{{bridge_stop(from.pose(), retracted(from.pose(), lift), lift, depth), from.t},
-                       {bridge_stop(to.pose(), retracted(to.pose(), lift), lift, depth), to.t}};
+    return LinkNodes{{link_stop(from.pose(), retracted(from.pose(), lift), lift, depth), from.t},
+                     {link_stop(to.pose(), retracted(to.pose(), lift), lift, depth), to.t}};
   };
   const std::vector<double> lifts = lifts_up_to(task_.limits.largest_shift_mm);
   for (std::size_t k = 0; k < lifts.size(); ++k) {
@@ -107,7 +107,7 @@ std::optional<BridgeNodes> Bridger::over(const BridgeNode& from, const BridgeNod
       }
       return way(high);
     }
-    // What is in the way of a straight lift is in the way of every longer one.
+    // An obstacle to a straight lift is an obstacle to every longer one.
     if (is_blocked && !is_rapid) return std::nullopt;
   }
   for (std::size_t k = 0; is_rapid && k + 1 < lifts.size(); ++k) {
@@ -117,8 +117,8 @@ std::optional<BridgeNodes> Bridger::over(const BridgeNode& from, const BridgeNod
   return std::nullopt;
 }
 
-void Bridger::leave_out_needless(const Pose& from, const Pose& to, BridgeNodes& waypoints) const {
-  BridgeNodes kept;
+void LinkFinder::leave_out_needless(const Pose& from, const Pose& to, LinkNodes& waypoints) const {
+  LinkNodes kept;
   std::vector<Pose> left_out;  // since the last one kept
   for (std::size_t k = 0; k < waypoints.size(); ++k) {
     const Pose& last = kept.empty() ? from : kept.back().pose();
@@ -133,14 +133,14 @@ void Bridger::leave_out_needless(const Pose& from, const Pose& to, BridgeNodes& 
   waypoints = std::move(kept);
 }
 
-bool Bridger::is_clean(const Pose& from, const Pose& to, double clearance_mm) const {
+bool LinkFinder::is_clean(const Pose& from, const Pose& to, double clearance_mm) const {
   CheckOptions options = task_.options;
   options.near_miss_mm = std::max({options.near_miss_mm, clearance_mm, air_mm_});
   return task_.checker->is_clean(motion_between(from, to), task_.kind, *task_.tool, options, true);
 }
 
-// Where a dogleg runs straight is not asked: all its positions stay.
-bool Bridger::is_between(const Pose& from, const Pose& to, const Pose& pose) const {
+// Where a dogleg runs straight is not requested: all its positions stay.
+bool LinkFinder::is_between(const Pose& from, const Pose& to, const Pose& pose) const {
   if (task_.kind == MoveKind::rapid && task_.options.law.rapid() == RapidMode::dogleg) return false;
   const Motion motion = motion_between(from, to);
   const Vec3 along = to.tip - from.tip;
@@ -150,43 +150,43 @@ bool Bridger::is_between(const Pose& from, const Pose& to, const Pose& pose) con
          (there.axis - pose.axis).norm() <= Tolerance::kFileAxis;
 }
 
-Motion Bridger::motion_between(const Pose& from, const Pose& to) const {
+Motion LinkFinder::motion_between(const Pose& from, const Pose& to) const {
   return task_.options.law.between(from, to, task_.kind);
 }
 
-MoveVerdict Bridger::check(const Motion& motion) const {
+MoveVerdict LinkFinder::check(const Motion& motion) const {
   CheckOptions options = task_.options;
   options.gouge_gap_mm = kGap_mm;
   options.near_miss_mm = std::max(options.near_miss_mm, air_mm_);
   return task_.checker->check(motion, task_.kind, *task_.tool, options, true);
 }
 
-std::optional<BridgeNodes> Bridger::find(const BridgeNode& u, const BridgeNode& v) {
+std::optional<LinkNodes> LinkFinder::find(const LinkNode& u, const LinkNode& v) {
   if (task_.checker->side_of(u.pose(), *task_.tool) == Side::inside) return std::nullopt;
   if (task_.kind == MoveKind::rapid) return find_rapid(u, v);
-  if (task_.programmed == nullptr && is_clean(u.pose(), v.pose())) return BridgeNodes{};
+  if (task_.programmed == nullptr && is_clean(u.pose(), v.pose())) return LinkNodes{};
   auto waypoints = find_feed(u, v);
   if (!waypoints) return over(u, v, 0);
   leave_out_needless(u.pose(), v.pose(), *waypoints);
   return waypoints;
 }
 
-std::optional<BridgeNodes> Bridger::find_rapid(const BridgeNode& u, const BridgeNode& v) {
+std::optional<LinkNodes> LinkFinder::find_rapid(const LinkNode& u, const LinkNode& v) {
   const double clearance = task_.rapid_clearance_mm;
-  if (is_clean(u.pose(), v.pose(), clearance)) return BridgeNodes{};
+  if (is_clean(u.pose(), v.pose(), clearance)) return LinkNodes{};
   const bool is_straight_clean = clearance > 0 && is_clean(u.pose(), v.pose());
-  if (is_straight_clean && task_.is_free_as_programmed) return BridgeNodes{};
+  if (is_straight_clean && task_.is_free_as_programmed) return LinkNodes{};
   if (clearance > 0) {
     if (auto waypoints = over(u, v, clearance)) return waypoints;
     if (auto waypoints = round(u, v, clearance)) return waypoints;
   }
-  if (is_straight_clean) return BridgeNodes{};
+  if (is_straight_clean) return LinkNodes{};
   auto waypoints = round(u, v, 0);
   return waypoints ? waypoints : over(u, v, 0);
 }
 
 /// Past the worst instants, `air_mm` from everything.
-std::optional<BridgeNodes> Bridger::round(const BridgeNode& u, const BridgeNode& v, double air_mm) {
+std::optional<LinkNodes> LinkFinder::round(const LinkNode& u, const LinkNode& v, double air_mm) {
   air_mm_ = air_mm;
   count_ = 0;
   auto waypoints = halve(u, v, kLevels);
@@ -195,22 +195,22 @@ std::optional<BridgeNodes> Bridger::round(const BridgeNode& u, const BridgeNode&
   return waypoints;
 }
 
-std::optional<BridgeNodes> Bridger::find_feed(const BridgeNode& u, const BridgeNode& v) {
+std::optional<LinkNodes> LinkFinder::find_feed(const LinkNode& u, const LinkNode& v) {
   if (task_.programmed != nullptr) {
     const bool is_near = std::max(offset_mm(u).norm(), offset_mm(v).norm()) <= task_.keeps_to_mm;
-    if (is_near && is_clean(u.pose(), v.pose())) return BridgeNodes{};
+    if (is_near && is_clean(u.pose(), v.pose())) return LinkNodes{};
     if (auto waypoints = keep_to_programmed(u, v)) return waypoints;
   }
   count_ = 0;
   return halve(u, v, kLevels);
 }
 
-std::optional<std::vector<BridgePose>> bridge(const Pose& from, const Pose& to, const BridgeTask& task) {
-  Bridger bridger(task);
-  const auto waypoints = bridger.find({bridge_stop(from, from, 0, 0), 0}, {bridge_stop(to, to, 0, 0), 1});
+std::optional<std::vector<LinkPose>> link(const Pose& from, const Pose& to, const LinkTask& task) {
+  LinkFinder link_finder(task);
+  const auto waypoints = link_finder.find({link_stop(from, from, 0, 0), 0}, {link_stop(to, to, 0, 0), 1});
   if (!waypoints) return std::nullopt;
-  std::vector<BridgePose> poses;
-  for (const BridgeNode& node : *waypoints) poses.push_back(node.stop);
+  std::vector<LinkPose> poses;
+  for (const LinkNode& node : *waypoints) poses.push_back(node.stop);
   return poses;
 }
 

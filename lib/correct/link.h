@@ -8,14 +8,14 @@
 namespace gouge {
 
 /// A position between two others and what it took to find it.
-struct BridgePose {
+struct LinkPose {
   CorrectedPose corrected;
   Pose before;  ///< where the motion was at that instant
   double depth_before_mm = 0;
 };
 
-/// What a motion is checked with while a path is sought.
-struct BridgeTask {
+/// Setup for checks of motions during the search for a path.
+struct LinkTask {
   MoveKind kind = MoveKind::feed;
   const ToolVariants* tool = nullptr;
   const MotionChecker* checker = nullptr;
@@ -39,6 +39,6 @@ struct BridgeTask {
 /// runs straight where that keeps its clearance, else retracts and crosses with it, else goes round the worst instants
 /// with it, and only then as a feed would: clean, without the clearance. Positions on the straight path between their neighbours are left out where it is clean without them. Every
 /// shift obeys free_pose.
-[[nodiscard]] std::optional<std::vector<BridgePose>> bridge(const Pose& from, const Pose& to, const BridgeTask& task);
+[[nodiscard]] std::optional<std::vector<LinkPose>> link(const Pose& from, const Pose& to, const LinkTask& task);
 
 }  // namespace gouge
