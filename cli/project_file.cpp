@@ -20,54 +20,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Options that a project file found by itself may set: inputs, and facts beside the verdict. No outputs, nothing that
-// overwrites, accepts or silences.
-constexpr std::array<std::string_view, 42> kAllowed = {"--part",
-                                                       "--fixture",
-                                                       "--allow-overlap",
-                                                       "--head",
-                                                       "--place",
-                                                       "--stl-units",
-                                                       "--tools",
-                                                       "--tool",
-                                                       "--holder",
-                                                       "--dialect",
-                                                       "--path-units",
-                                                       "--cutcom",
-                                                       "--retract-plane",
-                                                       "--max-input",
-                                                       "--extend-up",
-                                                       "--tolerance",
-                                                       "--stock-to-leave",
-                                                       "--clearance",
-                                                       "--near-miss",
-                                                       "--resolution",
-                                                       "--rapid",
-                                                       "--find-cures",
-                                                       "--find-stickout",
-                                                       "--stickout-step",
-                                                       "--stickout-limit",
-                                                       "--strategy",
-                                                       "--max-shift",
-                                                       "--max-side-shift",
-                                                       "--rapid-clearance",
-                                                       "--max-tilt",
-                                                       "--tilt",
-                                                       "--axis-cone",
-                                                       "--max-turn",
-                                                       "--max-turn-step",
-                                                       "--blend",
-                                                       "--allow-multax",
-                                                       "--max-rotary-speed",
-                                                       "--project",
-                                                       "--reviewer",
-                                                       "--harmless-word",
-                                                       "--assume",
-                                                       "--strict"};
+// The keys that the tables of options allow in a project file.
+const std::vector<std::string>& allowed_keys() {
+  static const std::vector<std::string> keys = [] {
+    std::vector<std::string> all;
+    for (const std::vector<std::string>& some : {project_keys_of(reading_options()), project_keys_of(job_options()),
+                                                 project_keys_of(check_options()), project_keys_of(correct_options())})
+      all.insert(all.end(), some.begin(), some.end());
+    return all;
+  }();
+  return keys;
+}
 
 bool is_allowed(const CLI::Option& option) {
   return !option.get_lnames().empty() &&
-         std::ranges::find(kAllowed, "--" + option.get_lnames().front()) != kAllowed.end();
+         std::ranges::find(allowed_keys(), option.get_lnames().front()) != allowed_keys().end();
 }
 
 std::optional<std::string> why_not_in_project(const CLI::Option& option) {
@@ -159,13 +126,7 @@ const ProjectOption* ProjectFile::option(const std::string& key) const {
 
 std::vector<std::string> project_keys() {
   std::vector<std::string> keys;
-  for (const char* command : {"check", "correct"}) {
-    for (const CLI::Option* option : option_table(command).get_options()) {
-      if (!is_allowed(*option)) continue;
-      const std::string key = key_of_option(option->get_lnames().front());
-      if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
-    }
-  }
+  for (const std::string& key : allowed_keys()) keys.push_back(key_of_option(key));
   return keys;
 }
 

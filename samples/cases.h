@@ -3,7 +3,7 @@
 #include "lib/base/text_writer.h"
 #include "samples/sample.h"
 
-// The samples, one function each. docs/testing.md states what each is for.
+// The samples, one function each. docs/develop/testing.md states what each is for.
 
 namespace gouge::samples {
 

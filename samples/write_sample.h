@@ -8,7 +8,7 @@
 
 namespace gouge::samples {
 
-/// The expected verdict as JSON text; the form is described in docs/testing.md.
+/// The expected verdict as JSON text; the form is described in docs/develop/testing.md.
 [[nodiscard]] std::string expected_json(const Sample& sample);
 
 /// Writes the sample's files into `folder`/`sample.name`. Errors: those of write_file and make_folder.

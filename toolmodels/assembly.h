@@ -77,7 +77,7 @@ struct PositionedSegment {
 ///
 /// Ensures  With height >= the largest distance of a point of the scene from any tip, plus the tool's largest
 ///          radius, depths are those of the tool that goes on without end: no point comes nearer to the new
-///          top than to its side. Proof: docs/tools.md.
+///          top than to its side. Proof: docs/guide/tools.md.
 [[nodiscard]] ToolAssembly extended_up(const ToolAssembly& tool, double height_mm);
 
 /// The tool standing out `longer_mm` farther: extensions and holder go up, and the shank below them on, as wide as it

@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxBspNodes = 16;
 ///           nodes[0] is the root; no nodes when there is one element, when there are more than kMaxBspElements, and
 ///           when the diagram takes more than kMaxBspNodes nodes for each element.
 /// Cost      for each node a examine every line that still matters; milliseconds for twenty elements.
-/// Source    Ho 1999, thesis 2.4.18; construction own, docs/algorithms/tool_voronoi.md
+/// Source    Ho 1999, thesis 2.4.18; construction own, docs/method/tool_voronoi.md
 [[nodiscard]] std::vector<BspNode> build_bsp(const std::vector<BoundaryElement>& elements);
 
 /// Largest number of nodes on a path from the root to a leaf.

@@ -18,7 +18,7 @@ namespace gouge {
 /// Ensures   (1) indices in range, every element owned by a leaf, unit normals, elements that join, extent and core that
 ///           fit; (2) the contract of evaluate.h; (3) the contract of SupportRange.
 /// Cost      milliseconds for a tool of twenty elements.
-/// Source    Ho 1999, thesis 2.4.18, appendix C; docs/algorithms/tool_voronoi.md
+/// Source    Ho 1999, thesis 2.4.18, appendix C; docs/method/tool_voronoi.md
 [[nodiscard]] CompiledTool compile_tool(const std::string& name, const Profile& profile);
 
 /// All variants a check needs. Growth is rounded: the body's solid of revolution plus a ball.

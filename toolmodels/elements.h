@@ -20,7 +20,7 @@ namespace gouge {
 /// Requires  elements as make_elements gives them, of a closed profile.
 /// Ensures   a hollow profile claims what it would with its underside filled (a solid is never deeper than a
 ///           larger one), and nothing within the hollow; one that is not single-valued even then, nothing.
-/// Source    own, docs/algorithms/tool_voronoi.md
+/// Source    own, docs/method/tool_voronoi.md
 void set_support_ranges(const Profile& profile, std::vector<BoundaryElement>& elements);
 
 }  // namespace gouge

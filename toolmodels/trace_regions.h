@@ -27,7 +27,7 @@ struct TracedRegion {
 /// Ensures   [0] holds all elements; every point of an element lies in the boxes of all stretches that hold it, rounding
 ///           apart; fewer stretches than elements. No stretches when there are no elements.
 /// Cost      n log n
-/// Source    own, docs/algorithms/tool_voronoi.md
+/// Source    own, docs/method/tool_voronoi.md
 [[nodiscard]] std::vector<ContourStretch> make_contour_tree(const std::vector<BoundaryElement>& elements);
 
 /// The lines between the domains of neighbours (CompiledTool::borders). None for a contour that turns back on itself:

@@ -31,34 +31,53 @@ Result<StickoutOptions> understand_stickout(const CheckArguments& arguments) {
 
 }  // namespace
 
+const OptionRows<CheckArguments>& check_options() {
+  using A = CheckArguments;
+  static const OptionRows<A> rows = {
+      {.name = "--find-cures",
+       .field = &A::finds_cures,
+       .group = "Check",
+       .help = "Find for every gouge of shank, holder or head the tilt and the least lift that free it",
+       .scope = Scope::project},
+      {.name = "--find-stickout",
+       .field = &A::finds_stickout,
+       .help = "Find for every tool the minimum stick-out at which shank, holder and heads gouge no more",
+       .scope = Scope::project},
+      {.name = "--stickout-step",
+       .field = &A::stickout_step,
+       .type = "LENGTH",
+       .help = "Stick-outs to try are multiples of this",
+       .scope = Scope::project,
+       .needs = "--find-stickout"},
+      {.name = "--stickout-limit",
+       .field = &A::stickout_limit,
+       .type = "LENGTH",
+       .help = "Maximum by which a stick-out may be longer",
+       .scope = Scope::project,
+       .needs = "--find-stickout"},
+      {.name = "--certificate",
+       .field =
+           +[](CLI::App& command, A& a) {
+             command
+                 .add_option(
+                     "--certificate", a.job.certificate_file,
+                     "Write proofs that 'gougecheck verify RESULT.json --certificate FILE' verifies (- for standard "
+                     "output)")
+                 ->type_name("FILE");
+           },
+       .group = kOutputGroup},
+      {.name = "--force", .field = +[](CLI::App& command, A& a) {
+         command.add_flag("--force", a.job.is_forced,
+                          "Let --report replace and remove files of a report's names that no report wrote, never an "
+                          "input");
+       }}};
+  return rows;
+}
+
 void add_check_options(CLI::App& command, CheckArguments& check) {
-  JobArguments& arguments = check.job;
-  add_job_options(command, arguments);
-  add_baseline_option(command, arguments.baseline_file);
-  command.option_defaults()->group("Check");
-  command.add_flag("--find-cures", check.finds_cures,
-                   "Find for every gouge of shank, holder or head the tilt and the least lift that free it");
-  CLI::Option* const finds = command.add_flag(
-      "--find-stickout", check.finds_stickout,
-      "Find for every tool the least longer stick-out with which shank, holder and heads gouge no more");
-  command.add_option("--stickout-step", check.stickout_step, "Stick-outs to try are multiples of this")
-      ->type_name("LENGTH")
-      ->capture_default_str()
-      ->needs(finds);
-  command.add_option("--stickout-limit", check.stickout_limit, "How much longer a stick-out may be at most")
-      ->type_name("LENGTH")
-      ->capture_default_str()
-      ->needs(finds);
-  command
-      .add_option(
-          "--certificate", arguments.certificate_file,
-          "Write proofs that 'gougecheck verify RESULT.json --certificate FILE' verifies (- for standard output)")
-      ->type_name("FILE")
-      ->group(kOutputGroup);
-  command
-      .add_flag("--force", arguments.is_forced,
-                "Let --report replace and remove files of a report's names that no report wrote, never an input")
-      ->group(kOutputGroup);
+  add_job_options(command, check.job);
+  add_baseline_option(command, check.job.baseline_file);
+  add_options(command, check, check_options());
   command.footer(
       "Example:\n"
       "  gougecheck check finish.apt --part part.stl --tools tools.json --report out\n\n"

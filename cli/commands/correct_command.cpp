@@ -176,7 +176,7 @@ ReportParts parts_of(const CorrectArguments& arguments, const CorrectOptions& op
   parts.correction = facts_of(arguments, options, correction, before, result, corrected.after.path);
   parts.correction->output_bytes = text;
   parts.correction->axes = measure_axes(before, correction.changes, corrected.after.path, limit);
-  parts.more_options = limits_in_force(arguments);
+  parts.more_options = recorded_options(arguments, correct_options());
   add_axes_outside(before, options.tilt.cone, parts.notes);
   add_not_tilted(before, correction.not_tilted, parts.notes);
   add_left_stock(before, *parts.correction, parts.notes);

@@ -217,7 +217,7 @@ CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* n
   added->add_option("PATH", arguments.path, "Toolpath: CL data of any dialect, recognized by its content")
       ->type_name("FILE")
       ->required();
-  add_reading_options(*added, arguments.reading);
+  add_options(*added, arguments.reading, reading_options());
   add_input_limit(*added, arguments.input);
   return *added;
 }

@@ -156,7 +156,7 @@ void add_verify_options(CLI::App& command, VerifyArguments& a) {
       "Reads the inputs that the result names (here, or beside it), recomputes every witness, follows every proof in "
       "interval arithmetic and looks for counterexamples, by code that shares nothing with the check but the readers of "
       "files. Exit status: 0 verified, 1 refuted, 2 wrong command line, 3 unreadable, 4 not everything is covered, 5 "
-      "internal or resource failure. docs/verify.md explains it with an example by hand.");
+      "internal or resource failure. docs/method/verify.md explains it with an example by hand.");
 }
 
 int run_verify(const VerifyArguments& a, std::ostream& out, std::ostream& err) {

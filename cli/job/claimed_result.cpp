@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cli/options/job_options.h"
+#include "cli/options/option_table.h"
 #include "lib/base/units.h"
 #include "lib/json/json_field.h"
 
@@ -17,7 +19,7 @@ using nlohmann::json;
 // In the order of ClaimedState.
 const std::vector<std::string> kStates = {"clean", "near", "gouge", "buried", "not-checked", "not-certified"};
 constexpr std::array<const char*, 6> kTotals = {"clean", "near", "gouge", "buried", "not_checked", "not_certified"};
-const std::vector<std::string> kRapids = {"straight", "dogleg", "skip"};  // in the order of RapidMode
+const std::vector<std::string> kRapids(kRapidWords.begin(), kRapidWords.end());  // in the order of RapidMode
 
 /// A file where the result names it, or beside the result.
 std::string found_at(const std::string& name, const std::string& result_file) {
@@ -43,6 +45,7 @@ class ResultReader {
     }
     for (const JsonField& input : root_.at("inputs").list()) read_input(input);
     read_options(root_.at("options"));
+    if (result_.arguments.has_warnings_as_errors) read_warnings(root_.at("notes"));
     const JsonField totals = root_.at("totals");
     result_.moves = totals.at("moves").count();
     result_.left_out_as_asked = totals.at("left_out_as_asked").count();
@@ -60,6 +63,13 @@ class ResultReader {
       result_.open_facts.push_back(name);
     } else if (state == basis_name(Basis::contradicted) || state == basis_name(Basis::unknown)) {
       result_.hidden_facts.push_back(name + " (" + state + ")");
+    }
+  }
+
+  // With --warnings-as-errors a warning is as open as a fact.
+  void read_warnings(const JsonField& notes) {
+    for (const JsonField& note : notes.list()) {
+      if (note.at("severity").text() == "warning") result_.open_facts.emplace_back("warnings");
     }
   }
 
@@ -94,17 +104,9 @@ class ResultReader {
     a.rapid = kRapids[rapid];
     check.law = static_cast<RapidMode>(rapid);
     const JsonField more = options.at("more");
-    const auto given = [&](const char* option) {
-      const std::optional<JsonField> value = more.find(option);
-      return value ? value->text() : std::string();
-    };
-    a.place = given("place");
-    a.stl_units = given("stl-units");
-    a.reading = {given("dialect"), given("toolpath-units"), given("cutcom"), all_given(more, "harmless-word"),
-                 given("retract-plane")};
-    a.holder = given("holder");
-    a.is_extended_up = more.find("extend-up").has_value();
-    a.tool_names = all_given(more, "tool");
+    const auto given = [&](const std::string& key) { return all_given(more, key.c_str()); };
+    repeat_options<ReadingArguments>(a.reading, reading_options(), given);
+    repeat_options(a, job_options(), given);
     read_limits(more, "part", Against::part, named_parts_);
     read_limits(more, "fixture", Against::fixture, named_fixtures_);
   }

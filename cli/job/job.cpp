@@ -215,23 +215,10 @@ namespace {
 
 /// The options in force beside CheckOptions, as they were typed.
 std::vector<OptionText> options_in_force(const JobArguments& arguments) {
-  std::vector<OptionText> options;
-  if (!arguments.place.empty()) options.push_back({"place", with_units(arguments.place)});
-  if (!arguments.stl_units.empty()) options.push_back({"stl-units", arguments.stl_units});
-  if (!arguments.reading.dialect.empty()) options.push_back({"dialect", arguments.reading.dialect});
-  if (!arguments.reading.cutcom.empty()) options.push_back({"cutcom", arguments.reading.cutcom});
-  if (!arguments.reading.retract_plane.empty()) options.push_back({"retract-plane", arguments.reading.retract_plane});
-  for (const std::string& word : arguments.reading.harmless_words) options.push_back({"harmless-word", word});
-  if (!arguments.reading.units.empty()) options.push_back({"toolpath-units", arguments.reading.units});
-  if (!arguments.holder.empty()) options.push_back({"holder", arguments.holder});
-  if (arguments.is_extended_up) options.push_back({"extend-up", "yes"});
-  for (const std::string& name : arguments.allowed_overlaps) options.push_back({"allow-overlap", name});
+  std::vector<OptionText> options = recorded_options(arguments.reading, reading_options());
+  std::ranges::move(recorded_options(arguments, job_options()), std::back_inserter(options));
   for (const auto& [file, limits] : arguments.part_limits) options.push_back({"part", file + "," + limits});
   for (const auto& [file, limits] : arguments.fixture_limits) options.push_back({"fixture", file + "," + limits});
-  for (const std::string& head : arguments.heads) options.push_back({"head", head});
-  for (const std::string& name : arguments.tool_names) options.push_back({"tool", name});
-  for (const std::string& fact : arguments.assumed) options.push_back({"assume", fact});
-  if (arguments.is_strict) options.push_back({"strict", "yes"});
   return options;
 }
 

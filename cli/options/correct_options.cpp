@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <string>
@@ -135,38 +136,6 @@ Result<TiltOptions> understand_tilt(const CorrectArguments& arguments) {
   return tilt;
 }
 
-void add_tilt_options(CLI::App& command, CorrectArguments& arguments) {
-  command.add_option("--max-tilt", arguments.max_tilt, "Furthest the tool axis may be tilted from the programmed one")
-      ->type_name("DEG")
-      ->capture_default_str();
-  command
-      .add_option("--tilt", arguments.tilt,
-                  "Which way: lead, forward and back in the feed direction; side, to its sides; both")
-      ->check(CLI::IsMember({"lead", "side", "both"}))
-      ->capture_default_str();
-  command
-      .add_option("--axis-cone", arguments.axis_cone,
-                  "Tilted tool axes stay within DEG of the direction I,J,K: what the machine can reach")
-      ->type_name("I,J,K,DEG");
-  command
-      .add_option("--max-turn", arguments.max_turn, "Fastest the tool axis may turn, unless programmed to turn faster")
-      ->type_name("DEG/MM");
-  command.add_option("--max-turn-step", arguments.max_turn_step, "Furthest the tool axis may turn in one record")
-      ->type_name("DEG");
-  command
-      .add_option("--blend", arguments.blend, "Way of the tip over which a tilt comes and goes, where the path has it")
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  command
-      .add_option("--allow-stock", arguments.max_stock,
-                  "How much more than the tolerance a tilt may leave of what the programmed path finished; what any "
-                  "change leaves beyond that is reported")
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  command.add_flag("--allow-multax", arguments.may_add_axes,
-                   "Tilt also in a file that states no tool axes; it then runs on five axes alone");
-}
-
 }  // namespace
 
 Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) {
@@ -191,70 +160,133 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
   return options;
 }
 
-std::vector<OptionText> limits_in_force(const CorrectArguments& arguments) {
-  std::vector<OptionText> limits = {{"max-tilt", arguments.max_tilt},
-                                    {"tilt", arguments.tilt},
-                                    {"blend", with_units(arguments.blend)},
-                                    {"allow-stock", with_units(arguments.max_stock)}};
-  const auto add = [&](const char* name, const std::string& typed) {
-    if (!typed.empty()) limits.push_back({name, typed});
-  };
-  add("axis-cone", arguments.axis_cone);
-  add("max-turn", arguments.max_turn);
-  add("max-turn-step", arguments.max_turn_step);
-  add("allow-multax", arguments.may_add_axes ? "yes" : "");
-  add("max-rotary-speed", arguments.max_rotary_speed);
-  return limits;
-}
-
 std::string strategies_text(const CorrectArguments& arguments) {
   std::string text;
   for (const std::string& one : arguments.strategies) text += (text.empty() ? "" : ", ") + one;
   return text.empty() ? "auto" : text;
 }
 
+namespace {
+
+OptionRows<CorrectArguments> shift_rows() {
+  using A = CorrectArguments;
+  return {
+      {.name = "-o,--output",
+       .field = &A::output,
+       .type = "FILE",
+       .group = kOutputGroup,
+       .help = "The corrected toolpath, in the same dialect (- for standard output alone)",
+       .is_required = true},
+      {.name = "--strategy",
+       .field = &A::strategies,
+       .type = "[BODY=]NAME",
+       .group = "Correction",
+       .help = "auto: shift the cutter along the part's normal, tilt shank, holder and heads away, else lift along "
+               "the axis; tilt; normal: shift along the normal of the deepest contact; weighted: shift by the "
+               "contacts' weighted mean; both else along the axis; axis: lift alone; trim: leave the gouging "
+               "stretch out (retract, cross, come down again); or for one body: holder=tilt. May be repeated "
+               "(default: auto)",
+       .scope = Scope::project},
+      {.name = "--max-shift",
+       .field = &A::max_shift,
+       .type = "LENGTH",
+       .help = "Maximum distance by which a position may be moved",
+       .scope = Scope::project},
+      {.name = "--max-side-shift",
+       .field = &A::max_side_shift,
+       .type = "LENGTH",
+       .help = "Maximum distance by which a position may be moved across its tool axis (default: its depth times 2)",
+       .scope = Scope::project},
+      {.name = "--rapid-clearance",
+       .field = &A::rapid_clearance,
+       .type = "LENGTH",
+       .help = "Clearance of rerouted rapids and of crossings above trimmed stretches, where --max-shift leaves room",
+       .scope = Scope::project}};
+}
+
+OptionRows<CorrectArguments> tilt_rows() {
+  using A = CorrectArguments;
+  return {{.name = "--max-tilt",
+           .field = &A::max_tilt,
+           .type = "DEG",
+           .help = "Maximum angle between a tilted tool axis and the programmed one",
+           .scope = Scope::project,
+           .recorded = Recorded::shown},
+          {.name = "--tilt",
+           .field = &A::tilt,
+           .help = "Direction of tilts: lead, forward and back in the feed direction; side, to its sides; both",
+           .scope = Scope::project,
+           .recorded = Recorded::shown,
+           .choices = {"lead", "side", "both"}},
+          {.name = "--axis-cone",
+           .field = &A::axis_cone,
+           .type = "I,J,K,DEG",
+           .help = "Keep tilted tool axes within DEG of the direction I,J,K, as the machine can reach",
+           .scope = Scope::project,
+           .recorded = Recorded::shown},
+          {.name = "--max-turn",
+           .field = &A::max_turn,
+           .type = "DEG/MM",
+           .help = "Maximum turn of the tool axis per length, unless programmed to turn faster",
+           .scope = Scope::project,
+           .recorded = Recorded::shown},
+          {.name = "--max-turn-step",
+           .field = &A::max_turn_step,
+           .type = "DEG",
+           .help = "Maximum turn of the tool axis in one record",
+           .scope = Scope::project,
+           .recorded = Recorded::shown},
+          {.name = "--blend",
+           .field = &A::blend,
+           .type = "LENGTH",
+           .help = "Arc length of the tip over which a tilt begins and ends, where the path has it",
+           .scope = Scope::project,
+           .recorded = Recorded::shown,
+           .result_text = with_units},
+          {.name = "--allow-stock",
+           .field = &A::max_stock,
+           .type = "LENGTH",
+           .help = "Stock above the tolerance that a tilt may leave where the programmed path finished the part; more "
+                   "stock left by any change is reported",
+           .recorded = Recorded::shown,
+           .result_text = with_units},
+          {.name = "--allow-multax",
+           .field = &A::may_add_axes,
+           .help = "Tilt also in a file that states no tool axes; the file then needs five axes",
+           .scope = Scope::project,
+           .recorded = Recorded::shown},
+          {.name = "--max-rotary-speed",
+           .field = &A::max_rotary_speed,
+           .type = "DEG/MIN",
+           .help = "Report the feed time also for an axis that turns no faster; it changes no correction",
+           .scope = Scope::project,
+           .recorded = Recorded::shown},
+          {.name = "--force",
+           .field =
+               +[](CLI::App& command, A& a) {
+                 command.add_flag(
+                     "--force", a.job.is_forced,
+                     "Correct also a path that plainly does not fit the part (units, placement, axis sign); "
+                     "let --report replace and remove files of a report's names that no report wrote, never "
+                     "an input");
+               },
+           .group = kOutputGroup}};
+}
+
+}  // namespace
+
+const OptionRows<CorrectArguments>& correct_options() {
+  static const OptionRows<CorrectArguments> rows = [] {
+    OptionRows<CorrectArguments> all = shift_rows();
+    std::ranges::move(tilt_rows(), std::back_inserter(all));
+    return all;
+  }();
+  return rows;
+}
+
 void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
   add_job_options(command, arguments.job);
-  command.option_defaults()->group("Correction");
-  command
-      .add_option("-o,--output", arguments.output,
-                  "The corrected toolpath, in the same dialect (- for standard output alone)")
-      ->type_name("FILE")
-      ->required()
-      ->group(kOutputGroup);
-  command
-      .add_option(
-          "--strategy", arguments.strategies,
-          "auto: shift the cutter along the part's normal, tilt shank, holder and heads away, else lift along the axis; "
-          "tilt; normal: shift along the normal of the deepest contact; weighted: shift by the contacts' weighted mean; "
-          "both else along the axis; axis: lift alone; trim: leave the gouging stretch out (retract, cross, come down "
-          "again); or for one body: holder=tilt. May be repeated (default: auto)")
-      ->type_name("[BODY=]NAME")
-      ->allow_extra_args(false);
-  command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  command
-      .add_option("--max-side-shift", arguments.max_side_shift,
-                  "Furthest a position may be moved across its tool axis (default: its depth times 2)")
-      ->type_name("LENGTH");
-  command
-      .add_option(
-          "--rapid-clearance", arguments.rapid_clearance,
-          "How far rapids that must change, and crossings above what is left out, keep off, where there is room "
-          "within --max-shift")
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  add_tilt_options(command, arguments);
-  command
-      .add_option("--max-rotary-speed", arguments.max_rotary_speed,
-                  "Report the feed time also for an axis that turns no faster; it changes no correction")
-      ->type_name("DEG/MIN");
-  command
-      .add_flag("--force", arguments.job.is_forced,
-                "Correct also a path that plainly does not fit the part (units, placement, axis sign); let --report "
-                "replace and remove files of a report's names that no report wrote, never an input")
-      ->group(kOutputGroup);
+  add_options(command, arguments, correct_options());
   command.footer(
       "Example:\n"
       "  gougecheck correct finish.apt --part part.stl --tools tools.json -o out.apt\n\n"

@@ -26,14 +26,13 @@ struct CorrectArguments {
   [[nodiscard]] const std::string& reported_output() const { return output_name.empty() ? output : output_name; }
 };
 
+/// The rows that `correct` has beside job_options().
+[[nodiscard]] const OptionRows<CorrectArguments>& correct_options();
+
 void add_correct_options(CLI::App& command, CorrectArguments& arguments);
 
 /// Errors (code usage): names the option, what was typed and what was expected.
 [[nodiscard]] Result<CorrectOptions> understand_correction(const CorrectArguments& arguments);
-
-/// Limits of a correction beside those of CorrectionFacts, for the options of a report, as typed: those of tilts
-/// that hold whatever was typed, all others where they were given.
-[[nodiscard]] std::vector<OptionText> limits_in_force(const CorrectArguments& arguments);
 
 /// As a report names them: "auto", "axis", "cutter=axis, holder=tilt".
 [[nodiscard]] std::string strategies_text(const CorrectArguments& arguments);

@@ -5,7 +5,9 @@
 #include <array>
 #include <cstdlib>
 #include <ctime>
+#include <iterator>
 
+#include "cli/options/length_rule.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/number_text.h"
 #include "lib/base/parallel.h"
@@ -15,124 +17,178 @@ namespace gouge {
 
 namespace {
 
+constexpr const char* kPlaceHelp =
+    "Place the STL files: x,y,z[,rx,ry,rz], mm or with a unit (0.5in), then degrees about fixed X, Y, Z";
+constexpr const char* kStlUnitsHelp = "Unit of the STL files (default: the toolpath's)";
+
 void add_path(CLI::App& command, JobArguments& a) {
   command.add_option("PATH", a.path, "Toolpath: CL data of any dialect, recognized by its content")
       ->type_name("FILE")
       ->required();
 }
 
-void add_input_options(CLI::App& command, JobArguments& a, bool needs_part) {
-  command.option_defaults()->group("Input");
-  add_reading_options(command, a.reading);
-  const auto take_parts = [&a](const std::vector<std::string>& typed) { split_limits(typed, a.parts, a.part_limits); };
-  const auto take_fixtures = [&a](const std::vector<std::string>& typed) {
-    split_limits(typed, a.fixtures, a.fixture_limits);
-  };
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--part", take_parts,
-          "Finished part that must not be cut into (STL; repeatable); with a tolerance of its own: "
-          "part.stl,tolerance=0.002")
-      ->type_name("FILE")
-      ->required(needs_part)
-      ->allow_extra_args(false);
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--fixture", take_fixtures,
-          "Fixture that must not be touched (STL; repeatable); with a distance to keep, or a tolerance of its own: "
-          "vise.stl,clearance=1")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
-  command
-      .add_option("--allow-overlap", a.allowed_overlaps,
-                  "Do not warn that this fixture penetrates a part, as it is meant to (repeatable)")
-      ->type_name("FIXTURE")
-      ->allow_extra_args(false);
-  command
-      .add_option("--head", a.heads,
-                  "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
-                  "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
-  add_placement_options(command, a.place, a.stl_units);
-  command
-      .add_option("--tools", a.tools_file,
-                  "Tool library (JSON), or one of Fusion, FreeCAD or NX; tools it lacks come from CUTTER or TLDATA")
-      ->type_name("FILE");
-  command
-      .add_option("--tool", a.tool_names,
-                  "N=NAME: tool number N of the toolpath is NAME of the library, a name or a number (repeatable); NAME "
-                  "alone: the tool of moves for which the toolpath names none")
-      ->type_name("N=NAME")
-      ->allow_extra_args(false);
-  command.add_option("--holder", a.holder, "Holder of the library for tools that have none")->type_name("NAME");
-  add_input_limit(command, a.input);
-  command.add_flag("--extend-up", a.is_extended_up,
-                   "Let the top body of every tool go on without end, so that nothing hides above it");
+OptionRows<JobArguments> input_rows() {
+  using A = JobArguments;
+  using Texts = std::vector<std::string>;
+  return {
+      {.name = "--part",
+       .field = +[](A& a, const Texts& typed) { split_limits(typed, a.parts, a.part_limits); },
+       .type = "FILE",
+       .help = "Finished part that must not be cut into (STL; repeatable); with a tolerance of its own: "
+               "part.stl,tolerance=0.002",
+       .scope = Scope::project},
+      {.name = "--fixture",
+       .field = +[](A& a, const Texts& typed) { split_limits(typed, a.fixtures, a.fixture_limits); },
+       .type = "FILE",
+       .help = "Fixture that must not be touched (STL; repeatable); with a distance to keep, or a tolerance of its "
+               "own: vise.stl,clearance=1",
+       .scope = Scope::project},
+      {.name = "--allow-overlap",
+       .field = &A::allowed_overlaps,
+       .type = "FIXTURE",
+       .help = "Do not warn that this fixture penetrates a part, as it is meant to (repeatable)",
+       .scope = Scope::project,
+       .recorded = Recorded::shown},
+      {.name = "--head",
+       .field = &A::heads,
+       .type = "FILE",
+       .help = "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
+               "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)",
+       .scope = Scope::project,
+       .recorded = Recorded::shown},
+      {.name = "--place",
+       .field = &A::place,
+       .type = "X,Y,Z",
+       .help = kPlaceHelp,
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .result_text = with_units},
+      {.name = "--stl-units",
+       .field = &A::stl_units,
+       .help = kStlUnitsHelp,
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .choices = unit_words()},
+      {.name = "--tools",
+       .field = &A::tools_file,
+       .type = "FILE",
+       .help = "Tool library (JSON), or one of Fusion, FreeCAD or NX; tools it lacks come from CUTTER or TLDATA",
+       .scope = Scope::project},
+      {.name = "--tool",
+       .field = &A::tool_names,
+       .type = "N=NAME",
+       .help = "N=NAME: tool number N of the toolpath is NAME of the library, a name or a number (repeatable); NAME "
+               "alone: the tool of moves for which the toolpath names none",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated},
+      {.name = "--holder",
+       .field = &A::holder,
+       .type = "NAME",
+       .help = "Holder of the library for tools that have none",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated},
+      {.name = "--max-input",
+       .field = +[](CLI::App& command, A& a) { add_input_limit(command, a.input); },
+       .scope = Scope::project},
+      {.name = "--extend-up",
+       .field = &A::is_extended_up,
+       .help = "Extend the top body of every tool upwards without limit, so that nothing hides above it",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated}};
 }
 
-void add_assumption_options(CLI::App& command, JobArguments& a) {
-  command
-      .add_option(
-          "--assume", a.assumed,
-          "State a fact that the inputs leave open (repeatable): " + subject_names() + "; tool=T3 for one of several")
-      ->type_name("FACT[=OBJECT]")
-      ->allow_extra_args(false);
-  command.add_flag("--strict", a.is_strict,
-                   "Allow no defaults: call a path clean only where every fact is established");
+OptionRows<JobArguments> check_rows() {
+  using A = JobArguments;
+  return {{.name = "--tolerance",
+           .field = &A::tolerance,
+           .type = "LENGTH",
+           .group = "Check",
+           .help = "Depth a move may have, against parts and fixtures alike",
+           .scope = Scope::project},
+          {.name = "--stock-to-leave",
+           .field = &A::stock_to_leave,
+           .type = "LENGTH",
+           .help = "Grow the cutter by this against the part",
+           .scope = Scope::project},
+          {.name = "--clearance",
+           .field = &A::clearance,
+           .type = "BODY=LENGTH",
+           .help = "Keep bodies away from everything: shank=0.5,holder=1 (mm, or with a unit: holder=0.04in)",
+           .scope = Scope::project},
+          {.name = "--near-miss",
+           .field = &A::near_miss,
+           .type = "LENGTH",
+           .help = "Report moves that come closer than this (0: do not)",
+           .scope = Scope::project},
+          {.name = "--resolution",
+           .field = &A::resolution,
+           .type = "LENGTH",
+           .help = "Certified gap: the largest depth that may be missed",
+           .scope = Scope::project},
+          {.name = "--rapid",
+           .field = &A::rapid,
+           .help = "How rapid moves run",
+           .scope = Scope::project,
+           .choices = {kRapidWords.begin(), kRapidWords.end()}},
+          {.name = "--assume",
+           .field = &A::assumed,
+           .type = "FACT[=OBJECT]",
+           .help = "State a fact that the inputs leave open (repeatable): " + subject_names() +
+                   "; tool=T3 for one of several",
+           .scope = Scope::project,
+           .recorded = Recorded::shown},
+          {.name = "--strict",
+           .field = &A::is_strict,
+           .help = "Allow no defaults: call a path clean only where every fact is established",
+           .scope = Scope::project,
+           .recorded = Recorded::shown},
+          {.name = kWarningsAsErrors,
+           .field = &A::has_warnings_as_errors,
+           .help = "Call a path clean only where the result has no warning: with one the exit status is 4",
+           .scope = Scope::project,
+           .recorded = Recorded::repeated},
+          {.name = "--threads", .field = +[](CLI::App& command, A& a) { add_threads_option(command, a.threads); }},
+          {.name = "--project",
+           .field = &A::project,
+           .type = "NAME",
+           .help = "Project, order or part number for the head of the report",
+           .scope = Scope::project},
+          {.name = "--reviewer",
+           .field = &A::reviewer,
+           .type = "NAME",
+           .help = "Who reviews, for the head of the report and its line to sign",
+           .scope = Scope::project}};
 }
 
-void add_check_options(CLI::App& command, JobArguments& a) {
-  command.option_defaults()->group("Check");
-  command.add_option("--tolerance", a.tolerance, "Depth a move may have, against parts and fixtures alike")
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  command.add_option("--stock-to-leave", a.stock_to_leave, "Grow the cutter by this against the part")
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  command
-      .add_option("--clearance", a.clearance,
-                  "Keep bodies away from everything: shank=0.5,holder=1 (mm, or with a unit: holder=0.04in)")
-      ->type_name("BODY=LENGTH");
-  command.add_option("--near-miss", a.near_miss, "Report moves that come closer than this (0: do not)")
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  command.add_option("--resolution", a.resolution, "Certified gap: the largest depth that may be missed")
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  command.add_option("--rapid", a.rapid, "How rapid moves run")
-      ->check(CLI::IsMember({"straight", "dogleg", "skip"}))
-      ->capture_default_str();
-  add_assumption_options(command, a);
-  add_threads_option(command, a.threads);
-}
-
-void add_sign_off(CLI::App& command, JobArguments& a) {
-  command.add_option("--project", a.project, "Project, order or part number for the head of the report")
-      ->type_name("NAME");
-  command.add_option("--reviewer", a.reviewer, "Who reviews, for the head of the report and its line to sign")
-      ->type_name("NAME");
+OptionRows<JobArguments> output_rows() {
+  using A = JobArguments;
+  return {
+      {.name = "--report",
+       .field = &A::report_folder,
+       .type = "FOLDER",
+       .group = kOutputGroup,
+       .help = "Folder for the report: report.html, pictures, JSON and CSV; an older report there is replaced, "
+               "nothing else is"},
+      {.name = "--json",
+       .field = &A::json_file,
+       .type = "FILE",
+       .help = "Write the result as JSON (- for standard output alone)"},
+      {.name = "--csv",
+       .field = &A::csv_file,
+       .type = "FILE",
+       .help = "Write one row for every move (- for standard output alone)"},
+      {.name = "--sarif", .field = &A::sarif_file, .type = "FILE", .help = "Write SARIF 2.1.0 for code review tools"},
+      {.name = "--junit", .field = &A::junit_file, .type = "FILE", .help = "Write JUnit XML for build servers"},
+      {.name = "--export",
+       .field = &A::export_files,
+       .type = "FILE",
+       .help = "Write the part with depth and overcut at its vertices, path and tool for other 3D programs, by the "
+               "ending: .glb (Blender), .vtp (ParaView), .ply (MeshLab); repeatable"}};
 }
 
 void add_output_options(CLI::App& command, JobArguments& a) {
-  command.option_defaults()->group(kOutputGroup);
-  command
-      .add_option("--report", a.report_folder,
-                  "Folder for the report: report.html, pictures, JSON and CSV; an older report there is replaced, "
-                  "nothing else is")
-      ->type_name("FOLDER");
-  command.add_option("--json", a.json_file, "Write the result as JSON (- for standard output alone)")
-      ->type_name("FILE");
-  command.add_option("--csv", a.csv_file, "Write one row for every move (- for standard output alone)")
-      ->type_name("FILE");
-  command.add_option("--sarif", a.sarif_file, "Write SARIF 2.1.0 for code review tools")->type_name("FILE");
-  command.add_option("--junit", a.junit_file, "Write JUnit XML for build servers")->type_name("FILE");
-  command
-      .add_option("--export", a.export_files,
-                  "Write the part with depth and overcut at its vertices, path and tool for other 3D programs, by the "
-                  "ending: .glb (Blender), .vtp (ParaView), .ply (MeshLab); repeatable")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  static const OptionRows<JobArguments> rows = output_rows();
+  add_options(command, a, rows);
   add_listing_options(command, a.listing);
   add_progress_option(command, a.progress);
   add_verbosity(command, a,
@@ -143,12 +199,8 @@ void add_output_options(CLI::App& command, JobArguments& a) {
 }  // namespace
 
 void add_placement_options(CLI::App& command, std::string& place, std::string& stl_units) {
-  command
-      .add_option("--place", place,
-                  "Place the STL files: x,y,z[,rx,ry,rz], mm or with a unit (0.5in), then degrees about fixed X, Y, Z")
-      ->type_name("X,Y,Z");
-  command.add_option("--stl-units", stl_units, "Unit of the STL files (default: the toolpath's)")
-      ->check(CLI::IsMember(unit_words()));
+  command.add_option("--place", place, kPlaceHelp)->type_name("X,Y,Z");
+  command.add_option("--stl-units", stl_units, kStlUnitsHelp)->check(CLI::IsMember(unit_words()));
 }
 
 void add_threads_option(CLI::App& command, std::uint32_t& threads) {
@@ -163,10 +215,20 @@ void add_progress_option(CLI::App& command, std::string& progress) {
       ->group(kTerminalGroup);
 }
 
+const OptionRows<JobArguments>& job_options() {
+  static const OptionRows<JobArguments> rows = [] {
+    OptionRows<JobArguments> all = input_rows();
+    std::ranges::move(check_rows(), std::back_inserter(all));
+    return all;
+  }();
+  return rows;
+}
+
 void add_common_job_options(CLI::App& command, JobArguments& arguments, bool needs_part) {
-  add_input_options(command, arguments, needs_part);
-  add_check_options(command, arguments);
-  add_sign_off(command, arguments);
+  command.option_defaults()->group("Input");
+  add_options(command, arguments.reading, reading_options());
+  add_options(command, arguments, job_options());
+  command.get_option("--part")->required(needs_part);
 }
 
 void add_job_options(CLI::App& command, JobArguments& arguments) {
@@ -246,9 +308,7 @@ Result<JobOptions> understand(const JobArguments& a) {
     if (!place) return place.error();
     options.place = *place;
   }
-  options.check.law = a.rapid == "skip"     ? RapidMode::skip
-                      : a.rapid == "dogleg" ? RapidMode::dogleg
-                                            : RapidMode::straight;
+  options.check.law = rapid_called(a.rapid).value_or(RapidMode::straight);
   options.check.threads = static_cast<unsigned>(std::min<std::uint64_t>(a.threads, kMaxThreads));
   options.progress = understand_progress(a.progress);
   Result<std::string> date = date_of_report();

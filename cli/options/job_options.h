@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/options/mesh_limits.h"
+#include "cli/options/option_table.h"
 #include "cli/options/reading_options.h"
 #include "cli/terminal/listing_options.h"
 #include "cli/terminal/print_diagnostics.h"
@@ -52,6 +53,7 @@ struct JobArguments : Verbosity {
   bool is_extended_up = false;
   std::vector<std::string> assumed;  ///< --assume
   bool is_strict = false;
+  bool has_warnings_as_errors = false;
   std::string project, reviewer;           ///< of the head of the report
   std::string command;                     ///< the command line, to be typed again (command_text.h)
   std::vector<std::string> lengths_in_mm;  ///< typed without a unit (length_rule.h)
@@ -67,6 +69,9 @@ struct JobOptions {
   ProgressMode progress = ProgressMode::automatic;
   std::string date;  ///< of the report
 };
+
+/// The rows that `check`, `correct` and `batch` share, without those of ReadingArguments; outputs are rows of their own.
+[[nodiscard]] const OptionRows<JobArguments>& job_options();
 
 void add_job_options(CLI::App& command, JobArguments& arguments);
 /// The subset that defines the check of one path: all but PATH itself and outputs, for commands that check many.

@@ -26,30 +26,45 @@ std::optional<Diagnostic> why_not_harmless(const std::string& word) {
 
 }  // namespace
 
-void add_reading_options(CLI::App& command, ReadingArguments& arguments) {
-  command
-      .add_option("--dialect", arguments.dialect,
-                  "Read the toolpath as this dialect (default: recognized by its content): " + dialect_names())
-      ->type_name("DIALECT");
-  command.add_option("--path-units", arguments.units, "Unit of a toolpath that states none")
-      ->check(CLI::IsMember({"mm", "inch"}));
-  command
-      .add_option("--cutcom", arguments.cutcom,
-                  "centre: positions under CUTCOM are the cutter centre, with no offset dialled in (default: these "
-                  "moves are not checked)")
-      ->check(CLI::IsMember({"centre"}));
-  command
-      .add_option(
-          "--retract-plane", arguments.retract_plane,
-          "Z of the plane to which a drilling cycle retracts where it states no height (RTRCTO,AUTO of NX), in "
-          "the coordinates of the positions and no lower than the clearance (default: these paths up are not checked)")
-      ->type_name("LENGTH");
-  command
-      .add_option("--harmless-word", arguments.harmless_words,
-                  "Word of your own that moves and changes nothing: statements that begin with it are passed over "
-                  "(repeatable)")
-      ->type_name("WORD")
-      ->allow_extra_args(false);
+const OptionRows<ReadingArguments>& reading_options() {
+  using A = ReadingArguments;
+  static const OptionRows<A> rows = {
+      {.name = "--dialect",
+       .field = &A::dialect,
+       .type = "DIALECT",
+       .help = "Read the toolpath as this dialect (default: recognized by its content): " + dialect_names(),
+       .scope = Scope::project,
+       .recorded = Recorded::repeated},
+      {.name = "--path-units",
+       .field = &A::units,
+       .help = "Unit of a toolpath that states none",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .choices = {"mm", "inch"},
+       .result_key = "toolpath-units"},
+      {.name = "--cutcom",
+       .field = &A::cutcom,
+       .help = "centre: positions under CUTCOM are the cutter centre, with no offset dialled in (default: these moves "
+               "are not checked)",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .choices = {"centre"}},
+      {.name = "--retract-plane",
+       .field = &A::retract_plane,
+       .type = "LENGTH",
+       .help =
+           "Z of the plane to which a drilling cycle retracts where it states no height (RTRCTO,AUTO of NX), in the "
+           "coordinates of the positions and no lower than the clearance (default: these paths up are not checked)",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated},
+      {.name = "--harmless-word",
+       .field = &A::harmless_words,
+       .type = "WORD",
+       .help = "Word of your own that moves and changes nothing: statements that begin with it are passed over "
+               "(repeatable)",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated}};
+  return rows;
 }
 
 Result<ReadOptions> understand(const ReadingArguments& arguments) {

@@ -4,13 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/options/option_table.h"
 #include "lib/base/files.h"
 #include "lib/base/result.h"
 #include "postproc/formats/read_toolpath.h"
-
-namespace CLI {
-class App;
-}
 
 namespace gouge {
 
@@ -21,7 +18,7 @@ struct ReadingArguments {
   std::string retract_plane;
 };
 
-void add_reading_options(CLI::App& command, ReadingArguments& arguments);
+[[nodiscard]] const OptionRows<ReadingArguments>& reading_options();
 
 /// Errors (code usage): a retract plane that is no length, a dialect that is not known, a harmless word that is none or that is read.
 [[nodiscard]] Result<ReadOptions> understand(const ReadingArguments& arguments);

@@ -62,7 +62,7 @@ std::optional<std::size_t> resident_file_bytes() {
 /// All arrays in files, and the thread that lets their pages go while there are any.
 class Pages {
  public:
-  // For tests of the program (docs/testing.md): all from this size on, and none of their pages kept.
+  // For tests of the program (docs/develop/testing.md): all from this size on, and none of their pages kept.
   Pages() {
     if (const char* const asked = std::getenv("GOUGE_PAGED_BYTES"); asked != nullptr)
       set({static_cast<std::size_t>(std::strtoull(asked, nullptr, 10)), 0});

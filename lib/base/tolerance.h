@@ -40,7 +40,7 @@ struct Tolerance {
 
   // Geometry.
 
-  /// Witnesses are exact to this, mm: docs/algorithms/certified_sweep.md.
+  /// Witnesses are exact to this, mm: docs/method/certified_sweep.md.
   static constexpr double kWitness_mm = 1e-6;
   /// A direction that leads away from an axis by a smaller sine has no side of it worth keeping.
   static constexpr double kNoSide = 1e-6;

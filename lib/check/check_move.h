@@ -13,14 +13,14 @@ namespace gouge {
 /// Checks one motion of one tool; everything but "buried", which needs the moves before it (check_path.h).
 ///
 /// Requires motion.is_defined().
-/// Ensures  the guarantee of docs/method.md: depth <= true depth <= depth_upper; a gouge is closed to the resolution;
+/// Ensures  the guarantee of docs/method/guarantee.md: depth <= true depth <= depth_upper; a gouge is closed to the resolution;
 ///          clean means depth_upper <= tolerance + resolution, and no body with a clearance entered by more than the
 ///          resolution, and no mesh with limits (MeshLimit) beyond them by more than the resolution; of a gouge against
 ///          such a mesh the witness and the depth are of that mesh, depth_upper is of all;
 ///          and depth_upper <= certified_depth unless options.is_depth_alone: what lies between is
 ///          not_certified. A budget that runs out gives not_certified, never clean. Coordinates of the motion or of a
 ///          mesh beyond kFarthest_mm, or that are no numbers, give not_checked.
-/// Source   docs/algorithms/certified_sweep.md; depth as in Ho 1999, thesis 2.4.18.
+/// Source   docs/method/certified_sweep.md; depth as in Ho 1999, thesis 2.4.18.
 [[nodiscard]] MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                                      const PreparedScene& scene, const CheckOptions& options,
                                      std::uint64_t* bounds = nullptr);

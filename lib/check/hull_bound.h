@@ -7,7 +7,7 @@
 
 // Upper bounds of (reach - signed distance) over a part of the surface during a time interval. In tool
 // coordinates every surface point runs within `bulge` of a straight chord, so surface and motion together lie
-// in the convex hull of two placements of the surface. Proofs: docs/algorithms/certified_sweep.md.
+// in the convex hull of two placements of the surface. Proofs: docs/method/certified_sweep.md.
 
 namespace gouge {
 

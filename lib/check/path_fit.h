@@ -12,7 +12,7 @@
 namespace gouge {
 
 /// Tests whether a path can belong to the part it is checked against, and if not, which of the usual
-/// mistakes explains it. Looked at, not certified: no verdict rests on it.
+/// mistakes explains it. Sampled, not certified: no verdict rests on it.
 struct PathFit {
   /// The change that makes the path fit.
   struct Explanation {

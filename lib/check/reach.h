@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// Bounds are proven for coordinates up to here (docs/algorithms/certified_sweep.md). What reaches farther is not
+/// Bounds are proven for coordinates up to here (docs/method/certified_sweep.md). What reaches farther is not
 /// checked, and reported as such.
 inline constexpr double kFarthest_mm = 1e5;
 

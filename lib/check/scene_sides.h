@@ -11,7 +11,7 @@
 #include "lib/mesh/enclosure.h"
 #include "lib/mesh/union_find.h"
 
-// Inside and outside of a scene, for the tool and for heads. Proofs: docs/algorithms/inside_outside.md.
+// Inside and outside of a scene, for the tool and for heads. Proofs: docs/method/inside_outside.md.
 
 namespace gouge {
 

@@ -7,7 +7,7 @@
 #include "lib/tool/evaluate.h"
 
 // First-order bounds: behind a plane tangent to the tool nothing is deeper than its distance from the plane,
-// as far as the plane supports the tool (SupportRange). Proof: docs/algorithms/certified_sweep.md.
+// as far as the plane supports the tool (SupportRange). Proof: docs/method/certified_sweep.md.
 
 namespace gouge {
 

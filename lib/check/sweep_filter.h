@@ -11,7 +11,7 @@
 
 // The wide sweep: many moves against a surface at once. What sixteen-wide bounds in single precision prove free
 // needs no further look; the triangles that remain go to the exact search (search.h).
-// Method and proofs: docs/algorithms/wide_sweep.md.
+// Method and proofs: docs/method/wide_sweep.md.
 
 namespace gouge {
 

@@ -9,7 +9,7 @@
 #include "lib/motion/motion_interval.h"
 
 // Motions to first order: of a part of a move, of a move, or of many moves in a row.
-// Proofs: docs/algorithms/wide_sweep.md, section 2.
+// Proofs: docs/method/wide_sweep.md, section 2.
 
 namespace gouge {
 

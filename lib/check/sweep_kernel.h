@@ -7,7 +7,7 @@
 
 #include "lib/hierarchy/blocks.h"
 
-// The bound of docs/algorithms/wide_sweep.md for sixteen nodes or triangles at once, in single precision. The
+// The bound of docs/method/wide_sweep.md for sixteen nodes or triangles at once, in single precision. The
 // same source is compiled for several instruction sets; every operation is one that IEEE 754 rounds correctly, none
 // is fused or reordered, so all of them give the same bytes.
 

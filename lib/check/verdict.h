@@ -12,7 +12,7 @@
 #include "lib/geom/vec.h"
 #include "lib/tool/compiled_tool.h"
 
-// Verdicts of the check for every move, and the findings made of them. Words as in docs/method.md.
+// Verdicts of the check for every move, and the findings made of them. Words as in docs/method/guarantee.md.
 
 namespace gouge {
 

@@ -31,7 +31,7 @@ struct BodyDepth {
 /// Ensures  depth <= true depth <= depth_upper at any budget; the same bits on every machine.
 /// Cost     about 10 microseconds a bound; a few hundred bounds for plain bodies, as many as pairs of facets lie over
 ///          one another where surfaces touch or run parallel.
-/// Source   measure of thesis chapters 4 and 5; proof: docs/algorithms/clash.md.
+/// Source   measure of thesis chapters 4 and 5; proof: docs/method/clash.md.
 [[nodiscard]] BodyDepth find_body_depth(const ClashBody& of, const ClashBody& in, const Vec3& shift,
                                         const SearchGoal& goal);
 

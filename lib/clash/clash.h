@@ -48,7 +48,7 @@ struct Clash {
 /// Requires triangles in both.
 /// Ensures  free and touching are proved, for bodies whose inside is not known as well; the same bits on
 /// every machine.
-/// Source   docs/algorithms/clash.md, with the proofs.
+/// Source   docs/method/clash.md, with the proofs.
 [[nodiscard]] Clash find_clash(const ClashBody& a, const ClashBody& b, const Vec3& shift_b,
                                const ClashOptions& options);
 

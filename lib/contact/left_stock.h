@@ -50,7 +50,7 @@ inline constexpr double kMaxStock_mm = 20;
 ///          unless is_more.
 /// Cost     bounded by the work allowed, one thread. A finished surface of which nothing is left takes a piece for what
 ///          one pose of the new cutter covers: some tenths of a millimetre under a ball, a footprint under a flat end.
-/// Method   docs/algorithms/tilting.md, "What a tilt leaves".
+/// Method   docs/method/tilting.md, "What a tilt leaves".
 [[nodiscard]] std::optional<LeftStock> find_left_stock(const BlockTree& parts, const CutterSweep& before,
                                                        const SweepsAfter& after, const StockLimits& limits);
 

@@ -27,7 +27,7 @@ struct CutterStretch {
 };
 
 /// When a cutter comes nearest to some points: the signed distance of the point that is then farthest from it.
-/// Method and proof: docs/algorithms/tilting.md, "Distances over instants".
+/// Method and proof: docs/method/tilting.md, "Distances over instants".
 class NearestInstant {
  public:
   /// Finds the instant for one to three points at once. The stretch must outlive it.

@@ -101,7 +101,7 @@ struct Correction {
 ///          strategy is to tilt; and where a stretch is left out, above it (lib/correct/plan_trims.h).
 ///          (3) the same proposal at any number of threads.
 /// Source   thesis 5.3 (weighted, iterated); tilting, lifting, inserting and taking back are ours:
-///          docs/algorithms/correction.md, docs/algorithms/tilting.md.
+///          docs/method/correction.md, docs/method/tilting.md.
 [[nodiscard]] Correction correct_path(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
                                       const CorrectOptions& correct, const ProgressCall& progress = {});
 

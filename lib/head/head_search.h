@@ -38,7 +38,7 @@ struct HeadResult {
 ///
 /// Requires resolution and gap > 0, and no negative reach.
 /// Ensures  depth <= true depth <= depth_upper, at any budget.
-/// Source   space-time bounds, thesis 2.4.14; chord and bulge as in docs/algorithms/certified_sweep.md.
+/// Source   space-time bounds, thesis 2.4.14; chord and bulge as in docs/method/certified_sweep.md.
 [[nodiscard]] HeadResult search_head(const BodyMotion& motion, const HeadBody& head,
                                      std::span<const HeadTarget> targets, const SearchGoal& goal);
 

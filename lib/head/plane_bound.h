@@ -68,7 +68,7 @@ struct HeadPlane {
 /// it where the given one does not hold.
 /// Ensures  nothing, or at least 0 and not below the depth of any point of the region.
 /// Cost     a search of the head's tree or two, and at most as many closest points.
-/// Source   docs/algorithms/shallow_penetration.md, section 7.
+/// Source   docs/method/shallow_penetration.md, section 7.
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const PieceRegion& region,
                                                    const HeadPlane& plane, bool is_middle_inside, double cutoff_mm);
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region,

@@ -11,7 +11,7 @@ namespace gouge {
 ///
 /// Ensures  nothing is claimed (no pieces) of a mesh that fills too little of them, as one beside the axis.
 /// Cost     O(triangles), and for each some of the heights at which the mesh may be cut.
-/// Proof    docs/algorithms/wide_sweep.md, section 7.
+/// Proof    docs/method/wide_sweep.md, section 7.
 [[nodiscard]] ConvexCover make_revolved_cover(const IndexedMesh& mesh);
 
 }  // namespace gouge

@@ -21,7 +21,7 @@ struct ClosestTriangle {
 ///          distances are the same number, the lowest triangle. So it does not depend on the tree, nor on the machine.
 /// Requires coordinates of at most 1e9 mm.
 /// Cost     about O(log n).
-/// Proof    docs/algorithms/closest_point.md.
+/// Proof    docs/method/closest_point.md.
 [[nodiscard]] std::optional<ClosestTriangle> closest_triangle(
     const BlockTree& tree, const Vec3& point_part, double within_mm = std::numeric_limits<double>::infinity());
 

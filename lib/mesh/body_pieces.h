@@ -6,7 +6,7 @@
 
 #include "lib/mesh/indexed_mesh.h"
 
-// Which pieces of a surface bound bodies (docs/algorithms/inside_outside.md, section 2).
+// Which pieces of a surface bound bodies (docs/method/inside_outside.md, section 2).
 
 namespace gouge {
 

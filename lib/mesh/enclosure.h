@@ -10,7 +10,7 @@
 #include "lib/mesh/indexed_mesh.h"
 
 // Inside and outside of all surfaces of a kind together, decided only where it is proved
-// (docs/algorithms/inside_outside.md).
+// (docs/method/inside_outside.md).
 
 namespace gouge {
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "lib/motion/axis_law.h"
 #include "lib/motion/motion.h"
@@ -11,6 +14,16 @@
 namespace gouge {
 
 enum class RapidMode { straight, dogleg, skip };
+/// Their words in options, results and the library, in this order.
+inline constexpr std::array<const char*, 3> kRapidWords = {"straight", "dogleg", "skip"};
+[[nodiscard]] constexpr const char* rapid_word(RapidMode mode) { return kRapidWords[static_cast<std::size_t>(mode)]; }
+/// Returns the mode of a word; none: not one of these.
+[[nodiscard]] constexpr std::optional<RapidMode> rapid_called(std::string_view word) {
+  for (std::size_t k = 0; k < kRapidWords.size(); ++k) {
+    if (word == kRapidWords[k]) return static_cast<RapidMode>(k);
+  }
+  return std::nullopt;
+}
 
 /// How a tool moves between the positions of a path: all that makes motions. The tip follows the path, on rapids
 /// the mode. The axis turns on the great circle (the meaning of CL data) or by an AxisLaw.

@@ -15,7 +15,7 @@ namespace gouge {
 /// `column`: through, direction and radius; low and high are set here. `cutoff_mm`: no lower height is requested, at
 /// most `max_mm`. `is_through_outside`: known to be. `near`: a triangle near the column.
 /// Requires a solid's boundary.
-/// Proof    docs/algorithms/overcut.md, section 4.
+/// Proof    docs/method/overcut.md, section 4.
 [[nodiscard]] std::optional<double> ceiling(const Surface& solid, Column column, double reach_mm, double cutoff_mm,
                                             double max_mm, bool is_through_outside = false, std::uint32_t near = 0);
 

@@ -35,7 +35,7 @@ struct KnownOvercut {
 /// How far a tool reaches below a surface that comes only so deep into it. Except near sharp corners and where the
 /// tool is thin that is no more than the depth: the part of the tool that the surface does not reach is outside, and a
 /// ball inscribed there leads from every other point to the surface.
-/// Proof: docs/algorithms/overcut.md, section 2.
+/// Proof: docs/method/overcut.md, section 2.
 class DepthBound {
  public:
   /// Cost: some thousand evaluations of the tool, which must outlive it.

@@ -17,7 +17,7 @@ namespace gouge {
 /// the tool as it is, without clearances and stock, reached. Where depth saturates at the tool's radius,
 /// overcut does not.
 ///
-/// Of a gouge whose witness is in a head it is the head that is followed, not the tool. Bodies whose surface
+/// For a gouge whose witness is in a head it follows the head, not the tool. Bodies whose surface
 /// is not closed have no inside and get none; a gouge into a clearance alone has 0.
 /// Ensures  overcut <= true overcut <= overcut_upper in every move, the overcut realised at a point, both within 1 % or
 ///          0.002 mm of each other wherever the cells of OvercutOptions suffice for that. The same bits at any number

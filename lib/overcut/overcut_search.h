@@ -33,7 +33,7 @@ struct Overcut {
 ///
 /// Requires a solid's boundary (Surface::boundary). `seed`: a point in the solid at `seed_t`, where the search begins.
 /// Cost     some microseconds a cell; none for a solid blunt wherever it is in the part, some dozens where a corner is.
-/// Source   measure of thesis chapters 4 and 5; proof: docs/algorithms/overcut.md.
+/// Source   measure of thesis chapters 4 and 5; proof: docs/method/overcut.md.
 [[nodiscard]] Overcut find_overcut(SweptSolid& solid, const Surface& part, const Vec3& seed, double seed_t,
                                    const OvercutOptions& options = {});
 

@@ -129,7 +129,7 @@ class Hull {
 };
 
 /// The part of the tool inside the cell lies behind a plane of fixed direction in the part: how far the tool
-/// reaches along it changes with the instant nearly linearly. Proof: docs/algorithms/overcut.md, section 4.
+/// reaches along it changes with the instant nearly linearly. Proof: docs/method/overcut.md, section 4.
 DriftingHalfSpace behind(const CompiledTool& tool, const Vec3& direction, const Vec3& centre, const Chord& chord,
                          const ToolInterval& interval) {
   const double around = chord.radius_mm + chord.bulge_mm + Tolerance::kRounding_mm;

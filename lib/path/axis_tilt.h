@@ -7,7 +7,7 @@
 #include "lib/path/toolpath.h"
 
 // How far the axes of a corrected path lean away from the programmed ones, position by position and along the path:
-// docs/algorithms/correction.md, "Quality".
+// docs/method/correction.md, "Quality".
 
 namespace gouge {
 

@@ -19,7 +19,7 @@ namespace {
 
 /// How far the inside points reach that are nearest to a facet: what a volume must hold so that none of them
 /// within a depth is missed. They lie below the face, in the wedge at a reflex edge, or in the cone at a
-/// vertex that is not convex. Proof: docs/algorithms/shallow_penetration.md, section 4.
+/// vertex that is not convex. Proof: docs/method/shallow_penetration.md, section 4.
 class InnerReach {
  public:
   InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, const std::vector<Vec3>& face_normals);

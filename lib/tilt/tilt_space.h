@@ -84,7 +84,7 @@ class TiltSpace {
   [[nodiscard]] bool may_turn(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
 
   /// Tilts of positions i and i + 1 that are farther apart than this turn the tool too far between the two.
-  /// docs/algorithms/tilting.md, "The cut between positions"
+  /// docs/method/tilting.md, "The cut between positions"
   [[nodiscard]] double largest_change_rad(std::size_t i) const;
 
   /// Returns whether position i, which stays as programmed, lets no sequence of tilts be free: the tool is too deep there for any

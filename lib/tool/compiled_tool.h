@@ -27,7 +27,7 @@ enum class ElementKind : std::uint8_t { segment, arc, vertex };
 /// normal towards the axis (n_r < 0, in a hollow underside), claim nothing. For a query hull Q (convex, in tool
 /// coordinates) and the plane {n.x = n.foot}, n outward: when the z of every point of Q, and of its projection onto the
 /// plane for points behind it, lies in [z_lo, z_hi] and every point of Q has r >= r_min, then
-/// depth(q) <= max(0, n.foot - n.q) for every q in Q. Proof: docs/algorithms/certified_sweep.md.
+/// depth(q) <= max(0, n.foot - n.q) for every q in Q. Proof: docs/method/certified_sweep.md.
 struct SupportRange {
   double z_lo_mm = 0;
   double z_hi_mm = -1;

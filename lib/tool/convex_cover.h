@@ -9,7 +9,7 @@
 // The tool as a stack of convex solids of revolution, for bounds that must be cheap: each holds for the heights
 // of its slab, and its signed distance is convex, so that one subgradient bounds a whole triangle and a whole span
 // of time. A cover's bound is never below the true value; where it is above (undercuts, hollow ends, heights
-// next to a step) the exact search decides. Proofs: docs/algorithms/wide_sweep.md.
+// next to a step) the exact search decides. Proofs: docs/method/wide_sweep.md.
 
 namespace gouge {
 

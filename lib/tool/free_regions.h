@@ -7,7 +7,7 @@
 #include "lib/tool/compiled_tool.h"
 
 // Which points within a tool no surface can separate as long as none comes deeper into the tool than a given depth.
-// Proof: docs/algorithms/inside_outside.md.
+// Proof: docs/method/inside_outside.md.
 
 namespace gouge {
 

@@ -7,7 +7,7 @@
 
 // Balls inside a tool that touch its boundary. Where a ball of radius R rolls along the contour, no surface that comes
 // less than R deep into the tool lets the tool's boundary reach farther below it than it is deep in the tool
-// (docs/algorithms/overcut.md).
+// (docs/method/overcut.md).
 
 namespace gouge {
 

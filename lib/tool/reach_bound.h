@@ -6,7 +6,7 @@
 
 // How far a tool may reach into a solid whose surface comes nowhere deeper into the tool than a given depth. A saw
 // blade or a pointed tip has no point that deep, so depth alone states nothing about it. Proof:
-// docs/algorithms/inside_outside.md.
+// docs/method/inside_outside.md.
 
 namespace gouge {
 

@@ -9,7 +9,7 @@
 #include "lib/validate/validate_mesh.h"
 
 // Exact results at the price of double precision: CGAL decides only what the filters of triangle_filter.h cannot prove
-// (docs/algorithms/self_intersections.md).
+// (docs/method/self_intersections.md).
 
 namespace gouge::detail {
 

@@ -5,7 +5,7 @@
 #include "lib/geom/vec.h"
 
 // Predicates of triangles that double precision can prove. Each result "true" is proved, whatever rounding did
-// (docs/algorithms/self_intersections.md, section 3); "false" states nothing, and exact arithmetic must decide. Lengths of
+// (docs/method/self_intersections.md, section 3); "false" states nothing, and exact arithmetic must decide. Lengths of
 // one unit and frame, each coordinate finite and at most 1e30. Cost: some 20 to 300 operations.
 
 namespace gouge::detail {

@@ -11,7 +11,7 @@
 
 // A motion as pieces of time that can be halved, each with proven bounds of the pose at its two ends and of
 // how far the pose is from the chord between them. Nothing but square roots is needed to halve a turn: the
-// axis in the middle is the normalised sum of the axes at the ends. docs/verify.md, "Poses".
+// axis in the middle is the normalised sum of the axes at the ends. docs/method/verify.md, "Poses".
 
 namespace gouge {
 

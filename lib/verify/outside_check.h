@@ -19,7 +19,7 @@ struct OutsideCheck {
 
 /// Points on the tool's axis that lie deeper in the tool than a clean move lets any surface come cannot pass
 /// through a surface, so what holds of them at one instant holds for a whole run of such moves
-/// (docs/verify.md, "Outside"). Takes for granted that no move is deeper than it claims.
+/// (docs/method/verify.md, "Outside"). Takes for granted that no move is deeper than it claims.
 [[nodiscard]] OutsideCheck check_outside(const ClaimedScene& scene, const ClaimedTools& tools,
                                          const std::vector<MoveClaim>& claims);
 

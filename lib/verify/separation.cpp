@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Maximum gap between pieces of a contour; the way out of the tool must be shorter than the depth
-// (docs/verify.md).
+// (docs/method/verify.md).
 constexpr double kJoint_mm = 1e-9;
 constexpr std::ptrdiff_t kMaxPoses = 5;
 

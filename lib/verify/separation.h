@@ -9,7 +9,7 @@
 #include "lib/verify/triangle_order.h"
 
 // The one lemma of a certificate: a plane that separates a part of the tool from a part of the surface, but
-// for the depth that is allowed. docs/verify.md states and proves it.
+// for the depth that is allowed. docs/method/verify.md states and proves it.
 
 namespace gouge {
 

@@ -30,7 +30,7 @@ using ClaimedTools = std::vector<std::unique_ptr<ClaimedTool>>;  ///< by Toolpat
 /// A point of the part in the half plane of a tool.
 [[nodiscard]] Vec2 in_tool(const Pose& pose, const Vec3& point);
 
-/// The frame of the bodies that move with the tool at t, as docs/method.md states: at a position the part's z
+/// The frame of the bodies that move with the tool at t, as docs/method/guarantee.md states: at a position the part's z
 /// axis turned the shortest way to the tool's, in between on the great circle, the rest of the turn spread
 /// evenly.
 [[nodiscard]] RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t);

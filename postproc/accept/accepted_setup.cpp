@@ -25,11 +25,6 @@ bool is_same_length(double a_mm, double b_mm) {
   return std::abs(a_mm - b_mm) <= Tolerance::kFewRoundings * std::max(std::abs(a_mm), std::abs(b_mm));
 }
 
-const char* rapid_word(RapidMode rapid) {
-  static constexpr std::array<const char*, 3> kWords{"straight", "dogleg", "skip"};
-  return kWords.at(static_cast<std::size_t>(rapid));
-}
-
 std::vector<std::string> limits_of(const ReportModel& model) {
   std::vector<std::string> all;
   for (const OptionText& option : model.more_options)

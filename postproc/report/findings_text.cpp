@@ -50,8 +50,8 @@ std::string overcut_words(const ReportModel& model) {
   return is_noteworthy ? ", overcut " + overcut_range_text(model) : std::string();
 }
 
-// Moves and facts that keep a verdict without gouges from being clean.
-std::string what_is_open(const CheckResult& result) {
+// Moves, facts and warnings that keep a verdict without gouges from being clean. `model`: null where none counts.
+std::string open_words(const CheckResult& result, const ReportModel* model) {
   const StateCounts& n = result.counts;
   const std::size_t moves = n.not_checked - n.skipped + n.not_certified;
   const auto facts = static_cast<std::size_t>(std::ranges::count_if(result.assumptions, &Assumption::is_open));
@@ -62,6 +62,9 @@ std::string what_is_open(const CheckResult& result) {
   if (facts > 0)
     text += (text.empty() ? "" : ", and ") + count_text(facts, "fact") + " that the verdict rests on " +
             (facts == 1 ? "is" : "are") + " not established";
+  if (const std::size_t warnings = model != nullptr ? warnings_as_errors(*model) : 0; warnings > 0)
+    text += (text.empty() ? "" : ", and ") + count_text(warnings, "warning") + (warnings == 1 ? " counts" : " count") +
+            " as errors";
   return text;
 }
 
@@ -79,7 +82,7 @@ std::string headline(const Checked& checked, const CheckOptions& limits, const s
       return "clean: no gouge in " + count_text(result.verdicts.size(), "move");
     case OverallVerdict::not_fully_checked:
       return std::string("not fully checked: no ") + (n.gouge > 0 ? "other " : "") + "gouge found, but " +
-             what_is_open(result) + (n.gouge > 0 ? "; " + accepted_words(*accepting) : "");
+             open_words(result, accepting) + (n.gouge > 0 ? "; " + accepted_words(*accepting) : "");
     case OverallVerdict::gouges:
       break;
   }

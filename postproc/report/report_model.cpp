@@ -42,8 +42,15 @@ OverallVerdict overall_verdict(const CheckResult& result) {
   return has_open_moves(n) || has_open(result.assumptions) ? OverallVerdict::not_fully_checked : OverallVerdict::clean;
 }
 
+std::size_t warnings_as_errors(const ReportModel& model) {
+  const std::string key = std::string(kWarningsAsErrors).substr(2);
+  if (std::ranges::find(model.more_options, key, &OptionText::name) == model.more_options.end()) return 0;
+  return static_cast<std::size_t>(std::ranges::count(model.notes, Severity::warning, &Diagnostic::severity));
+}
+
 OverallVerdict overall_verdict(const ReportModel& model) {
   const OverallVerdict verdict = overall_verdict(*model.result);
+  if (verdict == OverallVerdict::clean && warnings_as_errors(model) > 0) return OverallVerdict::not_fully_checked;
   if (verdict != OverallVerdict::gouges || !model.baseline.is_given()) return verdict;
   for (std::size_t k = 0; k < model.result->events.size(); ++k) {
     const MoveState state = model.result->events[k].state;
@@ -52,7 +59,7 @@ OverallVerdict overall_verdict(const ReportModel& model) {
   }
   const StateCounts& n = model.result->counts;
   if (n.buried > 0 || n.gouge != model.baseline.accepted_moves) return verdict;
-  const bool is_open = has_open_moves(n) || has_open(model.result->assumptions);
+  const bool is_open = has_open_moves(n) || has_open(model.result->assumptions) || warnings_as_errors(model) > 0;
   return is_open ? OverallVerdict::not_fully_checked : OverallVerdict::accepted_gouges;
 }
 

@@ -184,10 +184,15 @@ struct ReportModel {
 
 enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 
+/// The option that makes every warning of a result keep its verdict from being clean.
+inline constexpr const char* kWarningsAsErrors = "--warnings-as-errors";
+/// Returns the number of warnings in the notes where that option is in force, else 0.
+[[nodiscard]] std::size_t warnings_as_errors(const ReportModel& model);
+
 /// Gouges and buried tools come first, then anything not checked that was not left out on request, and assumptions that
 /// are open.
 [[nodiscard]] OverallVerdict overall_verdict(const CheckResult& result);
-/// The same where gouges may be accepted: those that are come last of all that is not clean.
+/// The same with accepted gouges, which come last of all that is not clean, and with warnings that count as errors.
 [[nodiscard]] OverallVerdict overall_verdict(const ReportModel& model);
 /// clean, gouges, not-fully-checked, accepted-gouges
 [[nodiscard]] const char* verdict_name(OverallVerdict verdict);

@@ -316,7 +316,6 @@ class HtmlReport {
   }
 
   [[nodiscard]] std::string options() const {
-    static constexpr const char* kRapid[] = {"straight", "dogleg", "skip"};
     const CheckOptions& o = model_.options;
     HtmlTable table({});
     const auto add = [&](const std::string& name, const std::string& value) {
@@ -328,7 +327,7 @@ class HtmlReport {
     add("clearance of the shank", length_text(o.shank_clearance_mm, unit_));
     add("clearance of the holder", length_text(o.holder_clearance_mm, unit_));
     add("near miss", o.near_miss_mm > 0 ? length_text(o.near_miss_mm, unit_) : "not asked");
-    add("rapid moves", kRapid[static_cast<std::size_t>(o.law.rapid())]);
+    add("rapid moves", rapid_word(o.law.rapid()));
     for (const OptionText& option : model_.more_options) add(option.name, option.value);
     return "<h2>Options in force</h2>\n" + table.html();
   }

@@ -75,7 +75,6 @@ class JsonReport {
   }
 
   [[nodiscard]] Json options() const {
-    static constexpr std::array<const char*, 3> kRapid{"straight", "dogleg", "skip"};
     const CheckOptions& o = model_.options;
     Json more = Json::object();
     for (const OptionText& option : model_.more_options) {
@@ -92,7 +91,7 @@ class JsonReport {
             {"shank_clearance", length(o.shank_clearance_mm)},
             {"holder_clearance", length(o.holder_clearance_mm)},
             {"near_miss", length(o.near_miss_mm)},
-            {"rapid", kRapid.at(static_cast<std::size_t>(o.law.rapid()))},
+            {"rapid", rapid_word(o.law.rapid())},
             {"more", more}};
   }
 

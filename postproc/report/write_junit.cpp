@@ -115,6 +115,17 @@ JunitCase open_case(const CheckResult& result) {
   return made;
 }
 
+// A test of its own, with --warnings-as-errors.
+JunitCase warnings_case(const ReportModel& model) {
+  JunitCase made;
+  made.name = "warnings";
+  for (const Diagnostic& note : model.notes) {
+    if (note.severity == Severity::warning)
+      made.error_message += (made.error_message.empty() ? "" : "; ") + to_text(note);
+  }
+  return made;
+}
+
 // Build servers show it, but it fails no test.
 std::string beside_the_verdict(const ReportModel& model) {
   std::string text;
@@ -186,6 +197,7 @@ JunitSuite junit_suite_of(const ReportModel& model) {
                    beside_the_verdict(model)};
   for (const Case& one : cases_of(model)) suite.cases.push_back(case_of(model, one));
   if (has_open(model.result->assumptions)) suite.cases.push_back(open_case(*model.result));
+  if (warnings_as_errors(model) > 0) suite.cases.push_back(warnings_case(model));
   return suite;
 }
 

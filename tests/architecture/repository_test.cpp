@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/architecture/source_rules.h"
+#include "tests/architecture/wording_rules.h"
 #include "tests/support/source_folder.h"
 
 // The rules of the house on the house itself.
@@ -116,6 +117,8 @@ TEST(Repository, TolerancesHaveNames) { EXPECT_EQ(listed(check_tolerances(reposi
 TEST(Repository, RandomNumbersAreTheSameEverywhere) { EXPECT_EQ(listed(check_random_numbers(repository())), ""); }
 TEST(Repository, FilesAreShortAndHeadersGuarded) { EXPECT_EQ(listed(check_shape(repository())), ""); }
 TEST(Repository, HasNoNotesToSelfAndNoMachinePaths) { EXPECT_EQ(listed(check_stray_text(repository())), ""); }
+
+TEST(Repository, IsWrittenInPlainWords) { EXPECT_EQ(listed(check_wording(repository())), ""); }
 
 TEST(Repository, NoTwoTypesHaveOneName) { EXPECT_EQ(listed(check_type_names(repository())), ""); }
 

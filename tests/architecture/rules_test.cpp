@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/architecture/source_rules.h"
+#include "tests/architecture/wording_rules.h"
 
 // The rules themselves, tried on small bad and good examples.
 
@@ -168,6 +169,21 @@ TEST(StrayText, NotesToSelfAndMachinePathsAreRefused) {
             (Complaints{std::string("docs/a.md:2: has a TO") + "DO"}));
   EXPECT_EQ(check_stray_text({{"lib/a.h", std::string("// see /wo") + "rk/x\n"}}).size(), 1U);
   EXPECT_EQ(check_stray_text({{"lib/a.h", "// framework/x, a method\n"}}), Complaints{});
+}
+
+TEST(Wording, RelativeClausesPrivateWordsAndOldLimitsAreRefused) {
+  const std::vector<SourceFile> files = {
+      {"lib/a/a.h", "/// What it is.\n/// What goes on in the same comment may.\nint a;\nint b;  ///< Whether b\n"},
+      {"lib/a/b.h", "// Nobody knows.\n// \"nobodys\" is another word.\n"},
+      {"lib/a/b.cpp", "// What a source's comment begins with is free.\nconstexpr int kMostThings = 1;\n"},
+      {"cli/c.cpp", "help(\"as it was looked at\");\n"},
+      {"docs/p.md", "In vain.\n```\nin vain\n```\n"}};
+  EXPECT_EQ(check_wording(files), (Complaints{"lib/a/a.h:1: begins a comment with \"What\"; begin with a verb",
+                                              "lib/a/a.h:4: begins a comment with \"Whether\"; begin with a verb",
+                                              "lib/a/b.h:1: uses \"nobody\"; see docs/conventions.md",
+                                              "lib/a/b.cpp:2: names a limit; expected kMax or kMin",
+                                              "cli/c.cpp:1: uses \"looked at\"; see docs/conventions.md",
+                                              "docs/p.md:1: uses \"in vain\"; see docs/conventions.md"}));
 }
 
 TEST(TypeNames, OfTwoHeadersAreTwo) {

@@ -6,7 +6,7 @@
 #include "tests/architecture/source_text.h"
 
 // The rules of the house as functions: files in, complaints out ("path:line: what is wrong"); no complaints,
-// no violation. docs/layout.md states the rules in prose.
+// no violation. docs/develop/layout.md states the rules in prose.
 
 namespace gouge::architecture {
 

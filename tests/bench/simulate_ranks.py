@@ -21,7 +21,7 @@ ANSWER_S = 0.00002  # a question and its answer over a network, while others wai
 PAUSE_S = 0.0002    # both sides sleep so long between two looks for a message (cli/batch/ranks_mpi.cpp)
 QUICK_S = 0.004     # a rank whose last question is not so long ago asks for twice as many jobs
 READING_S = 0.05    # of a scene, by each rank that has jobs of it
-ALONE_S = 0.00038   # a job: reading the list 0.11 ms, joining 0.17 ms, summaries 0.1 ms (docs/scaling.md)
+ALONE_S = 0.00038   # a job: reading the list 0.11 ms, joining 0.17 ms, summaries 0.1 ms (docs/method/scaling.md)
 WORK = {"check": 1, "correct": 1}  # a byte of a path, as the program reckons (cli/batch/batch_run.cpp)
 CASES = ((100_000, 1, 16), (100_000, 100, 16), (1_000_000, 100, 16), (1_000_000, 1000, 16))
 

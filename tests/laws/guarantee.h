@@ -11,7 +11,7 @@
 #include "lib/certify/check.h"
 #include "tests/support/reference.h"
 
-// The guarantee of docs/method.md compared with a checked job: every witness by own arithmetic, every depth_upper
+// The guarantee of docs/method/guarantee.md compared with a checked job: every witness by own arithmetic, every depth_upper
 // against the reference. Header only.
 
 namespace gouge::guarantee {

@@ -1,5 +1,5 @@
 // A file from which a statement was lost, doubled, cut short, misplaced or contradicted is clean only if
-// every motion that it may mean was checked. tests/laws/motion_expander lists those motions; docs/testing.md
+// every motion that it may mean was checked. tests/laws/motion_expander lists those motions; docs/develop/testing.md
 // has the figures.
 #include <gtest/gtest.h>
 

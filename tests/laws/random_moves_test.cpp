@@ -1,6 +1,6 @@
-// The guarantee of docs/method.md on random moves of every kind, with tools of every shape and heads, among closed and
+// The guarantee of docs/method/guarantee.md on random moves of every kind, with tools of every shape and heads, among closed and
 // open meshes. GOUGE_RANDOM_MOVES sets how many moves, GOUGE_SEED which; GOUGE_STREAM examines one stream of a failure
-// again. docs/testing.md has the longest run.
+// again. docs/develop/testing.md has the longest run.
 #include <gtest/gtest.h>
 
 #include <chrono>

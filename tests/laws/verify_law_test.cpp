@@ -1,6 +1,6 @@
 // Certificates of random scenes: accepted as they are, refused once anything in them or in the result is
 // changed, and no proof is ever found for less than a witness shows. GOUGE_VERIFY_SCENES sets how many
-// scenes, GOUGE_VERIFY_MUTATIONS how many changes, GOUGE_SEED which. docs/testing.md has the longest run.
+// scenes, GOUGE_VERIFY_MUTATIONS how many changes, GOUGE_SEED which. docs/develop/testing.md has the longest run.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

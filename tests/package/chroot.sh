@@ -66,13 +66,13 @@ inside test -e /usr/share/man/man1/gougecheck.1.gz || echo "note: this build has
 # The Python module: the first check of the documentation, as written.
 sed -n '/^```python$/,/^```$/p' "$source/docs/python.md" | sed '/^```/d' >"$root/first.py"
 sed -n '/^```text$/,/^```$/p' "$source/docs/python.md" | sed '/^```/d' >"$root/wanted.txt"
-inside python3 /first.py >"$root/out.txt" 2>&1 || { cat "$root/out.txt" && fail "docs/python.md"; }
-cmp "$root/wanted.txt" "$root/out.txt" || fail "docs/python.md prints something else"
+inside python3 /first.py >"$root/out.txt" 2>&1 || { cat "$root/out.txt" && fail "docs/guide/python.md"; }
+cmp "$root/wanted.txt" "$root/out.txt" || fail "docs/guide/python.md prints something else"
 for script in lead_angle sampling_misses; do
   inside python3 "/usr/share/doc/python3-gougecheck/examples/$script.py" >"$root/out.txt" 2>&1 ||
     { cat "$root/out.txt" && fail "$script.py"; }
 done
-echo "python: the first check of docs/python.md and the examples run"
+echo "python: the first check of docs/guide/python.md and the examples run"
 
 # The development package, by a compiler that is installed for it alone.
 inside sh -c 'apt-get install -y --no-install-recommends g++ cmake make pkg-config' >"$root/install.log" 2>&1 ||

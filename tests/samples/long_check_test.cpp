@@ -9,7 +9,7 @@
 #include "tests/support/source_folder.h"
 
 // A check of a long path, in small: its arrays in files whose pages are released all the time, and in a batch its work
-// kept after every 256 moves, the least there is. GOUGE_PAGED_BYTES: docs/testing.md.
+// kept after every 256 moves, the least there is. GOUGE_PAGED_BYTES: docs/develop/testing.md.
 
 namespace gouge::testing_samples {
 namespace {

@@ -54,6 +54,35 @@ TEST_F(SunkJaw, CheckAndCorrectWarnWithDepthAndPlaceAndKeepTheirStatus) {
   }
 }
 
+TEST_F(SunkJaw, WithWarningsAsErrorsIsNotClean) {
+  const Outcome ran = run("check", {"--warnings-as-errors", "--json", "check.json", "--junit", "check.xml"});
+  EXPECT_EQ(ran.exit_status, 4) << ran.err;
+  EXPECT_NE(ran.out.find("not fully checked: no gouge found, but 1 warning counts as errors"), std::string::npos)
+      << ran.out;
+  const Json report = json_of("check.json");
+  EXPECT_EQ(report.at("verdict"), "not-fully-checked");
+  EXPECT_EQ(report.at("exit_status"), 4);
+  EXPECT_EQ(report.at("options").at("more").at("warnings-as-errors"), "yes");
+  EXPECT_NE(text_of(sample_.path + "/check.xml").find("<error message=\"jaw.stl: warning"), std::string::npos);
+  EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "check.json"}).exit_status, 0);
+  EXPECT_EQ(run("check", {"--warnings-as-errors", "--allow-overlap", "jaw.stl"}).exit_status, 0);
+  EXPECT_EQ(run("correct", {"--warnings-as-errors", "-o", "out.apt"}).exit_status, 4);
+}
+
+TEST_F(SunkJaw, AResultThatHidesItsWarningsIsRefuted) {
+  EXPECT_EQ(run("check", {"--warnings-as-errors", "--json", "check.json"}).exit_status, 4);
+  std::string changed = text_of(sample_.path + "/check.json");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    const std::size_t at = changed.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    changed.replace(at, from.size(), to);
+  };
+  replace("\"not-fully-checked\"", "\"clean\"");
+  replace("\"exit_status\": 4", "\"exit_status\": 0");
+  write_text(sample_.path + "/hidden.json", changed);
+  EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "hidden.json"}).exit_status, 1);
+}
+
 TEST_F(SunkJaw, AnOverlapThatIsAllowedOrWithinTheToleranceIsNoWarning) {
   const Outcome allowed = run("check", {"--allow-overlap", "jaw.stl", "--json", "allowed.json"});
   EXPECT_EQ(allowed.exit_status, 0);

@@ -6,7 +6,7 @@
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
 
-// The head of a report: docs/reviewing.md.
+// The head of a report: docs/guide/sign_off.md.
 
 namespace gouge::testing_samples {
 namespace {

@@ -113,7 +113,7 @@ TEST(Voronoi, EverywhereBelowIsNeverClaimedWrongly) {
 
 // Appendix C of the thesis. B is the reflex corner where the side BC begins, CD another side of the tool. O
 // is equidistant from B, BC and CD; there the bisector of BC and CD must touch the parabola of B and CD, or
-// the regions would overlap. Derivation: docs/algorithms/tool_voronoi.md
+// the regions would overlap. Derivation: docs/method/tool_voronoi.md
 TEST(Voronoi, TheParabolaTouchesTheBisectorAtTheReflexCornersNormal) {
   Scatter random(23);
   for (int k = 0; k < 2000; ++k) {

@@ -45,8 +45,8 @@ struct NumberCount {
 /// True where nothing but blanks separates two numbers of `statement`: they may be one number with blanks within.
 [[nodiscard]] bool has_blank_in_number(const Statement& statement);
 
-/// True where nothing stands between two commas, or digits, signs and points are no number: what was lost there nobody
-/// knows.
+/// Returns whether nothing stands between two commas, or digits, signs and points do not form a number. The lost text is
+/// unknown.
 [[nodiscard]] bool has_damaged_argument(std::span<const Argument> arguments);
 
 /// True where a word stands twice, in any case: which of both counts no reader can show; and of

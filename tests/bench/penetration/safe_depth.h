@@ -25,7 +25,7 @@ struct SafeDepth {
 /// ball that touches a facet from within and reaches an opposed facet not its neighbour. The second is
 /// bounded from below, by no more than a tenth. Below it facets' cells do not meet, so the bisector planes
 /// (thesis 4.8) are the true borders of the Voronoi diagram. Derivation:
-/// docs/algorithms/shallow_penetration.md, section 3.
+/// docs/method/shallow_penetration.md, section 3.
 ///
 /// Cost  O(n log n) while the depth is small against the part; one thread.
 [[nodiscard]] SafeDepth largest_safe_depth(const DepthBody& body, double asked_mm);

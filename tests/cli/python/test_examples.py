@@ -1,4 +1,4 @@
-"""The examples and the first check of docs/python.md run as written."""
+"""The examples and the first check of docs/guide/python.md run as written."""
 
 import os
 import re
@@ -36,7 +36,7 @@ def test_depth_along_path(tmp_path):
 
 
 def test_the_first_check_of_the_documentation(tmp_path):
-    text = (SOURCE / "docs/python.md").read_text()
+    text = (SOURCE / "docs/guide/python.md").read_text()
     code = re.search(r"```python\n(.*?)```", text, re.DOTALL)[1]
     assert len(code.strip().splitlines()) <= 10
     (tmp_path / "first.py").write_text(code)
