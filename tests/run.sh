@@ -3,6 +3,7 @@
 # N passed, N failed, N skipped. The exit status is 0 only when tests ran and none failed.
 set -u
 MORE_PACKAGES="clang-format pkg-config pybind11-dev python3-dev python3-numpy python3-pytest python3-matplotlib"
+OPTIONAL_PACKAGES="openmpi-bin libopenmpi-dev chromium"  # ranks of a batch, and the page of a report
 . "$(dirname "${BASH_SOURCE[0]}")/../samples/setup.sh"
 grep -q '^GOUGE_PYTHON:BOOL=ON' "$BUILD/CMakeCache.txt" ||
   quietly configure cmake -S "$ROOT" --preset release -DGOUGE_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
@@ -18,6 +19,21 @@ awk '/^The following tests FAILED:/ { exit } /\*\*\*(Failed|Timeout|Exception|No
      /^[[:space:]]*[0-9]+\/[0-9]+ Test.*Passed/ { show = 0 } /^[[:space:]]*[0-9]+\/[0-9]+ Test.*Skipped/ { show = 0 }
      show { print }' "$ROOT/build/tests.log" | grep -v '^[[:space:]]*Start ' || true
 [ -f "$JUNIT" ] || { tail -n 30 "$ROOT/build/tests.log" >&2; fail "ctest wrote no results"; }
+
+# Each skipped test with its reason.
+python3 - "$JUNIT" <<'END'
+import sys
+import xml.etree.ElementTree as tree
+
+for case in tree.parse(sys.argv[1]).iter("testcase"):
+    skipped = case.find("skipped")
+    if skipped is None or not skipped.get("message", "").startswith("SKIP_"):
+        continue
+    lines = [line.strip() for line in (case.findtext("system-out") or "").splitlines()]
+    after = [k for k, line in enumerate(lines) if line.endswith(": Skipped")]
+    said = lines[after[0] + 1:] if after else lines[::-1]
+    print("skipped:", case.get("name").split("  #")[0] + ":", next((line for line in said if line), "no reason given"))
+END
 
 # One <testcase ... status="run|fail|notrun|disabled"> per test; one that was skipped on purpose says so in the line
 # after it, any other that did not run counts as failed.

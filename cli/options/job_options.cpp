@@ -142,7 +142,7 @@ OptionRows<JobArguments> check_rows() {
            .help = "Allow no defaults: call a path clean only where every fact is established",
            .scope = Scope::project,
            .recorded = Recorded::shown},
-          {.name = kWarningsAsErrors,
+          {.name = "--warnings-as-errors",
            .field = &A::has_warnings_as_errors,
            .help = "Call a path clean only where the result has no warning: with one the exit status is 4",
            .scope = Scope::project,

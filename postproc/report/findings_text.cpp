@@ -50,11 +50,12 @@ std::string overcut_words(const ReportModel& model) {
   return is_noteworthy ? ", overcut " + overcut_range_text(model) : std::string();
 }
 
-// Moves, facts and warnings that keep a verdict without gouges from being clean. `model`: null where none counts.
+// Moves and facts that keep a verdict without gouges from being clean. `model`: null for a path before its correction.
 std::string open_words(const CheckResult& result, const ReportModel* model) {
   const StateCounts& n = result.counts;
   const std::size_t moves = n.not_checked - n.skipped + n.not_certified;
-  const auto facts = static_cast<std::size_t>(std::ranges::count_if(result.assumptions, &Assumption::is_open));
+  const auto open = static_cast<std::size_t>(std::ranges::count_if(result.assumptions, &Assumption::is_open));
+  const std::size_t facts = model != nullptr ? open_facts(*model).size() : open;
   std::string text;
   if (moves > 0)
     text = std::to_string(moves) + " of " + count_text(result.verdicts.size(), "move") +
@@ -62,9 +63,6 @@ std::string open_words(const CheckResult& result, const ReportModel* model) {
   if (facts > 0)
     text += (text.empty() ? "" : ", and ") + count_text(facts, "fact") + " that the verdict rests on " +
             (facts == 1 ? "is" : "are") + " not established";
-  if (const std::size_t warnings = model != nullptr ? warnings_as_errors(*model) : 0; warnings > 0)
-    text += (text.empty() ? "" : ", and ") + count_text(warnings, "warning") + (warnings == 1 ? " counts" : " count") +
-            " as errors";
   return text;
 }
 
@@ -264,7 +262,7 @@ Headlines headlines(const ReportModel& model) {
 std::string summary_text(const ReportModel& model, bool is_coloured) {
   std::string text = line(model.toolpath->file + bodies(model));
   text += verdict_lines(model, is_coloured);
-  for (const std::string& fact : open_facts(*model.result)) text += line("not established: " + fact);
+  for (const std::string& fact : open_facts(model)) text += line("not established: " + fact);
   for (const std::string& reservation : reservations(model)) text += line("note: " + reservation);
   text += line("moves: " + counts_line(model.result->counts));
   const std::string overcut = overcut_gaps_text(model);

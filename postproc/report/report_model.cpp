@@ -34,18 +34,19 @@ std::string clearances_text(const ReportModel& model) {
   return text;
 }
 
+// The warnings in the notes where --warnings-as-errors is in force, else 0.
+std::size_t warnings_as_errors(const ReportModel& model) {
+  if (std::ranges::find(model.more_options, "warnings-as-errors", &OptionText::name) == model.more_options.end())
+    return 0;
+  return static_cast<std::size_t>(std::ranges::count(model.notes, Severity::warning, &Diagnostic::severity));
+}
+
 }  // namespace
 
 OverallVerdict overall_verdict(const CheckResult& result) {
   const StateCounts& n = result.counts;
   if (n.gouge + n.buried > 0) return OverallVerdict::gouges;
   return has_open_moves(n) || has_open(result.assumptions) ? OverallVerdict::not_fully_checked : OverallVerdict::clean;
-}
-
-std::size_t warnings_as_errors(const ReportModel& model) {
-  const std::string key = std::string(kWarningsAsErrors).substr(2);
-  if (std::ranges::find(model.more_options, key, &OptionText::name) == model.more_options.end()) return 0;
-  return static_cast<std::size_t>(std::ranges::count(model.notes, Severity::warning, &Diagnostic::severity));
 }
 
 OverallVerdict overall_verdict(const ReportModel& model) {
@@ -92,14 +93,17 @@ std::string guarantee_text(const ReportModel& model) {
          "; it does not cover the " + not_covered + basis;
 }
 
-std::vector<std::string> open_facts(const CheckResult& result) {
+std::vector<std::string> open_facts(const ReportModel& model) {
   std::vector<std::string> all;
-  for (const Assumption& fact : result.assumptions) {
+  for (const Assumption& fact : model.result->assumptions) {
     if (!fact.is_open) continue;
     const std::string object = fact.object.empty() ? "" : " " + fact.object;
     all.push_back(std::string(subject_name(fact.subject)) + object + " (" + basis_name(fact.basis) +
                   "): " + fact.evidence + "; " + fact.remedy);
   }
+  if (const std::size_t warnings = warnings_as_errors(model); warnings > 0)
+    all.push_back("no warning (contradicted): the result has " + count_text(warnings, "warning") +
+                  "; settle them, or leave out --warnings-as-errors");
   return all;
 }
 

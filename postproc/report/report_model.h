@@ -184,11 +184,6 @@ struct ReportModel {
 
 enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 
-/// The option that makes every warning of a result keep its verdict from being clean.
-inline constexpr const char* kWarningsAsErrors = "--warnings-as-errors";
-/// Returns the number of warnings in the notes where that option is in force, else 0.
-[[nodiscard]] std::size_t warnings_as_errors(const ReportModel& model);
-
 /// Gouges and buried tools come first, then anything not checked that was not left out on request, and assumptions that
 /// are open.
 [[nodiscard]] OverallVerdict overall_verdict(const CheckResult& result);
@@ -204,7 +199,7 @@ inline constexpr const char* kWarningsAsErrors = "--warnings-as-errors";
 [[nodiscard]] std::string guarantee_text(const ReportModel& model);
 
 /// Returns one sentence for each assumption that keeps the verdict from being clean: which, why, and what to do.
-[[nodiscard]] std::vector<std::string> open_facts(const CheckResult& result);
+[[nodiscard]] std::vector<std::string> open_facts(const ReportModel& model);
 
 /// Reservations about the verdict, a sentence each: which option settles why moves are not checked
 /// (remedies.h), that the path may not belong to the part, that tools have no holder.

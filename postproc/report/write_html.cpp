@@ -87,7 +87,7 @@ class HtmlReport {
 
   [[nodiscard]] std::string beside_the_verdict() const {
     std::string out;
-    for (const std::string& fact : open_facts(*model_.result))
+    for (const std::string& fact : open_facts(model_))
       out += "<p class=\"but\">Not established: " + xml_escaped(fact) + ".</p>\n";
     for (const std::string& reservation : reservations(model_))
       out += "<p class=\"but\">Note: " + xml_escaped(reservation) + ".</p>\n";

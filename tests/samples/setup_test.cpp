@@ -57,13 +57,13 @@ TEST_F(SunkJaw, CheckAndCorrectWarnWithDepthAndPlaceAndKeepTheirStatus) {
 TEST_F(SunkJaw, WithWarningsAsErrorsIsNotClean) {
   const Outcome ran = run("check", {"--warnings-as-errors", "--json", "check.json", "--junit", "check.xml"});
   EXPECT_EQ(ran.exit_status, 4) << ran.err;
-  EXPECT_NE(ran.out.find("not fully checked: no gouge found, but 1 warning counts as errors"), std::string::npos)
+  EXPECT_NE(ran.out.find("not established: no warning (contradicted): the result has 1 warning"), std::string::npos)
       << ran.out;
   const Json report = json_of("check.json");
   EXPECT_EQ(report.at("verdict"), "not-fully-checked");
   EXPECT_EQ(report.at("exit_status"), 4);
   EXPECT_EQ(report.at("options").at("more").at("warnings-as-errors"), "yes");
-  EXPECT_NE(text_of(sample_.path + "/check.xml").find("<error message=\"jaw.stl: warning"), std::string::npos);
+  EXPECT_NE(text_of(sample_.path + "/check.xml").find("<error message=\"no warning (contradicted)"), std::string::npos);
   EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "check.json"}).exit_status, 0);
   EXPECT_EQ(run("check", {"--warnings-as-errors", "--allow-overlap", "jaw.stl"}).exit_status, 0);
   EXPECT_EQ(run("correct", {"--warnings-as-errors", "-o", "out.apt"}).exit_status, 4);
