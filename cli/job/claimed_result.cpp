@@ -104,7 +104,11 @@ class ResultReader {
     a.rapid = kRapids[rapid];
     check.law = static_cast<RapidMode>(rapid);
     const JsonField more = options.at("more");
-    const auto given = [&](const std::string& key) { return all_given(more, key.c_str()); };
+    const auto given = [&](const std::string& key, bool is_repeatable) {
+      if (is_repeatable) return all_given(more, key.c_str());
+      const std::optional<JsonField> value = more.find(key);
+      return value ? std::vector<std::string>{value->text()} : std::vector<std::string>();
+    };
     repeat_options<ReadingArguments>(a.reading, reading_options(), given);
     repeat_options(a, job_options(), given);
     read_limits(more, "part", Against::part, named_parts_);

@@ -120,12 +120,14 @@ std::vector<OptionText> recorded_options(const Arguments& arguments, const Optio
   return recorded;
 }
 
-/// Sets the options of `rows` that a verification repeats. `given(key)` returns the texts that the result has for a key.
+/// Sets the options of `rows` that a verification repeats. `given(key, is_repeatable)` returns the texts that the result
+/// has for a key.
 template <typename Arguments, typename Given>
 void repeat_options(Arguments& arguments, const OptionRows<Arguments>& rows, const Given& given) {
   for (const OptionRow<Arguments>& row : rows) {
     if (row.recorded != Recorded::repeated) continue;
-    const std::vector<std::string> texts = given(row.recorded_as());
+    const bool is_repeatable = std::holds_alternative<std::vector<std::string> Arguments::*>(row.field);
+    const std::vector<std::string> texts = given(row.recorded_as(), is_repeatable);
     if (texts.empty()) continue;
     if (const auto* const text = std::get_if<std::string Arguments::*>(&row.field)) arguments.** text = texts.front();
     if (const auto* const flag = std::get_if<bool Arguments::*>(&row.field)) arguments.** flag = true;
