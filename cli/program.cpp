@@ -49,6 +49,7 @@ Program::Program() {
   add_accept_options(
       *app.add_subcommand("accept", "Accept findings, so that a check with --baseline counts them apart"), a.accept);
   add_merge_options(*app.add_subcommand("merge", "Join the results of the shards of a batch"), a.merge);
+  add_machine_commands(*app.add_subcommand("machine", "List and show machines"), a.machine);
   add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), a.mesh);
   add_path_options(*app.add_subcommand("path", "Show what is in a toolpath file"), a.path);
   add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"), a.tool);

@@ -27,6 +27,7 @@ struct Arguments {
   ClashArguments clash;
   CompareArguments compare;
   MergeArguments merge;
+  MachineArguments machine;
   MeshArguments mesh;
   PathArguments path;
   ToolArguments tool;

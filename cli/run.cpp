@@ -65,6 +65,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   if (app.got_subcommand("accept")) return run_accept(arguments.accept, out, err);
   if (app.got_subcommand("compare")) return run_compare(arguments.compare, out, err);
   if (app.got_subcommand("merge")) return run_merge(arguments.merge, out, err);
+  if (app.got_subcommand("machine")) return run_machine(arguments.machine, out, err);
   if (app.got_subcommand("mesh")) return run_mesh(arguments.mesh, out, err);
   if (app.got_subcommand("tool")) return run_tool(arguments.tool, out, err);
   if (app.got_subcommand("path")) return run_path(arguments.path, out, err);

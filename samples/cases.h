@@ -11,6 +11,7 @@ namespace gouge::samples {
 [[nodiscard]] Sample make_pocket();         ///< bull-nose in a filleted pocket, a clamp beside it
 [[nodiscard]] Sample make_blade();          ///< tapered ball around a twisted blade, NX CLSF with MSYS
 [[nodiscard]] Sample make_between_rib();    ///< both positions clean, a rib between them
+[[nodiscard]] Sample make_pole_crossing();  ///< clean on the great circle, a gouge where two rotary joints run evenly
 [[nodiscard]] Sample make_between_swing();  ///< the tip rests, the holder swings through a post
 [[nodiscard]] Sample make_between_head();   ///< the tip rests, the machine head dips into a post
 [[nodiscard]] Sample make_thin_post();      ///< a post 0.04 mm thick, one long rapid

@@ -87,6 +87,33 @@ Sample make_between_swing() {
   return sample;
 }
 
+// Both axes lean by s, 45 degrees to either side of x. On the great circle the axis between them leans by
+// atan(tan s cos 45). Where a rotary table turns and its tilt stands, it leans by s, and the holder, of radius 16, comes
+// 1 mm deep over the post's front edge (x, 0, 60).
+Sample make_pole_crossing() {
+  Sample sample = small_case(
+      "pole_crossing",
+      "The tip rests while the axis turns past the pole: the holder passes a post on the great circle, and is 1 mm in it "
+      "where A stands and C turns",
+      R"({"units":"mm","tools":[{"number":1,"name":"ball D6","cutter":{"shape":"ball","diameter":6,"length":20},
+  "shank":[{"lower_diameter":6,"upper_diameter":6,"length":20}],
+  "holder":[{"lower_diameter":32,"upper_diameter":32,"length":60}]}]}
+)",
+      0);
+  const double lean = std::numbers::pi / 18, height = 60, radius = 16, depth = 1;
+  const double front = (radius - depth + height * std::sin(lean)) / std::cos(lean);
+  const std::array<double, 4> x = {-30, front, front + 4, 40}, y = {-30, -1, 1, 30};
+  const std::array<double, 3> z = {-12, -3.5, height};
+  sample.parts.push_back(
+      {"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); })});
+  const double out = std::sin(lean) / std::numbers::sqrt2;
+  ClText cl = start_text(sample);
+  cl.feed({Vec3(0, 0, 0), Vec3(out, -out, std::cos(lean))});
+  cl.feed({Vec3(0, 0, 0), Vec3(out, out, std::cos(lean))});
+  finish_sweep(sample, cl);
+  return sample;
+}
+
 Sample make_between_head() {
   Sample sample = small_case(
       "between_head",

@@ -9,6 +9,7 @@
 #include "cli/commands/correct_command.h"
 #include "cli/options/help_text.h"
 #include "cli/options/length_rule.h"
+#include "cli/options/machine_options.h"
 #include "cli/options/parse_errors.h"
 #include "postproc/report/report_model.h"
 
@@ -79,7 +80,8 @@ Diagnostic JobWords::unknown(const std::string& key) const {
 }
 
 std::string JobWords::located(const std::string& file) const {
-  if (folder_.empty() || file.empty() || file.front() == '/') return file;
+  // A preset of --machine is no file.
+  if (folder_.empty() || file.empty() || file.front() == '/' || file.starts_with(kMachinePreset)) return file;
   return (std::filesystem::path(folder_) / file).string();
 }
 

@@ -260,9 +260,21 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
       ->allow_extra_args(false);
   add_placement_options(plot, arguments.place, arguments.stl_units);
   plot.footer("Example:\n  gougecheck path plot finish.apt --part part.stl -o finish.png\n\n" + std::string(kStatus));
+
+  CLI::App* laws = command.add_subcommand("laws", "Measure how far the laws of motion of a machine are apart");
+  add_path_laws_options(*laws, arguments.machine);
+  CLI::App* joints = command.add_subcommand("joints", "Write the joints of a machine for every record");
+  add_path_joints_options(*joints, arguments.machine);
+  for (CLI::App* one : {laws, joints}) {
+    one->callback([&, one, joints] {
+      arguments.is_machine = true;
+      arguments.machine.is_joints = one == joints;
+    });
+  }
 }
 
 int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err) {
+  if (arguments.is_machine) return run_path_machine(arguments.machine, out, err);
   Result<ReadOptions> options = understand(arguments.reading);
   if (!options) return fail(err, {options.error()});
   options->keeps_origins = arguments.is_convert;

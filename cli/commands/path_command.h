@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands/machine_command.h"
 #include "cli/options/reading_options.h"
 
 namespace CLI {
@@ -20,7 +21,8 @@ struct PathArguments {
   std::string output, to;          ///< convert and plot
   std::vector<std::string> parts;  ///< plot
   std::string place, stl_units;
-  bool is_info = false, is_convert = false;
+  bool is_info = false, is_convert = false, is_machine = false;
+  PathMachineArguments machine;  ///< laws and joints
 };
 
 void add_path_options(CLI::App& command, PathArguments& arguments);

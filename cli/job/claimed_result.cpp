@@ -109,6 +109,7 @@ class ResultReader {
       const std::optional<JsonField> value = more.find(key);
       return value ? std::vector<std::string>{value->text()} : std::vector<std::string>();
     };
+    if (more.find("machine")) more.at("machine").fail("no machine: verify evaluates the great circle alone");
     repeat_options<ReadingArguments>(a.reading, reading_options(), given);
     repeat_options(a, job_options(), given);
     read_limits(more, "part", Against::part, named_parts_);

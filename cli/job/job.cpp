@@ -5,7 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "cli/job/machine_job.h"
 #include "cli/options/length_rule.h"
+#include "cli/options/machine_options.h"
+#include "cli/terminal/length_text.h"
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
@@ -65,7 +68,7 @@ class JobLoader {
 
   LoadedJob run(const SceneSource& scenes) {
     LoadedJob loaded;
-    const bool has_path = read_path();
+    const bool has_path = read_path() && read_machine();
     read_scene(scenes);
     if (has_path && errors_.empty()) read_tools();
     if (errors_.empty()) assume_inputs();
@@ -99,6 +102,37 @@ class JobLoader {
                      arguments_.path, move.line));
       return false;
     }
+    return true;
+  }
+
+  // --machine, and the law of motion that its control or the user states.
+  bool read_machine() {
+    if (arguments_.machine.empty()) {
+      for (const auto& [option, law] :
+           {std::pair{"--feed-law", arguments_.feed_law}, {"--rapid-law", arguments_.rapid_law}}) {
+        if (law != "axis") continue;
+        errors_.push_back(usage_error(option, law, "--machine beside it: rotary joints are those of a machine"));
+        return false;
+      }
+      return true;
+    }
+    std::string bytes;
+    Result<Machine> machine = load_machine(arguments_.machine, arguments_.input, bytes);
+    if (!machine) {
+      errors_.push_back(machine.error());
+      return false;
+    }
+    if (!arguments_.machine.starts_with(kMachinePreset))
+      job_.inputs.push_back(describe_input("machine", arguments_.machine, bytes));
+    Result<MotionLaw> law = law_of(*machine, arguments_, job_.options.check.law.rapid());
+    if (!law) {
+      errors_.push_back(law.error());
+      return false;
+    }
+    job_.options.check.law = *law;
+    job_.basis.law_evidence = describe_law(*machine, arguments_);
+    job_.machine = std::move(*machine);
+    add_notes(choose_joints_of(*job_.machine, job_.toolpath));
     return true;
   }
 
@@ -273,6 +307,7 @@ Result<Toolpath> read_again(const Job& job, const std::string& file, std::string
   reading.keeps_origins = false;
   ReadOutcome outcome = read_toolpath(file, std::move(bytes), reading);
   if (!outcome.toolpath) return outcome.errors.front();
+  if (job.machine) static_cast<void>(choose_joints_of(*job.machine, *outcome.toolpath));
   // The dialect was given here; how that of the first file is known is what counts.
   copy_facts(Subject::dialect, job.toolpath.assumptions, outcome.toolpath->assumptions);
   return std::move(*outcome.toolpath);

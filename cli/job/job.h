@@ -10,6 +10,7 @@
 #include "cli/job/scene_files.h"
 #include "cli/options/job_options.h"
 #include "lib/certify/check.h"
+#include "lib/machine/machine.h"
 #include "postproc/report/report_model.h"
 #include "toolmodels/assembly.h"
 
@@ -36,7 +37,8 @@ struct Job {
   std::vector<std::optional<ToolVariants>> variants;    ///< of these
   std::vector<InputFile> inputs;
   std::vector<ToolFacts> tool_facts;
-  SetupBasis basis;  ///< how the inputs are known
+  SetupBasis basis;                     ///< how the inputs are known
+  std::optional<Machine> machine = {};  ///< of --machine
   Diagnostics notes;
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< of the work on it
 

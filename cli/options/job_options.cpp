@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "cli/options/length_rule.h"
+#include "cli/options/machine_options.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/number_text.h"
 #include "lib/base/parallel.h"
@@ -130,6 +131,25 @@ OptionRows<JobArguments> check_rows() {
            .help = "How rapid moves run",
            .scope = Scope::project,
            .choices = {kRapidWords.begin(), kRapidWords.end()}},
+          {.name = "--machine",
+           .field = &A::machine,
+           .type = "FILE",
+           .help = kMachineHelp,
+           .scope = Scope::project,
+           .recorded = Recorded::shown},
+          {.name = "--feed-law",
+           .field = &A::feed_law,
+           .help = "How the tool axis turns in feeds: vector, on the great circle; axis, both rotary joints evenly "
+                   "(default: as the control of --machine does)",
+           .scope = Scope::project,
+           .recorded = Recorded::shown,
+           .choices = {kTurnLawNames.begin(), kTurnLawNames.end()}},
+          {.name = "--rapid-law",
+           .field = &A::rapid_law,
+           .help = "The same for rapids",
+           .scope = Scope::project,
+           .recorded = Recorded::shown,
+           .choices = {kTurnLawNames.begin(), kTurnLawNames.end()}},
           {.name = "--assume",
            .field = &A::assumed,
            .type = "FACT[=OBJECT]",

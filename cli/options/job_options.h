@@ -51,6 +51,7 @@ struct JobArguments : Verbosity {
   /// foreign files in the report's folder; of `correct` also a path that does not fit the part
   bool is_forced = false;
   bool is_extended_up = false;
+  std::string machine, feed_law, rapid_law;
   std::vector<std::string> assumed;  ///< --assume
   bool is_strict = false;
   bool has_warnings_as_errors = false;

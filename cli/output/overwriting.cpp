@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "cli/options/machine_options.h"
 #include "cli/output/report_folder.h"
 #include "lib/base/staged_file.h"
 
@@ -77,6 +78,7 @@ std::vector<InputOption> inputs_of(const JobArguments& a) {
   for (const std::string& file : a.parts) inputs.push_back({"the part", file});
   for (const std::string& file : a.fixtures) inputs.push_back({"the fixture", file});
   for (const std::string& file : a.heads) inputs.push_back({"the head", file});
+  if (!a.machine.empty() && !a.machine.starts_with(kMachinePreset)) inputs.push_back({"the machine", a.machine});
   return inputs;
 }
 

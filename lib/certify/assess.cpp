@@ -85,9 +85,9 @@ std::size_t count_turns(const Toolpath& path) {
   return turns;
 }
 
-Assumption motion_law_fact(const Toolpath& path, const MotionLaw& law) {
+Assumption motion_law_fact(const Toolpath& path, const MotionLaw& law, const std::string& stated_by) {
   Assumption fact{.subject = Subject::motion_law, .value = law.name(), .code = "motion-law"};
-  std::ranges::replace(fact.value, '-', ' ');
+  if (law.is_great_circle()) fact.value = "great circle";
   fact.file = path.file;
   fact.remedy = "state that the machine keeps to it with --assume motion-law";
   const std::size_t turns = count_turns(path);
@@ -95,6 +95,9 @@ Assumption motion_law_fact(const Toolpath& path, const MotionLaw& law) {
     fact.basis = Basis::derived;
     fact.value = "fixed tool axis";
     fact.evidence = "the tool axis turns in no move";
+  } else if (!stated_by.empty()) {
+    fact.basis = Basis::stated;
+    fact.evidence = stated_by;
   } else {
     fact.evidence = "the tool axis turns in " + count_text(turns, "move") +
                     "; CL data means the great circle between two positions";
@@ -130,7 +133,7 @@ void assess(const Toolpath& path, const CheckSetup& setup, CheckResult& result) 
   result.closest_approach = measure_closest_approach(path, setup.tools, setup.scene, result.verdicts, threads);
   result.fit = find_path_fit(path, result.verdicts, setup.tools, setup.scene, threads);
   Assumptions facts = path.assumptions;
-  facts.push_back(motion_law_fact(path, setup.options.law));
+  facts.push_back(motion_law_fact(path, setup.options.law, setup.basis.law_evidence));
   facts.insert(facts.end(), setup.basis.inputs.begin(), setup.basis.inputs.end());
   if (!setup.scene.workpiece().meshes.empty()) {
     facts.push_back(mesh_unit_fact(path, setup, result));

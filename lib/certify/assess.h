@@ -20,6 +20,7 @@ struct SetupBasis {
   std::string place = {};                    ///< as the user states it (--place); empty: not stated
   std::vector<Vouched> vouched = {};         ///< --assume
   bool is_strict = false;                    ///< defaults are not allowed
+  std::string law_evidence = {};             ///< who states the law of motion; empty: nothing does
 };
 
 /// Returns whether an STL file bounds a solid, as an assumption. `name` is the file as the user named it.

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
 #include "lib/geom/vec.h"
+#include "lib/path/joint_angles.h"
 
 // How the tool axis runs between two positions where it is not on the great circle: what a kinematic chain gives.
 
@@ -30,6 +32,11 @@ class AxisLaw {
   /// Null where the law leaves the way open, but never for equal directions. Requires unit directions. The ends of the
   /// path are these directions, to rounding.
   [[nodiscard]] virtual std::shared_ptr<const AxisPath> between(const Vec3& from, const Vec3& to) const = 0;
+  /// The same for a move of a path with the angles of `joints`, whose history decides between several ways; may be null.
+  [[nodiscard]] virtual std::shared_ptr<const AxisPath> of_move(const JointPath* /*joints*/, std::size_t /*move*/,
+                                                                const Vec3& from, const Vec3& to) const {
+    return between(from, to);
+  }
   /// One word for options, reports and certificates.
   [[nodiscard]] virtual std::string name() const = 0;
 };

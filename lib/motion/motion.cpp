@@ -47,10 +47,10 @@ double off_circle_rad(const MotionRates& rates) {
 
 }  // namespace
 
-Motion::Motion(const Pose& start, const Pose& end, const AxisLaw* law)
+Motion::Motion(const Pose& start, const Pose& end, const AxisLaw* law, const JointPath* joints, std::size_t move)
     : start_(start), end_(end), whole_{0, 1, start.tip, end.tip} {
   if (law != nullptr) {
-    axis_path_ = law->between(start.axis, end.axis);
+    axis_path_ = law->of_move(joints, move, start.axis, end.axis);
     is_defined_ = axis_path_ != nullptr;
   } else {
     turn_on_great_circle();

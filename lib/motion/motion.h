@@ -62,8 +62,9 @@ class Motion {
  private:
   friend class MotionLaw;
 
-  /// Tip on a straight line. Requires unit axes. `law`: null for the great circle.
-  Motion(const Pose& start, const Pose& end, const AxisLaw* law);
+  /// Tip on a straight line. Requires unit axes. `law`: null for the great circle; `move`: of the path of `joints`.
+  Motion(const Pose& start, const Pose& end, const AxisLaw* law, const JointPath* joints = nullptr,
+         std::size_t move = 0);
   /// The axes of the machine run at one speed until each has arrived.
   void run_dogleg();
   /// Evenly in t along an arc or helix: one segment.

@@ -2,13 +2,24 @@
 
 namespace gouge {
 
+std::string MotionLaw::name() const {
+  const std::string feed = feed_axes_ ? feed_axes_->name() : "great-circle";
+  const std::string rapid = rapid_axes_ ? rapid_axes_->name() : "great-circle";
+  return feed == rapid ? feed : feed + ", rapids " + rapid;
+}
+
 Motion MotionLaw::of(const Toolpath& toolpath, std::size_t index) const {
   const Move& move = toolpath.moves[index];
   if (!move.has_start) return at(move.end);
-  const Pose& start = toolpath.start_of(index);
-  if (move.curve_kind == CurveKind::arc) return along(start, move.end, toolpath.arcs[move.curve]);
-  if (move.curve_kind == CurveKind::spline) return along(start, move.end, toolpath.splines[move.curve]);
-  return between(start, move.end, move.kind);
+  Motion motion(toolpath.start_of(index), move.end, axes_of(move.kind), toolpath.joints.get(), index);
+  if (move.curve_kind == CurveKind::arc) {
+    motion.run_along(toolpath.arcs[move.curve]);
+  } else if (move.curve_kind == CurveKind::spline) {
+    motion.run_along(toolpath.splines[move.curve]);
+  } else if (move.kind == MoveKind::rapid && rapid_ == RapidMode::dogleg) {
+    motion.run_dogleg();
+  }
+  return motion;
 }
 
 std::optional<Motion> MotionLaw::link_of(const Toolpath& toolpath, std::size_t index) const {
@@ -24,7 +35,7 @@ Motion MotionLaw::at(const Pose& pose) const {
 }
 
 Motion MotionLaw::between(const Pose& from, const Pose& to, MoveKind kind) const {
-  Motion motion = straight(from, to);
+  Motion motion(from, to, axes_of(kind));
   if (kind == MoveKind::rapid && rapid_ == RapidMode::dogleg) motion.run_dogleg();
   return motion;
 }

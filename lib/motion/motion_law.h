@@ -32,16 +32,22 @@ class MotionLaw {
   /// The great circle. Skipped rapids are straight where a caller requests them nevertheless.
   MotionLaw(RapidMode rapid = RapidMode::straight)  // NOLINT(google-explicit-constructor): a mode is a law
       : rapid_(rapid) {}
-  /// `axes`: not null.
-  MotionLaw(RapidMode rapid, std::shared_ptr<const AxisLaw> axes) : rapid_(rapid), axes_(std::move(axes)) {}
+  /// `axes`: not null; for feeds and rapids.
+  MotionLaw(RapidMode rapid, std::shared_ptr<const AxisLaw> axes)
+      : rapid_(rapid), feed_axes_(axes), rapid_axes_(axes) {}
+  /// Laws for feeds and for rapids; null: the great circle.
+  MotionLaw(RapidMode rapid, std::shared_ptr<const AxisLaw> feed_axes, std::shared_ptr<const AxisLaw> rapid_axes)
+      : rapid_(rapid), feed_axes_(std::move(feed_axes)), rapid_axes_(std::move(rapid_axes)) {}
 
   [[nodiscard]] RapidMode rapid() const { return rapid_; }
   /// True where the motion between the poses at two instants of a motion without a curve is surely a part of it.
   [[nodiscard]] bool is_divisible(MoveKind kind) const {
-    return !axes_ && (kind != MoveKind::rapid || rapid_ != RapidMode::dogleg);
+    return axes_of(kind) == nullptr && (kind != MoveKind::rapid || rapid_ != RapidMode::dogleg);
   }
-  /// Names the law of the axis: "great-circle", or as the AxisLaw does.
-  [[nodiscard]] std::string name() const { return axes_ ? axes_->name() : "great-circle"; }
+  /// True where the axis turns on the great circle in all motions.
+  [[nodiscard]] bool is_great_circle() const { return !feed_axes_ && !rapid_axes_; }
+  /// Names the law of the axis: "great-circle", or as the AxisLaw does, for feeds and rapids.
+  [[nodiscard]] std::string name() const;
 
   /// Makes the motion of a move, along its arc or spline where it has one.
   [[nodiscard]] Motion of(const Toolpath& toolpath, std::size_t move) const;
@@ -54,14 +60,18 @@ class MotionLaw {
   [[nodiscard]] static Motion tool_at(const Pose& pose) { return MotionLaw().at(pose); }
   /// Between two positions with no curve: by the mode for rapids, straight otherwise.
   [[nodiscard]] Motion between(const Pose& from, const Pose& to, MoveKind kind) const;
-  [[nodiscard]] Motion straight(const Pose& from, const Pose& to) const { return {from, to, axes_.get()}; }
+  [[nodiscard]] Motion straight(const Pose& from, const Pose& to) const { return {from, to, feed_axes_.get()}; }
   [[nodiscard]] Motion along(const Pose& from, const Pose& to, const PathArc& arc) const;
   /// Requires at least one piece.
   [[nodiscard]] Motion along(const Pose& from, const Pose& to, const PathSpline& spline) const;
 
  private:
+  [[nodiscard]] const AxisLaw* axes_of(MoveKind kind) const {
+    return kind == MoveKind::rapid ? rapid_axes_.get() : feed_axes_.get();
+  }
+
   RapidMode rapid_;
-  std::shared_ptr<const AxisLaw> axes_;
+  std::shared_ptr<const AxisLaw> feed_axes_, rapid_axes_;
 };
 
 }  // namespace gouge

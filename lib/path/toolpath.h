@@ -18,6 +18,7 @@
 #include "lib/path/assumption.h"
 #include "lib/path/curve.h"
 #include "lib/path/feed.h"
+#include "lib/path/joint_angles.h"
 #include "lib/path/source_text.h"
 
 // The neutral toolpath: the content of a cutter-location file, free of any dialect, in mm and part coordinates,
@@ -140,6 +141,7 @@ struct Toolpath {
   bool has_turned_frame = false;  ///< the file's X, Y and Z are not the part's in some of its moves
   /// Null where the path was read without; a caller that needs them then reads the file again.
   std::shared_ptr<const MoveOrigins> origins;
+  std::shared_ptr<const JointPath> joints;  ///< of the machine that it is checked for; null: none
 
   /// Where a move starts: removing moves from a path changes where those behind them start.
   /// Requires moves[move].has_start and move > 0.

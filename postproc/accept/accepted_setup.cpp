@@ -28,7 +28,8 @@ bool is_same_length(double a_mm, double b_mm) {
 std::vector<std::string> limits_of(const ReportModel& model) {
   std::vector<std::string> all;
   for (const OptionText& option : model.more_options)
-    if (option.name == "part" || option.name == "fixture") all.push_back(option.value);
+    if (option.name == "part" || option.name == "fixture" || option.name == "machine" || option.name.ends_with("-law"))
+      all.push_back(option.value);
   std::ranges::sort(all);
   return all;
 }

@@ -70,7 +70,7 @@ class ResultReader {
     o.holder_clearance_mm = length(options.at("holder_clearance"));
     o.rapid = options.at("rapid").text();
     const std::optional<JsonField> more = options.find("more");
-    for (const char* option : {"part", "fixture"})
+    for (const char* option : {"part", "fixture", "machine", "feed-law", "rapid-law"})
       if (more) read_limits(*more, option);
     std::ranges::sort(o.limits);
   }

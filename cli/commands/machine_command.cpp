@@ -1,0 +1,232 @@
+#include "cli/commands/machine_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <ostream>
+#include <vector>
+
+#include "cli/job/machine_job.h"
+#include "cli/output/output_file.h"
+#include "cli/terminal/length_text.h"
+#include "cli/terminal/print_diagnostics.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
+#include "lib/machine/read_machine.h"
+#include "lib/machine/rotary_law.h"
+#include "postproc/formats/read_toolpath.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr std::size_t kLabel = 34;
+constexpr const char* kExits =
+    "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid, 5 output unwritable.";
+
+std::string row(const std::string& name, const std::string& value) {
+  return padded(name, kLabel) + printable(value) + "\n";
+}
+
+std::string degrees(double rad, int decimals = 3) { return display_text(rad * kDegrees, decimals) + " deg"; }
+
+std::string list_text() {
+  std::string text;
+  for (const MachinePreset& preset : machine_presets())
+    text += padded("preset:" + std::string(preset.name), 28) + std::string(preset.title) + "\n";
+  return text;
+}
+
+std::string bound_text(const std::optional<double>& bound, double scale) {
+  return bound ? display_text(*bound * scale, 4) : "?";
+}
+
+std::string joint_text(const Joint& joint) {
+  const bool is_rotary = joint.type == JointType::rotary;
+  const double scale = is_rotary ? kDegrees : 1;
+  const std::string unit = is_rotary ? "deg" : "mm";
+  const Vec3& d = joint.direction;
+  std::string text = std::string(joint.side == JointSide::table ? "table" : "head") + ", about (" +
+                     display_text(d.x(), 4) + ", " + display_text(d.y(), 4) + ", " + display_text(d.z(), 4) + ")";
+  if (!is_rotary) text.replace(text.find("about"), 5, "along");
+  if (is_rotary && joint.point.norm() > 0)
+    text += " through (" + display_text(joint.point.x(), 4) + ", " + display_text(joint.point.y(), 4) + ", " +
+            display_text(joint.point.z(), 4) + ") mm";
+  text += joint.is_continuous
+              ? ", turns without end"
+              : ", from " + bound_text(joint.min, scale) + " to " + bound_text(joint.max, scale) + " " + unit;
+  if (joint.rate) text += ", " + display_text(*joint.rate * scale, 1) + " " + unit + "/min";
+  return text;
+}
+
+std::string law_text(const std::optional<TurnLaw>& law) { return law ? turn_law_name(*law) : "not given"; }
+
+std::string machine_text(const Machine& machine) {
+  std::string text =
+      row("machine", machine.name) + row("source", machine.source.empty() ? "not given" : machine.source);
+  for (const Joint& joint : machine.joints) text += row("joint " + joint.name, joint_text(joint));
+  text += row("control", machine.control.name.empty() ? "not given" : machine.control.name);
+  text += row("law of feeds", law_text(machine.control.feed_law)) +
+          row("law of rapids", law_text(machine.control.rapid_law));
+  if (!machine.control.source.empty()) text += row("source of the laws", machine.control.source);
+  return text;
+}
+
+struct Gap {
+  std::size_t move = 0;
+  double rad = 0;
+};
+
+/// Gaps of the moves of a kind whose rotary joints move.
+std::vector<Gap> gaps_of(const Machine& machine, const Toolpath& path, const JointPath& joints, bool is_rapid) {
+  std::vector<Gap> gaps;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if ((path.moves[i].kind == MoveKind::rapid) != is_rapid || !joints.start[i] || !joints.end[i]) continue;
+    const RotaryAngles &from = *joints.start[i], &to = *joints.end[i];
+    if (!(std::abs(to[0] - from[0]) + std::abs(to[1] - from[1]) > 0)) continue;
+    gaps.push_back({i, largest_gap_rad(machine, from, to)});
+  }
+  return gaps;
+}
+
+std::string gaps_text(const Toolpath& path, std::vector<Gap> gaps, const std::string& kind, double height_mm) {
+  constexpr double kDiffers_mm = 0.01;
+  std::string text = row(kind + " that turn", std::to_string(gaps.size()));
+  if (gaps.empty()) return text;
+  std::ranges::sort(gaps, {}, &Gap::rad);
+  const auto at_height = [&](double rad) { return display_text(2 * height_mm * std::sin(0.5 * rad), 4) + " mm"; };
+  const std::string height = " at " + display_text(height_mm, 3) + " mm";
+  const Gap& largest = gaps.back();
+  text += row("  maximum gap", degrees(largest.rad, 4) + ", " + at_height(largest.rad) + height + ", line " +
+                                   std::to_string(path.moves[largest.move].line));
+  const Gap& most = gaps[static_cast<std::size_t>(0.99 * static_cast<double>(gaps.size() - 1))];
+  text += row("  99 % within", degrees(most.rad, 4) + ", " + at_height(most.rad) + height);
+  const auto differing = std::ranges::count_if(
+      gaps, [&](const Gap& gap) { return 2 * height_mm * std::sin(0.5 * gap.rad) > kDiffers_mm; });
+  return text + row("  more than 0.01 mm" + height, std::to_string(differing));
+}
+
+std::string joints_csv(const Machine& machine, const Toolpath& path, const JointPath& joints, double length_mm) {
+  std::string text = "move,line,kind";
+  for (const Joint& joint : machine.joints) text += "," + joint.name;
+  text += "\n";
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
+    text += std::to_string(i) + "," + std::to_string(move.line) + "," + kind_name(move.kind);
+    std::optional<JointValues> values;
+    if (joints.end[i]) values = inverse(machine, move.end.tip, *joints.end[i], length_mm);
+    for (std::size_t k = 0; k < machine.joints.size(); ++k) {
+      const double scale = machine.joints[k].type == JointType::rotary ? kDegrees : 1;
+      text += "," + (values ? fixed_text((*values)[k] * scale, 6) : std::string());
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+bool has_rotary_head(const Machine& machine) {
+  return std::ranges::any_of(machine.joints, [](const Joint& joint) {
+    return joint.type == JointType::rotary && joint.side == JointSide::head;
+  });
+}
+
+void add_common(CLI::App& command, PathMachineArguments& arguments) {
+  command.add_option("PATH", arguments.path, "Toolpath: CL data of any dialect, recognized by its content")
+      ->type_name("FILE")
+      ->required();
+  command.add_option("--machine", arguments.machine, kMachineHelp)->type_name("FILE")->required();
+  add_options(command, arguments.reading, reading_options());
+  add_input_limit(command, arguments.input);
+}
+
+}  // namespace
+
+void add_machine_commands(CLI::App& command, MachineArguments& arguments) {
+  command.require_subcommand(1);
+  command.footer("Example:\n  gougecheck machine show preset:linuxcnc-xyzac-trt");
+  CLI::App* list = command.add_subcommand("list", "List the machines that the program knows");
+  list->footer(std::string("Example:\n  gougecheck machine list\n\n") + kExits);
+  list->callback([&] { arguments.action = MachineArguments::Action::list; });
+  CLI::App* show = command.add_subcommand("show", "Show joints, limits and laws of a machine, each with its source");
+  show->add_option("MACHINE", arguments.machine, kMachineHelp)->type_name("FILE")->required();
+  add_input_limit(*show, arguments.input);
+  show->footer(std::string("Example:\n  gougecheck machine show shop/dmu50.json\n\n") + kExits);
+  show->callback([&] { arguments.action = MachineArguments::Action::show; });
+}
+
+int run_machine(const MachineArguments& arguments, std::ostream& out, std::ostream& err) {
+  if (arguments.action == MachineArguments::Action::list) {
+    out << list_text();
+    return kExitClean;
+  }
+  std::string bytes;
+  const Result<Machine> machine = load_machine(arguments.machine, arguments.input, bytes);
+  if (!machine) return fail(err, {machine.error()});
+  out << machine_text(*machine);
+  return kExitClean;
+}
+
+void add_path_laws_options(CLI::App& command, PathMachineArguments& arguments) {
+  add_common(command, arguments);
+  command.add_option("--height", arguments.height, "Height above the tip at which gaps are stated in mm")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command.footer(
+      std::string("Example:\n  gougecheck path laws finish.apt --machine preset:haas-umc750\n\n"
+                  "The gap of a move is the largest angle between the tool axis on the great circle and with "
+                  "both rotary joints running evenly.\n\n") +
+      kExits);
+}
+
+void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments) {
+  add_common(command, arguments);
+  command.add_option("--csv", arguments.csv_file, "Write the joints of every record; - for standard output")
+      ->type_name("FILE")
+      ->required();
+  command.add_option("--tool-length", arguments.height, "From the gauge point to the tip; needed with a rotary head")
+      ->type_name("LENGTH");
+  command.footer(
+      std::string("Example:\n  gougecheck path joints finish.apt --machine preset:haas-umc750 --csv joints.csv\n\n"
+                  "Joints are chosen as a post-processor does: the nearest solution within the limits. Limits that are "
+                  "exceeded, flips and turns back are warnings.\n\n") +
+      kExits);
+}
+
+int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, std::ostream& err) {
+  const Result<ReadOptions> options = understand(arguments.reading);
+  if (!options) return fail(err, {options.error()});
+  std::string bytes;
+  const Result<Machine> machine = load_machine(arguments.machine, arguments.input, bytes);
+  if (!machine) return fail(err, {machine.error()});
+  const char* const option = arguments.is_joints ? "--tool-length" : "--height";
+  const bool has_length = !arguments.is_joints || arguments.height != PathMachineArguments().height;
+  if (!has_length && has_rotary_head(*machine))
+    return fail(err,
+                {make_error("usage", "--tool-length is missing; the linear joints of a rotary head depend on it")});
+  const Result<double> length = has_length ? understand_length(option, arguments.height, Minimum::zero) : 0.0;
+  if (!length) return fail(err, {length.error()});
+  if (const auto status = refuse_outputs({{"the toolpath", arguments.path}, {"--machine", arguments.machine}},
+                                         asked_for({{"--csv", arguments.csv_file}}), err))
+    return *status;
+  Result<std::string> text = read_file(arguments.path, arguments.input.max_bytes);
+  if (!text) return fail(err, {text.error()});
+  ReadOutcome outcome = read_toolpath(arguments.path, std::move(*text), *options);
+  if (!outcome.toolpath) return fail(err, outcome.errors);
+  Toolpath& path = *outcome.toolpath;
+  print(err, path.notes);
+  print(err, choose_joints_of(*machine, path));
+  const JointPath& joints = *path.joints;
+  if (arguments.is_joints) {
+    const Outcome written = write_output(arguments.csv_file, joints_csv(*machine, path, joints, *length), out);
+    return written ? kExitClean : fail(err, {written.error()}, kExitInternal);
+  }
+  out << row("file", path.file) << row("machine", machine->name)
+      << gaps_text(path, gaps_of(*machine, path, joints, false), "feeds", *length)
+      << gaps_text(path, gaps_of(*machine, path, joints, true), "rapids", *length);
+  return kExitClean;
+}
+
+}  // namespace gouge

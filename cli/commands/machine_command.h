@@ -1,0 +1,41 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "cli/options/machine_options.h"
+#include "cli/options/reading_options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gouge {
+
+struct MachineArguments {
+  enum class Action { list, show } action = Action::list;
+  std::string machine;
+  InputLimit input;
+};
+
+void add_machine_commands(CLI::App& command, MachineArguments& arguments);
+
+/// `gougecheck machine list` and `show`. Returns the exit status.
+[[nodiscard]] int run_machine(const MachineArguments& arguments, std::ostream& out, std::ostream& err);
+
+/// Arguments of `gougecheck path laws` and `path joints`.
+struct PathMachineArguments {
+  std::string path, machine, csv_file, height = "100";
+  ReadingArguments reading;
+  InputLimit input;
+  bool is_joints = false;
+};
+
+void add_path_laws_options(CLI::App& command, PathMachineArguments& arguments);
+void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments);
+
+/// `gougecheck path laws`: how far the laws of motion are apart on a path. `gougecheck path joints`: the joints of every
+/// record. Returns the exit status.
+[[nodiscard]] int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, std::ostream& err);
+
+}  // namespace gouge

@@ -1,0 +1,106 @@
+#include "cli/job/machine_job.h"
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <set>
+
+#include "lib/base/number_text.h"
+#include "lib/machine/rotary_law.h"
+
+namespace gouge {
+namespace {
+
+std::string degrees(double rad) { return display_text(rad * 180 / std::numbers::pi, 3) + " degrees"; }
+
+Result<TurnLaw> chosen_law(const Machine& machine, const std::string& typed, const std::optional<TurnLaw>& promised,
+                           const char* option, const char* what) {
+  if (const auto law = turn_law_called(typed)) return *law;
+  if (promised) return *promised;
+  return make_error("machine-law", "the control of machine " + machine.name + " promises no law for " + what +
+                                       "; expected " + option + " vector or " + option + " axis");
+}
+
+// Moves refer to their reasons, which live as long as the process.
+std::string_view lasting(std::string text) {
+  static std::mutex mutex;
+  static std::set<std::string> texts;
+  const std::lock_guard lock(mutex);
+  return *texts.insert(std::move(text)).first;
+}
+
+void leave_unchecked(const std::string& reason, std::size_t move, Toolpath& path) {
+  const std::string_view text = lasting(reason);
+  for (std::size_t i = move; i <= move + 1 && i < path.moves.size(); ++i) {
+    Move& of = path.moves[i];
+    if ((i == move || of.has_start) && (of.not_checked_reason.empty() || of.is_covered())) {
+      of.not_checked_reason = text;
+      of.cover = Cover::none;
+    }
+  }
+}
+
+}  // namespace
+
+Result<MotionLaw> law_of(const Machine& machine, const JobArguments& arguments, RapidMode rapid) {
+  const Control& control = machine.control;
+  const Result<TurnLaw> feed = chosen_law(machine, arguments.feed_law, control.feed_law, "--feed-law", "feeds");
+  if (!feed) return feed.error();
+  const Result<TurnLaw> rapids = chosen_law(machine, arguments.rapid_law, control.rapid_law, "--rapid-law", "rapids");
+  if (!rapids) return rapids.error();
+  const auto axes = std::make_shared<const RotaryLaw>(machine);
+  return MotionLaw(rapid, *feed == TurnLaw::axis ? axes : nullptr, *rapids == TurnLaw::axis ? axes : nullptr);
+}
+
+std::string describe_law(const Machine& machine, const JobArguments& arguments) {
+  std::string text;
+  if (!arguments.feed_law.empty()) text += "--feed-law " + arguments.feed_law;
+  if (!arguments.rapid_law.empty()) text += (text.empty() ? "" : ", ") + ("--rapid-law " + arguments.rapid_law);
+  if (!arguments.feed_law.empty() && !arguments.rapid_law.empty()) return text;
+  const Control& control = machine.control;
+  return text + (text.empty() ? "" : ", ") + "control " + control.name + " of machine " + machine.name +
+         (control.source.empty() ? "" : " (" + control.source + ")");
+}
+
+Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const JointProblem& problem) {
+  const std::string joint = "joint " + machine.joints[problem.joint].name;
+  const std::size_t line = path.moves[problem.move].line;
+  switch (problem.kind) {
+    case JointProblem::Kind::unreachable:
+      return make_warning("machine-unreachable", "no position of the rotary joints gives this tool axis", path.file,
+                          line);
+    case JointProblem::Kind::limit:
+      return make_warning("machine-limit",
+                          joint + " would be at " + degrees(problem.value) + "; its limit is " + degrees(problem.limit),
+                          path.file, line);
+    case JointProblem::Kind::flip:
+      return make_warning(
+          "machine-flip",
+          joint + " turns by " + degrees(problem.value) + " while the tool axis turns by " + degrees(problem.limit),
+          path.file, line);
+    case JointProblem::Kind::unwind:
+      return make_warning("machine-unwind", joint + " turns back by " + degrees(problem.value), path.file, line);
+  }
+  return {};
+}
+
+Diagnostics choose_joints_of(const Machine& machine, Toolpath& path) {
+  constexpr std::size_t kMaxNotes = 20;
+  JointChoice choice = choose_joints(machine, path);
+  path.joints = std::make_shared<const JointPath>(std::move(choice.path));
+  Diagnostics notes;
+  for (const JointProblem& problem : choice.problems) {
+    const Diagnostic note = describe_problem(machine, path, problem);
+    if (problem.kind == JointProblem::Kind::limit || problem.kind == JointProblem::Kind::unreachable)
+      leave_unchecked("the machine cannot be there: " + note.message, problem.move, path);
+    if (notes.size() < kMaxNotes) notes.push_back(note);
+  }
+  if (choice.problems.size() > kMaxNotes)
+    notes.push_back(make_note("machine-more",
+                              std::to_string(choice.problems.size() - kMaxNotes) + " more positions of this kind",
+                              path.file));
+  return notes;
+}
+
+}  // namespace gouge

@@ -1,0 +1,123 @@
+#include "lib/machine/joint_path.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "lib/base/tolerance.h"
+
+namespace gouge {
+namespace {
+
+// A flip: a joint turns by more than this, and by more than this many times the turn of the tool axis.
+constexpr double kFlip_rad = std::numbers::pi / 4, kFlipTimes = 4;
+
+using Kind = JointProblem::Kind;
+
+class Chooser {
+ public:
+  Chooser(const Machine& machine, const Toolpath& toolpath) : machine_(machine), toolpath_(toolpath) {}
+
+  JointChoice run() {
+    JointPath& path = choice_.path;
+    for (std::size_t i = 0; i < toolpath_.moves.size(); ++i) {
+      const Move& move = toolpath_.moves[i];
+      path.start.push_back(move.has_start ? last_ : std::nullopt);
+      last_ = nearest(move.end.axis, i);
+      path.end.push_back(last_);
+      if (path.start.back() && last_) find_flip(i, *path.start.back(), *last_);
+    }
+    return std::move(choice_);
+  }
+
+ private:
+  [[nodiscard]] const Joint& joint(std::size_t k) const { return machine_.joints[machine_.rotary[k]]; }
+
+  /// The turn of `angle` within the limits that is nearest to `to`; none: no turn is.
+  [[nodiscard]] std::optional<double> within_limits(const Joint& of, double angle, double to) const {
+    const double nearest = to + std::remainder(angle - to, kWholeTurn_rad);
+    if (of.is_continuous) return nearest;
+    const double low = of.min.value_or(-std::numeric_limits<double>::infinity()) - Tolerance::kSameDirection;
+    const double high = of.max.value_or(std::numeric_limits<double>::infinity()) + Tolerance::kSameDirection;
+    double best = nearest;
+    if (best > high) best -= kWholeTurn_rad * std::ceil((best - high) / kWholeTurn_rad);
+    if (best < low) best += kWholeTurn_rad * std::ceil((low - best) / kWholeTurn_rad);
+    return best > high ? std::nullopt : std::optional(best);
+  }
+
+  [[nodiscard]] double cost(const RotaryAngles& angles, const RotaryAngles& from) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      sum += std::abs(angles[k] - from[k]);
+      // Without angles before the preferred sign decides, and only then.
+      if (!last_ && joint(k).preference * angles[k] < 0) sum += kWholeTurn_rad;
+    }
+    return sum;
+  }
+
+  std::optional<RotaryAngles> nearest(const Vec3& axis, std::size_t move) {
+    const RotarySolutions solutions = rotary_angles(machine_, axis);
+    if (solutions.all.empty()) {
+      choice_.problems.push_back({Kind::unreachable, move, machine_.rotary[1], 0, 0});
+      return std::nullopt;
+    }
+    const RotaryAngles from = last_.value_or(RotaryAngles{0, 0});
+    std::optional<RotaryAngles> best;
+    for (const RotaryAngles& solution : solutions.all) {
+      RotaryAngles angles = solution;
+      if (solutions.is_pole) angles[0] = from[0];
+      bool is_within = true;
+      for (std::size_t k = 0; k < 2; ++k) {
+        const std::optional<double> turned = within_limits(joint(k), angles[k], from[k]);
+        is_within = is_within && turned;
+        if (turned) angles[k] = *turned;
+      }
+      if (is_within && (!best || cost(angles, from) < cost(*best, from))) best = angles;
+    }
+    if (!best) note_limit(solutions.all, from, move);
+    return best;
+  }
+
+  void note_limit(const std::vector<RotaryAngles>& solutions, const RotaryAngles& from, std::size_t move) {
+    // Of the solutions that one whose first joint beyond its limits is the least beyond.
+    JointProblem problem{Kind::limit, move, machine_.rotary[0], 0, 0};
+    double least = std::numeric_limits<double>::infinity();
+    for (const RotaryAngles& angles : solutions) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        if (within_limits(joint(k), angles[k], from[k])) continue;
+        const double value = std::remainder(angles[k], kWholeTurn_rad);
+        const double limit = value > joint(k).max.value_or(value) ? *joint(k).max : joint(k).min.value_or(value);
+        if (std::abs(value - limit) < least) {
+          least = std::abs(value - limit);
+          problem = {Kind::limit, move, machine_.rotary[k], value, limit};
+        }
+        break;
+      }
+    }
+    choice_.problems.push_back(problem);
+  }
+
+  void find_flip(std::size_t move, const RotaryAngles& from, const RotaryAngles& to) {
+    const Vec3 before = tool_axes(machine_, from).col(2), after = tool_axes(machine_, to).col(2);
+    const double turn = std::atan2(before.cross(after).norm(), before.dot(after));
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double by = to[k] - from[k];
+      const bool is_unwound = std::abs(by) > std::numbers::pi + Tolerance::kSameDirection;
+      const bool is_flip = std::abs(by) > kFlip_rad && std::abs(by) > kFlipTimes * turn;
+      if (is_unwound || is_flip)
+        choice_.problems.push_back({is_unwound ? Kind::unwind : Kind::flip, move, machine_.rotary[k], by, turn});
+    }
+  }
+
+  const Machine& machine_;
+  const Toolpath& toolpath_;
+  std::optional<RotaryAngles> last_;
+  JointChoice choice_;
+};
+
+}  // namespace
+
+JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath) { return Chooser(machine, toolpath).run(); }
+
+}  // namespace gouge

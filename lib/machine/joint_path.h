@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lib/machine/kinematics.h"
+#include "lib/path/toolpath.h"
+
+namespace gouge {
+
+/// A position or move that the machine cannot run as the file states it.
+struct JointProblem {
+  enum class Kind {
+    unreachable,  ///< no angles give the tool axis
+    limit,        ///< angles exist, but none within the limits
+    flip,         ///< the rotary joints turn by much more than the tool axis
+    unwind        ///< the nearest turn is beyond a limit, so that a joint turns back by a whole turn
+  };
+  Kind kind = Kind::limit;
+  std::size_t move = 0;
+  std::size_t joint = 0;  ///< of Machine::joints
+  double value = 0;       ///< rad: the angle, or by how much the joint turns
+  double limit = 0;       ///< rad: the limit; of a flip the turn of the tool axis
+};
+
+struct JointChoice {
+  JointPath path;
+  std::vector<JointProblem> problems;  ///< in path order
+};
+
+/// Chooses the rotary angles of a path as a post-processor does: of both solutions and all turns within the limits those
+/// nearest to the angles before; at a pole the first joint stays. `path` has none where no solution is within the limits.
+/// Cost O(moves).
+[[nodiscard]] JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath);
+
+}  // namespace gouge

@@ -1,0 +1,56 @@
+#include "lib/machine/machine.h"
+
+#include <array>
+#include <cmath>
+
+#include "lib/base/tolerance.h"
+
+namespace gouge {
+namespace {
+
+Diagnostic wrong(const std::string& found) { return make_error("machine-joints", found); }
+
+std::optional<Diagnostic> find_wrong_joint(const Joint& joint) {
+  if (!(joint.direction.norm() > Tolerance::kNoDirection))
+    return wrong("joint " + joint.name + " has a direction of no length; expected a direction such as [1, 0, 0]");
+  if (joint.min && joint.max && *joint.min > *joint.max)
+    return wrong("joint " + joint.name + " has a min above its max; expected min <= max");
+  return std::nullopt;
+}
+
+}  // namespace
+
+const char* turn_law_name(TurnLaw law) { return kTurnLawNames[static_cast<std::size_t>(law)]; }
+
+std::optional<TurnLaw> turn_law_called(const std::string& name) {
+  for (std::size_t k = 0; k < kTurnLawNames.size(); ++k) {
+    if (name == kTurnLawNames[k]) return static_cast<TurnLaw>(k);
+  }
+  return std::nullopt;
+}
+
+Result<Machine> make_machine(Machine machine) {
+  std::vector<std::size_t> rotary, linear;
+  for (std::size_t k = 0; k < machine.joints.size(); ++k) {
+    Joint& joint = machine.joints[k];
+    if (auto error = find_wrong_joint(joint)) return *error;
+    joint.direction.normalize();
+    (joint.type == JointType::rotary ? rotary : linear).push_back(k);
+  }
+  if (rotary.size() != 2 || linear.size() != 3)
+    return wrong(std::to_string(linear.size()) + " linear and " + std::to_string(rotary.size()) +
+                 " rotary joints; expected three linear and two rotary ones");
+  const Vec3 &u = machine.joints[rotary[0]].direction, &w = machine.joints[rotary[1]].direction;
+  if (u.cross(w).norm() < Tolerance::kNoSide)
+    return wrong("the rotary joints " + machine.joints[rotary[0]].name + " and " + machine.joints[rotary[1]].name +
+                 " have parallel directions; expected two different ones");
+  Eigen::Matrix3d directions;
+  for (int k = 0; k < 3; ++k) directions.col(k) = machine.joints[linear[static_cast<std::size_t>(k)]].direction;
+  if (std::abs(directions.determinant()) < Tolerance::kNoSide)
+    return wrong("the linear joints lie in one plane; expected three independent directions");
+  machine.rotary = {rotary[0], rotary[1]};
+  machine.linear = {linear[0], linear[1], linear[2]};
+  return machine;
+}
+
+}  // namespace gouge

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/base/result.h"
+#include "lib/geom/vec.h"
+
+// A machine as the chain of its joints from the part to the tool. Directions and points are in part coordinates with all
+// joints at 0. Positive means the motion of the tool relative to the part (ISO 841), also for joints that move the table.
+
+namespace gouge {
+
+enum class JointType { linear, rotary };
+enum class JointSide { table, head };
+
+struct Joint {
+  std::string name;  ///< "X", "C"
+  JointType type = JointType::linear;
+  JointSide side = JointSide::head;
+  Vec3 direction = Vec3::UnitX();  ///< unit; a rotary joint turns the tool about it by the right-hand rule
+  Vec3 point = Vec3::Zero();       ///< on the axis of a rotary joint, mm; of a head joint relative to the gauge point
+  std::optional<double> min, max;  ///< mm or rad; none: no limit is known
+  bool is_continuous = false;      ///< a rotary joint may turn without end
+  std::optional<double> rate;      ///< maximum speed, mm or rad per minute
+  double preference = 0;           ///< of two solutions the one whose value has this sign is preferred; 0: none
+};
+
+/// Laws by which a control moves the tool axis between two positions.
+enum class TurnLaw {
+  vector,  ///< on the great circle
+  axis     ///< both rotary joints evenly from one position to the next
+};
+inline constexpr std::array<const char*, 2> kTurnLawNames = {"vector", "axis"};  // in this order
+[[nodiscard]] const char* turn_law_name(TurnLaw law);
+/// None: not a name of a law.
+[[nodiscard]] std::optional<TurnLaw> turn_law_called(const std::string& name);
+
+struct Control {
+  std::string name;
+  std::optional<TurnLaw> feed_law, rapid_law;  ///< none: the manual promises none, so the user must give it
+  std::string source;                          ///< manual and page
+};
+
+struct Machine {
+  std::string name;
+  std::string source;         ///< of the kinematics
+  std::vector<Joint> joints;  ///< from the part to the tool: three linear and two rotary
+  Control control;
+
+  /// Indices of the rotary joints in `joints`, that nearer to the part first.
+  std::array<std::size_t, 2> rotary{};
+  std::array<std::size_t, 3> linear{};
+};
+
+/// Fills in Machine::rotary and ::linear and normalises directions.
+/// Errors (without a file): machine-joints: not three linear and two rotary joints, linear directions in one plane,
+/// parallel rotary directions, a direction of no length, a minimum above the maximum.
+[[nodiscard]] Result<Machine> make_machine(Machine machine);
+
+}  // namespace gouge

@@ -1,0 +1,123 @@
+#include "lib/machine/read_machine.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+
+#include "lib/base/units.h"
+#include "lib/json/json_field.h"
+#include "lib/json/json_file.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+const std::vector<std::string> kLawWords(kTurnLawNames.begin(), kTurnLawNames.end());
+
+class MachineReader {
+ public:
+  MachineReader(const JsonField& root, const nlohmann::json& value) : root_(root), value_(value) {}
+
+  Machine run() {
+    allow(value_, root_, {"name", "unit", "source", "joints", "control"});
+    Machine machine;
+    machine.name = root_.at("name").text();
+    if (machine.name.empty()) root_.at("name").fail("the name of the machine");
+    if (const auto source = root_.find("source")) machine.source = source->text();
+    if (const auto unit = root_.find("unit"); unit && unit->word({"mm", "inch"}) == 1)
+      mm_per_unit_ = mm_per(LengthUnit::inch);
+    const std::vector<JsonField> joints = root_.at("joints").list();
+    for (std::size_t k = 0; k < joints.size(); ++k) machine.joints.push_back(joint(joints[k], value_["joints"][k]));
+    if (const auto field = root_.find("control")) machine.control = control(*field, value_["control"]);
+    return machine;
+  }
+
+ private:
+  static void allow(const nlohmann::json& value, const JsonField& field, const std::vector<std::string>& keys) {
+    if (!value.is_object()) return;
+    for (const auto& [key, rest] : value.items()) {
+      if (std::ranges::find(keys, key) != keys.end()) continue;
+      std::string all;
+      for (const std::string& known : keys) all += (all.empty() ? "" : ", ") + known;
+      field.at(key).fail("one of the keys " + all);
+    }
+  }
+
+  static Vec3 vector(const JsonField& field) {
+    const std::vector<JsonField> numbers = field.list();
+    if (numbers.size() != 3) {
+      field.fail("three numbers");
+      return Vec3::Zero();
+    }
+    return {numbers[0].number(), numbers[1].number(), numbers[2].number()};
+  }
+
+  [[nodiscard]] static std::optional<double> scaled(const JsonField& from, const char* key, double scale) {
+    const std::optional<JsonField> field = from.find(key);
+    if (!field || field->is_null()) return std::nullopt;
+    return field->number() * scale;
+  }
+
+  [[nodiscard]] Joint joint(const JsonField& field, const nlohmann::json& value) const {
+    allow(value, field,
+          {"name", "type", "side", "direction", "point", "min", "max", "continuous", "rate", "preference"});
+    Joint joint;
+    joint.name = field.at("name").text();
+    joint.type = field.at("type").word({"linear", "rotary"}) == 1 ? JointType::rotary : JointType::linear;
+    joint.side = field.at("side").word({"table", "head"}) == 1 ? JointSide::head : JointSide::table;
+    joint.direction = vector(field.at("direction"));
+    if (const auto point = field.find("point")) joint.point = vector(*point) * mm_per_unit_;
+    const double scale = joint.type == JointType::rotary ? kDegree : mm_per_unit_;
+    joint.min = scaled(field, "min", scale);
+    joint.max = scaled(field, "max", scale);
+    joint.rate = scaled(field, "rate", scale);
+    joint.preference = scaled(field, "preference", 1).value_or(0);
+    if (const auto endless = field.find("continuous")) joint.is_continuous = endless->flag();
+    return joint;
+  }
+
+  static std::optional<TurnLaw> law(const JsonField& from, const char* key) {
+    const std::optional<JsonField> field = from.find(key);
+    if (!field || field->is_null()) return std::nullopt;
+    return static_cast<TurnLaw>(field->word(kLawWords));
+  }
+
+  static Control control(const JsonField& field, const nlohmann::json& value) {
+    allow(value, field, {"name", "feed_law", "rapid_law", "source"});
+    Control control;
+    control.name = field.at("name").text();
+    control.feed_law = law(field, "feed_law");
+    control.rapid_law = law(field, "rapid_law");
+    if (const auto source = field.find("source")) control.source = source->text();
+    return control;
+  }
+
+  JsonField root_;
+  const nlohmann::json& value_;
+  double mm_per_unit_ = 1;
+};
+
+}  // namespace
+
+Result<Machine> read_machine(const std::string& file, std::string_view bytes) {
+  const Result<JsonFile> json = parse_json(file, bytes, {"machine-syntax", "machine-duplicate-key", "a machine file"});
+  if (!json) return json.error();
+  if (!json->root.is_object())
+    return make_error("machine-syntax", "this is not an object; expected {\"name\": ..., \"joints\": [...]}", file, 1);
+  JsonErrors errors{file, "machine-field", &json->lines};
+  Machine read = MachineReader(JsonField(json->root, errors), json->root).run();
+  if (errors.first) return *errors.first;
+  Result<Machine> machine = make_machine(std::move(read));
+  if (!machine) return make_error(machine.error().code, machine.error().message, file, json->lines.at("/joints"));
+  return machine;
+}
+
+const MachinePreset* find_preset(std::string_view name) {
+  const std::vector<MachinePreset>& all = machine_presets();
+  const auto found = std::ranges::find(all, name, &MachinePreset::name);
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace gouge

@@ -1,0 +1,111 @@
+#include "lib/machine/rotary_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lib/base/tolerance.h"
+
+namespace gouge {
+namespace {
+
+/// Both joints run evenly. The angular velocity is the sum of one about a fixed direction and one about a direction that
+/// the first joint turns, so it is at most the sum of both rates, and changes by at most their product.
+class EvenTurn : public AxisPath {
+ public:
+  EvenTurn(const Machine& machine, const RotaryAngles& from, const RotaryAngles& to)
+      : u_(machine.joints[machine.rotary[0]].direction),
+        w_(machine.joints[machine.rotary[1]].direction),
+        from_(from),
+        by_{to[0] - from[0], to[1] - from[1]} {}
+
+  [[nodiscard]] Eigen::Matrix3d axes_at(double t) const override {
+    return (Eigen::AngleAxisd(from_[0] + t * by_[0], u_) * Eigen::AngleAxisd(from_[1] + t * by_[1], w_))
+        .toRotationMatrix();
+  }
+  [[nodiscard]] double turn_rate_rad(double /*t0*/, double /*t1*/) const override {
+    return std::sqrt(by_[0] * by_[0] + by_[1] * by_[1] + 2 * std::abs(by_[0] * by_[1] * u_.dot(w_)));
+  }
+  [[nodiscard]] double turn_acceleration_rad(double /*t0*/, double /*t1*/) const override {
+    return std::abs(by_[0] * by_[1]) * u_.cross(w_).norm();
+  }
+
+ private:
+  Vec3 u_, w_;
+  RotaryAngles from_, by_;
+};
+
+/// A tool that stands at an axis that the machine does not reach.
+class Standing : public AxisPath {
+ public:
+  explicit Standing(const Vec3& axis) {
+    axes_.col(0) = axis.unitOrthogonal();
+    axes_.col(1) = axis.cross(axes_.col(0));
+    axes_.col(2) = axis;
+  }
+  [[nodiscard]] Eigen::Matrix3d axes_at(double /*t*/) const override { return axes_; }
+  [[nodiscard]] double turn_rate_rad(double /*t0*/, double /*t1*/) const override { return 0; }
+  [[nodiscard]] double turn_acceleration_rad(double /*t0*/, double /*t1*/) const override { return 0; }
+
+ private:
+  Eigen::Matrix3d axes_;
+};
+
+double turn(const RotaryAngles& from, const RotaryAngles& to) {
+  return std::abs(to[0] - from[0]) + std::abs(to[1] - from[1]);
+}
+
+bool is_at(const Machine& machine, const RotaryAngles& angles, const Vec3& axis) {
+  return (tool_axes(machine, angles).col(2) - axis).norm() < Tolerance::kSameDirection;
+}
+
+}  // namespace
+
+std::shared_ptr<const AxisPath> RotaryLaw::between(const Vec3& from, const Vec3& to) const {
+  const RotarySolutions start = rotary_angles(machine_, from), end = rotary_angles(machine_, to);
+  std::optional<std::pair<RotaryAngles, RotaryAngles>> best;
+  for (RotaryAngles a : start.all) {
+    for (RotaryAngles b : end.all) {
+      if (start.is_pole) a[0] = end.is_pole ? 0 : b[0];
+      if (end.is_pole) b[0] = a[0];
+      for (std::size_t k = 0; k < 2; ++k) b[k] = a[k] + std::remainder(b[k] - a[k], kWholeTurn_rad);
+      if (!best || turn(a, b) < turn(best->first, best->second)) best = {a, b};
+    }
+  }
+  if (!best) return from == to ? std::make_shared<Standing>(from) : std::shared_ptr<const AxisPath>();
+  return std::make_shared<EvenTurn>(machine_, best->first, best->second);
+}
+
+std::shared_ptr<const AxisPath> RotaryLaw::of_move(const JointPath* joints, std::size_t move, const Vec3& from,
+                                                   const Vec3& to) const {
+  if (joints != nullptr && move < joints->end.size() && joints->start[move] && joints->end[move] &&
+      is_at(machine_, *joints->start[move], from) && is_at(machine_, *joints->end[move], to))
+    return std::make_shared<EvenTurn>(machine_, *joints->start[move], *joints->end[move]);
+  return between(from, to);
+}
+
+double largest_gap_rad(const Machine& machine, const RotaryAngles& from, const RotaryAngles& to) {
+  const EvenTurn even(machine, from, to);
+  const Vec3 a = even.axes_at(0).col(2), b = even.axes_at(1).col(2);
+  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+  Vec3 across = b - a.dot(b) * a;
+  if (across.norm() > Tolerance::kNoDirection) across.normalize();
+  const auto gap = [&](double t) {
+    const Vec3 on_circle = std::cos(angle * t) * a + std::sin(angle * t) * across;
+    const Vec3 axis = even.axes_at(t).col(2);
+    return std::atan2(axis.cross(on_circle).norm(), axis.dot(on_circle));
+  };
+  // Coarse samples, then golden sections about the largest: the gap has few maxima.
+  constexpr int kSamples = 64, kHalvings = 40;
+  int best = 0;
+  for (int k = 1; k < kSamples; ++k) best = gap(1.0 * k / kSamples) > gap(1.0 * best / kSamples) ? k : best;
+  double low = std::max(0.0, (best - 1.0) / kSamples), high = std::min(1.0, (best + 1.0) / kSamples);
+  const double golden = 0.5 * (std::sqrt(5.0) - 1);
+  for (int k = 0; k < kHalvings; ++k) {
+    const double t0 = high - golden * (high - low), t1 = low + golden * (high - low);
+    (gap(t0) > gap(t1) ? high : low) = gap(t0) > gap(t1) ? t1 : t0;
+  }
+  return gap(0.5 * (low + high));
+}
+
+}  // namespace gouge

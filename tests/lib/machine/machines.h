@@ -1,0 +1,55 @@
+#pragma once
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "lib/machine/machine.h"
+
+// Machines of all arrangements, for tests.
+
+namespace gouge::test {
+
+inline Joint linear(const std::string& name, const Vec3& direction) {
+  Joint joint;
+  joint.name = name;
+  joint.direction = direction;
+  return joint;
+}
+
+inline Joint rotary(const std::string& name, const Vec3& direction, JointSide side, const Vec3& point = Vec3::Zero()) {
+  Joint joint;
+  joint.name = name;
+  joint.type = JointType::rotary;
+  joint.side = side;
+  joint.direction = direction;
+  joint.point = point;
+  joint.is_continuous = true;
+  return joint;
+}
+
+inline Machine machine(const std::string& name, std::vector<Joint> joints) {
+  Machine made;
+  made.name = name;
+  made.joints = std::move(joints);
+  return make_machine(std::move(made)).value();
+}
+
+inline const Joint kX = linear("X", Vec3::UnitX()), kY = linear("Y", Vec3::UnitY()), kZ = linear("Z", Vec3::UnitZ());
+
+/// Table/table, table/head and head/head, square and at 45 degrees.
+inline std::vector<Machine> machines() {
+  const auto table = JointSide::table, head = JointSide::head;
+  return {machine("C on A", {rotary("C", Vec3::UnitZ(), table, {1, 2, 3}), rotary("A", Vec3::UnitX(), table, {4, 5, 6}),
+                             kX, kY, kZ}),
+          machine("C on B",
+                  {rotary("C", Vec3::UnitZ(), table), rotary("B", Vec3::UnitY(), table, {0, 0, -50}), kX, kY, kZ}),
+          machine("C table, B head", {rotary("C", Vec3::UnitZ(), table, {10, 0, 0}), kX, kY, kZ,
+                                      rotary("B", Vec3::UnitY(), head, {0, 0, 150})}),
+          machine("C head, A head",
+                  {kX, kY, kZ, rotary("C", Vec3::UnitZ(), head), rotary("A", Vec3::UnitX(), head, {0, 30, 200})}),
+          machine("nutating head", {rotary("C", Vec3::UnitZ(), table), kX, kY, kZ,
+                                    rotary("B", Vec3(0, 1, 1).normalized(), head, {0, 0, 100})})};
+}
+
+}  // namespace gouge::test

@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
+
+// Machines: laws of motion, joints and limits, as users see them.
+
+namespace gouge::testing_samples {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kTrunnion = "preset:linuxcnc-xyzac-trt";
+
+class PoleCrossing : public testing::Test {
+ protected:
+  [[nodiscard]] Outcome run(const std::string& command, const std::vector<std::string>& more) const {
+    return run_gougecheck(sample_.path, sample_.arguments(command, sample_.toolpath(), more));
+  }
+  [[nodiscard]] Json json_of(const std::string& file) const { return Json::parse(text_of(sample_.path + "/" + file)); }
+
+  SampleFolder sample_ = open_sample("pole_crossing");
+};
+
+TEST_F(PoleCrossing, IsCleanOnTheGreatCircleAndAGougeOfTheFormulaByItsRotaryJoints) {
+  EXPECT_EQ(run("check", {}).exit_status, 0);
+  const Outcome ran = run("check", {"--machine", kTrunnion, "--json", "check.json"});
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+  const Json report = json_of("check.json");
+  const Json& move = report.at("moves").at(0);
+  EXPECT_NEAR(move.at("depth"), 1, 1e-3);
+  EXPECT_LE(move.at("depth").get<double>(), 1 + 1e-9);
+  EXPECT_GE(move.at("depth_upper").get<double>(), 1 - 1e-9);
+  EXPECT_NEAR(move.at("witness").at("t"), 0.5, 0.02);
+  EXPECT_EQ(report.at("options").at("more").at("machine"), kTrunnion);
+  for (const Json& fact : report.at("assumptions")) {
+    if (fact.at("fact") != "motion-law") continue;
+    EXPECT_EQ(fact.at("state"), "stated");
+    EXPECT_EQ(fact.at("value"), "axis of linuxcnc-xyzac-trt");
+    EXPECT_NE(fact.at("evidence").get<std::string>().find("LinuxCNC"), std::string::npos);
+  }
+}
+
+TEST_F(PoleCrossing, TheLawOfTheCommandLineGoesBeforeThatOfTheControl) {
+  EXPECT_EQ(run("check", {"--machine", kTrunnion, "--feed-law", "vector"}).exit_status, 0);
+  EXPECT_EQ(run("check", {"--machine", "preset:haas-umc750", "--feed-law", "axis", "--rapid-law", "axis"}).exit_status,
+            1);
+}
+
+TEST_F(PoleCrossing, AControlThatPromisesNoLawNeedsOne) {
+  const Outcome ran = run("check", {"--machine", "preset:haas-umc750"});
+  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_NE(ran.err.find("promises no law for feeds; expected --feed-law vector or --feed-law axis"), std::string::npos)
+      << ran.err;
+}
+
+TEST_F(PoleCrossing, IsCorrectedByItsOwnLaw) {
+  const Outcome ran = run("correct", {"--machine", kTrunnion, "-o", "out.apt", "--allow-stock", "100"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
+  EXPECT_EQ(run_gougecheck(sample_.path, sample_.arguments("check", "out.apt", {"--machine", kTrunnion})).exit_status,
+            0);
+}
+
+TEST_F(PoleCrossing, AResultOfAMachineIsNotVerifiedByTheGreatCircle) {
+  EXPECT_EQ(run("check", {"--machine", kTrunnion, "--json", "check.json"}).exit_status, 1);
+  const Outcome verified = run_gougecheck(sample_.path, {"verify", "check.json"});
+  EXPECT_EQ(verified.exit_status, 3);
+  EXPECT_NE(verified.err.find("verify evaluates the great circle alone"), std::string::npos) << verified.err;
+}
+
+TEST_F(PoleCrossing, TheGapOfTheLawsIsTheFormula) {
+  const Outcome ran = run_gougecheck(sample_.path, {"path", "laws", sample_.toolpath(), "--machine", kTrunnion});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  // 10 degrees against atan(tan 10 cos 45) = 7.1071.
+  EXPECT_NE(ran.out.find("2.8929 deg, 5.0486 mm at 100 mm, line 7"), std::string::npos) << ran.out;
+}
+
+TEST_F(PoleCrossing, ALimitLeavesItsMovesUnchecked) {
+  std::string machine = run_gougecheck(sample_.path, {"machine", "show", kTrunnion}).out;
+  EXPECT_NE(machine.find("from -100 to 50 deg"), std::string::npos) << machine;
+  write_text(sample_.path + "/stiff.json", R"({"name": "stiff", "joints": [
+    {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, 1], "continuous": true},
+    {"name": "A", "type": "rotary", "side": "table", "direction": [1, 0, 0], "min": -5, "max": 5},
+    {"name": "X", "type": "linear", "side": "head", "direction": [1, 0, 0]},
+    {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0]},
+    {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1]}],
+    "control": {"name": "any", "feed_law": "axis", "rapid_law": "axis"}})");
+  const Outcome ran = run("check", {"--machine", "stiff.json"});
+  EXPECT_EQ(ran.exit_status, 4) << ran.out;
+  EXPECT_NE(ran.err.find("joint A would be at"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("its limit is"), std::string::npos) << ran.err;
+}
+
+TEST_F(PoleCrossing, ItsJointsAreThoseOfTheFormula) {
+  const Outcome ran =
+      run_gougecheck(sample_.path, {"path", "joints", sample_.toolpath(), "--machine", kTrunnion, "--csv", "-"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_EQ(ran.out.rfind("move,line,kind,C,A,X,Y,Z\n", 0), 0U) << ran.out;
+  EXPECT_NE(ran.out.find(",45.000000,9.99999"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find(",135.000000,9.99999"), std::string::npos) << ran.out;
+}
+
+TEST(MachineCommand, ListsPresetsAndNamesThemWhereOneIsMissing) {
+  const std::string folder = fresh_folder();
+  const Outcome listed = run_gougecheck(folder, {"machine", "list"});
+  EXPECT_EQ(listed.exit_status, 0);
+  for (const char* name :
+       {"linuxcnc-xyzac-trt", "linuxcnc-xyzbc-trt", "haas-umc750", "table-b-head", "head-ca", "nutating-45"}) {
+    EXPECT_NE(listed.out.find(name), std::string::npos) << listed.out;
+    EXPECT_EQ(run_gougecheck(folder, {"machine", "show", "preset:" + std::string(name)}).exit_status, 0) << name;
+  }
+  const Outcome wrong = run_gougecheck(folder, {"machine", "show", "preset:dmu"});
+  EXPECT_EQ(wrong.exit_status, 2);
+  EXPECT_NE(wrong.err.find("haas-umc750"), std::string::npos) << wrong.err;
+}
+
+TEST(MachineCommand, AWrongFileIsRefusedWithItsLineAndField) {
+  const std::string folder = fresh_folder();
+  const struct {
+    const char *text, *expected;
+  } cases[] = {{"{\"name\": \"m\",\n \"joints\": 3}", "m.json:2: error: "},
+               {"{\"name\": \"m\",\n \"joints\": [],\n \"speed\": 1}", "m.json:3: error: "},
+               {"{\"name\": \"m\",\n \"joints\": []}", "expected three linear and two rotary ones"},
+               {"{", "m.json:1: error: "},
+               {"[]", "this is not an object"}};
+  for (const auto& one : cases) {
+    write_text(folder + "/m.json", one.text);
+    const Outcome ran = run_gougecheck(folder, {"machine", "show", "m.json"});
+    EXPECT_EQ(ran.exit_status, 3) << one.text;
+    EXPECT_NE(ran.err.find(one.expected), std::string::npos) << one.text << "\n" << ran.err;
+  }
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples
