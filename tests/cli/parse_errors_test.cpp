@@ -40,13 +40,13 @@ TEST(ParseErrors, AnUnknownOptionIsNamedWithTheOneThatWasMeant) {
 
 TEST(ParseErrors, AnUnknownCommandIsNamedWithTheCommandsThereAre) {
   const std::string expected =
-      "; expected check, correct, batch, clash, compare, accept, merge, mesh, path, tool, verify, config, init, help, man or completion";
+      "; expected check, correct, batch, clash, compare, accept, merge, machine, mesh, path, tool, verify, config, init, help, man or completion";
   EXPECT_EQ(said({"chekc", "x"}), "'chekc' is no command of gougecheck" + expected + "; did you mean check?");
   EXPECT_EQ(said({"simulate"}), "'simulate' is no command of gougecheck" + expected);
   EXPECT_EQ(said({}), "no command after gougecheck" + expected);
   EXPECT_EQ(said({"tool"}), "no command after gougecheck tool; expected list, show, draw or import");
   EXPECT_EQ(said({"path", "inof", "a.apt"}),
-            "'inof' is no command of gougecheck path; expected info, convert or plot; did you mean info?");
+            "'inof' is no command of gougecheck path; expected info, convert, plot, laws or joints; did you mean info?");
 }
 
 TEST(ParseErrors, WhatStandsBeforeTheCommandIsNamedWithItsPlace) {

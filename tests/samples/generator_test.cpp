@@ -30,7 +30,7 @@ TEST(SampleSolids, AreClosedManifoldOutwardAndDoNotCrossThemselves) {
       }
     }
   }
-  EXPECT_EQ(solids, 18U);
+  EXPECT_EQ(solids, 19U);
 }
 
 TEST(SampleSolids, ABoxHasTheVolumeOfItsSides) {
