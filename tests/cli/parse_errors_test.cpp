@@ -45,8 +45,9 @@ TEST(ParseErrors, AnUnknownCommandIsNamedWithTheCommandsThereAre) {
   EXPECT_EQ(said({"simulate"}), "'simulate' is no command of gougecheck" + expected);
   EXPECT_EQ(said({}), "no command after gougecheck" + expected);
   EXPECT_EQ(said({"tool"}), "no command after gougecheck tool; expected list, show, draw or import");
-  EXPECT_EQ(said({"path", "inof", "a.apt"}),
-            "'inof' is no command of gougecheck path; expected info, convert, plot, laws or joints; did you mean info?");
+  EXPECT_EQ(
+      said({"path", "inof", "a.apt"}),
+      "'inof' is no command of gougecheck path; expected info, convert, plot, laws or joints; did you mean info?");
 }
 
 TEST(ParseErrors, WhatStandsBeforeTheCommandIsNamedWithItsPlace) {
