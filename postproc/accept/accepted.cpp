@@ -29,18 +29,20 @@ Json texts(const std::vector<std::string>& values) {
 }
 
 Json setup_json(const AcceptedSetup& s) {
-  return {{"parts", texts(s.parts)},
-          {"fixtures", texts(s.fixtures)},
-          {"heads", texts(s.heads)},
-          {"placement", text(s.placement)},
-          {"tool", text(s.tool)},
-          {"tolerance_mm", s.tolerance_mm},
-          {"resolution_mm", s.resolution_mm},
-          {"stock_to_leave_mm", s.stock_to_leave_mm},
-          {"shank_clearance_mm", s.shank_clearance_mm},
-          {"holder_clearance_mm", s.holder_clearance_mm},
-          {"rapid", text(s.rapid)},
-          {"limits", texts(s.limits)}};
+  Json setup = {{"parts", texts(s.parts)},
+                {"fixtures", texts(s.fixtures)},
+                {"heads", texts(s.heads)},
+                {"placement", text(s.placement)},
+                {"tool", text(s.tool)},
+                {"tolerance_mm", s.tolerance_mm},
+                {"resolution_mm", s.resolution_mm},
+                {"stock_to_leave_mm", s.stock_to_leave_mm},
+                {"shank_clearance_mm", s.shank_clearance_mm},
+                {"holder_clearance_mm", s.holder_clearance_mm},
+                {"rapid", text(s.rapid)},
+                {"limits", texts(s.limits)}};
+  if (!s.law.empty()) setup["law"] = texts(s.law);
+  return setup;
 }
 
 Json entry_json(const Acceptance& a) {
@@ -121,6 +123,7 @@ class EntryReader {
     s.holder_clearance_mm = length(field.at("holder_clearance_mm"));
     s.rapid = field.at("rapid").text();
     if (const auto limits = field.find("limits")) s.limits = texts_of(*limits);
+    if (const auto law = field.find("law")) s.law = texts_of(*law);
   }
 
   static AcceptedMove read_move(const JsonField& field) {

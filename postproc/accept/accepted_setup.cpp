@@ -28,8 +28,18 @@ bool is_same_length(double a_mm, double b_mm) {
 std::vector<std::string> limits_of(const ReportModel& model) {
   std::vector<std::string> all;
   for (const OptionText& option : model.more_options)
-    if (option.name == "part" || option.name == "fixture" || option.name == "machine" || option.name.ends_with("-law"))
-      all.push_back(option.value);
+    if (option.name == "part" || option.name == "fixture") all.push_back(option.value);
+  std::ranges::sort(all);
+  return all;
+}
+
+// As StoredOptions::law.
+std::vector<std::string> law_of(const ReportModel& model) {
+  std::vector<std::string> all = checksums(model.inputs, "machine");
+  for (const OptionText& option : model.more_options) {
+    if (std::ranges::find(kLawOptions, option.name) != kLawOptions.end())
+      all.push_back(option.name + "=" + option.value);
+  }
   std::ranges::sort(all);
   return all;
 }
@@ -49,7 +59,8 @@ AcceptedSetup setup_of(const StoredResult& result, const std::string& tool) {
           o.shank_clearance_mm,
           o.holder_clearance_mm,
           o.rapid,
-          o.limits};
+          o.limits,
+          o.law};
 }
 
 AcceptedSetup setup_of(const ReportModel& model, const std::string& tool) {
@@ -65,7 +76,8 @@ AcceptedSetup setup_of(const ReportModel& model, const std::string& tool) {
           o.shank_clearance_mm,
           o.holder_clearance_mm,
           rapid_word(o.law.rapid()),
-          limits_of(model)};
+          limits_of(model),
+          law_of(model)};
 }
 
 std::optional<std::string> find_change(const AcceptedSetup& accepted, const AcceptedSetup& now, LengthUnit unit) {
@@ -89,6 +101,7 @@ std::optional<std::string> find_change(const AcceptedSetup& accepted, const Acce
            " when it was accepted";
   }
   if (accepted.limits != now.limits) return "the limits of single files are others";
+  if (accepted.law != now.law) return "the machine, or its law of motion, is another one";
   if (accepted.rapid != now.rapid) return "rapids are checked as " + now.rapid + ", then as " + accepted.rapid;
   return std::nullopt;
 }

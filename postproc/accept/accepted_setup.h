@@ -18,6 +18,7 @@ struct AcceptedSetup {
   double tolerance_mm = 0, resolution_mm = 0, stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0;
   std::string rapid;
   std::vector<std::string> limits{};  ///< StoredOptions::limits
+  std::vector<std::string> law{};     ///< StoredOptions::law
 };
 
 /// That of a stored result; `tool` is the identity of the finding's.

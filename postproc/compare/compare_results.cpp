@@ -45,6 +45,7 @@ std::vector<std::string> setup_differences(const StoredResult& before, const Sto
   lengths("the shank's clearance", a.shank_clearance_mm, b.shank_clearance_mm);
   lengths("the holder's clearance", a.holder_clearance_mm, b.holder_clearance_mm);
   if (a.limits != b.limits) all.push_back("the limits of single files are others");
+  if (a.law != b.law) all.push_back("the machine, or its law of motion, is another one");
   if (a.rapid != b.rapid) all.push_back("rapids are checked as " + b.rapid + ", " + a.rapid + " before");
   if (before.version != after.version) all.push_back("gougecheck " + after.version + ", " + before.version + " before");
   return all;

@@ -62,6 +62,7 @@ class AbsenceJudge {
     };
     if (now.tolerance_mm > old.tolerance_mm) return "the tolerance is " + from_to(old.tolerance_mm, now.tolerance_mm);
     if (now.limits != old.limits) return "the limits of single files are others";
+    if (now.law != old.law) return "the machine, or its law of motion, is another one";
     if (now.resolution_mm > old.resolution_mm)
       return "the resolution is " + from_to(old.resolution_mm, now.resolution_mm);
     if (finding_.body == "cutter" && now.stock_to_leave_mm < old.stock_to_leave_mm)

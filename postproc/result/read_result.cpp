@@ -34,6 +34,10 @@ class ResultReader {
     read_options(root_.at("options"));
     for (const JsonField& input : root_.at("inputs").list())
       result_.inputs.push_back({input.at("role").text(), input.at("name").text(), input.at("checksum").text()});
+    for (const StoredInput& input : result_.inputs) {
+      if (input.role == "machine") result_.options.law.push_back(input.checksum);
+    }
+    std::ranges::sort(result_.options.law);
     for (const JsonField& tool : root_.at("tools").list()) read_tool(tool);
     for (const JsonField& motions : root_.at("motions").list()) read_motions(motions);
     if (root_.at("toolpath").at("moves").count() != result_.motions.size())
@@ -70,9 +74,13 @@ class ResultReader {
     o.holder_clearance_mm = length(options.at("holder_clearance"));
     o.rapid = options.at("rapid").text();
     const std::optional<JsonField> more = options.find("more");
-    for (const char* option : {"part", "fixture", "machine", "feed-law", "rapid-law"})
+    for (const char* option : {"part", "fixture"})
       if (more) read_limits(*more, option);
     std::ranges::sort(o.limits);
+    for (const char* option : kLawOptions) {
+      if (const auto value = more ? more->find(option) : std::nullopt)
+        o.law.push_back(std::string(option) + "=" + value->text());
+    }
   }
 
   // One is a text, several are a list.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -14,6 +15,9 @@
 // A result as `--json` has written it (docs/formats/report_json.md), read again. Lengths are in mm.
 
 namespace gouge {
+
+/// Keys of `options.more` that name the law of motion.
+inline constexpr std::array<const char*, 3> kLawOptions = {"machine", "feed-law", "rapid-law"};
 
 struct StoredWitness {
   double t = 0;
@@ -62,6 +66,9 @@ struct StoredOptions {
   double tolerance_mm = 0, resolution_mm = 0, stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0;
   std::string rapid;
   std::vector<std::string> limits{};  ///< of single files, as typed: "vise.stl,clearance=1"; sorted
+  /// The law of motion: "machine=preset:NAME", "feed-law=axis", the checksum of a machine file; sorted. Empty: the great
+  /// circle.
+  std::vector<std::string> law{};
 
   bool operator==(const StoredOptions&) const = default;
 };

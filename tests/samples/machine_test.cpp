@@ -72,6 +72,24 @@ TEST_F(PoleCrossing, AResultOfAMachineIsNotVerifiedByTheGreatCircle) {
   EXPECT_NE(verified.err.find("verify evaluates the great circle alone"), std::string::npos) << verified.err;
 }
 
+TEST_F(PoleCrossing, AnAcceptanceByOneLawIsVoidByAnotherAndNothingIsGone) {
+  EXPECT_EQ(run("check", {"--machine", kTrunnion, "--json", "axis.json"}).exit_status, 1);
+  const std::string& folder = sample_.path;
+  EXPECT_EQ(run_gougecheck(folder, {"accept", "axis.json", "--finding", "1", "--reason", "meant", "--by", "us", "-o",
+                                    "accepted.json"})
+                .exit_status,
+            0);
+  EXPECT_EQ(run("check", {"--machine", kTrunnion, "--baseline", "accepted.json"}).exit_status, 0);
+  const Outcome other = run("check", {"--machine", "preset:haas-umc750", "--feed-law", "axis", "--rapid-law", "axis",
+                                      "--baseline", "accepted.json"});
+  EXPECT_EQ(other.exit_status, 1);
+  EXPECT_NE(other.out.find("the machine, or its law of motion, is another one"), std::string::npos) << other.out;
+  EXPECT_EQ(run("check", {"--json", "vector.json"}).exit_status, 0);
+  const Outcome compared = run_gougecheck(folder, {"compare", "axis.json", "vector.json"});
+  EXPECT_EQ(compared.exit_status, 4) << compared.out;
+  EXPECT_NE(compared.out.find("the machine, or its law of motion, is another one"), std::string::npos) << compared.out;
+}
+
 TEST_F(PoleCrossing, TheGapOfTheLawsIsTheFormula) {
   const Outcome ran = run_gougecheck(sample_.path, {"path", "laws", sample_.toolpath(), "--machine", kTrunnion});
   EXPECT_EQ(ran.exit_status, 0) << ran.err;
