@@ -4,7 +4,7 @@
 
 namespace gouge {
 
-/// How this program was built and what it found here, a line each: compiler, libraries, instruction sets, MPI.
+/// Returns how this program was built and what it found here, a line each: compiler, libraries, instruction sets, MPI.
 [[nodiscard]] std::string build_facts_text();
 
 }  // namespace gouge

@@ -87,7 +87,7 @@ struct PositionedSegment {
 /// Flutes and shank, as far as what holds them may let them stand out; see ToolAssembly::stickout_mm.
 [[nodiscard]] double shank_end_mm(const ToolAssembly& tool);
 
-/// How messages and pictures call the tool: T3 "slot", T3, or "slot".
+/// Returns how messages and pictures call the tool: T3 "slot", T3, or "slot".
 [[nodiscard]] std::string label(const ToolAssembly& tool);
 
 }  // namespace gouge

@@ -21,7 +21,7 @@ namespace gouge::detail {
 /// Points of a curve on the axis, r = 0.
 [[nodiscard]] std::vector<Vec2> axis_points(const ProfileElement& curve, double slack_mm);
 
-/// How far along a curve a point lies: mm on a segment, radians on an arc, 0 at the start. Negative before
+/// Returns how far along a curve a point lies: mm on a segment, radians on an arc, 0 at the start. Negative before
 /// it.
 [[nodiscard]] double length_along(const ProfileElement& curve, const Vec2& point);
 [[nodiscard]] double curve_length(const ProfileElement& curve);

@@ -6,7 +6,7 @@
 
 namespace gouge {
 
-/// How far `cutter` reaches out of `other` across the axis at its worst, both standing on their tips, up to the lower
+/// Returns how far `cutter` reaches out of `other` across the axis at its worst, both standing on their tips, up to the lower
 /// of both heights; 0 where it stays within, and where one of them makes no profile.
 ///
 /// Units    mm

@@ -23,7 +23,7 @@ struct BatchJob {
   [[nodiscard]] const char* command() const { return arguments.index() == 0 ? "check" : "correct"; }
   [[nodiscard]] JobArguments& job();
   [[nodiscard]] const JobArguments& job() const;
-  /// Where a corrected toolpath goes; empty for `check`.
+  /// Returns where a corrected toolpath goes; empty for `check`.
   [[nodiscard]] std::string output() const;
 };
 

@@ -52,7 +52,7 @@ class BatchRun {
   BatchRun(const std::vector<BatchJob>& jobs, const std::vector<std::string>& texts, const BatchOptions& options,
            ResultStore& store, Progress& progress, Ranks& ranks);
 
-  /// How the jobs of these numbers are run.
+  /// Returns how the jobs of these numbers are run.
   [[nodiscard]] BatchPlan plan(const std::vector<std::size_t>& numbers) const;
   /// Runs those jobs of the plan that are this process's. Errors: of the store; jobs that were running end first, no
   /// other begins.

@@ -22,7 +22,7 @@ using CommandArguments = std::variant<CheckArguments, CorrectArguments>;
 /// Options that a file may set, and the codes of its errors.
 struct WordRules {
   std::string error_code;
-  /// Why an option of the command cannot stand in the file; nothing where it can.
+  /// Returns why an option of the command cannot stand in the file; nothing where it can.
   std::optional<std::string> (*why_not)(const CLI::Option& option);
   std::string why_no_dash;  ///< why a file cannot be -
 };

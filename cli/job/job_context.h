@@ -20,7 +20,7 @@ struct JobContext {
   SceneSource scenes = load_scene;
   /// Called once all outputs stand; not where there is no result, or one of them could not be written. Empty: none.
   std::function<void(const ReportModel&)> on_result = {};
-  /// Where a check of these inputs keeps what is done of it; may return null. Empty: nowhere.
+  /// Returns where a check of these inputs keeps what is done of it; may return null. Empty: nowhere.
   std::function<CheckpointStore*(const std::vector<InputFile>&)> checkpoints_of = {};
 };
 

@@ -27,7 +27,7 @@ class MeshCopies {
   /// else from the file, and copied.
   [[nodiscard]] Result<FileView> view(const std::string& path, std::uint64_t max_bytes);
 
-  /// Why files are read where they are, the first reason of all (a warning, code scratch-unusable).
+  /// Returns why files are read where they are, the first reason of all (a warning, code scratch-unusable).
   [[nodiscard]] std::optional<Diagnostic> trouble() const;
   /// Copies made by this process.
   [[nodiscard]] std::size_t files() const;

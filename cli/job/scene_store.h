@@ -22,7 +22,7 @@ class SceneStore {
   void expect(const JobArguments& arguments);
   /// A job that was expected is done with it.
   void release(const JobArguments& arguments);
-  /// Where a job of these arguments has its scene from; the store must outlive it.
+  /// Returns where a job of these arguments has its scene from; the store must outlive it.
   [[nodiscard]] SceneSource source(const JobArguments& arguments);
   /// Equal for jobs that may share a scene: which files they name and how.
   [[nodiscard]] static std::string group_of(const JobArguments& arguments);

@@ -17,13 +17,13 @@ struct InputOption {
 /// The inputs of `check` and `correct`.
 [[nodiscard]] std::vector<InputOption> inputs_of(const JobArguments& arguments);
 
-/// Why nothing may be written: an output, or a file that a report may replace or remove in its folder, is one
+/// Returns why nothing may be written: an output, or a file that a report may replace or remove in its folder, is one
 /// of the inputs, another output, or the file standard output goes to, under whatever name (links, ./,
 /// relative). Empty names and "-" are passed over. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_overwriting(const std::vector<InputOption>& inputs,
                                                          const OutputTable& outputs);
 
-/// Where a name leads, also where nothing stands yet: the same text for every name of a place, links followed.
+/// Returns where a name leads, also where nothing stands yet: the same text for every name of a place, links followed.
 [[nodiscard]] std::string canonical_place(const std::string& name);
 
 }  // namespace gouge

@@ -19,7 +19,7 @@ class CheckpointStore {
   CheckpointStore& operator=(const CheckpointStore&) = delete;
   virtual ~CheckpointStore() = default;
 
-  /// How many items make a stretch, about.
+  /// Returns the number of items make a stretch, about.
   [[nodiscard]] virtual std::size_t items() const = 0;
   [[nodiscard]] virtual std::optional<std::string> find(std::string_view stage, std::size_t stretch) = 0;
   /// Once it returns, `bytes` outlast a kill; where they cannot be kept the work is merely done again.

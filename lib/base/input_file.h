@@ -24,7 +24,7 @@ class InputReader {
   InputReader& operator=(InputReader&&) = delete;
   ~InputReader();
 
-  /// How many bytes it will be; 0 where only reading shows.
+  /// Returns how many bytes it will be; 0 where only reading shows.
   [[nodiscard]] std::size_t expected_bytes() const;
 
   /// The next bytes, at most `room`, to `to`; 0 at the end. Requires room > 0.

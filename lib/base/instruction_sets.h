@@ -19,7 +19,7 @@
 
 namespace gouge {
 
-/// How many of plain, AVX2 and AVX-512 (F, VL and DQ) this processor runs, in that order: at least 1.
+/// Returns how many of plain, AVX2 and AVX-512 (F, VL and DQ) this processor runs, in that order: at least 1.
 [[nodiscard]] inline std::size_t instruction_sets() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))

@@ -21,7 +21,7 @@ PagedLimits set_paged_limits(const PagedLimits& limits);
 [[nodiscard]] void* allocate_paged(std::size_t bytes);
 void free_paged(void* start, std::size_t bytes) noexcept;
 
-/// How many arrays stand in files now.
+/// Returns the number of arrays stand in files now.
 [[nodiscard]] std::size_t paged_arrays();
 
 template <class Item>

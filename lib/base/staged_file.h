@@ -14,7 +14,7 @@ namespace gouge {
 /// exist. Errors: file-unwritable where the links go in a circle.
 [[nodiscard]] Result<std::string> follow_links(const std::string& path);
 
-/// Why a new file cannot take the place of the one at `path`, which exists, with its owner, group and mode:
+/// Returns why a new file cannot take the place of the one at `path`, which exists, with its owner, group and mode:
 /// it is write-protected, or belongs to somebody a file cannot be given to. None where it can, as far as is
 /// known before.
 [[nodiscard]] std::optional<std::string> why_not_replaceable(const std::string& path);
@@ -57,7 +57,7 @@ class StagedFile {
   int handle_ = -1;       // -1: a device or pipe, or moved from
 };
 
-/// How many letters random_name adds to its prefix.
+/// Number of letters random_name adds to its prefix.
 inline constexpr int kRandomLetters = 12;
 
 /// `prefix` and kRandomLetters of 0 to 9 and a to v.

@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// How many bounds one step of a correction may compute. Bounds are counted, not time, so that a step ends alike on
+/// Number of bounds one step of a correction may compute. Bounds are counted, not time, so that a step ends alike on
 /// every machine and at any number of threads. Of one thread.
 class WorkBudget {
  public:
@@ -54,10 +54,10 @@ class MotionChecker {
   /// As deep as it is, not only whether that is too deep: tolerance 0. It does not test whether the tool is inside a solid.
   [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;
 
-  /// How much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are none.
+  /// Returns how much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are none.
   [[nodiscard]] double head_excess(const Pose& pose, double allowed_mm, double accuracy_mm) const;
 
-  /// Where the middle of the cutter is.
+  /// Returns where the middle of the cutter is.
   [[nodiscard]] Side side_of(const Pose& pose, const ToolVariants& tool) const;
 
   [[nodiscard]] const PreparedScene& scene() const { return scene_; }

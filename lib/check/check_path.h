@@ -26,7 +26,7 @@ namespace gouge {
                                      const PreparedScene& scene, const CheckOptions& options,
                                      const ProgressCall& progress = {}, CheckpointStore* kept = nullptr);
 
-/// Why a position alone is not checked whose link is not clean. Requires a link (MotionLaw::link_of).
+/// Returns why a position alone is not checked whose link is not clean. Requires a link (MotionLaw::link_of).
 [[nodiscard]] Reason link_reason(const Toolpath& toolpath, std::size_t index);
 
 }  // namespace gouge

@@ -27,7 +27,7 @@ struct SupportPlane {
   SupportRange range;
   std::uint32_t element = 0;  ///< the boundary element it touches
 
-  /// How far q lies behind the plane (positive on the tool's side).
+  /// Returns how far q lies behind the plane (positive on the tool's side).
   [[nodiscard]] double depth_mm(const Vec3& q) const { return offset_mm - normal.dot(q); }
 };
 

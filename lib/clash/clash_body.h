@@ -15,7 +15,7 @@ class ClashBody {
 
   /// All triangles of the file.
   [[nodiscard]] const Surface& whole() const { return whole_; }
-  /// Where the body ends: sides and depths are measured to it. Made when first requested.
+  /// Returns where the body ends: sides and depths are measured to it. Made when first requested.
   [[nodiscard]] const Surface& boundary() const { return whole_.boundary(); }
   [[nodiscard]] bool is_solid() const { return boundary().is_solid(); }
 

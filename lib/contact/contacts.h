@@ -32,7 +32,7 @@ struct CorrectionAim {
 [[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const CompiledTool& tool, const BlockTree& tree,
                                                      double aim_mm, double notable_mm = 0);
 
-/// How much the deepest point exceeds the aim at a pose: never more than the truth, and not much less. 0 only
+/// Returns how much the deepest point exceeds the aim at a pose: never more than the truth, and not much less. 0 only
 /// when the aim is proven to be met to `accuracy_mm`. `bounds`, where given, is raised by how many were computed.
 [[nodiscard]] double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
                                     const CorrectionAim& aim, double accuracy_mm, std::uint64_t* bounds = nullptr);

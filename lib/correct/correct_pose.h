@@ -54,7 +54,7 @@ struct CorrectedPose {
 [[nodiscard]] std::optional<CorrectedPose> correct_along_normal(const Pose& pose, const ToolVariants& tool,
                                                                 const MotionChecker& checker, const PoseLimits& limits);
 
-/// How much deeper than the aim heads are at a pose; infinite when one is buried or that is not decided.
+/// Returns how much deeper than the aim heads are at a pose; infinite when one is buried or that is not decided.
 [[nodiscard]] double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLimits& limits);
 
 /// Lifts the tip along the tool axis to the first place where tool and heads meet the aim: the excess is the least the
@@ -84,7 +84,7 @@ struct FreedPose {
 /// The largest sideways shift where the command line names none: this many times the depth at the pose.
 inline constexpr double kSideShiftsPerDepth = 2;
 
-/// How far a shift leads away from the tool axis: along the axis the tool keeps to the programmed cut.
+/// Returns how far a shift leads away from the tool axis: along the axis the tool keeps to the programmed cut.
 [[nodiscard]] double side_shift_mm(const Vec3& shift, const Vec3& axis);
 
 /// correct_as, held to the laws of a shift: `wanted` first, then along the axis.

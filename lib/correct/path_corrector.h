@@ -79,7 +79,7 @@ class PathCorrector {
   std::vector<MoveWork> moves_;
 };
 
-/// Why a gouge, a buried or an uncertain move of this kind stays where nothing else is known.
+/// Returns why a gouge, a buried or an uncertain move of this kind stays where nothing else is known.
 [[nodiscard]] std::string usual_reason(const Move& move, const MoveVerdict& verdict);
 
 }  // namespace gouge

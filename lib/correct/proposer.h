@@ -29,7 +29,7 @@ class Proposer {
   /// Makes a proposed arc straight from now on. Returns false where none was proposed.
   [[nodiscard]] bool give_up_arc(const std::vector<PathChange>& changes, std::size_t move);
 
-  /// Where the move is of a tilted run, that run is tilted no more; else the move stays as it is.
+  /// Returns where the move is of a tilted run, that run is tilted no more; else the move stays as it is.
   void keep(std::size_t move, const std::string& reason);
   void keep_all(const std::string& reason);
 
@@ -41,7 +41,7 @@ class Proposer {
   [[nodiscard]] const ReworkedPath* last() const;
   /// Before stretches are left out.
   [[nodiscard]] const ReworkedPath* untrimmed() const;
-  /// Which of the moves [first, last] of the path gouges deepest; kNone: none does.
+  /// Returns which of the moves [first, last] of the path gouges deepest; kNone: none does.
   [[nodiscard]] std::size_t deepest(std::size_t first, std::size_t last) const;
   /// Maps a move of the plan: which move of the path it is a piece of.
   [[nodiscard]] std::size_t origin_of(std::size_t i) const;

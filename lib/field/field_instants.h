@@ -22,7 +22,7 @@ struct FieldInstants {
     const CheckedToolpath& input, std::size_t most,
     const std::function<std::size_t(const Motion& motion, std::size_t move)>& wanted);
 
-/// How far the tip goes.
+/// Returns how far the tip goes.
 [[nodiscard]] double path_length_mm(const Motion& motion);
 
 }  // namespace gouge

@@ -63,7 +63,7 @@ class HeadChecker {
   void mark_buried(const Toolpath& toolpath, const CheckOptions& options, const HeadUppers& uppers_mm,
                    MoveVerdicts& verdicts) const;
 
-  /// How much deeper than `allowed_mm` the heads are at a pose, less than the truth by `accuracy_mm` at most:
+  /// Returns how much deeper than `allowed_mm` the heads are at a pose, less than the truth by `accuracy_mm` at most:
   /// the least they must still move. 0 only when that is proven and no head is buried; infinite when one is,
   /// or when it could not be decided.
   [[nodiscard]] double excess_at(const Pose& pose, const MotionLaw& law, double allowed_mm, double accuracy_mm,

@@ -12,7 +12,7 @@ namespace gouge {
 
 [[nodiscard]] constexpr std::size_t interval_stride(std::size_t axes) { return (axes + 3) / 4 * 4; }
 
-/// Where the lower end of axis `i` stands; the upper end stands four behind.
+/// Returns where the lower end of axis `i` stands; the upper end stands four behind.
 [[nodiscard]] constexpr std::size_t low_slot(std::size_t i) { return i / 4 * 8 + i % 4; }
 [[nodiscard]] constexpr std::size_t high_slot(std::size_t i) { return low_slot(i) + 4; }
 

@@ -6,7 +6,7 @@
 
 namespace gouge {
 
-/// Which pieces without open edges lie on themselves somewhere, so that they bound nothing there. Two triangles of a
+/// Returns which pieces without open edges lie on themselves somewhere, so that they bound nothing there. Two triangles of a
 /// piece, one over the other, do that where they cross, touch or come nearer than 5e-5 of the size of the mesh at less
 /// than 30 degrees; or share an edge at less than 2 degrees; or, in a pinched piece, at less than 45.
 ///

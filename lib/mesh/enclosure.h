@@ -44,7 +44,7 @@ class Enclosure {
   /// Cost     O(n) for points within the box; the first of them O(n log n).
   [[nodiscard]] Side side_of(const ConnectedPoints& joined) const;
 
-  /// Why a side is not known, with the files' names: "part.stl has 3 open edges, so ...".
+  /// Returns why a side is not known, with the files' names: "part.stl has 3 open edges, so ...".
   [[nodiscard]] std::string why_unknown() const;
 
  private:

@@ -27,7 +27,7 @@ using OppositeHalfEdges = std::vector<std::uint32_t>;
 /// stage a triangle.
 [[nodiscard]] bool is_manifold(const IndexedMesh& mesh, const OppositeHalfEdges& opposites, Stage* stage = nullptr);
 
-/// How often the surface winds around `point_part`: the sum of the triangles' signed solid angles over 4 pi.
+/// Returns how often the surface winds around `point_part`: the sum of the triangles' signed solid angles over 4 pi.
 ///
 /// Units    mm, part coordinates.
 /// Ensures  (1) For a surface whose every edge is used equally often in both directions (what

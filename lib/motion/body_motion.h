@@ -25,7 +25,7 @@ class BodyMotion {
   [[nodiscard]] RigidTransform at(double t) const;
   /// Bounds over [t0, t1] of a segment.
   [[nodiscard]] MotionRates rates(double t0, double t1, std::uint32_t segment) const;
-  /// How far, in the tool's frame, the path of a point of the part over the interval may leave the straight chord
+  /// Returns how far, in the tool's frame, the path of a point of the part over the interval may leave the straight chord
   /// between its positions at the ends; the point is at most `distance_mm` from the tip at one end. 0 for an instant.
   [[nodiscard]] double bulge_mm(const MotionInterval& interval, double distance_mm) const;
   /// It turns by no more than this over the whole move, about the tool axis and with it.

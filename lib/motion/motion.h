@@ -42,7 +42,7 @@ class Motion {
   [[nodiscard]] Vec3 tip_at(double t, std::uint32_t segment) const;
   /// The tip's path over [t0, t1] of a segment is no longer than this; straight paths are exactly this long.
   [[nodiscard]] double path_length_mm(double t0, double t1, std::uint32_t segment) const;
-  /// How far the tip may at any instant of [t0, t1] be from where it would be on the straight chord at constant
+  /// Returns how far the tip may at any instant of [t0, t1] be from where it would be on the straight chord at constant
   /// speed. 0 for straight paths. Proof: docs/method/certified_sweep.md, section 3.
   [[nodiscard]] double sag_mm(double t0, double t1, std::uint32_t segment) const;
   /// Bounds of all that moves with the tool over [t0, t1] of a segment.

@@ -24,7 +24,7 @@ struct Overcut {
   double t = 0;
 };
 
-/// How far below the part's surface the solid reaches during the motion: the largest distance to the surface,
+/// Returns how far below the part's surface the solid reaches during the motion: the largest distance to the surface,
 /// over every point of the part's inside that the solid takes up at any instant.
 ///
 /// Best first over cells of space and time. What of the solid comes into a cell lies behind planes that touch it, and

@@ -143,7 +143,7 @@ struct Toolpath {
   std::shared_ptr<const MoveOrigins> origins;
   std::shared_ptr<const JointPath> joints;  ///< of the machine that it is checked for; null: none
 
-  /// Where a move starts: removing moves from a path changes where those behind them start.
+  /// Returns where a move starts: removing moves from a path changes where those behind them start.
   /// Requires moves[move].has_start and move > 0.
   [[nodiscard]] const Pose& start_of(std::size_t move) const { return moves[move - 1].end; }
 };

@@ -34,7 +34,7 @@ struct NarrowResult {
 ///
 /// Finds the nearest facet among those given; with complete coverage they hold every facet within
 /// the depth of the point, so it is the nearest of all and the side it gives is the true one:
-/// docs/algorithms/ shallow_penetration.md, section 4. Filters in single precision, decides in double.
+/// docs/method/shallow_penetration.md, section 4. Filters in single precision, decides in double.
 class NarrowPhase {
  public:
   explicit NarrowPhase(const DepthBody& body);

@@ -46,7 +46,7 @@ class Surface {
   /// Closed, oriented, outward: inside means something. Cost of the first call O(n).
   [[nodiscard]] bool is_solid() const;
 
-  /// Where the solid ends: the surface itself, or where shells nest, overlap or cross, what of it has no material on one
+  /// Returns where the solid ends: the surface itself, or where shells nest, overlap or cross, what of it has no material on one
   /// side (solid_boundary.h). The only surface to request a side of a solid, or for a depth in it. Of what is no solid
   /// the surface itself; no solid where rounding leaves some of its sides unknown.
   /// Ensures  valid as long as this surface or a copy of it. Cost of the first call as find_solid_boundary.

@@ -29,7 +29,7 @@ class ContactPivot {
   /// Outward from the part at the contact that counts most; without one the programmed axis.
   [[nodiscard]] const Vec3& normal() const { return contacts_.empty() ? programmed_.axis : contacts_.front().normal; }
 
-  /// Where the tip goes when the axis becomes `axis`, a unit vector.
+  /// Returns where the tip goes when the axis becomes `axis`, a unit vector.
   ///
   /// Ensures  the cutter reaches exactly as far against the first normal as before, and where one point of it alone
   ///          does, at the same point of the part. Where several do, as with a flat end on a flat floor, the one of them

@@ -23,7 +23,7 @@ struct TiltOptions {
   double max_tilt_rad = std::numbers::pi / 6;  ///< from the programmed axis
   TiltFreedom freedom = TiltFreedom::both;
   std::optional<AxisCone> cone;  ///< none: any axis
-  /// How fast the axis may turn on a motion that the programmed axis does not turn faster on.
+  /// Returns how fast the axis may turn on a motion that the programmed axis does not turn faster on.
   double max_turn_rad_per_mm = std::numeric_limits<double>::infinity();
   double max_turn_step_rad = std::numeric_limits<double>::infinity();  ///< and on one motion
   double blend_mm = 10;  ///< way of the tip over which the tilt comes and goes, where the path has it

@@ -60,11 +60,11 @@ class TiltSpace {
   [[nodiscard]] const TiltPosition& operator[](std::size_t i) const { return positions_[i]; }
   [[nodiscard]] const TiltTask& task() const { return task_; }
 
-  /// Where the tool stands: the contact kept, and raised where it must be and may. Without tilt as programmed, bit for
+  /// Returns where the tool stands: the contact kept, and raised where it must be and may. Without tilt as programmed, bit for
   /// bit. Nothing where raising does not help.
   [[nodiscard]] std::optional<Pose> pose(std::size_t i, const Tilt& tilt) const;
 
-  /// How far it is raised there; nothing where raising does not help, of which `refusing`, where given, learns.
+  /// Returns how far it is raised there; nothing where raising does not help, of which `refusing`, where given, learns.
   [[nodiscard]] std::optional<double> raise_mm(std::size_t i, const Tilt& tilt,
                                                RefusingPoints* refusing = nullptr) const;
 

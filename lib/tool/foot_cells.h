@@ -23,7 +23,7 @@ struct FootCell {
   [[nodiscard]] Vec2 at(double s, double t) const;
   /// No ray is longer than this for the cell's own sake.
   [[nodiscard]] double longest_ray_mm() const;
-  /// How far apart two rays of the cell are at most, t from their feet; of the middle ray and any other half of it.
+  /// Returns how far apart two rays of the cell are at most, t from their feet; of the middle ray and any other half of it.
   [[nodiscard]] double width_mm(double t) const;
   /// The distance from `point` to the farthest point of the cell at most t from its foot.
   [[nodiscard]] double farthest_mm(const Vec2& place, double t) const;

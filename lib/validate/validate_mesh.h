@@ -35,7 +35,7 @@ struct MeshValidation {
 
   /// Closed, manifold, consistently oriented outward, free of self-intersections and duplicates.
   [[nodiscard]] bool is_sound() const;
-  /// How many defects there are of all kinds together; 0 for a sound mesh without triangles of no area.
+  /// Returns the number of defects there are of all kinds together; 0 for a sound mesh without triangles of no area.
   [[nodiscard]] std::size_t defects() const;
 };
 

@@ -34,7 +34,7 @@ using ClaimedTools = std::vector<std::unique_ptr<ClaimedTool>>;  ///< by Toolpat
 /// axis turned the shortest way to the tool's, in between on the great circle, the rest of the turn spread
 /// evenly.
 [[nodiscard]] RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t);
-/// How deep a point is in the heads; 0 where it is in none. Cost: O(facets).
+/// Returns how deep a point is in the heads; 0 where it is in none. Cost: O(facets).
 [[nodiscard]] double depth_in_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point);
 
 /// The signed distance of a point from the heads, negative in one; infinite where there are none. Cost: O(facets).

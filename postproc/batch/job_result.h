@@ -46,7 +46,7 @@ struct JobResult {
   int rank = 0;
 
   [[nodiscard]] std::size_t moves() const;
-  /// How many of its findings are gouges or a buried tool.
+  /// Returns how many of its findings are gouges or a buried tool.
   [[nodiscard]] std::size_t gouge_findings() const;
   /// Its warnings as text; of a job without a result what its command stated of its errors.
   [[nodiscard]] std::vector<std::string> remarks() const;
@@ -63,7 +63,7 @@ struct JobResult {
 /// Indices of `jobs`, the worst first: by status, then by depth, then in their order.
 [[nodiscard]] std::vector<std::size_t> worst_first(const std::vector<JobResult>& jobs);
 
-/// How many jobs there are of each verdict: "3 clean, 2 gouges, 1 failed".
+/// Returns the number of jobs there are of each verdict: "3 clean, 2 gouges, 1 failed".
 [[nodiscard]] std::string verdict_counts(const std::vector<JobResult>& jobs);
 
 /// A file of which two jobs read different contents.

@@ -30,7 +30,7 @@ struct ToolpathFormat {
   /// read_toolpath for a file in this format.
   ReadOutcome (*read)(const std::string& file_name, SourceText bytes, const Dialect& dialect,
                       const ReadOptions& options, const ProgressCall& progress);
-  /// Where the moves of a path stand in its file: Toolpath::origins, or else another reading of its bytes.
+  /// Returns where the moves of a path stand in its file: Toolpath::origins, or else another reading of its bytes.
   std::shared_ptr<const MotionRecords> (*records)(const Toolpath& path);
   /// write_corrected for changes that find_wrong_change accepts.
   Result<Edits> (*rewrite)(const Toolpath& path, const std::vector<PathChange>& changes);

@@ -21,7 +21,7 @@ namespace gouge {
 /// The heads of a finding in part coordinates: corners of a box about each, and the tool's tip.
 [[nodiscard]] std::vector<Vec3> head_corners(const PictureSet& set, const PictureEvent& event);
 
-/// How far from the finding a head is shown: a machine's whole column would leave nothing of the part.
+/// Returns how far from the finding a head is shown: a machine's whole column would leave nothing of the part.
 [[nodiscard]] double head_reach_mm(const PictureSet& set, const PictureEvent& event);
 
 /// Visible part of a flat picture about (0, 0).

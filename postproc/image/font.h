@@ -31,7 +31,7 @@ class Font {
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
 
-  /// Why what was drawn or measured until now may lack letters: memory ran out, or a file that is there cannot be read.
+  /// Returns why what was drawn or measured until now may lack letters: memory ran out, or a file that is there cannot be read.
   /// Codes: out-of-memory, file-unreadable.
   [[nodiscard]] std::optional<Diagnostic> trouble() const;
 

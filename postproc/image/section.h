@@ -29,7 +29,7 @@ struct SectionLine {
   Vec2 a, b;
   bool is_fixture = false;
 };
-/// Where the plane cuts the triangles.
+/// Returns where the plane cuts the triangles.
 [[nodiscard]] std::vector<SectionLine> cut_scene(const PreparedScene& scene, const SectionPlane& plane);
 
 /// The same of bodies that `to_part` places, one after another.

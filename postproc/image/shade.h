@@ -37,7 +37,7 @@ class Coat {
 /// Lays `colour` over one pixel.
 void blend_pixel(Raster& raster, int x, int y, const Colour& colour, double opacity);
 
-/// How bright a surface is whose unit normal has these parts as a view sees it, 0 to about 1.
+/// Returns how bright a surface is whose unit normal has these parts as a view sees it, 0 to about 1.
 [[nodiscard]] double light_on(double right, double up, double toward);
 
 }  // namespace gouge

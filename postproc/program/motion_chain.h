@@ -13,9 +13,9 @@ class MotionChain {
 
   /// In part coordinates; nothing: the next position is alone.
   [[nodiscard]] const std::optional<Pose>& last_pose() const { return last_pose_; }
-  /// Why the next motion's start is not known, or null.
+  /// Returns why the next motion's start is not known, or null.
   [[nodiscard]] const char* unknown_start() const { return unknown_start_; }
-  /// Why the last position was an unknown place, or null.
+  /// Returns why the last position was an unknown place, or null.
   [[nodiscard]] const char* last_uncertainty() const { return last_uncertainty_; }
   [[nodiscard]] bool is_start_certain() const {
     return last_pose_ && unknown_start_ == nullptr && last_uncertainty_ == nullptr;
@@ -25,7 +25,7 @@ class MotionChain {
   void lose_start(const char* reason) { unknown_start_ = reason; }
   /// The next motion starts at last_pose() after all.
   void find_start() { unknown_start_ = nullptr; }
-  /// Where there is one.
+  /// Returns where there is one.
   void lose_last_pose(const char* reason) {
     if (last_pose_) unknown_start_ = reason;
   }

@@ -32,7 +32,7 @@ inline constexpr const char* kProjectFile = "project-file";
 /// "mm" or "inches": for headings, where "in in" would read badly.
 [[nodiscard]] const char* unit_words(LengthUnit unit);
 
-/// How many of its changes are positions that the path did not have.
+/// Returns how many of its changes are positions that the path did not have.
 [[nodiscard]] std::size_t inserted_positions(const CorrectionFacts& correction);
 /// The programmed positions that are not left uncut.
 [[nodiscard]] std::size_t moved_positions(const CorrectionFacts& correction);

@@ -98,7 +98,7 @@ struct StoredResult {
   }
   /// Requires a move of the path.
   [[nodiscard]] const StoredRun& run_of(std::size_t move) const;
-  /// How many of the moves [first, end) are of the operation and tool of `run`.
+  /// Returns how many of the moves [first, end) are of the operation and tool of `run`.
   [[nodiscard]] std::size_t moves_like(const StoredRun& run, std::size_t first, std::size_t end) const;
   /// The checksums of the files of a role, in order, a line each.
   [[nodiscard]] std::string contents_of(std::string_view role) const;

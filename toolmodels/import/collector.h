@@ -40,7 +40,7 @@ class Collector {
   bool is_all_inch_ = true;
 };
 
-/// How messages call a tool of another program's file: its number and name as far as it has them.
+/// Returns how messages call a tool of another program's file: its number and name as far as it has them.
 [[nodiscard]] std::string tool_label(const std::optional<int>& number, const std::string& name);
 
 /// A tool number this project can hold.

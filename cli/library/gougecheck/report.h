@@ -37,7 +37,7 @@ class GOUGECHECK_EXPORT Report {
   [[nodiscard]] double worst_depth() const;  ///< of all moves; 0 where none is deep
 
   [[nodiscard]] std::span<const State> state() const;
-  /// How deep a point of the surface is in the tool, positive inside, 0 outside; NaN of buried and not checked moves.
+  /// Returns how deep a point of the surface is in the tool, positive inside, 0 outside; NaN of buried and not checked moves.
   [[nodiscard]] std::span<const double> depth() const;
   [[nodiscard]] std::span<const double> depth_upper() const;
   /// The witness of `depth`: instant of the move in [0, 1], point of the surface, unit direction in which the tool must
@@ -50,9 +50,9 @@ class GOUGECHECK_EXPORT Report {
   [[nodiscard]] std::span<const std::int32_t> mesh() const;
   [[nodiscard]] std::span<const std::int8_t> body() const;        ///< a Body
   [[nodiscard]] std::span<const std::int8_t> is_fixture() const;  ///< 1: `mesh` counts fixtures; 0: parts
-  /// How far below the surface the tool reached, at least; NaN where it was not measured.
+  /// Returns how far below the surface the tool reached, at least; NaN where it was not measured.
   [[nodiscard]] std::span<const double> overcut() const;
-  /// Why a move is not checked, not certified or buried; else empty, or what else is to be stated.
+  /// Returns why a move is not checked, not certified or buried; else empty, or what else is to be stated.
   [[nodiscard]] std::string reason(std::size_t move) const;
   /// Returns the facts that the verdict rests on. It is clean only if none of them is open.
   [[nodiscard]] std::vector<Assumption> assumptions() const;

@@ -35,9 +35,9 @@ class AxisState {
   }
   /// Before an axis can be written. Those who write files that state MULTAX state it where they mean it.
   [[nodiscard]] bool needs_multax() const { return !multax_.value_or(!in_.dialect.states_multax); }
-  /// How many numbers of the statement make a position: 3 or 6, or 0 after an error.
+  /// Returns the number of numbers of the statement make a position: 3 or 6, or 0 after an error.
   [[nodiscard]] std::size_t numbers_per_point();
-  /// Why the numbers of the statement, `numbers` of which are taken for a position, have two readings; or null.
+  /// Returns why the numbers of the statement, `numbers` of which are taken for a position, have two readings; or null.
   [[nodiscard]] const char* two_readings(std::size_t numbers) const;
   /// The numbers are a list of positions without axes: [first, last) of the moves whose axes may be positions as well.
   [[nodiscard]] std::pair<std::size_t, std::size_t> note_list(std::size_t numbers);

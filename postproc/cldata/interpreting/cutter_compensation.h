@@ -31,7 +31,7 @@ class CutterCompensation {
   [[nodiscard]] bool is_centre() const { return is_centre_; }
 
   [[nodiscard]] CutcomSide side() const { return side_; }
-  /// Why the next motion is not checked; empty where CUTCOM does not keep it from being so.
+  /// Returns why the next motion is not checked; empty where CUTCOM does not keep it from being so.
   [[nodiscard]] std::string_view reason() const;
   /// Deviation of the motion to `move`, which reason() keeps from being checked: the tip is beside it, across `plane_normal`, where
   /// the control offsets it in that plane.

@@ -49,7 +49,7 @@ class CycleState {
   void note_low_plane() { below_clearance_.add(in_.line()); }
   void note_stray_end() { never_begun_.add(in_.line()); }
 
-  /// How deep the tool goes for DrillCycle::csink_mm; nothing: not known, so that the cycle is not understood.
+  /// Returns how deep the tool goes for DrillCycle::csink_mm; nothing: not known, so that the cycle is not understood.
   void set_countersink(std::optional<double> depth_mm);
   [[nodiscard]] bool is_on() const { return is_on_; }
   [[nodiscard]] bool has_holes() const { return first_positions_ != kNone; }
@@ -60,7 +60,7 @@ class CycleState {
   [[nodiscard]] const std::optional<DrillCycle>& drill() const { return drill_; }
   [[nodiscard]] const char* why() const { return why_; }
   [[nodiscard]] std::string_view uncertainty_reason() const { return reason_; }
-  /// Where the last position was a hole: what GODLTA goes on from, not where the tool is.
+  /// Returns where the last position was a hole: what GODLTA goes on from, not where the tool is.
   [[nodiscard]] const std::optional<Pose>& last_hole() const { return last_hole_; }
   [[nodiscard]] std::size_t first_possible_hole() const { return first_possible_hole_; }
   void write_notes() const;

@@ -42,7 +42,7 @@ class ToolState {
   void forget_cutter();
 
   [[nodiscard]] const std::optional<int>& number() const { return tool_.number; }
-  /// How deep the tip of a pointed tool is where its cone is `diameter_mm` wide; nothing of any other tool.
+  /// Returns how deep the tip of a pointed tool is where its cone is `diameter_mm` wide; nothing of any other tool.
   [[nodiscard]] std::optional<double> countersink_depth(double diameter_mm) const;
   /// At a motion: true where the tool is another one than before. index() is then its own.
   [[nodiscard]] bool resolve();

@@ -32,7 +32,7 @@ struct NumberCount {
   std::size_t negative = 0;
 };
 
-/// How many of the arguments are numbers, and how many of these are below 0.
+/// Returns how many of the arguments are numbers, and how many of these are below 0.
 [[nodiscard]] NumberCount count_numbers(std::span<const Argument> arguments);
 
 /// Half a unit in the last place that any of `arguments` is written to: how far rounding puts a number off. Numbers that

@@ -28,7 +28,7 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 
-/// How many spaces stand right before `bytes[at]`.
+/// Returns the number of spaces stand right before `bytes[at]`.
 [[nodiscard]] std::size_t blanks_before(std::string_view bytes, std::size_t at);
 
 /// Line end of the first line of `bytes`: "\r\n" or "\n".

@@ -51,7 +51,7 @@ class NccsWords {
   explicit NccsWords(std::string_view bytes) : bytes_(bytes) {}
 
   [[nodiscard]] std::size_t words() const;
-  /// Where the word begins in the file's bytes.
+  /// Returns where the word begins in the file's bytes.
   [[nodiscard]] static std::size_t offset(std::size_t word);
   /// The word that begins at `offset`.
   [[nodiscard]] static std::size_t word_at(std::size_t offset);
