@@ -13,6 +13,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/sha256.h"
+#include "lib/verify/claimed_pose.h"
 
 namespace gouge {
 
@@ -36,6 +37,7 @@ class Verifier {
                                std::to_string(scene_.path.moves.size()));
       return std::move(done_);
     }
+    if (const auto wrong = find_wrong_joints(scene_)) refute(*wrong, "its rotary angles do not give its tool axes");
     claims_ = result_.claims_of(result_.moves);
     const ClaimedTools tools = claimed_tools(scene_);
     const SceneOrders orders(scene_);

@@ -85,6 +85,7 @@ class ResultReader {
     if (role == "fixture") a.fixtures.push_back(name);
     if (role == "head") a.heads.push_back(name);
     if (role == "tools") a.tools_file = name;
+    if (role == "machine") a.machine = name;
     if (role == "part") named_parts_.push_back(as_named);
     if (role == "fixture") named_fixtures_.push_back(as_named);
     if (role == "part" || role == "fixture")
@@ -109,9 +110,10 @@ class ResultReader {
       const std::optional<JsonField> value = more.find(key);
       return value ? std::vector<std::string>{value->text()} : std::vector<std::string>();
     };
-    if (more.find("machine")) more.at("machine").fail("no machine: verify evaluates the great circle alone");
     repeat_options<ReadingArguments>(a.reading, reading_options(), given);
+    const std::string machine = a.machine;
     repeat_options(a, job_options(), given);
+    if (!machine.empty()) a.machine = machine;
     read_limits(more, "part", Against::part, named_parts_);
     read_limits(more, "fixture", Against::fixture, named_fixtures_);
   }

@@ -31,6 +31,12 @@ ClaimedScene claimed_scene(const Job& job) {
   ClaimedScene scene{job.toolpath, job.tools(), job.scene().parts, job.scene().fixtures, {}};
   for (const HeadBody& head : job.heads()) scene.heads.emplace_back(head.whole.mesh());
   scene.axis_law = options.law.name();
+  if (job.machine) {
+    const Machine& machine = *job.machine;
+    scene.joints =
+        ClaimedJoints{machine.joints[machine.rotary[0]].direction, machine.joints[machine.rotary[1]].direction,
+                      options.law.is_by_axes(MoveKind::feed), options.law.is_by_axes(MoveKind::rapid)};
+  }
   scene.is_dogleg = options.law.rapid() == RapidMode::dogleg;
   scene.tolerance_mm = options.tolerance_mm;
   scene.resolution_mm = options.resolution_mm;

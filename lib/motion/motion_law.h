@@ -46,6 +46,8 @@ class MotionLaw {
   }
   /// True where the axis turns on the great circle in all motions.
   [[nodiscard]] bool is_great_circle() const { return !feed_axes_ && !rapid_axes_; }
+  /// True where the axis of such a motion runs by an AxisLaw.
+  [[nodiscard]] bool is_by_axes(MoveKind kind) const { return axes_of(kind) != nullptr; }
   /// Names the law of the axis: "great-circle", or as the AxisLaw does, for feeds and rapids.
   [[nodiscard]] std::string name() const;
 

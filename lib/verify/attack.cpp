@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "lib/base/number_text.h"
+#include "lib/verify/claimed_pose.h"
 #include "lib/verify/surface_proof.h"
 
 namespace gouge {
@@ -120,7 +121,7 @@ class Attack {
 
   [[nodiscard]] Place place(const Target& target, std::size_t move, double t) const {
     if (target.contour == nullptr) return {{}, head_frame(scene_, move, t)};
-    return {pose_at(scene_.path, move, t, scene_.is_dogleg), {}};
+    return {claimed_pose(scene_, move, t), {}};
   }
 
   [[nodiscard]] double depth(const Target& target, const Place& place, const Vec3& point) const {

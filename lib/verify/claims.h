@@ -45,6 +45,12 @@ struct ClaimedLimit {
 /// The law of motion that is evaluated here.
 inline constexpr const char* kGreatCircle = "great-circle";
 
+/// Rotary joints that run evenly from one position to the next, in place of the great circle.
+struct ClaimedJoints {
+  Vec3 first = Vec3::UnitZ(), second = Vec3::UnitX();  ///< unit directions at 0, that nearer to the part first
+  bool in_feeds = false, in_rapids = false;
+};
+
 /// Referenced objects must outlive it. Lengths in mm.
 struct ClaimedScene {
   const Toolpath& path;
@@ -56,6 +62,7 @@ struct ClaimedScene {
   double tolerance_mm = 0.01, resolution_mm = 0.001;
   unsigned threads = 0;
   std::vector<ClaimedLimit> limits{};
+  std::optional<ClaimedJoints> joints{};  ///< with the angles of Toolpath::joints; none: the great circle
 
   [[nodiscard]] double largest_clean_mm() const { return tolerance_mm + resolution_mm; }
 };

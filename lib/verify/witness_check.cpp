@@ -6,7 +6,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/geom/point_triangle.h"
-#include "lib/geom/shortest_turn.h"
+#include "lib/verify/claimed_pose.h"
 
 namespace gouge {
 namespace {
@@ -14,11 +14,6 @@ namespace {
 constexpr double kExact_mm = 1e-6;  // what the promise states a witness is true to
 
 std::string mm(double value) { return display_text(value, 7) + " mm"; }
-
-Eigen::Quaterniond turn_from_z(const Vec3& axis) {
-  if (1 + axis.z() < 1e-9) return Eigen::Quaterniond(0, 1, 0, 0);  // half a turn about x
-  return shortest_turn(Vec3::UnitZ(), axis);
-}
 
 bool is_near(double a, double b) { return std::abs(a - b) <= kExact_mm; }
 
@@ -64,7 +59,7 @@ class WitnessChecker {
     return "its point is " + mm(std::sqrt(off2)) + " off its triangle";
   }
 
-  [[nodiscard]] Pose pose() const { return pose_at(scene_.path, move_, w_.t, scene_.is_dogleg); }
+  [[nodiscard]] Pose pose() const { return claimed_pose(scene_, move_, w_.t); }
   [[nodiscard]] const ToolContour& contour() const { return w_.is_fixture ? tool_.fixture : tool_.part; }
 
   /// The depth once the tool has given way by `shift`.
@@ -127,19 +122,6 @@ Vec2 in_tool(const Pose& pose, const Vec3& point) {
   return {u.cross(pose.axis).norm(), u.dot(pose.axis)};
 }
 
-RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t) {
-  const Pose end = scene.path.moves[move].end;
-  const Pose start = scene.path.moves[move].has_start ? scene.path.start_of(move) : end;
-  const Pose at = pose_at(scene.path, move, t, scene.is_dogleg);
-  const auto carried = [&](const Vec3& axis) {  // the start's frame, carried along the great circle to `axis`
-    return shortest_turn(start.axis, axis) * turn_from_z(start.axis);
-  };
-  const Eigen::Matrix3d rest = (carried(end.axis).conjugate() * turn_from_z(end.axis)).toRotationMatrix();
-  const double twist = std::atan2(rest(1, 0) - rest(0, 1), rest(0, 0) + rest(1, 1));
-  const Eigen::Quaterniond frame = carried(at.axis) * Eigen::AngleAxisd(twist * t, Vec3::UnitZ());
-  return {frame.toRotationMatrix(), at.tip};
-}
-
 double depth_in_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point) {
   const Vec3 q = frame.inverse().point(point);
   double deepest = 0;
@@ -169,7 +151,7 @@ std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const C
   if (tool >= tools.size() || !tools[tool]) return "its tool is not defined";
   if (auto fault = WitnessChecker(scene, *tools[tool], move, claim).fault()) return fault;
   if (claim.state != ClaimedState::gouge || claim.depth_mm > scene.tolerance_mm) return std::nullopt;
-  const Vec2 at = in_tool(pose_at(scene.path, move, claim.witness->t, scene.is_dogleg), claim.witness->point);
+  const Vec2 at = in_tool(claimed_pose(scene, move, claim.witness->t), claim.witness->point);
   if (tools[tool]->clearance.has(at)) return std::nullopt;
   const ClaimedLimit* limit = limit_of(scene, *claim.witness);
   if (limit != nullptr && claim.depth_mm > limit->tolerance_mm) return std::nullopt;

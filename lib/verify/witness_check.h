@@ -30,10 +30,6 @@ using ClaimedTools = std::vector<std::unique_ptr<ClaimedTool>>;  ///< by Toolpat
 /// A point of the part in the half plane of a tool.
 [[nodiscard]] Vec2 in_tool(const Pose& pose, const Vec3& point);
 
-/// The frame of the bodies that move with the tool at t, as docs/method/guarantee.md states: at a position the part's z
-/// axis turned the shortest way to the tool's, in between on the great circle, the rest of the turn spread
-/// evenly.
-[[nodiscard]] RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t);
 /// Returns how deep a point is in the heads; 0 where it is in none. Cost: O(facets).
 [[nodiscard]] double depth_in_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point);
 

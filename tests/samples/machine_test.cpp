@@ -65,11 +65,33 @@ TEST_F(PoleCrossing, IsCorrectedByItsOwnLaw) {
             0);
 }
 
-TEST_F(PoleCrossing, AResultOfAMachineIsNotVerifiedByTheGreatCircle) {
+TEST_F(PoleCrossing, AResultIsVerifiedByItsOwnLawAndRefutedByAnother) {
   EXPECT_EQ(run("check", {"--machine", kTrunnion, "--json", "check.json"}).exit_status, 1);
   const Outcome verified = run_gougecheck(sample_.path, {"verify", "check.json"});
-  EXPECT_EQ(verified.exit_status, 3);
-  EXPECT_NE(verified.err.find("verify evaluates the great circle alone"), std::string::npos) << verified.err;
+  EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
+  const std::string text = text_of(sample_.path + "/check.json");
+  const auto refuted = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    const std::size_t at = changed.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    write_text(sample_.path + "/changed.json", changed.replace(at, from.size(), to));
+    const Outcome ran = run_gougecheck(sample_.path, {"verify", "changed.json"});
+    EXPECT_EQ(ran.exit_status, 1) << from << " " << ran.out << ran.err;
+  };
+  refuted("\"machine\": \"" + kTrunnion + "\"", "\"feed-law\": \"vector\"");
+  refuted("\"t\": 0.5", "\"t\": 0.4");
+  refuted("\"depth\": 0.99", "\"depth\": 1.00");
+}
+
+TEST_F(PoleCrossing, ACleanResultByTheWrongLawIsRefutedByItsMachine) {
+  EXPECT_EQ(run("check", {"--json", "clean.json"}).exit_status, 0);
+  std::string text = text_of(sample_.path + "/clean.json");
+  const std::string more = "\"more\": {}";
+  const std::size_t at = text.find(more);
+  ASSERT_NE(at, std::string::npos);
+  write_text(sample_.path + "/claimed.json",
+             text.replace(at, more.size(), "\"more\": {\"machine\": \"" + kTrunnion + "\"}"));
+  EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "claimed.json"}).exit_status, 1);
 }
 
 TEST_F(PoleCrossing, AnAcceptanceByOneLawIsVoidByAnotherAndNothingIsGone) {
