@@ -4,6 +4,7 @@
 
 #include "cli/terminal/length_text.h"
 #include "lib/base/files.h"
+#include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/read_machine.h"
 
 namespace gouge {
@@ -22,7 +23,7 @@ Result<Machine> load_machine(const std::string& typed, const InputLimit& limit, 
   Result<std::string> read = read_file(typed, limit.max_bytes);
   if (!read) return read.error();
   bytes = std::move(*read);
-  return read_machine(typed, bytes);
+  return is_linuxcnc_ini(bytes) ? read_linuxcnc_ini(typed, bytes) : read_machine(typed, bytes);
 }
 
 }  // namespace gouge

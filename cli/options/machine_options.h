@@ -17,6 +17,6 @@ inline constexpr std::string_view kMachinePreset = "preset:";
 
 /// Help of --machine.
 inline constexpr const char* kMachineHelp =
-    "Machine file, or preset:NAME ('gougecheck machine list'): its rotary joints and the laws of its control";
+    "Machine file, configuration of LinuxCNC (INI), or preset:NAME ('gougecheck machine list'): its rotary joints and the laws of its control";
 
 }  // namespace gouge

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 
 #include "lib/base/units.h"
 #include "lib/json/json_field.h"
 #include "lib/json/json_file.h"
+#include "lib/machine/kinematics.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 const std::vector<std::string> kLawWords(kTurnLawNames.begin(), kTurnLawNames.end());
 
 class MachineReader {
@@ -69,7 +68,7 @@ class MachineReader {
     joint.side = field.at("side").word({"table", "head"}) == 1 ? JointSide::head : JointSide::table;
     joint.direction = vector(field.at("direction"));
     if (const auto point = field.find("point")) joint.point = vector(*point) * mm_per_unit_;
-    const double scale = joint.type == JointType::rotary ? kDegree : mm_per_unit_;
+    const double scale = joint.type == JointType::rotary ? kDegree_rad : mm_per_unit_;
     joint.min = scaled(field, "min", scale);
     joint.max = scaled(field, "max", scale);
     joint.rate = scaled(field, "rate", scale);

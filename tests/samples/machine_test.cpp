@@ -158,6 +158,39 @@ TEST(MachineCommand, ListsPresetsAndNamesThemWhereOneIsMissing) {
   EXPECT_NE(wrong.err.find("haas-umc750"), std::string::npos) << wrong.err;
 }
 
+TEST(MachineCommand, ReadsAConfigurationOfLinuxCnc) {
+  const std::string folder = fresh_folder();
+  const std::string axes =
+      "[AXIS_B]\nMIN_LIMIT = -30\n MAX_LIMIT=110\nMAX_VELOCITY = 20\n[AXIS_C]\n[AXIS_X]\nMAX_LIMIT = 10\n";
+  const auto ini = [&](const std::string& directions) {
+    return "# a comment\n[KINS]\nKINEMATICS = xyzbc-trt-kins sparm=identityfirst\n[TRAJ]\nLINEAR_UNITS = inch\n" +
+           axes + directions;
+  };
+  const std::string pin = "[HAL]\nHALCMD = setp xyzbc-trt-kins.conventional-directions ";
+  write_text(folder + "/trt.ini", ini(pin + "1\n"));
+  const Outcome shown = run_gougecheck(folder, {"machine", "show", "trt.ini"});
+  EXPECT_EQ(shown.exit_status, 0) << shown.err;
+  EXPECT_NE(shown.out.find("table, about (0, 1, 0), from -30 to 110 deg, 1200 deg/min"), std::string::npos)
+      << shown.out;
+  EXPECT_NE(shown.out.find("along (1, 0, 0), from ? to 254 mm"), std::string::npos) << shown.out;
+  write_text(folder + "/opposite.ini", ini(pin + "0\n"));
+  const Outcome opposite = run_gougecheck(folder, {"machine", "show", "opposite.ini"});
+  EXPECT_NE(opposite.out.find("about (0, -1, 0), from -30 to 110 deg"), std::string::npos) << opposite.out;
+  write_text(folder + "/unstated.ini", ini(""));
+  const Outcome unstated = run_gougecheck(folder, {"machine", "show", "unstated.ini"});
+  EXPECT_EQ(unstated.exit_status, 3);
+  EXPECT_NE(unstated.err.find("no HALCMD states the rotary directions"), std::string::npos) << unstated.err;
+  write_text(folder + "/other.ini", "[KINS]\nKINEMATICS = 5axiskins\n");
+  const Outcome other = run_gougecheck(folder, {"machine", "show", "other.ini"});
+  EXPECT_EQ(other.exit_status, 3);
+  EXPECT_NE(other.err.find("other.ini:2: error: KINEMATICS is '5axiskins'"), std::string::npos) << other.err;
+  write_text(folder + "/bad.ini",
+             "[KINS]\nKINEMATICS = xyzac-trt-kins\n[TRAJ]\nLINEAR_UNITS = mm\n[AXIS_A]\nMIN_LIMIT = low\n"
+             "[HAL]\nHALCMD = setp xyzac-trt-kins.conventional-directions 0\n");
+  const Outcome bad = run_gougecheck(folder, {"machine", "show", "bad.ini"});
+  EXPECT_NE(bad.err.find("bad.ini:6: error: MIN_LIMIT is 'low'"), std::string::npos) << bad.err;
+}
+
 TEST(MachineCommand, AWrongFileIsRefusedWithItsLineAndField) {
   const std::string folder = fresh_folder();
   const struct {

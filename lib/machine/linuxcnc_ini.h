@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lib/machine/machine.h"
+
+namespace gouge {
+
+/// Returns whether a text is the configuration of a LinuxCNC machine: it has a section [KINS].
+[[nodiscard]] bool is_linuxcnc_ini(std::string_view bytes);
+
+/// Reads kinematics, rotary directions, limits and rates of a LinuxCNC configuration. Pivots stay at the part zero.
+/// Errors, with the line: machine-ini (KINEMATICS that is not known, no or an unknown LINEAR_UNITS, no HALCMD that sets
+/// the rotary directions, a limit or rate that is not a number).
+/// Source   LinuxCNC, INI Configuration: [KINS], [HAL], [TRAJ], [AXIS_<letter>]; src/emc/kinematics/trtfuncs.c.
+[[nodiscard]] Result<Machine> read_linuxcnc_ini(const std::string& file, std::string_view bytes);
+
+}  // namespace gouge

@@ -1,0 +1,78 @@
+#include "lib/machine/linuxcnc_ini.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lib/machine/kinematics.h"
+#include "tests/support/scatter.h"
+
+// Configurations of LinuxCNC against the formulas of its forward kinematics (src/emc/kinematics/trtfuncs.c).
+
+namespace gouge {
+namespace {
+
+std::string configuration(const std::string& kinematics, int conventional) {
+  return "[KINS]\nKINEMATICS = " + kinematics + "\n[TRAJ]\nLINEAR_UNITS = mm\n[HAL]\nHALCMD = setp " + kinematics +
+         ".conventional-directions " + std::to_string(conventional) + "\n";
+}
+
+/// Factors of the linear joints in xyzacKinematicsForward; `sign` is its `con`.
+Eigen::Matrix3d xyzac(double c, double a, double sign) {
+  Eigen::Matrix3d m;
+  m << std::cos(c), -sign * std::sin(c) * std::cos(a), std::sin(c) * std::sin(a),  //
+      sign * std::sin(c), std::cos(c) * std::cos(a), -sign * std::cos(c) * std::sin(a), 0, sign * std::sin(a),
+      std::cos(a);
+  return m;
+}
+
+/// The same of xyzbcKinematicsForward.
+Eigen::Matrix3d xyzbc(double c, double b, double sign) {
+  Eigen::Matrix3d m;
+  m << std::cos(c) * std::cos(b), -sign * std::sin(c), sign * std::cos(c) * std::sin(b),
+      sign * std::sin(c) * std::cos(b), std::cos(c), std::sin(c) * std::sin(b), -sign * std::sin(b), 0, std::cos(b);
+  return m;
+}
+
+TEST(LinuxCncIni, TurnsTheToolByTheFormulasOfTheControl) {
+  test::Scatter scatter(5);
+  for (const int conventional : {0, 1}) {
+    const double sign = conventional == 1 ? 1 : -1;
+    for (const bool is_ac : {true, false}) {
+      const Result<Machine> machine =
+          read_linuxcnc_ini("a.ini", configuration(is_ac ? "xyzac-trt-kins" : "xyzbc-trt-kins", conventional));
+      ASSERT_TRUE(machine) << machine.error().message;
+      for (int n = 0; n < 1'000; ++n) {
+        const double c = scatter.in(-7, 7), tilt = scatter.in(-2, 2);
+        const Eigen::Matrix3d expected = is_ac ? xyzac(c, tilt, sign) : xyzbc(c, tilt, sign);
+        ASSERT_LT((tool_axes(*machine, {c, tilt}) - expected).norm(), 1e-12) << is_ac << " " << conventional;
+      }
+    }
+  }
+}
+
+TEST(LinuxCncIni, RefusesWhatItDoesNotKnow) {
+  const std::string good = configuration("xyzac-trt-kins", 0);
+  const struct {
+    std::string from, to, message;
+  } kCases[] = {
+      {"xyzac-trt-kins", "trivkins", "KINEMATICS is 'trivkins'"},
+      {"KINEMATICS = xyzac-trt-kins", "", "[KINS] has no KINEMATICS"},
+      {"= mm", "= cubit", "LINEAR_UNITS is 'cubit'"},
+      {"LINEAR_UNITS = mm", "", "[TRAJ] has no LINEAR_UNITS"},
+      {"= mm", "= mm\nANGULAR_UNITS = rad", "ANGULAR_UNITS is 'rad'"},
+      {"directions 0", "directions maybe", "conventional-directions is 'maybe'"},
+      {"setp ", "sets ", "no HALCMD states the rotary directions"},
+      {"[TRAJ]", "[AXIS_C]\nMAX_VELOCITY = fast\n[TRAJ]", "MAX_VELOCITY is 'fast'"},
+  };
+  for (const auto& one : kCases) {
+    std::string bytes = good;
+    bytes.replace(bytes.find(one.from), one.from.size(), one.to);
+    const Result<Machine> machine = read_linuxcnc_ini("a.ini", bytes);
+    ASSERT_FALSE(machine) << one.message;
+    EXPECT_NE(machine.error().message.find(one.message), std::string::npos) << machine.error().message;
+  }
+}
+
+}  // namespace
+}  // namespace gouge
