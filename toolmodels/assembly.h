@@ -33,11 +33,11 @@ struct ToolAssembly {
   std::vector<ToolSegment> shank{};   ///< from the cutter up; may be empty
   std::vector<ToolSegment> holder{};  ///< from the shank (or the extensions) up; may be empty
   std::vector<ToolExtension> extensions{};
-  /// How far the tool stands out of its lowest extension or holder: what of the shank is above is inside and
+  /// Stick-out of the tool from its lowest extension or holder: what of the shank is above is inside and
   /// left out. 0: they stand on the shank's end.
   double stickout_mm = 0;
   double gauge_length_mm = 0;  ///< tip to gauge line; reported, not checked. 0: not given
-  /// How far the cutter goes on above its flutes, as wide as they end: set by extended_up alone, in no library file.
+  /// Length of the cutter above its flutes, as wide as they end: set by extended_up alone, in no library file.
   double cutter_goes_on_mm = 0;
   /// Names the part of its description that was left out and may be a body; empty: none. Not written to library files.
   std::string uncertainty{};

@@ -5,7 +5,7 @@
 #include "lib/base/tolerance.h"
 #include "toolmodels/cutter.h"
 
-// How each shape makes its contour, by family, and the checks they share.
+// Builds the contour of each shape, by family, and the checks they share.
 
 namespace gouge::detail {
 

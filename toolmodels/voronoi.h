@@ -45,7 +45,7 @@ struct Domains {
 /// Ensures  never true wrongly. Convex f and concave g are decided exactly at the corners, else by tangents.
 [[nodiscard]] bool is_everywhere_below(const DistanceForm& f, const DistanceForm& g, const ConvexCell& cell);
 
-/// How two distances compare within a cell.
+/// Comparison of two distances within a cell.
 struct Comparison {
   enum class Kind { first_nearer, second_nearer, curve, split_first } kind = Kind::curve;
   BspNode curve;      ///< kind curve: negative where the first is nearer; children unset

@@ -45,7 +45,7 @@ struct JobRun {
 [[nodiscard]] JobRun run_job(const BatchJob& job, const std::string& text, const std::string& folder, std::size_t chunk,
                              SceneStore& scenes);
 
-/// Where long jobs keep what is done of them, below the folder of a batch.
+/// Checkpoints of long jobs, below the folder of a batch.
 inline constexpr const char* kWorkFolder = "unfinished";
 /// Removes what is left there of jobs that are done.
 void remove_work(const std::string& folder);

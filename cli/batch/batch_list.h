@@ -27,7 +27,7 @@ struct BatchJob {
   [[nodiscard]] std::string output() const;
 };
 
-/// Where a batch puts what its jobs write.
+/// Places for the output of a batch's jobs.
 struct BatchFolder {
   std::string path;
   bool has_reports = true;  ///< false: of no job, whatever it states

@@ -20,7 +20,7 @@
 
 namespace gouge {
 
-/// Which STL files a job is checked against, and how they are to be read.
+/// STL files that a job is checked against, and the way to read them.
 struct SceneRequest {
   std::vector<std::string> parts, fixtures, heads;
   LengthUnit unit = LengthUnit::mm;
@@ -56,7 +56,7 @@ class SceneFiles {
 /// Reads every file. All errors are in the result, not the first alone.
 [[nodiscard]] std::shared_ptr<const SceneFiles> load_scene(const SceneRequest& request, Progress& progress);
 
-/// Where a job has its scene from: load_scene, or a store that several jobs share.
+/// Source of a job's scene: load_scene, or a store that several jobs share.
 using SceneSource = std::function<std::shared_ptr<const SceneFiles>(const SceneRequest& request, Progress& progress)>;
 
 }  // namespace gouge

@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// Which share of a job list is run: number `index` of `count`, from 1.
+/// Share of a job list to run: number `index` of `count`, from 1.
 struct Shard {
   std::size_t index = 1, count = 1;
 

@@ -18,13 +18,13 @@ class App;
 
 namespace gouge {
 
-/// Where an option may be set beside the command line and job lists.
+/// Places where an option may be set beside the command line and job lists.
 enum class Scope {
   command_line,  ///< nowhere: it names an output, overwrites, accepts or silences
   project        ///< in a project file too
 };
 
-/// How a result records an option beside its fixed fields (`options.more`).
+/// Ways in which a result records an option beside its fixed fields (`options.more`).
 enum class Recorded {
   no,
   shown,    ///< for readers of the result

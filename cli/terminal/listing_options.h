@@ -12,7 +12,7 @@ class App;
 
 namespace gouge {
 
-/// How `check` and `correct` list findings on standard output, as typed.
+/// Options of `check` and `correct` for findings on standard output, as typed.
 struct ListingArguments {
   std::string sort = "path", min_depth = "0";
   std::string most = "auto";

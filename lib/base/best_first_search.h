@@ -9,7 +9,7 @@ namespace gouge {
 /// A gap that leaves a value open: that it is above the tolerance is all that is wanted.
 inline constexpr double kAnyGap_mm = 1e6;
 
-/// When a search for a largest value may stop.
+/// Conditions on which a search for a largest value stops.
 struct SearchGoal {
   double tolerance_mm = 0;   ///< enough is a proof that the value is at most this ...
   double resolution_mm = 0;  ///< ... plus this;

@@ -2,7 +2,7 @@
 
 namespace gouge {
 
-/// How far numbers may differ that mean the same. Each has its derivation; algorithms have parameters of their own
+/// Differences up to which numbers mean the same. Each has its derivation; algorithms have parameters of their own
 /// beside them. lib/verify, which shares nothing with what it verifies, has its own.
 ///
 /// Notation: u = 2^-53 = 1.1e-16 is the relative rounding of a double, 2^-24 = 6.0e-8 that of a float.

@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// How near a tool is seen to come to the parts while it cuts. What belongs to a part cuts along it, so this shows at a
+/// Observed closest approach of a tool to the parts in cuts. What belongs to a part cuts along it, so this shows at a
 /// glance whether part and path coincide. Both distances are bounds from above: the tool is seen as near, and
 /// may be closer between the sampled positions.
 struct ClosestApproach {

@@ -15,7 +15,7 @@ namespace gouge {
 /// A form of the tool, offset for the obstacle that it is compared with.
 using ToolForm = CompiledTool ToolVariants::*;
 
-/// How an obstacle may be touched.
+/// Contact that an obstacle permits.
 struct ContactRule {
   Against against;
   const char* name;                                 ///< of messages and results

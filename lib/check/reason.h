@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// Why a move has the state it has, as a value: code follows `kind`, people get reason_text.
+/// Reason for the state of a move, as a value: code follows `kind`, people get reason_text.
 struct Reason {
   enum class Kind : std::uint8_t {
     none,

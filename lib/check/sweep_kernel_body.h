@@ -171,7 +171,7 @@ GOUGE_INLINE V3 rim_ahead(const KernelPiece& piece, const Touch& at, const Trian
   return plus(plus(from, times(along, share)), times(axis, broadcast(piece.lines[1].z)));
 }
 
-/// Where the last round looked, the gradient there, and how it came there.
+/// Place that the last round searched, the gradient there, and how it came there.
 struct Look {
   V3 point, gradient, displacement;
 };

@@ -107,7 +107,7 @@ GOUGE_INLINE V min_blended(const Plane& p, const Plane& q) {
   return min_blended(p, q, share);
 }
 
-/// Where on the triangle the larger of two planes is least, at the end of the motion where that is lower, and the
+/// Point of the triangle where the larger of two planes is least, at the end of the motion where that is lower, and the
 /// share of the first in the blend that is level there.
 struct Crossing {
   V3 point;

@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// How deep one body reaches into another: the largest distance to the other's surface over all points that
+/// Depth of one body in another: the largest distance to the other's surface over all points that
 /// lie in both.
 struct BodyDepth {
   double depth_mm = 0;          ///< realised at `point`

@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// Where the distance from inside a solid to its surface may have a local maximum.
+/// Places where the distance from inside a solid to its surface may have a local maximum.
 class LocalMaxima {
  public:
   /// Requires a solid's boundary. Cost O(n).

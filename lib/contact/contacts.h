@@ -14,7 +14,7 @@ struct ToolContact {
   Vec3 face = Vec3::Zero();     ///< unit normal of the triangle it is on; zero where that has no area
 };
 
-/// How deep surface points may lie in the tool after a correction. Below the check's tolerance, so that
+/// Maximum depth of surface points in the tool after a correction. Below the check's tolerance, so that
 /// rounding in the written file and the motion between positions have a margin; a negative value keeps that gap.
 struct CorrectionAim {
   double workpiece_mm = 0;  ///< of the workpiece, in the whole tool

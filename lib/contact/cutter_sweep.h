@@ -21,7 +21,7 @@ struct SidedPiece {
   Vec3 outward;  ///< unit
 };
 
-/// Where a query last succeeded, as the next one often succeeds there too. It changes no result.
+/// Place where a query last succeeded, as the next one often succeeds there too. It changes no result.
 struct SweepHint {
   std::uint32_t piece = 0;
   std::size_t work = 0;  ///< bounds of nodes and motions examined so far

@@ -26,7 +26,7 @@ struct CutterStretch {
   bool is_convex = true;  ///< the cutter
 };
 
-/// When a cutter comes nearest to some points: the signed distance of the point that is then farthest from it.
+/// Closest approach of a cutter to some points: the signed distance of the point that is then farthest from it.
 /// Method and proof: docs/method/tilting.md, "Distances over instants".
 class NearestInstant {
  public:

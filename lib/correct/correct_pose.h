@@ -15,7 +15,7 @@ namespace gouge {
 enum class Strategy { weighted, axis, tilt, normal, direction, trim };
 [[nodiscard]] const char* strategy_name(Strategy strategy);
 
-/// Which strategy cures a gouge of which body.
+/// Strategies for gouges of each body.
 struct BodyStrategies {
   /// The least change that works: a cutter is shifted out of the surface, what is above it is tilted away.
   static constexpr Strategy kOfCutter = Strategy::normal;

@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// How far some moves must be lifted along the tool axis.
+/// Lift that some moves need along the tool axis.
 struct LiftCure {
   std::optional<double> lift_mm;  ///< the least multiple of the step found; none: none up to the most
   /// The obstacle one step below, or at the maximum: the move, the body and how, a gouge, buried, or not certified

@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// How deep the gouging moves of a path reach into the surface, at any point of it: the tool and the heads.
+/// Depth of the gouging moves of a path in the surface, at any point of it: the tool and the heads.
 /// The depth is sampled at many instants of each gouging move, the worst one among them; it is for pictures
 /// and guarantees nothing.
 class DepthField {

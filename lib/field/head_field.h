@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// How deep the heads reach into the surface during the gouging moves of a path, sampled as a DepthField is.
+/// Depth of the heads in the surface during the gouging moves of a path, sampled as a DepthField is.
 /// A head is wide: it is sampled less often than a tool, and only where it comes near the surface. Of paths
 /// with hundreds of moves whose heads gouge, the worst of each few neighbours are examined.
 class HeadField {

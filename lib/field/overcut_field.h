@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// How far below the part's surface the gouging moves of a path reach, at any point of it: the largest s for
+/// Distance of the gouging moves of a path below the part's surface, at any point of it: the largest s for
 /// which the point p - s n, n being the normal at p, is in the tool and p is the closest point of the surface
 /// to it. Where the part is thinner than the tool is deep in it, this is the depth, which the tool's depth
 /// does not.

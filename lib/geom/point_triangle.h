@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// Where on a triangle a closest point lies.
+/// Feature of a triangle on which a closest point lies.
 enum class TriangleFeature { face, edge, corner };
 
 struct TrianglePoint {

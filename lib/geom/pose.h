@@ -4,7 +4,7 @@
 
 namespace gouge {
 
-/// Where the tool is: its tip, and its unit axis from the tip to the spindle. Part coordinates, mm.
+/// Pose of the tool: its tip, and its unit axis from the tip to the spindle. Part coordinates, mm.
 struct Pose {
   Vec3 tip = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();

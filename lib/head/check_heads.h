@@ -18,7 +18,7 @@
 
 namespace gouge {
 
-/// How deep the surface may be in each head, of every move of a path, mm. Requires a head.
+/// Maximum depth of the surface in each head, of every move of a path, mm. Requires a head.
 class HeadUppers {
  public:
   HeadUppers(std::size_t moves, std::size_t heads) : heads_(heads), all_(moves * heads, kNotSwept) {}

@@ -7,7 +7,7 @@
 #include "lib/geom/pose.h"
 #include "lib/head/head_body.h"
 
-// Which of the heads a finding is about: a verdict names the body "head" alone.
+// Finds the head of a finding: a verdict names the body "head" alone.
 
 namespace gouge {
 

@@ -26,7 +26,7 @@ struct BlockTree {
   std::vector<TriangleBlock> leaves;
   Vec3 origin = Vec3::Zero();  ///< mm, part coordinates
   double radius_mm = 0;        ///< no triangle reaches farther from the origin
-  /// How far single precision may have moved a corner of a TriangleBlock.
+  /// Maximum distance by which single precision may have moved a corner of a TriangleBlock.
   double rounding_mm = 0;
   std::vector<const IndexedMesh*> meshes;     ///< as given to build_block_tree
   std::vector<std::uint32_t> first_triangle;  ///< per mesh: how many triangles are in those before it

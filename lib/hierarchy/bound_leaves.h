@@ -22,7 +22,7 @@ namespace gouge::detail {
 void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, double rounding_mm, NodeBlock& node,
                   std::size_t lane);
 
-/// How far each triangle reaches along three directions and against them; rounding is not added.
+/// The reach of each triangle along three directions and against them; rounding is not added.
 struct LeafExtent {
   std::array<Lanes, 3> high, low;
 };

@@ -6,7 +6,7 @@
 
 #include "lib/hierarchy/blocks.h"
 
-// How far a point is from sixteen nodes or triangles at least, in single precision. The same source is compiled for
+// Bounds the distance of a point to sixteen nodes or triangles from below, in single precision. The same source is compiled for
 // several instruction sets; every operation is one that IEEE 754 rounds correctly, none is fused or reordered, so all of
 // them give the same bytes. Proof of the bounds: docs/method/closest_point.md.
 

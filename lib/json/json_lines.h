@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// Where each value of a JSON text begins, found by its JSON pointer ("/tools/0/name"), lines counted from 1.
+/// Lines on which the values of a JSON text begin, by JSON pointer ("/tools/0/name"), lines counted from 1.
 /// Kept as a tree: with the whole pointer of every value a small text of long keys would take gigabytes.
 class JsonLines {
  public:

@@ -9,7 +9,7 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/vertex_triangles.h"
 
-// Which triangles meet at an edge and at a vertex (thesis 4.2, 4.5.2.3). Any mesh has an adjacency: an edge
+// Lists the triangles that meet at an edge and at a vertex (thesis 4.2, 4.5.2.3). Any mesh has an adjacency: an edge
 // may be used by one triangle or by many, in either direction.
 
 namespace gouge {

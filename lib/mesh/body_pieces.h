@@ -6,7 +6,7 @@
 
 #include "lib/mesh/indexed_mesh.h"
 
-// Which pieces of a surface bound bodies (docs/method/inside_outside.md, section 2).
+// Finds the pieces of a surface that bound bodies (docs/method/inside_outside.md, section 2).
 
 namespace gouge {
 

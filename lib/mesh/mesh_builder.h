@@ -15,7 +15,7 @@
 
 namespace gouge {
 
-/// How often something was found in a mesh, and where the first one is.
+/// Count of something found in a mesh, and the place of the first.
 struct MeshSpot {
   std::size_t count = 0;
   Vec3 position_mm = Vec3::Zero();  ///< of the first: an edge's mid point, a triangle's centre, or the vertex;
@@ -30,7 +30,7 @@ struct MeshSpot {
   }
 };
 
-/// How a body's file coordinates become part coordinates: scaled to mm first, then placed.
+/// Transform of a body's file coordinates to part coordinates: scaled to mm first, then placed.
 struct MeshPlacement {
   LengthUnit unit = LengthUnit::mm;
   RigidTransform transform;

@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// How a ray meets a triangle, whose front is the side from which its corners run anticlockwise.
+/// Ways in which a ray meets a triangle. Its front is the side from which its corners run anticlockwise.
 enum class RayCrossing : std::uint8_t {
   none,     ///< beyond doubt
   out,      ///< through it to its front

@@ -25,7 +25,7 @@ inline constexpr std::array<const char*, 3> kRapidWords = {"straight", "dogleg",
   return std::nullopt;
 }
 
-/// How a tool moves between the positions of a path: all that makes motions. The tip follows the path, on rapids
+/// Law of the tool between the positions of a path: all that makes motions. The tip follows the path, on rapids
 /// the mode. The axis turns on the great circle (the meaning of CL data) or by an AxisLaw.
 class MotionLaw {
  public:

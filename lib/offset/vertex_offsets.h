@@ -23,7 +23,7 @@ enum class PlaneCase {
   knife,         ///< two planes fold back on each other: the offset runs away, cut at kLongestOffset
 };
 
-/// How far an offset vertex may run, in multiples of the offset.
+/// Maximum length of an offset vertex's run, in multiples of the offset.
 inline constexpr double kLongestOffset = 20;
 
 struct VertexOffset {

@@ -15,7 +15,7 @@
 
 namespace gouge {
 
-/// How a fact is known.
+/// Source of a fact.
 enum class Basis : std::uint8_t {
   stated,        ///< by a file or by the user
   derived,       ///< from evidence in the inputs

@@ -6,7 +6,7 @@
 #include "lib/base/tolerance.h"
 #include "lib/path/toolpath.h"
 
-// How smoothly the tool axis turns along a path, and what that costs in time: docs/method/correction.md, "Quality".
+// Measures the smoothness of the tool axis along a path, and its cost in time: docs/method/correction.md, "Quality".
 
 namespace gouge {
 

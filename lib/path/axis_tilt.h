@@ -6,7 +6,7 @@
 #include "lib/path/axis_quality.h"
 #include "lib/path/toolpath.h"
 
-// How far the axes of a corrected path lean away from the programmed ones, position by position and along the path:
+// Measures the tilt of the axes of a corrected path from the programmed ones, position by position and along the path:
 // docs/method/correction.md, "Quality".
 
 namespace gouge {

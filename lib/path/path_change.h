@@ -28,7 +28,7 @@ struct PathChange {
   /// heights that the cycle counts from there. What the cycle rises to from the position before it stays, so
   /// a hole may get a step more or less than it had: read again, its moves are those of the same statement.
   std::optional<Vec3> hole_shift_mm = std::nullopt;
-  /// How each of `inserted_before` is reached: on this arc, with ends as for new_arc, or straight. One
+  /// Arcs to each of `inserted_before`, with ends as for new_arc; none: straight. One
   /// entry each, or none at all: all straight. Only of an arc, beside `new_arc` or `is_straightened`, which state how the
   /// end of the move itself is reached.
   std::vector<std::optional<PathArc>> inserted_arcs = {};

@@ -111,7 +111,7 @@ struct SourceStatement {
   SmallIndex first_byte, last_byte;  ///< [first, last)
 };
 
-/// Where in its file each move of a path stands, and in which state it was read: what a correction needs to rewrite it.
+/// Place of each move of a path in its file, and the state in which it was read: what a correction needs to rewrite it.
 /// Each reader keeps its own kind.
 struct MoveOrigins {
   MoveOrigins() = default;

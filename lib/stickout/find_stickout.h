@@ -8,7 +8,7 @@
 #include "lib/base/result.h"
 #include "lib/certify/check.h"
 
-// How far a tool would have to stand out of its holder for shank, holder and heads to be free: the cure that leaves the
+// Finds the stick-out of a tool at which shank, holder and heads are free: the cure that leaves the
 // path and the cut surface as they are.
 
 namespace gouge {

@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// Where a closed surface separates points that it winds around from points that it does not.
+/// Part of a closed surface that separates points that it winds around from points that it does not.
 struct SolidBoundary {
   /// Each triangle is one of the surface or a part of one, turned so that it faces outward; file_triangle as there.
   IndexedMesh mesh;

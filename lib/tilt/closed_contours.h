@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// Where contours close: ends of two moves at which the tool stands alike in the programmed path, and nowhere between.
+/// Closing points of contours: ends of two moves with one pose of the tool in the programmed path, and none between.
 struct Seam {
   std::size_t begin = 0, end = 0;  ///< moves
 };
@@ -19,7 +19,7 @@ struct Seam {
 /// the ends of the moves named.
 [[nodiscard]] std::vector<Seam> find_seams(const Toolpath& path, const std::vector<bool>& is_named);
 
-/// Which tilts the runs of a path must have where contours close, so that what was closed stays closed: the tool stands
+/// Tilts that runs of a path need so that closed contours stay closed: the tool stands
 /// alike at both ends of a contour after tilting, too.
 class ClosedContours {
  public:

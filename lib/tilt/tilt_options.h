@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// Which way a tool axis may be tilted: any way, forward and back in the feed direction, or to its sides alone.
+/// Directions of tilt of a tool axis: any, forward and back in the feed direction, or to its sides alone.
 enum class TiltFreedom : std::uint8_t { both, lead, side };
 
 /// Tool axes no farther than `half_angle_rad` from `axis`, a unit vector.
@@ -27,9 +27,9 @@ struct TiltOptions {
   double max_turn_rad_per_mm = std::numeric_limits<double>::infinity();
   double max_turn_step_rad = std::numeric_limits<double>::infinity();  ///< and on one motion
   double blend_mm = 10;  ///< way of the tip over which the tilt comes and goes, where the path has it
-  /// How far the tip may rise off the part where the cutter would gouge when tilted: what it leaves uncut.
+  /// Maximum rise of the tip off the part where the cutter would gouge when tilted: what it leaves uncut.
   double max_raise_mm = 1;
-  /// How much more than the tolerance may be left of what the programmed path finished; infinite: it is not measured.
+  /// Maximum beyond the tolerance that may be left of what the programmed path finished; infinite: it is not measured.
   double max_stock_mm = 0.01;
 
   [[nodiscard]] bool has_turn_limit() const {

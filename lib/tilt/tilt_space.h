@@ -49,7 +49,7 @@ struct TiltTask {
 /// which is seen at once; what is found is the same without.
 using RefusingPoints = std::vector<Witness>;
 
-/// Which tilts are free at the positions of a run, and which turns between them. The results do not depend on the caller, from
+/// Free tilts at the positions of a run, and free turns between them. The results do not depend on the caller, from
 /// any thread.
 class TiltSpace {
  public:

@@ -23,9 +23,9 @@ enum class Body : std::uint8_t { cutter, shank, holder, head };
 
 enum class ElementKind : std::uint8_t { segment, arc, vertex };
 
-/// Where the plane tangent to the boundary at a foot on this element bounds the solid. An empty range (z_lo > z_hi), and a
-/// normal towards the axis (n_r < 0, in a hollow underside), claim nothing. For a query hull Q (convex, in tool
-/// coordinates) and the plane {n.x = n.foot}, n outward: when the z of every point of Q, and of its projection onto the
+/// Range in which the plane tangent to the boundary at a foot on this element bounds the solid. An empty range
+/// (z_lo > z_hi), and a normal towards the axis (n_r < 0, in a hollow underside), claim nothing. For a query hull Q (convex,
+/// in tool coordinates) and the plane {n.x = n.foot}, n outward: when the z of every point of Q, and of its projection onto the
 /// plane for points behind it, lies in [z_lo, z_hi] and every point of Q has r >= r_min, then
 /// depth(q) <= max(0, n.foot - n.q) for every q in Q. Proof: docs/method/certified_sweep.md.
 struct SupportRange {

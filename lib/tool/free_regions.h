@@ -6,7 +6,7 @@
 
 #include "lib/tool/compiled_tool.h"
 
-// Which points within a tool no surface can separate as long as none comes deeper into the tool than a given depth.
+// Finds the points within a tool that no surface can separate as long as none comes deeper into the tool than a given depth.
 // Proof: docs/method/inside_outside.md.
 
 namespace gouge {

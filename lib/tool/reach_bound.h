@@ -4,7 +4,7 @@
 
 #include "lib/tool/compiled_tool.h"
 
-// How far a tool may reach into a solid whose surface comes nowhere deeper into the tool than a given depth. A saw
+// Bounds the reach of a tool into a solid whose surface comes nowhere deeper into the tool than a given depth. A saw
 // blade or a pointed tip has no point that deep, so depth alone states nothing about it. Proof:
 // docs/method/inside_outside.md.
 

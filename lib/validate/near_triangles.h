@@ -11,7 +11,7 @@ namespace gouge::detail {
 
 [[nodiscard]] std::vector<std::uint32_t> all_triangles(const IndexedMesh& mesh);
 
-/// Which triangles of a mesh have boxes that meet: a binary tree of boxes, eight triangles a leaf, walked against
+/// Finds triangles of a mesh whose boxes meet: a binary tree of boxes, eight triangles a leaf, walked against
 /// itself. Boxes are exact, so that a far corner does not make near triangles meet.
 class NearTriangles {
  public:

@@ -15,7 +15,7 @@
 
 namespace gouge {
 
-/// Where the tool is at one instant, or at any of several.
+/// Pose of the tool at one instant, or at any of several.
 struct PoseBounds {
   Bounds3 tip, axis;
 };

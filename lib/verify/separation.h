@@ -37,7 +37,7 @@ struct TimeSpan {
 /// Poses of consecutive pieces of a motion. More than a few of them are one pose, known less closely.
 [[nodiscard]] TimeSpan span_of(const MotionPiece* first, const MotionPiece* last);
 
-/// How a plane is chosen, or what else bounds the depth. The numbers are those of
+/// Ways to choose a plane, or to bound the depth otherwise. The numbers are those of
 /// docs/formats/certificate.md.
 enum class ProofKind : std::uint8_t {
   own_plane = 2,      ///< the surface's own

@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// How deep points are in a body given as a closed mesh: the distance to where the winding number falls to 0. Nested,
+/// Depth of points in a body given as a closed mesh: the distance to where the winding number falls to 0. Nested,
 /// overlapping and crossing shells are one body. By winding numbers over all triangles, without a tree.
 class SolidDepth {
  public:

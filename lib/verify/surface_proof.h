@@ -34,7 +34,7 @@ inline constexpr double kProofSlack_mm = 1e-6;
 [[nodiscard]] bool find_proof(const ProofQuestion& question, std::span<const MotionPiece> pieces,
                               std::uint64_t max_tries, std::string& steps);
 
-/// Where a proof fails.
+/// Place where a proof fails.
 struct ProofFault {
   std::size_t piece = 0;  ///< of `pieces`
   Vec3 point = Vec3::Zero();

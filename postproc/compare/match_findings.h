@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// Which move of one path is which of another; kNone where there is none. Both vectors are increasing where they are not
+/// Pairs of equal moves of two paths; kNone where there is none. Both vectors are increasing where they are not
 /// kNone, and each is the inverse of the other.
 struct MotionAlignment {
   std::vector<std::size_t> before_to_after, after_to_before;
@@ -22,7 +22,7 @@ struct MotionAlignment {
 [[nodiscard]] MotionAlignment align_motions(const std::vector<std::string>& before,
                                             const std::vector<std::string>& after);
 
-/// How near two witnesses must be to lie at one place of the part, and with one statement at that.
+/// Maximum distance of two witnesses at one place of the part, and with one statement at that.
 inline constexpr double kSamePlace_mm = 1, kSameStatement_mm = 10;
 
 /// For each finding of the new run those of the old run that it was, in order. Of one tool, body and counterpart; by the

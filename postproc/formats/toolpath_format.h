@@ -21,7 +21,7 @@ struct Decimals {
   int coordinates = 0, axes = 0;
 };
 
-/// How the bytes of a toolpath file hold what it states: one row of the table of formats. Several dialects share a
+/// Format of a toolpath file: one row of the table of formats. Several dialects share a
 /// format. No code outside that table queries which row it has.
 struct ToolpathFormat {
   std::string_view id;  ///< Dialect::format

@@ -5,7 +5,7 @@
 #include "postproc/image/heat_map.h"
 #include "postproc/report/report_model.h"
 
-// How large the pictures of a finding show what is about it.
+// Scale of the pictures of a finding.
 
 // The colours of a report, in every picture of it the same. Those of a correction cover the path before it, so that
 // both can be compared.

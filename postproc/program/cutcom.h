@@ -6,7 +6,7 @@
 
 namespace gouge {
 
-/// Which side of the path CUTCOM takes the cutter to; unknown where it states only that it does.
+/// Side of the path to which CUTCOM takes the cutter; unknown where it states only that it does.
 enum class CutcomSide : std::uint8_t { none, left, right, unknown };
 
 /// The word that states it.

@@ -6,7 +6,7 @@
 
 namespace gouge {
 
-/// Where the tool is, and how the next motion hangs together with the last one.
+/// Place of the tool, and the connection of the next motion with the last one.
 class MotionChain {
  public:
   explicit MotionChain(PathBuilder& builder) : builder_(builder) {}

@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// How often something was seen in a file, and the line of the first.
+/// Count of something seen in a file, and the line of the first.
 struct Tally {
   std::size_t count = 0, first_line = 0;
 

@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// How angles are written: "deg", or "°" with no blank before it.
+/// Format of angles: "deg", or "°" with no blank before it.
 enum class DegreeSign { word, sign };
 
 /// Three digits: "12.3 deg", "0.0457 deg".

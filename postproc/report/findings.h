@@ -74,7 +74,7 @@ struct JunitSuite {
 [[nodiscard]] JunitSuite junit_suite_of(const ReportModel& model);
 [[nodiscard]] std::string write_junit(const std::vector<JunitSuite>& suites);
 
-/// How findings are listed for people. It changes no verdict, no count and no file.
+/// Layout of findings in text output. It changes no verdict, no count and no file.
 struct FindingsView {
   static constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 

@@ -116,7 +116,7 @@ struct WrittenRecord {
   std::size_t line = 0;  ///< of the file before the correction; of one that was added: after it
 };
 
-/// How smoothly the tool axis turns before and after a correction. Moves are those of the path before in `before`, and
+/// Smoothness of the tool axis before and after a correction. Moves are those of the path before in `before`, and
 /// of the corrected one in `after` and `tilts`.
 struct AxisFacts {
   AxisQuality before, after;

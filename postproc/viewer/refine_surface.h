@@ -29,7 +29,7 @@ using VertexValues = std::vector<std::vector<float>>;
 [[nodiscard]] VertexValues refine_surface(ViewerMesh& mesh, const std::vector<AskedValues>& asked,
                                           const std::vector<Vec3>& points, double size_mm);
 
-/// Which places of space are near a set of points, in cells that double in size from level to level.
+/// Places of space near a set of points, in cells that double in size from level to level.
 class GougedCells {
  public:
   explicit GougedCells(double finest_mm) : finest_mm_(finest_mm), levels_(kLevels) {}

@@ -9,7 +9,7 @@
 namespace gouge::architecture {
 namespace {
 
-constexpr std::array<std::string_view, 5> kOpenings = {"What", "Whether", "Of", "Who", "Whose"};
+constexpr std::array<std::string_view, 8> kOpenings = {"What", "Whether", "Of", "Who", "Whose", "How", "Which", "Why"};
 constexpr std::array<std::string_view, 9> kPrivate = {"nobody",    "whoever", "told apart", "held against", "as ever",
                                                       "let go of", "sees to", "looked at",  "in vain"};
 

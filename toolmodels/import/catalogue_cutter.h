@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// Which dimensions count, and what they mean.
+/// Dimensions that count, and their meaning.
 enum class CatalogueShape {
   flat,
   ball,

@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// Which way round arcs run. Where neither the dialect nor the statement states it, the lines that arcs touch do, once
+/// Senses of rotation of arcs. Where neither the dialect nor the statement states it, the lines that arcs touch do, once
 /// the whole file is read; arcs whose sense nothing shows are not checked.
 class ArcSenses {
  public:

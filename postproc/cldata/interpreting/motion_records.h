@@ -15,7 +15,7 @@
 
 namespace gouge {
 
-/// How a position is written, as far as a writer must know.
+/// Form of a position in its file, as far as a writer must know.
 enum class PositionForm : std::uint8_t { go_to, from, gohome, godlta, curve, cycle, unread };
 
 /// Converts a position's numbers to a point: p = to_part(mm_per_unit x).

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <utility>
 
-// Why moves are not checked, with the word and the line that are behind it: "...: CAMERA in line 74".
+// Reasons not to check moves, with the word and the line that are behind it: "...: CAMERA in line 74".
 
 namespace gouge {
 
-/// Why moves are not checked. The texts are shown to the user, some with the word and the line behind them
+/// Reasons not to check moves. The texts are shown to the user, some with the word and the line behind them
 /// (NamedReasons).
 struct Reasons {
   static constexpr const char* kCurve = "a curve that is not understood";

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-// Which CAM system's way of writing CL data a file follows, recognised by its content or stated by the user. A dialect
+// Dialect of a CAM system that a file follows, recognised by its content or stated by the user. A dialect
 // is data: one row of traits that readers and writers request. No code queries which dialect it is. Evidence for each
 // trait: docs/formats/.
 
@@ -28,7 +28,7 @@ enum class DialectKind : std::uint8_t {
   nci
 };
 
-/// Which comments state something.
+/// Comments that state something.
 enum class CommentForm : std::uint8_t {
   none,
   creo,  ///< `$$->` and `REMARK ->` are statements
@@ -45,7 +45,7 @@ enum class ArcForm : std::uint8_t {
   nci          ///< Mastercam NCI: made by its reader
 };
 
-/// How arcs of a stated vector run.
+/// Sense of arcs of a stated vector.
 enum class ArcRule : std::uint8_t {
   by_vector,
   by_vector_or_against,  ///< some posts turn a clockwise arc's vector round, others leave it
@@ -55,10 +55,10 @@ enum class ArcRule : std::uint8_t {
 /// Meaning of the words and numbers of a CYCLE.
 enum class CycleForm : std::uint8_t { any, nx, depths, depths_without_rapto, creo, catia, clt, ncl, unknown };
 
-/// Where FEDRAT may stand while a cycle drills.
+/// Places for FEDRAT while a cycle drills.
 enum class FeedInCycle : std::uint8_t { anywhere, nowhere, before_first_hole };
 
-/// How much of a cutter the dialect can state.
+/// Part of a cutter that the dialect can state.
 enum class CutterForm : std::uint8_t { whole, with_diameter, without_angles, diameter_alone, none };
 
 struct Dialect {

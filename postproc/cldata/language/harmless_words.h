@@ -13,7 +13,7 @@
 namespace gouge {
 
 struct HarmlessWord {
-  /// Which of its numbers may be below 0: none, the only one, or any. Three in a row only where any may be.
+  /// Numbers that may be below 0: none, the only one, or any. Three in a row only where any may be.
   enum class Sign : std::uint8_t { none, one, any };
   enum class Others : std::uint8_t {
     none,      ///< only the words of `minors`

@@ -31,7 +31,7 @@ struct NciCode {
   return (code >= NciCode::kRapid && code <= NciCode::kCounterClockwise) || code == NciCode::kFiveAxis;
 }
 
-/// Why a motion pair is not read; reported as its word, which is cut after 24 letters.
+/// Reason not to read a motion pair; reported as its word, which is cut after 24 letters.
 struct NciProblems {
   static constexpr const char* kNumbers = "NCI motion, few numbers";
   static constexpr const char* kPlane = "NCI arc, plane or comp.";

@@ -14,7 +14,7 @@
 
 namespace gouge {
 
-/// Why an arc is not checked. The texts are shown to the user.
+/// Reasons not to check an arc. The texts are shown to the user.
 struct ArcProblems {
   static constexpr const char* kForm = "an arc statement that is not understood";
   static constexpr const char* kStart = "an arc from a position that is not known";

@@ -13,7 +13,7 @@
 #include "postproc/cldata/language/statement.h"
 #include "postproc/cldata/lexing/statement_at.h"
 
-// How a file writes its numbers, learned from the numbers it has, so that new ones look like their
+// Number format of a file, learned from the numbers it has, so that new ones look like their
 // neighbours.
 
 // GOTO statements as one file writes them: learned from the file, used to change its positions and to add new
