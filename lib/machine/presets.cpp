@@ -7,10 +7,10 @@ const std::vector<MachinePreset>& machine_presets() {
   static const std::vector<MachinePreset> presets = {
       {"linuxcnc-xyzac-trt", "LinuxCNC, A trunnion with a C table", R"json({
   "name": "linuxcnc-xyzac-trt",
-  "source": "LinuxCNC configs/sim/axis/vismach/5axis/table-rotary-tilting/xyzac-trt.ini: limits and rates; rotary directions by ISO 841 (the demo's kinematics may turn the other way)",
+  "source": "LinuxCNC configs/sim/axis/vismach/5axis/table-rotary-tilting/xyzac-trt.ini: limits, rates, and conventional-directions 0, so rotations are opposite to ISO 841 (src/emc/kinematics/trtfuncs.c)",
   "joints": [
-    {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, 1], "min": -36000, "max": 36000, "rate": 1800},
-    {"name": "A", "type": "rotary", "side": "table", "direction": [1, 0, 0], "min": -100, "max": 50, "rate": 1800},
+    {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, -1], "min": -36000, "max": 36000, "rate": 1800},
+    {"name": "A", "type": "rotary", "side": "table", "direction": [-1, 0, 0], "min": -100, "max": 50, "rate": 1800},
     {"name": "X", "type": "linear", "side": "head", "direction": [1, 0, 0], "min": -200, "max": 200, "rate": 1200},
     {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0], "min": -100, "max": 100, "rate": 1200},
     {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1], "min": -120, "max": 120, "rate": 1200}
@@ -20,10 +20,10 @@ const std::vector<MachinePreset>& machine_presets() {
 })json"},
       {"linuxcnc-xyzbc-trt", "LinuxCNC, B trunnion with a C table", R"json({
   "name": "linuxcnc-xyzbc-trt",
-  "source": "LinuxCNC configs/sim/axis/vismach/5axis/table-rotary-tilting/xyzbc-trt.ini: limits of the axes and rates; rotary directions by ISO 841",
+  "source": "LinuxCNC configs/sim/axis/vismach/5axis/table-rotary-tilting/xyzbc-trt.ini: limits of the axes, rates, and conventional-directions 0, so rotations are opposite to ISO 841 (src/emc/kinematics/trtfuncs.c)",
   "joints": [
-    {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, 1], "min": -36000, "max": 36000, "rate": 1800},
-    {"name": "B", "type": "rotary", "side": "table", "direction": [0, 1, 0], "min": -36000, "max": 36000, "rate": 1800},
+    {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, -1], "min": -36000, "max": 36000, "rate": 1800},
+    {"name": "B", "type": "rotary", "side": "table", "direction": [0, -1, 0], "min": -36000, "max": 36000, "rate": 1800},
     {"name": "X", "type": "linear", "side": "head", "direction": [1, 0, 0], "min": -200, "max": 200, "rate": 1200},
     {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0], "min": -100, "max": 100, "rate": 1200},
     {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1], "min": -120, "max": 120, "rate": 1200}
