@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "cli/commands/correct_command.h"
+#include "cli/machine/machine_choice.h"
 #include "cli/options/help_text.h"
 #include "cli/options/length_rule.h"
-#include "cli/options/machine_options.h"
 #include "cli/options/parse_errors.h"
 #include "postproc/report/report_model.h"
 

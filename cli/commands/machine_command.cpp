@@ -7,7 +7,7 @@
 #include <ostream>
 #include <vector>
 
-#include "cli/job/machine_job.h"
+#include "cli/machine/machine_choice.h"
 #include "cli/output/output_file.h"
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
@@ -163,7 +163,7 @@ int run_machine(const MachineArguments& arguments, std::ostream& out, std::ostre
     return kExitClean;
   }
   std::string bytes;
-  const Result<Machine> machine = load_machine(arguments.machine, arguments.input, bytes);
+  const Result<Machine> machine = load_machine(arguments.machine, arguments.input.max_bytes, bytes);
   if (!machine) return fail(err, {machine.error()});
   out << machine_text(*machine);
   return kExitClean;
@@ -199,7 +199,7 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   const Result<ReadOptions> options = understand(arguments.reading);
   if (!options) return fail(err, {options.error()});
   std::string bytes;
-  const Result<Machine> machine = load_machine(arguments.machine, arguments.input, bytes);
+  const Result<Machine> machine = load_machine(arguments.machine, arguments.input.max_bytes, bytes);
   if (!machine) return fail(err, {machine.error()});
   const char* const option = arguments.is_joints ? "--tool-length" : "--height";
   const bool has_length = !arguments.is_joints || arguments.height != PathMachineArguments().height;

@@ -3,7 +3,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "cli/options/machine_options.h"
+#include "cli/machine/machine_choice.h"
 #include "cli/options/reading_options.h"
 
 namespace CLI {

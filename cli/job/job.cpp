@@ -5,9 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "cli/job/machine_job.h"
+#include "cli/machine/machine_choice.h"
 #include "cli/options/length_rule.h"
-#include "cli/options/machine_options.h"
 #include "cli/terminal/length_text.h"
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/files.h"
@@ -117,20 +116,21 @@ class JobLoader {
       return true;
     }
     std::string bytes;
-    Result<Machine> machine = load_machine(arguments_.machine, arguments_.input, bytes);
+    Result<Machine> machine = load_machine(arguments_.machine, arguments_.input.max_bytes, bytes);
     if (!machine) {
       errors_.push_back(machine.error());
       return false;
     }
     if (!arguments_.machine.starts_with(kMachinePreset))
       job_.inputs.push_back(describe_input("machine", arguments_.machine, bytes));
-    Result<MotionLaw> law = law_of(*machine, arguments_, job_.options.check.law.rapid());
+    const StatedLaws stated = {arguments_.feed_law, arguments_.rapid_law};
+    Result<MotionLaw> law = law_of(*machine, stated, job_.options.check.law.rapid());
     if (!law) {
       errors_.push_back(law.error());
       return false;
     }
     job_.options.check.law = *law;
-    job_.basis.law_evidence = describe_law(*machine, arguments_);
+    job_.basis.law_evidence = describe_law(*machine, stated);
     job_.machine = std::move(*machine);
     add_notes(choose_joints_of(*job_.machine, job_.toolpath));
     return true;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/machine/machine_choice.h"
 #include "cli/tools/resolve_tools.h"
+#include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/check/check_options.h"
 #include "lib/check/reach.h"
@@ -86,11 +88,52 @@ gouge::SetupBasis basis_of(const Scene& scene, const PathTools& tools, const Che
   return basis;
 }
 
+/// The machine that the options name; null: none.
+std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
+  const gouge::MachineOptionNames names = {"machine", "feed_law", "rapid_law"};
+  if (options.machine.empty()) {
+    for (const auto& [name, law] :
+         {std::pair{names.feed_law, options.feed_law}, {names.rapid_law, options.rapid_law}}) {
+      if (!law.empty() && law != "vector")
+        raise(gouge::make_error("usage", name + " '" + law + "': expected vector, or a machine beside axis"));
+    }
+    return nullptr;
+  }
+  const gouge::StatedLaws stated = {options.feed_law, options.rapid_law};
+  std::string bytes;
+  gouge::Machine machine = value_or_raise(gouge::load_machine(options.machine, gouge::kMaxInputBytes, bytes, names));
+  gouge::MotionLaw law =
+      value_or_raise(gouge::law_of(machine, stated, static_cast<gouge::RapidMode>(options.rapids), names));
+  std::string evidence = gouge::describe_law(machine, stated, names);
+  PathMachine made{std::move(machine), std::move(law), std::move(evidence), {{"machine", options.machine}}};
+  if (!stated.feed.empty()) made.options.push_back({"feed-law", stated.feed});
+  if (!stated.rapid.empty()) made.options.push_back({"rapid-law", stated.rapid});
+  if (!options.machine.starts_with(gouge::kMachinePreset))
+    made.file = gouge::describe_input("machine", options.machine, bytes);
+  return std::make_shared<const PathMachine>(std::move(made));
+}
+
+/// The path with the joints of a machine, and warnings where it cannot run them.
+Path with_joints(const Path& path, const PathMachine& machine) {
+  gouge::Toolpath jointed = path.content().path;
+  gouge::Diagnostics notes = gouge::choose_joints_of(machine.machine, jointed);
+  std::ranges::move(notes, std::back_inserter(jointed.notes));
+  return PathAccess::from(std::move(jointed), path.content().is_from_memory);
+}
+
 CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathTools> tools,
                       const CheckOptions& options) {
   gouge::SetupBasis basis = basis_of(scene, *tools, options);
   Scene taken = scene_in(scene, path.content().path.unit);
-  return {std::move(path), std::move(taken), std::move(tools), to_check_options(options), std::move(basis)};
+  gouge::CheckOptions understood = to_check_options(options);
+  std::shared_ptr<const PathMachine> machine = machine_of(options);
+  if (machine != nullptr) {
+    understood.law = machine->law;
+    basis.law_evidence = machine->law_evidence;
+    path = with_joints(path, *machine);
+  }
+  return {std::move(path),       std::move(taken), std::move(tools),
+          std::move(understood), std::move(basis), std::move(machine)};
 }
 
 }  // namespace
@@ -173,6 +216,10 @@ gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
   const gouge::Toolpath& toolpath = path.content().path;
   if (!path.content().is_from_memory)
     model.inputs.push_back(gouge::describe_input("toolpath", toolpath.file, toolpath.source));
+  if (machine != nullptr) {
+    if (machine->file) model.inputs.push_back(*machine->file);
+    model.more_options = machine->options;
+  }
   model.options = options;
   model.toolpath = &toolpath;
   model.result = &result;
@@ -201,6 +248,7 @@ std::vector<std::string> CheckedPath::inputs() const {
     }
   }
   if (!tools->file.empty()) files.push_back(tools->file);
+  if (machine != nullptr && machine->file) files.push_back(machine->file->name);
   return files;
 }
 

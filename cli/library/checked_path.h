@@ -5,6 +5,7 @@
 
 #include "cli/library/content.h"
 #include "lib/certify/check.h"
+#include "lib/machine/machine.h"
 #include "postproc/report/report_model.h"
 
 namespace gougecheck {
@@ -20,6 +21,15 @@ struct PathTools {
   [[nodiscard]] std::vector<const gouge::ToolVariants*> pointers() const;
 };
 
+/// The machine of a check.
+struct PathMachine {
+  gouge::Machine machine;
+  gouge::MotionLaw law;
+  std::string law_evidence;
+  std::vector<gouge::OptionText> options;     // as the program records them
+  std::optional<gouge::InputFile> file = {};  // none: a preset
+};
+
 /// All that a path is checked with, shared by the reports on it. Immutable.
 struct CheckedPath {
   Path path;
@@ -27,6 +37,7 @@ struct CheckedPath {
   std::shared_ptr<const PathTools> tools;
   gouge::CheckOptions options;
   gouge::SetupBasis basis;
+  std::shared_ptr<const PathMachine> machine;  // null: the axis turns on the great circle
 
   /// Both must outlive the result, and `heads`, which are none.
   [[nodiscard]] gouge::CheckSetup setup() const;

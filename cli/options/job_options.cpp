@@ -7,8 +7,8 @@
 #include <ctime>
 #include <iterator>
 
+#include "cli/machine/machine_choice.h"
 #include "cli/options/length_rule.h"
-#include "cli/options/machine_options.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/number_text.h"
 #include "lib/base/parallel.h"

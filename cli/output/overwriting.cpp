@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "cli/options/machine_options.h"
+#include "cli/machine/machine_choice.h"
 #include "cli/output/report_folder.h"
 #include "lib/base/staged_file.h"
 

@@ -12,7 +12,8 @@ const char* const kOptions =
     "\n\npart: a Mesh, a list of them, or a Scene, which then has the fixtures. tool: a Tool, or a ToolLibrary for a "
     "path that calls several. tolerance: depth a move may have; resolution: the certified gap; stock_to_leave, "
     "shank_clearance, holder_clearance: grow that body; near_miss: report what comes nearer, 0: nothing; all in mm. "
-    "rapids: 'straight', 'dogleg' or 'skip'. threads: 0 for all; the result is the same at any number. assume: facts to "
+    "rapids: 'straight', 'dogleg' or 'skip'. machine: a machine file or 'preset:NAME', whose control moves the tool axis; "
+    "feed_law, rapid_law: 'vector' or 'axis' in place of the control's. threads: 0 for all; the result is the same at any number. assume: facts to "
     "take as stated, such as 'path-unit', 'placement', 'tool=T3'; strict: clean only where no fact is taken by default. "
     "The GIL is released.";
 
@@ -62,6 +63,9 @@ CheckOptions take_options(Keywords& keywords) {
   options.shank_clearance = keywords.number("shank_clearance", defaults.shank_clearance);
   options.holder_clearance = keywords.number("holder_clearance", defaults.holder_clearance);
   options.rapids = rapids_called(keywords.text("rapids", "straight"));
+  options.machine = keywords.text("machine", "");
+  options.feed_law = keywords.text("feed_law", "");
+  options.rapid_law = keywords.text("rapid_law", "");
   options.threads = keywords.count("threads", defaults.threads);
   options.assume = keywords.texts("assume");
   options.strict = keywords.flag("strict", defaults.strict);

@@ -24,7 +24,12 @@ struct CheckOptions {
   double holder_clearance = 0;  ///< grows the holder
   double near_miss = 0;         ///< report what comes nearer than this; 0: not requested
   Rapids rapids = Rapids::straight;
-  unsigned threads = 0;  ///< 0: all; the result is the same at any number
+  /// Machine file, configuration of LinuxCNC, or "preset:NAME". Its control states the motion of the tool axis, and its
+  /// joint limits hold. Empty: the axis turns on the great circle.
+  std::string machine = {};
+  std::string feed_law = {};   ///< "vector" or "axis", in place of the control's; "axis" requires a machine
+  std::string rapid_law = {};  ///< the same of rapids
+  unsigned threads = 0;        ///< 0: all; the result is the same at any number
   /// Facts to take as stated: "path-unit", "placement", "tool=T3", ... (docs/guide/assumptions.md).
   std::vector<std::string> assume = {};
   bool strict = false;  ///< clean only where no fact is taken by default
@@ -34,7 +39,8 @@ struct CheckOptions {
 ///
 /// Ensures  no gouge deeper than tolerance + resolution is missed; every gouge has a witness; clean is proved, and no fact
 ///          that it rests on is contradicted or unknown. Meshes that were read without a unit are taken in the path's.
-/// Throws   Error: a length that is negative or no number, a fact of another name; tool-ambiguous: one tool for a path that calls several.
+/// Throws   Error: a length that is negative or no number, a fact of another name; tool-ambiguous: one tool for a path
+///          that calls several; for a machine: those of its file, and machine-law, where nothing states a law.
 /// Thread safe, as everything here is.
 [[nodiscard]] GOUGECHECK_EXPORT Report check(const Path& path, const Scene& scene, const Tool& tool,
                                              const CheckOptions& options = {});
@@ -56,7 +62,7 @@ struct Contact {
 /// gouge, and its gap is closed to the resolution. Made once, then queried from any number of threads.
 class GOUGECHECK_EXPORT DepthQuery {
  public:
-  /// `options`: tolerance, near_miss, rapids and threads mean nothing here. Throws as check.
+  /// `options`: tolerance, near_miss, rapids, machine, laws and threads mean nothing here. Throws as check.
   DepthQuery(const Scene& scene, const Tool& tool, const CheckOptions& options = {});
 
   /// Queries one position; axis of any length but 0. Allocates little; microseconds to a millisecond. Throws Error for a

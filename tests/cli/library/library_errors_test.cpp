@@ -89,6 +89,27 @@ TEST(LibraryErrors, OfChecks) {
   EXPECT_EQ(code_of([&] { (void)penetration(block(), block(), {{2, 0, 0, 0, 2, 0, 0, 0, 2}, {0, 0, 0}}); }), "usage");
 }
 
+TEST(LibraryErrors, OfMachinesAndLaws) {
+  const std::vector<Vec3> tips = {{0, 0, 9}};
+  const Path path(tips, kUp);
+  const Tool tool("flat", {{"diameter", 1}, {"length", 2}});
+  const struct {
+    std::string machine, feed, rapid, code;
+  } kCases[] = {{"preset:none", "", "", "usage"},
+                {"nowhere.json", "", "", "file-not-found"},
+                {"", "axis", "", "usage"},
+                {"", "", "sideways", "usage"},
+                {"preset:linuxcnc-xyzac-trt", "sideways", "", "usage"},
+                {"preset:haas-umc750", "axis", "", "machine-law"}};
+  for (const auto& one : kCases) {
+    CheckOptions options;
+    options.machine = one.machine;
+    options.feed_law = one.feed;
+    options.rapid_law = one.rapid;
+    EXPECT_EQ(code_of([&] { (void)check(path, block(), tool, options); }), one.code) << one.machine << one.feed;
+  }
+}
+
 TEST(LibraryErrors, OneToolIsNotForAPathOfSeveral) {
   const std::string file =
       written("gougecheck_two_tools.apt", "UNITS/MM\nLOADTL/1\nGOTO/0,0,9\nLOADTL/2\nGOTO/5,0,9\nFINI\n");

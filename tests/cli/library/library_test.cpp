@@ -132,6 +132,60 @@ TEST(LibraryTool, IsTheSameFromItsJson) {
   EXPECT_GE(tool_shapes().size(), 17U);
 }
 
+/// A post beside a tool that leans by 10 degrees and turns about its resting tip. On the great circle it leans less
+/// half-way, and its holder passes the post.
+struct PostBesideTurn {
+  Mesh post = [] {
+    std::vector<Vec3> corners;
+    for (const double z : {50.0, 70.0})
+      corners.insert(corners.end(), {{-5, 27, z}, {5, 27, z}, {5, 47, z}, {-5, 47, z}});
+    const Mesh box = block();
+    return Mesh(corners, box.faces(), "post");
+  }();
+  std::vector<Vec3> tips = {{0, 0, 0}, {0, 0, 0}};
+  std::vector<Vec3> axes = {leaning(50), leaning(130)};
+
+  static Vec3 leaning(double azimuth_deg) {
+    constexpr double kDegree = 0.017453292519943295;
+    const double out = std::sin(10 * kDegree);
+    return {out * std::cos(azimuth_deg * kDegree), out * std::sin(azimuth_deg * kDegree), std::cos(10 * kDegree)};
+  }
+};
+
+TEST(LibraryCheck, FollowsTheMachineAndItsLaws) {
+  const PostBesideTurn scene;
+  const Path path(scene.tips, scene.axes);
+  EXPECT_TRUE(check(path, scene.post, ball()).is_clean()) << "on the great circle";
+  CheckOptions options;
+  options.machine = "preset:linuxcnc-xyzac-trt";
+  const Report turned = check(path, scene.post, ball(), options);
+  EXPECT_EQ(turned.state()[1], State::gouge) << turned.text();
+  EXPECT_NEAR(turned.t()[1], 0.5, 0.1);
+  options.feed_law = "vector";
+  EXPECT_TRUE(check(path, scene.post, ball(), options).is_clean());
+}
+
+TEST(LibraryCheck, LeavesPositionsBeyondJointLimitsUnchecked) {
+  // The A joint of this machine ends at -100 and 50 degrees.
+  const std::vector<Vec3> tips = {{0, 0, 200}, {0, 0, 200}};
+  const std::vector<Vec3> axes = {{0, 0, 1}, {0, -0.2, -0.98}};
+  CheckOptions options;
+  EXPECT_EQ(check(Path(tips, axes), block(), ball(), options).state()[1], State::clean);
+  options.machine = "preset:linuxcnc-xyzac-trt";
+  const Report report = check(Path(tips, axes), block(), ball(), options);
+  EXPECT_EQ(report.state()[1], State::not_checked);
+}
+
+TEST(LibraryCorrection, IsCleanByTheLawOfTheMachine) {
+  const PostBesideTurn scene;
+  CheckOptions options;
+  options.machine = "preset:linuxcnc-xyzac-trt";
+  const Correction corrected = correct(Path(scene.tips, scene.axes), scene.post, ball(), options);
+  EXPECT_EQ(corrected.before.count(State::gouge), 1U);
+  EXPECT_TRUE(corrected.after.is_clean()) << corrected.after.text();
+  EXPECT_TRUE(check(corrected.path, scene.post, ball(), options).is_clean());
+}
+
 TEST(LibraryDepth, IsThatOfEachPositionAlone) {
   const DepthQuery query(block(), ball());
   EXPECT_EQ(query.at({20, 10, 1}, {0, 0, 1}).depth, 0);

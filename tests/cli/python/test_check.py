@@ -29,6 +29,21 @@ def test_the_gouge_its_depth_and_its_witness():
     assert "gouge: 0.250 mm cutter" in str(report)
 
 
+def test_a_machine_turns_the_tool_by_its_joints():
+    around = np.radians([50, 130])
+    lean = np.radians(10)
+    axes = np.column_stack([np.sin(lean) * np.cos(around), np.sin(lean) * np.sin(around), np.full(2, np.cos(lean))])
+    path = gougecheck.Path(np.zeros((2, 3)), axes)
+    post = gougecheck.Mesh(np.array([[x, y, z] for z in (50.0, 70.0) for x, y in ((-5, 27), (5, 27), (5, 47), (-5, 47))]),
+                           FACES)
+    assert gougecheck.check(path, post, TOOL).is_clean
+    machine = "preset:linuxcnc-xyzac-trt"
+    assert gougecheck.check(path, post, TOOL, machine=machine).verdict == "gouges"
+    assert gougecheck.check(path, post, TOOL, machine=machine, feed_law="vector").is_clean
+    with pytest.raises(gougecheck.Error, match="preset"):
+        gougecheck.check(path, post, TOOL, machine="preset:none")
+
+
 def test_reports_are_views_that_outlive_their_names():
     depth = gougecheck.check(PATH, MESH, TOOL).depth
     assert depth[4] > 0.2 and not depth.flags.writeable

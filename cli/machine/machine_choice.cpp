@@ -1,4 +1,4 @@
-#include "cli/job/machine_job.h"
+#include "cli/machine/machine_choice.h"
 
 #include <algorithm>
 #include <memory>
@@ -6,7 +6,10 @@
 #include <numbers>
 #include <set>
 
+#include "lib/base/files.h"
 #include "lib/base/number_text.h"
+#include "lib/machine/linuxcnc_ini.h"
+#include "lib/machine/read_machine.h"
 #include "lib/machine/rotary_law.h"
 
 namespace gouge {
@@ -14,11 +17,12 @@ namespace {
 
 std::string degrees(double rad) { return display_text(rad * 180 / std::numbers::pi, 3) + " degrees"; }
 
-Result<TurnLaw> chosen_law(const Machine& machine, const std::string& typed, const std::optional<TurnLaw>& promised,
-                           const char* option, const char* what) {
-  if (const auto law = turn_law_called(typed)) return *law;
+Result<TurnLaw> chosen_law(const Machine& machine, const std::string& stated, const std::optional<TurnLaw>& promised,
+                           const std::string& option, const char* moves) {
+  if (const auto law = turn_law_called(stated)) return *law;
+  if (!stated.empty()) return make_error("usage", option + " '" + stated + "': expected vector or axis");
   if (promised) return *promised;
-  return make_error("machine-law", "the control of machine " + machine.name + " promises no law for " + what +
+  return make_error("machine-law", "the control of machine " + machine.name + " promises no law for " + moves +
                                        "; expected " + option + " vector or " + option + " axis");
 }
 
@@ -43,21 +47,41 @@ void leave_unchecked(const std::string& reason, std::size_t move, Toolpath& path
 
 }  // namespace
 
-Result<MotionLaw> law_of(const Machine& machine, const JobArguments& arguments, RapidMode rapid) {
+Result<Machine> load_machine(const std::string& typed, std::uint64_t max_bytes, std::string& bytes,
+                             const MachineOptionNames& names) {
+  if (typed.starts_with(kMachinePreset)) {
+    const MachinePreset* const preset = find_preset(std::string_view(typed).substr(kMachinePreset.size()));
+    if (preset == nullptr) {
+      std::string known;
+      for (const MachinePreset& one : machine_presets()) known += (known.empty() ? "" : ", ") + std::string(one.name);
+      return make_error("usage",
+                        names.machine + " '" + typed + "': expected a machine file, or preset: and one of " + known);
+    }
+    bytes = preset->text;
+    return read_machine(typed, bytes);
+  }
+  Result<std::string> read = read_file(typed, max_bytes);
+  if (!read) return read.error();
+  bytes = std::move(*read);
+  return is_linuxcnc_ini(bytes) ? read_linuxcnc_ini(typed, bytes) : read_machine(typed, bytes);
+}
+
+Result<MotionLaw> law_of(const Machine& machine, const StatedLaws& stated, RapidMode rapid,
+                         const MachineOptionNames& names) {
   const Control& control = machine.control;
-  const Result<TurnLaw> feed = chosen_law(machine, arguments.feed_law, control.feed_law, "--feed-law", "feeds");
+  const Result<TurnLaw> feed = chosen_law(machine, stated.feed, control.feed_law, names.feed_law, "feeds");
   if (!feed) return feed.error();
-  const Result<TurnLaw> rapids = chosen_law(machine, arguments.rapid_law, control.rapid_law, "--rapid-law", "rapids");
+  const Result<TurnLaw> rapids = chosen_law(machine, stated.rapid, control.rapid_law, names.rapid_law, "rapids");
   if (!rapids) return rapids.error();
   const auto axes = std::make_shared<const RotaryLaw>(machine);
   return MotionLaw(rapid, *feed == TurnLaw::axis ? axes : nullptr, *rapids == TurnLaw::axis ? axes : nullptr);
 }
 
-std::string describe_law(const Machine& machine, const JobArguments& arguments) {
+std::string describe_law(const Machine& machine, const StatedLaws& stated, const MachineOptionNames& names) {
   std::string text;
-  if (!arguments.feed_law.empty()) text += "--feed-law " + arguments.feed_law;
-  if (!arguments.rapid_law.empty()) text += (text.empty() ? "" : ", ") + ("--rapid-law " + arguments.rapid_law);
-  if (!arguments.feed_law.empty() && !arguments.rapid_law.empty()) return text;
+  if (!stated.feed.empty()) text += names.feed_law + " " + stated.feed;
+  if (!stated.rapid.empty()) text += (text.empty() ? "" : ", ") + names.rapid_law + " " + stated.rapid;
+  if (!stated.feed.empty() && !stated.rapid.empty()) return text;
   const Control& control = machine.control;
   return text + (text.empty() ? "" : ", ") + "control " + control.name + " of machine " + machine.name +
          (control.source.empty() ? "" : " (" + control.source + ")");
