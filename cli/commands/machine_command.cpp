@@ -186,7 +186,8 @@ void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments)
   command.add_option("--csv", arguments.csv_file, "Write the joints of every record; - for standard output")
       ->type_name("FILE")
       ->required();
-  command.add_option("--tool-length", arguments.height, "From the gauge point to the tip; needed with a rotary head")
+  command
+      .add_option("--tool-length", arguments.tool_length, "From the gauge point to the tip; needed with a rotary head")
       ->type_name("LENGTH");
   command.footer(
       std::string("Example:\n  gougecheck path joints finish.apt --machine preset:haas-umc750 --csv joints.csv\n\n"
@@ -202,11 +203,12 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   const Result<Machine> machine = load_machine(arguments.machine, arguments.input.max_bytes, bytes);
   if (!machine) return fail(err, {machine.error()});
   const char* const option = arguments.is_joints ? "--tool-length" : "--height";
-  const bool has_length = !arguments.is_joints || arguments.height != PathMachineArguments().height;
+  const std::string& typed = arguments.is_joints ? arguments.tool_length : arguments.height;
+  const bool has_length = !arguments.is_joints || !arguments.tool_length.empty();
   if (!has_length && has_rotary_head(*machine))
     return fail(err,
                 {make_error("usage", "--tool-length is missing; the linear joints of a rotary head depend on it")});
-  const Result<double> length = has_length ? understand_length(option, arguments.height, Minimum::zero) : 0.0;
+  const Result<double> length = has_length ? understand_length(option, typed, Minimum::zero) : 0.0;
   if (!length) return fail(err, {length.error()});
   if (const auto status = refuse_outputs({{"the toolpath", arguments.path}, {"--machine", arguments.machine}},
                                          asked_for({{"--csv", arguments.csv_file}}), err))

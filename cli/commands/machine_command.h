@@ -25,7 +25,7 @@ void add_machine_commands(CLI::App& command, MachineArguments& arguments);
 
 /// Arguments of `gougecheck path laws` and `path joints`.
 struct PathMachineArguments {
-  std::string path, machine, csv_file, height = "100";
+  std::string path, machine, csv_file, height = "100", tool_length;
   ReadingArguments reading;
   InputLimit input;
   bool is_joints = false;

@@ -103,6 +103,11 @@ Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const 
           "machine-flip",
           joint + " turns by " + degrees(problem.value) + " while the tool axis turns by " + degrees(problem.limit),
           path.file, line);
+    case JointProblem::Kind::undecided:
+      return make_warning("machine-undecided",
+                          joint + " may turn by " + degrees(problem.value) +
+                              " or another way that is equally near; add a position between, or set limits",
+                          path.file, line);
     case JointProblem::Kind::unwind:
       return make_warning("machine-unwind", joint + " turns back by " + degrees(problem.value), path.file, line);
   }
@@ -118,6 +123,8 @@ Diagnostics choose_joints_of(const Machine& machine, Toolpath& path) {
     const Diagnostic note = describe_problem(machine, path, problem);
     if (problem.kind == JointProblem::Kind::limit || problem.kind == JointProblem::Kind::unreachable)
       leave_unchecked("the machine cannot be there: " + note.message, problem.move, path);
+    if (problem.kind == JointProblem::Kind::undecided)
+      leave_unchecked("the motion of the machine is undecided: " + note.message, problem.move, path);
     if (notes.size() < kMaxNotes) notes.push_back(note);
   }
   if (choice.problems.size() > kMaxNotes)

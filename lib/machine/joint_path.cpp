@@ -13,6 +13,9 @@ namespace {
 // A flip: a joint turns by more than this, and by more than this many times the turn of the tool axis.
 constexpr double kFlip_rad = std::numbers::pi / 4, kFlipTimes = 4;
 
+// Turns of a joint are equally large: components of axes in files end at 1e-6 or 1e-7.
+constexpr double kSameTurn_rad = 1e-6;
+
 using Kind = JointProblem::Kind;
 
 class Chooser {
@@ -63,7 +66,7 @@ class Chooser {
       return std::nullopt;
     }
     const RotaryAngles from = last_.value_or(RotaryAngles{0, 0});
-    std::optional<RotaryAngles> best;
+    std::optional<RotaryAngles> best, other;
     for (const RotaryAngles& solution : solutions.all) {
       RotaryAngles angles = solution;
       if (solutions.is_pole) angles[0] = from[0];
@@ -73,10 +76,40 @@ class Chooser {
         is_within = is_within && turned;
         if (turned) angles[k] = *turned;
       }
-      if (is_within && (!best || cost(angles, from) < cost(*best, from))) best = angles;
+      if (!is_within) continue;
+      if (!best || cost(angles, from) < cost(*best, from))
+        std::swap(best, other), best = angles;
+      else
+        other = angles;
     }
     if (!best) note_limit(solutions.all, from, move);
+    if (best && last_ && toolpath_.moves[move].has_start) {
+      if (const auto joint = undecided_joint(*best, other, from)) {
+        choice_.problems.push_back({Kind::undecided, move, machine_.rotary[*joint], (*best)[*joint] - from[*joint], 0});
+        return std::nullopt;
+      }
+    }
     return best;
+  }
+
+  /// Returns the joint that may as well turn otherwise: half a turn either way, or to the other solution. None: the nearest
+  /// turn is unique beyond rounding of the positions.
+  [[nodiscard]] std::optional<std::size_t> undecided_joint(const RotaryAngles& best,
+                                                           const std::optional<RotaryAngles>& other,
+                                                           const RotaryAngles& from) const {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double by = best[k] - from[k];
+      if (std::abs(std::abs(by) - std::numbers::pi) > kSameTurn_rad) continue;
+      if (is_allowed(joint(k), best[k] - std::copysign(kWholeTurn_rad, by))) return k;
+    }
+    if (!other || std::abs(cost(*other, from) - cost(best, from)) > kSameTurn_rad) return std::nullopt;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (std::abs((*other)[k] - best[k]) > kSameTurn_rad) return k;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] static bool is_allowed(const Joint& of, double angle) {
+    return of.is_continuous || (angle >= of.min.value_or(angle) && angle <= of.max.value_or(angle));
   }
 
   void note_limit(const std::vector<RotaryAngles>& solutions, const RotaryAngles& from, std::size_t move) {

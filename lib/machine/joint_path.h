@@ -14,6 +14,7 @@ struct JointProblem {
     unreachable,  ///< no angles give the tool axis
     limit,        ///< angles exist, but none within the limits
     flip,         ///< the rotary joints turn by much more than the tool axis
+    undecided,    ///< two turns are equally near, so that the control may run either
     unwind        ///< the nearest turn is beyond a limit, so that a joint turns back by a whole turn
   };
   Kind kind = Kind::limit;

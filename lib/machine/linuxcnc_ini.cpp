@@ -86,7 +86,9 @@ class IniReader {
     machine.control = {"LinuxCNC", TurnLaw::axis, TurnLaw::axis,
                        "LinuxCNC src/emc/tp/tc.c TC_LINEAR, with the kinematics switched on"};
     if (error_) return *error_;
-    return make_machine(std::move(machine));
+    Result<Machine> made = make_machine(std::move(machine));
+    if (made) return made;
+    return make_error(made.error().code, made.error().message, file_, 1);
   }
 
  private:

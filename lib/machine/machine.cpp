@@ -13,6 +13,9 @@ Diagnostic wrong(const std::string& found) { return make_error("machine-joints",
 std::optional<Diagnostic> find_wrong_joint(const Joint& joint) {
   if (!(joint.direction.norm() > Tolerance::kNoDirection))
     return wrong("joint " + joint.name + " has a direction of no length; expected a direction such as [1, 0, 0]");
+  if (joint.is_continuous && (joint.min || joint.max))
+    return wrong("joint " + joint.name + " is continuous and has limits; expected one of both");
+  if (joint.rate && !(*joint.rate > 0)) return wrong("joint " + joint.name + " has a rate of 0 or less; expected more");
   if (joint.min && joint.max && *joint.min > *joint.max)
     return wrong("joint " + joint.name + " has a min above its max; expected min <= max");
   return std::nullopt;

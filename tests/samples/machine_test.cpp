@@ -159,6 +159,48 @@ TEST(MachineCommand, ListsPresetsAndNamesThemWhereOneIsMissing) {
   EXPECT_NE(wrong.err.find("haas-umc750"), std::string::npos) << wrong.err;
 }
 
+TEST_F(PoleCrossing, AnUndecidedTurnIsNotChecked) {
+  // From the pole the tool leans sideways: A may turn either way, with C by 90 degrees the one or the other way.
+  write_text(sample_.path + "/tie.apt",
+             "UNITS/MM\nLOADTL/1\nMULTAX/ON\nGOTO/0,0,100,0,0,1\nGOTO/0,0,100,0.6,0,0.8\nFINI\n");
+  std::vector<std::string> words = sample_.arguments("check", "tie.apt", {"--machine", kTrunnion});
+  const Outcome ran = run_gougecheck(sample_.path, words);
+  EXPECT_EQ(ran.exit_status, 4) << ran.out << ran.err;
+  EXPECT_NE(ran.err.find("another way that is equally near"), std::string::npos) << ran.err;
+}
+
+TEST(MachineCommand, ATypedToolLengthIsAlwaysOne) {
+  const std::string folder = fresh_folder();
+  write_text(folder + "/up.apt", "UNITS/MM\nGOTO/0,0,10\nFINI\n");
+  write_text(folder + "/head.json", R"({"name": "head", "joints": [
+    {"name": "X", "type": "linear", "side": "head", "direction": [1, 0, 0]},
+    {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0]},
+    {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1]},
+    {"name": "C", "type": "rotary", "side": "head", "direction": [0, 0, 1], "continuous": true},
+    {"name": "A", "type": "rotary", "side": "head", "direction": [1, 0, 0]}],
+    "control": {"name": "any"}})");
+  const std::vector<std::string> words = {"path", "joints", "up.apt", "--machine", "head.json", "--csv", "-"};
+  EXPECT_EQ(run_gougecheck(folder, words).exit_status, 2);
+  std::vector<std::string> typed = words;
+  typed.insert(typed.end(), {"--tool-length", "100"});
+  const Outcome ran = run_gougecheck(folder, typed);
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+}
+
+TEST(MachineCommand, AJointIsContinuousOrHasLimits) {
+  const std::string folder = fresh_folder();
+  write_text(folder + "/both.json", R"({"name": "both", "joints": [
+    {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, 1], "continuous": true, "min": -10, "max": 10},
+    {"name": "A", "type": "rotary", "side": "table", "direction": [1, 0, 0]},
+    {"name": "X", "type": "linear", "side": "head", "direction": [1, 0, 0]},
+    {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0]},
+    {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1]}],
+    "control": {"name": "any"}})");
+  const Outcome ran = run_gougecheck(folder, {"machine", "show", "both.json"});
+  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_NE(ran.err.find("joint C is continuous and has limits"), std::string::npos) << ran.err;
+}
+
 TEST(MachineCommand, ReadsAConfigurationOfLinuxCnc) {
   const std::string folder = fresh_folder();
   const std::string axes =

@@ -115,11 +115,26 @@ TEST(JointPath, TurnsOnWithoutAnUnwindingWhereTheJointIsContinuous) {
 
 TEST(JointPath, AtAPoleTheFirstJointStaysAndThenFlips) {
   const JointChoice choice =
-      choose_joints(test::machines()[0], path_of({leaning(5, 0), leaning(0, 0), leaning(1, 90), leaning(2, 90)}));
+      choose_joints(test::machines()[0], path_of({leaning(5, 0), leaning(0, 0), leaning(1, 80), leaning(2, 80)}));
   ASSERT_EQ(choice.problems.size(), 1U);
   EXPECT_EQ(choice.problems[0].kind, JointProblem::Kind::flip);
   EXPECT_EQ(choice.problems[0].move, 2U);
-  EXPECT_NEAR(std::abs(choice.problems[0].value), kHalfTurn / 2, 1e-9);
+  EXPECT_NEAR(std::abs(choice.problems[0].value), kHalfTurn * 80 / 180, 1e-9);
+}
+
+TEST(JointPath, OfTwoTurnsEquallyNearNoneIsChosen) {
+  // Out of a pole by 90 degrees either way, and half a turn of a continuous joint.
+  Machine machine = test::machines()[0];
+  machine.joints[1].is_continuous = false;
+  machine.joints[1].min = -5 * kHalfTurn / 180;
+  machine.joints[1].max = 120 * kHalfTurn / 180;
+  for (const std::vector<Vec3>& axes :
+       {std::vector<Vec3>{leaning(0, 0), leaning(1, 90)}, std::vector<Vec3>{leaning(100, 0), leaning(100, 180)}}) {
+    const JointChoice choice = choose_joints(machine, path_of(axes));
+    ASSERT_EQ(choice.problems.size(), 1U);
+    EXPECT_EQ(choice.problems[0].kind, JointProblem::Kind::undecided);
+    EXPECT_FALSE(choice.path.end[1]);
+  }
 }
 
 TEST(JointPath, ALimitIsNamedWithItsJoint) {
