@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <ostream>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
+#include "lib/base/units.h"
 #include "lib/machine/read_machine.h"
 #include "lib/machine/rotary_law.h"
 #include "postproc/formats/read_toolpath.h"
@@ -22,7 +22,6 @@
 namespace gouge {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr std::size_t kLabel = 34;
 constexpr const char* kExits =
     "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid, 5 output unwritable.";
@@ -31,7 +30,7 @@ std::string row(const std::string& name, const std::string& value) {
   return padded(name, kLabel) + printable(value) + "\n";
 }
 
-std::string degrees(double rad, int decimals = 3) { return display_text(rad * kDegrees, decimals) + " deg"; }
+std::string degrees(double rad, int decimals = 3) { return display_text(rad / kDegree_rad, decimals) + " deg"; }
 
 std::string list_text() {
   std::string text;
@@ -46,7 +45,7 @@ std::string bound_text(const std::optional<double>& bound, double scale) {
 
 std::string joint_text(const Joint& joint) {
   const bool is_rotary = joint.type == JointType::rotary;
-  const double scale = is_rotary ? kDegrees : 1;
+  const double scale = is_rotary ? 1 / kDegree_rad : 1;
   const std::string unit = is_rotary ? "deg" : "mm";
   const Vec3& d = joint.direction;
   std::string text = std::string(joint.side == JointSide::table ? "table" : "head") + ", about (" +
@@ -119,7 +118,7 @@ std::string joints_csv(const Machine& machine, const Toolpath& path, const Joint
     std::optional<JointValues> values;
     if (joints.end[i]) values = inverse(machine, move.end.tip, *joints.end[i], length_mm);
     for (std::size_t k = 0; k < machine.joints.size(); ++k) {
-      const double scale = machine.joints[k].type == JointType::rotary ? kDegrees : 1;
+      const double scale = machine.joints[k].type == JointType::rotary ? 1 / kDegree_rad : 1;
       text += "," + (values ? fixed_text((*values)[k] * scale, 6) : std::string());
     }
     text += "\n";

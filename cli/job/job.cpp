@@ -104,34 +104,21 @@ class JobLoader {
     return true;
   }
 
-  // --machine, and the law of motion that its control or the user states.
   bool read_machine() {
-    if (arguments_.machine.empty()) {
-      for (const auto& [option, law] :
-           {std::pair{"--feed-law", arguments_.feed_law}, {"--rapid-law", arguments_.rapid_law}}) {
-        if (law != "axis") continue;
-        errors_.push_back(usage_error(option, law, "--machine beside it: rotary joints are those of a machine"));
-        return false;
-      }
-      return true;
-    }
-    std::string bytes;
-    Result<Machine> machine = load_machine(arguments_.machine, arguments_.input.max_bytes, bytes);
-    if (!machine) {
-      errors_.push_back(machine.error());
+    const JobArguments& a = arguments_;
+    Result<std::optional<ChosenMachine>> chosen =
+        choose_machine({a.machine, a.feed_law, a.rapid_law}, job_.options.check.law.rapid(), a.input.max_bytes);
+    if (!chosen) {
+      errors_.push_back(chosen.error());
       return false;
     }
-    if (!arguments_.machine.starts_with(kMachinePreset))
-      job_.inputs.push_back(describe_input("machine", arguments_.machine, bytes));
-    const StatedLaws stated = {arguments_.feed_law, arguments_.rapid_law};
-    Result<MotionLaw> law = law_of(*machine, stated, job_.options.check.law.rapid());
-    if (!law) {
-      errors_.push_back(law.error());
-      return false;
-    }
-    job_.options.check.law = *law;
-    job_.basis.law_evidence = describe_law(*machine, stated);
-    job_.machine = std::move(*machine);
+    if (!*chosen) return true;
+    ChosenMachine& machine = **chosen;
+    if (!a.machine.starts_with(kMachinePreset))
+      job_.inputs.push_back(describe_input("machine", a.machine, machine.bytes));
+    job_.options.check.law = std::move(machine.law);
+    job_.basis.law_evidence = std::move(machine.law_evidence);
+    job_.machine = std::move(machine.machine);
     add_notes(choose_joints_of(*job_.machine, job_.toolpath));
     return true;
   }

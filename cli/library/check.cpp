@@ -1,19 +1,16 @@
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include <gougecheck/check.h>
 
 #include "cli/library/checked_path.h"
-#include "cli/machine/machine_choice.h"
+#include "lib/base/units.h"
 #include "lib/correct/correct_path.h"
 #include "postproc/formats/write_corrected.h"
 
 namespace gougecheck {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Report run(CheckedPath checked) {
   gouge::CheckResult result = gouge::check(checked.path.content().path, checked.setup());
@@ -47,7 +44,7 @@ gouge::CorrectOptions to_correct_options(const CorrectOptions& how) {
   options.strategies = to_strategies(how.strategy);
   options.max_shift_mm = above_zero("max_shift", how.max_shift, kFarthest_mm);
   if (how.max_side_shift) options.max_side_shift_mm = above_zero("max_side_shift", *how.max_side_shift, kFarthest_mm);
-  options.tilt.max_tilt_rad = above_zero("max_tilt", how.max_tilt, kMaxTilt_deg) * kDegree;
+  options.tilt.max_tilt_rad = above_zero("max_tilt", how.max_tilt, kMaxTilt_deg) * gouge::kDegree_rad;
   if (!(how.rapid_clearance >= 0 && how.rapid_clearance <= kFarthest_mm))
     raise(gouge::make_error("usage", "rapid_clearance: expected a length of at least 0"));
   options.rapid_clearance_mm = how.rapid_clearance;
@@ -70,7 +67,7 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
     as_before.retract_plane_mm = path.retract_plane_mm;
     if (!path.is_unit_stated) as_before.unit = path.unit;
     gouge::Toolpath again = PathAccess::from_bytes(path.file, std::move(*bytes), as_before).content().path;
-    if (checked.machine != nullptr) static_cast<void>(gouge::choose_joints_of(checked.machine->machine, again));
+    if (checked.machine != nullptr) static_cast<void>(gouge::choose_joints_of(checked.machine->chosen.machine, again));
     for (const gouge::Subject fact : {gouge::Subject::dialect, gouge::Subject::path_unit})
       gouge::copy_facts(fact, path.assumptions, again.assumptions);
     return again;
@@ -85,8 +82,8 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
                     {},
                     {}};
   for (const gouge::ChangeRecord& r : corrected.correction.records) {
-    result.changes.push_back(
-        {r.move, r.is_inserted, to_array(r.shift_mm), r.tilt_rad / kDegree, r.depth_before_mm, r.depth_after_mm});
+    result.changes.push_back({r.move, r.is_inserted, to_array(r.shift_mm), r.tilt_rad / gouge::kDegree_rad,
+                              r.depth_before_mm, r.depth_after_mm});
   }
   for (const gouge::Uncorrected& u : corrected.correction.uncorrected)
     result.uncorrected.push_back({u.move, u.depth_mm, u.reason});

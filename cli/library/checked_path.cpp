@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "cli/machine/machine_choice.h"
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
@@ -90,33 +89,23 @@ gouge::SetupBasis basis_of(const Scene& scene, const PathTools& tools, const Che
 
 /// The machine that the options name; null: none.
 std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
-  const gouge::MachineOptionNames names = {"machine", "feed_law", "rapid_law"};
-  if (options.machine.empty()) {
-    for (const auto& [name, law] :
-         {std::pair{names.feed_law, options.feed_law}, {names.rapid_law, options.rapid_law}}) {
-      if (!law.empty() && law != "vector")
-        raise(gouge::make_error("usage", name + " '" + law + "': expected vector, or a machine beside axis"));
-    }
-    return nullptr;
-  }
-  const gouge::StatedLaws stated = {options.feed_law, options.rapid_law};
-  std::string bytes;
-  gouge::Machine machine = value_or_raise(gouge::load_machine(options.machine, gouge::kMaxInputBytes, bytes, names));
-  gouge::MotionLaw law =
-      value_or_raise(gouge::law_of(machine, stated, static_cast<gouge::RapidMode>(options.rapids), names));
-  std::string evidence = gouge::describe_law(machine, stated, names);
-  PathMachine made{std::move(machine), std::move(law), std::move(evidence), {{"machine", options.machine}}};
-  if (!stated.feed.empty()) made.options.push_back({"feed-law", stated.feed});
-  if (!stated.rapid.empty()) made.options.push_back({"rapid-law", stated.rapid});
-  if (!options.machine.starts_with(gouge::kMachinePreset))
-    made.file = gouge::describe_input("machine", options.machine, bytes);
+  const gouge::StatedMachine stated = {options.machine, options.feed_law, options.rapid_law};
+  std::optional<gouge::ChosenMachine> chosen =
+      value_or_raise(gouge::choose_machine(stated, static_cast<gouge::RapidMode>(options.rapids), gouge::kMaxInputBytes,
+                                           {"machine", "feed_law", "rapid_law"}));
+  if (!chosen) return nullptr;
+  PathMachine made{std::move(*chosen), {{"machine", stated.machine}}};
+  if (!stated.feed_law.empty()) made.options.push_back({"feed-law", stated.feed_law});
+  if (!stated.rapid_law.empty()) made.options.push_back({"rapid-law", stated.rapid_law});
+  if (!stated.machine.starts_with(gouge::kMachinePreset))
+    made.file = gouge::describe_input("machine", stated.machine, made.chosen.bytes);
   return std::make_shared<const PathMachine>(std::move(made));
 }
 
 /// The path with the joints of a machine, and warnings where it cannot run them.
 Path with_joints(const Path& path, const PathMachine& machine) {
   gouge::Toolpath jointed = path.content().path;
-  gouge::Diagnostics notes = gouge::choose_joints_of(machine.machine, jointed);
+  gouge::Diagnostics notes = gouge::choose_joints_of(machine.chosen.machine, jointed);
   std::ranges::move(notes, std::back_inserter(jointed.notes));
   return PathAccess::from(std::move(jointed), path.content().is_from_memory);
 }
@@ -128,8 +117,8 @@ CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathT
   gouge::CheckOptions understood = to_check_options(options);
   std::shared_ptr<const PathMachine> machine = machine_of(options);
   if (machine != nullptr) {
-    understood.law = machine->law;
-    basis.law_evidence = machine->law_evidence;
+    understood.law = machine->chosen.law;
+    basis.law_evidence = machine->chosen.law_evidence;
     path = with_joints(path, *machine);
   }
   return {std::move(path),       std::move(taken), std::move(tools),

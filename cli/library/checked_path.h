@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "cli/library/content.h"
+#include "cli/machine/machine_choice.h"
 #include "lib/certify/check.h"
-#include "lib/machine/machine.h"
 #include "postproc/report/report_model.h"
 
 namespace gougecheck {
 
-/// The tools of one path, compiled as the options query. They must stay where they are.
+/// The tools of one path, compiled as the options state. They must stay where they are.
 struct PathTools {
   std::vector<std::optional<gouge::ToolVariants>> variants;  // one per Toolpath::tools; empty: no definition
   std::vector<gouge::ToolFacts> facts;
@@ -23,9 +23,7 @@ struct PathTools {
 
 /// The machine of a check.
 struct PathMachine {
-  gouge::Machine machine;
-  gouge::MotionLaw law;
-  std::string law_evidence;
+  gouge::ChosenMachine chosen;
   std::vector<gouge::OptionText> options;     // as the program records them
   std::optional<gouge::InputFile> file = {};  // none: a preset
 };

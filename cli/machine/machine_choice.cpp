@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <memory>
-#include <mutex>
-#include <numbers>
-#include <set>
 
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
+#include "lib/base/units.h"
 #include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/read_machine.h"
 #include "lib/machine/rotary_law.h"
@@ -15,27 +13,49 @@
 namespace gouge {
 namespace {
 
-std::string degrees(double rad) { return display_text(rad * 180 / std::numbers::pi, 3) + " degrees"; }
+std::string degrees(double rad) { return display_text(rad / kDegree_rad, 3) + " degrees"; }
 
 Result<TurnLaw> chosen_law(const Machine& machine, const std::string& stated, const std::optional<TurnLaw>& promised,
                            const std::string& option, const char* moves) {
   if (const auto law = turn_law_called(stated)) return *law;
-  if (!stated.empty()) return make_error("usage", option + " '" + stated + "': expected vector or axis");
   if (promised) return *promised;
   return make_error("machine-law", "the control of machine " + machine.name + " promises no law for " + moves +
                                        "; expected " + option + " vector or " + option + " axis");
 }
 
-// Moves refer to their reasons, which live as long as the process.
-std::string_view lasting(std::string text) {
-  static std::mutex mutex;
-  static std::set<std::string> texts;
-  const std::lock_guard lock(mutex);
-  return *texts.insert(std::move(text)).first;
+Result<MotionLaw> law_of(const Machine& machine, const StatedMachine& stated, RapidMode rapid,
+                         const MachineOptionNames& names) {
+  const Control& control = machine.control;
+  const Result<TurnLaw> feed = chosen_law(machine, stated.feed_law, control.feed_law, names.feed_law, "feeds");
+  if (!feed) return feed.error();
+  const Result<TurnLaw> rapids = chosen_law(machine, stated.rapid_law, control.rapid_law, names.rapid_law, "rapids");
+  if (!rapids) return rapids.error();
+  const auto axes = std::make_shared<const RotaryLaw>(machine);
+  return MotionLaw(rapid, *feed == TurnLaw::axis ? axes : nullptr, *rapids == TurnLaw::axis ? axes : nullptr);
+}
+
+std::string describe_law(const Machine& machine, const StatedMachine& stated, const MachineOptionNames& names) {
+  std::string text;
+  if (!stated.feed_law.empty()) text += names.feed_law + " " + stated.feed_law;
+  if (!stated.rapid_law.empty()) text += (text.empty() ? "" : ", ") + names.rapid_law + " " + stated.rapid_law;
+  if (!stated.feed_law.empty() && !stated.rapid_law.empty()) return text;
+  const Control& control = machine.control;
+  return text + (text.empty() ? "" : ", ") + "control " + control.name + " of machine " + machine.name +
+         (control.source.empty() ? "" : " (" + control.source + ")");
+}
+
+std::optional<Diagnostic> find_wrong_law(const std::string& stated, const std::string& option,
+                                         const std::string& needed) {
+  const std::optional<TurnLaw> law = turn_law_called(stated);
+  const std::string found = option + " '" + stated + "': expected ";
+  if (!stated.empty() && !law) return make_error("usage", found + "vector or axis");
+  if (law == TurnLaw::axis && !needed.empty())
+    return make_error("usage", found + needed + " beside it: rotary joints are those of a machine");
+  return std::nullopt;
 }
 
 void leave_unchecked(const std::string& reason, std::size_t move, Toolpath& path) {
-  const std::string_view text = lasting(reason);
+  const std::string_view text = lasting_text(reason);
   for (std::size_t i = move; i <= move + 1 && i < path.moves.size(); ++i) {
     Move& of = path.moves[i];
     if ((i == move || of.has_start) && (of.not_checked_reason.empty() || of.is_covered())) {
@@ -66,25 +86,19 @@ Result<Machine> load_machine(const std::string& typed, std::uint64_t max_bytes, 
   return is_linuxcnc_ini(bytes) ? read_linuxcnc_ini(typed, bytes) : read_machine(typed, bytes);
 }
 
-Result<MotionLaw> law_of(const Machine& machine, const StatedLaws& stated, RapidMode rapid,
-                         const MachineOptionNames& names) {
-  const Control& control = machine.control;
-  const Result<TurnLaw> feed = chosen_law(machine, stated.feed, control.feed_law, names.feed_law, "feeds");
-  if (!feed) return feed.error();
-  const Result<TurnLaw> rapids = chosen_law(machine, stated.rapid, control.rapid_law, names.rapid_law, "rapids");
-  if (!rapids) return rapids.error();
-  const auto axes = std::make_shared<const RotaryLaw>(machine);
-  return MotionLaw(rapid, *feed == TurnLaw::axis ? axes : nullptr, *rapids == TurnLaw::axis ? axes : nullptr);
-}
-
-std::string describe_law(const Machine& machine, const StatedLaws& stated, const MachineOptionNames& names) {
-  std::string text;
-  if (!stated.feed.empty()) text += names.feed_law + " " + stated.feed;
-  if (!stated.rapid.empty()) text += (text.empty() ? "" : ", ") + names.rapid_law + " " + stated.rapid;
-  if (!stated.feed.empty() && !stated.rapid.empty()) return text;
-  const Control& control = machine.control;
-  return text + (text.empty() ? "" : ", ") + "control " + control.name + " of machine " + machine.name +
-         (control.source.empty() ? "" : " (" + control.source + ")");
+Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
+                                                    std::uint64_t max_bytes, const MachineOptionNames& names) {
+  const std::string needed = stated.machine.empty() ? names.machine : "";
+  if (const auto wrong = find_wrong_law(stated.feed_law, names.feed_law, needed)) return *wrong;
+  if (const auto wrong = find_wrong_law(stated.rapid_law, names.rapid_law, needed)) return *wrong;
+  if (stated.machine.empty()) return std::optional<ChosenMachine>();
+  std::string bytes;
+  Result<Machine> machine = load_machine(stated.machine, max_bytes, bytes, names);
+  if (!machine) return machine.error();
+  Result<MotionLaw> law = law_of(*machine, stated, rapid, names);
+  if (!law) return law.error();
+  std::string evidence = describe_law(*machine, stated, names);
+  return std::optional(ChosenMachine{std::move(*machine), std::move(*law), std::move(evidence), std::move(bytes)});
 }
 
 Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const JointProblem& problem) {

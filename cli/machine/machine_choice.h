@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,9 +23,17 @@ struct MachineOptionNames {
   std::string machine = "--machine", feed_law = "--feed-law", rapid_law = "--rapid-law";
 };
 
-/// Laws as the user states them: "vector", "axis", or empty.
-struct StatedLaws {
-  std::string feed, rapid;
+/// A machine and its laws as the user states them; laws: "vector", "axis", or empty.
+struct StatedMachine {
+  std::string machine, feed_law, rapid_law;
+};
+
+/// The machine of a job and the law of motion on it.
+struct ChosenMachine {
+  Machine machine;
+  MotionLaw law;
+  std::string law_evidence;  ///< options, and the control with its source
+  std::string bytes;         ///< of its file or preset
 };
 
 /// Reads a machine file, a configuration of LinuxCNC, or preset:NAME. `bytes`: takes the text that was read.
@@ -32,14 +41,13 @@ struct StatedLaws {
 [[nodiscard]] Result<Machine> load_machine(const std::string& typed, std::uint64_t max_bytes, std::string& bytes,
                                            const MachineOptionNames& names = {});
 
-/// Returns the law of motion on a machine: as the user states it, else as its control promises.
-/// Errors: usage, for a law of another name; machine-law, where neither states one.
-[[nodiscard]] Result<MotionLaw> law_of(const Machine& machine, const StatedLaws& stated, RapidMode rapid,
-                                       const MachineOptionNames& names = {});
-
-/// Returns who states the laws: options, and the control with its source.
-[[nodiscard]] std::string describe_law(const Machine& machine, const StatedLaws& stated,
-                                       const MachineOptionNames& names = {});
+/// Returns the machine of a job, with the laws that the user states, else those that its control promises. None: no machine
+/// is stated.
+/// Errors: those of load_machine; usage, for a law of another name, and for `axis` without a machine; machine-law, where
+/// nothing states a law.
+[[nodiscard]] Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
+                                                                  std::uint64_t max_bytes,
+                                                                  const MachineOptionNames& names = {});
 
 /// Chooses the joints of a path and stores them with it. Moves that the machine cannot run are not checked, with their
 /// reason. Returns a warning for each problem, at most twenty.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
@@ -13,11 +12,11 @@
 #include "cli/terminal/length_text.h"
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
+#include "lib/base/units.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMaxTilt = 89, kMaxCone = 180, kMaxTurn = 1e6;
 
 constexpr const char* kExpectedStrategy =
@@ -27,7 +26,7 @@ constexpr std::string_view kDirection = "direction=";
 
 Result<double> understand_degrees(const std::string& option, const std::string& typed, double most) {
   const auto value = parse_number(typed);
-  if (value && *value > 0 && *value <= most) return *value * kDegree;
+  if (value && *value > 0 && *value <= most) return *value * kDegree_rad;
   return usage_error(option, typed, "degrees above 0 and at most " + display_text(most, 0));
 }
 
@@ -102,7 +101,7 @@ Result<AxisCone> understand_cone(const std::string& typed) {
   const auto axis = numbers ? direction_of(*numbers) : std::nullopt;
   const double degrees = numbers ? numbers->back() : 0;
   if (!axis || !(degrees > 0) || degrees > kMaxCone) return wrong();
-  return AxisCone{*axis, degrees * kDegree};
+  return AxisCone{*axis, degrees * kDegree_rad};
 }
 
 Result<TiltOptions> understand_tilt(const CorrectArguments& arguments) {

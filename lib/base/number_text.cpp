@@ -59,6 +59,13 @@ bool is_negative_zero_text(std::string_view text) {
 
 }  // namespace
 
+std::string_view trim_blanks(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n\v\f";
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
 std::optional<double> parse_number(std::string_view text) {
   if (!text.empty() && text[0] == '+') {
     text.remove_prefix(1);

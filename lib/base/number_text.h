@@ -11,6 +11,9 @@
 
 namespace gouge {
 
+/// Returns `text` without the white space at its ends.
+[[nodiscard]] std::string_view trim_blanks(std::string_view text);
+
 /// Accepts what CAM systems write: an optional sign (also '+'), digits with or without a leading or
 /// trailing point (".5", "25."), an optional exponent (e, E). Surrounding blanks are not accepted.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <string_view>
 
@@ -9,6 +10,8 @@
 // these.
 
 namespace gouge {
+
+inline constexpr double kDegree_rad = std::numbers::pi / 180;
 
 enum class LengthUnit { mm, inch, um, cm, m };
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "lib/base/tolerance.h"
+#include "lib/path/path_info.h"
 
 namespace gouge {
 namespace {
@@ -133,7 +134,7 @@ class Chooser {
 
   void find_flip(std::size_t move, const RotaryAngles& from, const RotaryAngles& to) {
     const Vec3 before = tool_axes(machine_, from).col(2), after = tool_axes(machine_, to).col(2);
-    const double turn = std::atan2(before.cross(after).norm(), before.dot(after));
+    const double turn = angle_between_rad(before, after);
     for (std::size_t k = 0; k < 2; ++k) {
       const double by = to[k] - from[k];
       const bool is_unwound = std::abs(by) > std::numbers::pi + Tolerance::kSameDirection;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lib/base/tolerance.h"
+#include "lib/path/path_info.h"
 
 namespace gouge {
 namespace {
@@ -29,8 +30,6 @@ Vec3 tip_of(const Machine& machine, const JointValues& joints, double tool_lengt
   return at;
 }
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 }  // namespace
 
 Eigen::Matrix3d tool_axes(const Machine& machine, const RotaryAngles& angles) {
@@ -45,7 +44,7 @@ RotarySolutions rotary_angles(const Machine& machine, const Vec3& axis) {
   const Vec3 &u = machine.joints[machine.rotary[0]].direction, &w = machine.joints[machine.rotary[1]].direction;
   const Vec3 z = Vec3::UnitZ();
   RotarySolutions solutions;
-  const double theta = angle_between(u, axis), gamma = angle_between(w, z), delta = angle_between(w, u);
+  const double theta = angle_between_rad(u, axis), gamma = angle_between_rad(w, z), delta = angle_between_rad(w, u);
   if (std::sin(gamma) < Tolerance::kNoSide) return solutions;  // the second joint turns the tool about its own axis
   const double sine2 = std::sin(0.5 * (theta + gamma - delta)) * std::sin(0.5 * (theta - gamma + delta));
   const double cosine2 = std::sin(0.5 * (gamma + delta + theta)) * std::sin(0.5 * (gamma + delta - theta));

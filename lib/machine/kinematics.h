@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-inline constexpr double kWholeTurn_rad = 2 * std::numbers::pi, kDegree_rad = std::numbers::pi / 180;
+inline constexpr double kWholeTurn_rad = 2 * std::numbers::pi;
 
 /// Returns the directions of the tool in the part: x, y and the tool axis as columns.
 [[nodiscard]] Eigen::Matrix3d tool_axes(const Machine& machine, const RotaryAngles& angles);

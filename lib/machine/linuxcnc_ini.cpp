@@ -6,7 +6,6 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
-#include "lib/machine/kinematics.h"
 
 namespace gouge {
 namespace {
@@ -18,20 +17,14 @@ struct Value {
   std::size_t line = 0;
 };
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
-}
-
 /// Adds the value of `setp PIN VALUE` as "setp/PIN"; the last of a pin counts, as in HAL.
 void add_pin(std::map<std::string, Value>& values, std::string_view command, std::size_t line) {
   constexpr std::string_view kSet = "setp ";
   if (!command.starts_with(kSet)) return;
-  const std::string_view rest = trimmed(command.substr(kSet.size()));
+  const std::string_view rest = trim_blanks(command.substr(kSet.size()));
   const std::size_t space = rest.find_first_of(" \t");
   if (space == std::string_view::npos) return;
-  values["setp/" + std::string(rest.substr(0, space))] = {std::string(trimmed(rest.substr(space))), line};
+  values["setp/" + std::string(rest.substr(0, space))] = {std::string(trim_blanks(rest.substr(space))), line};
 }
 
 /// The values of a configuration by "SECTION/KEY"; the first of a key counts.
@@ -40,7 +33,7 @@ std::map<std::string, Value> values_of(std::string_view bytes) {
   std::string section;
   for (std::size_t at = 0, number = 1; at < bytes.size(); ++number) {
     const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
-    const std::string_view line = trimmed(bytes.substr(at, end - at));
+    const std::string_view line = trim_blanks(bytes.substr(at, end - at));
     at = end + 1;
     if (line.empty() || line.front() == '#' || line.front() == ';') continue;
     if (line.front() == '[') {
@@ -49,8 +42,8 @@ std::map<std::string, Value> values_of(std::string_view bytes) {
     }
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) continue;
-    const std::string key = section + "/" + std::string(trimmed(line.substr(0, equals)));
-    const std::string_view value = trimmed(line.substr(equals + 1));
+    const std::string key = section + "/" + std::string(trim_blanks(line.substr(0, equals)));
+    const std::string_view value = trim_blanks(line.substr(equals + 1));
     if (key == "HAL/HALCMD") add_pin(values, value, number);
     values.try_emplace(key, Value{std::string(value), number});
   }

@@ -8,7 +8,6 @@
 #include "lib/base/units.h"
 #include "lib/json/json_field.h"
 #include "lib/json/json_file.h"
-#include "lib/machine/kinematics.h"
 
 namespace gouge {
 namespace {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lib/base/tolerance.h"
+#include "lib/path/path_info.h"
 
 namespace gouge {
 namespace {
@@ -87,13 +88,13 @@ std::shared_ptr<const AxisPath> RotaryLaw::of_move(const JointPath* joints, std:
 double largest_gap_rad(const Machine& machine, const RotaryAngles& from, const RotaryAngles& to) {
   const EvenTurn even(machine, from, to);
   const Vec3 a = even.axes_at(0).col(2), b = even.axes_at(1).col(2);
-  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+  const double angle = angle_between_rad(a, b);
   Vec3 across = b - a.dot(b) * a;
   if (across.norm() > Tolerance::kNoDirection) across.normalize();
   const auto gap = [&](double t) {
     const Vec3 on_circle = std::cos(angle * t) * a + std::sin(angle * t) * across;
     const Vec3 axis = even.axes_at(t).col(2);
-    return std::atan2(axis.cross(on_circle).norm(), axis.dot(on_circle));
+    return angle_between_rad(axis, on_circle);
   };
   // Coarse samples, then golden sections about the largest: the gap has few maxima.
   constexpr int kSamples = 64, kHalvings = 40;

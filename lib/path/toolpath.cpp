@@ -2,12 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
+#include <set>
+#include <utility>
 
 namespace gouge {
 
 const char* kind_name(MoveKind kind) {
   static constexpr std::array<const char*, 4> kNames = {"feed", "rapid", "arc", "cycle"};
   return kNames[static_cast<std::size_t>(kind)];
+}
+
+const char* lasting_text(std::string text) {
+  static std::mutex mutex;
+  static std::set<std::string> texts;
+  const std::lock_guard lock(mutex);
+  return texts.insert(std::move(text)).first->c_str();
 }
 
 bool needs_wide_tool(const Toolpath& path, std::size_t tool) {

@@ -15,12 +15,12 @@
 namespace gouge {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kStepsPerBlend = 8;
 constexpr double kMaxSpacing_mm = 5, kMinSpacing_mm = 0.2;
-constexpr int kFinerSpacings = 2;                  // how often a run is tried again with half the spacing
-constexpr int kSlowerBlends = 5;                   // how often the blend is doubled where the tool turns too fast
-constexpr double kStraight_rad = 0.005 * kDegree;  // an added position whose tilt is that of its neighbours is left out
+constexpr int kFinerSpacings = 2;  // how often a run is tried again with half the spacing
+constexpr int kSlowerBlends = 5;   // how often the blend is doubled where the tool turns too fast
+constexpr double kStraight_rad =
+    0.005 * kDegree_rad;  // an added position whose tilt is that of its neighbours is left out
 
 double spacing_mm(const TiltOptions& options) {
   return std::clamp(options.blend_mm / kStepsPerBlend, kMinSpacing_mm, kMaxSpacing_mm);
@@ -161,7 +161,7 @@ class RunPlanner {
     const auto& witness = job_.result.verdicts[run_.first_wanted].witness;
     const Vec3& at = min_stock_->point;
     return std::string("the ") + body_name(witness ? witness->body : Body::holder) +
-           " collides; the tilt that frees it and leaves least (" + display_text(stock_tilt_rad_ / kDegree, 1) +
+           " collides; the tilt that frees it and leaves least (" + display_text(stock_tilt_rad_ / kDegree_rad, 1) +
            " degrees) " + "would leave " + length(min_stock_->thickness_mm) + " " + unit_name(job_.path.unit) +
            (min_stock_->is_more ? " or more" : "") + " of stock at (" + length(at.x()) + ", " + length(at.y()) + ", " +
            length(at.z()) + "), which the programmed path finished (--allow-stock)";
@@ -220,7 +220,7 @@ class RunPlanner {
   }
 
   [[nodiscard]] std::string why_not(const TiltSpace& space, const LatticeResult& found) const {
-    const std::string most = display_text(job_.options.max_tilt_rad / kDegree, 3) + " degrees";
+    const std::string most = display_text(job_.options.max_tilt_rad / kDegree_rad, 3) + " degrees";
     if (found.held_back) return held_back_reason(space, *found.held_back);
     if (!found.blocked)
       return "tilts within --max-tilt " + most + " are free at each position, but no way leads between them";

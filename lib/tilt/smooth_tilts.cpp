@@ -3,21 +3,20 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "lib/base/parallel.h"
+#include "lib/base/units.h"
 #include "lib/tilt/tilt_curve.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kSmoothingDegree = std::numbers::pi / 180;
-constexpr double kInward_rad = 0.5 * kSmoothingDegree;   // steps in which a tilt is drawn in
-constexpr double kExact_rad = 0.01 * kSmoothingDegree;   // how exactly its least value is found
-constexpr double kBeyond_rad = 0.03 * kSmoothingDegree;  // how much further than needed the curve may tilt
-constexpr double kMore_rad = 0.01 * kSmoothingDegree;    // given back at first where a motion between two is refused
-constexpr double kDigit_rad = 0x1p-27;                   // about 7e-9
+constexpr double kInward_rad = 0.5 * kDegree_rad;   // steps in which a tilt is drawn in
+constexpr double kExact_rad = 0.01 * kDegree_rad;   // how exactly its least value is found
+constexpr double kBeyond_rad = 0.03 * kDegree_rad;  // how much further than needed the curve may tilt
+constexpr double kMore_rad = 0.01 * kDegree_rad;    // given back at first where a motion between two is refused
+constexpr double kDigit_rad = 0x1p-27;              // about 7e-9
 constexpr int kFewAtATime = 30;            // rounds in which only the worst position of a stretch gets an anchor
 constexpr std::size_t kMaxLetGo = 40;      // anchors that are tried without,
 constexpr std::size_t kMaxLooks = 20'000;  // as long as that examines no more positions

@@ -47,13 +47,6 @@ std::size_t number_end(std::string_view text) {
 
 }  // namespace
 
-std::string_view trim_blanks(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n\v\f";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
 std::optional<Quantity> parse_quantity(std::string_view text) {
   text = trim_blanks(text);
   const std::size_t end = number_end(text);

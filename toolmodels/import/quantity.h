@@ -19,8 +19,6 @@ struct Quantity {
 /// One comma and no point is a decimal comma; a text with both is refused, as no reading of it is certain.
 [[nodiscard]] std::optional<Quantity> parse_quantity(std::string_view text);
 
-[[nodiscard]] std::string_view trim_blanks(std::string_view text);
-
 /// Valid UTF-8 stays as it is, anything else is taken as Latin-1; control characters become blanks.
 [[nodiscard]] std::string clean_text(std::string_view text);
 

@@ -58,7 +58,7 @@ struct Contact {
   Body body = Body::cutter;           ///< of the tool, the nearest to the point
 };
 
-/// Depth of a tool, position after position: what a haptic loop or an optimiser queries. Tolerance 0: any depth is a
+/// Depth of a tool, position after position: for a haptic loop or an optimiser. Tolerance 0: any depth is a
 /// gouge, and its gap is closed to the resolution. Made once, then queried from any number of threads.
 class GOUGECHECK_EXPORT DepthQuery {
  public:

@@ -14,8 +14,8 @@ enum class State : std::uint8_t {
   near_miss,  ///< nearer than CheckOptions::near_miss
   gouge,
   buried,         ///< inside a solid with no surface inside the tool
-  not_checked,    ///< could not be queried: see Report::reason
-  not_certified,  ///< queried, and not proved within the budget
+  not_checked,    ///< could not be checked: see Report::reason
+  not_certified,  ///< checked, and not proved within the budget
 };
 /// clean, near, gouge, buried, not-checked, not-certified
 [[nodiscard]] GOUGECHECK_EXPORT const char* state_name(State state);
@@ -52,7 +52,7 @@ class GOUGECHECK_EXPORT Report {
   [[nodiscard]] std::span<const std::int8_t> is_fixture() const;  ///< 1: `mesh` counts fixtures; 0: parts
   /// Returns how far below the surface the tool reached, at least; NaN where it was not measured.
   [[nodiscard]] std::span<const double> overcut() const;
-  /// Returns why a move is not checked, not certified or buried; else empty, or what else is to be stated.
+  /// Returns why a move is not checked, not certified or buried; else empty, or a remark.
   [[nodiscard]] std::string reason(std::size_t move) const;
   /// Returns the facts that the verdict rests on. It is clean only if none of them is open.
   [[nodiscard]] std::vector<Assumption> assumptions() const;

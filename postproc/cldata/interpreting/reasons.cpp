@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <mutex>
-#include <set>
 
 #include "postproc/cldata/language/text.h"
 
@@ -46,14 +44,6 @@ namespace {
 
 constexpr std::size_t kLongestMajor = 24;
 
-// Lives as long as the process: moves outlive the reader that names their reasons, and are copied without it.
-const char* kept(std::string text) {
-  static std::mutex mutex;
-  static std::set<std::string> texts;
-  const std::lock_guard lock(mutex);
-  return texts.insert(std::move(text)).first->c_str();
-}
-
 }  // namespace
 
 std::string word_as_reported(std::string_view major) {
@@ -68,13 +58,13 @@ std::string word_as_reported(std::string_view major) {
 const char* NamedReasons::name(std::string_view reason, std::string_view major, std::size_t line) {
   std::string word = word_as_reported(major);
   std::string text = std::string(reason) + ": " + word;
-  if (line == 0) return kept(std::move(text));
+  if (line == 0) return lasting_text(std::move(text));
   std::size_t& lines = lines_named_[{std::string(reason), std::move(word)}];
   if (lines < kMaxLines) {
     ++lines;
     text += " in line " + std::to_string(line);
   }
-  return kept(std::move(text));
+  return lasting_text(std::move(text));
 }
 
 }  // namespace gouge
