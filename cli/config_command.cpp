@@ -19,7 +19,7 @@ struct ConfigRow {
   std::string key, value, origin;
 };
 
-// With the words of the project file among those typed: where each value came from is queried of the two lists.
+// With the words of the project file among those typed: both lists show the origin of each value.
 ConfigRow row_of(const CLI::Option& option, const ProjectFile* project, const std::vector<std::string>& typed) {
   ConfigRow row{option.get_lnames().front(), {}, {}};
   for (const std::string& value : option.results()) row.value += (row.value.empty() ? "" : ", ") + value;

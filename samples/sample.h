@@ -34,7 +34,7 @@ struct Sample {
   std::string unit = "mm";
   std::vector<NamedSolid> parts, fixtures;
   double overlap = 0;             ///< how deep fixture and part penetrate each other; 0: not at all
-  std::vector<NamedSolid> heads;  ///< in the tool's frame; only `check` is queried about them
+  std::vector<NamedSolid> heads;  ///< in the tool's frame; used by `check` only
   int check_exit = 0, correct_exit = 0;
   std::size_t moves = 0;
   std::vector<ExpectedFinding> findings;  ///< one per move that is not clean, by line; all others are clean

@@ -24,7 +24,7 @@ const char* type_word(const Json& value) {
 }
 
 // One value of the file and where it stands. The first error sticks; after it every result is empty, so the
-// readers below need not query after each step.
+// readers below need no test after each step.
 class Reader {
  public:
   Reader(std::string file, JsonLines lines) : lines_(std::move(lines)) { library_.file = std::move(file); }

@@ -33,7 +33,7 @@ double widest_within(const Vec2& a, const Vec2& b, double low, double high) {
   return std::max(at(low), at(high));
 }
 
-// An outline, requested its widest point within a range of heights; negative where it has none.
+// The widest point of an outline within a range of heights; negative where it has none.
 class Widths {
  public:
   explicit Widths(const std::vector<Vec2>& points) : points_(points), tree_(boxes_of(points)) {}

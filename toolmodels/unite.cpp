@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNudge = 3e-10;  // of the size: growth that breaks a tie no one can see
 
-// A body as the distances to it are queried.
+// A body in the form that its distances are computed from.
 struct Solid {
   CompiledTool tool;  // without a BSP: a few look-ups at each element do not pay for one
   double growth_mm = 0;

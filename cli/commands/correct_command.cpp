@@ -30,7 +30,7 @@ class ChangeTexts {
     for (const PathChange& change : changes) change_of_[change.move] = &change;
   }
 
-  /// To be requested in the order of the records.
+  /// Requires calls in the order of the records.
   void put_into(CorrectedRecord& record, const ChangeRecord& of) {
     if (change_of_[of.move] == nullptr) return;
     if (of.move != move_) next_ = 0;

@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// Scenes that several jobs share: each is read and indexed once, by the first job that queries, while others that want the
+/// Scenes that several jobs share: each is read and indexed once, by the first job that needs it, while others that want the
 /// same wait, and is released when the last job that may request it is done. May be used from several threads.
 class SceneStore {
  public:

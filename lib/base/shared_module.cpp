@@ -6,7 +6,7 @@
 namespace gouge {
 namespace {
 
-// Memory that OpenCV, MPI and the libraries behind them request while they are loaded. Some of those (OpenBLAS) query
+// Memory that OpenCV, MPI and the libraries behind them request while they are loaded. Some of those (OpenBLAS) retry
 // again forever for memory they are refused, so it is requested before they are.
 constexpr std::size_t kAddressSpaceToLoad = 512'000'000;
 

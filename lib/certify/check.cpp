@@ -34,7 +34,7 @@ CheckResult check_moves(const Toolpath& path, const CheckSetup& setup, const Pro
   CheckResult result = check_path(path, setup.tools, setup.scene, setup.options, progress, setup.kept);
   check_heads(path, setup.heads, setup.scene, setup.options, result, progress, setup.kept);
   settle_covers(path, !setup.heads.empty(), result);
-  summarise(path, result);  // the overcut requests the worst move of each event
+  summarise(path, result);  // the overcut needs the worst move of each event
   measure_overcuts(path, setup.tools, setup.scene, setup.options, result, setup.heads, progress, setup.kept);
   return result;
 }

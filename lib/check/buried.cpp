@@ -43,7 +43,7 @@ class ToolRegions {
 
   RegionFinder finder_;
   double usual_mm_;
-  int finest_;  // a tool of which less depth is sure is requested regions of that
+  int finest_;  // a tool with less certified depth has regions of that depth
   std::map<double, std::unique_ptr<FreeRegions>> stored_;
 };
 

@@ -17,7 +17,7 @@ namespace gouge {
 /// While nothing of the surface comes as deep into the tool as some points of it lie, those points cannot pass from
 /// outside to inside; nor can a move's last point and the next one's first differ. So each part of the tool that is
 /// connected at that depth is on one side during a whole chain of moves, which ends only at moves without a proof, and
-/// is queried once for all of it. A move stays clean only if every body of its tool has such a point and all of them are
+/// is tested once for all of it. A move stays clean only if every body of its tool has such a point and all of them are
 /// proved outside. Proof: docs/method/inside_outside.md.
 ///
 /// Cost     O(moves), and for each chain that never leaves the surfaces' box O(triangles).

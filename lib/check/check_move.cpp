@@ -335,7 +335,7 @@ void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kind
   std::vector<SweptMove> near_feed, near_rapid;
   const SearchQuery deep = query(options, 0, options.tolerance_mm);
   const std::vector<SweptMove> depth = sweep_moves(motions, whole_tool(tool, scene), deep);
-  // Where it is enough that all gouge nothing else is queried of them.
+  // Where all gouge, no further result is needed.
   const bool is_verdict_final =
       std::ranges::all_of(depth, [&](const SweptMove& swept) { return deep.is_met_by(swept.start.value_mm); });
   for (std::size_t k = 0; k < limits.size() && !is_verdict_final; ++k)

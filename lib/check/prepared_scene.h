@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-/// An obstacle with what is queried of it.
+/// An obstacle with its index and its surfaces.
 struct PreparedObstacle {
   ContactRule rule;
   std::span<const IndexedMesh> meshes;

@@ -47,8 +47,8 @@ class FreeChains {
   /// `point` is one that `item` keeps free.
   void add(std::size_t item, const Vec3& point) { beyond_[item] |= sides_.beyond(point); }
 
-  /// Requests each chain that was not seen beyond everything; `points_of` gives points of an item.
-  /// What `is_asked` leaves out belongs to no chain and gets no result; nothing: all are queried.
+  /// Decides each chain that was not seen beyond everything; `points_of` gives points of an item.
+  /// Motions that `is_asked` excludes belong to no chain and get no result. Empty: all are tested.
   /// Ensures the same results at any number of threads.
   void decide(unsigned threads, const std::function<ConnectedPoints(std::size_t)>& points_of,
               const std::function<bool(std::size_t)>& is_asked = {});

@@ -86,7 +86,7 @@ class Sweep {
     work.certified_mm = std::max(work.certified_mm, reach_mm_ - static_cast<double>(least));
   }
 
-  // Most are never requested: what a group prunes needs no frames of its parts.
+  // Most are never needed: the parts of a pruned group need no frames.
   void forget_frames() {
     frames_.clear();
     for (std::size_t size = 1;; size *= kGroup) {
@@ -231,7 +231,7 @@ class Sweep {
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t lane = order[k];
       if (need_ < asked) {
-        // A bound below what was requested is not proven: how far its feet may be was not examined.
+        // A bound below the requested one is not proven: the distance of its feet was not examined.
         asked = need_;
         kernel_.nodes(node, *frame_, piece_, asked, result);
         ++bounds_;

@@ -38,7 +38,7 @@ struct MoveVerdict {
   std::optional<double> clearance_mm;  ///< near: realised distance at the witness
   std::optional<double> overcut_mm;  ///< gouge of a closed solid: the tool reached as far below its surface, or farther
   double overcut_upper_mm = 0;       ///< where there is an overcut: the tool reached no farther
-  Reason reason;  ///< where not checked, not certified or buried; of a gouge and a near miss what else is to be stated
+  Reason reason;  ///< where not checked, not certified or buried; of a gouge and a near miss a remark
 };
 
 using MoveVerdicts = PagedVector<MoveVerdict>;  ///< one a move, in path order

@@ -124,7 +124,7 @@ struct AimedTarget {
 AimedTarget aimed_at(const ToolVariants& tool, const LimitedMesh& mesh, const CorrectionAim& aim) {
   const MeshLimit& limit = mesh.limit;
   SearchTarget target = target_on(limit.clearance_mm > 0 ? tool.bare : tool.*mesh.obstacle->rule.form, mesh);
-  target.reach_mm = 0;  // an aim below 0 requests it
+  target.reach_mm = 0;  // an aim below 0 needs it
   if (mesh.obstacle->rule.is_workpiece) return {target, std::min(aim.workpiece_mm, 0.5 * limit.tolerance_mm)};
   return {target, aim.clearance_mm - limit.clearance_mm};
 }

@@ -20,7 +20,7 @@ constexpr double kFirstPiece_mm = 8;  // no piece is longer
 constexpr double kMaxRim_mm = 0.5, kNearRim = 0.25;
 constexpr double kSure_mm = 1e-3;  // deeper than that below what is finished it is gouged for sure
 constexpr double kRelativeGap = 0.1, kStockGap_mm = 0.01;
-constexpr double kBeyond_mm = 1e-3;  // where a distance is not requested itself, but whether it is larger
+constexpr double kBeyond_mm = 1e-3;  // where only a comparison with the distance is needed
 
 double longest_mm(const SidedPiece& at) {
   const std::size_t k = longest_edge(at.corners);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kSmallestStep_mm = 1e-3;  // keeps the lift from creeping where the surface runs along the axis
 // Contacts count by the square of their excess: those below this share of the largest are of no account.
 constexpr double kNotable = 0.1;
-constexpr double kMargin_mm = 2e-3;  // how much further than queried the weighted shift reaches
+constexpr double kMargin_mm = 2e-3;  // how much further than required the weighted shift reaches
 
 /// As largest_excess, charged to the budget of the checker; infinite once that is spent.
 double tool_excess(const Pose& pose, const ToolVariants& tool, const MotionChecker& checker, const CorrectionAim& aim) {
@@ -40,7 +40,7 @@ std::optional<CorrectedPose> lift_along(const Vec3& way, Strategy strategy, cons
   }
 }
 
-/// How far the contacts of a pose query the tip to go.
+/// The distances that the contacts of a pose require of the tip.
 using ShiftOfContacts = Vec3 (*)(const std::vector<ToolContact>& contacts);
 
 Vec3 weighted_mean(const std::vector<ToolContact>& contacts) {

@@ -97,7 +97,7 @@ class ArcKeeper {
     return true;
   }
 
-  // Both ends go on in the direction in which they went: by the larger lift, and to the radius that all of it requests.
+  // Both ends go on in the direction in which they went: by the larger lift, and to the radius that all of it requires.
   bool move_ends(PathChange& change) {
     const std::size_t i = change.move;
     const bool are_moved = change.new_end && change_of_[i - 1] != nullptr && change_of_[i - 1]->new_end;

@@ -20,7 +20,7 @@ struct ArcKeeping {
 };
 
 /// Lets arcs that `correction` makes straight stay arcs, in this order: one arc between the ends that they got
-/// (shift_arc); one arc whose ends go on from there in the same direction, as far as all of it requests; or several, on
+/// (shift_arc); one arc whose ends go on from there in the same direction, as far as all of it requires; or several, on
 /// the clean stretches as they were (split_arc).
 ///
 /// Ensures  Positions and all other moves stay as proposed, but for the two ends of an arc that both were moved: those

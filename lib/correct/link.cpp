@@ -139,7 +139,7 @@ bool LinkFinder::is_clean(const Pose& from, const Pose& to, double clearance_mm)
   return task_.checker->is_clean(motion_between(from, to), task_.kind, *task_.tool, options, true);
 }
 
-// Where a dogleg runs straight is not requested: all its positions stay.
+// Straight parts of a dogleg need no search: all its positions stay.
 bool LinkFinder::is_between(const Pose& from, const Pose& to, const Pose& pose) const {
   if (task_.kind == MoveKind::rapid && task_.options.law.rapid() == RapidMode::dogleg) return false;
   const Motion motion = motion_between(from, to);

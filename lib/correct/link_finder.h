@@ -16,7 +16,7 @@ struct LinkNode {
 };
 using LinkNodes = std::vector<LinkNode>;
 
-/// The search behind bridge(). Whether the tool is inside a solid is queried where a path begins, at each position put
+/// The search behind bridge(). Whether the tool is inside a solid is tested where a path begins, at each position put
 /// into it and in each clean interval of the programmed motion; from there on a clean motion keeps it outside.
 class LinkFinder {
  public:

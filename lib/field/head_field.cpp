@@ -122,7 +122,7 @@ HeadField::HeadField(const CheckedToolpath& input, std::size_t max_poses)
     return head_instants(motion, reach, input.result->verdicts[move].depth_mm, max_step);
   };
   std::vector<FieldInstants> picked = pick_instants(input, max_poses, wanted);
-  // The deepest first: what they raise, the others need not be queried about.
+  // The deepest first: where they raise the depth, the others need no query.
   const auto depth_of = [&](const FieldInstants& one) { return input.result->verdicts[one.move].depth_mm; };
   std::stable_sort(picked.begin(), picked.end(),
                    [&](const FieldInstants& a, const FieldInstants& b) { return depth_of(a) > depth_of(b); });

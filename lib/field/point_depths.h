@@ -30,7 +30,7 @@ struct DepthRange {
 
 /// A body as balls of one radius see it: deepest where a point of one may have a depth that counts, else 0. What
 /// holds of all points of a node that is wider by the radius holds of all balls about the points of the node. One that
-/// represents several is requested them as long as they are close to each other, in leaves too.
+/// represents several is queried for them as long as they are close to each other, in leaves too.
 template <class Of>
 class AnyDepth {
  public:

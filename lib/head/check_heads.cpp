@@ -248,7 +248,7 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
 
 namespace {
 
-// The heads on the straight path to a position alone (check_path queries the tool).
+// The heads on the straight path to a position alone (check_path checks the tool).
 void check_links(const Toolpath& toolpath, const HeadChecker& checker, const CheckOptions& options,
                  MoveVerdicts& verdicts) {
   for (std::size_t i = 0; i < verdicts.size(); ++i) {

@@ -36,7 +36,7 @@ class ClosestTriangleSearch {
     return best_;
   }
 
-  /// The lanes of a node, the nearest first, as long as they may be nearer than what is known when each is requested.
+  /// The lanes of a node, the nearest first, as long as they may be nearer than the best known at that time.
   class Children {
    public:
     Children(ClosestTriangleSearch& search, const NodeBlock& node) : within_mm_(search.within_mm_) {

@@ -33,7 +33,7 @@ class Climb {
     return highest_;
   }
 
-  /// The lanes of a node that may be higher in the column than what is known when each is requested.
+  /// The lanes of a node that may be higher in the column than the best known at that time.
   class Children {
    public:
     Children(Climb& climb, const NodeBlock& node) : climb_(climb), node_(node) {}

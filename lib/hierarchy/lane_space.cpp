@@ -59,7 +59,7 @@ std::uint32_t LaneSpace::reached(const TriangleBlock& leaf) const {
 }
 
 // How far each lane reaches into the half-space that it reaches into least: its ball, or its disc where that is less.
-// Once no lane reaches into one of them the others are not requested.
+// Once no lane reaches into one of them, the others are not tested.
 GOUGE_WIDE void LaneSpace::find_reach(const NodeBlock& node, std::span<const Half> halves, Lanes& least) {
   least.fill(std::numeric_limits<float>::max());
   Lanes reach;

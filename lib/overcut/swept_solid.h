@@ -13,7 +13,7 @@
 namespace gouge {
 
 /// The points x with normal . (x - centre) <= offset + s drift at the instant that s in [-1/2, 1/2] names within the
-/// interval, centre and interval those of the cell it was requested.
+/// interval, centre and interval those of the cell that was queried.
 struct DriftingHalfSpace {
   Vec3 normal = Vec3::Zero();
   double offset_mm = 0, drift_mm = 0;

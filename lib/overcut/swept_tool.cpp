@@ -39,7 +39,7 @@ struct Chord {
 /// between them: largest of  r n_r + z n_z + radius  over a few discs, for each direction n.
 class Hull {
  public:
-  /// Bounds the points at heights [z_lo, z_hi] and at least r_lo from the axis, requested directions whose angle over the
+  /// Bounds the points at heights [z_lo, z_hi] and at least r_lo from the axis, for directions whose angle over the
   /// (r, z) plane's r axis is in [low, high].
   Hull(const CompiledTool& tool, double z_lo, double z_hi, double r_lo, double low, double high)
       : z_lo_(z_lo), z_hi_(z_hi), r_lo_(r_lo), min_across_(std::max(0.0, std::min(std::cos(low), std::cos(high)))) {

@@ -28,7 +28,7 @@ class DepthGrid {
 
   using Cell = std::array<int, 3>;
 
-  DepthGrid() = default;  ///< queries everywhere
+  DepthGrid() = default;  ///< empty: every point needs a query
   /// Requires a solid. At most about 4 million cells. Cost O(triangles and cells).
   explicit DepthGrid(const DepthBody& body);
 

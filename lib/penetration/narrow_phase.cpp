@@ -96,7 +96,7 @@ NarrowResult NarrowPhase::nearest(const Vec3& point, PenetrationCounters& counte
 }
 
 /// The nearest facet that was given is the nearest of all if the point is inside. Whether it is, the face decides when
-/// nothing else lies between; edges and vertices query the whole surface.
+/// nothing else lies between; edges and vertices need the whole surface.
 NarrowResult NarrowPhase::judge(const Vec3& point, std::uint32_t slot, const TrianglePoint& nearest,
                                 PenetrationCounters& counters) const {
   ClosestPoint foot = body_.surface.signed_closest_point(point, body_.tree.order[slot], nearest);

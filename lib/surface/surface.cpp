@@ -116,12 +116,12 @@ struct Surface::Shared {
   std::optional<bool> known_solid{};  ///< of a boundary that was made
   bool is_cut = false;                ///< faces alone show the side
 
-  /// Made by the first who queries.
+  /// Made by the first caller.
   template <class T>
   struct OnDemand {
     template <class Make>
     const T& get(Make make) const {
-      if (!is_made.load(std::memory_order_acquire)) {  // cheaper than call_once, which has to query a library
+      if (!is_made.load(std::memory_order_acquire)) {  // cheaper than call_once, which has to call a library
         std::call_once(once, [&] {
           value = make();
           is_made.store(true, std::memory_order_release);
@@ -215,7 +215,7 @@ bool Surface::winds_around(const Vec3& point) const {
   return is_inside({&mesh(), 1}, point);
 }
 
-/// Zero where the winding number must be queried.
+/// Zero where the winding number must be computed.
 Vec3 Surface::outward_at(std::uint32_t triangle, const TrianglePoint& foot) const {
   if (shared_->is_cut) return foot.feature == TriangleFeature::face ? face_normal(triangle) : Vec3(Vec3::Zero());
   const SurfaceSign& sign = shared_->sign.get([&] { return SurfaceSign(mesh(), triangles_at_vertices()); });

@@ -21,7 +21,7 @@ struct ClosestPoint {
   Vec3 normal =
       Vec3::UnitZ();           ///< unit; out of the body: along the line to or from the point, the facet's normal on it
   double distance_mm = 0;      ///< never negative
-  bool is_inside = false;      ///< the point requested lies in the solid; never where the surface is none
+  bool is_inside = false;      ///< the queried point lies in the solid; never where the surface is none
   std::uint32_t triangle = 0;  ///< of the mesh
 
   /// Negative inside.
@@ -47,7 +47,7 @@ class Surface {
   [[nodiscard]] bool is_solid() const;
 
   /// Returns where the solid ends: the surface itself, or where shells nest, overlap or cross, what of it has no material on one
-  /// side (solid_boundary.h). The only surface to request a side of a solid, or for a depth in it. Of what is no solid
+  /// side (solid_boundary.h). The only surface that answers for a side of a solid, or for a depth in it. Of what is no solid
   /// the surface itself; no solid where rounding leaves some of its sides unknown.
   /// Ensures  valid as long as this surface or a copy of it. Cost of the first call as find_solid_boundary.
   [[nodiscard]] const Surface& boundary() const;

@@ -144,7 +144,7 @@ struct FloatBox {
   }
 };
 
-/// A binary tree of boxes over the leaves, each of which is requested those behind it that it meets.
+/// A binary tree of boxes over the leaves. Each leaf is tested against the later leaves whose boxes it meets.
 class MeetingFinder {
  public:
   explicit MeetingFinder(const BlockTree& tree)

@@ -85,7 +85,7 @@ class Choosing {
     return parabolas_.find(rows_[layer], heights, 1, rows_[other]);
   }
 
-  /// Each one queried.
+  /// Tests each one.
   static std::uint32_t cheapest_allowed(const TiltLayer& from, const std::vector<double>& before, const Step& step,
                                         const TiltLayer& to, std::uint32_t b) {
     const double most2 = from.largest_change_rad * from.largest_change_rad;

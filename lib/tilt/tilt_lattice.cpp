@@ -18,7 +18,7 @@ constexpr int kLevels = 4;                // each with half the step
 constexpr int kFinestSteps = kCoarseSteps << (kLevels - 1);
 constexpr int kFinerPerStep = 4;       // about the way found
 constexpr double kTube = 1.5;          // how many steps of it the finer lattice reaches about the way
-constexpr int kMaxUncertain = 3;       // layers that are requested any free tilt where no way is left
+constexpr int kMaxUncertain = 3;       // layers that are searched for any free tilt where no way is left
 constexpr std::size_t kMaxOthers = 4;  // of those about a refused tilt that no known point refuses
 constexpr int kMaxRounds = 60;         // in which layers are added, ...
 constexpr int kMaxStrikes = 24;        // ... or motions struck out: what refuses these refuses most of their neighbours
@@ -170,7 +170,7 @@ class Lattice {
   }
 
   /// Where the tip may rise, what was refused before that stays refused if it does not or cannot. `is_raised`: whether
-  /// it does at any tilt there, from which on no more is queried.
+  /// it does at any tilt there. From then on nothing more is searched.
   [[nodiscard]] bool stays_refused(std::size_t position, Node node, bool& is_raised) {
     const KnownTilts::State state = state_of(position, node);
     KnownTilts& known = known_[position];

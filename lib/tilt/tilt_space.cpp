@@ -246,7 +246,7 @@ bool TiltSpace::may_stay_programmed(std::size_t i) const {
   return positions_[i].is_fixed() ? positions_[i].stays_programmed() : is_free(i, Tilt::Zero());
 }
 
-// Programmed motions are not requested again (is_free_between): a gouge of the cutter alone is no matter of tilts.
+// Programmed motions are not checked again (is_free_between): a gouge of the cutter alone is no matter of tilts.
 bool TiltSpace::holds_back(std::size_t i) const {
   if (!positions_[i].stays_programmed()) return false;
   const auto is_open = [&](std::size_t from, std::size_t neighbour) {

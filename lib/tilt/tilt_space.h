@@ -117,7 +117,7 @@ class TiltSpace {
 };
 
 /// The tilt last found free at each position of a run, and on the motion from it to the next, so that a sequence that
-/// changes in places is proved in these places alone. Different positions may be requested from different threads.
+/// changes in places is proved in these places alone. Different positions may be queried from different threads.
 class TiltProofs {
  public:
   explicit TiltProofs(const TiltSpace& space) : space_(space), free_at_(space.size()), free_after_(space.size()) {}

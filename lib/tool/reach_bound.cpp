@@ -20,11 +20,11 @@ constexpr int kHalvings = 30, kMaxJoints = 16;
 // Examines a ball, and how many an evaluation counts for: a tool of many teeth ends here, with a bound that is larger.
 constexpr std::size_t kMaxLooks = 10'000'000, kLooksOfEvaluation = 30;
 
-/// All that is nearer to `center` than `free_mm` lies deeper than the depth queried.
+/// All that is nearer to `center` than `free_mm` lies deeper than the given depth.
 struct Ball {
   Vec2 center = Vec2::Zero();
   double free_mm = 0;
-  bool is_joined = false;  // with an axis point that the check requests
+  bool is_joined = false;  // with an axis point that the check needs
 };
 
 struct CellBall {
@@ -130,7 +130,7 @@ class ReachSearch {
     return -signed_distance_mm(bare_, 0, ball.center.y()) > depth_mm_ + excess;
   }
 
-  /// Returns whether all of the straight line between two points is deeper than queried.
+  /// Returns whether all of the straight line between two points is deeper than the given depth.
   [[nodiscard]] bool are_joined(const Ball& a, const Ball& b, int joints = kMaxJoints) const {
     if (a.free_mm + b.free_mm > (a.center - b.center).norm()) return true;
     if (joints == 0 || is_tired()) return false;

@@ -41,7 +41,7 @@ inline Bounds3 cross(const Bounds3& a, const Bounds3& b) {
 }
 /// CGAL's own turns the processor's rounding over for the lower end, and back, which takes longer than the roots. Rounded
 /// upward the root of x is at most sqrt(x) (1 + e), e = 2^-52, and sqrt(x) (1 + e) (1 - e) < sqrt(x).
-/// What is below zero, by rounding, counts as zero.
+/// Values below zero, by rounding, count as zero.
 inline Bounds square_root(const Bounds& x) {
   constexpr double e = 0x1p-52;
   const double lower = std::sqrt(std::max(0.0, x.inf())), upper = std::sqrt(std::max(0.0, x.sup()));

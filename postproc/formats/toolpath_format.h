@@ -22,7 +22,7 @@ struct Decimals {
 };
 
 /// Format of a toolpath file: one row of the table of formats. Several dialects share a
-/// format. No code outside that table queries which row it has.
+/// format. No code outside that table depends on the row.
 struct ToolpathFormat {
   std::string_view id;  ///< Dialect::format
   /// The dialect of a file in this format, without its byte order mark; nothing where it is in another one.

@@ -24,7 +24,7 @@ class MotionSink {
   [[nodiscard]] virtual bool break_motion() = 0;
   /// The motions that follow are compensated; none: no longer. False where the dialect cannot state so.
   [[nodiscard]] virtual bool set_cutcom(CutcomSide side) = 0;
-  /// The tool retracts to where unknown. Not queried of dialects that cannot state so.
+  /// The tool retracts to where unknown. Unused in dialects that cannot state it.
   virtual void retract() = 0;
   /// The feed of the motions that follow; requires one that is a number. False where the dialect cannot state so.
   [[nodiscard]] virtual bool set_feed(const Feed& feed) = 0;

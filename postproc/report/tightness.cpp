@@ -11,8 +11,6 @@
 namespace gouge {
 namespace {
 
-// Bounds are sums of many doubles; the gap itself was queried of them.
-
 /// How far two bounds are apart, and how far they may be.
 struct Gap {
   double mm = 0, asked_mm = 0;

@@ -11,7 +11,7 @@
 namespace gouge {
 
 /// Checkpoints of one long job, stretch by stretch, in a database of its own, each stretch committed and synchronised
-/// when it is there. The file is opened, or made, when the job first queries: short jobs never do. Where that fails
+/// when it is there. The file is opened, or made, at the job's first query: short jobs make none. Where that fails
 /// nothing is kept; a file that is damaged is begun anew.
 class WorkStore : public CheckpointStore {
  public:
@@ -22,7 +22,7 @@ class WorkStore : public CheckpointStore {
   [[nodiscard]] std::optional<std::string> find(std::string_view stage, std::size_t stretch) override;
   void keep(std::string_view stage, std::size_t stretch, std::string_view bytes) override;
 
-  /// Returns whether anything was queried or kept: there may be a file.
+  /// Returns whether anything was read or kept: there may be a file.
   [[nodiscard]] bool is_used() const { return is_opened_; }
 
  private:

@@ -177,7 +177,7 @@ std::string viewer_page(const std::string& scene) {
   page += kViewerMarkup;
   page += "<script type=\"text/plain\" id=\"desk-data\">";
   page += scene;
-  // The table of findings is behind it in the page, and is requested the first one.
+  // The table of findings follows it in the page and supplies the first one.
   page += "</script>\n<script>\n\"use strict\";\ndocument.addEventListener(\"DOMContentLoaded\", () => {\n";
   page += kViewerScript;
   return page + "});\n</script>\n";

@@ -123,7 +123,7 @@ struct Search {
 
   /// Keeps the part of the triangle where something lower than the best may still be, as a polygon in the
   /// triangle's own coordinates, and cuts it at its centre of gravity by the plane tangent there: convexity
-  /// leaves at most 1 - 1/e of its area after each cut. No smoothness is queried. True when nothing is left.
+  /// leaves at most 1 - 1/e of its area after each cut. No smoothness is required. True when nothing is left.
   bool cut(const std::array<Vec3, 3>& t) {
     constexpr int kCuts = 120;
     const Vec3 u = t[1] - t[0], v = t[2] - t[0];

@@ -8,7 +8,7 @@ namespace gouge::bench {
 namespace {
 
 constexpr std::uint32_t kLeafTriangles = 4;
-constexpr double kRounding_mm = 1e-9;  // far above that of doubles at 100 mm, far below every accuracy queried
+constexpr double kRounding_mm = 1e-9;  // far above that of doubles at 100 mm, far below every required accuracy
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMargin_mm = 1e-4;  // far above single precision at 100 mm
 
-/// Radius of the piece at height z; straight between the heights queried about.
+/// Radius of the piece at height z; straight between the queried heights.
 double outline(const ConvexPiece& piece, double z) {
   const Vec2 &low = piece.contour[piece.contour.size() - 3], &high = piece.contour[piece.contour.size() - 2];
   const Vec2 along = (high - low).normalized();

@@ -3,7 +3,7 @@
 //
 //   KIND   memory (malloc and its like), map (mmap), thread, open, read, write, sync, place (rename, linkat, mkdir,
 //          fchmod, fchown, ftruncate), remove (unlink, rmdir), close
-//   WHAT   the name of an errno (EIO), short (half of what was queried), or a signal (SIGKILL)
+//   WHAT   the name of an errno (EIO), short (half of the request), or a signal (SIGKILL)
 //
 // Calls are counted from main on, or where GOUGE_FAULT_EARLY is set from the first of the dynamic loader on. Their
 // numbers are written to the file GOUGE_FAULT_COUNTS, one "KIND N" a line. What the C library calls within itself

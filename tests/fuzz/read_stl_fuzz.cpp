@@ -12,7 +12,7 @@
 #include "tests/fuzz/require.h"
 
 // STL of either kind: what was read is a mesh with sound indices and finite vertices, its findings agree with it,
-// joining near vertices moves none farther than queried, and what is written of a binary file in mm reads back as the
+// joining near vertices moves none farther than allowed, and what is written of a binary file in mm reads back as the
 // same mesh.
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);

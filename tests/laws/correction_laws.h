@@ -217,7 +217,7 @@ class LawBook {
   }
 
   /// Left out on purpose: its positions are no shifted ones, and the path is not kept to. That every motion of it is as
-  /// lawful as others (a, b, c) is queried all the same.
+  /// lawful as others (a, b, c) is tested all the same.
   bool is_uncut(std::size_t i) const {
     return std::ranges::any_of(c_.correction->uncut, [i](const Uncut& u) {
       return u.kind == Uncut::Kind::left_out && i >= u.first && i <= u.last;

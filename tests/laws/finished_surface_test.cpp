@@ -252,7 +252,7 @@ TEST(FinishedSurface, OfAFlatEndOnAFloorKeepsItFromBeingTilted) {
     const Finish finish = tilted.finish();
     EXPECT_GT(finish.finished, 1000U);
     EXPECT_GT(finish.left, 0U);
-    // The same path requested what is left: no less than the samples find, but for how they are spaced.
+    // The same path measured for what is left: no less than the samples find, but for how they are spaced.
     CorrectOptions usual;
     const std::vector<StockStretch> stock =
         measure_stock(tilted.path, tilted.corrected->correction, tilted.corrected->after.path, tilted.own.setup, usual);

@@ -32,7 +32,7 @@ Outcome run_batch(const std::string& folder, std::vector<std::string> words);
 /// Runs `sql` on a store, as somebody else may.
 void change_store(const std::string& file, const std::string& sql);
 
-/// The number that `sql` queries of a store; -1 where there is none.
+/// The number that `sql` selects from a store; -1 where there is none.
 [[nodiscard]] long number_in_store(const std::string& file, const std::string& sql);
 
 /// Names that differ or are on one side alone, for messages; empty where both are the same.

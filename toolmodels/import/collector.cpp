@@ -122,7 +122,7 @@ struct Place {
   std::optional<Diagnostic> ambiguous;
 };
 
-// `name` below `folder`, spelled as it stands there; as it was requested where there is none.
+// `name` below `folder`, spelled as in the folder; as given where there is none.
 Place find_ignoring_case(const fs::path& folder, const fs::path& name) {
   fs::path at = folder;
   for (const fs::path& step : name) {

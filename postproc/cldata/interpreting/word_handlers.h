@@ -2,7 +2,7 @@
 
 #include "postproc/cldata/interpreting/states.h"
 
-// Effects of the words: one function for each that queries more than one state, and one table from word to function.
+// Effects of the words: one function for each that reads more than one state, and one table from word to function.
 
 namespace gouge {
 

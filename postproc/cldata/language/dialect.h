@@ -7,7 +7,7 @@
 #include <string_view>
 
 // Dialect of a CAM system that a file follows, recognised by its content or stated by the user. A dialect
-// is data: one row of traits that readers and writers request. No code queries which dialect it is. Evidence for each
+// is data: one row of traits that readers and writers use. No code depends on the dialect itself. Evidence for each
 // trait: docs/formats/.
 
 namespace gouge {
@@ -62,7 +62,7 @@ enum class FeedInCycle : std::uint8_t { anywhere, nowhere, before_first_hole };
 enum class CutterForm : std::uint8_t { whole, with_diameter, without_angles, diameter_alone, none };
 
 struct Dialect {
-  DialectKind kind = DialectKind::apt;     ///< its row in the tables of dialects, and nothing to request
+  DialectKind kind = DialectKind::apt;     ///< its row in the tables of dialects, and nothing else
   std::string_view id = "apt";             ///< Toolpath::dialect, and what --dialect takes
   std::string_view title = "APT CL data";  ///< for people
   std::string_view format = "text";        ///< its row in the table of formats

@@ -45,7 +45,7 @@ inline constexpr std::size_t kNccsExpandedWords = 21;
 /// begins with at least three records of known classes, one after another.
 [[nodiscard]] bool is_nccs_binary(std::string_view bytes);
 
-/// The words of a file, without its padding. Requires `word` < words() where one is requested.
+/// The words of a file, without its padding. Requires `word` < words().
 class NccsWords {
  public:
   explicit NccsWords(std::string_view bytes) : bytes_(bytes) {}

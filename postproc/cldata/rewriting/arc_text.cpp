@@ -122,7 +122,7 @@ void ArcText::learn(const Statement& statement) {
   if (indices->angle) learn_from(angles_, *indices->angle, 1);
 }
 
-// As read_arc reads them; that it does is queried of every statement written.
+// As read_arc reads them. Every written statement is read back to test it.
 std::optional<ArcText::ArgumentIndices> ArcText::indices_of(const Statement& statement,
                                                             const std::vector<Argument>& arguments) const {
   if (statement.word != Word::circle && statement.word != Word::movarc) return std::nullopt;

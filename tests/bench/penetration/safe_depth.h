@@ -7,7 +7,7 @@
 namespace gouge {
 
 enum class SafeDepthLimit {
-  asked,     ///< safe as deep as was queried
+  asked,     ///< safe to the requested depth
   collapse,  ///< a facet of the offset has shrunk to nothing: local curvature
   obstacle,  ///< another part of the surface comes within reach: feature size
 };

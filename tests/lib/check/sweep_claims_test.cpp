@@ -195,7 +195,7 @@ TEST(SweepClaims, NoBoundOfAPieceIsAboveThePiece) {
     for (std::uint32_t m = 0; m < c.motions.size(); ++m) append_steps(c.motions[m], m, steps);
     const SweepFrame frame = sweep_frame(steps, tree.origin, tree.rounding_mm);
     for (const CoverPiece& piece : make_convex_cover(c.tool).pieces) {
-      // Feet and ends are claims about the tool; here the distance of the piece itself is requested.
+      // Feet and ends are claims about the tool; here the distance of the piece itself is measured.
       KernelPiece k = kernel_piece(piece);
       k.foot_lo_mm = -3e38F, k.foot_hi_mm = 3e38F, k.r_below_mm = k.r_above_mm = 3e38F;
       KernelResult node, triangle;

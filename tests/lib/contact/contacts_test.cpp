@@ -69,7 +69,7 @@ TEST(Contacts, FixturesAndClearancesAreCorrectedForAsWell) {
   const Scene fixture{{shapes::moved(shapes::cube(1), Vec3(0, 0, -300))}, {floor_triangle()}};
   EXPECT_EQ(find_contacts(upright(-0.3), tools::ball(), prepare_scene(fixture), kAim).size(), 1U);
 
-  // The holder (16 mm, from z = 50) passes a wall at 16.4 mm; requested are 1 mm.
+  // The holder (16 mm, from z = 50) passes a wall at 16.4 mm; the clearance is 1 mm.
   const Scene wall{{shapes::box(Vec3(16.4, -9, 55), Vec3(40, 9, 80))}, {}};
   EXPECT_TRUE(find_contacts(upright(0), tools::ball(), prepare_scene(wall), kAim).empty());
   const ToolVariants cautious = tools::variants(tools::assembly(BallCutter{10, 30}), 0, 0, 1);

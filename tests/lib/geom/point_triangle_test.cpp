@@ -12,7 +12,7 @@
 namespace gouge {
 namespace {
 
-/// A hundred digits: exact to far beyond what is queried, also of triangles a millionth of a nanometre wide.
+/// A hundred digits: exact far beyond what is needed, also for triangles a millionth of a nanometre wide.
 using Number = boost::multiprecision::cpp_bin_float_100;
 using Exact = std::array<Number, 3>;
 using Triangle = std::array<Vec3, 3>;

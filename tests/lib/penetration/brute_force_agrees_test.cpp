@@ -19,7 +19,7 @@
 
 // Depth and direction against all triangles and the winding number, for every k, tree width and normal
 // method. GOUGE_PENETRATION_POINTS sets how many points there are in all (short by default). Every point is
-// queried in 9 of the 81 settings, every setting sees its share; with GOUGE_PENETRATION_ALL=1 in all of them.
+// tested in 9 of the 81 settings, every setting sees its share; with GOUGE_PENETRATION_ALL=1 in all of them.
 
 namespace gouge {
 namespace {

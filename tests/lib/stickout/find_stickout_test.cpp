@@ -27,7 +27,7 @@ ToolAssembly held_tool() {
   return tool;
 }
 
-/// A path of one tool over a scene, and what is queried of both.
+/// A path of one tool over a scene, and the options for both.
 struct Problem {
   ToolAssembly tool = held_tool();
   Scene scene;

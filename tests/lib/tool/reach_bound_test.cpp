@@ -24,7 +24,7 @@ double reach_at(const CompiledTool& tool, double depth, double enough) {
   return bound_reach(tool, tool, depth, enough);
 }
 
-/// The reach by looking: places of a grid, those deeper than queried by all but half a step that are joined with the axis
+/// The reach by looking: places of a grid, those deeper than the given depth by all but half a step that are joined with the axis
 /// by neighbours (so no fewer than truly are), and the farthest point of the tool from them.
 class GridReach {
  public:

@@ -81,7 +81,7 @@ TEST(OvercutField, FindsTheToolBelowASurfaceItDoesNotPierce) {
   EXPECT_NEAR(static_cast<double>(field.overcut_at({{above, -Vec3::UnitZ(), 0}})[0]), 8, 0.4);
 }
 
-// Whoever queries about balls first must not lose a ray: one from above, and one the tool passes below.
+// A query for balls first must not lose a ray: one from above, and one the tool passes below.
 TEST(OvercutField, MayBeDeepWhereverARayHasAnOvercut) {
   Plunge below(60);
   below.path.moves[0].end = {Vec3(-20, 15, 25), Vec3(-1, 0, 0)};

@@ -27,7 +27,7 @@ bool has_type(const json& value, const std::string& type) {
 }
 
 // The part of JSON Schema that report.schema.json uses. Unknown keywords count as errors, so that the schema
-// cannot request something this does not examine.
+// cannot have a field that this does not examine.
 void check_schema(const json& root, const json& schema, const json& value, const std::string& where,
                   std::vector<std::string>& errors) {
   for (const auto& [keyword, rule] : schema.items()) {
