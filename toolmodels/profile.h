@@ -59,7 +59,7 @@ struct Profile {
 /// Broken invariants, empty when the contour is a closed half section: it starts and ends on the axis and
 /// touches it nowhere else, elements join end to start, have length, lie on their circles, do not cross or
 /// touch, and keep the solid on the left.
-///          Of many crossings the first hundred or so are named.
+///          At most a hundred or so crossings are named.
 /// Cost     n log n for n elements whose boxes are apart, at worst quadratic; arcs are examined as polygons of 48 chords.
 [[nodiscard]] std::vector<std::string> verify_profile(const Profile& profile);
 

@@ -94,12 +94,12 @@ class ResultReader {
 
   void read_options(const JsonField& options) {
     CheckOptions& check = result_.options.check;
-    check.tolerance_mm = min_zero(options.at("tolerance"));
-    check.resolution_mm = min_zero(options.at("resolution"));
+    check.tolerance_mm = non_negative(options.at("tolerance"));
+    check.resolution_mm = non_negative(options.at("resolution"));
     check.stock_to_leave_mm = length(options.at("stock_to_leave"));
-    check.shank_clearance_mm = min_zero(options.at("shank_clearance"));
-    check.holder_clearance_mm = min_zero(options.at("holder_clearance"));
-    check.near_miss_mm = min_zero(options.at("near_miss"));
+    check.shank_clearance_mm = non_negative(options.at("shank_clearance"));
+    check.holder_clearance_mm = non_negative(options.at("holder_clearance"));
+    check.near_miss_mm = non_negative(options.at("near_miss"));
     JobArguments& a = result_.arguments;
     const std::size_t rapid = options.at("rapid").word(kRapids);
     a.rapid = kRapids[rapid];
@@ -185,13 +185,13 @@ class ResultReader {
     if (!std::isfinite(value)) field.fail("a length");
     return value;
   }
-  [[nodiscard]] double min_zero(const JsonField& field) const {
+  [[nodiscard]] double non_negative(const JsonField& field) const {
     const double value = length(field);
     if (!(value >= 0)) field.fail("a length of 0 or more");
     return value;
   }
   [[nodiscard]] std::optional<double> length_or_null(const JsonField& field) const {
-    return field.is_null() ? std::nullopt : std::optional(min_zero(field));
+    return field.is_null() ? std::nullopt : std::optional(non_negative(field));
   }
 
   const std::string& file_;

@@ -63,7 +63,7 @@ class Surface {
   /// The closest point within `within_mm`; nothing when there is none (or no triangle at all).
   ///
   /// Ensures  exact at any distance, on both sides of a solid; of equally near triangles the lowest (closest_triangle.h).
-  ///          Of what is no solid every point counts as outside.
+  ///          Without a solid every point counts as outside.
   /// Requires for is_inside: a surface that is the boundary of its body (boundary()).
   /// Cost     about O(log n).
   [[nodiscard]] std::optional<ClosestPoint> closest_point(

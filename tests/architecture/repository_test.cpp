@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -41,7 +42,8 @@ const std::vector<SourceFile>& repository() {
         if (it->is_regular_file() && is_text) add(it->path());
       }
     }
-    for (const char* file : {"README.md", "CMakeLists.txt", "CMakePresets.json", ".clang-format", ".clang-tidy"}) {
+    for (const char* file :
+         {"README.md", "SECURITY.md", "CMakeLists.txt", "CMakePresets.json", ".clang-format", ".clang-tidy"}) {
       if (fs::exists(root / file)) add(root / file);
     }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
@@ -195,6 +197,20 @@ TEST(Repository, EveryPathTheDocumentsNameIsThere) {
     }
   }
   EXPECT_GT(named, 30U);
+}
+
+TEST(Repository, EveryPageThatAFileNamesIsThere) {
+  static const std::regex page(R"(\bdocs/[a-z_/0-9]+\.md\b)");
+  const fs::path root = source_folder();
+  std::size_t named = 0;
+  for (const SourceFile& file : repository()) {
+    if (file.path == "tests/architecture/rules_test.cpp") continue;  // names pages of made-up repositories
+    for (std::sregex_iterator at(file.text.begin(), file.text.end(), page), end; at != end; ++at) {
+      ++named;
+      EXPECT_TRUE(fs::exists(root / at->str())) << file.path << " names " << at->str();
+    }
+  }
+  EXPECT_GT(named, 100U);
 }
 
 }  // namespace

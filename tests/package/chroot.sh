@@ -64,8 +64,8 @@ inside gougecheck --version
 inside test -e /usr/share/man/man1/gougecheck.1.gz || echo "note: this build has no manual pages"
 
 # The Python module: the first check of the documentation, as written.
-sed -n '/^```python$/,/^```$/p' "$source/docs/python.md" | sed '/^```/d' >"$root/first.py"
-sed -n '/^```text$/,/^```$/p' "$source/docs/python.md" | sed '/^```/d' >"$root/wanted.txt"
+sed -n '/^```python$/,/^```$/p' "$source/docs/guide/python.md" | sed '/^```/d' >"$root/first.py"
+sed -n '/^```text$/,/^```$/p' "$source/docs/guide/python.md" | sed '/^```/d' >"$root/wanted.txt"
 inside python3 /first.py >"$root/out.txt" 2>&1 || { cat "$root/out.txt" && fail "docs/guide/python.md"; }
 cmp "$root/wanted.txt" "$root/out.txt" || fail "docs/guide/python.md prints something else"
 for script in lead_angle sampling_misses; do
