@@ -20,21 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The keys that the tables of options allow in a project file.
-const std::vector<std::string>& allowed_keys() {
-  static const std::vector<std::string> keys = [] {
-    std::vector<std::string> all;
-    for (const std::vector<std::string>& some : {project_keys_of(reading_options()), project_keys_of(job_options()),
-                                                 project_keys_of(check_options()), project_keys_of(correct_options())})
-      all.insert(all.end(), some.begin(), some.end());
-    return all;
-  }();
-  return keys;
-}
-
 bool is_allowed(const CLI::Option& option) {
   return !option.get_lnames().empty() &&
-         std::ranges::find(allowed_keys(), option.get_lnames().front()) != allowed_keys().end();
+         std::ranges::find(project_options(), option.get_lnames().front(), &OptionKind::key) != project_options().end();
 }
 
 std::optional<std::string> why_not_in_project(const CLI::Option& option) {
@@ -124,9 +112,21 @@ const ProjectOption* ProjectFile::option(const std::string& key) const {
   return found == options.end() ? nullptr : &*found;
 }
 
+const std::vector<OptionKind>& project_options() {
+  static const std::vector<OptionKind> kinds = [] {
+    std::vector<OptionKind> all;
+    add_project_options(reading_options(), all);
+    add_project_options(job_options(), all);
+    add_project_options(check_options(), all);
+    add_project_options(correct_options(), all);
+    return all;
+  }();
+  return kinds;
+}
+
 std::vector<std::string> project_keys() {
   std::vector<std::string> keys;
-  for (const std::string& key : allowed_keys()) keys.push_back(key_of_option(key));
+  for (const OptionKind& kind : project_options()) keys.push_back(key_of_option(kind.key));
   return keys;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/options/job_options.h"
+#include "cli/options/option_table.h"
 #include "lib/base/result.h"
 
 namespace gouge {
@@ -28,7 +29,10 @@ struct ProjectFile {
   [[nodiscard]] const ProjectOption* option(const std::string& key) const;
 };
 
-/// The long names of all options that a project file may set, in the order of the tables.
+/// Returns all options that a project file may set, in the order of the tables.
+[[nodiscard]] const std::vector<OptionKind>& project_options();
+
+/// Returns their keys in a project file.
 [[nodiscard]] std::vector<std::string> project_keys();
 
 /// The project file that holds in the working directory: the nearest one from there up to the root of its repository

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <ostream>
 
+#include "cli/file_schemas.h"
 #include "cli/options/command_doc.h"
 #include "cli/options/help_text.h"
 #include "cli/options/parse_errors.h"
@@ -12,6 +13,7 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/result.h"
+#include "postproc/record/record_schema.h"
 
 namespace gouge {
 namespace {
@@ -61,11 +63,23 @@ void add_self_commands(CLI::App& app, SelfArguments& arguments) {
       "  gougecheck completion zsh > ~/.zfunc/_gougecheck\n"
       "  gougecheck completion fish > ~/.config/fish/completions/gougecheck.fish\n\n"
       "An installed gougecheck has brought them along.");
+  CLI::App* schema = app.add_subcommand("schema", "Print the JSON Schema of a file that the program reads or writes");
+  schema
+      ->add_option("FILE", arguments.file_kind,
+                   "The file: result, what --json writes; project, gougecheck.json; jobs, the list of a batch")
+      ->check(CLI::IsMember({"result", "project", "jobs"}))
+      ->required();
+  schema->footer("Example:\n  gougecheck schema project > gougecheck.schema.json");
 }
 
 int run_self_command(const CLI::App& app, const SelfArguments& arguments, std::ostream& out, std::ostream& err) {
   if (app.got_subcommand("completion")) {
     out << write_completion(arguments.shell, document(app));
+    return kExitClean;
+  }
+  if (app.got_subcommand("schema")) {
+    const std::string& kind = arguments.file_kind;
+    out << (kind == "result" ? result_schema() : kind == "project" ? project_schema() : jobs_schema());
     return kExitClean;
   }
   const Result<const CLI::App*> command = command_called(app, arguments.command);

@@ -10,10 +10,11 @@ class App;
 
 namespace gouge {
 
-/// `help`, `man` and `completion`: what the program states of itself.
+/// Arguments of `help`, `man`, `completion` and `schema`, which print what the program states of itself.
 struct SelfArguments {
   std::vector<std::string> command;  ///< of help and man: the words of a command
-  std::string shell;
+  std::string shell;                 ///< of completion
+  std::string file_kind;             ///< of schema
 };
 
 void add_self_commands(CLI::App& app, SelfArguments& arguments);

@@ -7,7 +7,7 @@
 namespace gouge {
 
 /// Cuts are straight or bisectors and go through all of a cell, so a contour of many teeth or a traced one is cut into
-/// far more cells than it has regions. Such a tool has a tree over its contour (contour_tree.h).
+/// far more cells than it has regions. Such a tool has a tree of boxes over its contour (lib/tool/box_tree.h).
 inline constexpr std::size_t kMaxBspElements = 40;
 inline constexpr std::size_t kMaxBspNodes = 16;
 
@@ -17,7 +17,7 @@ inline constexpr std::size_t kMaxBspNodes = 16;
 /// Ensures   the leaf a point falls to is its nearest element (rounding at ties apart), everywhere in r >= 0.
 ///           nodes[0] is the root; no nodes when there is one element, when there are more than kMaxBspElements, and
 ///           when the diagram takes more than kMaxBspNodes nodes for each element.
-/// Cost      for each node a examine every line that still matters; milliseconds for twenty elements.
+/// Cost      for each node, examines every line that still matters; milliseconds for twenty elements.
 /// Source    Ho 1999, thesis 2.4.18; construction own, docs/method/tool_voronoi.md
 [[nodiscard]] std::vector<BspNode> build_bsp(const std::vector<BoundaryElement>& elements);
 

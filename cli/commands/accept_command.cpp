@@ -84,12 +84,12 @@ std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
 }
 
 void list(const StoredResult& result, std::ostream& out) {
-  std::vector<const StoredFinding*> findings;
-  for (const StoredFinding& finding : result.findings) findings.push_back(&finding);
-  std::ranges::sort(findings, {}, &StoredFinding::number);
-  for (const StoredFinding* finding : findings) {
-    out << printable(std::to_string(finding->number) + "  " + result.toolpath + ":" + std::to_string(finding->line) +
-                     ": " + stored_finding_text(result, *finding))
+  std::vector<const EventRecord*> findings;
+  for (const EventRecord& finding : result.findings) findings.push_back(&finding);
+  std::ranges::sort(findings, {}, &EventRecord::number);
+  for (const EventRecord* finding : findings) {
+    out << printable(std::to_string(*finding->number) + "  " + result.record.toolpath.file + ":" +
+                     std::to_string(finding->line) + ": " + stored_finding_text(result, *finding))
         << "\n";
   }
   out << count_text(findings.size(), "finding") << " in " << printable(result.file) << "\n";

@@ -67,12 +67,34 @@ class ChangeTexts {
   const char *last_old_ = nullptr, *last_new_ = nullptr;
 };
 
-CorrectedRecord corrected_record(const ChangeRecord& r, const Toolpath& before, ChangeTexts& texts) {
+/// The path before a correction, its verdicts, and the names of its obstacles.
+struct BeforeCorrection {
+  const Toolpath& path;
+  const CheckResult& result;
+  const SceneFiles& files;
+};
+
+/// Returns the gouge of a move as the cause of a change. For a buried move no surface is named.
+CauseRecord cause_of(std::size_t move, const BeforeCorrection& before) {
+  const MoveVerdict& verdict = before.result.verdicts[move];
+  CauseRecord cause;
+  cause.move = move;
+  cause.line = before.path.moves[move].line;
+  cause.state = verdict.state;
+  cause.depth_mm = verdict.depth_mm;
+  cause.body = verdict.witness ? verdict.witness->body : verdict.reason.body;
+  if (!verdict.witness) return cause;
+  cause.against = verdict.witness->against;
+  const SceneFiles& files = before.files;
+  cause.mesh = (*cause.against == Against::part ? files.parts : files.fixtures).at(verdict.witness->mesh).name;
+  return cause;
+}
+
+CorrectedRecord corrected_record(const ChangeRecord& r, const BeforeCorrection& before, ChangeTexts& texts) {
   CorrectedRecord record;
   record.move = r.move;
-  record.line = before.moves[r.move].line;
-  record.is_uncut = r.strategy == Strategy::trim;
-  const bool is_between_shifts = r.is_inserted && r.strategy != Strategy::tilt && !record.is_uncut;
+  record.line = before.path.moves[r.move].line;
+  const bool is_between_shifts = r.is_inserted && r.strategy != Strategy::tilt && r.strategy != Strategy::trim;
   record.strategy = is_between_shifts ? "inserted" : strategy_name(r.strategy);
   record.is_inserted = r.is_inserted;
   record.shift_mm = r.shift_mm;
@@ -81,27 +103,20 @@ CorrectedRecord corrected_record(const ChangeRecord& r, const Toolpath& before, 
   record.depth_before_mm = r.depth_before_mm;
   record.depth_after_mm = r.depth_after_mm;
   record.iterations = r.iterations;
-  if (r.cause != kNone) record.cause = r.cause;
+  if (r.cause != kNone) record.cause = cause_of(r.cause, before);
   texts.put_into(record, r);
   return record;
 }
 
-UncutRecord::Kind uncut_kind(Uncut::Kind kind) {
-  return kind == Uncut::Kind::hole     ? UncutRecord::Kind::hole
-         : kind == Uncut::Kind::lifted ? UncutRecord::Kind::lifted
-                                       : UncutRecord::Kind::left_out;
-}
-
 CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options, const Correction& correction,
-                         const Toolpath& before, const CheckResult& result, const Toolpath& after) {
+                         const BeforeCorrection& before, const Toolpath& after) {
   CorrectionFacts facts;
   facts.output_file = arguments.reported_output();
   facts.strategy = strategies_text(arguments);
   facts.max_shift_mm = options.max_shift_mm;
   facts.max_side_shift_mm = options.max_side_shift_mm;
   facts.rapid_clearance_mm = options.rapid_clearance_mm;
-  const std::vector<WrittenStatement> all = list_written(before, correction.changes, after);
-  for (const WrittenStatement& written : all) facts.written.push_back({written_name(written.kind), written.line});
+  facts.written = list_written(before.path, correction.changes, after);
   for (const PathChange& change : correction.changes) {
     if (!change.is_straightened && change.inserted_arcs.empty()) continue;
     const auto arcs = std::ranges::count_if(change.inserted_arcs, [](const auto& arc) { return arc.has_value(); });
@@ -110,23 +125,14 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
     facts.curves += straight > 0 ? 1 : 0;
     facts.straight_moves += straight;
   }
-  facts.toolpath_before = &before;
-  facts.result_before = &result;
-  ChangeTexts texts(before, correction.changes, after, all);
+  facts.toolpath_before = &before.path;
+  facts.result_before = &before.result;
+  ChangeTexts texts(before.path, correction.changes, after, facts.written);
   for (const ChangeRecord& r : correction.records) facts.changes.push_back(corrected_record(r, before, texts));
-  for (const Uncut& u : correction.uncut) {
-    facts.uncut.push_back({u.first, u.last, before.moves[u.first].line, before.moves[u.last].line, u.positions,
-                           u.length_mm, uncut_kind(u.kind)});
-  }
-  for (const StockStretch& s : correction.stock) {
-    facts.stock.push_back({s.first, s.last, before.moves[s.first].line, before.moves[s.last].line, s.most.thickness_mm,
-                           s.most.is_more, s.most.is_undecided, s.most.point});
-  }
-  for (const LowRapid& r : correction.low_rapids)
-    facts.low_rapids.push_back({r.move, before.moves[r.move].line, r.keeps_mm});
-  for (const Uncorrected& u : correction.uncorrected) {
-    facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason, u.is_changed});
-  }
+  facts.uncut = correction.uncut;
+  facts.stock = correction.stock;
+  facts.low_rapids = correction.low_rapids;
+  facts.uncorrected = correction.uncorrected;
   return facts;
 }
 
@@ -169,17 +175,16 @@ std::optional<Diagnostic> find_misfit(const Toolpath& path, const CheckResult& r
 
 /// Builds the content that `correct` adds to its report.
 ReportParts parts_of(const CorrectArguments& arguments, const CorrectOptions& options, const RotaryLimit& limit,
-                     const LawfulCorrection& corrected, const Toolpath& before, const CheckResult& result,
-                     std::string_view text) {
+                     const LawfulCorrection& corrected, const BeforeCorrection& before, std::string_view text) {
   const Correction& correction = corrected.correction;
   ReportParts parts;
-  parts.correction = facts_of(arguments, options, correction, before, result, corrected.after.path);
+  parts.correction = facts_of(arguments, options, correction, before, corrected.after.path);
   parts.correction->output_bytes = text;
-  parts.correction->axes = measure_axes(before, correction.changes, corrected.after.path, limit);
+  parts.correction->axes = measure_axes(before.path, correction.changes, corrected.after.path, limit);
   parts.more_options = recorded_options(arguments, correct_options());
-  add_axes_outside(before, options.tilt.cone, parts.notes);
-  add_not_tilted(before, correction.not_tilted, parts.notes);
-  add_left_stock(before, *parts.correction, parts.notes);
+  add_axes_outside(before.path, options.tilt.cone, parts.notes);
+  add_not_tilted(before.path, correction.not_tilted, parts.notes);
+  add_left_stock(before.path, *parts.correction, parts.notes);
   return parts;
 }
 
@@ -220,7 +225,7 @@ int run_correct(const CorrectArguments& arguments, const JobContext& context) {
       correct_lawfully(path, before, run.setup(), *correct, rewrite, run.progress().call());
   if (!corrected) return run.fail_with(corrected.error(), kExitInternal);
   run.progress().begin("summing up the result");
-  ReportParts parts = parts_of(arguments, *correct, *limit, *corrected, path, before, text);
+  ReportParts parts = parts_of(arguments, *correct, *limit, *corrected, {path, before, *run.job().files}, text);
   return run.write(run.report(corrected->after.path, corrected->after.result, std::move(parts)));
 }
 

@@ -32,13 +32,13 @@ class Verifier {
   /// Errors: certificate-invalid.
   Result<Verification> run(const std::string& certificate_name, std::string_view certificate, double seconds) {
     for (const std::string& what : find_contradictions(result_)) refute(std::nullopt, what);
-    if (scene_.path.moves.size() != result_.moves) {
-      refute(std::nullopt, "the result has " + std::to_string(result_.moves) + " moves and the toolpath " +
+    if (scene_.path.moves.size() != result_.totals.moves) {
+      refute(std::nullopt, "the result has " + std::to_string(result_.totals.moves) + " moves and the toolpath " +
                                std::to_string(scene_.path.moves.size()));
       return std::move(done_);
     }
     if (const auto wrong = find_wrong_joints(scene_)) refute(*wrong, "its rotary angles do not give its tool axes");
-    claims_ = result_.claims_of(result_.moves);
+    claims_ = result_.claims_of(result_.totals.moves);
     const ClaimedTools tools = claimed_tools(scene_);
     const SceneOrders orders(scene_);
     progress_.begin("verifying witnesses");

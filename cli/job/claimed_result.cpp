@@ -2,24 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "cli/job/claimed_scene.h"
 #include "cli/options/job_options.h"
 #include "cli/options/option_table.h"
 #include "lib/base/units.h"
-#include "lib/json/json_field.h"
+#include "postproc/record/read_record.h"
+#include "postproc/record/words.h"
 
 namespace gouge {
 namespace {
-
-using nlohmann::json;
-
-// In the order of ClaimedState.
-const std::vector<std::string> kStates = {"clean", "near", "gouge", "buried", "not-checked", "not-certified"};
-constexpr std::array<const char*, 6> kTotals = {"clean", "near", "gouge", "buried", "not_checked", "not_certified"};
-const std::vector<std::string> kRapids(kRapidWords.begin(), kRapidWords.end());  // in the order of RapidMode
 
 /// A file where the result names it, or beside the result.
 std::string found_at(const std::string& name, const std::string& result_file) {
@@ -29,173 +22,137 @@ std::string found_at(const std::string& name, const std::string& result_file) {
   return !fs::exists(name, error) && fs::exists(beside, error) ? beside.string() : name;
 }
 
-class ResultReader {
+/// Takes from a record what a verification needs. `root` places the errors.
+class ClaimTaker {
  public:
-  ResultReader(const std::string& file, const JsonField& root) : file_(file), root_(root) {}
+  ClaimTaker(const std::string& file, const JsonField& root, const ResultRecord& record)
+      : file_(file), root_(root), record_(record) {}
 
   // After the first error, which `root` keeps, of no meaning.
-  ClaimedResult read() {
-    result_.mm_per_unit = mm_per(root_.at("unit").word({"mm", "in"}) == 1 ? LengthUnit::inch : LengthUnit::mm);
-    result_.program = root_.at("program").at("name").text() + " " + root_.at("program").at("version").text();
-    result_.verdict = root_.at("verdict").text();
-    result_.exit_status = root_.at("exit_status").count();
-    result_.has_baseline = !root_.at("baseline").is_null();
-    if (const auto facts = root_.find("assumptions")) {
-      for (const JsonField& fact : facts->list()) read_fact(fact);
-    }
-    for (const JsonField& input : root_.at("inputs").list()) read_input(input);
-    read_options(root_.at("options"));
-    if (result_.arguments.has_warnings_as_errors) read_warnings(root_.at("notes"));
-    const JsonField totals = root_.at("totals");
-    result_.moves = totals.at("moves").count();
-    result_.left_out_as_asked = totals.at("left_out_as_asked").count();
-    for (const char* const total : kTotals) result_.totals[total] = totals.at(total).count();
-    for (const JsonField& move : root_.at("moves").list()) read_move(move);
-    for (const JsonField& event : root_.at("events").list()) read_finding(event);
+  ClaimedResult take() {
+    result_.mm_per_unit = mm_per(record_.unit);
+    result_.program = std::string(kProgramName) + " " + record_.program.version;
+    result_.verdict = record_.verdict;
+    result_.exit_status = record_.exit_status;
+    result_.has_baseline = record_.baseline.has_value();
+    for (const Assumption& fact : record_.assumptions) take_fact(fact);
+    const std::vector<JsonField> inputs = root_.at("inputs").list();
+    for (std::size_t k = 0; k < record_.inputs.size(); ++k) take_input(inputs[k], record_.inputs[k]);
+    take_options(record_.options);
+    if (result_.arguments.has_warnings_as_errors) take_warnings();
+    result_.totals = record_.totals;
+    for (const MoveRecord& move : record_.moves) take_move(move);
+    for (const EventRecord& event : record_.events)
+      result_.findings.push_back({claimed_state(event.state), event.first_move, event.last_move, event.worst_move});
     return std::move(result_);
   }
 
  private:
-  void read_fact(const JsonField& fact) {
-    const std::string state = fact.at("state").text();
-    const std::string name = fact.at("fact").text();
-    if (fact.at("is_open").flag()) {
+  void take_fact(const Assumption& fact) {
+    const std::string name = subject_name(fact.subject);
+    if (fact.is_open) {
       result_.open_facts.push_back(name);
-    } else if (state == basis_name(Basis::contradicted) || state == basis_name(Basis::unknown)) {
-      result_.hidden_facts.push_back(name + " (" + state + ")");
+    } else if (fact.basis == Basis::contradicted || fact.basis == Basis::unknown) {
+      result_.hidden_facts.push_back(name + " (" + basis_name(fact.basis) + ")");
     }
   }
 
   // With --warnings-as-errors a warning is as open as a fact.
-  void read_warnings(const JsonField& notes) {
-    for (const JsonField& note : notes.list()) {
-      if (note.at("severity").text() == "warning") result_.open_facts.emplace_back("warnings");
+  void take_warnings() {
+    for (const Diagnostic& note : record_.notes) {
+      if (note.severity == Severity::warning) result_.open_facts.emplace_back("warnings");
     }
   }
 
-  void read_input(const JsonField& input) {
+  void take_input(const JsonField& field, const InputFile& input) {
     JobArguments& a = result_.arguments;
-    const std::string role = input.at("role").text();
+    const std::string& role = input.role;
     if (role == "baseline" || role == "project") return;  // no verdict depends on the bytes of these
-    const std::string as_named = input.at("name").text(), name = found_at(as_named, file_);
-    if (as_named.empty() || as_named.find('\0') != std::string::npos) input.at("name").fail("the name of a file");
-    result_.inputs.push_back({role, name, input.at("bytes").count(), input.at("checksum").text()});
+    if (input.name.empty() || input.name.find('\0') != std::string::npos) field.at("name").fail("the name of a file");
+    const std::string name = found_at(input.name, file_);
+    result_.inputs.push_back({role, name, input.bytes, input.checksum});
     if (role == "toolpath") a.path = name;
     if (role == "part") a.parts.push_back(name);
     if (role == "fixture") a.fixtures.push_back(name);
     if (role == "head") a.heads.push_back(name);
     if (role == "tools") a.tools_file = name;
     if (role == "machine") a.machine = name;
-    if (role == "part") named_parts_.push_back(as_named);
-    if (role == "fixture") named_fixtures_.push_back(as_named);
+    if (role == "part") named_parts_.push_back(input.name);
+    if (role == "fixture") named_fixtures_.push_back(input.name);
     if (role == "part" || role == "fixture")
-      meshes_[role + " " + as_named] = (role == "part" ? a.parts : a.fixtures).size() - 1;
+      meshes_[role + " " + input.name] = (role == "part" ? a.parts : a.fixtures).size() - 1;
   }
 
-  void read_options(const JsonField& options) {
+  void take_options(const OptionsRecord& options) {
     CheckOptions& check = result_.options.check;
-    check.tolerance_mm = non_negative(options.at("tolerance"));
-    check.resolution_mm = non_negative(options.at("resolution"));
-    check.stock_to_leave_mm = length(options.at("stock_to_leave"));
-    check.shank_clearance_mm = non_negative(options.at("shank_clearance"));
-    check.holder_clearance_mm = non_negative(options.at("holder_clearance"));
-    check.near_miss_mm = non_negative(options.at("near_miss"));
+    check.tolerance_mm = options.tolerance_mm;
+    check.resolution_mm = options.resolution_mm;
+    check.stock_to_leave_mm = options.stock_to_leave_mm;
+    check.shank_clearance_mm = options.shank_clearance_mm;
+    check.holder_clearance_mm = options.holder_clearance_mm;
+    check.near_miss_mm = options.near_miss_mm;
     JobArguments& a = result_.arguments;
-    const std::size_t rapid = options.at("rapid").word(kRapids);
-    a.rapid = kRapids[rapid];
-    check.law = static_cast<RapidMode>(rapid);
-    const JsonField more = options.at("more");
+    a.rapid = options.rapid;
+    check.law = rapid_called(options.rapid).value_or(RapidMode::straight);
     const auto given = [&](const std::string& key, bool is_repeatable) {
-      if (is_repeatable) return all_given(more, key.c_str());
-      const std::optional<JsonField> value = more.find(key);
-      return value ? std::vector<std::string>{value->text()} : std::vector<std::string>();
+      std::vector<std::string> texts = all_given(key);
+      if (!is_repeatable && texts.size() > 1) root_.at("options").at("more").at(key).fail("one text");
+      return texts;
     };
     repeat_options<ReadingArguments>(a.reading, reading_options(), given);
     const std::string machine = a.machine;
     repeat_options(a, job_options(), given);
     if (!machine.empty()) a.machine = machine;
-    read_limits(more, "part", Against::part, named_parts_);
-    read_limits(more, "fixture", Against::fixture, named_fixtures_);
+    take_limits("part", Against::part, named_parts_);
+    take_limits("fixture", Against::fixture, named_fixtures_);
   }
 
-  void read_limits(const JsonField& more, const char* option, Against against, const std::vector<std::string>& named) {
+  void take_limits(const char* option, Against against, const std::vector<std::string>& named) {
+    const auto fail = [&](const char* expected) { root_.at("options").at("more").at(option).fail(expected); };
     std::vector<std::string> files;
     LimitTexts texts;
-    split_limits(all_given(more, option), files, texts);
+    split_limits(all_given(option), files, texts);
     const Result<std::vector<MeshLimit>> limits =
         understand_limits("--" + std::string(option), against, named, texts, result_.options.check.tolerance_mm);
-    if (!limits) return more.at(option).fail("limits of the files that are named");
+    if (!limits) return fail("limits of the files that are named");
     std::vector<MeshLimit>& all = result_.options.limits;
     all.insert(all.end(), limits->begin(), limits->end());
-    if (limits->size() != texts.size()) more.at(option).fail("a file that is named among the inputs");
+    if (limits->size() != texts.size()) fail("a file that is named among the inputs");
   }
 
-  // For an option that may be given several times: a text, or a list of them.
-  static std::vector<std::string> all_given(const JsonField& more, const char* option) {
-    const std::optional<JsonField> value = more.find(option);
-    if (!value) return {};
-    if (value->is_text()) return {value->text()};
-    std::vector<std::string> texts;
-    for (const JsonField& text : value->list()) texts.push_back(text.text());
-    return texts;
+  [[nodiscard]] std::vector<std::string> all_given(const std::string& option) const {
+    const OptionTexts& more = record_.options.more;
+    const auto found = std::ranges::find(more, option, [](const auto& one) { return one.first; });
+    return found == more.end() ? std::vector<std::string>() : found->second;
   }
 
-  void read_finding(const JsonField& event) {
-    result_.findings.push_back({static_cast<ClaimedState>(event.at("state").word(kStates)),
-                                event.at("first_move").count(), event.at("last_move").count(),
-                                event.at("worst_move").count()});
-  }
-
-  void read_move(const JsonField& move) {
+  void take_move(const MoveRecord& move) {
     MoveClaim claim;
-    claim.state = static_cast<ClaimedState>(move.at("state").word(kStates));
-    claim.depth_mm = length_or_null(move.at("depth")).value_or(0);
-    claim.depth_upper_mm = length_or_null(move.at("depth_upper"));
-    claim.clearance_mm = length_or_null(move.at("clearance"));
-    if (const JsonField named = move.at("witness"); !named.is_null()) claim.witness = witness(named);
-    const std::size_t index = move.at("move").count();
-    result_.lines[index] = move.at("line").count();
-    if (!result_.claims.emplace(index, claim).second) result_.totals["moves named twice"]++;
+    claim.state = claimed_state(move.state);
+    claim.depth_mm = move.depth_mm.value_or(0);
+    claim.depth_upper_mm = move.depth_upper_mm;
+    claim.clearance_mm = move.clearance_mm;
+    if (move.witness) claim.witness = witness(*move.witness);
+    result_.lines[move.move] = move.line;
+    if (!result_.claims.emplace(move.move, claim).second) result_.names_a_move_twice = true;
   }
 
-  [[nodiscard]] ClaimedWitness witness(const JsonField& w) const {
-    static const std::vector<std::string> kBodies = {"cutter", "shank", "holder", "head"};
-    static const std::vector<std::string> kCounterparts = {"part", "fixture"};
-    ClaimedWitness read;
-    read.t = w.at("t").number();
-    read.point = vector(w.at("point")) * result_.mm_per_unit;
-    read.normal = vector(w.at("normal"));
-    read.body = static_cast<Body>(w.at("body").word(kBodies));
-    const std::size_t against = w.at("against").word(kCounterparts);
-    read.is_fixture = against == 1;
-    const auto mesh = meshes_.find(kCounterparts[against] + " " + w.at("mesh").text());
-    read.mesh = mesh == meshes_.end() ? static_cast<std::size_t>(-1) : mesh->second;
-    read.triangle = w.at("triangle").count();
-    return read;
-  }
-
-  [[nodiscard]] static Vec3 vector(const JsonField& field) {
-    const std::vector<JsonField> numbers = field.list();
-    if (numbers.size() == 3) return {numbers[0].number(), numbers[1].number(), numbers[2].number()};
-    field.fail("three numbers");
-    return Vec3::Zero();
-  }
-  [[nodiscard]] double length(const JsonField& field) const {
-    const double value = field.number() * result_.mm_per_unit;
-    if (!std::isfinite(value)) field.fail("a length");
-    return value;
-  }
-  [[nodiscard]] double non_negative(const JsonField& field) const {
-    const double value = length(field);
-    if (!(value >= 0)) field.fail("a length of 0 or more");
-    return value;
-  }
-  [[nodiscard]] std::optional<double> length_or_null(const JsonField& field) const {
-    return field.is_null() ? std::nullopt : std::optional(non_negative(field));
+  [[nodiscard]] ClaimedWitness witness(const WitnessRecord& w) const {
+    ClaimedWitness claimed;
+    claimed.t = w.t;
+    claimed.point = w.point_mm;
+    claimed.normal = w.normal;
+    claimed.body = w.body;
+    claimed.is_fixture = w.against == Against::fixture;
+    const auto mesh = meshes_.find(std::string(against_name(w.against)) + " " + w.mesh);
+    claimed.mesh = mesh == meshes_.end() ? static_cast<std::size_t>(-1) : mesh->second;
+    claimed.triangle = w.triangle;
+    return claimed;
   }
 
   const std::string& file_;
   JsonField root_;
+  const ResultRecord& record_;
   std::vector<std::string> named_parts_, named_fixtures_;
   std::map<std::string, std::size_t> meshes_;  // by role and name: which of its kind
   ClaimedResult result_;
@@ -229,18 +186,32 @@ void compare_findings(const ClaimedResult& result, std::vector<std::string>& all
 
 /// Finds impossible totals. It ignores which gouges were accepted.
 std::optional<std::string> find_wrong_verdict(const ClaimedResult& result) {
-  const auto total = [&](const char* state) { return result.totals.at(state); };
+  const TotalsRecord& total = result.totals;
   const bool is_open =
-      total("not_checked") > result.left_out_as_asked || total("not_certified") > 0 || !result.open_facts.empty();
-  const bool may_be_accepted = result.has_baseline && total("buried") == 0;
+      total.not_checked > total.left_out_as_asked || total.not_certified > 0 || !result.open_facts.empty();
+  const bool may_be_accepted = result.has_baseline && total.buried == 0;
   std::string expected = is_open ? "not-fully-checked" : "clean";
-  if (total("gouge") + total("buried") > 0 && !(may_be_accepted && is_open && result.verdict == expected))
+  if (total.gouge + total.buried > 0 && !(may_be_accepted && is_open && result.verdict == expected))
     expected = may_be_accepted && !is_open && result.verdict == "accepted-gouges" ? result.verdict : "gouges";
   if (result.verdict != expected)
     return "its verdict is '" + result.verdict + "', that of its totals '" + expected + "'";
-  const std::size_t status = expected == "gouges" ? 1 : expected == "not-fully-checked" ? 4 : 0;
+  const int status = expected == "gouges" ? 1 : expected == "not-fully-checked" ? 4 : 0;
   if (result.exit_status == status) return std::nullopt;
   return "its exit status is " + std::to_string(result.exit_status) + ", that of its verdict " + std::to_string(status);
+}
+
+/// Compares the totals with the moves that are listed.
+void compare_totals(const ClaimedResult& result, std::vector<std::string>& all) {
+  const TotalsRecord& t = result.totals;
+  const std::array totals = {t.clean, t.near, t.gouge, t.buried, t.not_checked, t.not_certified};
+  std::array<std::size_t, totals.size()> counted{};
+  for (const auto& [move, claim] : result.claims) ++counted.at(static_cast<std::size_t>(claim.state));
+  counted.front() = t.moves - std::min(t.moves, result.claims.size());
+  for (std::size_t k = 0; k < totals.size(); ++k) {
+    if (totals.at(k) != counted.at(k))
+      all.push_back("its totals count " + std::to_string(totals.at(k)) + " moves as " + state_words()[k] +
+                    ", its moves " + std::to_string(counted.at(k)));
+  }
 }
 
 }  // namespace
@@ -253,16 +224,14 @@ std::vector<MoveClaim> ClaimedResult::claims_of(std::size_t path_moves) const {
 }
 
 Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_view bytes) {
-  Result<JsonFile> parsed = parse_json(file, bytes, {"result-syntax", "result-duplicate-key", "the result of a check"});
-  if (!parsed) return parsed.error();
-  const json& root = parsed->root;
-  if (!root.is_object() || root.value("format", json()) != "gougecheck-report" ||
-      root.value("format_version", json()) != 1)
+  Result<ReadRecord> read = read_record(file, bytes);
+  if (!read && read.error().code == "result-format")
     return invalid(file, "it is no result of gougecheck in a version that is known");
-  if (root.contains("correction") && !root.at("correction").is_null())
+  if (!read) return read.error();
+  if (read->record.correction)
     return invalid(file, "it is the result of a correction; check the corrected toolpath with --json and verify that");
-  JsonErrors errors{file, "result-field", &parsed->lines};
-  ClaimedResult result = ResultReader(file, JsonField(root, errors)).read();
+  JsonErrors errors{file, "result-field", &read->json.lines};
+  ClaimedResult result = ClaimTaker(file, JsonField(read->json.root, errors), read->record).take();
   if (errors.first) return *errors.first;
   const CheckOptions check = result.options.check;
   const std::vector<MeshLimit> limits = result.options.limits;
@@ -276,21 +245,13 @@ Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_v
 
 std::vector<std::string> find_contradictions(const ClaimedResult& result) {
   std::vector<std::string> all;
-  std::array<std::size_t, kTotals.size()> counted{};
   for (const auto& [move, claim] : result.claims) {
-    ++counted.at(static_cast<std::size_t>(claim.state));
-    if (move >= result.moves) all.push_back("it names move " + std::to_string(move) + ", which is not there");
+    if (move >= result.totals.moves) all.push_back("it names move " + std::to_string(move) + ", which is not there");
     if (claim.state == ClaimedState::clean)
       all.push_back("it lists move " + std::to_string(move) + " and calls it clean");
   }
-  if (result.totals.count("moves named twice") != 0) all.push_back("it names a move twice");
-  counted.front() = result.moves - std::min(result.moves, result.claims.size());
-  for (std::size_t k = 0; k < kTotals.size(); ++k) {
-    const std::size_t total = result.totals.at(kTotals.at(k));
-    if (total != counted.at(k))
-      all.push_back("its totals count " + std::to_string(total) + " moves as " + kStates[k] + ", its moves " +
-                    std::to_string(counted.at(k)));
-  }
+  if (result.names_a_move_twice) all.push_back("it names a move twice");
+  compare_totals(result, all);
   compare_findings(result, all);
   for (const std::string& fact : result.hidden_facts) all.push_back("it does not count as open the fact " + fact);
   if (auto wrong = find_wrong_verdict(result)) all.push_back(std::move(*wrong));

@@ -8,6 +8,7 @@
 #include "cli/options/job_options.h"
 #include "lib/base/result.h"
 #include "lib/verify/claims.h"
+#include "postproc/record/result_record.h"
 #include "postproc/report/report_model.h"
 
 // A result as JSON, read back: what was checked, with which options, and what is claimed of it.
@@ -20,15 +21,15 @@ struct ClaimedResult {
   std::vector<InputFile> inputs;
   std::string program;  ///< name and version
   std::string verdict;  ///< its word
-  std::size_t exit_status = 0;
+  int exit_status = 0;
   bool has_baseline = false;              ///< some gouges may be accepted
   std::vector<std::string> open_facts;    ///< assumptions that it calls open
   std::vector<std::string> hidden_facts;  ///< contradicted or unknown ones that it does not
   double mm_per_unit = 1;
-  std::size_t moves = 0, left_out_as_asked = 0;  ///< as it states, whatever the toolpath has
-  std::map<std::size_t, MoveClaim> claims;       ///< of every move that is not clean
-  std::map<std::size_t, std::size_t> lines;      ///< of these
-  std::map<std::string, std::size_t> totals;     ///< by the name of a state
+  TotalsRecord totals;                       ///< as it states, whatever the toolpath has
+  std::map<std::size_t, MoveClaim> claims;   ///< of every move that is not clean
+  std::map<std::size_t, std::size_t> lines;  ///< of these
+  bool names_a_move_twice = false;
 
   struct Finding {
     ClaimedState state = ClaimedState::not_checked;

@@ -4,7 +4,6 @@
 #include "lib/base/sha256.h"
 
 namespace gouge {
-namespace {
 
 ClaimedState claimed_state(MoveState state) {
   switch (state) {
@@ -23,8 +22,6 @@ ClaimedState claimed_state(MoveState state) {
   }
   return ClaimedState::not_checked;
 }
-
-}  // namespace
 
 ClaimedScene claimed_scene(const Job& job) {
   const CheckOptions& options = job.options.check;

@@ -13,6 +13,8 @@ namespace gouge {
 /// The job must outlive it.
 [[nodiscard]] ClaimedScene claimed_scene(const Job& job);
 
+[[nodiscard]] ClaimedState claimed_state(MoveState state);
+
 [[nodiscard]] std::vector<MoveClaim> claims_of(const CheckResult& result);
 
 /// SHA-256 of the roles and checksums of all inputs, in their order: what a certificate is about.

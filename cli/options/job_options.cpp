@@ -90,6 +90,7 @@ OptionRows<JobArguments> input_rows() {
        .recorded = Recorded::repeated},
       {.name = "--max-input",
        .field = +[](CLI::App& command, A& a) { add_input_limit(command, a.input); },
+       .type = "SIZE",
        .scope = Scope::project},
       {.name = "--extend-up",
        .field = &A::is_extended_up,

@@ -136,14 +136,24 @@ void repeat_options(Arguments& arguments, const OptionRows<Arguments>& rows, con
   }
 }
 
-/// Returns the keys of the options of `rows` that a project file may set.
+/// The values that an option takes, as a project file and a job list hold them.
+struct OptionKind {
+  std::string key, type;
+  bool is_flag = false, is_repeatable = false;
+  std::vector<std::string> choices;  ///< empty: any
+};
+
+/// Adds the options of `rows` that a project file may set.
 template <typename Arguments>
-std::vector<std::string> project_keys_of(const OptionRows<Arguments>& rows) {
-  std::vector<std::string> keys;
-  for (const OptionRow<Arguments>& row : rows) {
-    if (row.scope == Scope::project) keys.push_back(row.key());
+void add_project_options(const OptionRows<Arguments>& rows, std::vector<OptionKind>& kinds) {
+  using Row = OptionRow<Arguments>;
+  for (const Row& row : rows) {
+    if (row.scope != Scope::project) continue;
+    const bool is_flag = std::holds_alternative<bool Arguments::*>(row.field);
+    const bool is_repeatable = std::holds_alternative<std::vector<std::string> Arguments::*>(row.field) ||
+                               std::holds_alternative<typename Row::TakeTexts>(row.field);
+    kinds.push_back({row.key(), row.type, is_flag, is_repeatable, row.choices});
   }
-  return keys;
 }
 
 }  // namespace gouge

@@ -116,4 +116,14 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
+std::string valid_utf8(std::string_view text) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::optional<CodePoint> c = decode_utf8(text, at);
+    out += c ? text.substr(at, c->bytes) : std::string_view("\xEF\xBF\xBD");
+    at += c ? c->bytes : 1;
+  }
+  return out;
+}
+
 }  // namespace gouge

@@ -36,4 +36,7 @@ struct CodePoint {
 /// Returns whether all of the text is well-formed.
 [[nodiscard]] bool is_utf8(std::string_view text);
 
+/// Returns the text with every byte that is not UTF-8 replaced by U+FFFD.
+[[nodiscard]] std::string valid_utf8(std::string_view text);
+
 }  // namespace gouge

@@ -80,7 +80,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     run();
     if (const Candidate* const open = undecided()) give_up(open->at, open->upper_mm);
     if (undecided_mm_ <= threshold_mm()) return left_;
-    if (!left_) return LeftStock{limits_.allowed_mm, false, true, undecided_, kNone};
+    if (!left_) return LeftStock{limits_.allowed_mm, false, false, undecided_, kNone};
     left_->is_more = true;
     return left_;
   }
@@ -139,7 +139,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     const std::size_t move = before_.covering_move({&finished, 1}, candidate.finished);
     if (move == kNone || is_at_rim(candidate, middle, 0)) return true;
     if (!is_found()) work_until_left_ = work_;
-    left_ = LeftStock{std::min(away, limits_.max_mm), away >= limits_.max_mm, false, middle, move};
+    left_ = LeftStock{std::min(away, limits_.max_mm), away >= limits_.max_mm, true, middle, move};
     return true;
   }
 

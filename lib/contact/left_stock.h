@@ -14,7 +14,7 @@ namespace gouge {
 struct LeftStock {
   double thickness_mm = 0;    ///< from the point to the nearest place that is cut; no point is left by much more
   bool is_more = false;       ///< it may be more than that: nothing near is cut, or the search ended before
-  bool is_undecided = false;  ///< no such point was found, but that there is none is not proved
+  bool is_proved = true;      ///< false: no such point was found, but that there is none is not proved
   Vec3 point = Vec3::Zero();  ///< of the surface
   std::size_t move = kNone;   ///< the motion that finished it
 };

@@ -37,8 +37,8 @@ class LiftedCuts {
       if (change.new_end) is_changed_[change.move + 1] = true;
     }
     for (const Uncut& uncut : correction.uncut)
-      std::fill(is_changed_.begin() + static_cast<std::ptrdiff_t>(uncut.first),
-                is_changed_.begin() + static_cast<std::ptrdiff_t>(uncut.last + 1), false);
+      std::fill(is_changed_.begin() + static_cast<std::ptrdiff_t>(uncut.first_move),
+                is_changed_.begin() + static_cast<std::ptrdiff_t>(uncut.last_move + 1), false);
   }
 
   [[nodiscard]] std::vector<Uncut> find() const {
@@ -47,9 +47,9 @@ class LiftedCuts {
       if (!is_changed_[i] || !is_cut(i)) continue;
       const double lost = lost_mm(i);
       if (!(lost > 0)) continue;
-      const bool goes_on = !lifted.empty() && lifted.back().last + 1 == i;
-      if (!goes_on) lifted.push_back({i, i, 0, 0, Uncut::Kind::lifted});
-      lifted.back().last = i;
+      const bool goes_on = !lifted.empty() && lifted.back().last_move + 1 == i;
+      if (!goes_on) lifted.push_back({.first_move = i, .kind = Uncut::Kind::lifted});
+      lifted.back().last_move = i;
       lifted.back().length_mm += lost;
       const Pose& end = after_.moves[spans_[i].last - 1].end;
       lifted.back().positions += (end.tip - path_.moves[i].end.tip).norm() > limit_mm(i) ? 1U : 0U;
@@ -159,7 +159,7 @@ std::vector<Uncorrected> list_remaining(const Toolpath& path, const CheckResult&
     if (worst == nullptr) continue;
     const double depth = is_changed[i] ? worst->depth_mm : before.verdicts[i].depth_mm;
     const std::string reason = known[i] != nullptr ? known[i]->reason : usual_reason(path.moves[i], *worst);
-    remaining.push_back({i, worst->state == MoveState::gouge ? depth : 0, reason, is_changed[i]});
+    remaining.push_back({i, path.moves[i].line, worst->state == MoveState::gouge ? depth : 0, reason, is_changed[i]});
   }
   return remaining;
 }
@@ -174,7 +174,16 @@ void keep_place(const CheckResult& before, CheckResult& after) {
 void add_lifted_cuts(const Toolpath& path, const Toolpath& after, const CheckSetup& setup, Correction& correction) {
   const std::vector<Uncut> lifted = find_lifted_cuts(path, correction, after, setup);
   correction.uncut.insert(correction.uncut.end(), lifted.begin(), lifted.end());
-  std::ranges::stable_sort(correction.uncut, {}, &Uncut::first);
+  std::ranges::stable_sort(correction.uncut, {}, &Uncut::first_move);
+}
+
+/// Fills the lines of all stretches.
+template <typename Stretch>
+void add_lines(const Toolpath& path, std::vector<Stretch>& stretches) {
+  for (Stretch& stretch : stretches) {
+    stretch.first_line = path.moves[stretch.first_move].line;
+    stretch.last_line = path.moves[stretch.last_move].line;
+  }
 }
 
 }  // namespace
@@ -206,6 +215,8 @@ Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckR
         keep_place(result, after.result);
         add_lifted_cuts(toolpath, after.path, setup, correction);
         correction.low_rapids = find_low_rapids(toolpath, correction, after.path, setup, correct);
+        add_lines(toolpath, correction.uncut);
+        add_lines(toolpath, correction.stock);
         return LawfulCorrection{std::move(correction), std::move(after)};
       }
       if (correction.changes.empty()) {

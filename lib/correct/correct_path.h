@@ -44,6 +44,7 @@ struct ChangeRecord {
 /// A move that still gouges, or is buried, and why.
 struct Uncorrected {
   std::size_t move = 0;
+  std::size_t line = 0;
   double depth_mm = 0;
   std::string reason;
   bool is_changed = false;  ///< its own record was changed all the same, for a neighbour's sake or to gouge less
@@ -55,14 +56,15 @@ struct NotTilted {
   std::string reason;
 };
 
-/// Moves [first, last] of which something is not cut any more.
+/// Moves [first_move, last_move] of which something is not cut any more.
 struct Uncut {
   enum class Kind {
     left_out,  ///< the tool passes above them
     hole,      ///< a hole is drilled less deep
     lifted,    ///< cuts are farther from their programmed place than the cutter's radius
   };
-  std::size_t first = 0, last = 0;
+  std::size_t first_move = 0, last_move = 0;
+  std::size_t first_line = 0, last_line = 0;
   std::size_t positions = 0;  ///< programmed ones that are not visited
   double length_mm = 0;       ///< of the programmed feeds; of a hole what is missing of its depth
   Kind kind = Kind::left_out;
@@ -70,16 +72,18 @@ struct Uncut {
 
 /// A move that became rapids, or that is one and runs elsewhere, and comes nearer than the clearance.
 struct LowRapid {
-  std::size_t move = 0;
+  std::size_t move = 0, line = 0;
   double keeps_mm = 0;  ///< certified: nothing is nearer; negative: it is no deeper in part or fixtures
 };
 
-/// Changed moves [first, last] after which some of what they finished stands out.
+/// Changed moves [first_move, last_move] after which some of what they finished stands out.
 struct StockStretch {
-  std::size_t first = 0, last = 0;
+  std::size_t first_move = 0, last_move = 0;
+  std::size_t first_line = 0, last_line = 0;
   LeftStock most;
 };
 
+/// Lines of its lists are those of the path as it was; 0 in a proposal.
 struct Correction {
   std::vector<PathChange> changes;  ///< in path order, for write_corrected
   std::vector<ChangeRecord> records;

@@ -78,7 +78,7 @@ std::vector<LowRapid> find_low_rapids(const Toolpath& path, const Correction& co
     if (!(least < correct.rapid_clearance_mm)) continue;
     const bool is_programmed = path.moves[i].kind == MoveKind::rapid && spans[i].last - spans[i].first == 1;
     if (is_programmed && least >= measurer.keeps_mm(path, i) - kAsMuch_mm) continue;
-    low.push_back({i, least});
+    low.push_back({i, path.moves[i].line, least});
   }
   return low;
 }

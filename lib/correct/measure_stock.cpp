@@ -57,7 +57,8 @@ class Measurer {
       for (std::size_t k = begin; k < end; ++k) most[k] = max_left(stretches[k], limits);
     });
     for (std::size_t k = 0; k < stretches.size(); ++k) {
-      if (most[k]) left.push_back({stretches[k].first, stretches[k].second, *most[k]});
+      if (most[k])
+        left.push_back({.first_move = stretches[k].first, .last_move = stretches[k].second, .most = *most[k]});
     }
     return left;
   }
@@ -82,7 +83,7 @@ class Measurer {
     }
     is_changed.resize(path.moves.size());
     for (const Uncut& uncut : correction.uncut) {
-      for (std::size_t i = uncut.first; i <= uncut.last; ++i) is_changed[i] = false;
+      for (std::size_t i = uncut.first_move; i <= uncut.last_move; ++i) is_changed[i] = false;
     }
     return is_changed;
   }

@@ -386,7 +386,7 @@ void PathCorrector::gather_failure(std::size_t i, Correction& correction) const 
   } else if (is_gouge && is_chained(i) && !positions_[i - 1].failure.empty() && is_straight(path_.moves[i])) {
     reason = "it begins at a position that stays: " + positions_[i - 1].failure;
   }
-  correction.uncorrected.push_back({i, is_gouge ? verdict.depth_mm : 0, reason});
+  correction.uncorrected.push_back({.move = i, .depth_mm = is_gouge ? verdict.depth_mm : 0, .reason = reason});
 }
 
 }  // namespace gouge

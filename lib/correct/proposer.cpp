@@ -219,7 +219,8 @@ void Proposer::add_trims(Correction& correction) const {
   for (const Trim& trim : trims_.trims) {
     const std::size_t first = origin(trim.begin.move), last = origin(trim.end.move);
     const std::size_t cause = deepest(first, last);
-    correction.uncut.push_back({first, last, trim.uncut_positions, trim.uncut_mm});
+    correction.uncut.push_back(
+        {.first_move = first, .last_move = last, .positions = trim.uncut_positions, .length_mm = trim.uncut_mm});
     for (std::size_t k = 0; k < trim.positions.size(); ++k) {
       const NewPosition& p = trim.positions[k];
       const std::size_t move = origin(p.move);
@@ -259,13 +260,13 @@ void Proposer::add_holes(Correction& correction) const {
                                   deepest(hole.first, hole.last - 1)});
     std::erase_if(correction.uncorrected, is_of_it);
     Uncut uncut;
-    uncut.first = hole.first;
-    uncut.last = hole.last - 1;
+    uncut.first_move = hole.first;
+    uncut.last_move = hole.last - 1;
     uncut.length_mm = hole.shift_mm.norm();
     uncut.kind = Uncut::Kind::hole;
     correction.uncut.push_back(uncut);
   }
-  std::ranges::stable_sort(correction.uncut, {}, &Uncut::first);
+  std::ranges::stable_sort(correction.uncut, {}, &Uncut::first_move);
   for (const HoleLeft& hole : holes_.left) {
     for (Uncorrected& left : correction.uncorrected) {
       if (left.move >= hole.first && left.move < hole.last) left.reason = hole.reason;

@@ -37,6 +37,18 @@ std::vector<JsonField> JsonField::list() const {
   return all;
 }
 
+std::vector<std::pair<std::string, JsonField>> JsonField::entries() const {
+  std::vector<std::pair<std::string, JsonField>> all;
+  if (value_ == nullptr) return all;
+  if (!value_->is_object()) {
+    fail("an object");
+    return all;
+  }
+  for (const auto& [key, value] : value_->items())
+    all.emplace_back(key, JsonField(&value, pointer_ + "/" + key, *errors_));
+  return all;
+}
+
 std::string JsonField::text() const {
   if (value_ != nullptr && value_->is_string()) return value_->get<std::string>();
   fail("a text");

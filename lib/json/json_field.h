@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lib/json/json_file.h"
@@ -18,8 +19,8 @@ struct JsonErrors {
   std::optional<Diagnostic> first = {};  ///< none: all is well so far
 };
 
-/// A value of a JSON text that must be as expected. After the first error every reading gives an empty value, so that
-/// The reader examines JsonErrors::first once, at the end. `errors` must outlive it, like the text.
+/// A value of a JSON text that must be as expected. After the first error every reading gives an empty value: the reader
+/// examines JsonErrors::first once, at the end. `errors` must outlive it, like the text.
 class JsonField {
  public:
   JsonField(const nlohmann::json& root, JsonErrors& errors) : value_(&root), errors_(&errors) {}
@@ -30,6 +31,8 @@ class JsonField {
   [[nodiscard]] std::optional<JsonField> find(const std::string& key) const;
   /// The elements of a list.
   [[nodiscard]] std::vector<JsonField> list() const;
+  /// The keys and values of an object.
+  [[nodiscard]] std::vector<std::pair<std::string, JsonField>> entries() const;
 
   [[nodiscard]] bool is_null() const { return value_ == nullptr || value_->is_null(); }
   [[nodiscard]] bool is_text() const { return value_ != nullptr && value_->is_string(); }

@@ -25,7 +25,7 @@ struct SolidBoundary {
 /// Requires a closed, oriented surface; `tree` and `around` of that mesh alone.
 /// Ensures  no point of the boundary is farther than rounding from the triangles, and none of theirs from the boundary.
 /// Cost     about a microsecond a triangle where none meet; and for each triangle that meets k others O(k log k).
-/// Proof    docs/method/inside_outside.md, section 7.
+/// Proof    docs/method/inside_outside.md, section 6.
 [[nodiscard]] std::optional<SolidBoundary> find_solid_boundary(const IndexedMesh& mesh, const BlockTree& tree,
                                                                const VertexTriangles& around, unsigned threads = 0);
 

@@ -145,7 +145,7 @@ class RunPlanner {
   // report of what is left states so.
   bool leaves_too_much(const TiltSpace& space, const TiltSequence& tilts) {
     const std::optional<LeftStock> left = cut_.left_by(space, tilts);
-    if (!left || left->is_undecided) return false;
+    if (!left || !left->is_proved) return false;
     if (!min_stock_ || left->thickness_mm < min_stock_->thickness_mm) {
       min_stock_ = left;
       stock_tilt_rad_ = 0;

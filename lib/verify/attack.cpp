@@ -46,7 +46,7 @@ class Attack {
       : scene_(scene), orders_(orders), tools_(tools), claims_(claims) {
     for (const SolidDepth& head : scene.heads) {
       head_box_.extend(head.box());
-      looks_per_head_ += head.mesh().triangles.size() / 100;  // a examine a head takes time linear in its facets
+      looks_per_head_ += head.mesh().triangles.size() / 100;  // each query of a head takes time linear in its facets
     }
   }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
 #include "lib/base/sha256.h"
 #include "lib/base/tolerance.h"
 #include "lib/json/json_field.h"
@@ -203,15 +204,15 @@ bool is_of_clearance(const std::string& reason) { return reason.starts_with("the
 
 class Accepter {
  public:
-  Accepter(const StoredResult& result, const StoredFinding& finding) : result_(result), finding_(finding) {}
+  Accepter(const StoredResult& result, const EventRecord& finding) : result_(result), finding_(finding) {}
 
   /// Returns the reason that keeps it from being accepted; none: it can be.
   [[nodiscard]] std::optional<std::string> why_impossible() const {
     if (finding_.state == MoveState::buried)
       return "the tool is buried: there is no depth that a later one could be compared with";
-    if (!finding_.tool_index || result_.tools[*finding_.tool_index].identity.empty())
+    if (!finding_.tool_index || !result_.record.tools[*finding_.tool_index].identity)
       return "its tool is not defined, so that a later one could not be compared with it";
-    for (const StoredMove* move : result_.moves_of(finding_)) {
+    for (const MoveRecord* move : result_.moves_of(finding_)) {
       const double gap_mm = result_.options.resolution_mm + Tolerance::kRounding_mm;
       if (!move->depth_upper_mm || *move->depth_upper_mm > *move->depth_mm + gap_mm)
         return "the depth of move " + std::to_string(move->move) + " (line " + std::to_string(move->line) +
@@ -229,15 +230,15 @@ class Accepter {
     made.by = note.by;
     made.date = note.date;
     made.finding = stored_finding_text(result_, finding_);
-    made.toolpath = result_.toolpath;
+    made.toolpath = result_.record.toolpath.file;
     made.line = finding_.line;
     made.statement = result_.worst_of(finding_).statement;
     made.tool = finding_.tool;
-    made.body = finding_.body;
-    made.against = finding_.against;
-    made.setup = setup_of(result_, result_.tools[*finding_.tool_index].identity);
+    made.body = body_name(finding_.body);
+    made.against = against_name(finding_.against);
+    made.setup = setup_of(result_, *result_.record.tools[*finding_.tool_index].identity);
     const std::map<std::string, std::size_t> passes = passes_of_motions();
-    for (const StoredMove* move : result_.moves_of(finding_)) {
+    for (const MoveRecord* move : result_.moves_of(finding_)) {
       AcceptedMove accepted{move->motion, *move->depth_mm, *move->depth_upper_mm, {}, passes.at(move->motion)};
       if (move->overcut_mm) accepted.overcut_upper_mm = move->overcut_upper_mm;
       made.moves.push_back(std::move(accepted));
@@ -249,18 +250,19 @@ class Accepter {
   // Over all findings that are alike.
   [[nodiscard]] std::map<std::string, std::size_t> passes_of_motions() const {
     std::map<std::string, std::size_t> passes;
-    for (const StoredFinding& other : result_.findings) {
-      const bool is_alike = other.state == finding_.state && other.tool_index && other.body == finding_.body &&
-                            other.against == finding_.against &&
-                            result_.tools[*other.tool_index].identity == result_.tools[*finding_.tool_index].identity;
+    for (const EventRecord& other : result_.findings) {
+      const bool is_alike =
+          other.state == finding_.state && other.tool_index && other.body == finding_.body &&
+          other.against == finding_.against &&
+          result_.record.tools[*other.tool_index].identity == result_.record.tools[*finding_.tool_index].identity;
       if (!is_alike) continue;
-      for (const StoredMove* move : result_.moves_of(other)) ++passes[move->motion];
+      for (const MoveRecord* move : result_.moves_of(other)) ++passes[move->motion];
     }
     return passes;
   }
 
   const StoredResult& result_;
-  const StoredFinding& finding_;
+  const EventRecord& finding_;
 };
 
 // Returns whether all of its motions are accepted as often as they gouge.
@@ -282,7 +284,7 @@ bool is_accepted_already(const Acceptance& made, const std::vector<Acceptance>& 
 
 Result<Acceptance> accept_finding(const StoredResult& result, std::size_t number, const AcceptanceNote& note,
                                   const std::vector<Acceptance>& accepted) {
-  const auto finding = std::ranges::find(result.findings, number, &StoredFinding::number);
+  const auto finding = std::ranges::find(result.findings, number, &EventRecord::number);
   if (finding == result.findings.end())
     return make_error("usage", "--finding '" + std::to_string(number) + "': " + result.file +
                                    " has no gouge of that number; " + "'gougecheck accept " + result.file +

@@ -48,10 +48,10 @@ std::vector<std::string> law_of(const ReportModel& model) {
 
 AcceptedSetup setup_of(const StoredResult& result, const std::string& tool) {
   const StoredOptions& o = result.options;
-  return {checksums(result.inputs, "part"),
-          checksums(result.inputs, "fixture"),
-          checksums(result.inputs, "head"),
-          result.placement,
+  return {checksums(result.record.inputs, "part"),
+          checksums(result.record.inputs, "fixture"),
+          checksums(result.record.inputs, "head"),
+          result.record.placement,
           tool,
           o.tolerance_mm,
           o.resolution_mm,

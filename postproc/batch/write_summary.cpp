@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
 #include "postproc/report/csv_row.h"
 #include "postproc/report/report_text.h"
 

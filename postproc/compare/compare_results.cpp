@@ -26,17 +26,18 @@ std::vector<std::string> setup_differences(const StoredResult& before, const Sto
     if (before.contents_of(role) != after.contents_of(role))
       all.push_back(std::string("the ") + role + "s are other files");
   }
-  if (before.placement != after.placement) all.push_back("the STL files are placed elsewhere, or in another unit");
-  for (std::size_t k = 0; k < before.tools.size(); ++k) {
-    const StoredTool& tool = before.tools[k];
-    const auto same = std::ranges::find(after.tools, tool.key, &StoredTool::key);
-    if (same == after.tools.end() || same->identity == tool.identity) continue;
+  if (before.record.placement != after.record.placement)
+    all.push_back("the STL files are placed elsewhere, or in another unit");
+  for (std::size_t k = 0; k < before.record.tools.size(); ++k) {
+    const ToolRecord& tool = before.record.tools[k];
+    const auto same = std::ranges::find(after.record.tools, tool.key, &ToolRecord::key);
+    if (same == after.record.tools.end() || same->identity == tool.identity) continue;
     all.push_back(stored_tool_label(tool.key) + " has other dimensions");
   }
   const auto lengths = [&](const char* what, double a_mm, double b_mm) {
     if (a_mm < b_mm || a_mm > b_mm)
-      all.push_back(std::string(what) + " is " + length_text(b_mm, after.unit) + ", " + length_text(a_mm, after.unit) +
-                    " before");
+      all.push_back(std::string(what) + " is " + length_text(b_mm, after.record.unit) + ", " +
+                    length_text(a_mm, after.record.unit) + " before");
   };
   const StoredOptions &a = before.options, &b = after.options;
   lengths("the tolerance", a.tolerance_mm, b.tolerance_mm);
@@ -47,7 +48,8 @@ std::vector<std::string> setup_differences(const StoredResult& before, const Sto
   if (a.limits != b.limits) all.push_back("the limits of single files are others");
   if (a.law != b.law) all.push_back("the machine, or its law of motion, is another one");
   if (a.rapid != b.rapid) all.push_back("rapids are checked as " + b.rapid + ", " + a.rapid + " before");
-  if (before.version != after.version) all.push_back("gougecheck " + after.version + ", " + before.version + " before");
+  if (before.record.program.version != after.record.program.version)
+    all.push_back("gougecheck " + after.record.program.version + ", " + before.record.program.version + " before");
   return all;
 }
 
@@ -58,12 +60,12 @@ struct DepthBounds {
   double low = 0, high = 0;
 };
 
-DepthBounds depth_of(const StoredMove& move) {
+DepthBounds depth_of(const MoveRecord& move) {
   if (move.state == MoveState::buried) return {kAny_mm, kAny_mm};
   return {move.depth_mm.value_or(0), move.depth_upper_mm.value_or(kAny_mm)};
 }
 
-DepthBounds overcut_of(const StoredMove& move) {
+DepthBounds overcut_of(const MoveRecord& move) {
   if (!move.overcut_mm) return {0, kAny_mm};
   return {*move.overcut_mm, move.overcut_upper_mm.value_or(kAny_mm)};
 }
@@ -77,7 +79,10 @@ struct Stretch {
 class Comparer {
  public:
   Comparer(const StoredResult& before, const StoredResult& after, const CompareOptions& options)
-      : before_(before), after_(after), options_(options), motions_(align_motions(before.motions, after.motions)) {}
+      : before_(before),
+        after_(after),
+        options_(options),
+        motions_(align_motions(before.record.motion_list(), after.record.motion_list())) {}
 
   Comparison run() {
     Comparison made;
@@ -96,9 +101,9 @@ class Comparer {
     }
     made.differences = setup_differences(before_, after_);
     std::size_t open = 0;
-    for (const StoredMove& move : after_.moves)
+    for (const MoveRecord& move : after_.record.moves)
       open += move.state == MoveState::not_checked || move.state == MoveState::not_certified ? 1U : 0U;
-    made.open_moves = open - std::min(open, after_.left_out_as_asked);
+    made.open_moves = open - std::min(open, after_.record.totals.left_out_as_asked);
     return made;
   }
 
@@ -116,7 +121,7 @@ class Comparer {
     DepthBounds old, now;
     double old_overcut_upper = 0;
     for (const std::size_t k : was) {
-      for (const StoredMove* move : before_.moves_of(before_.findings[k])) {
+      for (const MoveRecord* move : before_.moves_of(before_.findings[k])) {
         old.low = std::max(old.low, depth_of(*move).low);
         old.high = std::max(old.high, depth_of(*move).high);
         old_overcut_upper = std::max(old_overcut_upper, overcut_of(*move).high);
@@ -126,7 +131,7 @@ class Comparer {
     std::string of_one_move;  // what has become deeper, where the finding as a whole has not
     Stretch stretch;
     const WitnessGrid places(before_, was, kSamePlace_mm);
-    for (const StoredMove* move : after_.moves_of(after_.findings[n])) {
+    for (const MoveRecord* move : after_.moves_of(after_.findings[n])) {
       const DepthBounds depth = depth_of(*move);
       now.low = std::max(now.low, depth.low);
       now.high = std::max(now.high, depth.high);
@@ -140,12 +145,12 @@ class Comparer {
         }
       } else if (is_deeper(*move, before_.find_move(other))) {
         made.change = Change::deeper;
-        const StoredMove* then = before_.find_move(other);
+        const MoveRecord* then = before_.find_move(other);
         if (then == nullptr || then->state != move->state)
           ++wider;
         else if (of_one_move.empty() && is_above(depth.low, depth_of(*then).high))
-          of_one_move = "line " + std::to_string(move->line) + " is " + depth_text(depth.low, after_.unit) + " deep, " +
-                        depth_text(depth_of(*then).low, after_.unit) + " before";
+          of_one_move = "line " + std::to_string(move->line) + " is " + depth_text(depth.low, after_.record.unit) +
+                        " deep, " + depth_text(depth_of(*then).low, after_.record.unit) + " before";
       }
     }
     if (made.change == Change::deeper) {
@@ -160,10 +165,10 @@ class Comparer {
   }
 
   // Returns whether something gouged at the place of a move; of a buried tool nothing states where.
-  [[nodiscard]] static bool is_there(const WitnessGrid& places, const StoredMove& move) {
+  [[nodiscard]] static bool is_there(const WitnessGrid& places, const MoveRecord& move) {
     if (!move.witness) return true;
     bool is_there = false;
-    places.for_each_near(move.witness->point, [&](const WitnessGrid::Near&, double) { is_there = true; });
+    places.for_each_near(move.witness->point_mm, [&](const WitnessGrid::Near&, double) { is_there = true; });
     return is_there;
   }
 
@@ -174,7 +179,7 @@ class Comparer {
     const std::vector<std::size_t>& other = motions_.after_to_before;
     const std::size_t first = stretch.first, end = stretch.end;
     const std::size_t old_first = first > 0 ? other[first - 1] + 1 : 0;
-    const std::size_t old_end = end < other.size() ? other[end] : before_.motions.size();
+    const std::size_t old_end = end < other.size() ? other[end] : before_.record.listed_motions();
     std::size_t old_count = 0;
     for (const std::size_t k : was) old_count += count_within(before_, before_.findings[k], old_first, old_end);
     stretch.has_grown = count_within(after_, after_.findings[n], first, end) > old_count;
@@ -191,15 +196,15 @@ class Comparer {
     return last;
   }
 
-  static std::size_t count_within(const StoredResult& result, const StoredFinding& finding, std::size_t first,
+  static std::size_t count_within(const StoredResult& result, const EventRecord& finding, std::size_t first,
                                   std::size_t end) {
     std::size_t count = 0;
-    for (const StoredMove* move : result.moves_of(finding)) count += move->move >= first && move->move < end ? 1U : 0U;
+    for (const MoveRecord* move : result.moves_of(finding)) count += move->move >= first && move->move < end ? 1U : 0U;
     return count;
   }
 
   // One motion in both runs; `then` is null where it was clean.
-  [[nodiscard]] bool is_deeper(const StoredMove& now, const StoredMove* then) const {
+  [[nodiscard]] bool is_deeper(const MoveRecord& now, const MoveRecord* then) const {
     const bool was_found = then != nullptr && (then->state == MoveState::gouge || then->state == MoveState::buried);
     if (!was_found) return is_above(depth_of(now).low, before_.options.tolerance_mm + before_.options.resolution_mm);
     return is_above(depth_of(now).low, depth_of(*then).high) || is_above(overcut_of(now).low, overcut_of(*then).high);

@@ -30,8 +30,8 @@ class ComparisonPage {
         "content=\"width=device-width, initial-scale=1\">\n<title>" +
         title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
         "<p class=\"soft\">" +
-        xml_escaped(c_.before->toolpath + " (" + c_.before->verdict + "), then " + c_.after->toolpath + " (" +
-                    c_.after->verdict + ")") +
+        xml_escaped(c_.before->record.toolpath.file + " (" + c_.before->record.verdict + "), then " +
+                    c_.after->record.toolpath.file + " (" + c_.after->record.verdict + ")") +
         "</p>\n" + banner();
     for (const std::string& note : comparison_notes(c_))
       out += "<p class=\"but\">Note: " + xml_escaped(note) + ".</p>\n";
@@ -63,32 +63,33 @@ class ComparisonPage {
   [[nodiscard]] std::string depths(const StoredResult& result, const std::vector<std::size_t>& findings) const {
     std::string text;
     for (const std::size_t k : findings) {
-      const StoredFinding& finding = result.findings[k];
-      const StoredMove& worst = result.worst_of(finding);
+      const EventRecord& finding = result.findings[k];
+      const MoveRecord& worst = result.worst_of(finding);
       text += (text.empty() ? "" : ", ") + (finding.state == MoveState::buried
                                                 ? std::string("buried")
-                                                : depth_text(worst.depth_mm.value_or(0), c_.after->unit));
+                                                : depth_text(worst.depth_mm.value_or(0), c_.after->record.unit));
     }
     return text.empty() ? "-" : text;
   }
 
   [[nodiscard]] static std::string numbers_of(const StoredResult& result, const std::vector<std::size_t>& findings) {
     std::string text;
-    for (const std::size_t k : findings) text += (text.empty() ? "" : ", ") + std::to_string(result.findings[k].number);
+    for (const std::size_t k : findings)
+      text += (text.empty() ? "" : ", ") + std::to_string(*result.findings[k].number);
     return text.empty() ? "-" : text;
   }
 
   [[nodiscard]] std::string row(const ComparedFinding& one) const {
     const bool is_new = !one.after.empty();
     const StoredResult& result = is_new ? *c_.after : *c_.before;
-    const StoredFinding& finding = result.findings[(is_new ? one.after : one.before).front()];
-    const StoredMove& worst = result.worst_of(finding);
+    const EventRecord& finding = result.findings[(is_new ? one.after : one.before).front()];
+    const MoveRecord& worst = result.worst_of(finding);
     return html_cell(numbers_of(*c_.before, one.before), "n") + html_cell(numbers_of(*c_.after, one.after), "n") +
            html_cell(std::to_string(finding.line), "n") + html_cell(depths(*c_.before, one.before), "n") +
            html_cell(depths(*c_.after, one.after), "n") +
-           html_cell(finding.body + " " + stored_tool_label(finding.tool), "k") +
-           html_cell(worst.witness ? point_text(worst.witness->point, result.unit) : std::string(), "k") + "<td>" +
-           xml_escaped(worst.operation) + "<div class=\"soft\"><code>" + xml_escaped(worst.statement) +
+           html_cell(std::string(body_name(finding.body)) + " " + stored_tool_label(finding.tool), "k") +
+           html_cell(worst.witness ? point_text(worst.witness->point_mm, result.record.unit) : std::string(), "k") +
+           "<td>" + xml_escaped(worst.operation) + "<div class=\"soft\"><code>" + xml_escaped(worst.statement) +
            "</code></div>" + (one.why.empty() ? std::string() : "<div>" + xml_escaped(one.why) + "</div>") + "</td>";
   }
 
@@ -101,7 +102,7 @@ class ComparisonPage {
                      {"Depth before", "n"},
                      {"Depth now", "n"},
                      {"Body"},
-                     {"At, in " + std::string(unit_words(c_.after->unit))},
+                     {"At, in " + std::string(unit_words(c_.after->record.unit))},
                      {"Operation and statement"}});
     for (const ComparedFinding& one : c_.findings) {
       if (one.change != section.change) continue;

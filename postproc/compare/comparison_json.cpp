@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "lib/base/printable_text.h"
 #include "postproc/compare/write_comparison.h"
 #include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"
@@ -11,9 +12,9 @@ using Json = nlohmann::ordered_json;
 
 Json run_json(const StoredResult& result) {
   return {{"file", valid_utf8(result.file)},
-          {"toolpath", valid_utf8(result.toolpath)},
-          {"verdict", valid_utf8(result.verdict)},
-          {"version", valid_utf8(result.version)}};
+          {"toolpath", valid_utf8(result.record.toolpath.file)},
+          {"verdict", valid_utf8(result.record.verdict)},
+          {"version", valid_utf8(result.record.program.version)}};
 }
 
 Json length(const std::optional<double>& length_mm, LengthUnit unit) {
@@ -23,20 +24,20 @@ Json length(const std::optional<double>& length_mm, LengthUnit unit) {
 Json findings_json(const StoredResult& result, const std::vector<std::size_t>& findings, LengthUnit unit) {
   Json all = Json::array();
   for (const std::size_t k : findings) {
-    const StoredFinding& finding = result.findings[k];
-    const StoredMove& worst = result.worst_of(finding);
+    const EventRecord& finding = result.findings[k];
+    const MoveRecord& worst = result.worst_of(finding);
     Json point = nullptr;
     if (worst.witness) {
       point = Json::array();
-      for (int i = 0; i < 3; ++i) point.push_back(worst.witness->point[i] / mm_per(unit) + 0.0);
+      for (int i = 0; i < 3; ++i) point.push_back(worst.witness->point_mm[i] / mm_per(unit) + 0.0);
     }
-    all.push_back({{"number", finding.number},
+    all.push_back({{"number", *finding.number},
                    {"state", state_name(finding.state)},
                    {"line", finding.line},
                    {"move", worst.move},
                    {"tool", finding.tool},
-                   {"body", finding.body},
-                   {"against", finding.against},
+                   {"body", body_name(finding.body)},
+                   {"against", against_name(finding.against)},
                    {"operation", worst.operation},
                    {"statement", worst.statement},
                    {"depth", length(worst.depth_mm, unit)},
@@ -50,7 +51,7 @@ Json findings_json(const StoredResult& result, const std::vector<std::size_t>& f
 }  // namespace
 
 std::string comparison_json(const Comparison& c) {
-  const LengthUnit unit = c.after->unit;
+  const LengthUnit unit = c.after->record.unit;
   Json counts = Json::object(), findings = Json::array();
   for (std::size_t k = 0; k < kChanges; ++k)
     counts[change_name(static_cast<Change>(k))] = c.count(static_cast<Change>(k));

@@ -17,7 +17,7 @@ std::string words_of(Change change) {
 double deepest_mm(const StoredResult& result, const std::vector<std::size_t>& findings) {
   double deepest = 0;
   for (const std::size_t k : findings) {
-    const StoredMove& worst = result.worst_of(result.findings[k]);
+    const MoveRecord& worst = result.worst_of(result.findings[k]);
     deepest = std::max(deepest, worst.depth_mm.value_or(0));
   }
   return deepest;
@@ -30,13 +30,13 @@ bool is_buried(const StoredResult& result, const std::vector<std::size_t>& findi
 // Value of the old run, in the unit of the new one.
 std::string depth_before(const Comparison& c, const ComparedFinding& one) {
   if (is_buried(*c.before, one.before)) return "buried before";
-  return depth_text(deepest_mm(*c.before, one.before), c.after->unit) + " before";
+  return depth_text(deepest_mm(*c.before, one.before), c.after->record.unit) + " before";
 }
 
 std::string numbers(const StoredResult& result, const std::vector<std::size_t>& findings) {
   std::string text = findings.size() == 1 ? "finding " : "findings ";
   for (std::size_t k = 0; k < findings.size(); ++k)
-    text += (k > 0 ? ", " : "") + std::to_string(result.findings[findings[k]].number);
+    text += (k > 0 ? ", " : "") + std::to_string(*result.findings[findings[k]].number);
   return text;
 }
 
@@ -45,8 +45,8 @@ std::string numbers(const StoredResult& result, const std::vector<std::size_t>& 
 std::string place_of(const Comparison& c, const ComparedFinding& one) {
   const bool is_new = !one.after.empty();
   const StoredResult& result = is_new ? *c.after : *c.before;
-  const StoredFinding& finding = result.findings[is_new ? one.after.front() : one.before.front()];
-  return result.toolpath + ":" + std::to_string(finding.line);
+  const EventRecord& finding = result.findings[is_new ? one.after.front() : one.before.front()];
+  return result.record.toolpath.file + ":" + std::to_string(finding.line);
 }
 
 std::string change_text(const Comparison& c, const ComparedFinding& one) {

@@ -10,20 +10,20 @@ namespace {
 
 std::size_t count_of(const StoredResult& result, std::string_view role) {
   return static_cast<std::size_t>(
-      std::ranges::count_if(result.inputs, [&](const StoredInput& input) { return input.role == role; }));
+      std::ranges::count_if(result.record.inputs, [&](const InputFile& input) { return input.role == role; }));
 }
 
 class AbsenceJudge {
  public:
   AbsenceJudge(const StoredResult& before, const StoredResult& after, const MotionAlignment& motions,
-               const StoredFinding& finding)
+               const EventRecord& finding)
       : before_(before), after_(after), motions_(motions), finding_(finding) {}
 
   [[nodiscard]] std::optional<std::string> run() const {
     if (auto why = without_body()) return why;
     if (auto why = without_counterpart()) return why;
     if (auto why = less_strictly()) return why;
-    for (const StoredMove* move : before_.moves_of(finding_)) {
+    for (const MoveRecord* move : before_.moves_of(finding_)) {
       if (auto why = without_motion(*move)) return why;
     }
     return std::nullopt;
@@ -33,16 +33,16 @@ class AbsenceJudge {
   using Why = std::optional<std::string>;
 
   [[nodiscard]] Why without_body() const {
-    if (finding_.body == "head") {
+    if (finding_.body == Body::head) {
       if (count_of(after_, "head") < count_of(before_, "head")) return "fewer heads are given";
       return std::nullopt;
     }
     bool has_tool = false;
-    for (const StoredTool& tool : after_.tools) {
+    for (const ToolRecord& tool : after_.record.tools) {
       if (tool.key != finding_.tool) continue;
       has_tool = true;
-      if (!tool.identity.empty() && std::ranges::find(tool.bodies, finding_.body) == tool.bodies.end())
-        return stored_tool_label(finding_.tool) + " has no " + finding_.body;
+      if (tool.identity && std::ranges::find(tool.bodies, finding_.body) == tool.bodies.end())
+        return stored_tool_label(finding_.tool) + " has no " + body_name(finding_.body);
     }
     // Another tool that runs the same motion is checked as itself.
     if (!has_tool && !has_every_motion()) return "the path has no " + stored_tool_label(finding_.tool);
@@ -50,13 +50,14 @@ class AbsenceJudge {
   }
 
   [[nodiscard]] Why without_counterpart() const {
-    if (count_of(after_, finding_.against) >= count_of(before_, finding_.against)) return std::nullopt;
-    return "fewer " + finding_.against + "s are given";
+    const std::string against = against_name(finding_.against);
+    if (count_of(after_, against) >= count_of(before_, against)) return std::nullopt;
+    return "fewer " + against + "s are given";
   }
 
   [[nodiscard]] Why less_strictly() const {
     const StoredOptions &old = before_.options, &now = after_.options;
-    const LengthUnit unit = after_.unit;
+    const LengthUnit unit = after_.record.unit;
     const auto from_to = [&](double a, double b) {
       return length_text(b, unit) + ", " + length_text(a, unit) + " before";
     };
@@ -65,21 +66,22 @@ class AbsenceJudge {
     if (now.law != old.law) return "the machine, or its law of motion, is another one";
     if (now.resolution_mm > old.resolution_mm)
       return "the resolution is " + from_to(old.resolution_mm, now.resolution_mm);
-    if (finding_.body == "cutter" && now.stock_to_leave_mm < old.stock_to_leave_mm)
+    if (finding_.body == Body::cutter && now.stock_to_leave_mm < old.stock_to_leave_mm)
       return "the stock to leave is " + from_to(old.stock_to_leave_mm, now.stock_to_leave_mm);
-    if (finding_.body == "shank" && now.shank_clearance_mm < old.shank_clearance_mm)
+    if (finding_.body == Body::shank && now.shank_clearance_mm < old.shank_clearance_mm)
       return "the shank's clearance is " + from_to(old.shank_clearance_mm, now.shank_clearance_mm);
-    if ((finding_.body == "holder" || finding_.body == "head") && now.holder_clearance_mm < old.holder_clearance_mm)
+    if ((finding_.body == Body::holder || finding_.body == Body::head) &&
+        now.holder_clearance_mm < old.holder_clearance_mm)
       return "the holder's clearance is " + from_to(old.holder_clearance_mm, now.holder_clearance_mm);
     return std::nullopt;
   }
 
   [[nodiscard]] bool has_every_motion() const {
     return std::ranges::all_of(before_.moves_of(finding_),
-                               [&](const StoredMove* move) { return motions_.before_to_after[move->move] != kNone; });
+                               [&](const MoveRecord* move) { return motions_.before_to_after[move->move] != kNone; });
   }
 
-  [[nodiscard]] Why without_motion(const StoredMove& move) const {
+  [[nodiscard]] Why without_motion(const MoveRecord& move) const {
     const std::size_t now = motions_.before_to_after[move.move];
     if (now != kNone) return if_open(now);
     const std::vector<std::size_t>& kept = motions_.before_to_after;
@@ -88,19 +90,19 @@ class AbsenceJudge {
     while (to < kept.size() && kept[to] == kNone) ++to;
     const bool is_begun = kept[from] != kNone, is_ended = to < kept.size();
     if (!is_begun && !is_ended) return "the new path has no motion of the old one, so nothing says that it runs there";
-    const std::size_t first = is_begun ? kept[from] + 1 : 0, end = is_ended ? kept[to] : after_.motions.size();
+    const std::size_t first = is_begun ? kept[from] + 1 : 0, end = is_ended ? kept[to] : after_.record.listed_motions();
     for (std::size_t k = first; k < end; ++k) {
       if (Why why = if_open(k)) return why;
     }
     // A substitute must have its operation and tool, and about its size.
-    const StoredRun& run = before_.run_of(move.move);
+    const RunRecord& run = before_.run_of(move.move);
     const std::size_t old_moves = before_.moves_like(run, is_begun ? from + 1 : 0, to);
     if (2 * after_.moves_like(run, first, end) < old_moves) return "its motion is not in the new path";
     return std::nullopt;
   }
 
   [[nodiscard]] Why if_open(std::size_t move) const {
-    const StoredMove* found = after_.find_move(move);
+    const MoveRecord* found = after_.find_move(move);
     if (found == nullptr || found->state == MoveState::near_miss) return std::nullopt;
     const std::string line = "line " + std::to_string(found->line) + " of the new path ";
     if (found->state == MoveState::not_checked || found->state == MoveState::not_certified)
@@ -114,18 +116,18 @@ class AbsenceJudge {
     return std::nullopt;
   }
 
-  [[nodiscard]] static double move_depth(const StoredMove& move) { return move.depth_mm.value_or(0); }
+  [[nodiscard]] static double move_depth(const MoveRecord& move) { return move.depth_mm.value_or(0); }
 
   const StoredResult& before_;
   const StoredResult& after_;
   const MotionAlignment& motions_;
-  const StoredFinding& finding_;
+  const EventRecord& finding_;
 };
 
 }  // namespace
 
 std::optional<std::string> why_not_gone(const StoredResult& before, const StoredResult& after,
-                                        const MotionAlignment& motions, const StoredFinding& finding) {
+                                        const MotionAlignment& motions, const EventRecord& finding) {
   return AbsenceJudge(before, after, motions, finding).run();
 }
 

@@ -14,7 +14,7 @@ namespace gouge {
 
 namespace {
 
-bool is_alike(const StoredFinding& a, const StoredFinding& b) {
+bool is_alike(const EventRecord& a, const EventRecord& b) {
   return a.tool == b.tool && a.body == b.body && a.against == b.against;
 }
 
@@ -23,7 +23,7 @@ std::vector<std::size_t> without_motion(const StoredResult& result, const std::v
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < result.findings.size(); ++k) {
     const auto moves = result.moves_of(result.findings[k]);
-    if (std::ranges::none_of(moves, [&](const StoredMove* move) { return other_move[move->move] != kNone; }))
+    if (std::ranges::none_of(moves, [&](const MoveRecord* move) { return other_move[move->move] != kNone; }))
       all.push_back(k);
   }
   return all;
@@ -45,13 +45,13 @@ class Matcher {
 
  private:
   void by_motions() {
-    std::vector<std::vector<std::size_t>> finding_of(before_.motions.size());
+    std::vector<std::vector<std::size_t>> finding_of(before_.record.listed_motions());
     for (std::size_t k = 0; k < before_.findings.size(); ++k) {
-      for (const StoredMove* move : before_.moves_of(before_.findings[k])) finding_of[move->move].push_back(k);
+      for (const MoveRecord* move : before_.moves_of(before_.findings[k])) finding_of[move->move].push_back(k);
     }
     for (std::size_t n = 0; n < after_.findings.size(); ++n) {
       std::set<std::size_t> found;
-      for (const StoredMove* move : after_.moves_of(after_.findings[n])) {
+      for (const MoveRecord* move : after_.moves_of(after_.findings[n])) {
         const std::size_t other = motions_.after_to_before[move->move];
         if (other == kNone) continue;
         for (const std::size_t k : finding_of[other]) {
@@ -66,11 +66,11 @@ class Matcher {
   void by_statement(const WitnessGrid& before, const std::vector<std::size_t>& changed) {
     std::set<std::size_t> taken;
     for (const std::size_t n : changed) {
-      const StoredMove& worst = after_.worst_of(after_.findings[n]);
+      const MoveRecord& worst = after_.worst_of(after_.findings[n]);
       if (!worst.witness || worst.statement.empty()) continue;
       double min_mm = std::numeric_limits<double>::infinity();
       std::size_t nearest = kNone;
-      before.for_each_near(worst.witness->point, [&](const WitnessGrid::Near& near, double apart_mm) {
+      before.for_each_near(worst.witness->point_mm, [&](const WitnessGrid::Near& near, double apart_mm) {
         if (near.move->statement != worst.statement || apart_mm >= min_mm) return;
         if (taken.contains(near.finding) || !is_alike(before_.findings[near.finding], after_.findings[n])) return;
         min_mm = apart_mm;
@@ -88,9 +88,9 @@ class Matcher {
     for (const std::size_t n : changed) {
       if (!matched_[n].empty()) continue;
       std::set<std::size_t> found;
-      for (const StoredMove* move : after_.moves_of(after_.findings[n])) {
+      for (const MoveRecord* move : after_.moves_of(after_.findings[n])) {
         if (!move->witness) continue;
-        before.for_each_near(move->witness->point, [&](const WitnessGrid::Near& near, double) {
+        before.for_each_near(move->witness->point_mm, [&](const WitnessGrid::Near& near, double) {
           if (!taken_.contains(near.finding) && is_alike(before_.findings[near.finding], after_.findings[n]))
             found.insert(near.finding);
         });
@@ -116,8 +116,8 @@ std::vector<std::vector<std::size_t>> match_findings(const StoredResult& before,
 WitnessGrid::WitnessGrid(const StoredResult& result, const std::vector<std::size_t>& findings, double reach_mm)
     : reach_mm_(reach_mm) {
   for (const std::size_t k : findings) {
-    for (const StoredMove* move : result.moves_of(result.findings[k])) {
-      if (move->witness) cells_[cell_of(move->witness->point)].push_back({k, move});
+    for (const MoveRecord* move : result.moves_of(result.findings[k])) {
+      if (move->witness) cells_[cell_of(move->witness->point_mm)].push_back({k, move});
     }
   }
 }
@@ -142,7 +142,7 @@ struct Sides {
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
 // In the order of `before`.
-Pairs unique_pairs(const std::vector<std::string>& before, const std::vector<std::string>& after) {
+Pairs unique_pairs(const std::vector<std::string_view>& before, const std::vector<std::string_view>& after) {
   std::unordered_map<std::string_view, Sides> all;
   for (std::size_t i = 0; i < before.size(); ++i) {
     Sides& sides = all[before[i]];
@@ -183,7 +183,7 @@ Pairs increasing(const Pairs& pairs) {
 
 }  // namespace
 
-MotionAlignment align_motions(const std::vector<std::string>& before, const std::vector<std::string>& after) {
+MotionAlignment align_motions(const std::vector<std::string_view>& before, const std::vector<std::string_view>& after) {
   MotionAlignment made{std::vector<std::size_t>(before.size(), kNone), std::vector<std::size_t>(after.size(), kNone)};
   const auto join = [&](std::size_t i, std::size_t j) {
     made.before_to_after[i] = j;

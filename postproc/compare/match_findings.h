@@ -19,8 +19,8 @@ struct MotionAlignment {
 
 /// Aligns two lists of motions: what is equal at both ends; between them those that are there once in both, as many as
 /// stand in one order, and what is equal beside them. Cost: n log n. Source: B. Cohen's patience diff (2005).
-[[nodiscard]] MotionAlignment align_motions(const std::vector<std::string>& before,
-                                            const std::vector<std::string>& after);
+[[nodiscard]] MotionAlignment align_motions(const std::vector<std::string_view>& before,
+                                            const std::vector<std::string_view>& after);
 
 /// Maximum distance of two witnesses at one place of the part, and with one statement at that.
 inline constexpr double kSamePlace_mm = 1, kSameStatement_mm = 10;
@@ -37,7 +37,7 @@ class WitnessGrid {
  public:
   struct Near {
     std::size_t finding = 0;
-    const StoredMove* move = nullptr;
+    const MoveRecord* move = nullptr;
   };
 
   /// Builds the grid of these findings, for points up to `reach_mm` (above 0) away. `result` must outlive it.
@@ -51,7 +51,7 @@ class WitnessGrid {
       const auto found = cells_.find({middle[0] + n % 3 - 1, middle[1] + n / 3 % 3 - 1, middle[2] + n / 9 - 1});
       if (found == cells_.end()) continue;
       for (const Near& near : found->second) {
-        const double apart_mm = (near.move->witness->point - point).norm();
+        const double apart_mm = (near.move->witness->point_mm - point).norm();
         if (apart_mm <= reach_mm_) call(near, apart_mm);
       }
     }

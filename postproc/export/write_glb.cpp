@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "lib/base/printable_text.h"
 #include "postproc/export/little_endian.h"
 #include "postproc/export/write_scene.h"
 #include "postproc/image/colour_scale.h"

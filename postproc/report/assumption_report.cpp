@@ -5,22 +5,6 @@
 
 namespace gouge {
 
-nlohmann::ordered_json assumptions_json(const CheckResult& result) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const Assumption& fact : result.assumptions) {
-    all.push_back({{"fact", subject_name(fact.subject)},
-                   {"object", valid_utf8(fact.object)},
-                   {"state", basis_name(fact.basis)},
-                   {"is_open", fact.is_open},
-                   {"value", valid_utf8(fact.value)},
-                   {"evidence", valid_utf8(fact.evidence)},
-                   {"remedy", valid_utf8(fact.remedy)},
-                   {"file", valid_utf8(fact.file)},
-                   {"line", fact.line}});
-  }
-  return all;
-}
-
 std::string assumptions_html(const CheckResult& result) {
   if (result.assumptions.empty()) return {};
   HtmlTable table({{"Fact"}, {"Taken"}, {"State", "k"}, {"Evidence"}});

@@ -6,16 +6,6 @@
 
 namespace gouge {
 
-std::string valid_utf8(std::string_view text) {
-  std::string out;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::optional<CodePoint> c = decode_utf8(text, at);
-    out += c ? text.substr(at, c->bytes) : std::string_view("\xEF\xBF\xBD");
-    at += c ? c->bytes : 1;
-  }
-  return out;
-}
-
 std::string xml_escaped(std::string_view text) {
   constexpr std::string_view kMarkup = "&<>\"'";
   constexpr std::array<std::string_view, 5> kEscaped = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};

@@ -130,10 +130,9 @@ std::string counts_line(const StateCounts& n) {
 std::string written_line(const CorrectionFacts& correction) {
   if (correction.written.empty()) return {};
   std::string text = "records:";
-  for (const char* kind : {"changed", "added", "removed"}) {
-    const auto count =
-        std::ranges::count_if(correction.written, [&](const WrittenRecord& record) { return record.kind == kind; });
-    text += (text.back() == ':' ? " " : ", ") + std::to_string(count) + " " + kind;
+  for (const WrittenKind kind : {WrittenKind::changed, WrittenKind::added, WrittenKind::removed}) {
+    const auto count = std::ranges::count(correction.written, kind, &WrittenStatement::kind);
+    text += (text.back() == ':' ? " " : ", ") + std::to_string(count) + " " + written_name(kind);
   }
   return text + "; every other one is the same to the byte\n";
 }
@@ -144,7 +143,7 @@ std::string correction_lines(const ReportModel& model) {
   const std::size_t inserted = inserted_positions(correction);
   double largest_mm = 0;
   for (const CorrectedRecord& change : correction.changes) {
-    if (!change.is_inserted && !change.is_uncut) largest_mm = std::max(largest_mm, change.shift_length_mm);
+    if (!change.is_inserted && !change.is_uncut()) largest_mm = std::max(largest_mm, change.shift_length_mm);
   }
   const std::size_t moved = moved_positions(correction);
   std::string text = "corrected: " + count_text(moved, "position") + " moved";
@@ -153,7 +152,7 @@ std::string correction_lines(const ReportModel& model) {
   if (correction.curves > 0) text += ", " + straightened_text(correction);
   if (!correction.uncut.empty()) text += ", " + uncut_text(correction, unit);
   const auto changed = static_cast<std::size_t>(
-      std::ranges::count_if(correction.uncorrected, [](const UncorrectedRecord& left) { return left.is_changed; }));
+      std::ranges::count_if(correction.uncorrected, [](const Uncorrected& left) { return left.is_changed; }));
   const std::size_t left = correction.uncorrected.size() - changed;
   text += ", " + std::to_string(left) + (left == 1 ? " left as it was" : " left as they were");
   if (changed > 0) text += ", " + std::to_string(changed) + " changed but not freed";
@@ -230,7 +229,7 @@ class FindingsWriter {
     const CorrectionFacts& correction = model_.correction;
     const Toolpath& before = correction.toolpath_before ? *correction.toolpath_before : *model_.toolpath;
     std::size_t count = 0;
-    for (const UncorrectedRecord& left : correction.uncorrected) {
+    for (const Uncorrected& left : correction.uncorrected) {
       if (++count > view_.most) continue;
       add(before, left.line,
           (left.is_changed ? "not freed: " : "not corrected: ") +

@@ -8,6 +8,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/sha256.h"
 #include "lib/base/tolerance.h"
+#include "postproc/record/words.h"
 #include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"
@@ -64,10 +65,7 @@ OverallVerdict overall_verdict(const ReportModel& model) {
   return is_open ? OverallVerdict::not_fully_checked : OverallVerdict::accepted_gouges;
 }
 
-const char* verdict_name(OverallVerdict verdict) {
-  static constexpr std::array<const char*, 4> kNames = {"clean", "gouges", "not-fully-checked", "accepted-gouges"};
-  return kNames[static_cast<std::size_t>(verdict)];
-}
+const char* verdict_name(OverallVerdict verdict) { return verdict_words()[static_cast<std::size_t>(verdict)].c_str(); }
 
 ExitCode exit_status(OverallVerdict verdict) {
   static constexpr std::array<ExitCode, 4> kStatus = {kExitClean, kExitGouges, kExitNotChecked, kExitClean};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +17,7 @@
 #include "lib/path/axis_tilt.h"
 #include "lib/path/toolpath.h"
 #include "lib/stickout/find_stickout.h"
+#include "postproc/record/result_record.h"
 #include "postproc/report/baseline_facts.h"
 #include "postproc/report/sign_off.h"
 
@@ -26,16 +26,9 @@
 
 namespace gouge {
 
-inline constexpr const char* kProgramName = "gougecheck";
 inline constexpr const char* kProgramVersion = "0.1.0";
 
-/// A file that was read, so that a reader of the report can see which one it was.
-struct InputFile {
-  std::string role;  ///< "toolpath", "part", "fixture", "head", "tools"
-  std::string name;  ///< as the user named it
-  std::uint64_t bytes = 0;
-  std::string checksum;  ///< "sha256:" and 64 hexadecimal digits
-};
+/// Describes a file that was read, so that a reader of the report can see which one it was.
 [[nodiscard]] InputFile describe_input(std::string role, std::string name, std::string_view bytes);
 
 struct MeshFacts {
@@ -56,64 +49,6 @@ struct ToolFacts {
   bool has_holder = true;         ///< false: none is given, so none was checked
   std::string identity = {};      ///< the same for tools of the same dimensions, 32 digits; empty: not defined
   std::vector<Body> bodies = {};  ///< of those that are checked
-};
-
-/// A record of the toolpath that was changed or added.
-struct CorrectedRecord {
-  std::size_t move = 0;      ///< of the path before the correction
-  std::size_t line = 0;      ///< of the file before the correction
-  std::string strategy;      ///< "weighted", "axis", "tilt", "trim"; of a position inserted for a shift "inserted"
-  bool is_inserted = false;  ///< a position between the programmed ones; else one of these
-  Vec3 shift_mm = Vec3::Zero();
-  double shift_length_mm = 0;
-  double tilt_rad = 0;
-  double depth_before_mm = 0, depth_after_mm = 0;
-  int iterations = 0;
-  std::optional<std::size_t> cause = {};  ///< the move of the path before whose gouge this cures
-  /// The bytes in both files; nothing where another change has them already, where nothing was there (inserted), and
-  /// for binary files.
-  std::optional<std::string_view> old_record = {}, new_record = {};
-  bool is_uncut = false;  ///< above a stretch that is left out, or on the way there
-};
-
-struct UncorrectedRecord {
-  std::size_t move = 0;
-  std::size_t line = 0;
-  double depth_mm = 0;  ///< that is left
-  std::string reason;
-  bool is_changed = false;  ///< its own record was changed all the same
-};
-
-/// Moves of which something is not cut any more.
-struct UncutRecord {
-  enum class Kind { left_out, hole, lifted };  ///< as in Uncut
-  std::size_t first_move = 0, last_move = 0;   ///< of the path before the correction
-  std::size_t first_line = 0, last_line = 0;
-  std::size_t positions = 0;  ///< programmed ones that are not visited
-  double length_mm = 0;       ///< of the programmed feeds; of a hole what is missing of its depth
-  Kind kind = Kind::left_out;
-};
-
-/// Stock that a stretch of changed moves leaves on the surface that it finished before.
-struct StockRecord {
-  std::size_t first_move = 0, last_move = 0;  ///< of the path before the correction
-  std::size_t first_line = 0, last_line = 0;
-  double thickness_mm = 0;
-  bool is_more = false;       ///< it may be more than that: nothing near is cut, or the search ended before
-  bool is_undecided = false;  ///< no such point was found, but that there is none is not proved
-  Vec3 point = Vec3::Zero();
-};
-
-/// A move that became rapids, or that is one and runs elsewhere, and comes nearer than the clearance.
-struct LowRapidRecord {
-  std::size_t move = 0, line = 0;  ///< of the path before the correction
-  double keeps_mm = 0;             ///< certified: nothing is nearer; negative: it is no deeper in part or fixtures
-};
-
-/// A statement of the corrected file that is not as it was.
-struct WrittenRecord {
-  std::string kind;      ///< "changed", "added", "removed"
-  std::size_t line = 0;  ///< of the file before the correction; of one that was added: after it
 };
 
 /// Smoothness of the tool axis before and after a correction. Moves are those of the path before in `before`, and
@@ -139,11 +74,11 @@ struct CorrectionFacts {
   std::size_t curves = 0;          ///< arcs and splines that became straight moves ...
   std::size_t straight_moves = 0;  ///< ... and how many, those of `changes` among them
   std::vector<CorrectedRecord> changes;
-  std::vector<UncorrectedRecord> uncorrected;
-  std::vector<UncutRecord> uncut;
-  std::vector<StockRecord> stock;              ///< more than is allowed of each stretch
-  std::vector<LowRapidRecord> low_rapids;      ///< in path order
-  std::vector<WrittenRecord> written;          ///< every other record is the same to the byte
+  std::vector<Uncorrected> uncorrected;
+  std::vector<Uncut> uncut;
+  std::vector<StockStretch> stock;             ///< more than is allowed of each stretch
+  std::vector<LowRapid> low_rapids;            ///< in path order
+  std::vector<WrittenStatement> written;       ///< every other statement is the same to the byte
   std::optional<AxisFacts> axes;               ///< none: not measured
   const Toolpath* toolpath_before = nullptr;   ///< the path as read
   const CheckResult* result_before = nullptr;  ///< its verdicts
@@ -182,7 +117,7 @@ struct ReportModel {
   BaselineFacts baseline;
 };
 
-enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
+enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };  // in the order of verdict_words()
 
 /// Gouges and buried tools come first, then anything not checked that was not left out on request, and assumptions that
 /// are open.

@@ -126,11 +126,7 @@ std::size_t inserted_positions(const CorrectionFacts& correction) {
 
 std::size_t moved_positions(const CorrectionFacts& correction) {
   return static_cast<std::size_t>(std::ranges::count_if(
-      correction.changes, [](const CorrectedRecord& change) { return !change.is_inserted && !change.is_uncut; }));
-}
-
-const char* uncut_kind_name(UncutRecord::Kind kind) {
-  return kind == UncutRecord::Kind::hole ? "hole" : kind == UncutRecord::Kind::lifted ? "lifted" : "left-out";
+      correction.changes, [](const CorrectedRecord& change) { return !change.is_inserted && !change.is_uncut(); }));
 }
 
 std::string moved_cuts_text(const CorrectionFacts& correction, LengthUnit unit) {
@@ -138,7 +134,7 @@ std::string moved_cuts_text(const CorrectionFacts& correction, LengthUnit unit) 
   double max_mm = 0;
   for (const CorrectedRecord& change : correction.changes) {
     const bool is_cut = correction.toolpath_before->moves[change.move].kind != MoveKind::rapid;
-    if (is_cut && !change.is_uncut && change.strategy != "tilt") max_mm = std::max(max_mm, change.shift_length_mm);
+    if (is_cut && !change.is_uncut() && change.strategy != "tilt") max_mm = std::max(max_mm, change.shift_length_mm);
   }
   if (!(max_mm > 0)) return {};
   return "cuts were moved by up to " + depth_text(max_mm, unit) + ": less is cut there than was programmed";
@@ -146,8 +142,8 @@ std::string moved_cuts_text(const CorrectionFacts& correction, LengthUnit unit) 
 
 UncutTotal uncut_total(const CorrectionFacts& correction) {
   UncutTotal total;
-  for (const UncutRecord& stretch : correction.uncut) {
-    if (stretch.kind == UncutRecord::Kind::hole) {
+  for (const Uncut& stretch : correction.uncut) {
+    if (stretch.kind == Uncut::Kind::hole) {
       ++total.holes;
       total.max_of_hole_mm = std::max(total.max_of_hole_mm, stretch.length_mm);
       continue;
@@ -173,20 +169,22 @@ std::string uncut_text(const CorrectionFacts& correction, LengthUnit unit) {
   return text;
 }
 
-std::string thickness_text(const StockRecord& stretch, LengthUnit unit) {
-  const std::string thickness = depth_text(stretch.thickness_mm, unit);
-  return stretch.is_undecided ? "perhaps more than " + thickness : stretch.is_more ? thickness + " or more" : thickness;
+std::string thickness_text(const LeftStock& left, LengthUnit unit) {
+  const std::string thickness = depth_text(left.thickness_mm, unit);
+  return !left.is_proved ? "perhaps more than " + thickness : left.is_more ? thickness + " or more" : thickness;
 }
 
 std::string stock_text(const CorrectionFacts& correction, LengthUnit unit) {
   if (correction.stock.empty()) return {};
   const std::size_t stretches = correction.stock.size();
-  const StockRecord& most = *std::ranges::max_element(correction.stock, {}, &StockRecord::thickness_mm);
-  return (most.is_more || most.is_undecided ? "" : "up to ") + thickness_text(most, unit) +
-         (most.is_undecided ? " of what was finished may be left in " : " of what was finished left in ") +
+  const StockStretch& worst = *std::ranges::max_element(
+      correction.stock, {}, [](const StockStretch& stretch) { return stretch.most.thickness_mm; });
+  const LeftStock& most = worst.most;
+  return (most.is_more || !most.is_proved ? "" : "up to ") + thickness_text(most, unit) +
+         (most.is_proved ? " of what was finished left in " : " of what was finished may be left in ") +
          std::to_string(stretches) + (stretches == 1 ? " stretch" : " stretches") + ", " +
          (stretches == 1 ? "at " : "most at ") + point_text(most.point, unit) + ", lines " +
-         std::to_string(most.first_line) + "-" + std::to_string(most.last_line);
+         std::to_string(worst.first_line) + "-" + std::to_string(worst.last_line);
 }
 
 std::string kept_text(double keeps_mm, LengthUnit unit) {
@@ -195,7 +193,7 @@ std::string kept_text(double keeps_mm, LengthUnit unit) {
 
 std::string low_rapids_text(const CorrectionFacts& correction, LengthUnit unit) {
   if (correction.low_rapids.empty()) return {};
-  const LowRapidRecord& least = *std::ranges::min_element(correction.low_rapids, {}, &LowRapidRecord::keeps_mm);
+  const LowRapid& least = *std::ranges::min_element(correction.low_rapids, {}, &LowRapid::keeps_mm);
   const bool is_one = correction.low_rapids.size() == 1;
   return count_text(correction.low_rapids.size(), "rapid") +
          (is_one ? " that was written keeps" : " that were written keep") + " less than the clearance of " +

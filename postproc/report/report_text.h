@@ -37,8 +37,6 @@ inline constexpr const char* kProjectFile = "project-file";
 /// The programmed positions that are not left uncut.
 [[nodiscard]] std::size_t moved_positions(const CorrectionFacts& correction);
 
-/// "left-out", "hole", "lifted".
-[[nodiscard]] const char* uncut_kind_name(UncutRecord::Kind kind);
 /// "cuts were moved by up to 0.213 mm: less is cut there than was programmed"; empty where none was.
 [[nodiscard]] std::string moved_cuts_text(const CorrectionFacts& correction, LengthUnit unit);
 
@@ -59,7 +57,7 @@ struct UncutTotal {
 /// "0.005 mm", "0.005 mm inside": what a rapid keeps.
 [[nodiscard]] std::string kept_text(double keeps_mm, LengthUnit unit);
 /// "20 mm or more", of one stretch.
-[[nodiscard]] std::string thickness_text(const StockRecord& stretch, LengthUnit unit);
+[[nodiscard]] std::string thickness_text(const LeftStock& left, LengthUnit unit);
 /// "2 curves became 79 straight moves".
 [[nodiscard]] std::string straightened_text(const CorrectionFacts& correction);
 
@@ -90,8 +88,6 @@ struct UncutTotal {
 [[nodiscard]] std::string xml_escaped(std::string_view text);
 /// A file as a relative reference of RFC 3986, as the user named it; absolute paths become file URIs.
 [[nodiscard]] std::string uri_of(const std::string& file);
-/// Broken UTF-8 replaced by U+FFFD.
-[[nodiscard]] std::string valid_utf8(std::string_view text);
 [[nodiscard]] std::string base64(std::string_view bytes);
 
 }  // namespace gouge

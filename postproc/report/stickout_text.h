@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -19,11 +18,5 @@ namespace gouge {
 
 /// A line for each tool, and for each of its operations in need.
 [[nodiscard]] std::string stickout_lines(const ReportModel& model);
-
-/// A length in `unit`; null for a bound that was never reached and so has no number.
-[[nodiscard]] nlohmann::ordered_json length_json(double length_mm, LengthUnit unit);
-
-/// Result of --find-stickout; null without the option.
-[[nodiscard]] nlohmann::ordered_json stickout_json(const ReportModel& model);
 
 }  // namespace gouge

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "lib/base/number_text.h"
+#include "postproc/record/words.h"
 #include "postproc/report/assumption_report.h"
 #include "postproc/report/axis_chart.h"
 #include "postproc/report/axis_text.h"
@@ -203,11 +204,12 @@ class HtmlReport {
     const auto span = [](std::size_t first, std::size_t last) {
       return first == last ? std::to_string(first) : std::to_string(first) + "-" + std::to_string(last);
     };
-    for (const UncutRecord* r : largest_first(model_.correction.uncut, &UncutRecord::length_mm)) {
+    for (const Uncut* r : largest_first(model_.correction.uncut, &Uncut::length_mm)) {
       table.has_room()
           ? table.add(html_cell(span(r->first_line, r->last_line), "n") +
                       html_cell(span(r->first_move, r->last_move), "n") + html_cell(std::to_string(r->positions), "n") +
-                      html_cell(length_text(r->length_mm, unit_), "n") + html_cell(uncut_kind_name(r->kind)))
+                      html_cell(length_text(r->length_mm, unit_), "n") +
+                      html_cell(uncut_words().at(static_cast<std::size_t>(r->kind))))
           : table.skip();
     }
     return table.html();
@@ -215,9 +217,9 @@ class HtmlReport {
 
   [[nodiscard]] std::string low_rapids_table() const {
     HtmlTable table({{"Line", "n"}, {"Move", "n"}, {"Keeps", "n"}});
-    std::vector<LowRapidRecord> sorted = model_.correction.low_rapids;
-    std::ranges::stable_sort(sorted, {}, &LowRapidRecord::keeps_mm);
-    for (const LowRapidRecord& r : sorted) {
+    std::vector<LowRapid> sorted = model_.correction.low_rapids;
+    std::ranges::stable_sort(sorted, {}, &LowRapid::keeps_mm);
+    for (const LowRapid& r : sorted) {
       table.has_room() ? table.add(html_cell(std::to_string(r.line), "n") + html_cell(std::to_string(r.move), "n") +
                                    html_cell(kept_text(r.keeps_mm, unit_), "n"))
                        : table.skip();
@@ -234,19 +236,17 @@ class HtmlReport {
            html_cell(std::to_string(r.iterations), "n") + html_cell(cause(r));
   }
 
-  [[nodiscard]] std::string cause(const CorrectedRecord& r) const {
-    const CorrectionFacts& c = model_.correction;
-    if (!r.cause || c.result_before == nullptr) return {};
-    const MoveVerdict& verdict = c.result_before->verdicts[*r.cause];
-    if (!verdict.witness) return std::string(body_name(verdict.reason.body)) + " inside a solid";
-    return std::string(body_name(verdict.witness->body)) + " against " + against_name(verdict.witness->against) + " " +
-           mesh_name(model_, *verdict.witness);
+  [[nodiscard]] static std::string cause(const CorrectedRecord& r) {
+    if (!r.cause) return {};
+    const std::string body = body_name(r.cause->body);
+    if (!r.cause->against) return body + " inside a solid";
+    return body + " against " + against_name(*r.cause->against) + " " + r.cause->mesh.value_or("");
   }
 
   [[nodiscard]] std::string left_as_was() const {
     if (model_.correction.uncorrected.empty()) return {};
     HtmlTable table({{"Line", "n"}, {"Move", "n"}, {"Depth", "n"}, {"Reason"}});
-    for (const UncorrectedRecord* one : largest_first(model_.correction.uncorrected, &UncorrectedRecord::depth_mm)) {
+    for (const Uncorrected* one : largest_first(model_.correction.uncorrected, &Uncorrected::depth_mm)) {
       const std::string depth = one->depth_mm > 0 ? depth_text(one->depth_mm, unit_, model_.options) : "-";
       table.has_room()
           ? table.add(html_cell(std::to_string(one->line), "n") + html_cell(std::to_string(one->move), "n") +

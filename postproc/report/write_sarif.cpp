@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "lib/base/printable_text.h"
 #include "postproc/report/findings.h"
 #include "postproc/report/report_text.h"
 

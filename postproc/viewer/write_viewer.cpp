@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/printable_text.h"
 #include "lib/motion/motion_law.h"
 #include "postproc/image/event_scale.h"
 #include "postproc/image/heat_map.h"

@@ -37,7 +37,8 @@ TEST(HelpText, EveryHelpFitsIntoEightyColumns) {
                                                           {"init"},
                                                           {"help"},
                                                           {"man"},
-                                                          {"completion"}};
+                                                          {"completion"},
+                                                          {"schema"}};
   for (const std::vector<const char*>& command : commands) {
     std::vector<const char*> argv = {"/usr/bin/gougecheck"};
     argv.insert(argv.end(), command.begin(), command.end());

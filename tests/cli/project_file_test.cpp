@@ -1,4 +1,5 @@
 #include "cli/project_file.h"
+#include "cli/file_schemas.h"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,13 @@ TEST(ProjectFile, TheSchemaHasEveryKeyAndNoOther) {
   const std::vector<std::string> keys = project_keys();
   EXPECT_EQ(listed, std::set<std::string>(keys.begin(), keys.end()));
   EXPECT_EQ(schema["additionalProperties"], false);
+}
+
+TEST(FileSchemas, ThoseOfTheDocsAreTheGeneratedOnes) {
+  EXPECT_EQ(document("project.schema.json"), project_schema())
+      << "write it anew: gougecheck schema project > docs/formats/project.schema.json";
+  EXPECT_EQ(document("jobs.schema.json"), jobs_schema())
+      << "write it anew: gougecheck schema jobs > docs/formats/jobs.schema.json";
 }
 
 TEST(ProjectFile, ThePageNamesEveryKey) {

@@ -12,7 +12,7 @@
 #include "lib/base/sha256.h"
 #include "postproc/accept/accepted.h"
 #include "postproc/compare/write_comparison.h"
-#include "postproc/report/identity_json.h"
+#include "postproc/record/result_digest.h"
 #include "tests/fuzz/require.h"
 
 // Two results, a line "=====" between them, or accepted findings. Digests and seals are made right, so that what they
@@ -55,8 +55,8 @@ void require_shown(const Comparison& comparison) {
 
 void accept_all(const StoredResult& result) {
   std::vector<Acceptance> accepted;
-  for (const StoredFinding& finding : result.findings) {
-    Result<Acceptance> made = accept_finding(result, finding.number, {"reason", "by", "2026-01-01"}, accepted);
+  for (const EventRecord& finding : result.findings) {
+    Result<Acceptance> made = accept_finding(result, *finding.number, {"reason", "by", "2026-01-01"}, accepted);
     if (made) {
       accepted.push_back(std::move(*made));
     } else {

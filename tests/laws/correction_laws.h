@@ -220,7 +220,7 @@ class LawBook {
   /// lawful as others (a, b, c) is tested all the same.
   bool is_uncut(std::size_t i) const {
     return std::ranges::any_of(c_.correction->uncut, [i](const Uncut& u) {
-      return u.kind == Uncut::Kind::left_out && i >= u.first && i <= u.last;
+      return u.kind == Uncut::Kind::left_out && i >= u.first_move && i <= u.last_move;
     });
   }
 

@@ -28,7 +28,7 @@ struct CellBody {
 ///
 /// Descends the moving tree only, by balls: a ball farther from the solid than its radius is done. The
 /// points of the leaves left over query the grid; those that may be inside measure the few facets of their
-/// cell, or search the standing tree from the one nearest to it. Returns what the trees do (docs/algorithms/
+/// cell, or search the standing tree from the one nearest to it. Returns what the trees do (docs/method/
 /// shallow_penetration.md, section 4).
 class CellSearch {
  public:

@@ -59,7 +59,7 @@ TEST(LeftStock, IsTheLiftOfALiftedPath) {
       const auto found = left(bench, before, sweep_of(tool.cutting, {row(0, lift)}));
       ASSERT_EQ(found.has_value(), lift > 0.02) << lift;
       if (!found) continue;
-      EXPECT_FALSE(found->is_undecided || found->is_more);
+      EXPECT_FALSE(!found->is_proved || found->is_more);
       EXPECT_GT(found->thickness_mm * 1.1 + 0.011, lift);
       EXPECT_LT(found->thickness_mm, lift + 0.011);
       EXPECT_EQ(found->move, 0U);
@@ -213,7 +213,7 @@ TEST(LeftStock, HoldsForSamplesOfRandomPaths) {
     const auto found = left(bench, before, after);
     (found ? some : none) += 1;
     const double most = found ? found->thickness_mm * 1.1 + 0.011 : kUsual.allowed_mm;
-    if (found && (found->is_more || found->is_undecided)) continue;
+    if (found && (found->is_more || !found->is_proved)) continue;
     const Motion row_motion = test::straight(a, b), dip = test::straight(low, deep), new_motion = test::straight(c, d);
     const auto nearest = [&](const Motion& motion, const Vec3& point, int instants) {
       double least = 1e9;

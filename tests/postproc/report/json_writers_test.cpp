@@ -99,12 +99,12 @@ TEST(WriteJson, ChangesCarryTheirCauseAndTheirRecordsAndSaysWhatIsUncut) {
   SmallReport report;
   report.add_correction();
   std::vector<CorrectedRecord>& changes = report.model.correction.changes;
-  changes[0].cause = 1;
+  changes[0].cause = CauseRecord{1, 11, MoveState::gouge, 0.25, Body::cutter, Against::part, "part.stl"};
   changes[0].old_record = "GOTO/1,2,3\n";
   changes[0].new_record = "GOTO/1,2,3.25\n";
   report.set_gouge(1, 0.25);
   report.model.correction.uncut = {
-      {3, 5, 13, 15, 2, 12.5}, {7, 7, 17, 17, 0, 4}, {9, 9, 19, 19, 0, 1.5, UncutRecord::Kind::hole}};
+      {3, 5, 13, 15, 2, 12.5}, {7, 7, 17, 17, 0, 4}, {9, 9, 19, 19, 0, 1.5, Uncut::Kind::hole}};
   report.model.correction.low_rapids = {{2, 12, -0.25}};
   const json value = json::parse(write_json(report.model));
   EXPECT_EQ(schema_errors(value), std::vector<std::string>{});

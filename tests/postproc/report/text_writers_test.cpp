@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "lib/base/printable_text.h"
 #include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
@@ -196,7 +197,7 @@ TEST(SummaryText, SaysWhatIsLeftUncutAndCountsItNotAsMoved) {
                       "left uncut in 1 stretch"),
             std::string::npos)
       << summary_text(report.model);
-  report.model.correction.changes[0].is_uncut = true;
+  report.model.correction.changes[0].strategy = "trim";
   EXPECT_NE(summary_text(report.model).find("0 positions moved, 1 inserted"), std::string::npos);
 }
 
@@ -204,8 +205,7 @@ TEST(SummaryText, SaysBesideTheVerdictWhatIsNotCutAnyMore) {
   SmallReport report;
   report.add_correction();
   CorrectionFacts& correction = report.model.correction;
-  correction.uncut = {{3, 3, 13, 13, 0, 0.25, UncutRecord::Kind::hole},
-                      {4, 4, 14, 14, 0, 0.5, UncutRecord::Kind::hole}};
+  correction.uncut = {{3, 3, 13, 13, 0, 0.25, Uncut::Kind::hole}, {4, 4, 14, 14, 0, 0.5, Uncut::Kind::hole}};
   correction.rapid_clearance_mm = 2;
   correction.low_rapids = {{1, 11, 0.5}, {2, 12, -0.0054}};
   const std::string text = summary_text(report.model);

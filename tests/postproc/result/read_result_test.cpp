@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "postproc/report/identity_json.h"
+#include "postproc/record/result_digest.h"
 #include "postproc/report/write_report.h"
 #include "postproc/result/stored_result.h"
 #include "tests/postproc/report/small_report.h"
@@ -27,23 +27,23 @@ TEST(ReadResult, WhatWasWrittenIsRead) {
   const Result<StoredResult> read = read_result("r.json", write_json(report.model));
   ASSERT_TRUE(read.has_value()) << to_text(read.error());
   EXPECT_EQ(read->file, "r.json");
-  EXPECT_EQ(read->toolpath, "path.apt");
-  EXPECT_EQ(read->verdict, "gouges");
+  EXPECT_EQ(read->record.toolpath.file, "path.apt");
+  EXPECT_EQ(read->record.verdict, "gouges");
   EXPECT_EQ(read->options.tolerance_mm, report.model.options.tolerance_mm);
-  EXPECT_EQ(read->motions.size(), 8U);
-  ASSERT_EQ(read->tools.size(), 2U);
-  EXPECT_EQ(read->tools[0].identity, "flat 10");
+  EXPECT_EQ(read->record.listed_motions(), 8U);
+  ASSERT_EQ(read->record.tools.size(), 2U);
+  EXPECT_EQ(read->record.tools[0].identity, "flat 10");
   EXPECT_EQ(read->contents_of("toolpath"), report.model.inputs[0].checksum + "\n");
   // A near miss is no finding of it; the buried tool is the worst.
   ASSERT_EQ(read->findings.size(), 2U);
-  const StoredFinding& gouge = read->findings[0];
+  const EventRecord& gouge = read->findings[0];
   EXPECT_EQ(gouge.state, MoveState::gouge);
   EXPECT_EQ(gouge.worst_move, 2U);
   EXPECT_EQ(read->findings[1].state, MoveState::buried);
   EXPECT_EQ(read->moves_of(gouge).size(), 2U);
   EXPECT_EQ(read->worst_of(gouge).depth_mm, 0.3333);
   EXPECT_EQ(read->worst_of(gouge).depth_upper_mm, 0.3338);
-  EXPECT_EQ(read->worst_of(gouge).witness->point, Vec3(12.3, 4.5, 6.7));
+  EXPECT_EQ(read->worst_of(gouge).witness->point_mm, Vec3(12.3, 4.5, 6.7));
   EXPECT_EQ(read->find_move(0), nullptr) << "clean";
   EXPECT_EQ(read->find_move(7)->state, MoveState::not_checked);
 }
@@ -53,19 +53,19 @@ TEST(ReadResult, LengthsOfAnInchPathAreInMillimetres) {
   report.path.unit = LengthUnit::inch;
   const Result<StoredResult> read = read_result("r.json", write_json(report.model));
   ASSERT_TRUE(read.has_value());
-  EXPECT_EQ(read->unit, LengthUnit::inch);
+  EXPECT_EQ(read->record.unit, LengthUnit::inch);
   EXPECT_NEAR(*read->worst_of(read->findings[0]).depth_mm, 0.3333, 1e-15);
-  EXPECT_NEAR(read->worst_of(read->findings[0]).witness->point.x(), 12.3, 1e-13);
+  EXPECT_NEAR(read->worst_of(read->findings[0]).witness->point_mm.x(), 12.3, 1e-13);
 }
 
 TEST(ReadResult, RunsSayWhichMovesAreOfOneOperationAndTool) {
   const SmallReport report;
   const Result<StoredResult> read = read_result("r.json", write_json(report.model));
   ASSERT_TRUE(read.has_value());
-  ASSERT_EQ(read->runs.size(), 2U);
+  ASSERT_EQ(read->record.runs.size(), 2U);
   EXPECT_EQ(read->run_of(5).operation, "finish <1>");
   EXPECT_EQ(read->run_of(6).first_move, 6U);
-  EXPECT_EQ(read->moves_like(read->runs[0], 4, 8), 2U);
+  EXPECT_EQ(read->moves_like(read->record.runs[0], 4, 8), 2U);
 }
 
 TEST(ReadResult, EveryByteIsHeldByTheDigest) {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/path/motion_key.h"
-#include "postproc/report/identity_json.h"
+#include "postproc/record/result_digest.h"
 #include "postproc/report/motion_list.h"
 #include "postproc/result/stored_result.h"
 

@@ -1,0 +1,88 @@
+#include "cli/file_schemas.h"
+
+#include <nlohmann/json.hpp>
+
+#include "cli/commands/job_words.h"
+#include "cli/project_file.h"
+
+namespace gouge {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kDraft = "https://json-schema.org/draft/2020-12/schema";
+
+Json reference(const char* definition) { return {{"$ref", std::string("#/$defs/") + definition}}; }
+
+/// Returns the schema of the values of an option.
+Json schema_of(const OptionKind& kind) {
+  if (kind.is_flag) return {{"type", "boolean"}};
+  if (!kind.choices.empty()) return {{"enum", kind.choices}};
+  if (kind.is_repeatable) return reference("texts");
+  if (kind.type == "BODY=LENGTH") return {{"oneOf", {reference("text"), reference("lengths_of_bodies")}}};
+  if (kind.type == "LENGTH") return reference("length");
+  if (kind.type == "SIZE" || kind.type.starts_with("DEG")) return {{"type", {"string", "number"}}};
+  return reference("text");
+}
+
+/// Returns the schemas of all options by their keys. `is_job`: null removes a value of the defaults.
+Json option_schemas(bool is_job) {
+  const Json none = {{"type", "null"}};
+  Json all = Json::object();
+  for (const OptionKind& kind : project_options()) {
+    const Json values = schema_of(kind);
+    all[key_of_option(kind.key)] = is_job ? Json({{"anyOf", {values, none}}}) : values;
+  }
+  return all;
+}
+
+Json definitions() {
+  const Json text = {{"type", {"string", "number"}}, {"minLength", 1}};
+  const Json body = {{"shank", reference("length")}, {"holder", reference("length")}};
+  return {
+      {"text", text},
+      {"texts", {{"type", {"string", "number", "array"}}, {"minLength", 1}, {"items", text}, {"minItems", 1}}},
+      {"length",
+       {{"description", "A number is in mm; a text may carry a unit: \"0.0005in\"."}, {"type", {"string", "number"}}}},
+      {"lengths_of_bodies",
+       {{"type", "object"}, {"minProperties", 1}, {"properties", body}, {"additionalProperties", false}}}};
+}
+
+}  // namespace
+
+std::string project_schema() {
+  const Json schema = {{"$schema", kDraft},
+                       {"title", "Project file of gougecheck (gougecheck.json)"},
+                       {"type", "object"},
+                       {"properties", option_schemas(false)},
+                       {"additionalProperties", false},
+                       {"$defs", definitions()}};
+  return schema.dump(1) + "\n";
+}
+
+std::string jobs_schema() {
+  Json properties = {
+      {"command", {{"enum", {"check", "correct"}}}}, {"path", reference("texts")}, {"report", {{"type", "boolean"}}}};
+  properties.update(option_schemas(true));
+  Json all = definitions();
+  all["options"] = {{"description", "Beside these, any other option of the command by its long name."},
+                    {"type", "object"},
+                    {"properties", std::move(properties)},
+                    {"additionalProperties", {{"type", {"string", "number", "boolean", "array", "null"}}}}};
+  all["job"] = {{"description", "Options that a job leaves out come from the defaults."},
+                {"type", "object"},
+                {"properties", {{"name", {{"type", "string"}, {"minLength", 1}, {"maxLength", 100}}}}},
+                {"$ref", "#/$defs/options"}};
+  const Json schema = {{"$schema", kDraft},
+                       {"title", "Job list of gougecheck batch"},
+                       {"type", "object"},
+                       {"required", {"jobs"}},
+                       {"properties",
+                        {{"defaults", reference("options")},
+                         {"jobs", {{"type", "array"}, {"minItems", 1}, {"items", reference("job")}}}}},
+                       {"additionalProperties", false},
+                       {"$defs", std::move(all)}};
+  return schema.dump(1) + "\n";
+}
+
+}  // namespace gouge

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "postproc/record/result_record.h"
+
+namespace gouge {
+
+/// Returns the text of a result file: the fields of result_fields.h, indented by one blank a level, and the digest.
+/// Lengths are written in the unit of the toolpath, numbers so that they read back exactly. Bytes that are no UTF-8
+/// become U+FFFD. Cost: linear in the text.
+[[nodiscard]] std::string write_record(const ResultRecord& record);
+
+}  // namespace gouge
