@@ -15,7 +15,7 @@ struct CurvePiece {
 
 /// Directed curves cut where they meet one another and the axis, at r >= 0. Ends that lie within the slack
 /// are one vertex, given ends before computed ones, so that given corners keep their digits.
-/// Ensures  a piece that two curves share is there once, named by the first; one that two curves run along in
+/// Ensures  A piece that two curves share is there once, named by the first; one that two curves run along in
 ///          opposite directions is left out: there is solid on both sides of it.
 struct Arrangement {
   std::vector<Vec2> vertices;

@@ -46,7 +46,7 @@ struct ToolAssembly {
 /// Per body its own closed contour at its position; index by Body. No elements: the tool has no such body.
 using BodyProfiles = std::array<Profile, 3>;
 
-/// Errors   those of make_cutter_profile; for a segment tool-dimension-not-positive,
+/// Errors   Those of make_cutter_profile; for a segment tool-dimension-not-positive,
 ///          tool-dimension-too-large; tool-stickout (less than the flutes, or more than the shank reaches),
 ///          tool-extension (one that counts as shank above one that counts as holder). The message begins
 ///          with the tool and the field ("tool T3 "slot": shank 2: ...").

@@ -13,11 +13,11 @@ inline constexpr std::size_t kMaxBspNodes = 16;
 
 /// The BSP over the Voronoi diagram of the elements' contour, inside and outside.
 ///
-/// Requires  elements in contour order, a vertex at every joint that is not smooth, arcs below 180 degrees.
-/// Ensures   the leaf a point falls to is its nearest element (rounding at ties apart), everywhere in r >= 0.
+/// Requires  Elements in contour order, a vertex at every joint that is not smooth, arcs below 180 degrees.
+/// Ensures   The leaf a point falls to is its nearest element (rounding at ties apart), everywhere in r >= 0.
 ///           nodes[0] is the root; no nodes when there is one element, when there are more than kMaxBspElements, and
 ///           when the diagram takes more than kMaxBspNodes nodes for each element.
-/// Cost      for each node a examine every line that still matters; milliseconds for twenty elements.
+/// Cost      For each node a examine every line that still matters; milliseconds for twenty elements.
 /// Source    Ho 1999, thesis 2.4.18; construction own, docs/method/tool_voronoi.md
 [[nodiscard]] std::vector<BspNode> build_bsp(const std::vector<BoundaryElement>& elements);
 

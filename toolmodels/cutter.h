@@ -138,7 +138,7 @@ struct NominalSize {
 ///          tool-corner-radius-negative, tool-corner-radius-too-large, tool-angle-out-of-range,
 ///          tool-taper-closes, tool-length-too-short, tool-dimensions-contradict, tool-no-closed-profile,
 ///          tool-profile-broken. The message names the field and states what would be allowed.
-/// Source   design of the tool library (docs/formats/tool_library.md); APT: thesis 2.4.18.2 and CL-data
+/// Source   Design of the tool library (docs/formats/tool_library.md); APT: thesis 2.4.18.2 and CL-data
 ///          usage.
 [[nodiscard]] Result<Profile> make_cutter_profile(const Cutter& cutter);
 

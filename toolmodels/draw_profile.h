@@ -14,13 +14,13 @@ namespace gouge {
 /// dimensions; on the right the tip, enlarged, with the regions inside and outside and the correction
 /// directions as arrows (the way out for a point at each grid point). After thesis figures 21 and 22.
 ///
-/// Ensures  the same tool gives the same drawing; dimensions are written in `unit`.
-/// Errors   those of make_body_profiles.
+/// Ensures  The same tool gives the same drawing; dimensions are written in `unit`.
+/// Errors   Those of make_body_profiles.
 [[nodiscard]] Result<Drawing> draw_profile(const ToolAssembly& tool, LengthUnit unit);
 
 /// Every tool in a field of its own, in rows: the whole assembly small, its cutter large, name and dimensions.
 ///
-/// Errors   those of make_body_profiles.
+/// Errors   Those of make_body_profiles.
 [[nodiscard]] Result<Drawing> draw_sheet(const std::vector<const ToolAssembly*>& tools, LengthUnit unit);
 
 /// "cutter flat D 10 mm, ..." in one line: what captions and lists state of a tool.

@@ -17,10 +17,10 @@ namespace gouge {
 
 /// Fills in the support ranges by the contract of SupportRange (lib/tool/compiled_tool.h).
 ///
-/// Requires  elements as make_elements gives them, of a closed profile.
-/// Ensures   a hollow profile claims what it would with its underside filled (a solid is never deeper than a
+/// Requires  Elements as make_elements gives them, of a closed profile.
+/// Ensures   A hollow profile claims what it would with its underside filled (a solid is never deeper than a
 ///           larger one), and nothing within the hollow; one that is not single-valued even then, nothing.
-/// Source    own, docs/method/tool_voronoi.md
+/// Source    Own, docs/method/tool_voronoi.md
 void set_support_ranges(const Profile& profile, std::vector<BoundaryElement>& elements);
 
 }  // namespace gouge

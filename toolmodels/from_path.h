@@ -19,7 +19,7 @@ struct ToolFromPath {
 /// without one, or when it ends within the tip, it is replaced by max(5 d, 50 mm) and reported: APT's default of 5
 /// would leave most of the tool out of the check.
 ///
-/// Errors   those of make_cutter_profile, naming the tool.
+/// Errors   Those of make_cutter_profile, naming the tool.
 [[nodiscard]] Result<ToolFromPath> make_tool_from_path(const PathTool& tool, const std::vector<ToolSegment>& holder);
 
 }  // namespace gouge

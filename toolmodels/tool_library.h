@@ -45,7 +45,7 @@ struct ToolLibrary {
 
 /// Every tool is built once to see that it can be; what cannot is an error that names tool and field.
 ///
-/// Errors   with file and line: json-too-deep, json-too-long, library-syntax, library-field (missing, of the wrong
+/// Errors   With file and line: json-too-deep, json-too-long, library-syntax, library-field (missing, of the wrong
 ///          kind, unknown shape, unit or holder), library-duplicate-key, library-duplicate-number, library-empty, and
 ///          those of make_body_profiles.
 /// Warnings in `notes`: library-unknown-key, library-duplicate-name, cutter-contradiction.

@@ -24,8 +24,8 @@ struct OffsetBody {
 ///           the given ones, bit for bit; (3) neighbouring pieces of one line or circle and body are one
 ///           element; (4) the contour lies within 1e-9 of the tool's size of the true union.
 /// Errors    tool-not-closed: the bodies do not make one contour from the tip to the top of the axis.
-/// Cost      quadratic in the number of elements, times a examine all elements for each piece.
-/// Source    own, docs/method/tool_voronoi.md
+/// Cost      Quadratic in the number of elements, times a examine all elements for each piece.
+/// Source    Own, docs/method/tool_voronoi.md
 [[nodiscard]] Result<Profile> unite(const std::vector<OffsetBody>& bodies);
 
 }  // namespace gouge

@@ -42,7 +42,7 @@ struct Domains {
 [[nodiscard]] Domains make_domains(const std::vector<BoundaryElement>& elements);
 
 /// True when `f` <= `g` all over the cell (up to its slack). False may also mean: not seen.
-/// Ensures  never true wrongly. Convex f and concave g are decided exactly at the corners, else by tangents.
+/// Ensures  Never true wrongly. Convex f and concave g are decided exactly at the corners, else by tangents.
 [[nodiscard]] bool is_everywhere_below(const DistanceForm& f, const DistanceForm& g, const ConvexCell& cell);
 
 /// Comparison of two distances within a cell.

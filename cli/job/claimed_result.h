@@ -41,7 +41,7 @@ struct ClaimedResult {
 };
 
 /// `file` is the name of the result. Inputs that are not where the result states are looked for beside it.
-/// Errors  those of JSON (result-syntax, result-duplicate-key, json-too-deep, json-too-long), result-invalid: it is no
+/// Errors  Those of JSON (result-syntax, result-duplicate-key, json-too-deep, json-too-long), result-invalid: it is no
 ///         result of `check`, or has an option that cannot be, and result-field with the line: a value that is missing or
 ///         not as expected.
 [[nodiscard]] Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_view bytes);

@@ -21,7 +21,7 @@ inline constexpr const char* kFixtureUndecided = "fixture-not-certified";
 [[nodiscard]] Diagnostics setup_notes(const Job& job, const JobArguments& arguments, const PreparedScene& scene);
 
 /// find_stickouts for the tools of a job, with `result` from its check. `is_extended_up` as in JobArguments.
-/// Errors   those of make_non_cutting_variants for a longer tool.
+/// Errors   Those of make_non_cutting_variants for a longer tool.
 [[nodiscard]] Result<std::vector<StickoutFacts>> find_stickouts_of(const Job& job, const PreparedScene& scene,
                                                                    const CheckResult& result, bool is_extended_up,
                                                                    const StickoutOptions& options,

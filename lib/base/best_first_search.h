@@ -42,7 +42,7 @@ struct SearchCandidate {
 ///                                          candidates have the same bound
 /// It offers the candidates to begin with, which must cover the domain, before it calls `run`.
 ///
-/// Ensures  the same order on every machine. Every candidate was split or its bound is in what `run` returns.
+/// Ensures  The same order on every machine. Every candidate was split or its bound is in what `run` returns.
 /// Source   A. H. Land, A. G. Doig, An automatic method of solving discrete programming problems (1960).
 template <typename Problem, typename Candidate>
 class BestFirstSearch {

@@ -35,7 +35,7 @@ struct CheckSetup {
 ///          left out or beyond the budget is not checked or not certified, with the reason.
 ///          (3) the assumptions of the path, of `setup.basis` and of the check itself, settled (lib/path/assumption.h).
 ///          (4) the same result, bit for bit, at any number of threads.
-/// Cost     that of check_path, check_heads, measure_overcuts and assess.
+/// Cost     That of check_path, check_heads, measure_overcuts and assess.
 [[nodiscard]] CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress = {});
 
 /// Checks the moves alone: (1), (2) and (4) of check, for searches that try many paths. Its result has no assumptions,

@@ -13,7 +13,7 @@ namespace gouge {
 /// Checks one motion of one tool; everything but "buried", which needs the moves before it (check_path.h).
 ///
 /// Requires motion.is_defined().
-/// Ensures  the guarantee of docs/method/guarantee.md: depth <= true depth <= depth_upper; a gouge is closed to the resolution;
+/// Ensures  The guarantee of docs/method/guarantee.md: depth <= true depth <= depth_upper; a gouge is closed to the resolution;
 ///          clean means depth_upper <= tolerance + resolution, and no body with a clearance entered by more than the
 ///          resolution, and no mesh with limits (MeshLimit) beyond them by more than the resolution; of a gouge against
 ///          such a mesh the witness and the depth are of that mesh, depth_upper is of all;
@@ -28,7 +28,7 @@ namespace gouge {
 /// Moves of one tool, one after the other on the path, checked together: much faster than one by one, since
 /// what is far from all of them is discarded once.
 ///
-/// Shape    one kind and one verdict a motion. Requires and ensures as check_move; a verdict may differ from
+/// Shape    One kind and one verdict a motion. Requires and ensures as check_move; a verdict may differ from
 ///          check_move's in the last digits of depth_upper, since the moves share bounds.
 /// `bounds`, where given, has one count a motion, to which the work is added.
 void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolVariants& tool,

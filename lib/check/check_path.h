@@ -21,7 +21,7 @@ namespace gouge {
 ///          (3) a move is clean only if every body of the tool is proved outside of all solids during it, and
 ///              buried only if one is proved inside; else it is not certified (buried.h).
 ///          (4) the same result where stretches of it come from `kept`, which may be null.
-/// Source   design of docs/method/guarantee.md; docs/method/certified_sweep.md.
+/// Source   Design of docs/method/guarantee.md; docs/method/certified_sweep.md.
 [[nodiscard]] CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                      const PreparedScene& scene, const CheckOptions& options,
                                      const ProgressCall& progress = {}, CheckpointStore* kept = nullptr);

@@ -29,9 +29,9 @@ struct ClosestApproach {
 /// Returns "37 cutting positions" or "400 cutting positions examined (of 2425)".
 [[nodiscard]] std::string positions_examined(const ClosestApproach& closest_approach);
 
-/// Shape    as check_path, `verdicts` its result on the same path. Nothing where there is no part or no cut.
-/// Ensures  the same result at any number of threads; distances to a hundredth of a millimetre.
-/// Cost     a search at 400 positions at most.
+/// Shape    As check_path, `verdicts` its result on the same path. Nothing where there is no part or no cut.
+/// Ensures  The same result at any number of threads; distances to a hundredth of a millimetre.
+/// Cost     A search at 400 positions at most.
 [[nodiscard]] std::optional<ClosestApproach> measure_closest_approach(const Toolpath& toolpath,
                                                                       const std::vector<const ToolVariants*>& tools,
                                                                       const PreparedScene& scene,

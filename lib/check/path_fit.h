@@ -41,7 +41,7 @@ struct PathFit {
 /// position.
 [[nodiscard]] double touch_mm(const ToolVariants& tool);
 
-/// Shape    as check_path, with the verdicts it gave.
+/// Shape    As check_path, with the verdicts it gave.
 /// Ensures  (1) fits, where fewer than 10 positions cut, however deep: a position is too little to judge by.
 ///          (2) too_deep only if also more than half of the operations are, each by most of its positions, so
 ///          that one bad operation is none; mistaken never by a shift along the tool axis of less than half

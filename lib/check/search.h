@@ -71,7 +71,7 @@ struct SearchResult {
 /// Requires motion.is_defined(), resolution and gap > 0. Tools without elements are passed over.
 /// Ensures  value <= true value <= value_upper; when decided, value_upper <= tolerance + resolution, or <= value + gap
 ///          when the value is above the tolerance.
-/// Cost     a few hundred bounds for a clean move near the surface, no allocation that outlives the call.
+/// Cost     A few hundred bounds for a clean move near the surface, no allocation that outlives the call.
 [[nodiscard]] SearchResult search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
                                        const SearchQuery& query, const SearchStart& start);
 

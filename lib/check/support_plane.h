@@ -45,7 +45,7 @@ struct SupportedSet {
 
 /// Returns whether a plane of the tool bounds its depth over a set. `margin_mm` extends the bound up to that far outside as
 /// well. For a horizontal face the contour between the face and the set is tested.
-/// Cost     constant; of a horizontal face linear in the elements of the tool.
+/// Cost     Constant; of a horizontal face linear in the elements of the tool.
 [[nodiscard]] bool supports(const CompiledTool& tool, const SupportPlane& plane, const SupportedSet& set,
                             double margin_mm);
 

@@ -23,8 +23,8 @@ struct SweptMove {
 
 /// Every motion against every target, for one query (search.h).
 /// Requires motions that are defined. Tools without elements and empty trees are passed over.
-/// Ensures  each result depends on `motions` alone, not on the processor or on who else runs.
-/// Cost     a microsecond or two for a motion along a surface, a tenth of that for one far from it.
+/// Ensures  Each result depends on `motions` alone, not on the processor or on who else runs.
+/// Cost     A microsecond or two for a motion along a surface, a tenth of that for one far from it.
 [[nodiscard]] std::vector<SweptMove> sweep_moves(std::span<const Motion> motions,
                                                  const std::vector<SearchTarget>& targets, const SearchQuery& query,
                                                  const SweepKernel& kernel = fastest_sweep_kernel());

@@ -29,9 +29,9 @@ struct BodyDepth {
 /// the same,
 ///          `depth_upper_mm` bounds the surface alone.
 /// Ensures  depth <= true depth <= depth_upper at any budget; the same bits on every machine.
-/// Cost     about 10 microseconds a bound; a few hundred bounds for plain bodies, as many as pairs of facets lie over
+/// Cost     About 10 microseconds a bound; a few hundred bounds for plain bodies, as many as pairs of facets lie over
 ///          one another where surfaces touch or run parallel.
-/// Source   measure of thesis chapters 4 and 5; proof: docs/method/clash.md.
+/// Source   Measure of thesis chapters 4 and 5; proof: docs/method/clash.md.
 [[nodiscard]] BodyDepth find_body_depth(const ClashBody& of, const ClashBody& in, const Vec3& shift,
                                         const SearchGoal& goal);
 

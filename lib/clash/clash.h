@@ -46,7 +46,7 @@ struct Clash {
 /// Returns whether two bodies penetrate and how deep, B moved by `shift_b`.
 ///
 /// Requires triangles in both.
-/// Ensures  free and touching are proved, for bodies whose inside is not known as well; the same bits on
+/// Ensures  Free and touching are proved, for bodies whose inside is not known as well; the same bits on
 /// every machine.
 /// Source   docs/method/clash.md, with the proofs.
 [[nodiscard]] Clash find_clash(const ClashBody& a, const ClashBody& b, const Vec3& shift_b,
@@ -61,7 +61,7 @@ struct SetupOverlap {
 /// Every fixture of a scene against every part, in that order. `is_left_out`: by fixture.
 ///
 /// Requires scene.is_within_reach.
-/// Cost  nothing for bodies whose bounding boxes have no more than the tolerance in common; else the surfaces of the
+/// Cost  Nothing for bodies whose bounding boxes have no more than the tolerance in common; else the surfaces of the
 ///       scene and a search (body_depth.h).
 [[nodiscard]] std::vector<SetupOverlap> find_setup_overlaps(const PreparedScene& scene,
                                                             const std::vector<bool>& is_left_out,

@@ -44,7 +44,7 @@ class ConvexRegion {
 /// A polygon cut by the three planes that stand on a triangle's edges: first what lies over the triangle,
 /// then the rest. One part, the polygon itself, where nothing is cut off, nothing lies over the triangle or
 /// it has many corners.
-/// Ensures  no point of the polygon is farther than 1e-10 mm from the parts.
+/// Ensures  No point of the polygon is farther than 1e-10 mm from the parts.
 [[nodiscard]] std::vector<ConvexRegion> cut_along(const ConvexRegion& polygon, const std::array<Vec3, 3>& triangle);
 
 }  // namespace gouge

@@ -20,7 +20,7 @@ struct FreeShift {
 /// Not the shortest of all.
 ///
 /// `found`: the clash at rest.
-/// Cost     an index with volumes that carry depth over each body, then a search of the points of each for every
+/// Cost     An index with volumes that carry depth over each body, then a search of the points of each for every
 ///          iteration.
 [[nodiscard]] FreeShift find_free_shift(const ClashBody& a, const ClashBody& b, const Clash& found,
                                         const ClashOptions& options);

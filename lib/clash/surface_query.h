@@ -23,7 +23,7 @@ struct CapHit {
 };
 
 /// A facet that reaches into the cap and for which `is_allowed(triangle)` is false; nothing when there is none.
-/// Ensures  no facet that reaches into the cap by more than rounding is missed; always the same one.
+/// Ensures  No facet that reaches into the cap by more than rounding is missed; always the same one.
 template <typename IsAllowed>
 [[nodiscard]] std::optional<CapHit> find_in_cap(const Surface& surface, const BallCap& cap,
                                                 const IsAllowed& is_allowed);

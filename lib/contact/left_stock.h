@@ -48,7 +48,7 @@ inline constexpr double kMaxStock_mm = 20;
 /// Ensures  (1) Nothing: proved, for every point of every triangle and every instant.
 ///          (2) The thickness is true of its point to 0.001 mm, and nowhere larger by more than a tenth and 0.01 mm,
 ///          unless is_more.
-/// Cost     bounded by the work allowed, one thread. A finished surface of which nothing is left takes a piece for what
+/// Cost     Bounded by the work allowed, one thread. A finished surface of which nothing is left takes a piece for what
 ///          one pose of the new cutter covers: some tenths of a millimetre under a ball, a footprint under a flat end.
 /// Method   docs/method/tilting.md, "What a tilt leaves".
 [[nodiscard]] std::optional<LeftStock> find_left_stock(const BlockTree& parts, const CutterSweep& before,

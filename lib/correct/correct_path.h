@@ -100,7 +100,7 @@ struct Correction {
 ///          axis. (2) The tool axis changes in the runs of lib/tilt alone: about moves of which a body gouges whose
 ///          strategy is to tilt; and where a stretch is left out, above it (lib/correct/plan_trims.h).
 ///          (3) the same proposal at any number of threads.
-/// Source   thesis 5.3 (weighted, iterated); tilting, lifting, inserting and taking back are ours:
+/// Source   Thesis 5.3 (weighted, iterated); tilting, lifting, inserting and taking back are ours:
 ///          docs/method/correction.md, docs/method/tilting.md.
 [[nodiscard]] Correction correct_path(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
                                       const CorrectOptions& correct, const ProgressCall& progress = {});
@@ -122,8 +122,8 @@ struct LawfulCorrection {
 /// move worse there, or cannot be written, is taken back until nothing does.
 ///
 /// Ensures  `uncorrected` lists every move that gouges or is buried in `after`, and no other.
-/// Errors   those of `rewrite` for no changes at all; correct-law: even then a move is worse, a fault of ours.
-/// Cost     as correct_path, and a call of `rewrite` and a check of its path for every time something was taken
+/// Errors   Those of `rewrite` for no changes at all; correct-law: even then a move is worse, a fault of ours.
+/// Cost     As correct_path, and a call of `rewrite` and a check of its path for every time something was taken
 ///          back.
 [[nodiscard]] Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckResult& result,
                                                         const CheckSetup& setup, const CorrectOptions& correct,

@@ -14,7 +14,7 @@ namespace gouge {
 /// Requires `after` to be `path` with the changes.
 /// Ensures  what no entry names keeps the clearance, or as much as it did: certified by a check with the clearance
 ///          grown. What an entry keeps is certified too.
-/// Cost     a check of each such rapid, and up to five more where it is near.
+/// Cost     A check of each such rapid, and up to five more where it is near.
 [[nodiscard]] std::vector<LowRapid> find_low_rapids(const Toolpath& path, const Correction& correction,
                                                     const Toolpath& after, const CheckSetup& setup,
                                                     const CorrectOptions& correct);

@@ -11,7 +11,7 @@ namespace gouge {
 /// tolerance, the lesser. What is left out (Correction::uncut) is not measured, and rapids cut nothing.
 ///
 /// Requires `after` to be `path` with the changes.
-/// Ensures  the same at any number of threads; in path order.
+/// Ensures  The same at any number of threads; in path order.
 /// Cost     bounded: some tenths of a second for all stretches together, and a share for each move; results that are not decided by then are marked.
 [[nodiscard]] std::vector<StockStretch> measure_stock(const Toolpath& path, const Correction& correction,
                                                       const Toolpath& after, const CheckSetup& setup,

@@ -56,7 +56,7 @@ struct TrimJob {
 ///          clearance it is a feed. (2) The path outside of trims stays as programmed. Positions that are not visited
 ///          keep their records: they lie evenly on the straight crossing, or, where that is not clean, above their
 ///          programmed places. (3) The lift is the least of a growing list. (4) The same plan at any number of threads.
-/// Cost     the clean intervals of each move that is not clean; for each stretch some 16 lifts, each a check of three
+/// Cost     The clean intervals of each move that is not clean; for each stretch some 16 lifts, each a check of three
 ///          motions, or of all its moves where the straight crossing is not clean.
 [[nodiscard]] TrimPlan plan_trims(const TrimJob& job);
 

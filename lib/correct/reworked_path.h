@@ -30,7 +30,7 @@ struct NewPosition {
 /// A path with `positions`, in path order, in place of what their moves were.
 ///
 /// `base`: the path was reworked before: `positions` are of its moves; null: of `path` itself.
-/// Ensures  every move that is not as it was in the base is checked by itself.
+/// Ensures  Every move that is not as it was in the base is checked by itself.
 [[nodiscard]] ReworkedPath with_positions(const Toolpath& path, const CheckResult& result, const ReworkedPath* base,
                                           const std::vector<NewPosition>& positions,
                                           const std::vector<const ToolVariants*>& tools, const MotionChecker& checker);

@@ -49,7 +49,7 @@ struct ArcPiece {
 ///          What lies between is an arc as shift_arc ensures, or else the `chords` there. (3) At least one piece is an
 ///          arc, and there are no more pieces than straight moves. Nothing where that cannot be had, or the tool axis
 ///          turns.
-/// Cost     some 30 checks of a position and 20 of an arc for each stretch.
+/// Cost     Some 30 checks of a position and 20 of an arc for each stretch.
 [[nodiscard]] std::optional<std::vector<ArcPiece>> split_arc(const ArcTask& task, const std::vector<Pose>& chords,
                                                              const MotionChecker& checker);
 

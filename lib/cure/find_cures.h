@@ -36,7 +36,7 @@ struct FindingCures {
 ///          plan_tilts gives for the whole path, as `correct` would: about the contact, coming and going over the
 ///          blend. It is given only where check() of the path so tilted finds every move of the finding, and every
 ///          other one that the run changed, clean or near. (3) The same at any number of threads.
-/// Cost     that of planning all tilts, a check of the path, and of find_lift for each finding.
+/// Cost     That of planning all tilts, a check of the path, and of find_lift for each finding.
 [[nodiscard]] std::vector<FindingCures> find_cures(const Toolpath& path, const CheckResult& result,
                                                    const CheckSetup& setup, const CureOptions& options,
                                                    const ProgressCall& progress = {});

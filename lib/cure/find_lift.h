@@ -41,7 +41,7 @@ struct LiftedMoves {
 ///          is missing; after 64 of these, and where the check decides nothing, they double, and are halved back.
 ///          (3) Where it decided nothing one step below, whole checks, which know the path to each move, are made of
 ///          up to eight lifts below, by halving.
-/// Cost     a check of the moves for each lift tried, some ten; a whole check at the end.
+/// Cost     A check of the moves for each lift tried, some ten; a whole check at the end.
 [[nodiscard]] LiftCure find_lift(const Toolpath& path, const std::vector<std::size_t>& moves, const CheckSetup& setup,
                                  double step_mm, double max_mm);
 

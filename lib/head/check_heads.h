@@ -53,7 +53,7 @@ class HeadChecker {
 
   /// Motions one after the other, together: what is far from all of them is discarded once.
   ///
-  /// Shape    one verdict, one list of uppers and one count of bounds a motion, as of `sweep`; a verdict may differ from
+  /// Shape    One verdict, one list of uppers and one count of bounds a motion, as of `sweep`; a verdict may differ from
   ///          that of the motion alone in how deep the surface may be.
   void sweep_all(std::span<const Motion> motions, const CheckOptions& options, std::span<MoveVerdict* const> verdicts,
                  std::span<std::vector<double>> uppers_mm, std::span<std::uint64_t> bounds) const;
@@ -96,7 +96,7 @@ class HeadChecker {
 ///
 /// The guarantee is the tool's: depth <= true depth <= depth_upper over every instant; clean means that
 /// depth_upper is at most tolerance + resolution and that no head lies inside a solid (Body::head in the witness).
-/// Ensures  the same bits at any number of threads.
+/// Ensures  The same bits at any number of threads.
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
                  const CheckOptions& options, CheckResult& result, const ProgressCall& progress = {},
                  CheckpointStore* kept = nullptr);

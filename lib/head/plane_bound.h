@@ -66,8 +66,8 @@ struct HeadPlane {
 ///
 /// `is_middle_inside`: of the head. `cutoff_mm`: a bound of this is as good as any smaller one; the plane is raised to
 /// it where the given one does not hold.
-/// Ensures  nothing, or at least 0 and not below the depth of any point of the region.
-/// Cost     a search of the head's tree or two, and at most as many closest points.
+/// Ensures  Nothing, or at least 0 and not below the depth of any point of the region.
+/// Cost     A search of the head's tree or two, and at most as many closest points.
 /// Source   docs/method/shallow_penetration.md, section 7.
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const PieceRegion& region,
                                                    const HeadPlane& plane, bool is_middle_inside, double cutoff_mm);
@@ -75,7 +75,7 @@ struct HeadPlane {
                                                    const HeadPlane& plane, bool is_middle_inside, double cutoff_mm);
 
 /// The same by a plane that all of the head is below (support_planes.h), at least 0.
-/// Cost     a few products.
+/// Cost     A few products.
 [[nodiscard]] double depth_by_support(const PieceRegion& region, const OuterPlane& plane);
 [[nodiscard]] double depth_by_support(const NodeRegion& region, const OuterPlane& plane);
 

@@ -9,7 +9,7 @@ namespace gouge {
 /// examine the mesh. Each is the convex hull of what the mesh turns through between two heights, rounded where the mesh
 /// is, and the claims of CoverPiece hold for it with the mesh as the tool, r being the distance from the axis.
 ///
-/// Ensures  nothing is claimed (no pieces) of a mesh that fills too little of them, as one beside the axis.
+/// Ensures  Nothing is claimed (no pieces) of a mesh that fills too little of them, as one beside the axis.
 /// Cost     O(triangles), and for each some of the heights at which the mesh may be cut.
 /// Proof    docs/method/wide_sweep.md, section 7.
 [[nodiscard]] ConvexCover make_revolved_cover(const IndexedMesh& mesh);

@@ -29,7 +29,7 @@ class SupportPlanes {
 
   /// A height above the plane that no point of the head is above; infinite where it rises above it by more than
   /// kMaxRise_mm.
-  /// Cost     of the first call for a facet a search of the head's tree.
+  /// Cost     Of the first call for a facet a search of the head's tree.
   [[nodiscard]] double rise_mm(std::uint32_t facet) const;
 
   /// The facet's plane, raised by that; nothing where that is infinite.

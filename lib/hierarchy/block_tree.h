@@ -39,7 +39,7 @@ struct BlockTree {
 };
 
 /// Requires that the meshes outlive the tree and hold fewer than 2^32 triangles together.
-/// Ensures  every triangle in exactly one leaf, every bound holds; the same bytes at any number of threads (0: all).
+/// Ensures  Every triangle in exactly one leaf, every bound holds; the same bytes at any number of threads (0: all).
 /// Cost     O(n log n) time, 47 bytes a triangle, 16 more while it is built. It is reported as `stage`, triangles
 ///          counted.
 [[nodiscard]] BlockTree build_block_tree(std::span<const IndexedMesh> meshes, unsigned threads = 0,

@@ -17,10 +17,10 @@ struct ClosestTriangle {
 
 /// The nearest triangle within `within_mm` of a point, found from its exact corners; nothing when there is none.
 ///
-/// Ensures  the foot is that of closest_on_triangle, and no other triangle's has a smaller distance2_mm2; of those whose
+/// Ensures  The foot is that of closest_on_triangle, and no other triangle's has a smaller distance2_mm2; of those whose
 ///          distances are the same number, the lowest triangle. So it does not depend on the tree, nor on the machine.
 /// Requires coordinates of at most 1e9 mm.
-/// Cost     about O(log n).
+/// Cost     About O(log n).
 /// Proof    docs/method/closest_point.md.
 [[nodiscard]] std::optional<ClosestTriangle> closest_triangle(
     const BlockTree& tree, const Vec3& point_part, double within_mm = std::numeric_limits<double>::infinity());

@@ -17,7 +17,7 @@ namespace gouge {
 
 /// Returns whether any triangle reaches into what all half-spaces have in common. Requires at most kMaxHalfSpaces.
 ///
-/// Ensures  true where one does by more than 1e-9 mm, for coordinates up to 100 m.
+/// Ensures  True where one does by more than 1e-9 mm, for coordinates up to 100 m.
 /// Cost     O(log n) and the triangles near that space; no allocation worth naming.
 [[nodiscard]] bool is_entered(const BlockTree& tree, std::span<const HalfSpace> space);
 

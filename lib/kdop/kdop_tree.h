@@ -43,7 +43,7 @@ using BoundItem = std::function<void(std::uint32_t item, float* intervals)>;
 /// Splits at the median of the widest side of the items' centres, equal coordinates by number.
 ///
 /// Requires width 2, 4 or 8; leaf_items >= 1; `bound` gives intervals that hold the item.
-/// Ensures  every node's intervals are the union of those below it.
+/// Ensures  Every node's intervals are the union of those below it.
 /// Cost     O(n log^2 n), deterministic.
 [[nodiscard]] KdopTree build_kdop_tree(const DirectionSet& directions, std::span<const Vec3> centres,
                                        const KdopTreeOptions& options, const BoundItem& bound);

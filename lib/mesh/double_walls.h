@@ -10,7 +10,7 @@ namespace gouge {
 /// piece, one over the other, do that where they cross, touch or come nearer than 5e-5 of the size of the mesh at less
 /// than 30 degrees; or share an edge at less than 2 degrees; or, in a pinched piece, at less than 45.
 ///
-/// Ensures  a flag per triangle; those that name a piece count.
+/// Ensures  A flag per triangle; those that name a piece count.
 /// Cost     O(n log n) for triangles that do not stretch over most of the mesh.
 [[nodiscard]] std::vector<bool> find_double_walls(const IndexedMesh& mesh, const SurfacePieces& pieces);
 

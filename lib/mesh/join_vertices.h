@@ -20,7 +20,7 @@ struct JoinedMesh {
 /// they are (of two as near to the earlier), or stays.
 ///
 /// Requires reach_mm > 0 and what build_mesh ensures.
-/// Ensures  no vertex moves farther than reach_mm, however long a chain of near vertices is, and those left are farther
+/// Ensures  No vertex moves farther than reach_mm, however long a chain of near vertices is, and those left are farther
 ///          apart than that. Deterministic. Triangles keep their order and their numbers in the file.
 /// Errors   mesh-weld: every triangle collapses.
 /// Cost     O(n).

@@ -46,7 +46,7 @@ using OppositeHalfEdges = std::vector<std::uint32_t>;
 
 /// Returns whether the surfaces together wind around the point: the sum of their winding numbers is nearer to +-1, or beyond
 /// it, than to 0. Exact for closed surfaces and a point off them, whichever way they face; a hint for others.
-/// Cost  that of winding_number.
+/// Cost  That of winding_number.
 [[nodiscard]] bool is_inside(std::span<const IndexedMesh> meshes, const Vec3& point_part);
 
 /// Signed solid angle of triangle abc seen from `point`: positive from the side its corners run clockwise

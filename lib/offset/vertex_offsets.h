@@ -33,7 +33,7 @@ struct VertexOffset {
 
 /// Moves the planes through a vertex with unit `normals` by 1 and finds where they meet now: the shortest
 /// solution of n_i . x = 1 in least squares.
-/// Source  thesis 4.5.2.3; the cases are those it calls degenerate.
+/// Source  Thesis 4.5.2.3; the cases are those it calls degenerate.
 [[nodiscard]] VertexOffset offset_of_planes(std::span<const Vec3> normals);
 
 /// The normals without repetitions (closer than 1e-9).
@@ -41,7 +41,7 @@ struct VertexOffset {
 
 /// One for each vertex: the planes of its faces are moved and meet again (offset_of_planes); longer than 1 at an edge.
 /// Cost    O(n).
-/// Source  thesis 4.5.2.3. Its two other methods are in tests/bench/penetration/normal_methods.h.
+/// Source  Thesis 4.5.2.3. Its two other methods are in tests/bench/penetration/normal_methods.h.
 [[nodiscard]] std::vector<VertexOffset> offset_by_planes(const IndexedMesh& mesh, const MeshAdjacency& adjacency);
 
 /// Unit normal of every triangle; zero for one without area.

@@ -44,9 +44,9 @@ class CellProgram {
     Affine least;  ///< the blend: at least min over the limits wherever that is behind all planes
   };
   /// Requires a limit.
-  /// Ensures  upper bounds the program's value at any rounding but for that of sums: it is a value of its dual. The
+  /// Ensures  Upper bounds the program's value at any rounding but for that of sums: it is a value of its dual. The
   ///          program's own value but for rounding.
-  /// Cost     below a microsecond.
+  /// Cost     Below a microsecond.
   [[nodiscard]] Bound bound() const;
 
   struct Range {

@@ -23,7 +23,7 @@ namespace gouge {
 ///          0.002 mm of each other wherever the cells of OvercutOptions suffice for that. The same bits at any number
 ///          of threads.
 /// Requires result.events: their worst moves are searched longest.
-/// Cost     some 10 microseconds a move of a tool that is blunt where it gouges, else up to a millisecond or a few.
+/// Cost     Some 10 microseconds a move of a tool that is blunt where it gouges, else up to a millisecond or a few.
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                       const PreparedScene& scene, const CheckOptions& options, CheckResult& result,
                       const std::vector<HeadBody>& heads, const ProgressCall& progress = {},

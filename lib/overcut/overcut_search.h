@@ -32,8 +32,8 @@ struct Overcut {
 /// cell's middle: a linear program bounds the cell to second order in its size.
 ///
 /// Requires a solid's boundary (Surface::boundary). `seed`: a point in the solid at `seed_t`, where the search begins.
-/// Cost     some microseconds a cell; none for a solid blunt wherever it is in the part, some dozens where a corner is.
-/// Source   measure of thesis chapters 4 and 5; proof: docs/method/overcut.md.
+/// Cost     Some microseconds a cell; none for a solid blunt wherever it is in the part, some dozens where a corner is.
+/// Source   Measure of thesis chapters 4 and 5; proof: docs/method/overcut.md.
 [[nodiscard]] Overcut find_overcut(SweptSolid& solid, const Surface& part, const Vec3& seed, double seed_t,
                                    const OvercutOptions& options = {});
 

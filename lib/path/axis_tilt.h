@@ -49,7 +49,7 @@ struct AxisTilts {
 /// Moves apart by up to 2 mm of the path are one run.
 ///
 /// Requires as many origins as moves, or none: then nothing is tilted.
-/// Cost     one pass over the moves; chords to 0.01 mm of programmed curves into which positions were inserted.
+/// Cost     One pass over the moves; chords to 0.01 mm of programmed curves into which positions were inserted.
 [[nodiscard]] AxisTilts find_axis_tilts(const Toolpath& before, const Toolpath& after,
                                         const std::vector<std::size_t>& origins, std::size_t max_runs = 12);
 

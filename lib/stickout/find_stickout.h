@@ -53,11 +53,11 @@ struct ToolStickout {
 /// cutter does is not examined.
 ///
 /// `result` from check() with the same path and setup; `now_mm` one per Toolpath::tools, none for those to leave out.
-/// Ensures  with that stick-out check() of the bodies finds no gouge in any of the moves, buried or uncertain ones but
+/// Ensures  With that stick-out check() of the bodies finds no gouge in any of the moves, buried or uncertain ones but
 ///          where they are as it stands; one step below, the named move is not proved free. Of a tool that gets wider
 ///          upwards no shorter one would do: longer, it holds less space. The same at any number of threads.
-/// Errors   those of `make`.
-/// Cost     for each tool a check of its moves as they are and at each length reported, and of those that are not free
+/// Errors   Those of `make`.
+/// Cost     For each tool a check of its moves as they are and at each length reported, and of those that are not free
 ///          about twice the logarithm of the steps.
 [[nodiscard]] Result<std::vector<ToolStickout>> find_stickouts(const Toolpath& path, const CheckResult& result,
                                                                const CheckSetup& setup,

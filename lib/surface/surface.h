@@ -49,7 +49,7 @@ class Surface {
   /// Returns where the solid ends: the surface itself, or where shells nest, overlap or cross, what of it has no material on one
   /// side (solid_boundary.h). The only surface that answers for a side of a solid, or for a depth in it. Of what is no solid
   /// the surface itself; no solid where rounding leaves some of its sides unknown.
-  /// Ensures  valid as long as this surface or a copy of it. Cost of the first call as find_solid_boundary.
+  /// Ensures  Valid as long as this surface or a copy of it. Cost of the first call as find_solid_boundary.
   [[nodiscard]] const Surface& boundary() const;
   /// The boundary is the surface itself.
   [[nodiscard]] bool is_boundary() const { return &boundary() == this; }
@@ -62,10 +62,10 @@ class Surface {
 
   /// The closest point within `within_mm`; nothing when there is none (or no triangle at all).
   ///
-  /// Ensures  exact at any distance, on both sides of a solid; of equally near triangles the lowest (closest_triangle.h).
+  /// Ensures  Exact at any distance, on both sides of a solid; of equally near triangles the lowest (closest_triangle.h).
   ///          Without a solid every point counts as outside.
   /// Requires for is_inside: a surface that is the boundary of its body (boundary()).
-  /// Cost     about O(log n).
+  /// Cost     About O(log n).
   [[nodiscard]] std::optional<ClosestPoint> closest_point(
       const Vec3& point, double within_mm = std::numeric_limits<double>::infinity()) const;
 
@@ -74,7 +74,7 @@ class Surface {
   [[nodiscard]] ClosestPoint closest_point_from(const Vec3& point, std::uint32_t near) const;
 
   /// Returns whether a point off the surface lies in the solid, by how often all triangles wind around it. Requires is_solid().
-  /// Cost     about O(log n); O(n) where a few rays meet edges.
+  /// Cost     About O(log n); O(n) where a few rays meet edges.
   [[nodiscard]] bool winds_around(const Vec3& point) const;
 
   /// The same once a triangle is known to be nearest, with its foot.

@@ -25,7 +25,7 @@ class SurfaceSign {
   SurfaceSign(const IndexedMesh& mesh, const VertexTriangles& around);
 
   /// Outward direction at a foot on `triangle`: zero where the winding number must be computed.
-  /// Cost  as many steps as triangles meet at the foot, at most kMaxAround.
+  /// Cost  As many steps as triangles meet at the foot, at most kMaxAround.
   [[nodiscard]] Vec3 outward(std::uint32_t triangle, TriangleFeature feature, std::size_t index) const;
 
  private:

@@ -31,7 +31,7 @@ class ContactPivot {
 
   /// Returns where the tip goes when the axis becomes `axis`, a unit vector.
   ///
-  /// Ensures  the cutter reaches exactly as far against the first normal as before, and where one point of it alone
+  /// Ensures  The cutter reaches exactly as far against the first normal as before, and where one point of it alone
   ///          does, at the same point of the part. Where several do, as with a flat end on a flat floor, the one of them
   ///          stays that the tilted cutter touches with. Against other normals, as of a wall beside that floor, it
   ///          reaches no farther than before, as far as a few shifts along them do.

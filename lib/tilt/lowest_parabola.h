@@ -27,7 +27,7 @@ class TiltRows {
 /// at one place the first.
 ///
 /// Two passes of lower envelopes of parabolas, along the rows of `from` and then along the columns of `to`.
-/// Cost     linear in the tilts and in rows times columns.
+/// Cost     Linear in the tilts and in rows times columns.
 /// Source   Felzenszwalb and Huttenlocher 2012, Distance transforms of sampled functions.
 class LowestParabolas {
  public:

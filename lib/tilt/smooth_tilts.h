@@ -13,8 +13,8 @@ namespace gouge {
 /// not needed are released. Every position and every motion of the result is certified.
 ///
 /// Requires a sequence as find_tilts gives it.
-/// Ensures  free by TiltSpace, everywhere; the same at any number of threads.
-/// Cost     some ten times the checks of all positions.
+/// Ensures  Free by TiltSpace, everywhere; the same at any number of threads.
+/// Cost     Some ten times the checks of all positions.
 [[nodiscard]] TiltSequence smooth_tilts(const TiltSpace& space, const TiltSequence& proven, unsigned threads);
 
 }  // namespace gouge

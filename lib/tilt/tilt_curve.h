@@ -16,9 +16,9 @@ struct TiltAnchor {
 /// of `arc_lengths_mm`, which do not fall.
 ///
 /// Requires at least one anchor, in the order of their positions, no two at one way.
-/// Ensures  an end of which `is_level` is true has no slope, as the path goes on untilted there; at the others no
+/// Ensures  An end of which `is_level` is true has no slope, as the path goes on untilted there; at the others no
 ///          curvature. Beyond the first and last anchor the curve goes on straight.
-/// Cost     linear.
+/// Cost     Linear.
 /// Source   C. de Boor, A Practical Guide to Splines (1978), IV.
 [[nodiscard]] TiltSequence curve_through(const std::vector<TiltAnchor>& anchors,
                                          const std::vector<double>& arc_lengths_mm, bool is_first_level,

@@ -37,10 +37,10 @@ struct KnownTilts {
 /// `doubtful`: a position where no tilt may be free; it is examined before all others. Where it is not, that is stated at
 /// once.
 /// `known`: of each position, empty at first; or of a search in the same space, but that the tip might not rise.
-/// Ensures  the same sequence at any number of threads.
-/// Cost     checks of about a tenth of the tilts of each layer, of which there are some hundred; where none is free of
+/// Ensures  The same sequence at any number of threads.
+/// Cost     Checks of about a tenth of the tilts of each layer, of which there are some hundred; where none is free of
 ///          all.
-/// Source   layers of postures: Plakhotnik and Lauwers 2014; only the winner's motions are proved: Dellin and Srinivasa
+/// Source   Layers of postures: Plakhotnik and Lauwers 2014; only the winner's motions are proved: Dellin and Srinivasa
 ///          2016 (LazySP).
 [[nodiscard]] LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful,
                                        std::vector<KnownTilts>& known);

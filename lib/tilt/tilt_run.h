@@ -30,7 +30,7 @@ struct TiltRun {
 ///
 /// Ensures  Every wanted move that can be tilted (straight, checked, not inside a solid) lies in a run, as far as it is
 ///          not clean: long moves are examined piece by piece. No position of a move is in two runs, ends apart.
-/// Cost     a check of every piece of the wanted moves, and three of the cutter at each position of a run.
+/// Cost     A check of every piece of the wanted moves, and three of the cutter at each position of a run.
 [[nodiscard]] std::vector<TiltRun> find_tilt_runs(const TiltJob& job, double spacing_mm);
 
 /// The run with the directions of its tilts as another freedom has them.

@@ -42,9 +42,9 @@ class RegionFinder {
   /// Cost: some thousand evaluations. The tool must outlive it.
   explicit RegionFinder(const CompiledTool& tool);
 
-  /// Ensures  every region is connected within what lies deeper than `depth_mm`; no two of them need be separate.
+  /// Ensures  Every region is connected within what lies deeper than `depth_mm`; no two of them need be separate.
   ///          A stretch of the axis that is in none is at most 0.00001 of the tool's height deeper.
-  /// Cost     about height / (radius - depth) evaluations.
+  /// Cost     About height / (radius - depth) evaluations.
   [[nodiscard]] FreeRegions at(double depth_mm) const;
 
  private:

@@ -19,8 +19,8 @@ struct InscribedBall {
 };
 
 /// The largest ball found that touches the boundary at the foot of ray `s` of a cell, larger than `min_mm`.
-/// Ensures  its radius is the depth of its centre, and that is no more than `nearly_mm` less than the way to the foot.
-/// Cost     some evaluations.
+/// Ensures  Its radius is the depth of its centre, and that is no more than `nearly_mm` less than the way to the foot.
+/// Cost     Some evaluations.
 [[nodiscard]] InscribedBall inscribed_ball(const CompiledTool& tool, const FootCell& cell, double s, double min_mm,
                                            double nearly_mm);
 
@@ -32,7 +32,7 @@ class InscribedBalls {
 
   /// Boxes of the half plane, in the order of the contour. Every point of the tool that is less than `depth_mm` deep and
   /// in none of them is no farther than slack_mm outside of a ball in the tool whose radius is at least `depth_mm`.
-  /// Cost  linear in the stretches of the contour, about a thousand.
+  /// Cost  Linear in the stretches of the contour, about a thousand.
   [[nodiscard]] std::vector<Box2> sharp_zones(double depth_mm) const;
 
   /// Returns whether the tool has one radius at each height.

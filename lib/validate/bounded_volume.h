@@ -11,7 +11,7 @@ namespace gouge::detail {
 /// inward. Nothing where rounding leaves open which way one faces or what it lies in.
 ///
 /// Requires a closed, manifold, consistently oriented mesh that does not cross itself, of triangles with area.
-/// Ensures  proved (docs/method/self_intersections.md, section 5).
+/// Ensures  Proved (docs/method/self_intersections.md, section 5).
 /// Cost     O(n), and O(pieces^2) for pieces side by side in a slab across x; where a piece's box is in another's O(n log
 ///          n) and 80 bytes a triangle.
 [[nodiscard]] std::optional<bool> does_bound_volume(const IndexedMesh& mesh, std::size_t pieces);

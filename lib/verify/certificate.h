@@ -22,8 +22,8 @@ struct MadeCertificate {
 /// A proof for every clean, near and gouging move, one for several moves where one will do.
 ///
 /// `inputs`  the SHA-256 digits of what the result is about (64), which a reader compares.
-/// Ensures   the same bytes at any number of threads.
-/// Cost      some hundred microseconds a move near the surface; a gouge, some milliseconds.
+/// Ensures   The same bytes at any number of threads.
+/// Cost      Some hundred microseconds a move near the surface; a gouge, some milliseconds.
 [[nodiscard]] MadeCertificate make_certificate(const ClaimedScene& scene, const std::vector<MoveClaim>& claims,
                                                std::string_view inputs, const ProgressCall& progress);
 
@@ -48,7 +48,7 @@ struct CertificateReading {
 /// Proves anew what the certificate proves. `orders` are those of the scene.
 /// Errors  certificate-invalid: it is no certificate, is cut short or broken, or belongs to other inputs or
 ///         another result; the message states which.
-/// Cost    linear in what it holds once it is unpacked; memory for some thousand moves of it.
+/// Cost    Linear in what it holds once it is unpacked; memory for some thousand moves of it.
 [[nodiscard]] Result<CertificateReading> verify_certificate(const ClaimedScene& scene, const SceneOrders& orders,
                                                             const std::vector<MoveClaim>& claims,
                                                             std::string_view inputs, const std::string& name,

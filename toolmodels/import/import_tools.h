@@ -49,7 +49,7 @@ struct ImportedTools {
                                                    const ImportOptions& options);
 
 /// NX tool_database.dat, with the holders of the holder_database.dat beside it, or a holder_database.dat alone. Its unit is the option, or the folder metric or english in the file's name.
-/// Errors   as above, and import-unit.
+/// Errors   As above, and import-unit.
 [[nodiscard]] Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes,
                                               const ImportOptions& options);
 

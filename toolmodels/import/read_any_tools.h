@@ -19,7 +19,7 @@ struct ReadTools {
 /// Reads a tool library of this project or, by its importer, one of another program. What the importer reports is in
 /// the notes of the library; a tool that it leaves out is a warning there.
 ///
-/// Errors   those of read_tool_library and import_tools; library-foreign: a file of another kind, which the message
+/// Errors   Those of read_tool_library and import_tools; library-foreign: a file of another kind, which the message
 ///          names with what to do; library-empty: no tool of the file can be imported, with the first reason.
 [[nodiscard]] Result<ReadTools> read_any_tools(const std::string& file, std::string_view bytes,
                                                std::uint64_t max_bytes);

@@ -37,7 +37,7 @@ struct CheckOptions {
 
 /// Checks the whole motion of every move against the whole surface of every triangle.
 ///
-/// Ensures  no gouge deeper than tolerance + resolution is missed; every gouge has a witness; clean is proved, and no fact
+/// Ensures  No gouge deeper than tolerance + resolution is missed; every gouge has a witness; clean is proved, and no fact
 ///          that it rests on is contradicted or unknown. Meshes that were read without a unit are taken in the path's.
 /// Throws   Error: a length that is negative or no number, a fact of another name; tool-ambiguous: one tool for a path
 ///          that calls several; for a machine: those of its file, and machine-law, where nothing states a law.

@@ -39,7 +39,7 @@ struct Penetration {
 };
 
 /// Returns whether two bodies penetrate and how deep, B placed by `pose_b`.
-/// Ensures  free and touching are proved, for bodies whose inside is not known as well.
+/// Ensures  Free and touching are proved, for bodies whose inside is not known as well.
 /// Throws   Error: a rotation that is none, a number that is none, a body beyond 100 m.
 [[nodiscard]] GOUGECHECK_EXPORT Penetration penetration(const Mesh& a, const Mesh& b, const Transform& pose_b = {},
                                                         const PenetrationOptions& options = {});

@@ -16,7 +16,7 @@ class CutterCompensation {
   explicit CutterCompensation(StatementContext& in) : in_(in) {}
 
   void begin();
-  /// Ensures  the result is true where compensation is off and the file had it on before. In a file that never had it
+  /// Ensures  The result is true where compensation is off and the file had it on before. In a file that never had it
   /// on, CUTCOM/OFF changes nothing.
   [[nodiscard]] bool end();
   /// The first move since it was last switched off, which it is now.

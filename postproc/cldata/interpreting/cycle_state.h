@@ -21,7 +21,7 @@ class CycleState {
   void begin(double mm_per_unit);
   /// One begins of which nothing is understood.
   void begin_unknown();
-  /// Ensures  the result is true where none is in force that could end, and the file has had one before. In a file that
+  /// Ensures  The result is true where none is in force that could end, and the file has had one before. In a file that
   /// never has, CYCLE/OFF states what holds anyway.
   [[nodiscard]] bool end();
   /// Another tool: ON takes up no cycle of the one before.

@@ -25,7 +25,7 @@ class FrameState {
   [[nodiscard]] bool state_unit(double mm_per_unit);
   [[nodiscard]] const RigidTransform& to_part() const { return to_part_; }
   [[nodiscard]] Pose to_local(const Pose& pose) const { return to_part_.inverse().pose(pose); }
-  /// Ensures  the result shows whether that is another frame.
+  /// Ensures  The result shows whether that is another frame.
   bool set(const RigidTransform& to_part);
   void begin_block();
   /// The line of the last frame that is not the part's own; 0: none.

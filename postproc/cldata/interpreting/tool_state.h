@@ -29,7 +29,7 @@ class ToolState {
   void take_name(std::string_view text);
   /// Text that may name the tool that is defined next.
   void take_insert(std::string_view text);
-  /// Ensures  a tool that was not described since the last motion is the one last seen under that number, or one the
+  /// Ensures  A tool that was not described since the last motion is the one last seen under that number, or one the
   ///          file states nothing about: never the one before it.
   void change_number(int number);
   /// The tool of that number is in the spindle: LOADTL, LOAD/TOOL.

@@ -77,7 +77,7 @@ struct ArcFit {
   double radius_error_mm = 0;  ///< how far start, end and the stated radius disagree
 };
 
-/// Ensures  the sweep ends at `end` exactly; start = end is a full circle.
+/// Ensures  The sweep ends at `end` exactly; start = end is a full circle.
 /// Errors   problem: kForm and its like from the statement; kRadius where start and end differ by more than 0.008 mm, or the stated radius from them by more than they do
 ///          and 0.001 mm, or six times the rounding of the numbers, kPoint, kTiny, kAngle,
 ///          kTimes, and kSense when the sense is unknown.

@@ -32,8 +32,8 @@ namespace gouge {
 
 /// Returns the moves of `path` that write_corrected can rewrite within its own statements.
 ///
-/// Shape    two entries a move. Requires `path` as read by read_toolpath, with its records.
-/// Ensures  an arc that is rewritable can be written as any arc that turns less than a whole turn (or a whole one,
+/// Shape    Two entries a move. Requires `path` as read by read_toolpath, with its records.
+/// Ensures  An arc that is rewritable can be written as any arc that turns less than a whole turn (or a whole one,
 ///          where it does now), but that CATIA's stays on its side of half a turn and the vector of a CLT arc stays. It
 ///          can be split where its position is a GOTO, which CATIA's is not. A hole can be shifted where its position
 ///          is a GOTO, nothing is counted from that position (GODLTA) and no arc begins where the cycle ends. Nothing
