@@ -10,8 +10,8 @@
 
 namespace gouge {
 
-/// Results of stretches of long work that outlast the process: kept as soon as they are there, and taken from here
-/// when the same work is begun again. The owner must key a store to the inputs of the work. Used from one thread at a time.
+/// Results of stretches of long work that outlast the process. Each is kept as soon as it is there, and is reused when
+/// the same work begins again. The owner must key a store to the inputs of the work. Used from one thread at a time.
 class CheckpointStore {
  public:
   CheckpointStore() = default;

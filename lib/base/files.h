@@ -43,9 +43,9 @@ struct FileView {
   std::shared_ptr<const void> keep;
 };
 
-/// As read_file, without the copy a string takes. The file is read and not mapped: a mapped file that is cut
-/// short ends the program, and one that is written meanwhile gives one content to its checksum and another to
-/// the check.
+/// Returns the content as read_file does, without the copy that a string takes. The file is read and not mapped. A
+/// mapped file that is cut short ends the program. One that is written meanwhile gives one content to its checksum and
+/// another to the check.
 [[nodiscard]] Result<FileView> view_file(const std::string& path, std::uint64_t max_bytes = kMaxInputBytes);
 
 }  // namespace gouge

@@ -19,8 +19,8 @@ void reserve_large(std::vector<Item>& items, std::size_t count) {
   ask_for_large_pages(items.data(), count * sizeof(Item));
 }
 
-/// Gives a vector large pages, where there are, whose items are not set when it grows without a value: for those who set
-/// all of them and would have to fetch each twice.
+/// Gives a vector large pages, where the system has them. Items that are added without a value are not set. It is for
+/// callers that set all items, and would have to fetch each of them twice.
 template <typename Item>
 struct LargePageAllocator {
   using value_type = Item;

@@ -29,8 +29,8 @@ namespace gouge {
 
 enum class Zeros { kept, dropped };
 
-/// A number for people: fixed_text, its zeros at the end kept or dropped; from 1e15 on, where more digits would state
-/// nothing, the shortest form with an exponent ("1e+300").
+/// Returns a number for people: fixed_text, with the zeros at its end kept or dropped. From 1e15 on more digits would
+/// state nothing, so the shortest form with an exponent is used ("1e+300").
 [[nodiscard]] std::string display_text(double value, int decimals, Zeros zeros = Zeros::dropped);
 
 /// "1 half", "7 halves".
@@ -42,8 +42,9 @@ enum class Zeros { kept, dropped };
 /// "a, b and c" with `last` = " and ".
 [[nodiscard]] std::string listed(const std::vector<std::string>& words, std::string_view last = ", ");
 
-/// "8GB", "1.5 MiB" or "4096": bytes, where kB, MB, GB and TB are powers of 1000 and KiB, MiB, GiB and TiB of 1024, and
-/// a bare number or B is bytes; capitals or not. Nothing for other text, or for less than 1 or more than 2^62 bytes.
+/// Parses "8GB", "1.5 MiB" or "4096" as bytes, in capitals or not. Powers of 1000 are kB, MB, GB and TB; KiB, MiB, GiB
+/// and TiB are powers of 1024. A bare number or B is bytes. Returns nothing for other text, or for less than 1 or more
+/// than 2^62 bytes.
 [[nodiscard]] std::optional<std::uint64_t> parse_byte_size(std::string_view text);
 
 /// For people, in powers of 1000: "8 GB", "12.35 MB", "999 bytes"; cut, not rounded up.

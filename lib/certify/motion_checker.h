@@ -27,11 +27,12 @@ class WorkBudget {
 
 class HeadChecker;
 
-/// All that a single motion is checked for, at once: cutter, shank and holder against parts and fixtures, the
-/// bodies that move with the tool, and whether tool or head lies inside a solid. No step of a correction checks less.
+/// Every check of a single motion, at once. It covers cutter, shank, holder and the bodies that move with the tool,
+/// against parts and fixtures. It also decides whether tool or head lies inside a solid. No step of a correction checks
+/// less.
 ///
-/// It examines one motion, not at the path that leads to it: where only that path can show inside from outside (an open
-/// mesh), a motion that meets no surface passes here, and the check of the whole written path decides.
+/// It examines one motion, not the path that leads to it. With an open mesh only that path can show inside from
+/// outside. There a motion that meets no surface passes here, and the check of the whole written path decides.
 class MotionChecker {
  public:
   /// The objects that `setup` refers to must outlive it.

@@ -19,8 +19,9 @@ struct ClosestApproach {
 
   std::size_t cuts = 0;       ///< moves with a tool that are neither rapid nor left unchecked
   std::size_t positions = 0;  ///< how many of their ends were examined: one out of each of as many equal shares
-  /// The least distance of the tool, with its stock to leave, from the parts at these positions, and in moves that the
-  /// check found to touch or to be near; 0 where it touches; none: nowhere seen within kFar_mm.
+  /// The minimum distance of the tool, with its stock to leave, from the parts. It is taken at these positions, and in
+  /// moves that the check found to touch or to be near. 0 where the tool touches; none where no distance is within
+  /// kFar_mm.
   std::optional<double> nearest_mm;
   std::optional<double> median_mm;  ///< half of the positions are as near
   double apart_mm = 0;  ///< proved: at none of the positions examined is the tool nearer; nothing of the others

@@ -5,9 +5,9 @@
 #include "lib/check/support_plane.h"
 #include "lib/motion/tool_interval.h"
 
-// Upper bounds of (reach - signed distance) over a part of the surface during a time interval. In tool
-// coordinates every surface point runs within `bulge` of a straight chord, so surface and motion together lie
-// in the convex hull of two placements of the surface. Proofs: docs/method/certified_sweep.md.
+// Upper bounds of (reach - signed distance) over a part of the surface during a time interval. In tool coordinates
+// every surface point runs within `bulge` of a straight chord. So surface and motion together lie in the convex hull of
+// two placements of the surface. Proofs: docs/method/certified_sweep.md.
 
 namespace gouge {
 

@@ -27,8 +27,8 @@ struct LimitedMesh {
   const BlockTree* tree;  ///< of this mesh alone
 };
 
-/// The scene with each index of its meshes, built lazily, once, by any thread: the trees of the sweep at once, all else when first
-/// requested, from any thread.
+/// The scene with each index of its meshes. The trees of the sweep are built at once. Every other index is built when
+/// it is first requested, once, from any thread.
 class PreparedScene {
  public:
   /// Requires that the scene outlives it. `threads` as in for_each_chunk.

@@ -6,8 +6,8 @@
 #include "lib/motion/motion.h"
 #include "lib/tool/tool_variants.h"
 
-// Rejects inputs outside the range for which the bounds are proven, with the reason: numbers that come out all the
-// same would mean nothing, and a comparison with one that is no number reads as free.
+// Rejects inputs outside the range for which the bounds are proved, with the reason. Numbers computed beyond it would
+// mean nothing, and a comparison with one that is not a number would read as free.
 
 namespace gouge {
 

@@ -37,8 +37,8 @@ class SceneSides {
   std::deque<Enclosure> obstacles_;  // at most eight: one bit each
 };
 
-/// Points that moves keep free of all surfaces, numbered from 0, joined where one leads to the next: what holds of one
-/// holds of all that are joined with it, before it on the path as well as after.
+/// Points that moves keep free of all surfaces, numbered from 0 and joined where one leads to the next. A side proved
+/// for one holds for all that are joined with it, before it on the path as well as after.
 class FreeChains {
  public:
   FreeChains(const SceneSides& sides, std::size_t count) : sides_(sides), joins_(count), beyond_(count, 0) {}

@@ -10,10 +10,10 @@
 #include "lib/motion/motion.h"
 #include "lib/tool/compiled_tool.h"
 
-// The exact search of one move: best first (best_first_search.h) over (instant x triangle), every step with a proven
-// upper bound, every candidate a real point of a triangle at a real instant. It examines the triangles that the
-// wide sweep (sweep_filter.h) could not decide. Method and proofs: docs/method/certified_sweep.md. Goes beyond
-// thesis 2.4.18 (points at single poses).
+// The exact search of one move: best first (best_first_search.h) over (instant x triangle). Every step has a proved
+// upper bound, and every candidate is a real point of a triangle at a real instant. It examines the triangles that the
+// wide sweep (sweep_filter.h) could not decide. Method and proofs: docs/method/certified_sweep.md. Goes beyond thesis
+// 2.4.18 (points at single poses).
 
 namespace gouge {
 

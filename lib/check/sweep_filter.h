@@ -29,8 +29,8 @@ struct SweptMove {
                                                  const std::vector<SearchTarget>& targets, const SearchQuery& query,
                                                  const SweepKernel& kernel = fastest_sweep_kernel());
 
-/// A cover against a surface. `tool`: what it covers, which is measured where it is deepest; null: nothing is measured,
-/// and what is left of a move has no value.
+/// A cover against a surface. `tool` is the tool inside the cover, which is measured where it is deepest. With null
+/// nothing is measured, and the undecided rest of a move has no value.
 struct CoverTarget {
   const ConvexCover* cover = nullptr;
   const BlockTree* tree = nullptr;

@@ -41,8 +41,8 @@ struct CorrectionAim {
 [[nodiscard]] double largest_excess(const Pose& pose, const CompiledTool& tool, const PreparedScene& scene,
                                     double aim_mm, double accuracy_mm);
 
-/// A corrected position is as deep as half of the tolerance at the most: the other half is for the rounding of the
-/// written numbers and for the motion between corrected positions.
+/// Share of the tolerance by which a corrected position may be deep. The other half is for the rounding of the written
+/// numbers and for the motion between corrected positions.
 inline constexpr double kPositionAimShare = 0.5;
 
 /// Motions between corrected positions are held to this share of the tolerance: the rest is for the file's digits.
