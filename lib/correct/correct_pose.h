@@ -43,9 +43,9 @@ struct CorrectedPose {
   int iterations = 0;
 };
 
-/// The thesis's correction: shift by sum(d_i^2 n_i) / sum(d_i) over all contacts, again and again (5.3). d_i
-/// is the excess over half of the aim's margin, so that the mean does not creep towards its goal forever.
-/// Nothing when it does not converge within the limits. Source thesis 5.3, figure 35.
+/// Applies the thesis's correction: a shift by sum(d_i^2 n_i) / sum(d_i) over all contacts, again and again (5.3). Here
+/// d_i is the excess over half of the aim's margin, so that the mean does not creep towards its goal forever. Returns
+/// nothing when it does not converge within the limits. Source thesis 5.3, figure 35.
 [[nodiscard]] std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolVariants& tool,
                                                             const MotionChecker& checker, const PoseLimits& limits);
 
@@ -57,8 +57,9 @@ struct CorrectedPose {
 /// Returns how much deeper than the aim heads are at a pose; infinite when one is buried or that is not decided.
 [[nodiscard]] double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLimits& limits);
 
-/// Lifts the tip along the tool axis to the first place where tool and heads meet the aim: the excess is the least the
-/// tool must still move, so stepping by it never passes a position that is good. Nothing beyond the limit.
+/// Lifts the tip along the tool axis to the first place where tool and heads meet the aim. The excess is the minimum
+/// distance that the tool must still move, so a step by it never passes a good position. Returns nothing beyond the
+/// limit.
 [[nodiscard]] std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolVariants& tool,
                                                               const MotionChecker& checker, const PoseLimits& limits);
 

@@ -16,8 +16,9 @@ struct LinkNode {
 };
 using LinkNodes = std::vector<LinkNode>;
 
-/// The search behind bridge(). Whether the tool is inside a solid is tested where a path begins, at each position put
-/// into it and in each clean interval of the programmed motion; from there on a clean motion keeps it outside.
+/// The search behind bridge(). It tests whether the tool is inside a solid at certain places. These are the start of a
+/// path, each inserted position and each clean interval of the programmed motion. From there on a clean motion keeps
+/// the tool outside.
 class LinkFinder {
  public:
   explicit LinkFinder(const LinkTask& task) : task_(task) {}

@@ -32,11 +32,11 @@ struct HolePlans {
 };
 
 /// Plans for the holes of which a step gouges and which the file can write elsewhere. Each is the least lift for which
-/// the steps that gouge, shifted with it, are clean, and keeps the law of a shift. How the path to it and from it runs
-/// then, the written file shows.
+/// the steps that gouge, shifted with it, are clean, and keeps the law of a shift. The written file shows how the path
+/// to the hole and from it runs then.
 ///
-/// Ensures  No hole is lifted out of the part: a lift is at most a quarter of the depth below the surface that surrounds
-///          the drill (hole_depth.h), and a quarter of the diameter. Any other hole stays.
+/// Ensures  No hole is lifted out of the part. A lift is at most a quarter of the depth below the surface that
+///          surrounds the drill (hole_depth.h), and a quarter of the diameter. Any other hole stays.
 [[nodiscard]] HolePlans plan_holes(const Toolpath& path, const CheckResult& result,
                                    const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
                                    const CorrectOptions& correct);

@@ -49,15 +49,15 @@ struct TrimJob {
   bool can_write_rapids = false;  ///< a feed may become a rapid
 };
 
-/// Leaves out, of every wanted feed, what is not clean, and of the moves about it as much as it takes.
+/// Leaves out, of every wanted feed, the stretches that are not clean, and of the moves about it as much as that takes.
 ///
-/// Ensures  (1) Every motion of a trim is certified clean to four fifths of the tolerance, its crossing with the
+/// Ensures  (1) Every motion of a trim is certified clean to four fifths of the tolerance. Its crossing keeps the
 ///          clearance too, where any lift gives that; then it is at rapid, where that can be written. Without the
 ///          clearance it is a feed. (2) The path outside of trims stays as programmed. Positions that are not visited
-///          keep their records: they lie evenly on the straight crossing, or, where that is not clean, above their
+///          keep their records. They lie evenly on the straight crossing, or, where that is not clean, above their
 ///          programmed places. (3) The lift is the least of a growing list. (4) The same plan at any number of threads.
-/// Cost     The clean intervals of each move that is not clean; for each stretch some 16 lifts, each a check of three
-///          motions, or of all its moves where the straight crossing is not clean.
+/// Cost     The clean intervals of each move that is not clean. For each stretch also some 16 lifts, each a check of
+///          three motions, or of all its moves where the straight crossing is not clean.
 [[nodiscard]] TrimPlan plan_trims(const TrimJob& job);
 
 }  // namespace gouge

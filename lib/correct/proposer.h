@@ -15,9 +15,8 @@
 
 namespace gouge {
 
-/// Proposes changes of a path, one kind upon the other: curves that must change become chords, runs are tilted,
-/// stretches are left out, positions of what then still gouges are shifted, arcs come back where they can, and holes
-/// are lifted.
+/// Proposes changes of a path, one kind upon the other. Curves that must change become chords. Runs are tilted, and
+/// stretches are left out. Positions that still gouge are shifted. Arcs come back where they can, and holes are lifted.
 class Proposer {
  public:
   /// All must outlive it.

@@ -27,9 +27,10 @@ struct NewPosition {
   MoveKind kind = MoveKind::feed;  ///< how it is reached
 };
 
-/// A path with `positions`, in path order, in place of what their moves were.
+/// Returns a path with `positions`, in path order, in place of what their moves were.
 ///
-/// `base`: the path was reworked before: `positions` are of its moves; null: of `path` itself.
+/// With `base` the path was reworked before, and `positions` are of the moves of `base`. With null they are of `path`
+/// itself.
 /// Ensures  Every move that is not as it was in the base is checked by itself.
 [[nodiscard]] ReworkedPath with_positions(const Toolpath& path, const CheckResult& result, const ReworkedPath* base,
                                           const std::vector<NewPosition>& positions,

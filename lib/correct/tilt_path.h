@@ -36,8 +36,8 @@ struct TiltProposal {
 /// Tilts for all gouges of bodies whose strategy is to tilt.
 [[nodiscard]] TiltProposal propose_tilts(const TiltRequest& request, const ProgressCall& progress);
 
-/// A path with the positions of a plan: `plan` is of `straight`, or of `path` where there is none, and moves of the
-/// result are pieces of the moves of `path`.
+/// Returns a path with the positions of a plan. The `plan` is of `straight`, or of `path` where there is none. Moves of
+/// the result are pieces of the moves of `path`.
 [[nodiscard]] ReworkedPath tilt_path(const Toolpath& path, const CheckResult& result,
                                      const std::optional<ReworkedPath>& straight, const TiltPlan& plan,
                                      const std::vector<const ToolVariants*>& tools, const MotionChecker& checker);

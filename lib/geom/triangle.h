@@ -30,8 +30,8 @@ namespace gouge {
   return parts;
 }
 
-/// Distance of `point` from the line segment from `a` to `b`, which may be one point; in the unit of the points, which
-/// are Eigen vectors of one kind in one frame.
+/// Returns the distance of `point` from the line segment from `a` to `b`, which may be one point. It is in the unit of
+/// the points, which are Eigen vectors of one kind in one frame.
 template <class Vector>
 [[nodiscard]] double distance_to_segment(const Vector& point, const Vector& a, const Vector& b) {
   const Vector along = b - a;

@@ -12,12 +12,12 @@
 #include "lib/hierarchy/blocks.h"
 #include "lib/mesh/indexed_mesh.h"
 
-// The tree over the triangles of one or more meshes: sixteen children a node and sixteen triangles a leaf, in
-// single precision and by coordinate, so that one instruction examines all of them. A child is bounded twice: by
-// a ball, and by a disc whose direction is near the surface's own normal, thin where the surface is nearly flat.
-// The disc is what a first-order bound needs: a surface lying along the tool costs one node, not its area.
-// Source: bounding volume hierarchies in thesis 2.3 and 4.6, the oriented disc in place of the k-DOP slab pairs
-// (docs/decisions/0006_oriented_discs.md); wide nodes as in ray tracing (Wald, Benthin, Boulos 2008).
+// The tree over the triangles of one or more meshes: sixteen children a node and sixteen triangles a leaf. It is in
+// single precision and by coordinate, so that one instruction examines all of them. A child is bounded twice. One bound
+// is a ball. The other is a disc whose direction is near the surface's own normal, thin where the surface is nearly
+// flat. First-order bounds need the disc: a surface lying along the tool costs one node, not its area.
+// Source: bounding volume hierarchies in thesis 2.3 and 4.6. The oriented disc is in place of the k-DOP slab pairs
+// (docs/decisions/0006_oriented_discs.md). Wide nodes as in ray tracing (Wald, Benthin, Boulos 2008).
 
 namespace gouge {
 

@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <span>
 
-// The sorting behind a block tree: sixteen bytes a triangle, cut in two again and again. A cut is a histogram
-// and one pass without branches that a processor could guess wrong; no more is put in order than the tree
-// requests.
+// The sorting behind a block tree: sixteen bytes a triangle, cut in two again and again. A cut is a histogram and one
+// pass without branches that a processor could predict wrongly. Only as much is put in order as the tree requests.
 
 namespace gouge::detail {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Sixteen lanes of single precision, for the bodies of kernels alone, under their rule: nothing here may come from
-// another header as an inline function, as it would be compiled for this instruction set and linked into the rest.
+// Sixteen lanes of single precision, for the bodies of kernels alone, under their rule. Nothing here may come from
+// another header as an inline function. It would be compiled for this instruction set and linked into the rest.
 #include "lib/hierarchy/blocks.h"
 
 namespace gouge::GOUGE_KERNEL {

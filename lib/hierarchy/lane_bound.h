@@ -7,9 +7,9 @@
 
 namespace gouge {
 
-/// One child of a node in double precision and part coordinates: everything below it lies within `radius_mm` of the
-/// center, and in a cylinder about the axis through it along `normal`. Its bounds are wide enough for the stored
-/// normal's length, and off by no more than 1e-9 mm of rounding for coordinates up to 100 m.
+/// One child of a node in double precision and part coordinates. Everything below it lies within `radius_mm` of the
+/// center, and in a cylinder about the axis through it along `normal`. Its bounds are wide enough for the length of the
+/// stored normal. They are off by at most 1e-9 mm of rounding for coordinates up to 100 m.
 struct LaneBound {
   Vec3 center = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();  ///< unit to 3e-7

@@ -9,8 +9,8 @@
 
 namespace gouge {
 
-/// The common part of half-spaces in the frame of a tree, tested sixteen lanes at a time, with the instructions the
-/// processor has and the same result with any of them.
+/// The common part of half-spaces in the frame of a tree, tested sixteen lanes at a time. It uses the instructions that
+/// the processor has and gives the same result with any of them.
 class LaneSpace {
  public:
   /// Requires at most kMaxHalfSpaces.

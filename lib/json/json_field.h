@@ -18,8 +18,8 @@ struct JsonErrors {
   std::optional<Diagnostic> first = {};  ///< none: all is well so far
 };
 
-/// A value of a JSON text that must be as expected. After the first error every reading gives an empty value, so that
-/// The reader examines JsonErrors::first once, at the end. `errors` must outlive it, like the text.
+/// A value of a JSON text that must be as expected. After the first error every reading gives an empty value. So the
+/// reader examines JsonErrors::first once, at the end. The object `errors` must outlive it, like the text.
 class JsonField {
  public:
   JsonField(const nlohmann::json& root, JsonErrors& errors) : value_(&root), errors_(&errors) {}

@@ -5,10 +5,10 @@
 
 #include "lib/geom/vec.h"
 
-// The directions of a k-DOP: k half spaces in k / 2 opposite pairs, kept as k / 2 axes with an interval each.
-// Two volumes over the same directions are apart as soon as their intervals are apart along one axis, which
-// needs both ends of every axis: sets that are not their own mirror image (the tetrahedron, an odd k) have no
-// such test and are not offered.
+// The directions of a k-DOP: k half spaces in k / 2 opposite pairs, kept as k / 2 axes with an interval each. Two
+// volumes over the same directions are apart as soon as their intervals are apart along one axis. That needs both ends
+// of every axis. Sets that are not their own mirror image (the tetrahedron, an odd k) have no such test and are not
+// offered.
 
 namespace gouge {
 

@@ -57,8 +57,8 @@ struct Machine {
 };
 
 /// Fills in Machine::rotary and ::linear and normalises directions.
-/// Errors (without a file): machine-joints: not three linear and two rotary joints, linear directions in one plane,
-/// parallel rotary directions, a direction of no length, a minimum above the maximum.
+/// Errors (without a file): machine-joints. There are not three linear and two rotary joints, or linear directions lie
+/// in one plane. Or rotary directions are parallel, a direction has no length, or a minimum is above the maximum.
 [[nodiscard]] Result<Machine> make_machine(Machine machine);
 
 }  // namespace gouge

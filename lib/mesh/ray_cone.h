@@ -31,8 +31,8 @@ class RayCone {
   double volume_ = 0, volume_slack_ = 0;
 };
 
-/// Returns whether from one of `origins` a ray in one of `directions` meets no triangle, beyond doubt: what rounding could turn
-/// into a hit counts as one.
+/// Returns whether from one of `origins` a ray in one of `directions` meets no triangle, beyond doubt. A ray that
+/// rounding could turn into a hit counts as one.
 ///
 /// Ensures  On true, one of the origins is joined with infinity by a straight line that keeps off the surface.
 /// Requires directions that are not zero.

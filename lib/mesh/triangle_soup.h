@@ -20,9 +20,8 @@ namespace gouge {
 
 using TrianglePoints = std::array<Vec3, 3>;
 
-/// Triangles in file order: kept as points, or looked up in the records of a binary STL where they lie, which
-/// spares a copy of 72 bytes a triangle. Records are 50 bytes: normal, three corners, two bytes of
-/// attributes.
+/// Triangles in file order. They are kept as points, or looked up in the records of a binary STL where they lie. That
+/// spares a copy of 72 bytes a triangle. Records are 50 bytes: normal, three corners, two bytes of attributes.
 class TriangleList {
  public:
   static constexpr std::size_t kRecordSize = 50;
