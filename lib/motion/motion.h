@@ -20,8 +20,8 @@ struct MotionSegment {
   Vec3 tip0 = Vec3::Zero(), tip1 = Vec3::Zero();
 };
 
-/// The motion of a tool over t in [0, 1]. The tip runs on a line, on a broken line of axes that each arrive in their own
-/// time, on an arc or on a spline. The axis turns on the great circle at constant rate, or on the path of an AxisLaw.
+/// The motion of a tool over t in [0, 1]. The tip runs on a line, an arc, a spline, or on a broken line of axes that
+/// each arrive in their own time. The axis turns on the great circle at constant rate, or on the path of an AxisLaw.
 /// Only a MotionLaw makes motions, so that no caller chooses a law by accident.
 class Motion {
  public:
@@ -53,8 +53,8 @@ class Motion {
   [[nodiscard]] double turn_rad() const { return turn_rad(0, 1); }
   /// The path of an AxisLaw; null on the great circle.
   [[nodiscard]] const AxisPath* axis_path() const { return axis_path_.get(); }
-  /// True when no coordinate of the tip, of an arc's centre and radius or of a spline's control points is larger;
-  /// false where one is not a number.
+  /// Returns false when a coordinate of the tip, of an arc's centre and radius or of a spline's control points is
+  /// larger. Also false where one is not a number.
   [[nodiscard]] bool is_within(double limit_mm) const;
   [[nodiscard]] const Pose& start() const { return start_; }
   [[nodiscard]] const Pose& end() const { return end_; }

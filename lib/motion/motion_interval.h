@@ -33,8 +33,8 @@ template <typename Interval>
   return parts;
 }
 
-/// The segments of a motion, then their parts, halved on demand and once each. `Interval` derives from MotionInterval
-/// and is made from what moves (`Source`) and a MotionInterval.
+/// The segments of a motion, then their parts, halved on demand and once each. The type `Interval` derives from
+/// MotionInterval. It is made from what moves (`Source`) and a MotionInterval.
 template <typename Interval, typename Source>
 class IntervalTree {
  public:

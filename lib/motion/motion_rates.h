@@ -16,8 +16,9 @@ struct MotionRates {
   /// |axis''| h^2 is no more.
   [[nodiscard]] double axis_acceleration_rad() const { return turn_rad * turn_rad + turn_sag_rad; }
 
-  /// Returns how far, in the body's frame, the path of a point of the part may leave the straight chord between its positions at
-  /// both ends. Requires: the point is no farther from the middle of the tip's chord than `distance_mm`.
+  /// Bounds the distance, in the body's frame, of the path of a point of the part from its chord. The straight chord
+  /// joins its positions at both ends.
+  /// Requires: the point is no farther from the middle of the tip's chord than `distance_mm`.
   [[nodiscard]] double bulge_mm(double distance_mm) const {
     return (2 * turn_rad * tip_path_mm + axis_acceleration_rad() * (distance_mm + 0.5 * tip_path_mm)) / 8 + tip_sag_mm;
   }

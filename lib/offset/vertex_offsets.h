@@ -31,7 +31,7 @@ struct VertexOffset {
   PlaneCase planes = PlaneCase::none;  ///< what the faces' planes determine; none: zero, at a vertex without a face
 };
 
-/// Moves the planes through a vertex with unit `normals` by 1 and finds where they meet now: the shortest
+/// Moves the planes through a vertex with unit `normals` by 1 and finds where they meet then. That is the shortest
 /// solution of n_i . x = 1 in least squares.
 /// Source  Thesis 4.5.2.3; the cases are those it calls degenerate.
 [[nodiscard]] VertexOffset offset_of_planes(std::span<const Vec3> normals);

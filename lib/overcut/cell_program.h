@@ -17,8 +17,8 @@ struct Affine {
   [[nodiscard]] double at(const Vec4& y) const { return value + gradient.dot(y); }
 };
 
-/// A linear program over the points y of a box of space and time about the origin that a few half-spaces leave: the
-/// largest value that all of a few limits allow.
+/// A linear program over the points y of a box of space and time about the origin, cut by a few half-spaces. Its value
+/// is the largest one that all of a few limits allow.
 class CellProgram {
  public:
   static constexpr std::size_t kMaxPlanes = 10, kMaxLimits = 4;
@@ -52,8 +52,8 @@ class CellProgram {
   struct Range {
     Vec4 low, high;
   };
-  /// A part of the box that holds all of its points behind all planes where every limit allows at least
-  /// `value`; low > high somewhere: there is none. `bound`: of this program.
+  /// Returns a part of the box with all of its points that are behind all planes and where every limit allows at least
+  /// `value`. With low > high somewhere there is no such point. `bound`: of this program.
   [[nodiscard]] Range where_at_least(double value, const Bound& bound) const;
 
  private:

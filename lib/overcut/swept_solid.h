@@ -13,15 +13,16 @@
 namespace gouge {
 
 /// The points x with normal . (x - centre) <= offset + s drift at the instant that s in [-1/2, 1/2] names within the
-/// interval, centre and interval those of the cell that was queried.
+/// interval. The centre and the interval are those of the cell that was queried.
 struct DriftingHalfSpace {
   Vec3 normal = Vec3::Zero();
   double offset_mm = 0, drift_mm = 0;
 };
 
-/// A plane of the solid itself, over a time interval: `n0` and `n1` its normal at both ends in the part's directions,
-/// `depth_mm` how far the cell's centre is behind it in the middle of its chord, `drift_mm` how much more so at the end
-/// than at the start. The mean of both normals serves, with half their difference at the cell's rim added.
+/// Returns the half-space behind a plane of the solid itself, over a time interval. In the part's directions `n0` and
+/// `n1` are its normal at both ends. The cell's centre is `depth_mm` behind it in the middle of its chord, and
+/// `drift_mm` more so at the end than at the start. The mean of both normals serves, with half their difference at the
+/// cell's rim added.
 [[nodiscard]] inline DriftingHalfSpace behind_plane(const Vec3& n0, const Vec3& n1, double depth_mm, double drift_mm,
                                                     double bulge_mm, double radius_mm) {
   constexpr double kRounding_mm = Tolerance::kRounding_mm;
@@ -63,8 +64,8 @@ class SweptSolid {
   [[nodiscard]] virtual std::optional<DriftingHalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,
                                                                     double radius_mm, std::uint32_t interval) const = 0;
 
-  /// Along three orthogonal unit vectors (rows of `frame`) boxes that hold all points the solid takes during an
-  /// interval; where `is_sharp_only`, those of its sharp zones.
+  /// Returns boxes that hold all points the solid takes during an interval, along three orthogonal unit vectors (rows
+  /// of `frame`). With `is_sharp_only` the boxes hold those of its sharp zones.
   [[nodiscard]] virtual std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
                                                   bool is_sharp_only) const = 0;
   /// Smaller boxes along the same axes that together hold what the box of a sharp zone, counted as in `extents`, does.

@@ -24,9 +24,9 @@ struct PathChange {
   /// own change. Both ends lie on the circle to 0.01 mm; those of a full circle are the same position, digit for
   /// digit. The sign of the sweep about the axis is its direction, as in Toolpath::arcs.
   std::optional<PathArc> new_arc = std::nullopt;
-  /// The drilled hole whose first move this is goes elsewhere: its programmed position and with it all
-  /// heights that the cycle counts from there. What the cycle rises to from the position before it stays, so
-  /// a hole may get a step more or less than it had: read again, its moves are those of the same statement.
+  /// The drilled hole whose first move this is goes elsewhere: its programmed position, and with it all heights that
+  /// the cycle counts from there. The height to which the cycle rises from the position before the hole stays. So a
+  /// hole may get a step more or less than it had. Read again, its moves are those of the same statement.
   std::optional<Vec3> hole_shift_mm = std::nullopt;
   /// Arcs to each of `inserted_before`, with ends as for new_arc; none: straight. One
   /// entry each, or none at all: all straight. Only of an arc, beside `new_arc` or `is_straightened`, which state how the
@@ -47,8 +47,8 @@ struct PathChange {
   }
 };
 
-/// The moves that a correction can rewrite within the statements of a file: one entry a move of the path, or none at all where
-/// nothing can be rewritten.
+/// The moves that a correction can rewrite within the statements of a file. There is one entry a move of the path, or
+/// none at all where nothing can be rewritten.
 struct RewritableMoves {
   std::vector<bool> arc;    ///< PathChange::new_arc can be written; elsewhere the arc can only be straightened
   std::vector<bool> split;  ///< and PathChange::inserted_arcs: the arc can become several

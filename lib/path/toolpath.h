@@ -21,15 +21,15 @@
 #include "lib/path/joint_angles.h"
 #include "lib/path/source_text.h"
 
-// The neutral toolpath: the content of a cutter-location file, free of any dialect, in mm and part coordinates,
-// every move remembering the source line its statement begins on. Readers and writers: postproc/cldata.
+// The neutral toolpath: the content of a cutter-location file, free of any dialect, in mm and part coordinates. Every
+// move remembers the source line on which its statement begins. Readers and writers: postproc/cldata.
 
 namespace gouge {
 
 inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// A count or an index below 2^32 - 1, or kNone, in half the memory of the std::size_t it reads as: a toolpath
-/// has millions of them. Requires what it is given to be one; read_toolpath takes no file with more.
+/// A count or an index below 2^32 - 1, or kNone, in half the memory of a std::size_t: a toolpath has millions of them.
+/// It requires such a value; read_toolpath takes no file with more.
 class SmallIndex {
  public:
   constexpr SmallIndex(std::size_t value = 0) : value_(static_cast<std::uint32_t>(value)) {}

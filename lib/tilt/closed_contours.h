@@ -19,8 +19,8 @@ struct Seam {
 /// the ends of the moves named.
 [[nodiscard]] std::vector<Seam> find_seams(const Toolpath& path, const std::vector<bool>& is_named);
 
-/// Tilts that runs of a path need so that closed contours stay closed: the tool stands
-/// alike at both ends of a contour after tilting, too.
+/// Tilts that runs of a path need so that closed contours stay closed. The tool has the same pose at both ends of a
+/// contour after tilting, too.
 class ClosedContours {
  public:
   /// The objects that `job` refers to must outlive it.

@@ -12,11 +12,11 @@ struct TiltAnchor {
   Tilt tilt = Tilt::Zero();
 };
 
-/// The curve of least integral of |second derivative by the way|^2 through anchors: a cubic spline, one value for each
-/// of `arc_lengths_mm`, which do not fall.
+/// Finds the curve of least integral of |second derivative by the way|^2 through anchors. It is a cubic spline, with
+/// one value for each of `arc_lengths_mm`, which do not fall.
 ///
 /// Requires at least one anchor, in the order of their positions, no two at one way.
-/// Ensures  An end of which `is_level` is true has no slope, as the path goes on untilted there; at the others no
+/// Ensures  An end of which `is_level` is true has no slope, as the path goes on untilted there. Any other end has no
 ///          curvature. Beyond the first and last anchor the curve goes on straight.
 /// Cost     Linear.
 /// Source   C. de Boor, A Practical Guide to Splines (1978), IV.

@@ -72,23 +72,23 @@ class TiltSpace {
   [[nodiscard]] bool is_refused_by(RefusingPoints& refusing, std::size_t i, const Tilt& tilt) const;
 
   /// Returns whether the tool is certified free there, with a margin for the motions beside it, and within the limits.
-  /// `refusing`, where given, is tested first and learns.
+  /// Where `refusing` is given, it is tested first and learns.
   [[nodiscard]] bool is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusing = nullptr) const;
 
-  /// Returns whether the motion from position i with one tilt to position k > i with another is certified clean and within the
-  /// limits of the axis at every instant. Requires that both are free or programmed.
+  /// Returns whether the motion from position i with one tilt to position k > i with another is certified clean. It
+  /// must also be within the limits of the axis at every instant. Requires that both are free or programmed.
   [[nodiscard]] bool is_free_between(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
 
   /// Returns whether the axis may turn so far on that way. That is not part of being free: how fast a tilt comes and goes is a
   /// matter of the whole run.
   [[nodiscard]] bool may_turn(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
 
-  /// Tilts of positions i and i + 1 that are farther apart than this turn the tool too far between the two.
+  /// Returns the largest change of tilt from position i to i + 1. A larger one turns the tool too far between the two.
   /// docs/method/tilting.md, "The cut between positions"
   [[nodiscard]] double largest_change_rad(std::size_t i) const;
 
-  /// Returns whether position i, which stays as programmed, lets no sequence of tilts be free: the tool is too deep there for any
-  /// motion, so its neighbours would have to stay as programmed too, and one of them cannot.
+  /// Returns whether position i, which stays as programmed, lets no sequence of tilts be free. The tool is too deep
+  /// there for any motion. So its neighbours would have to stay as programmed too, and one of them cannot.
   [[nodiscard]] bool holds_back(std::size_t i) const;
 
   /// The obstacle to the tool at a tilt, and its depth.
@@ -116,7 +116,7 @@ class TiltSpace {
   bool is_cutter_convex_ = false;
 };
 
-/// The tilt last found free at each position of a run, and on the motion from it to the next, so that a sequence that
+/// The tilt last found free at each position of a run, and on the motion from it to the next. So a sequence that
 /// changes in places is proved in these places alone. Different positions may be queried from different threads.
 class TiltProofs {
  public:

@@ -9,7 +9,8 @@
 namespace gouge {
 
 /// Without a gouge the tool may reach into a solid by at most this many times the allowed depth. Corners of 45 degrees
-/// and more, thus all usual cutters, reach less than 3 times the depth; a blade or a tip of 30 degrees does not.
+/// and more, and thus all usual cutters, reach less than 3 times the depth. A blade or a tip of 30 degrees reaches
+/// farther.
 inline constexpr double kReachPerDepth = 3;
 
 /// Bounds how far a tool reaches into a solid whose surface is nowhere deeper in the tool than a given depth.

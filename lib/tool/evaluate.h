@@ -13,18 +13,19 @@ struct ToolDistance {
   Vec2 normal = Vec2::Zero();     ///< gradient of the signed distance, unit: the exit direction for a point inside
 };
 
-/// Nearest boundary element, signed distance and exit direction at (r, z), through the BSP or the tree of stretches.
+/// Finds the nearest boundary element, the signed distance and the exit direction at (r, z), through the BSP or the
+/// tree of stretches.
 ///
 /// Units    mm, tool half plane.  Requires r >= 0 and finite values.
-/// Ensures  (1) |signed distance - brute force| <= 1e-12 relative to the tool's size.
-///          (2) the signed distance is 1-Lipschitz and continuous across every bisector.
+/// Ensures  (1) |signed distance - brute force| <= 1e-12 relative to the tool's size. (2) The signed distance is
+///          1-Lipschitz and continuous across every bisector.
 /// Degenerate  On the boundary the element's own outward normal; on the axis a unit vector of the half plane.
-/// Cost     depth of the BSP, no allocation. Of the tree: its depth and as many elements as are about as near as the
-///          nearest, thus all of them at the centre of a traced ball.
+/// Cost     Depth of the BSP, no allocation. Of the tree: its depth and as many elements as are about as near as the
+///          nearest. In the centre of a traced ball these are all elements.
 /// Source   Ho 1999, thesis 2.4.18.
 [[nodiscard]] ToolDistance evaluate(const CompiledTool& tool, double r_mm, double z_mm);
 
-/// The same through the tree of stretches alone; by examining every element where the contour turns back on itself
+/// Does the same through the tree of stretches alone. It examines every element where the contour turns back on itself
 /// (no borders), or where there is no tree.
 [[nodiscard]] ToolDistance evaluate_by_stretches(const CompiledTool& tool, double r_mm, double z_mm);
 

@@ -6,9 +6,9 @@
 
 namespace gouge {
 
-/// The points of a tool whose nearest boundary point lies on a stretch of one element, in the half plane: on the
-/// straight rays that leave the stretch inwards, square to it. Every point of the tool is in one of the cells of its
-/// contour.
+/// The points of a tool whose nearest boundary point lies on a stretch of one element, in the half plane. They lie on
+/// the straight rays that leave the stretch inwards, square to it. Every point of the tool is in one of the cells of
+/// its contour.
 struct FootCell {
   Vec2 origin = Vec2::Zero();  ///< segment: the foot at parameter 0; else centre of the arc or the vertex
   Vec2 along = Vec2::Zero();   ///< segment: unit direction of the parameter; else zero
@@ -23,7 +23,8 @@ struct FootCell {
   [[nodiscard]] Vec2 at(double s, double t) const;
   /// No ray is longer than this for the cell's own sake.
   [[nodiscard]] double longest_ray_mm() const;
-  /// Returns how far apart two rays of the cell are at most, t from their feet; of the middle ray and any other half of it.
+  /// Returns the largest distance between two rays of the cell, t from their feet. For the middle ray and any other it
+  /// is half of that.
   [[nodiscard]] double width_mm(double t) const;
   /// The distance from `point` to the farthest point of the cell at most t from its foot.
   [[nodiscard]] double farthest_mm(const Vec2& place, double t) const;

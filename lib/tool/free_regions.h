@@ -11,8 +11,8 @@
 
 namespace gouge {
 
-/// A connected part of what lies deeper in the tool than some depth: a stretch of the axis with the points around it,
-/// or a ring about the axis.
+/// A connected part of the points that lie deeper in the tool than some depth. It is a stretch of the axis with the
+/// points around it, or a ring about the axis.
 struct FreeRegion {
   double z_lo_mm = 0, z_hi_mm = 0;  ///< of the axis; equal for a ring
   Vec2 deepest = Vec2::Zero();      ///< (r, z) of its deepest point

@@ -19,8 +19,8 @@ struct ToolVariants {
   CompiledTool cutting;                         ///< the cutter alone, offset by stock to leave: what touches the part
   CompiledTool non_cutting;                     ///< shank and holder as offset above: for near misses. May be empty.
   CertifiedDepths part_depths, fixture_depths;  ///< of the variants against_part and against_fixture
-  /// The tool with every body wider by the diameter of the cutter: all places it takes where its tip is up to a diameter
-  /// beside a motion. Null: not made.
+  /// The tool with every body wider by the diameter of the cutter. It holds all places that the tool takes where its
+  /// tip is up to a diameter beside a motion. Null: not made.
   std::shared_ptr<const ToolVariants> wide;
 
   /// A form of this tool with its own sure depths.

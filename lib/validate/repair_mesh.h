@@ -41,9 +41,9 @@ struct MeshRepair {
   [[nodiscard]] bool is_better() const { return after.trouble.empty() && after.defects() < before.defects(); }
 };
 
-/// Removes duplicates, orients the triangles alike, stitches borders with identical coordinates, removes
-/// triangles without area, splits vertices where surfaces only touch, fills holes when requested, and turns
-/// closed pieces outward (cavities inward). No vertex is moved and no self-intersection is resolved.
+/// Removes duplicates and triangles without area, orients the triangles alike, and stitches borders with identical
+/// coordinates. Splits vertices where surfaces only touch, and fills holes when requested. Turns closed pieces outward
+/// (cavities inward). No vertex is moved and no self-intersection is resolved.
 ///
 /// Requires a mesh in the frame of its file (no placement), and its validation.
 /// Errors   mesh-repair-failed: CGAL gave up; the message has its reason.

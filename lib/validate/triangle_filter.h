@@ -25,8 +25,8 @@ namespace gouge::detail {
 
 enum class RayMeeting { none, once, unknown };
 
-/// Returns whether the ray from p on along a coordinate axis (0 to 2), to infinity, meets the triangle. `none` and `once`, through
-/// its inside, are proved.
+/// Returns whether the ray from p on along a coordinate axis (0 to 2), to infinity, meets the triangle. Proved are
+/// `none` and `once`, through its inside.
 [[nodiscard]] RayMeeting meet_ray(const std::array<Vec3, 3>& t, const Vec3& p, int axis);
 
 }  // namespace gouge::detail

@@ -8,8 +8,9 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/mesh_findings.h"
 
-// The whole judgement of a mesh: the counts of lib/mesh, and what must be exact: proved in double precision where that can
-// be, else decided by CGAL 5.5 (Polygon Mesh Processing), which stays behind cgal_bridge.h.
+// The whole judgement of a mesh: the counts of lib/mesh, and properties that must be exact. These are proved in double
+// precision where that is possible. Else CGAL 5.5 (Polygon Mesh Processing) decides them, which stays behind
+// cgal_bridge.h.
 
 namespace gouge {
 

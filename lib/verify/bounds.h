@@ -8,9 +8,8 @@
 
 #include "lib/geom/vec.h"
 
-// Numbers that are only known to lie between two doubles, by CGAL: whatever is computed from them holds the
-// true value of the formula, however the processor rounds. Every function that uses them runs under
-// RoundsUpward.
+// Numbers that are only known to lie between two doubles, by CGAL. A result computed from them holds the true value of
+// the formula, however the processor rounds. Every function that uses them runs under RoundsUpward.
 
 namespace gouge {
 
@@ -68,8 +67,8 @@ inline Bounds3 widened(const Bounds3& a, double by) {
   return {widened(a[0], by), widened(a[1], by), widened(a[2], by)};
 }
 
-/// Sine and cosine of angles up to 8: the Taylor polynomial, whose next term bounds what is left out, since
-/// the terms alternate and shrink from the 8th on.
+/// Sine and cosine of angles up to 8 by the Taylor polynomial. Its next term bounds the remainder, since the terms
+/// alternate and shrink from the 8th on.
 struct SineCosine {
   Bounds sine, cosine;
 };

@@ -8,8 +8,8 @@
 #include "lib/verify/tool_contour.h"
 #include "lib/verify/triangle_order.h"
 
-// The one lemma of a certificate: a plane that separates a part of the tool from a part of the surface, but
-// for the depth that is allowed. docs/method/verify.md states and proves it.
+// The one lemma of a certificate: a plane separates a part of the tool from a part of the surface, except for the
+// allowed depth. The page docs/method/verify.md states and proves it.
 
 namespace gouge {
 

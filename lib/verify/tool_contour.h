@@ -6,8 +6,8 @@
 
 namespace gouge {
 
-/// A tool's contour as the verifier sees it: segments and arcs, each arc cut where it points along r or z, so
-/// that both coordinates only grow or only fall along a piece. Nothing else of a compiled tool is used.
+/// A tool's contour as the verifier sees it: segments and arcs. Each arc is cut where it points along r or z, so that
+/// both coordinates only grow or only fall along a piece. Nothing else of a compiled tool is used.
 class ToolContour {
  public:
   struct Piece {

@@ -10,9 +10,8 @@
 
 namespace gouge {
 
-/// All triangles of a set of meshes in an order in which near ones follow each other. A node is a range of
-/// that order; its two children are its halves, so the whole hierarchy is the order alone and a proof need
-/// not name it.
+/// All triangles of a set of meshes in an order in which near ones follow each other. A node is a range of that order;
+/// its two children are its halves. So the whole hierarchy is the order alone, and a proof need not name it.
 class TriangleOrder {
  public:
   struct Node {
