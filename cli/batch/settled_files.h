@@ -33,8 +33,8 @@ class SettledFiles {
   [[nodiscard]] const std::string& folder() const { return folder_; }
   /// Returns whether `place` is a folder, and no pattern for the names in one.
   [[nodiscard]] bool is_whole_folder() const { return is_whole_folder_; }
-  /// Examines the folder. `now_s`: of a clock that never goes back, whatever the times of the files are: a copy keeps
-  /// the time of what it is a copy of.
+  /// Examines the folder. The time `now_s` is of a clock that never goes back, whatever the times of the files are. A
+  /// copy keeps the time of its original.
   [[nodiscard]] FileStamps look(double now_s);
   /// Returns whether the last look found some file that is yet to settle.
   [[nodiscard]] bool is_unsettled() const { return is_unsettled_; }

@@ -45,10 +45,10 @@ class JobWords {
   JobWords(std::string command, std::string folder, const WordRules& rules = job_rules())
       : command_(std::move(command)), folder_(std::move(folder)), rules_(&rules) {}
 
-  /// Adds "--key=value" for a text or a number, one for each entry of a list, and "--key" for a flag that is true. What
-  /// is given by body may be an object: {"shank": 0.5, "holder": 1}.
-  /// Errors: the rules' code, without a file, naming the key: one the command does not have or that cannot stand in the
-  /// file, or a value of the wrong kind.
+  /// Adds "--key=value" for a text or a number, one for each entry of a list, and "--key" for a flag that is true. An
+  /// option that is given by body may be an object: {"shank": 0.5, "holder": 1}.
+  /// Errors: the rules' code, without a file, naming the key. The command does not have it, it cannot stand in the
+  /// file, or its value is of the wrong kind.
   [[nodiscard]] Outcome add(const std::string& key, const nlohmann::json& value);
   /// `file` below the folder, if it is relative.
   [[nodiscard]] std::string located(const std::string& file) const;

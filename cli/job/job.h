@@ -51,8 +51,8 @@ struct Job {
   [[nodiscard]] const Scene& scene() const { return files->scene; }
   [[nodiscard]] const std::vector<HeadBody>& heads() const { return files->heads; }
   [[nodiscard]] std::vector<const ToolVariants*> tools() const;
-  /// --extend-up for a tool of this job: as high as the farthest point of the scene, and the widest radius more: its end
-  /// is nearest to nothing.
+  /// Does --extend-up for a tool of this job. The tool becomes as high as the farthest point of the scene, and the
+  /// widest radius more. So its end is nearest to nothing.
   [[nodiscard]] ToolAssembly without_end(const ToolAssembly& tool) const;
   /// `prepared` is the scene of the job; both must outlive the result.
   [[nodiscard]] CheckSetup setup(const PreparedScene& prepared) const;

@@ -11,8 +11,8 @@
 
 namespace gouge {
 
-/// Scenes that several jobs share: each is read and indexed once, by the first job that needs it, while others that want the
-/// same wait, and is released when the last job that may request it is done. May be used from several threads.
+/// Scenes that several jobs share. Each is read and indexed once, by the first job that needs it, while others that
+/// want the same wait. It is released when the last job that may request it is done. May be used from several threads.
 class SceneStore {
  public:
   /// Files are read from `copies`, which must outlive it; none: where they are.

@@ -20,7 +20,8 @@ struct ReadingArguments {
 
 [[nodiscard]] const OptionRows<ReadingArguments>& reading_options();
 
-/// Errors (code usage): a retract plane that is no length, a dialect that is not known, a harmless word that is none or that is read.
+/// Errors (code usage): a retract plane that is not a length, or an unknown dialect. Also a harmless word that is not a
+/// word, or that is read.
 [[nodiscard]] Result<ReadOptions> understand(const ReadingArguments& arguments);
 
 /// --max-input of a command, in bytes: no file it reads may have more.

@@ -50,10 +50,10 @@ struct ReportManifest {
 /// The same for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.
 [[nodiscard]] const std::vector<std::string>& names_of_batch();
 
-/// The folder of --report, in which a new report takes the place of an older one and of nothing else. What is
-/// an older report's states its manifest, by name and content; all other files under a name of the report's are
-/// foreign, and refused unless `is_forced`. A process that is killed at any instant leaves a folder whose
-/// manifest knows every file of the report in it. Order of calls: open, stage, commit.
+/// The folder of --report, in which a new report takes the place of an older one and of nothing else. The manifest of
+/// an older report states its files, by name and content. All other files under a name of the report's are foreign, and
+/// refused unless `is_forced`. A process that is killed at any instant leaves a folder whose manifest knows every file
+/// of the report in it. Order of calls: open, stage, commit.
 class ReportFolder {
  public:
   /// `names`: those it may write, of which no other file of the folder is; they must outlive it.

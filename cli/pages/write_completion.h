@@ -6,8 +6,8 @@
 
 namespace gouge {
 
-/// The script that completes command lines of `program` in `shell`, which is bash, zsh or fish: commands, options, the
-/// values of those that take one of few, files and folders.
+/// Returns the script that completes command lines of `program` in `shell`, which is bash, zsh or fish. It completes
+/// commands, options, files, folders, and the values of options that take one of few.
 [[nodiscard]] std::string write_completion(const std::string& shell, const CommandDoc& program);
 
 [[nodiscard]] std::string bash_completion(const CommandDoc& program);

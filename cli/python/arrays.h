@@ -8,8 +8,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-// NumPy arrays in and out without copies: what comes in is read where it is, or refused with a TypeError; what goes out
-// is a read-only view that keeps its owner alive.
+// NumPy arrays in and out without copies. An input array is read where it is, or refused with a TypeError. An output
+// array is a read-only view that keeps its owner alive.
 
 namespace gougecheck::python {
 

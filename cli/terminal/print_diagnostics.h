@@ -43,8 +43,8 @@ void print_peak_memory(std::ostream& err);
 /// Prints `errors` and returns `status`.
 int fail(std::ostream& err, const Diagnostics& errors, int status);
 
-/// The same with the status of what was wrong: the command line where one of them has the code usage, as where --tool
-/// names what the library lacks; else an input.
+/// Does the same with the status of the error. It is that of the command line where one of them has the code usage, as
+/// where --tool names a tool that the library lacks. Else it is that of an input.
 int fail(std::ostream& err, const Diagnostics& errors);
 
 }  // namespace gouge

@@ -18,9 +18,9 @@ enum class ProgressMode { automatic, always, never };
 /// --progress: auto, always or never.
 [[nodiscard]] ProgressMode understand_progress(std::string_view word);
 
-/// One line on standard error that is drawn over and over while long work runs, and wiped at its end: the stage, how
-/// much of it is done and about how long the rest of it takes, or for how long it runs where nothing counts it.
-/// Automatic: only where standard error is a terminal. Silent for work shorter than a moment.
+/// One line on standard error that is drawn over and over while long work runs, and wiped at its end. It shows the
+/// stage, how much of it is done and about how long the rest of it takes. Where nothing counts it, the line shows for
+/// how long it runs. Automatic: only where standard error is a terminal. Silent for work shorter than a moment.
 class Progress {
  public:
   Progress(std::ostream& err, ProgressMode mode);

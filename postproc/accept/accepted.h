@@ -32,9 +32,9 @@ struct Acceptance {
 };
 
 /// Reads the bytes of `file`.
-/// Errors, with the line: accepted-syntax, accepted-duplicate-key, json-too-deep, json-too-long, accepted-format (not
-/// such a file), accepted-field (missing or not as expected), accepted-edited (an entry that is not as it was written, or
-/// is there twice).
+/// Errors, with the line: accepted-syntax, accepted-duplicate-key, json-too-deep, json-too-long. (1) accepted-format:
+/// not such a file. (2) accepted-field: missing or not as expected. (3) accepted-edited: an entry that is not as it was
+/// written, or is there twice.
 [[nodiscard]] Result<std::vector<Acceptance>> read_accepted(const std::string& file, std::string_view bytes);
 
 /// The file, each entry with a seal of its contents. Reads back as the same entries.
@@ -46,8 +46,8 @@ struct AcceptanceNote {
 };
 
 /// Accepts finding `number` of a result, beside what `accepted` has already.
-/// Errors: usage (no finding of that number); accept-impossible (buried, a depth that is not certified, a tool that is not
-/// known: it cannot be compared later); accept-twice (it is accepted already).
+/// Errors: (1) usage: no finding of that number. (2) accept-impossible: buried, a depth that is not certified, or a
+/// tool that is not known and so cannot be compared later. (3) accept-twice: it is accepted already.
 [[nodiscard]] Result<Acceptance> accept_finding(const StoredResult& result, std::size_t number,
                                                 const AcceptanceNote& note, const std::vector<Acceptance>& accepted);
 

@@ -14,7 +14,7 @@ inline constexpr std::size_t kChanges = 6;
 /// "new", "deeper", "not-checked-any-more", "gone", "shallower", "same"
 [[nodiscard]] const char* change_name(Change change);
 
-/// A finding of the new run with those of the old one that it was, or one of the old run that it no longer has.
+/// A finding of the new run with the earlier findings that match it, or a finding of the old run that is gone.
 struct ComparedFinding {
   Change change = Change::same;
   std::vector<std::size_t> before;  ///< indices of the old run's findings

@@ -37,10 +37,12 @@ struct CheckOptions {
 
 /// Checks the whole motion of every move against the whole surface of every triangle.
 ///
-/// Ensures  No gouge deeper than tolerance + resolution is missed; every gouge has a witness; clean is proved, and no fact
-///          that it rests on is contradicted or unknown. Meshes that were read without a unit are taken in the path's.
-/// Throws   Error: a length that is negative or no number, a fact of another name; tool-ambiguous: one tool for a path
-///          that calls several; for a machine: those of its file, and machine-law, where nothing states a law.
+/// Ensures  No gouge deeper than tolerance + resolution is missed, and every gouge has a witness. Clean is proved, and
+///          no fact that it rests on is contradicted or unknown. Meshes that were read without a unit are taken in the
+///          path's.
+/// Throws   Error: a length that is negative or not a number, or a fact of another name. Code tool-ambiguous: one tool
+///          for a path that calls several. For a machine: those of its file, and machine-law, where nothing states a
+///          law.
 /// Thread safe, as everything here is.
 [[nodiscard]] GOUGECHECK_EXPORT Report check(const Path& path, const Scene& scene, const Tool& tool,
                                              const CheckOptions& options = {});

@@ -50,8 +50,10 @@ class GOUGECHECK_EXPORT Scene {
  public:
   /// Builds a scene of one part. The index stays with the mesh: a scene of the same mesh costs nothing.
   Scene(const Mesh& part);  // NOLINT: a part is a scene
-  /// `fixture_clearances`: the distance that the tool keeps from each fixture, mm; empty: none has one.
-  /// Errors  usage: no mesh, another count of clearances than of fixtures, or a clearance that is no length of 0 or more.
+  /// Builds a scene. Each of `fixture_clearances` is the distance in mm that the tool keeps from one fixture; empty:
+  /// none has one.
+  /// Errors  Code usage: no mesh, or another count of clearances than of fixtures. Also a clearance that is not a
+  ///         length of 0 or more.
   explicit Scene(std::vector<Mesh> parts, std::vector<Mesh> fixtures = {}, std::vector<double> fixture_clearances = {});
 
   [[nodiscard]] std::span<const Mesh> parts() const;

@@ -25,8 +25,8 @@ struct PenetrationOptions {
 /// Two bodies that stand still; coordinates of A.
 struct Penetration {
   ClashState state = ClashState::not_certified;
-  /// Largest distance of a point in both bodies to the surface of one of them; positive inside. depth <= true depth <=
-  /// depth_upper, which is infinite where a surface bounds no solid.
+  /// Largest distance of a point in both bodies to the surface of one of them; positive inside. Always depth <= true
+  /// depth <= depth_upper. The latter is infinite where a surface bounds no solid.
   double depth = 0, depth_upper = 0;
   double distance = 0;                                ///< of the surfaces; 0 where they meet
   Vec3 point_a = {0, 0, 0};                           ///< the closest points of both surfaces

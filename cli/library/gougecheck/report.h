@@ -22,8 +22,8 @@ enum class State : std::uint8_t {
 
 enum class Body : std::uint8_t { cutter, shank, holder, head };
 
-/// Verdict of a whole path: gouges where a move gouges or is buried; clean where every move is clean or near and no fact that this
-/// rests on is open.
+/// Verdict of a whole path. It gouges where a move gouges or is buried. It is clean where every move is clean or near
+/// and no fact that this rests on is open.
 enum class Verdict : std::uint8_t { clean, gouges, not_fully_checked };
 
 /// Result of a check: one entry a move, in order, as a structure of arrays. For every move depth <= true depth <=

@@ -23,8 +23,8 @@ class GOUGECHECK_EXPORT Tool {
   Tool(std::string_view shape, const std::map<std::string, double>& dimensions,
        const std::vector<ToolSegment>& shank = {}, const std::vector<ToolSegment>& holder = {});
 
-  /// From the JSON of one tool ({"units": "mm", "cutter": {...}, ...}) or of a library; `name`: which of its tools, a
-  /// name or number; empty: its only one.
+  /// Reads the JSON of one tool ({"units": "mm", "cutter": {...}, ...}) or of a library. There `name` states which of
+  /// its tools, by name or number; empty: its only one.
   /// Throws   Error: those of the tool library; library-which where it has several, or none of that name.
   [[nodiscard]] static Tool from_json(std::string_view json, std::string_view name = {});
 

@@ -10,9 +10,9 @@
 
 namespace gouge {
 
-/// The setups of CAMWorks CLT: ROTABL turns the table, TLAXIS names the setup's Z in model axes. Where a setup lies in
-/// the model no word states; so the first one of the file is the frame of its positions, those of other setups are not
-/// checked, and what the words state twice must agree. A setup that the file never ends holds to its end.
+/// The setups of CAMWorks CLT: ROTABL turns the table, TLAXIS names the setup's Z in model axes. No word states where a
+/// setup lies in the model. So the first setup of the file is the frame of its positions, and those of other setups are
+/// not checked. Facts that the words state twice must agree. A setup that the file never ends holds to its end.
 class CltSetup {
  public:
   CltSetup(StatementContext& in, Uncertainties& uncertainties) : in_(in), uncertainties_(uncertainties) {}

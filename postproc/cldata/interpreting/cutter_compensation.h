@@ -33,8 +33,8 @@ class CutterCompensation {
   [[nodiscard]] CutcomSide side() const { return side_; }
   /// Returns why the next motion is not checked; empty where CUTCOM does not keep it from being so.
   [[nodiscard]] std::string_view reason() const;
-  /// Deviation of the motion to `move`, which reason() keeps from being checked: the tip is beside it, across `plane_normal`, where
-  /// the control offsets it in that plane.
+  /// Returns the deviation of the motion to `move`, which reason() keeps from being checked. The tip is beside it,
+  /// across `plane_normal`, where the control offsets it in that plane.
   [[nodiscard]] Cover cover(const Move& move, const std::optional<Pose>& start, const Vec3& plane_normal) const;
   void note_position();
   void break_motion() { was_on_ = false; }

@@ -11,8 +11,8 @@
 
 namespace gouge {
 
-/// A drilling cycle, while which positions are holes. It ends by CYCLE/OFF; one that should have ended, as a later
-/// statement states, or that the file never ends, leaves all positions behind its first in doubt.
+/// A drilling cycle, while which positions are holes. It ends by CYCLE/OFF. A later statement may show that a cycle
+/// should have ended, or the file may never end it. Then all positions behind its first are in doubt.
 class CycleState {
  public:
   explicit CycleState(StatementContext& in) : in_(in) {}

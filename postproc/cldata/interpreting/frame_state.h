@@ -35,8 +35,8 @@ class FrameState {
 
   /// A tip at argument `first`, in mm and in the frame; nothing after an error.
   [[nodiscard]] std::optional<Vec3> read_tip(std::size_t first);
-  /// Numbers at `origin`, `x` and `y`, and `z` where the file has it, as a frame; nothing after an error, which names
-  /// `what`. `rounding` is how far each component of an axis may be off.
+  /// Makes a frame of the numbers at `origin`, `x` and `y`, and `z` where the file has it. Returns nothing after an
+  /// error, which names `what`. Each component of an axis may be off by `rounding`.
   [[nodiscard]] std::optional<RigidTransform> make(const Vec3& origin, const Vec3& x, const Vec3& y,
                                                    const std::optional<Vec3>& z, double rounding, const char* what);
   /// Axes of the last make() were off unit length or right angles by more than rounding: positions may be scaled.

@@ -3,8 +3,8 @@
 #include "postproc/cldata/interpreting/file_facts.h"
 #include "postproc/cldata/interpreting/states.h"
 
-// Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath; the writer runs it
-// again over the same bytes to know in which state (axis, frame, unit, rapid) each position was read.
+// Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath. The writer runs it again over
+// the same bytes to know in which state (axis, frame, unit, rapid) each position was read.
 
 namespace gouge {
 

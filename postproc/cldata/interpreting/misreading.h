@@ -29,9 +29,9 @@ void distrust_cut_short(States& s);
 void distrust_last_line(States& s);
 /// At the end of the file: its last position lacks the axis that those before it have.
 void distrust_last_axis(States& s);
-/// Effects of a statement that is not understood on those before it and on the word it was meant to be: a line of
-/// numbers, a word that something was glued to or that is misspelt. True where it can only be more positions of the
-/// statement before it, so that the next one is certain again.
+/// Applies the effects of a statement that is not understood, on those before it and on the word it was meant to be. It
+/// is a line of numbers, a word joined to other characters, or a misspelt word. True where it can only be more
+/// positions of the statement before it, so that the next one is certain again.
 [[nodiscard]] bool take_misread(States& s, std::string_view text);
 /// Nothing that the file stated before `statement`, whose word is `major`, is certain any more: see Uncertainty::unknown.
 void mark_all_uncertain(States& s, std::string_view major, std::size_t statement);

@@ -128,14 +128,14 @@ enum class ReasonKind : std::uint8_t {
   return kind_of(reason) <= ReasonKind::compensated;
 }
 
-/// The word a statement begins with, as it is reported to the user: in capitals, cut to 24 letters; "(no word)" and
-/// "(line of numbers)" where it has none.
+/// Returns the word a statement begins with, as it is reported to the user: in capitals, cut to 24 letters. Where it
+/// has none, it is "(no word)" or "(line of numbers)".
 [[nodiscard]] std::string word_as_reported(std::string_view major);
 
 class NamedReasons {
  public:
-  /// Maximum number of lines named for each pair of reason and word; later texts name the word alone, so that
-  /// a file that repeats a statement has no list of all its lines.
+  /// Maximum number of lines named for each pair of reason and word. Later texts name the word alone, so that a file
+  /// that repeats a statement has no list of all its lines.
   static constexpr std::size_t kMaxLines = 20;
 
   /// `reason` with the word and the line of its statement (0: the word alone). The text is never freed, as

@@ -29,8 +29,8 @@ class ToolState {
   void take_name(std::string_view text);
   /// Text that may name the tool that is defined next.
   void take_insert(std::string_view text);
-  /// Ensures  A tool that was not described since the last motion is the one last seen under that number, or one the
-  ///          file states nothing about: never the one before it.
+  /// Ensures  A tool that was not described since the last motion is the one last seen under that number. Else it is
+  ///          one that the file states nothing about, never the one before it.
   void change_number(int number);
   /// The tool of that number is in the spindle: LOADTL, LOAD/TOOL.
   void note_load() { is_loaded_ = true, is_used_ = false; }

@@ -49,8 +49,8 @@ struct NumberCount {
 /// unknown.
 [[nodiscard]] bool has_damaged_argument(std::span<const Argument> arguments);
 
-/// True where a word stands twice, in any case: which of both counts no reader can show; and of
-/// more than 64 words, as no statement that is understood has them.
+/// Returns true where a word stands twice, in any case: no reader can show which of both counts. Also true of more than
+/// 64 words, as no statement that is understood has them.
 [[nodiscard]] bool has_repeated_word(std::span<const Argument> arguments);
 
 }  // namespace gouge

@@ -41,8 +41,8 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 [[nodiscard]] bool is_one_of(std::string_view text, std::span<const std::string_view> words);
 [[nodiscard]] bool starts_with_ignoring_case(std::string_view text, std::string_view start);
 
-/// True where one character of one is missing, wrong or too many in the other, or two neighbours are in each other's
-/// place; letters compared as capitals. False for equal texts.
+/// Returns true where one character of one is missing, wrong or too many in the other, or two neighbours are swapped.
+/// Letters are compared as capitals. False for equal texts.
 [[nodiscard]] bool is_one_letter_off(std::string_view a, std::string_view b);
 
 /// `text` as a name for people and for JSON: trimmed, quotes around it and control characters dropped. Text

@@ -5,9 +5,9 @@
 
 #include "postproc/cldata/language/statement.h"
 
-// Bytes to logical statements. A `$` ends a line and continues the statement on the next one; `$$` begins a
+// Bytes to logical statements. A `$` ends a line and continues the statement on the next one. Two, `$$`, begin a
 // comment, except that the text of PPRINT and its like is taken as it stands. Sequence numbers and labels before a
-// word that is known are no part of it, nor are the numbers of points and of cards in columns 73 to 80. Bytes are not decoded.
+// known word do not belong to it. Nor do the numbers of points and of cards in columns 73 to 80. Bytes are not decoded.
 
 namespace gouge {
 

@@ -9,10 +9,9 @@
 
 #include "lib/base/tolerance.h"
 
-// The container of binary NCCS (NCL, PostWorks) CL files: physical blocks of 35 words of 8 bytes and 8 bytes
-// of padding; in the words, ignoring the blocks, logical records. A record is a header word of four 16-bit
-// numbers, low byte first (words in the record with its header, class, subclass, sequence number), and its
-// data words.
+// The container of binary NCCS (NCL, PostWorks) CL files. Physical blocks have 35 words of 8 bytes and 8 bytes of
+// padding. The words hold logical records, which ignore the blocks. A record is a header word and its data words. The
+// header is four 16-bit numbers, low byte first: words in the record with its header, class, subclass, sequence number.
 
 namespace gouge {
 
@@ -41,8 +40,8 @@ inline constexpr double kSameNccsAxis = Tolerance::kExactDirection;
 /// Data words of each point in a record of expanded motion.
 inline constexpr std::size_t kNccsExpandedWords = 21;
 
-/// True where the first record is the header of a binary NCCS file; or, in one without that record, where the file
-/// begins with at least three records of known classes, one after another.
+/// Returns true where the first record is the header of a binary NCCS file. A file without that record must begin with
+/// at least three records of known classes, one after another.
 [[nodiscard]] bool is_nccs_binary(std::string_view bytes);
 
 /// The words of a file, without its padding. Requires `word` < words().

@@ -6,9 +6,9 @@
 #include "postproc/cldata/language/statement.h"
 #include "postproc/cldata/nccs/nccs_records.h"
 
-// The records of a binary NCCS file as statements: what each states in words of APT, with the arguments its ASCII
-// twin has, so that one interpreter reads both. Lines are record numbers, counted from 1. A record that is not
-// decoded but could matter for motion becomes one that states so.
+// The records of a binary NCCS file as statements. Each is stated in words of APT, with the arguments of its ASCII
+// twin, so that one interpreter reads both. Lines are record numbers, counted from 1. A record that is not decoded but
+// could matter for motion becomes a statement of that fact.
 
 namespace gouge {
 

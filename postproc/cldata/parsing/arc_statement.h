@@ -77,14 +77,16 @@ struct ArcFit {
   double radius_error_mm = 0;  ///< how far start, end and the stated radius disagree
 };
 
+/// Fits the arc of a statement between two tips.
 /// Ensures  The sweep ends at `end` exactly; start = end is a full circle.
-/// Errors   problem: kForm and its like from the statement; kRadius where start and end differ by more than 0.008 mm, or the stated radius from them by more than they do
-///          and 0.001 mm, or six times the rounding of the numbers, kPoint, kTiny, kAngle,
-///          kTimes, and kSense when the sense is unknown.
+/// Errors   Each is a `problem`. (1) kForm and its like from the statement. (2) kRadius: the distances of start and end
+///          from the axis differ by more than 0.008 mm. Or the stated radius differs from one of them too much: by more
+///          than twice that difference and six times the rounding of the numbers. The latter is taken as at least 0.001
+///          mm and at most 0.008 mm. (3) kPoint, kTiny, kAngle, kTimes, and kSense when the sense is unknown.
 [[nodiscard]] ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end);
 
-/// True where the arc fits between both tips whichever way round it runs, so that only its sense decides: a stated half
-/// turn, a whole turn of a helix, any arc that states no sweep.
+/// Returns true where the arc fits between both tips whichever way round it runs, so that only its sense decides. That
+/// is a stated half turn, a whole turn of a helix, or any arc that states no sweep.
 [[nodiscard]] bool fits_both_ways(ArcStatement statement, const Vec3& start, const Vec3& end);
 
 /// Unit direction in which a right-handed arc passes `tip`.

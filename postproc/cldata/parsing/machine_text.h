@@ -28,8 +28,8 @@ struct MachineEffect {
   std::optional<LengthUnit> unit;  ///< of the numbers that follow (G20, G21, G70, G71)
 };
 
-/// Reads one block. Block numbers, program names and comments do nothing: those in brackets but for the functions of an
-/// Osai control, and those behind a semicolon that are no block.
+/// Reads one block. Block numbers, program names and comments do nothing. Comments are in brackets, except for the
+/// functions of an Osai control, or behind a semicolon where they are not a block.
 [[nodiscard]] MachineEffect read_machine_text(std::string_view text);
 
 }  // namespace gouge

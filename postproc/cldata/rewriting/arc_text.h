@@ -25,8 +25,8 @@ class ArcText {
   /// Learns from the first arcs of the file. `records` as read_motion_records gives them.
   ArcText(const Toolpath& path, const MotionRecords& records);
 
-  /// True where the statements of the arc that is move `move` can state another one: those of a dialect of
-  /// text, which describe this arc alone, of one turn at most.
+  /// Returns true where the statements of the arc that is move `move` can state another one. These are statements of a
+  /// dialect of text that describe this arc alone, of one turn at most.
   [[nodiscard]] bool is_writable(std::size_t move) const;
 
   /// The arc of move `move` as the file has it. Requires is_writable(move).

@@ -46,8 +46,9 @@ class ChangeTable {
   std::vector<const PathChange*> of_move_;
 };
 
-/// The statements of a file and what some of them become that have no position of their own: nothing, where they
-/// describe what is straightened; or what describes an arc, with the positions before it.
+/// The statements of a file without a position of their own, and their replacements. A statement that describes a
+/// straightened curve becomes nothing. One that describes an arc becomes its new description, with the positions before
+/// it.
 class ReplacedStatements {
  public:
   /// `path` must outlive the object.

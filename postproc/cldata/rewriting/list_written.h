@@ -29,9 +29,9 @@ struct WrittenStatement {
 [[nodiscard]] std::vector<WrittenStatement> list_written(const Toolpath& before, const std::vector<PathChange>& changes,
                                                          const Toolpath& after);
 
-/// The bytes that changed moves have in the file as it was and in the corrected one: the statement of the position, and
-/// with it what was changed, added or removed right beside it (RAPID and MULTAX before an inserted position, the CIRCLE
-/// of an arc that became straight).
+/// The bytes that changed moves have in the file as it was and in the corrected one. They are the statement of the
+/// position, and beside it every statement that was changed, added or removed. Examples are RAPID and MULTAX before an
+/// inserted position, and the CIRCLE of an arc that became straight.
 class RecordTexts {
  public:
   /// `written` as list_written gives it for these. All must outlive the object and the views it gives.

@@ -6,7 +6,7 @@
 #include "lib/geom/pose.h"
 #include "postproc/cldata/language/dialect.h"
 
-// Writing of each dialect: one row of words, columns, digits and line ends, those of its CAM system, or more
+// Writing of each dialect: one row of words, columns, digits and line ends. They are those of its CAM system, or more
 // digits where the source file has more.
 
 namespace gouge {
