@@ -10,9 +10,9 @@
 
 namespace gouge {
 
-/// A sheet about one tool: on the left the assembly with its bodies in colour, its Voronoi regions and
-/// dimensions; on the right the tip, enlarged, with the regions inside and outside and the correction
-/// directions as arrows (the way out for a point at each grid point). After thesis figures 21 and 22.
+/// Draws a sheet about one tool. On the left is the assembly with its bodies in colour, its Voronoi regions and
+/// dimensions. On the right is the tip, enlarged, with the regions inside and outside and the correction directions as
+/// arrows. These are the way out for a point at each grid point. After thesis figures 21 and 22.
 ///
 /// Ensures  The same tool gives the same drawing; dimensions are written in `unit`.
 /// Errors   Those of make_body_profiles.

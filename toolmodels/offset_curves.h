@@ -8,9 +8,9 @@
 
 namespace gouge::detail {
 
-/// The directed pieces of lines and circles of which the boundary of the offset body can consist: each element
-/// moved out by `growth_mm`, and an arc about every convex corner. Parts of them lie deeper than `growth_mm`
-/// in the offset body, or on the far side of the axis; growth 0 gives the elements as they are.
+/// Returns the directed pieces of lines and circles of which the boundary of the offset body can consist. They are each
+/// element moved out by `growth_mm`, and an arc about every convex corner. Parts of them lie deeper than `growth_mm` in
+/// the offset body, or on the far side of the axis. Growth 0 gives the elements as they are.
 /// Requires  verify_profile(profile).empty(), growth_mm >= 0.
 [[nodiscard]] std::vector<ProfileElement> offset_curves(const Profile& profile, double growth_mm);
 

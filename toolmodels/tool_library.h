@@ -43,11 +43,12 @@ struct ToolLibrary {
   [[nodiscard]] std::string holder_names() const;
 };
 
-/// Every tool is built once to see that it can be; what cannot is an error that names tool and field.
+/// Reads a tool library. Every tool is built once to see that it can be. One that cannot is an error that names tool
+/// and field.
 ///
-/// Errors   With file and line: json-too-deep, json-too-long, library-syntax, library-field (missing, of the wrong
-///          kind, unknown shape, unit or holder), library-duplicate-key, library-duplicate-number, library-empty, and
-///          those of make_body_profiles.
+/// Errors   With file and line: json-too-deep, json-too-long, library-syntax, library-field, library-duplicate-key,
+///          library-duplicate-number, library-empty. Also those of make_body_profiles. With library-field a field is
+///          missing, of the wrong kind, or an unknown shape, unit or holder.
 /// Warnings in `notes`: library-unknown-key, library-duplicate-name, cutter-contradiction.
 [[nodiscard]] Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view bytes);
 

@@ -6,10 +6,10 @@
 #include "lib/tool/compiled_tool.h"
 #include "toolmodels/convex_cell.h"
 
-// The 2D Voronoi diagram of a closed half profile, element by element: where an element can be nearest at all
-// (its domain, bounded by normals at its ends), its distance there, and the curve on which two distances are
-// equal. Each curve is the bisector itself: no false branch of a squared equation is left in the cell it is
-// used in.
+// The 2D Voronoi diagram of a closed half profile, element by element. It gives where an element can be nearest at all
+// (its domain, bounded by normals at its ends), and its distance there. It also gives the curve on which two distances
+// are equal. Each curve is the bisector itself: no false branch of a squared equation is left in the cell it is used
+// in.
 
 namespace gouge::detail {
 

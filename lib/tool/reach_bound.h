@@ -16,7 +16,7 @@ inline constexpr double kNoReach_mm = std::numeric_limits<double>::infinity();
 /// than `depth_mm` in `form`. (2) It is joined, by points as deep, with a point of the axis that
 /// RegionFinder(bare).at(depth_mm) has in a region.
 ///
-/// Requires  depth_mm > 0, and that `form` holds `bare` (it is `bare` or offset from it).
+/// Requires  The depth is above 0, and `form` holds `bare` (it is `bare` or offset from it).
 /// Ensures   Never less than the truth. Where the truth is above `cutoff_mm` the bound exceeds it by few per cent.
 ///           Where it is well below (by a tenth of the depth) the bound is at most `cutoff_mm`. In between either may
 ///           be. The bound is kNoReach_mm where there is no such point.

@@ -19,10 +19,10 @@ inline constexpr Colour kCalm{34, 120, 84, 1};
 /// Colour of a body of the tool, in every picture the same.
 [[nodiscard]] Colour body_colour(int body);
 
-/// Depth to colour: pale yellow just above `low`, through orange and red to dark purple at `high`. Lightness
-/// falls steadily, so the order survives a black-and-white print.
-/// When the worst depth is a hundred times the tolerance and more, lengths along the scale grow with the
-/// square root of the depth, or one holder collision would hide every small gouge.
+/// Depth to colour: pale yellow just above `low`, through orange and red to dark purple at `high`. Lightness falls
+/// steadily, so the order survives a black-and-white print.
+/// When the worst depth is a hundred times the tolerance and more, lengths along the scale grow with the square root of
+/// the depth. Otherwise one holder collision would hide every small gouge.
 struct ColourScale {
   double low_mm = 0, high_mm = 1;
   bool is_root = false;

@@ -19,10 +19,10 @@ struct TextMask {
   std::vector<std::uint8_t> grey;
 };
 
-/// The letters of font files, one after the other: a letter comes from the first file that has it, without
-/// hinting, so that its shape does not depend on where it stands. Letters of right-to-left and joined scripts
-/// are neither turned nor joined. Text is made printable first (lib/base/printable_text.h); a character that
-/// no file has is drawn as a box. May be used from several threads.
+/// The letters of font files, one after the other. A letter comes from the first file that has it. It is drawn without
+/// hinting, so that its shape does not depend on where it stands. Letters of right-to-left and joined scripts are
+/// neither turned nor joined. Text is made printable first (lib/base/printable_text.h). A character that no file has is
+/// drawn as a box. May be used from several threads.
 class Font {
  public:
   /// Files that are missing or no fonts are passed over.
@@ -55,8 +55,8 @@ class Font {
 /// call.
 [[nodiscard]] const Font& installed_font();
 
-/// One note ("picture-letters") if characters of these texts are drawn as boxes, with the first of them and
-/// what to install; nothing where all are there or no font is.
+/// Returns one note ("picture-letters") if characters of these texts are drawn as boxes, with the first of them and the
+/// package to install. Returns nothing where all are there or no font is.
 [[nodiscard]] Diagnostics find_missing_letters(const std::vector<std::string>& texts,
                                                const Font& font = installed_font());
 

@@ -7,8 +7,8 @@
 
 #include "lib/base/result.h"
 
-// Drawing functions of OpenCV for pictures. They are in a shared module of its own, loaded by the first picture: the library
-// brings a dozen others that a check without pictures has no use for.
+// Drawing functions of OpenCV for pictures. They are in a shared module of its own, loaded by the first picture. The
+// library brings a dozen others that a check without pictures does not use.
 
 namespace gouge {
 

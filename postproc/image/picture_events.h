@@ -40,8 +40,8 @@ struct GougeWitness {
 /// Those of a path, in its order; of more than `most` every so manieth.
 [[nodiscard]] std::vector<GougeWitness> gouge_witnesses(const CheckedToolpath& input, std::size_t most);
 
-/// Returns whether nothing of parts and fixtures lies between the point and a viewer far away in direction `toward` (unit),
-/// farther than `clear_mm` from the point. Cost: about O(log n).
+/// Returns whether a point is visible to a viewer far away in direction `toward` (unit). No part or fixture may lie
+/// between, farther than `clear_mm` from the point. Cost: about O(log n).
 [[nodiscard]] bool is_in_sight(const CheckedToolpath& input, const Vec3& point, const Vec3& toward, double clear_mm);
 
 }  // namespace gouge

@@ -9,10 +9,10 @@
 
 namespace gouge {
 
-/// The drawing as the bytes of a PNG file, one pixel a picture unit, lines and text smoothed. The same drawing gives
-/// the same bytes on every run and at any number of threads. Text is drawn with installed_font (font.h); where no font
-/// is installed, with strokes that know ASCII only (ascii_text.h).
-/// Errors   picture-size (a side below 1 or above 16384), picture-not-encoded, out-of-memory.
+/// Returns the drawing as the bytes of a PNG file, one pixel a picture unit, lines and text smoothed. The same drawing
+/// gives the same bytes on every run and at any number of threads. Text is drawn with installed_font (font.h). Where no
+/// font is installed, it is drawn with strokes that know ASCII only (ascii_text.h).
+/// Errors   (1) picture-size: a side below 1 or above 16384. (2) picture-not-encoded, out-of-memory.
 [[nodiscard]] Result<std::string> render_png(const Drawing& drawing);
 
 /// The same with pictures laid under the drawing, in the order given; what falls outside is cut off.

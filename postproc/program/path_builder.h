@@ -35,8 +35,8 @@ class PathBuilder {
   /// where it never was.
   void report(Severity severity, const char* code, const Tally& seen, std::string_view noun, std::string_view rest);
 
-  /// `all` with memory for `more`, or for as many as the rest of the file holds if it goes on like this: growing
-  /// by doubling would need three times the memory while it copies.
+  /// Gives `all` memory for `more`, or for as many as the rest of the file holds if it goes on like this. Growing by
+  /// doubling would need three times the memory while it copies.
   template <class Things>
   void make_room(Things& all, std::size_t more = 1) const {
     const std::size_t needed = all.size() + more;

@@ -22,8 +22,8 @@ enum class DegreeSign { word, sign };
 /// "line 31"; empty for kNone.
 [[nodiscard]] std::string line_of_move(const Toolpath& path, std::size_t move);
 
-/// The lines of the summary: how far the axis turns, how far it was tilted, how long the feeds take; none where
-/// nothing is of interest. Requires model.correction.axes.
+/// Writes the lines of the summary: how far the axis turns, how far it was tilted, how long the feeds take. There are
+/// none where nothing is of interest. Requires model.correction.axes.
 [[nodiscard]] std::string axis_lines(const ReportModel& model);
 
 }  // namespace gouge

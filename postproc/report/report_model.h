@@ -194,15 +194,16 @@ enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 /// The exit status of `check` and `correct`.
 [[nodiscard]] ExitCode exit_status(OverallVerdict verdict);
 
-/// "no gouge deeper than tolerance + resolution = 0.011 mm is missed, and where none is reported the tool reaches at
-/// most 3 times that into a solid", in the toolpath's unit, with what it does not cover when something was not checked.
+/// Returns the guarantee in the toolpath's unit, with the moves it does not cover when something was not checked. It
+/// begins "no gouge deeper than tolerance + resolution = 0.011 mm is missed". It ends "and where none is reported the
+/// tool reaches at most 3 times that into a solid".
 [[nodiscard]] std::string guarantee_text(const ReportModel& model);
 
 /// Returns one sentence for each assumption that keeps the verdict from being clean: which, why, and what to do.
 [[nodiscard]] std::vector<std::string> open_facts(const ReportModel& model);
 
-/// Reservations about the verdict, a sentence each: which option settles why moves are not checked
-/// (remedies.h), that the path may not belong to the part, that tools have no holder.
+/// Returns reservations about the verdict, a sentence each. (1) The option that settles why moves are not checked
+/// (remedies.h). (2) That the path may not belong to the part. (3) That tools have no holder.
 [[nodiscard]] std::vector<std::string> reservations(const ReportModel& model);
 
 /// A distance of ClosestApproach, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm", "not within 20

@@ -17,8 +17,8 @@ inline constexpr const char* kProjectFile = "project-file";
 [[nodiscard]] std::string grouped_text(std::size_t count);
 /// A length for people, in `unit`, with its name: "0.213 mm", "0.0084 in". Small lengths keep two digits.
 [[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit);
-/// The same beside the limits of the check: with as many digits more as it takes to show it from the tolerance, from
-/// tolerance + resolution and from the near miss requested: "0.0112 mm" beside 0.011 mm.
+/// Returns the same beside the limits of the check. It has enough digits to differ from the tolerance, from tolerance +
+/// resolution and from the near miss requested: "0.0112 mm" beside 0.011 mm.
 [[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit, const CheckOptions& limits);
 /// Up to six digits, four below 1, no trailing zeros: "0.011 mm", "44.4543 mm", "0.0004331 in".
 [[nodiscard]] std::string length_text(double length_mm, LengthUnit unit);

@@ -21,8 +21,9 @@ struct Gaps {
 /// Maximum overcut of all gouges; 0 without any.
 [[nodiscard]] double worst_overcut_upper_mm(const CheckResult& result);
 
-/// "the depth of 1 of 30 gouging moves is certified to 0.0206 mm only, not to the resolution of 0.001 mm: move 18, line
-/// 20, is between 4.0951 and 4.1156 mm deep". Empty when all are as close as requested.
+/// Reports gouges whose depth is not as close as requested: "the depth of 1 of 30 gouging moves is certified to 0.0206
+/// mm only, ...". It names the first: "... not to the resolution of 0.001 mm: move 18, line 20, is between 4.0951 and
+/// 4.1156 mm deep". Empty when there are none.
 [[nodiscard]] std::string depth_gaps_text(const ReportModel& model);
 /// "12.193 mm", "12.193 to 12.301 mm": the worst overcut of all, which lies between the two where they differ.
 [[nodiscard]] std::string overcut_range_text(const ReportModel& model);

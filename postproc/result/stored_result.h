@@ -110,9 +110,9 @@ struct StoredResult {
 [[nodiscard]] std::string stored_finding_text(const StoredResult& result, const StoredFinding& finding);
 
 /// Reads the bytes of `file`.
-/// Errors, with the line: result-syntax, result-duplicate-key, json-too-deep, json-too-long; result-format (not a result
-/// of this program, or of an older version that lacks what is needed), result-field (a value that is missing or not as
-/// expected, or contradicts another), result-edited (not the bytes that gougecheck wrote).
+/// Errors, with the line: result-syntax, result-duplicate-key, json-too-deep, json-too-long. (1) result-format: not a
+/// result of this program, or of an older version that lacks needed fields. (2) result-field: a value that is missing
+/// or not as expected, or contradicts another. (3) result-edited: not the bytes that gougecheck wrote.
 [[nodiscard]] Result<StoredResult> read_result(const std::string& file, std::string_view bytes);
 
 }  // namespace gouge

@@ -51,8 +51,8 @@ class ResultStore {
   [[nodiscard]] Outcome put(const std::vector<Numbered>& results);
   /// Reads anew which jobs are done.
   [[nodiscard]] Outcome refresh();
-  /// One for each job that is run here, in order; those that have not run have a name alone, and those whose rows
-  /// were altered since they were put (is_altered).
+  /// Returns one result for each job that is run here, in order. Those that have not run have a name alone. Those whose
+  /// rows were altered since they were put are marked (is_altered).
   [[nodiscard]] Result<std::vector<JobResult>> all();
   /// Returns the batch that began last; empty names where there is none.
   [[nodiscard]] Result<BatchIdentity> identity();

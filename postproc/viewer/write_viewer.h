@@ -20,9 +20,10 @@ namespace gouge {
 /// Cost     Less than a heat map; about 6 bytes a triangle.
 [[nodiscard]] Result<std::string> write_viewer(const ReportScene& shown, const ProgressCall& progress = {});
 
-/// The findings for the viewer, one for each gouge, buried tool and near miss of the events, in their order: where the
-/// tool is at the worst instant, the evidence, the numbers as the report writes them, and the lines of the file around
-/// the statement. Lengths of coordinates in mm. At most `most` of them, the first.
+/// Returns the findings for the viewer, one for each gouge, buried tool and near miss of the events, in their order.
+/// Each holds the position of the tool at the worst instant, the evidence, and the numbers as the report writes them.
+/// It also holds the lines of the file around the statement. Lengths of coordinates in mm. At most `most` of them, the
+/// first.
 [[nodiscard]] nlohmann::ordered_json finding_texts(const ReportModel& model, const CheckedToolpath& input,
                                                    std::size_t most);
 

@@ -54,8 +54,8 @@ struct BesideFile {
 /// Reads the file that a tool library names `name`: in the library's folder, else in the folder Bit beside that, where
 /// FreeCAD keeps them. Where none has exactly this name, upper and lower case count as equal.
 ///
-/// Errors   file-not-found with both places; import-beside where several files differ in case alone; those of
-///          read_file.
+/// Errors   (1) file-not-found with both places. (2) import-beside where several files differ in case alone. (3) Those
+///          of read_file.
 [[nodiscard]] Result<BesideFile> read_beside(const std::string& library_file, const std::string& name,
                                              std::uint64_t max_bytes);
 

@@ -11,9 +11,8 @@
 #include "lib/base/units.h"
 #include "toolmodels/tool_library.h"
 
-// Tool libraries of other programs, read into ours. Nothing is guessed in silence: what had to be assumed,
-// what contradicts itself and what was left out stands in `notes`, each with the tool's name. What each
-// format means by its fields: docs/formats/tool_import.md.
+// Tool libraries of other programs, read into ours. Nothing is guessed in silence. Each assumption, contradiction and
+// omission stands in `notes`, with the tool's name. The meaning of each format's fields: docs/formats/tool_import.md.
 
 namespace gouge {
 
