@@ -44,8 +44,8 @@ void load_unwinder() {
   ::backtrace(&frame, 1);
 }
 
-// The second one, which comes when this handler returns, takes the default action: a parent that waits for the program sees
-// which signal ended it.
+// The second one, which comes when this handler returns, takes the default action: a parent that waits for the program
+// sees which signal ended it.
 void tidy_up_and_end(int signal) {
   gouge::remove_temporary_names();
   ::raise(signal);

@@ -16,7 +16,8 @@
 namespace gouge {
 namespace {
 
-// Memory of a job without files, and of a byte of an STL or a toolpath with its data structures (docs/develop/benchmarks.md).
+// Memory of a job without files, and of a byte of an STL or a toolpath with its data structures
+// (docs/develop/benchmarks.md).
 constexpr std::uint64_t kBytesOfJob = 60'000'000, kPerMeshByte = 5, kPerPathByte = 25;
 // Memory of a long path during its check: the rest is in files (docs/method/scaling.md).
 constexpr std::uint64_t kMaxOfCheckedPath = 1'500'000'000;

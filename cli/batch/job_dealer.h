@@ -21,8 +21,8 @@ class JobDealer {
   /// `group_ends`: one past the last position of each group, ascending. `work`: of each position, > 0, in any unit.
   JobDealer(std::vector<std::size_t> group_ends, const std::vector<std::uint64_t>& work, std::size_t processes);
 
-  /// Returns the next work of this process, at most `most` positions (> 0) of one group. Cost: constant, and linear in the
-  /// processes where something is taken over.
+  /// Returns the next work of this process, at most `most` positions (> 0) of one group. Cost: constant, and linear in
+  /// the processes where something is taken over.
   [[nodiscard]] Block take(std::size_t process, std::size_t most);
 
  private:

@@ -34,8 +34,8 @@ struct PathMachineArguments {
 void add_path_laws_options(CLI::App& command, PathMachineArguments& arguments);
 void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments);
 
-/// `gougecheck path laws`: how far the laws of motion are apart on a path. `gougecheck path joints`: the joints of every
-/// record. Returns the exit status.
+/// `gougecheck path laws`: how far the laws of motion are apart on a path. `gougecheck path joints`: the joints of
+/// every record. Returns the exit status.
 [[nodiscard]] int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

@@ -16,8 +16,8 @@ inline constexpr const char* kFixtureOverlap = "fixture-overlap";
 /// Code of the warning that it could not be certified whether one does.
 inline constexpr const char* kFixtureUndecided = "fixture-not-certified";
 
-/// Returns a warning for each fixture that penetrates a part deeper than the tolerance, except those of --allow-overlap.
-/// `scene`: that of the job.
+/// Returns a warning for each fixture that penetrates a part deeper than the tolerance, except those of
+/// --allow-overlap. `scene`: that of the job.
 [[nodiscard]] Diagnostics setup_notes(const Job& job, const JobArguments& arguments, const PreparedScene& scene);
 
 /// find_stickouts for the tools of a job, with `result` from its check. `is_extended_up` as in JobArguments.

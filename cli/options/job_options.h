@@ -71,7 +71,8 @@ struct JobOptions {
   std::string date;  ///< of the report
 };
 
-/// The rows that `check`, `correct` and `batch` share, without those of ReadingArguments; outputs are rows of their own.
+/// The rows that `check`, `correct` and `batch` share, without those of ReadingArguments; outputs are rows of their
+/// own.
 [[nodiscard]] const OptionRows<JobArguments>& job_options();
 
 void add_job_options(CLI::App& command, JobArguments& arguments);

@@ -120,8 +120,8 @@ std::vector<OptionText> recorded_options(const Arguments& arguments, const Optio
   return recorded;
 }
 
-/// Sets the options of `rows` that a verification repeats. `given(key, is_repeatable)` returns the texts that the result
-/// has for a key.
+/// Sets the options of `rows` that a verification repeats. `given(key, is_repeatable)` returns the texts that the
+/// result has for a key.
 template <typename Arguments, typename Given>
 void repeat_options(Arguments& arguments, const OptionRows<Arguments>& rows, const Given& given) {
   for (const OptionRow<Arguments>& row : rows) {

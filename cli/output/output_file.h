@@ -47,8 +47,8 @@ class PendingOutputs {
 [[nodiscard]] std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
                                                 std::ostream& err);
 
-/// Returns whether the picture `file` is to be an SVG; else a PNG. Error (code usage) for another ending than .svg and .png, in
-/// any case.
+/// Returns whether the picture `file` is to be an SVG; else a PNG. Error (code usage) for another ending than .svg and
+/// .png, in any case.
 [[nodiscard]] Result<bool> is_svg_file(const std::string& file);
 
 /// The note of find_missing_letters (postproc/image/font.h) on the names a picture of this path may show: of the file,

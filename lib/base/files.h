@@ -30,7 +30,8 @@ inline constexpr std::uint64_t kMaxInputBytes = 8'000'000'000;
 /// Creates `path` and its parents. Errors: folder-unwritable.
 [[nodiscard]] Outcome make_folder(const std::string& path);
 
-/// Returns whether a file's name has something before `ending` and then that, in any case. `ending`: in small letters, with its dot.
+/// Returns whether a file's name has something before `ending` and then that, in any case. `ending`: in small letters,
+/// with its dot.
 [[nodiscard]] inline bool has_ending(std::string_view file, std::string_view ending) {
   return file.size() > ending.size() && std::equal(ending.rbegin(), ending.rend(), file.rbegin(), [](char e, char f) {
            return e == (f >= 'A' && f <= 'Z' ? static_cast<char>(f - 'A' + 'a') : f);

@@ -12,7 +12,8 @@ namespace gouge {
 /// More threads than this are no use on any machine, and each takes memory before it does anything.
 inline constexpr unsigned kMaxThreads = 1024;
 
-/// Sets the number of threads that for_each_chunk uses for 0; initially 0: all of the machine. With 1 no thread is started.
+/// Sets the number of threads that for_each_chunk uses for 0; initially 0: all of the machine. With 1 no thread is
+/// started.
 void set_default_threads(unsigned threads);
 
 /// Calls `body(first, last)` once for each chunk of [0, count) with `chunk` items (the last one shorter). With

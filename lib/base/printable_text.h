@@ -12,7 +12,7 @@
 namespace gouge {
 
 /// Returns `text` as one line that shows every character in it. A character that a terminal would obey or hide is
-/// written as an escape:
+/// written as an escape.
 /// (1) The controls (C0, DEL, C1: \n, \t, \x1b, \u009b), and bytes that are not UTF-8 (\xff).
 /// (2) Line separators, marks of direction, characters without width, fillers and tags (\u202e, \U000e0041).
 /// The result is UTF-8 and printable(printable(text)) == printable(text): a backslash stays one.

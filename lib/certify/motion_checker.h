@@ -39,8 +39,8 @@ class MotionChecker {
   explicit MotionChecker(const CheckSetup& setup);
   ~MotionChecker();
 
-  /// The same checker for one step of a correction: what it does is charged to `budget`, which must outlive it. Once that
-  /// is spent nothing is certified any more: check and measure give not_certified, head_excess gives infinity.
+  /// The same checker for one step of a correction: what it does is charged to `budget`, which must outlive it. Once
+  /// that is spent nothing is certified any more: check and measure give not_certified, head_excess gives infinity.
   [[nodiscard]] MotionChecker within(WorkBudget& budget) const;
   [[nodiscard]] bool is_out_of_budget() const { return budget_ != nullptr && budget_->is_spent(); }
   /// For bounds that a step computes elsewhere.
@@ -52,10 +52,12 @@ class MotionChecker {
   [[nodiscard]] bool is_clean(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                               const CheckOptions& options, bool is_start_outside = false) const;
 
-  /// As deep as it is, not only whether that is too deep: tolerance 0. It does not test whether the tool is inside a solid.
+  /// As deep as it is, not only whether that is too deep: tolerance 0. It does not test whether the tool is inside a
+  /// solid.
   [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;
 
-  /// Returns how much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are none.
+  /// Returns how much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are
+  /// none.
   [[nodiscard]] double head_excess(const Pose& pose, double allowed_mm, double accuracy_mm) const;
 
   /// Returns where the middle of the cutter is.

@@ -9,7 +9,8 @@
 
 namespace gouge {
 
-/// Returns whether a thin feature is why a move is not certified: its depth is known, so it may still prove to be buried.
+/// Returns whether a thin feature is why a move is not certified: its depth is known, so it may still prove to be
+/// buried.
 [[nodiscard]] bool is_thin_feature(const MoveVerdict& verdict);
 
 /// Turns moves that are clean or near although the tool is inside a solid, or may be, into buried and not certified.

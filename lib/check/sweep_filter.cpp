@@ -26,8 +26,8 @@ constexpr std::uint32_t kMaxParts = 1200;
 constexpr std::size_t kMaxBlocks = 200;
 constexpr float kProgress = 0.95F;
 constexpr int kFailures = 1;
-// Where nothing moves, what a bound of whole triangles leaves open are mostly edges of the tool, which smaller triangles
-// do not mend.
+// Where nothing moves, what a bound of whole triangles leaves open are mostly edges of the tool, which smaller
+// triangles do not mend.
 constexpr std::uint32_t kMaxStandingParts = 10;
 // Where a point may be deeper than the deepest known one by all but this share of the gap it is measured.
 constexpr float kWorthMeasuring = 0.75F;

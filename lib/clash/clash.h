@@ -36,8 +36,8 @@ struct Clash {
   /// Largest distance of a point in both bodies to the surface of one of them: depth <= true depth <=
   /// depth_upper. The upper bound is infinite where a surface bounds no solid.
   double depth_mm = 0, depth_upper_mm = 0;
-  /// The deepest point of B in A (body 1) and of A in B (body 0), as far as there are such points, the deeper first.
-  /// Each has the direction in which B moves away.
+  /// The deepest point of B in A (body 1) and of A in B (body 0), the deeper first, where such points exist. Each has
+  /// the direction in which B moves away.
   std::vector<Contact> deepest;
   std::string reason;  ///< of not_certified
   std::uint64_t bounds = 0;

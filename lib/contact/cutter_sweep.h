@@ -35,7 +35,8 @@ struct SweepHint {
 class CutterSweep {
  public:
   /// Requires motion.is_defined(). `cutter`, with elements, must outlive the sweep. Curves are cut into chords that are
-  /// off by no more than 0.001 mm, which every result allows for. Cost 200 bytes a chord, and one for each degree of turn.
+  /// off by no more than 0.001 mm, which every result allows for. Cost 200 bytes a chord, and one for each degree of
+  /// turn.
   void add(const Motion& motion, const CompiledTool& cutter, std::size_t move);
   /// After the last motion. Cost linear.
   void index();

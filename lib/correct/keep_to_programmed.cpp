@@ -127,8 +127,8 @@ void LinkFinder::leave_out_holds(const LinkNode& u, const LinkNode& v, LinkNodes
   waypoints = std::move(kept);
 }
 
-/// Returns whether the straight path keeps to the programmed motion wherever that is clean. It leaves the motion by a mean of
-/// what its ends are off, so the ends of the clean intervals represent all instants.
+/// Returns whether the straight path keeps to the programmed motion wherever that is clean. It leaves the motion by a
+/// mean of what its ends are off, so the ends of the clean intervals represent all instants.
 bool LinkFinder::stays_near(const LinkNode& from, const LinkNode& to) const {
   const Vec3 off_from = offset_mm(from), off_to = offset_mm(to);
   const double span = to.t - from.t;

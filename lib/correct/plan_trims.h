@@ -5,8 +5,8 @@
 
 #include "lib/correct/reworked_path.h"
 
-// Leaves out gouging stretches: the tool retracts along its axis where the path was last free, crosses, and comes down again
-// where it is free. What lies between stays uncut.
+// Leaves out gouging stretches: the tool retracts along its axis where the path was last free, crosses, and comes down
+// again where it is free. What lies between stays uncut.
 
 namespace gouge {
 

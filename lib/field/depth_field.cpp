@@ -119,7 +119,8 @@ class PlacedTool {
 
   [[nodiscard]] double floor_mm() const { return has_clearance() || asked_.clearance_mm > 0 ? 0.0 : tolerance_mm_; }
 
-  // The form compared with the workpiece holds every other one inside it up to its clearances, so it decides what is far away.
+  // The form compared with the workpiece holds every other one inside it up to its clearances, so it decides what is
+  // far away.
   [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double, Memory&) const {
     const Vec3 d = node.centre - pose_->tip;
     const double z = d.dot(pose_->axis);

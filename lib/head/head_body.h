@@ -29,7 +29,8 @@ struct HeadBody {
 ///          mesh-head-crosses: rounding leaves open where its inside ends.
 [[nodiscard]] Result<HeadBody> build_head_body(IndexedMesh mesh);
 
-/// Builds the same bodies `by_mm` farther up the tool axis, as with a longer stick-out. Errors: those of build_head_body.
+/// Builds the same bodies `by_mm` farther up the tool axis, as with a longer stick-out. Errors: those of
+/// build_head_body.
 [[nodiscard]] Result<std::vector<HeadBody>> moved_up(const std::vector<HeadBody>& heads, double by_mm);
 
 /// The connected pieces of a surface, each a mesh of its own.

@@ -149,8 +149,9 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     return c.facet;
   }
 
-  /// False where the region stays out of the head's box. Else bounds its depth: first by planes that bounded others, then
-  /// by the signed distance of its middle, which changes by no more than the distance moved, and last by planes near it.
+  /// False where the region stays out of the head's box. Else bounds its depth: first by planes that bounded others,
+  /// then by the signed distance of its middle, which changes by no more than the distance moved, and last by planes
+  /// near it.
   template <typename Region>
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
     const double reach_mm = targets_[c.tree].reach_mm;

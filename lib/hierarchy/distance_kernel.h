@@ -14,7 +14,8 @@ namespace gouge {
 
 /// A point in the frame of a tree, and how far what is computed for it may be off whatever the lane.
 struct DistanceQuery {
-  /// Bound on the rounding of a triangle's distance in single precision, relative to a corner's distance from the point.
+  /// Bound on the rounding of a triangle's distance in single precision, relative to a corner's distance from the
+  /// point.
   static constexpr double kTriangleRounding = 1.0 / (1 << 20);
 
   std::array<float, 3> point{};  ///< mm, part coordinates minus the tree's origin

@@ -65,7 +65,8 @@ GOUGE_INLINE float min_of(const V& a) {
 #else
 
 // g++ splits comparisons and choices of vectors wider than the processor's into single numbers, ten times as slow.
-// So sixteen lanes are made of parts as wide as the processor's registers here, and what is done to them is done to each.
+// So sixteen lanes are made of parts as wide as the processor's registers here, and what is done to them is done to
+// each.
 template <class Part>
 struct Halves {
   Part low, high;

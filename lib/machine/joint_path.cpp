@@ -93,8 +93,8 @@ class Chooser {
     return best;
   }
 
-  /// Returns the joint that may as well turn otherwise: half a turn either way, or to the other solution. None: the nearest
-  /// turn is unique beyond rounding of the positions.
+  /// Returns the joint that may as well turn otherwise: half a turn either way, or to the other solution. None: the
+  /// nearest turn is unique beyond rounding of the positions.
   [[nodiscard]] std::optional<std::size_t> undecided_joint(const RotaryAngles& best,
                                                            const std::optional<RotaryAngles>& other,
                                                            const RotaryAngles& from) const {

@@ -9,8 +9,9 @@
 #include "lib/base/result.h"
 #include "lib/geom/vec.h"
 
-// A machine as the chain of its joints from the part to the tool. Directions and points are in part coordinates with all
-// joints at 0. Positive means the motion of the tool relative to the part (ISO 841), also for joints that move the table.
+// A machine as the chain of its joints from the part to the tool. Directions and points are in part coordinates with
+// all joints at 0. Positive means the motion of the tool relative to the part (ISO 841), also for joints that move the
+// table.
 
 namespace gouge {
 

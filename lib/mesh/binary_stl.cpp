@@ -120,8 +120,8 @@ Result<TriangleSoup> read_spread(std::string_view bytes, const FacetPlaces& plac
   return soup;
 }
 
-// Returns whether the stored normals are unit vectors along those of the corners: of more than half of the facets, and the
-// others are too thin for a comparison. A shifted facet has parts of corners where its normal should be.
+// Returns whether the stored normals are unit vectors along those of the corners: of more than half of the facets, and
+// the others are too thin for a comparison. A shifted facet has parts of corners where its normal should be.
 bool has_matching_normals(std::string_view bytes, const FacetPlaces& places) {
   constexpr double kThinnest = 1e-3;  // area over longest side squared
   constexpr double kAlike = 0.01;

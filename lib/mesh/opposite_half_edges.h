@@ -23,8 +23,8 @@ using OppositeHalfEdges = std::vector<std::uint32_t>;
 [[nodiscard]] std::optional<OppositeHalfEdges> find_opposite_half_edges(const IndexedMesh& mesh,
                                                                         Stage* stage = nullptr);
 
-/// Returns whether the triangles around every vertex form one fan, and no triangle has the corners of another. One unit of the
-/// stage a triangle.
+/// Returns whether the triangles around every vertex form one fan, and no triangle has the corners of another. One unit
+/// of the stage a triangle.
 [[nodiscard]] bool is_manifold(const IndexedMesh& mesh, const OppositeHalfEdges& opposites, Stage* stage = nullptr);
 
 /// Returns how often the surface winds around `point_part`: the sum of the triangles' signed solid angles over 4 pi.
@@ -43,8 +43,8 @@ using OppositeHalfEdges = std::vector<std::uint32_t>;
 ///          winding numbers, ACM Trans. Graph. 32 (2013).
 [[nodiscard]] double winding_number(const IndexedMesh& mesh, const Vec3& point_part);
 
-/// Returns whether the surfaces together wind around the point: the sum of their winding numbers is nearer to +-1, or beyond
-/// it, than to 0. Exact for closed surfaces and a point off them, whichever way they face; a hint for others.
+/// Returns whether the surfaces together wind around the point: the sum of their winding numbers is nearer to +-1, or
+/// beyond it, than to 0. Exact for closed surfaces and a point off them, whichever way they face; a hint for others.
 /// Cost  That of winding_number.
 [[nodiscard]] bool is_inside(std::span<const IndexedMesh> meshes, const Vec3& point_part);
 

@@ -11,7 +11,8 @@
 
 namespace gouge {
 
-/// The way of the tool axis, and of all that is fixed to it, from t = 0 to 1 of a move. Constant: several threads may call it.
+/// The way of the tool axis, and of all that is fixed to it, from t = 0 to 1 of a move. Constant: several threads may
+/// call it.
 class AxisPath {
  public:
   virtual ~AxisPath() = default;
@@ -32,7 +33,8 @@ class AxisLaw {
   /// Null where the law leaves the way open, but never for equal directions. Requires unit directions. The ends of the
   /// path are these directions, to rounding.
   [[nodiscard]] virtual std::shared_ptr<const AxisPath> between(const Vec3& from, const Vec3& to) const = 0;
-  /// The same for a move of a path with the angles of `joints`, whose history decides between several ways; may be null.
+  /// The same for a move of a path with the angles of `joints`, whose history decides between several ways; may be
+  /// null.
   [[nodiscard]] virtual std::shared_ptr<const AxisPath> of_move(const JointPath* /*joints*/, std::size_t /*move*/,
                                                                 const Vec3& from, const Vec3& to) const {
     return between(from, to);

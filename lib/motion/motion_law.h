@@ -53,8 +53,8 @@ class MotionLaw {
 
   /// Makes the motion of a move, along its arc or spline where it has one.
   [[nodiscard]] Motion of(const Toolpath& toolpath, std::size_t move) const;
-  /// The straight motion to a position alone from where the tool was before it (Move::is_linked); nothing where the path
-  /// has no link there. The file does not state it; the check only tests whether it is clean.
+  /// The straight motion to a position alone from where the tool was before it (Move::is_linked); nothing where the
+  /// path has no link there. The file does not state it; the check only tests whether it is clean.
   [[nodiscard]] std::optional<Motion> link_of(const Toolpath& toolpath, std::size_t move) const;
   /// Makes the motion of a tool that rests at a pose.
   [[nodiscard]] Motion at(const Pose& pose) const;

@@ -4,8 +4,8 @@
 
 namespace gouge {
 
-/// Bounds of a rigid body's motion over a time interval, lengths in mm, angles in radians. The body turns about its tip;
-/// w is its angular velocity, h the length of the interval. Proofs: docs/method/certified_sweep.md, section 3.
+/// Bounds of a rigid body's motion over a time interval, lengths in mm, angles in radians. The body turns about its
+/// tip; w is its angular velocity, h the length of the interval. Proofs: docs/method/certified_sweep.md, section 3.
 struct MotionRates {
   double tip_path_mm = 0;     ///< the tip's path is no longer (a straight one is just as long)
   double tip_sag_mm = 0;      ///< how far the tip may be from the straight chord at constant speed

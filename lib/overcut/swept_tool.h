@@ -14,7 +14,8 @@ namespace gouge {
 /// A tool along one motion.
 class SweptTool : public SweptSolid {
  public:
-  /// Requires a tool with elements; it must outlive this. `sharp_zones`: of the tool (inscribed_balls.h); nothing: all of it.
+  /// Requires a tool with elements; it must outlive this. `sharp_zones`: of the tool (inscribed_balls.h); nothing: all
+  /// of it.
   SweptTool(const Motion& motion, const CompiledTool& tool, std::optional<std::vector<Box2>> sharp_zones = std::nullopt)
       : SweptSolid(motion), tool_(tool), intervals_(motion, motion), sharp_zones_(std::move(sharp_zones)) {}
 

@@ -29,8 +29,8 @@ struct PathChange {
   /// hole may get a step more or less than it had. Read again, its moves are those of the same statement.
   std::optional<Vec3> hole_shift_mm = std::nullopt;
   /// Arcs to each of `inserted_before`, with ends as for new_arc; none: straight. One
-  /// entry each, or none at all: all straight. Only of an arc, beside `new_arc` or `is_straightened`, which state how the
-  /// end of the move itself is reached.
+  /// entry each, or none at all: all straight. Only of an arc, beside `new_arc` or `is_straightened`, which state how
+  /// the end of the move itself is reached.
   std::vector<std::optional<PathArc>> inserted_arcs = {};
   /// For a feed, or a curve that becomes straight: which of `inserted_before`, and whether its own end, is
   /// reached at rapid. One entry each and one for the end, or none at all: none is.

@@ -64,8 +64,8 @@ struct Operation {
   std::size_t line = 0;
 };
 
-/// Returns a copy of `text` that lives as long as the process, for Move::not_checked_reason: moves outlive the reader that
-/// names their reasons. Thread safe. Memory: each different text once.
+/// Returns a copy of `text` that lives as long as the process, for Move::not_checked_reason: moves outlive the reader
+/// that names their reasons. Thread safe. Memory: each different text once.
 [[nodiscard]] const char* lasting_text(std::string text);
 
 /// The statement that a clean check still proves for a motion with a not_checked_reason.

@@ -28,8 +28,8 @@ struct ClosestPoint {
   [[nodiscard]] double signed_mm() const { return is_inside ? -distance_mm : distance_mm; }
 };
 
-/// A mesh with its index and the data for the side of a point, each made once at the first request. Small, and shared by
-/// its copies. Any number of threads may call it it.
+/// A mesh with its index and the data for the side of a point, each made once at the first request. Small, and shared
+/// by its copies. Any number of threads may call it it.
 class Surface {
  public:
   /// The mesh must outlive all copies. `threads` as in build_block_tree.
@@ -46,9 +46,9 @@ class Surface {
   /// Closed, oriented, outward: inside means something. Cost of the first call O(n).
   [[nodiscard]] bool is_solid() const;
 
-  /// Returns where the solid ends: the surface itself, or where shells nest, overlap or cross, what of it has no material on one
-  /// side (solid_boundary.h). The only surface that answers for a side of a solid, or for a depth in it. Of what is no solid
-  /// the surface itself; no solid where rounding leaves some of its sides unknown.
+  /// Returns where the solid ends: the surface itself, or where shells nest, overlap or cross, what of it has no
+  /// material on one side (solid_boundary.h). The only surface that answers for a side of a solid, or for a depth in
+  /// it. Of what is no solid the surface itself; no solid where rounding leaves some of its sides unknown.
   /// Ensures  Valid as long as this surface or a copy of it. Cost of the first call as find_solid_boundary.
   [[nodiscard]] const Surface& boundary() const;
   /// The boundary is the surface itself.
@@ -62,8 +62,8 @@ class Surface {
 
   /// The closest point within `within_mm`; nothing when there is none (or no triangle at all).
   ///
-  /// Ensures  Exact at any distance, on both sides of a solid; of equally near triangles the lowest (closest_triangle.h).
-  ///          Without a solid every point counts as outside.
+  /// Ensures  Exact at any distance, on both sides of a solid; of equally near triangles the lowest
+  ///          (closest_triangle.h). Without a solid every point counts as outside.
   /// Requires for is_inside: a surface that is the boundary of its body (boundary()).
   /// Cost     About O(log n).
   [[nodiscard]] std::optional<ClosestPoint> closest_point(
@@ -73,7 +73,8 @@ class Surface {
   /// Requires a mesh with triangles.
   [[nodiscard]] ClosestPoint closest_point_from(const Vec3& point, std::uint32_t near) const;
 
-  /// Returns whether a point off the surface lies in the solid, by how often all triangles wind around it. Requires is_solid().
+  /// Returns whether a point off the surface lies in the solid, by how often all triangles wind around it. Requires
+  /// is_solid().
   /// Cost     About O(log n); O(n) where a few rays meet edges.
   [[nodiscard]] bool winds_around(const Vec3& point) const;
 

@@ -29,7 +29,8 @@ class ClosedContours {
   /// Runs that will be tilted next. Ends of contours that are in none of them, nor were before, stay as programmed.
   void begin(const std::vector<TiltRun>& runs);
 
-  /// The positions of a run, at one end of a contour given the axis that is known of its other end. Nothing where none is.
+  /// The positions of a run, at one end of a contour given the axis that is known of its other end. Nothing where none
+  /// is.
   [[nodiscard]] std::optional<std::vector<TiltPosition>> with_known(const std::vector<TiltPosition>& positions) const;
 
   /// Positions at the two ends of one contour, both of this run; in the order of the path.

@@ -23,8 +23,8 @@ class TiltRows {
   std::vector<double> columns_;         // x of each
 };
 
-/// Finds for each tilt `to` the tilt `from` with the least height(from) + steepness * |to - from|^2; of equal ones that are
-/// at one place the first.
+/// Finds for each tilt `to` the tilt `from` with the least height(from) + steepness * |to - from|^2; of equal ones that
+/// are at one place the first.
 ///
 /// Two passes of lower envelopes of parabolas, along the rows of `from` and then along the columns of `to`.
 /// Cost     Linear in the tilts and in rows times columns.

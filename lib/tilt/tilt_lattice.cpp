@@ -220,8 +220,8 @@ class Lattice {
     });
   }
 
-  /// Returns whether the tilt that was taken is free. Where it is not, others about it are examined too, twice as many each
-  /// time: what refuses it refuses many, and a position where none is free is soon known.
+  /// Returns whether the tilt that was taken is free. Where it is not, others about it are examined too, twice as many
+  /// each time: what refuses it refuses many, and a position where none is free is soon known.
   [[nodiscard]] bool is_free(Layer& layer, Node taken) {
     const auto index = static_cast<std::size_t>(std::ranges::find(layer.open, taken) - layer.open.begin());
     if (layer.is_free[index] != 0) return true;
@@ -347,7 +347,8 @@ class Lattice {
     return sequence;
   }
 
-  /// Returns whether the sequence is free everywhere. Where not, layers are added or a change between two is struck out.
+  /// Returns whether the sequence is free everywhere. Where not, layers are added or a change between two is struck
+  /// out.
   [[nodiscard]] bool prove(const TiltSequence& sequence, const Choice& choice) {
     // For each stretch between two layers: the first position that is rejected, itself or the motion from it.
     std::vector<std::size_t> refused(layers_.size(), kNone);

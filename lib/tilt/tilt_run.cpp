@@ -148,8 +148,8 @@ class Chain {
   std::vector<Station> stations_;
 };
 
-/// Normal of the part where the cutter is in it or near it. A corner of the tool that touches a face has no normal of its own:
-/// there the face's counts, as far as the tool reaches no deeper below its plane.
+/// Normal of the part where the cutter is in it or near it. A corner of the tool that touches a face has no normal of
+/// its own: there the face's counts, as far as the tool reaches no deeper below its plane.
 Vec3 normal_at(const ToolContact& contact, double depth_mm, const Pose& pose, const CompiledTool& cutter) {
   constexpr double kSameDepth_mm = 0.01;
   const Vec3& face = contact.face;

@@ -11,8 +11,8 @@
 
 namespace gouge {
 
-/// By how much a tool axis is tilted, rad: about the square of TiltPosition::second towards the first, as x, and towards
-/// the second, as y. Its length is the angle from the programmed axis.
+/// By how much a tool axis is tilted, rad: about the square of TiltPosition::second towards the first, as x, and
+/// towards the second, as y. Its length is the angle from the programmed axis.
 using Tilt = Vec2;
 
 /// A position of a run whose tool axis may be tilted: the end of a move, or an instant of it.
@@ -60,8 +60,8 @@ class TiltSpace {
   [[nodiscard]] const TiltPosition& operator[](std::size_t i) const { return positions_[i]; }
   [[nodiscard]] const TiltTask& task() const { return task_; }
 
-  /// Returns where the tool stands: the contact kept, and raised where it must be and may. Without tilt as programmed, bit for
-  /// bit. Nothing where raising does not help.
+  /// Returns where the tool stands: the contact kept, and raised where it must be and may. Without tilt as programmed,
+  /// bit for bit. Nothing where raising does not help.
   [[nodiscard]] std::optional<Pose> pose(std::size_t i, const Tilt& tilt) const;
 
   /// Returns how far it is raised there; nothing where raising does not help, of which `refusing`, where given, learns.
@@ -79,8 +79,8 @@ class TiltSpace {
   /// must also be within the limits of the axis at every instant. Requires that both are free or programmed.
   [[nodiscard]] bool is_free_between(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
 
-  /// Returns whether the axis may turn so far on that way. That is not part of being free: how fast a tilt comes and goes is a
-  /// matter of the whole run.
+  /// Returns whether the axis may turn so far on that way. That is not part of being free: how fast a tilt comes and
+  /// goes is a matter of the whole run.
   [[nodiscard]] bool may_turn(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
 
   /// Returns the largest change of tilt from position i to i + 1. A larger one turns the tool too far between the two.

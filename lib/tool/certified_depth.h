@@ -24,7 +24,8 @@ struct CertifiedDepth {
 /// kReachPerDepth times the given depth. Cost: bound_reach, once for a usual tool.
 [[nodiscard]] CertifiedDepth find_certified_depth(const CompiledTool& form, const CompiledTool& bare, double given_mm);
 
-/// Results of find_certified_depth for one tool, each computed once; may be queried from any thread. A copy starts empty.
+/// Results of find_certified_depth for one tool, each computed once; may be queried from any thread. A copy starts
+/// empty.
 class CertifiedDepths {
  public:
   CertifiedDepths() = default;

@@ -6,8 +6,8 @@
 
 #include "lib/tool/compiled_tool.h"
 
-// Finds the points within a tool that no surface can separate as long as none comes deeper into the tool than a given depth.
-// Proof: docs/method/inside_outside.md.
+// Finds the points within a tool that no surface can separate as long as none comes deeper into the tool than a given
+// depth. Proof: docs/method/inside_outside.md.
 
 namespace gouge {
 

@@ -59,7 +59,8 @@ class ReachSearch {
     return -signed_distance_mm(form_, std::max(0.0, q.x()), q.y()) - depth_mm_ - Tolerance::kConstruction * size_mm_;
   }
 
-  /// The part of the largest ball touching the boundary at the middle ray's foot, or nearly, that is deeper than the limit.
+  /// The part of the largest ball touching the boundary at the middle ray's foot, or nearly, that is deeper than the
+  /// limit.
   [[nodiscard]] Ball own_ball(const FootCell& cell) const {
     looks_ += 4 * kLooksOfEvaluation;
     const InscribedBall ball = inscribed_ball(form_, cell, cell.middle(), depth_mm_, kNearly * depth_mm_);

@@ -201,7 +201,8 @@ void orient_as_one(SurfaceMesh& surface) {
   }
 }
 
-// Returns whether CGAL can show which way a piece faces: not where the triangles about its uppermost corner lie in one plane.
+// Returns whether CGAL can show which way a piece faces: not where the triangles about its uppermost corner lie in one
+// plane.
 bool has_facing(const SurfaceMesh& piece) {
   if (!CGAL::is_closed(piece)) return true;
   try {

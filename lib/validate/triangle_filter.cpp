@@ -49,8 +49,9 @@ bool has_plane_across_corner(const Vec3& a, const Vec3& b, const Vec3& c, const 
 }
 
 /// A plane through one side from the common corner and an axis of coordinates, with the rest of that side's triangle on
-/// one side of it and the other triangle on the other. `third` is the cross product of that side with its own triangle's
-/// other one, `one` and `other` those with the sides of the other triangle; with `turned` 1 one of the two orders is reversed.
+/// one side of it and the other triangle on the other. `third` is the cross product of that side with its own
+/// triangle's other one, `one` and `other` those with the sides of the other triangle; with `turned` 1 one of the two
+/// orders is reversed.
 bool has_plane_through_side(const Cross& third, const Cross& one, const Cross& other, int turned) {
   for (Eigen::Index k = 0; k < 3; ++k) {
     const int beyond = turned * third.side(k);

@@ -45,8 +45,8 @@ struct MeshValidation {
 /// Ensures  Exact: no tolerance decides whether triangles intersect. Touching counts as intersecting.
 ///          Triangles of no area and repeated triangles are counted as such and take no part in
 ///          intersections.
-/// Cost     O(n log n) for the surfaces of parts: about a microsecond and 100 bytes a triangle. Ten times that where CGAL
-///          must state what the surface bounds: where a triangle has no area, or a piece may lie in another.
+/// Cost     O(n log n) for the surfaces of parts: about a microsecond and 100 bytes a triangle. Ten times that where
+///          CGAL must state what the surface bounds: where a triangle has no area, or a piece may lie in another.
 /// Errors   None: what CGAL cannot do is reported in `trouble`, and the mesh is not sound then.
 [[nodiscard]] MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findings,
                                            const ProgressCall& progress = {});

@@ -38,8 +38,8 @@ inline Bounds dot(const Bounds3& a, const Bounds3& b) { return a[0] * b[0] + a[1
 inline Bounds3 cross(const Bounds3& a, const Bounds3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// CGAL's own turns the processor's rounding over for the lower end, and back, which takes longer than the roots. Rounded
-/// upward the root of x is at most sqrt(x) (1 + e), e = 2^-52, and sqrt(x) (1 + e) (1 - e) < sqrt(x).
+/// CGAL's own turns the processor's rounding over for the lower end, and back, which takes longer than the roots.
+/// Rounded upward the root of x is at most sqrt(x) (1 + e), e = 2^-52, and sqrt(x) (1 + e) (1 - e) < sqrt(x).
 /// Values below zero, by rounding, count as zero.
 inline Bounds square_root(const Bounds& x) {
   constexpr double e = 0x1p-52;

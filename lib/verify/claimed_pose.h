@@ -10,8 +10,8 @@
 
 namespace gouge {
 
-/// Returns the pose at t in [0, 1] of a move. By rotary joints where the claim names them for its kind of motion and the
-/// path has its angles, else on the great circle.
+/// Returns the pose at t in [0, 1] of a move. By rotary joints where the claim names them for its kind of motion and
+/// the path has its angles, else on the great circle.
 [[nodiscard]] Pose claimed_pose(const ClaimedScene& scene, std::size_t move, double t);
 
 /// Returns the frame of the bodies that move with the tool at t. By rotary joints it is theirs. Else it is as

@@ -11,7 +11,8 @@
 namespace gouge {
 namespace {
 
-// zstd reports a lack of memory by null or a number in place of std::bad_alloc. Incomplete data must not pass for complete.
+// zstd reports a lack of memory by null or a number in place of std::bad_alloc. Incomplete data must not pass for
+// complete.
 void end_without_memory() { static_cast<void>(::operator new(PTRDIFF_MAX)); }
 
 template <class Context>

@@ -26,8 +26,8 @@ struct AcceptedSetup {
 /// That of a check that was just made.
 [[nodiscard]] AcceptedSetup setup_of(const ReportModel& model, const std::string& tool);
 
-/// Returns the first change of the set-up since an acceptance, a sentence ("the part is another one"); none: nothing. The tool is
-/// not examined. Lengths of the sentence are in `unit`.
+/// Returns the first change of the set-up since an acceptance, a sentence ("the part is another one"); none: nothing.
+/// The tool is not examined. Lengths of the sentence are in `unit`.
 [[nodiscard]] std::optional<std::string> find_change(const AcceptedSetup& accepted, const AcceptedSetup& now,
                                                      LengthUnit unit);
 

@@ -7,8 +7,8 @@
 
 namespace gouge {
 
-/// Text that `batch` prints: a table of its jobs, the worst first, and one line that counts them. Names from outside are made
-/// printable. `most`: rows at most; those left out are counted.
+/// Text that `batch` prints: a table of its jobs, the worst first, and one line that counts them. Names from outside
+/// are made printable. `most`: rows at most; those left out are counted.
 [[nodiscard]] std::string batch_text(const std::vector<JobResult>& jobs, std::size_t most);
 
 /// "0.213 mm at line 123", or nothing.

@@ -167,8 +167,8 @@ class Comparer {
     return is_there;
   }
 
-  // Returns whether more moves gouge between the nearest motions that both paths have than did there. Where the depth is the same
-  // over an area, its deepest point may be anywhere in it, so that places alone state little.
+  // Returns whether more moves gouge between the nearest motions that both paths have than did there. Where the depth
+  // is the same over an area, its deepest point may be anywhere in it, so that places alone state little.
   [[nodiscard]] bool has_grown(std::size_t n, const std::vector<std::size_t>& was, Stretch& stretch) const {
     if (stretch.has_grown) return *stretch.has_grown;
     const std::vector<std::size_t>& other = motions_.after_to_before;

@@ -10,7 +10,8 @@ namespace gouge {
 
 /// "path.apt:123", of the new path, or of the old one where the finding is there alone.
 [[nodiscard]] std::string place_of(const Comparison& comparison, const ComparedFinding& one);
-/// Describes the change of a finding, without its place: "deeper: 0.213 mm cutter T1 at (1, 2, 3), move 118; 0.150 mm before".
+/// Describes the change of a finding, without its place: "deeper: 0.213 mm cutter T1 at (1, 2, 3), move 118; 0.150 mm
+/// before".
 [[nodiscard]] std::string change_text(const Comparison& comparison, const ComparedFinding& one);
 /// "1 new, 0 deeper, 0 not checked any more, 2 gone, 1 shallower, 4 same"
 [[nodiscard]] std::string change_counts(const Comparison& comparison);

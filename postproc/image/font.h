@@ -31,8 +31,8 @@ class Font {
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
 
-  /// Returns why what was drawn or measured until now may lack letters: memory ran out, or a file that is there cannot be read.
-  /// Codes: out-of-memory, file-unreadable.
+  /// Returns why what was drawn or measured until now may lack letters: memory ran out, or a file that is there cannot
+  /// be read. Codes: out-of-memory, file-unreadable.
   [[nodiscard]] std::optional<Diagnostic> trouble() const;
 
   /// Returns whether any file could be read. Without, every letter is a box.

@@ -27,8 +27,8 @@ struct MaskPoint {
 inline constexpr int kMaskUnitBits = 4;
 inline constexpr int kMaskUnits = 1 << kMaskUnitBits;
 
-/// Paints smoothed lines, areas and strokes of letters into masks. The same calls give the same bytes; calls from several
-/// threads do not disturb each other. Errors of all: out-of-memory, picture-not-encoded.
+/// Paints smoothed lines, areas and strokes of letters into masks. The same calls give the same bytes; calls from
+/// several threads do not disturb each other. Errors of all: out-of-memory, picture-not-encoded.
 class MaskPainter {
  public:
   MaskPainter() = default;

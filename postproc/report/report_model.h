@@ -206,8 +206,8 @@ enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 /// (remedies.h). (2) That the path may not belong to the part. (3) That tools have no holder.
 [[nodiscard]] std::vector<std::string> reservations(const ReportModel& model);
 
-/// A distance of ClosestApproach, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm", "not within 20
-/// mm".
+/// A distance of ClosestApproach, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm", "not
+/// within 20 mm".
 [[nodiscard]] std::string closest_approach_words(const std::optional<double>& distance_mm, LengthUnit unit);
 
 /// "seen nearest, the tool is touching; half of the 400 cutting positions examined (of 2425) are within 0.83 mm".

@@ -54,7 +54,8 @@ struct UncutTotal {
 [[nodiscard]] std::string uncut_text(const CorrectionFacts& correction, LengthUnit unit);
 /// "up to 1.62 mm of what was finished left in 2 stretches, most at (0, 1, 2), line 12"; empty where nothing is.
 [[nodiscard]] std::string stock_text(const CorrectionFacts& correction, LengthUnit unit);
-/// "2 rapids that were written keep less than the clearance of 2 mm: the least 0.005 mm, line 12"; empty where none does.
+/// "2 rapids that were written keep less than the clearance of 2 mm: the least 0.005 mm, line 12"; empty where none
+/// does.
 [[nodiscard]] std::string low_rapids_text(const CorrectionFacts& correction, LengthUnit unit);
 /// "0.005 mm", "0.005 mm inside": what a rapid keeps.
 [[nodiscard]] std::string kept_text(double keeps_mm, LengthUnit unit);
@@ -75,8 +76,8 @@ struct UncutTotal {
 /// The bytes of a move's statement, line end included; empty where the path does not state.
 [[nodiscard]] std::string_view statement_text(const Toolpath& toolpath, const Move& move);
 
-/// The statement of a move as its file has it, up to three lines of at most 200 bytes; what is more ends in " ...". None
-/// where the move has no statement or the file is no text.
+/// The statement of a move as its file has it, up to three lines of at most 200 bytes; what is more ends in " ...".
+/// None where the move has no statement or the file is no text.
 [[nodiscard]] std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t move);
 
 /// One finding without its location: "gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42".

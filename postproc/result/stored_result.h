@@ -66,8 +66,8 @@ struct StoredOptions {
   double tolerance_mm = 0, resolution_mm = 0, stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0;
   std::string rapid;
   std::vector<std::string> limits{};  ///< of single files, as typed: "vise.stl,clearance=1"; sorted
-  /// The law of motion: "machine=preset:NAME", "feed-law=axis", the checksum of a machine file; sorted. Empty: the great
-  /// circle.
+  /// The law of motion: "machine=preset:NAME", "feed-law=axis", the checksum of a machine file; sorted. Empty: the
+  /// great circle.
   std::vector<std::string> law{};
 
   bool operator==(const StoredOptions&) const = default;

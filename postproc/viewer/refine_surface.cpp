@@ -29,8 +29,8 @@ double area_of(const ViewerMesh& mesh) {
   return area;
 }
 
-/// Points spread over the surface, about `apart_mm` from each other; one at least in the middle of each triangle that is
-/// not far smaller.
+/// Points spread over the surface, about `apart_mm` from each other; one at least in the middle of each triangle that
+/// is not far smaller.
 std::vector<SurfacePoint> spread_points(const ViewerMesh& mesh, double apart_mm) {
   std::vector<SurfacePoint> points;
   double skipped = 0;  // area of triangles without a point

@@ -44,8 +44,8 @@ class MovingTool {
 };
 
 /// A head along a move: at every position it is turned from upright the shortest way; between two the axis takes it
-/// along, and what is then missing about the axis is spread evenly over the move (docs/method/guarantee.md). Rotary axes turn it
-/// as they do.
+/// along, and what is then missing about the axis is spread evenly over the move (docs/method/guarantee.md). Rotary
+/// axes turn it as they do.
 class MovingHead {
  public:
   MovingHead(const IndexedMesh& head, const Movement& movement) : head_(head), movement_(movement) {

@@ -47,7 +47,8 @@ struct ImportedTools {
 [[nodiscard]] Result<ImportedTools> import_freecad(const std::string& file, std::string_view bytes,
                                                    const ImportOptions& options);
 
-/// NX tool_database.dat, with the holders of the holder_database.dat beside it, or a holder_database.dat alone. Its unit is the option, or the folder metric or english in the file's name.
+/// NX tool_database.dat, with the holders of the holder_database.dat beside it, or a holder_database.dat alone. Its
+/// unit is the option, or the folder metric or english in the file's name.
 /// Errors   As above, and import-unit.
 [[nodiscard]] Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes,
                                               const ImportOptions& options);

@@ -67,8 +67,8 @@ class GOUGECHECK_EXPORT DepthQuery {
   /// `options`: tolerance, near_miss, rapids, machine, laws and threads mean nothing here. Throws as check.
   DepthQuery(const Scene& scene, const Tool& tool, const CheckOptions& options = {});
 
-  /// Queries one position; axis of any length but 0. Allocates little; microseconds to a millisecond. Throws Error for a
-  /// position or axis that is no number.
+  /// Queries one position; axis of any length but 0. Allocates little; microseconds to a millisecond. Throws Error for
+  /// a position or axis that is no number.
   [[nodiscard]] Contact at(const Vec3& tip, const Vec3& axis) const;
   /// Queries many positions, on `threads` threads (0: all). Axes: as many as tips, or one for all.
   [[nodiscard]] std::vector<Contact> at(std::span<const Vec3> tips, std::span<const Vec3> axes,

@@ -44,8 +44,8 @@ class GOUGECHECK_EXPORT Mesh {
   std::shared_ptr<const Content> content_;
 };
 
-/// The stationary objects: parts, which must not be cut into, and fixtures, which must not be touched. Immutable; copies
-/// share the index, which is made at the first check, from any thread.
+/// The stationary objects: parts, which must not be cut into, and fixtures, which must not be touched. Immutable;
+/// copies share the index, which is made at the first check, from any thread.
 class GOUGECHECK_EXPORT Scene {
  public:
   /// Builds a scene of one part. The index stays with the mesh: a scene of the same mesh costs nothing.

@@ -37,7 +37,8 @@ class GOUGECHECK_EXPORT Report {
   [[nodiscard]] double worst_depth() const;  ///< of all moves; 0 where none is deep
 
   [[nodiscard]] std::span<const State> state() const;
-  /// Returns how deep a point of the surface is in the tool, positive inside, 0 outside; NaN of buried and not checked moves.
+  /// Returns how deep a point of the surface is in the tool, positive inside, 0 outside; NaN of buried and not checked
+  /// moves.
   [[nodiscard]] std::span<const double> depth() const;
   [[nodiscard]] std::span<const double> depth_upper() const;
   /// The witness of `depth`: instant of the move in [0, 1], point of the surface, unit direction in which the tool must

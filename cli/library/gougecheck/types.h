@@ -32,8 +32,8 @@ struct Note {
   std::string text;  ///< "file:line: warning: ... [code]"
 };
 
-/// A fact that a verdict rests on beside the motion and the surfaces, and how it is known. docs/guide/assumptions.md has
-/// the table of facts.
+/// A fact that a verdict rests on beside the motion and the surfaces, and how it is known. docs/guide/assumptions.md
+/// has the table of facts.
 struct Assumption {
   std::string fact;      ///< "path-unit", "tool", "placement", ...
   std::string object;    ///< which of several: "T3", "part.stl"; else empty

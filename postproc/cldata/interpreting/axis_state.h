@@ -9,8 +9,8 @@
 
 namespace gouge {
 
-/// The tool axis: MULTAX, TLAXIS and what a position of three numbers means. A file that never states MULTAX is judged by
-/// what its dialect's writers do; one that never ends it keeps it.
+/// The tool axis: MULTAX, TLAXIS and what a position of three numbers means. A file that never states MULTAX is judged
+/// by what its dialect's writers do; one that never ends it keeps it.
 class AxisState {
  public:
   AxisState(StatementContext& in, Uncertainties& uncertainties) : in_(in), uncertainties_(uncertainties) {}

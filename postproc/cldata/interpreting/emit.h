@@ -23,7 +23,8 @@ inline void emit_unread(States& s, const char* reason = Reasons::kUnread) { emit
 /// `reason`.
 void emit_other_way(States& s, const Position& position, const Pose& start, std::span<const Pose> ends,
                     const char* reason);
-/// A further reading of the positions that follow: along `curve` from where the tool stands, where it then still stands.
+/// A further reading of the positions that follow: along `curve` from where the tool stands, where it then still
+/// stands.
 void emit_curve_reading(States& s, const Move& curve);
 /// The last move, an arc, may run the other way round as well.
 void emit_turned_round(States& s);

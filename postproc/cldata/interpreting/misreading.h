@@ -23,7 +23,8 @@ namespace gouge {
 void distrust(States& s, Word word);
 /// A feed rate with what may be its unit's number, and behind them what may be a position.
 void distrust_numbers_of_feed(States& s);
-/// A statement that ends with a comma, has blanks within what may be one number, or a word alone that states nothing so.
+/// A statement that ends with a comma, has blanks within what may be one number, or a word alone that states nothing
+/// so.
 void distrust_cut_short(States& s);
 /// A statement at the end of a file that has no line end there: it may be the beginning of a longer one.
 void distrust_last_line(States& s);
@@ -33,7 +34,8 @@ void distrust_last_axis(States& s);
 /// is a line of numbers, a word joined to other characters, or a misspelt word. True where it can only be more
 /// positions of the statement before it, so that the next one is certain again.
 [[nodiscard]] bool take_misread(States& s, std::string_view text);
-/// Nothing that the file stated before `statement`, whose word is `major`, is certain any more: see Uncertainty::unknown.
+/// Nothing that the file stated before `statement`, whose word is `major`, is certain any more: see
+/// Uncertainty::unknown.
 void mark_all_uncertain(States& s, std::string_view major, std::size_t statement);
 /// The statement being taken is not understood at all.
 void take_unknown_statement(States& s);
@@ -65,8 +67,8 @@ inline constexpr ModalState kModalStates[] = {
     ModalState::cycle,         ModalState::described_arc, ModalState::start_tangent, ModalState::rapid,
     ModalState::cutter_centre, ModalState::motion_run,    ModalState::block_skip,    ModalState::between_blocks};
 
-/// Returns the word that `statement` acts as: its own, or for comments that are statements the word of another dialect that does the
-/// same.
+/// Returns the word that `statement` acts as: its own, or for comments that are statements the word of another dialect
+/// that does the same.
 [[nodiscard]] Word acting_word(const Statement& statement, CommentForm comments);
 
 /// Returns the effect of `word` on `state`. `is_used`: a position has been read under the state.

@@ -85,7 +85,8 @@ struct MovnrbState {
   Vec3 end = Vec3::Zero();  ///< of it, in part coordinates
 };
 
-/// All that a statement may examine or change. Each state states in its own file what holds where the file never ends it.
+/// All that a statement may examine or change. Each state states in its own file what holds where the file never ends
+/// it.
 struct States {
   /// `motion_records` may be null; else it gets one entry for each move.
   States(Toolpath& path, const Dialect& dialect, LengthUnit unit, MotionRecords* motion_records)

@@ -34,8 +34,8 @@ class ToolState {
   void change_number(int number);
   /// The tool of that number is in the spindle: LOADTL, LOAD/TOOL.
   void note_load() { is_loaded_ = true, is_used_ = false; }
-  /// A number that is only made ready, or is that of another tool: behind the loading of one, while which positions were
-  /// read.
+  /// A number that is only made ready, or is that of another tool: behind the loading of one, while which positions
+  /// were read.
   [[nodiscard]] bool may_be_ready_only(int number) const { return is_loaded_ && tool_.number != number; }
   void begin_block(const std::string& name);
   /// It may be another cutter from here on.

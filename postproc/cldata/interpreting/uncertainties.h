@@ -41,8 +41,8 @@ enum class Uncertainty : std::uint8_t {
   count
 };
 
-/// The doubts in force: each with its reason, until the file states otherwise. One that the file never ends holds for all
-/// positions that follow.
+/// The doubts in force: each with its reason, until the file states otherwise. One that the file never ends holds for
+/// all positions that follow.
 class Uncertainties {
  public:
   /// A reason of null ends the doubt.

@@ -35,8 +35,8 @@ struct NumberCount {
 /// Returns how many of the arguments are numbers, and how many of these are below 0.
 [[nodiscard]] NumberCount count_numbers(std::span<const Argument> arguments);
 
-/// Half a unit in the last place that any of `arguments` is written to: how far rounding puts a number off. Numbers that
-/// a file does not write as text have none: 0.
+/// Half a unit in the last place that any of `arguments` is written to: how far rounding puts a number off. Numbers
+/// that a file does not write as text have none: 0.
 [[nodiscard]] double rounding_of(std::span<const Argument> arguments);
 
 /// The same of coordinates, which some writers pad with zeros behind four decimals.
@@ -45,8 +45,8 @@ struct NumberCount {
 /// True where nothing but blanks separates two numbers of `statement`: they may be one number with blanks within.
 [[nodiscard]] bool has_blank_in_number(const Statement& statement);
 
-/// Returns whether nothing stands between two commas, or digits, signs and points do not form a number. The lost text is
-/// unknown.
+/// Returns whether nothing stands between two commas, or digits, signs and points do not form a number. The lost text
+/// is unknown.
 [[nodiscard]] bool has_damaged_argument(std::span<const Argument> arguments);
 
 /// Returns true where a word stands twice, in any case: no reader can show which of both counts. Also true of more than

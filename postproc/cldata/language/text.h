@@ -22,8 +22,8 @@ namespace gouge {
 /// Byte order mark that some editors put before UTF-8 text; not part of it.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-/// `text` in UTF-8 without control characters, cut behind a letter that reaches `longest` bytes; bytes that are no UTF-8
-/// are taken as Latin-1.
+/// `text` in UTF-8 without control characters, cut behind a letter that reaches `longest` bytes; bytes that are no
+/// UTF-8 are taken as Latin-1.
 [[nodiscard]] std::string shown_text(std::string_view text, std::size_t longest);
 
 [[nodiscard]] std::string_view trim(std::string_view text);

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-// Meanings of the words of a machine's control, each with the control and the document that state so. Text is harmless only
-// if every one of its words is here: a word that is in no row may do anything. Where controls disagree, a word has all
-// of its meanings, as a CL file does not state for which control it is.
+// Meanings of the words of a machine's control, each with the control and the document that state so. Text is harmless
+// only if every one of its words is here: a word that is in no row may do anything. Where controls disagree, a word has
+// all of its meanings, as a CL file does not state for which control it is.
 
 namespace gouge {
 

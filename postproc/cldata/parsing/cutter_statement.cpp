@@ -61,8 +61,8 @@ std::string check_radius(double d, double r) {
   return "corner radius " + exact_text(r) + " is larger than half the diameter " + exact_text(d);
 }
 
-// A corner circle about `e` would reach out farther than the diameter has the cutter; where e may be the diameter of the
-// tip, that is no contradiction.
+// A corner circle about `e` would reach out farther than the diameter has the cutter; where e may be the diameter of
+// the tip, that is no contradiction.
 bool reaches_beyond(double d, double r, double e, bool has_tip_diameter) {
   const bool is_tip_diameter = has_tip_diameter && std::abs(e - (d - 2 * r)) <= 2 * kRadiusRounding;
   return !is_tip_diameter && e + r > d / 2 + 2 * kRadiusRounding;

@@ -144,8 +144,8 @@ struct CycleWord {
   std::size_t least, most;
 };
 
-// Words that state no more than is read of them, or how the feed, the pecks and the dwell are: nothing of where the tool
-// goes. THRU, TIP, TOP or OFFSET of other post-processors would move the bottom or the tool.
+// Words that state no more than is read of them, or how the feed, the pecks and the dwell are: nothing of where the
+// tool goes. THRU, TIP, TOP or OFFSET of other post-processors would move the bottom or the tool.
 constexpr auto kCycleWords = std::to_array<CycleWord>(
     {{"FEDTO", 1, 1}, {"DEPTH", 1, 1}, {"RAPTO", 1, 1},   {"CLEAR", 1, 1},  {"RTRCTO", 0, 1},  {"RETURN", 0, 1},
      {"AUTO", 0, 0},  {"STEP", 0, 3},  {"1STPECK", 1, 1}, {"STPECK", 1, 1}, {"SUBPECK", 1, 1}, {"PECK", 1, 2},
