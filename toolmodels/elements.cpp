@@ -29,8 +29,8 @@ BoundaryElement boundary(const ProfileElement& e) {
   return element;
 }
 
-// How much more the contour bends to the left behind a point where it turns back than before it, seen in the direction
-// both share: above 0 they enclose a crack, below 0 a blade.
+// Returns how much more the contour bends to the left behind a point where it turns back than before it, seen in the
+// direction both share: above 0 they enclose a crack, below 0 a blade.
 double opening(const ProfileElement& e, const ProfileElement& next) {
   const auto bend = [](const ProfileElement& p) { return p.is_arc ? (p.is_concave ? -1 : 1) / p.radius_mm : 0.0; };
   return bend(next) + bend(e);

@@ -31,7 +31,7 @@ class FileHashes {
 /// Returns whether all of `outputs`, below `folder` where they are relative, are there and as they were written.
 [[nodiscard]] bool are_as_written(const std::vector<JobOutput>& outputs, const std::string& folder);
 
-/// Returns whether the name of an output leads below the folder it is relative to: a store may come from somebody else.
+/// Returns whether the name of an output leads below the folder it is relative to: a store may come from another user.
 [[nodiscard]] bool is_below(const std::string& file);
 
 /// A job that was run, and the file of its work (WorkStore), to be removed once the result is safe; empty: none.
@@ -40,14 +40,14 @@ struct JobRun {
   std::string work_file;
 };
 
-/// Runs one job to its end, whatever it meets, and describes what came of it. `text`: its job_text. What is done of a
-/// long check is kept in `folder` after every `chunk` moves.
+/// Runs one job to its end, whatever errors it meets, and describes its result. The `text` is its job_text. The state
+/// of a long check is kept in `folder` after every `chunk` moves.
 [[nodiscard]] JobRun run_job(const BatchJob& job, const std::string& text, const std::string& folder, std::size_t chunk,
                              SceneStore& scenes);
 
 /// Checkpoints of long jobs, below the folder of a batch.
 inline constexpr const char* kWorkFolder = "unfinished";
-/// Removes what is left there of jobs that are done.
+/// Removes files left there by jobs that are done.
 void remove_work(const std::string& folder);
 
 }  // namespace gouge

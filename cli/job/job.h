@@ -32,7 +32,7 @@ struct ReportParts {
 struct Job {
   JobOptions options;
   Toolpath toolpath;
-  std::shared_ptr<const SceneFiles> files;              ///< what stands still, and heads; other jobs may share it
+  std::shared_ptr<const SceneFiles> files;              ///< parts, fixtures and heads; other jobs may share it
   std::vector<std::optional<ToolAssembly>> assemblies;  ///< one per Toolpath::tools; empty where it has no definition
   std::vector<std::optional<ToolVariants>> variants;    ///< of these
   std::vector<InputFile> inputs;
@@ -74,7 +74,7 @@ struct LoadedJob {
                                  const SceneSource& scenes = load_scene);
 
 /// The `bytes` of a corrected toolpath, to be called `file`, read as the path of `job`, which it was made from.
-/// Errors: those of the reader; they would be a fault of ours.
+/// Errors: those of the reader; they would be errors of this program.
 [[nodiscard]] Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes);
 
 }  // namespace gouge

@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// Begins a --machine that is no file.
+/// Begins a --machine that is not a file.
 inline constexpr std::string_view kMachinePreset = "preset:";
 
 /// Help of --machine.

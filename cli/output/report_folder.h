@@ -35,7 +35,7 @@ struct ReportManifest {
 
 [[nodiscard]] std::string write_manifest(const ReportManifest& manifest);
 
-/// None where `text` is no manifest of ours.
+/// Reads a manifest. None where `text` is not a manifest of ours.
 [[nodiscard]] std::optional<ReportManifest> read_manifest(std::string_view text);
 
 [[nodiscard]] ManifestEntry describe_bytes(std::string name, std::string_view bytes);

@@ -7,8 +7,8 @@
 #include <gougecheck/mesh.h>
 #include <pybind11/pybind11.h>
 
-// Arguments of Python's kind as those of the library, or a TypeError that names the argument, what it is and what was
-// expected.
+// Converts Python arguments into those of the library, or throws a TypeError that names the argument, its value and the
+// expected kind.
 
 namespace gougecheck::python {
 
@@ -33,7 +33,7 @@ template <class T>
   return object.cast<const T&>();
 }
 
-/// The keywords of one call of `function`. Each is taken by its name; what is left is refused by `finish`.
+/// The keywords of one call of `function`. Each is taken by its name; the rest is refused by `finish`.
 class Keywords {
  public:
   Keywords(std::string function, const py::kwargs& given);
@@ -49,7 +49,7 @@ class Keywords {
   /// As it is; None where it is not given.
   [[nodiscard]] py::object object(const char* name);
 
-  /// Requires that every keyword there is was taken. Throws the TypeError that names one that is left.
+  /// Requires that every keyword was taken. Throws the TypeError that names one that was not.
   void finish() const;
 
  private:

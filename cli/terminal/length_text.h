@@ -15,7 +15,7 @@ namespace gouge {
 /// The units an STL file may be in, as --stl-units takes them.
 [[nodiscard]] std::vector<std::string> unit_words();
 
-/// Nothing also for lengths beyond 100 m, which is as far as a check reaches (kFarthest_mm).
+/// Parses a length. Nothing also for lengths beyond 100 m, which is as far as a check reaches (kFarthest_mm).
 [[nodiscard]] std::optional<double> parse_length_mm(const std::string& text);
 
 /// "1,0,-2.5": so many numbers, commas between.
@@ -36,7 +36,7 @@ enum class Minimum { zero, above_zero, finest_resolution };
 /// "OPTION 'TYPED': expected EXPECTED", code usage.
 [[nodiscard]] Diagnostic usage_error(const std::string& option, const std::string& typed, const std::string& expected);
 
-/// "shank=0.5,holder=1" into the options. Returns what is wrong, or nothing.
+/// "shank=0.5,holder=1" into the options. Returns the error, or nothing.
 [[nodiscard]] std::optional<std::string> parse_clearance(const std::string& text, CheckOptions& options);
 
 }  // namespace gouge

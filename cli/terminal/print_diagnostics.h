@@ -33,11 +33,12 @@ void print(std::ostream& err, const Diagnostics& diagnostics);
 /// Warnings of the inputs; with -v notes as well, with -q nothing. More than a handful are counted.
 void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity);
 
-/// The most this process had in use at once, mapped files included; none where the system does not state.
+/// Returns the maximum memory of this process at any time, mapped files included; none where the system does not state
+/// it.
 [[nodiscard]] std::optional<std::size_t> peak_memory_bytes();
 
-/// "memory: 178 MB at the peak", the most this process had in use at once, mapped files included; nothing where the
-/// system does not state. For people, never for a report: it differs from run to run.
+/// Prints "memory: 178 MB at the peak", the maximum memory of this process at any time, mapped files included. Prints
+/// nothing where the system does not state it. For people, never for a report: it differs from run to run.
 void print_peak_memory(std::ostream& err);
 
 /// Prints `errors` and returns `status`.

@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// Results of stretches of long work that outlast the process. Each is kept as soon as it is there, and is reused when
+/// Results of stretches of long work that survive the process. Each is kept as soon as it is there, and is reused when
 /// the same work begins again. The owner must key a store to the inputs of the work. Used from one thread at a time.
 class CheckpointStore {
  public:

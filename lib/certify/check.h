@@ -16,7 +16,7 @@
 
 namespace gouge {
 
-/// All that a path is checked with but the path itself. What is referred to must outlive it.
+/// All inputs of a check except the path. The objects referred to must outlive it.
 struct CheckSetup {
   std::vector<const ToolVariants*> tools;  ///< one per Toolpath::tools; null or missing: that tool has no definition
   const std::vector<HeadBody>& heads;      ///< bodies that move with the tool; may be empty

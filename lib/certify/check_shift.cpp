@@ -50,7 +50,7 @@ class ShiftCheck {
   }
 
  private:
-  // The search that heads take does not close the depth of a long motion to the resolution.
+  // The search for heads does not close the depth of a long motion to the resolution.
   [[nodiscard]] ShiftHazard of_heads(double depth_mm) const {
     if (!checker_.heads_) return ShiftHazard::none;
     CheckOptions options = checker_.options();

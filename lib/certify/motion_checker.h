@@ -39,21 +39,21 @@ class MotionChecker {
   explicit MotionChecker(const CheckSetup& setup);
   ~MotionChecker();
 
-  /// The same checker for one step of a correction: what it does is charged to `budget`, which must outlive it. Once
-  /// that is spent nothing is certified any more: check and measure give not_certified, head_excess gives infinity.
+  /// Returns the same checker for one step of a correction. Its work is charged to `budget`, which must outlive it.
+  /// Once the budget is spent nothing more is certified: check and measure give not_certified, head_excess gives
+  /// infinity.
   [[nodiscard]] MotionChecker within(WorkBudget& budget) const;
   [[nodiscard]] bool is_out_of_budget() const { return budget_ != nullptr && budget_->is_spent(); }
   /// For bounds that a step computes elsewhere.
   void charge(std::uint64_t bounds) const;
 
-  /// Requires motion.is_defined(). `is_start_outside`: the caller knows it, which saves asking.
+  /// Requires motion.is_defined(). The flag `is_start_outside` is set where the caller knows that, which saves a test.
   [[nodiscard]] MoveVerdict check(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                                   const CheckOptions& options, bool is_start_outside = false) const;
   [[nodiscard]] bool is_clean(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                               const CheckOptions& options, bool is_start_outside = false) const;
 
-  /// As deep as it is, not only whether that is too deep: tolerance 0. It does not test whether the tool is inside a
-  /// solid.
+  /// Measures the true depth, with tolerance 0. Does not test whether the tool is inside a solid.
   [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;
 
   /// Returns how much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are

@@ -276,7 +276,7 @@ class MoveChecker {
   std::uint64_t bounds_ = 0;
 };
 
-// Why the motion cannot be checked in this scene with these options; none where it can.
+// Returns why the motion cannot be checked in this scene with these options; none where it can.
 Reason::Kind why_not(const Motion& motion, const ToolVariants& tool, const PreparedScene& scene,
                      const CheckOptions& options) {
   if (!scene.is_within_reach) return Reason::Kind::out_of_reach;

@@ -11,11 +11,11 @@
 
 namespace gouge {
 
-/// Observed closest approach of a tool to the parts in cuts. What belongs to a part cuts along it, so this shows at a
-/// glance whether part and path coincide. Both distances are bounds from above: the tool is seen as near, and
-/// may be closer between the sampled positions.
+/// Observed closest approach of a tool to the parts in cuts. A path that belongs to a part cuts along it, so this shows
+/// at a glance whether part and path coincide. Both distances are bounds from above: the tool comes as near, and may be
+/// closer between the sampled positions.
 struct ClosestApproach {
-  static constexpr double kFar_mm = 20;  ///< what is farther away is not measured
+  static constexpr double kFar_mm = 20;  ///< greater distances are not measured
 
   std::size_t cuts = 0;       ///< moves with a tool that are neither rapid nor left unchecked
   std::size_t positions = 0;  ///< how many of their ends were examined: one out of each of as many equal shares

@@ -216,7 +216,7 @@ class PieceBounder {
     bound.is_at_end = corner >= 3;
   }
 
-  // Which of the two makes the plane bound slack: how much it varies along the chords or across the piece;
+  // Returns which of the two makes the plane bound slack: how much it varies along the chords or across the piece;
   // plain lengths count a little, for tools that curve away, and the bulge belongs to time alone.
   bool is_time_worse(const HullLimit& plane) const {
     double along = 0, across = 0, chord = 0, edge = 0;

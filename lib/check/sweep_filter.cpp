@@ -20,16 +20,16 @@ constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one lev
 // A node is opened for a whole group only if it is this much larger than half the path length of the group: space
 // first. Smaller ones are left to the parts of the group: time first.
 constexpr float kSpaceFirst = 12.0F;
-// How often triangles and time are cut, and how many parts are examined, before the exact search takes over.
+// Limits of the sweep: how often triangles and time are cut, and how many parts are examined, before the exact search
+// takes over.
 constexpr std::size_t kCuts = 10;
 constexpr std::uint32_t kMaxParts = 1200;
 constexpr std::size_t kMaxBlocks = 200;
 constexpr float kProgress = 0.95F;
 constexpr int kFailures = 1;
-// Where nothing moves, what a bound of whole triangles leaves open are mostly edges of the tool, which smaller
-// triangles do not mend.
+// Where nothing moves, bounds of whole triangles fail mostly at edges of the tool. Smaller triangles do not help there.
 constexpr std::uint32_t kMaxStandingParts = 10;
-// Where a point may be deeper than the deepest known one by all but this share of the gap it is measured.
+// A point is measured where it may exceed the deepest known one by this share of the gap.
 constexpr float kWorthMeasuring = 0.75F;
 // The swing of a triangle's corners that is not worth smaller triangles.
 constexpr float kSmallSwing_mm = 0.01F;
@@ -111,7 +111,7 @@ class Sweep {
 
   /// The signed distance to prove for a move, given the deepest point met on it.
   [[nodiscard]] float need(double value_mm) const {
-    // Which any bound meets, that of what no piece bounds, too.
+    // Any bound meets this, also that of a part that no piece bounds.
     if (query_.is_met_by(value_mm)) return std::numeric_limits<float>::lowest();
     const double distance = reach_mm_ - query_.pruning_threshold_mm(value_mm);
     return std::nextafter(static_cast<float>(distance), std::numeric_limits<float>::max());

@@ -9,9 +9,9 @@
 #include "lib/motion/motion.h"
 #include "lib/tool/convex_cover.h"
 
-// The wide sweep: many moves against a surface at once. What sixteen-wide bounds in single precision prove free
-// needs no further look; the triangles that remain go to the exact search (search.h).
-// Method and proofs: docs/method/wide_sweep.md.
+// The wide sweep: many moves against a surface at once. Motions that sixteen-wide bounds in single precision prove free
+// need no further search. The triangles that remain go to the exact search (search.h). Method and proofs:
+// docs/method/wide_sweep.md.
 
 namespace gouge {
 
@@ -21,7 +21,7 @@ struct SweptMove {
   std::uint64_t bounds = 0;  ///< blocks examined; those examined for a group count for its first move
 };
 
-/// Every motion against every target, for one query (search.h).
+/// Sweeps every motion against every target, for one query (search.h).
 /// Requires motions that are defined. Tools without elements and empty trees are passed over.
 /// Ensures  Each result depends on `motions` alone, not on the processor or on who else runs.
 /// Cost     A microsecond or two for a motion along a surface, a tenth of that for one far from it.

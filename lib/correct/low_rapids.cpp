@@ -19,7 +19,7 @@ class RapidMeasurer {
     options_.tolerance_mm = 0;
   }
 
-  /// How far a rapid stays away from everything, up to the clearance; negative: how deep it is at most.
+  /// Returns how far a rapid stays away from everything, up to the clearance; negative: how deep it is at most.
   [[nodiscard]] double keeps_mm(const Toolpath& path, std::size_t move) const {
     const Motion motion = options_.law.of(path, move);
     if (!motion.is_defined() || path.moves[move].tool == kNone) return clearance_mm_;

@@ -31,7 +31,7 @@ constexpr const char* kUncertain = "the check cannot tell whether it is clean, s
 
 bool is_straight(const Move& move) { return move.kind == MoveKind::feed || move.kind == MoveKind::rapid; }
 
-/// How deep the cutter may stay in the part.
+/// Returns how deep the cutter may stay in the part.
 double aim_of(double tolerance_mm) { return tolerance_mm > 2 * kAir_mm ? kPositionAimShare * tolerance_mm : -kAir_mm; }
 
 std::uint64_t step_budget(const CheckResult& result) {

@@ -7,15 +7,15 @@
 
 namespace gouge {
 
-/// A path some moves of which became others: curves became chords, straight moves were tilted, or left out, and cut
-/// into pieces.
+/// A path in which some moves were replaced. Curves became chords; straight moves were tilted, left out, or cut into
+/// pieces.
 struct ReworkedPath {
   Toolpath path;                    ///< moves, arcs and splines only; no source
   std::vector<std::size_t> origin;  ///< of each of its moves: which move of the path as it was. They do not fall.
   std::vector<bool> is_moved;       ///< of each of its moves: it is not on the path as it was
   CheckResult result;               ///< verdicts of its moves; no events
 
-  /// One more move.
+  /// Adds one move.
   void add(const Move& move, std::size_t from, bool moved, const MoveVerdict& verdict);
 };
 

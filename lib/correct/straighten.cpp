@@ -7,7 +7,7 @@
 namespace gouge {
 namespace {
 
-/// Which curves a correction may have to change.
+/// The curves that a correction may have to change.
 class CurveChoice {
  public:
   CurveChoice(const Toolpath& path, const CheckResult& result, const std::vector<const ToolVariants*>& tools,

@@ -8,8 +8,8 @@
 
 namespace gouge {
 
-/// Gouges of bodies whose strategy is `wanted`, one entry a move. What is buried only leaving it out frees: it counts
-/// for that.
+/// Returns the moves with gouges of bodies whose strategy is `wanted`, one entry a move. A buried move is freed only by
+/// leaving it out, and counts for that strategy.
 [[nodiscard]] std::vector<bool> moves_to(Strategy wanted, const Toolpath& path, const CheckResult& result,
                                          const BodyStrategies& strategies);
 

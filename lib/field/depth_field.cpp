@@ -22,10 +22,10 @@ constexpr double kSpread = 0.5;  // of a node's radius: farther apart they are q
 // Part of a depth that may go unseen.
 constexpr double kUnseenShare = 0.01;
 
-/// How closely the instants of a move must be picked.
+/// The spacing at which the instants of a move must be picked.
 struct PoseApproach {
-  double step_mm = 0;    ///< so close that what the tool leaves between two of them goes unseen
-  double unseen_mm = 0;  ///< a depth that does
+  double step_mm = 0;    ///< so close that material left between two of them goes unseen
+  double unseen_mm = 0;  ///< a depth that goes unseen
   double lever_mm = 0;   ///< where it gouges, the tool turns about its tip with this one
 };
 

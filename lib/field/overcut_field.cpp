@@ -52,8 +52,9 @@ class OvercutField::SweptPose {
   [[nodiscard]] double distance_mm(const Vec3& point) const {
     return signed_distance_mm(pose_->tool->bare, pose_->pose, point);
   }
-  /// How far at least all points of a node, moved as its centre to `at` and up to `more_mm` farther, are outside of it:
-  /// the node is flat, and beside a flat one the tangent plane of the tool states more than the nearest point.
+  /// Returns how far at least all points of a node, moved as its centre to `at` and up to `more_mm` farther, are
+  /// outside of it: the node is flat, and beside a flat one the tangent plane of the tool states more than the nearest
+  /// point.
   [[nodiscard]] double out_mm(const PointTree::Node& node, const Vec3& at, double more_mm) const {
     const Pose& pose = pose_->pose;
     const Vec3 d = at - pose.tip;
@@ -70,8 +71,8 @@ class OvercutField::SweptPose {
     const double radius_mm = node.radius + more_mm + std::max(by_plane, 0.0);
     return by_plane > out && is_bounded_by_tangent(tool, here, r, z, radius_mm) ? by_plane : out;
   }
-  /// How far from it the parts are at most, as the point sees them. An axis turns a point no farther than the chord its
-  /// own end goes, times the distance to the tip.
+  /// Returns how far from it the parts are at most, as the point sees them. An axis turns a point no farther than the
+  /// chord its own end goes, times the distance to the tip.
   [[nodiscard]] double spread_mm(const Vec3& point) const {
     return parts > 0 ? shift_mm_ + turn_ * (point - pose_->pose.tip).norm() : 0;
   }
@@ -262,7 +263,7 @@ class OvercutField::RayTree {
   std::vector<float> reported_;
 };
 
-/// How far along the ray its own foot stays the nearest: the radius of the largest ball that touches the
+/// Returns how far along the ray its own foot stays the nearest: the radius of the largest ball that touches the
 /// surface there from within, found by shrinking it as long as another foot lies in it.
 double OvercutField::margin_mm(const Surface& solid, const Ray& ray, double max_mm) const {
   if (!solid.closest_point(ray.at, kOnBoundary_mm)) return 0;  // of a shell inside the solid

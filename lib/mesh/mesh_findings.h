@@ -11,8 +11,8 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/mesh_builder.h"
 
-// Facts about a mesh that counting finds: the part of validation that every check runs. Whether the
-// surface crosses itself needs exact predicates and is lib/validate's business.
+// Facts about a mesh that counting finds: the part of validation that every check runs. Self-intersections need exact
+// predicates and are found by lib/validate.
 
 namespace gouge {
 

@@ -32,9 +32,9 @@ struct KnownOvercut {
   std::vector<Box2> sharp_zones;  ///< of the tool's half plane
 };
 
-/// How far a tool reaches below a surface that comes only so deep into it. Except near sharp corners and where the
-/// tool is thin that is no more than the depth: the part of the tool that the surface does not reach is outside, and a
-/// ball inscribed there leads from every other point to the surface.
+/// The reach of a tool below a surface that comes only so deep into it. Except near sharp corners and where the tool is
+/// thin it does not exceed the depth: the part of the tool that the surface does not reach is outside, and a ball
+/// inscribed there leads from every other point to the surface.
 /// Proof: docs/method/overcut.md, section 2.
 class DepthBound {
  public:

@@ -17,9 +17,9 @@
 namespace gouge {
 namespace {
 
-/// How far the inside points reach that are nearest to a facet: what a volume must hold so that none of them
-/// within a depth is missed. They lie below the face, in the wedge at a reflex edge, or in the cone at a
-/// vertex that is not convex. Proof: docs/method/shallow_penetration.md, section 4.
+/// The reach of the inside points that are nearest to a facet. A volume must hold them so that none within a depth is
+/// missed. They lie below the face, in the wedge at a reflex edge, or in the cone at a vertex that is not convex.
+/// Proof: docs/method/shallow_penetration.md, section 4.
 class InnerReach {
  public:
   InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, const std::vector<Vec3>& face_normals);
@@ -47,7 +47,7 @@ class InnerReach {
 // A ray this little outside a constraint still belongs to the cone: wider is safe.
 constexpr double kFeasible = 1e-7;
 constexpr double kNoPlane = 1e-13;
-// The rays of so many constraints are not worth their time; all directions below the vertex hold them.
+// With more constraints than this their rays cost too much time. All directions below the vertex contain them.
 constexpr std::size_t kManyEdges = 40;
 
 InnerReach::InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, const std::vector<Vec3>& face_normals)

@@ -29,7 +29,7 @@ struct ClosestPoint {
 };
 
 /// A mesh with its index and the data for the side of a point, each made once at the first request. Small, and shared
-/// by its copies. Any number of threads may call it it.
+/// by its copies. Any number of threads may call it.
 class Surface {
  public:
   /// The mesh must outlive all copies. `threads` as in build_block_tree.
@@ -46,9 +46,10 @@ class Surface {
   /// Closed, oriented, outward: inside means something. Cost of the first call O(n).
   [[nodiscard]] bool is_solid() const;
 
-  /// Returns where the solid ends: the surface itself, or where shells nest, overlap or cross, what of it has no
-  /// material on one side (solid_boundary.h). The only surface that answers for a side of a solid, or for a depth in
-  /// it. Of what is no solid the surface itself; no solid where rounding leaves some of its sides unknown.
+  /// Returns the boundary of the solid: the surface itself, or, where shells nest, overlap or cross, the part with no
+  /// material on one side (solid_boundary.h). Only this surface states the side of a point of a solid, or a depth in
+  /// it. For a surface that is not a solid it is the surface itself. It is not a solid where rounding leaves some of
+  /// its sides unknown.
   /// Ensures  Valid as long as this surface or a copy of it. Cost of the first call as find_solid_boundary.
   [[nodiscard]] const Surface& boundary() const;
   /// The boundary is the surface itself.

@@ -125,7 +125,7 @@ class RunPlanner {
     }
   }
 
-  /// Which limits of turns a way does not keep.
+  /// The limits of turns that a way does not keep.
   struct Beyond {
     bool is_too_fast = false, is_too_far = false;
     [[nodiscard]] bool is_any() const { return is_too_fast || is_too_far; }

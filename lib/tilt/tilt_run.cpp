@@ -14,7 +14,7 @@
 namespace gouge {
 namespace {
 
-// How near the cutter is to what it touches: what a finishing cut leaves, or, where a run has no such place, a roughing
+// Distances at which the cutter touches: the stock of a finishing cut, or, where a run has no such place, of a roughing
 // cut.
 constexpr std::array kContacts_mm = {0.05, 1.0};
 constexpr std::array kShares = {0.5, 0.8, 0.95};  // of the tolerance, how deep the cutter may be at a position

@@ -44,8 +44,8 @@ struct BoundaryElement {
   Vec2 b = Vec2::Zero();       ///< end on the contour
   Vec2 center = Vec2::Zero();  ///< arcs: centre of the circle
   double radius_mm = 0;        ///< arcs: its radius
-  /// Segment: outward unit normal. Vertex: outward mean direction. Arc: unit direction from the centre to the
-  /// middle of the arc. What a query gets where the gradient is undefined (on a vertex, at a centre).
+  /// Segment: outward unit normal. Vertex: outward mean direction. Arc: unit direction from the centre to the middle of
+  /// the arc. A query returns it where the gradient is undefined (on a vertex, at a centre).
   Vec2 normal = Vec2::Zero();
   SupportRange support;
 };

@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-// How far the cover stands off the tool, so that rounding in its making never cuts into it.
+// Represents no limit.
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 // A contour of more lines and arcs than the first is covered by chords of it, as many as the second at the most if
 // chords over kMaxHeld elements allow it.
@@ -28,7 +28,7 @@ bool is_rising(const BoundaryElement& e) {
          e.b.y() >= e.a.y();
 }
 
-/// How far a line or arc is from the segment between two points at most.
+/// Returns how far a line or arc is from the segment between two points at most.
 double farthest_off(const BoundaryElement& e, const Vec2& from, const Vec2& to) {
   const Vec2 chord = to - from;
   const auto off = [&](const Vec2& p) {

@@ -5,8 +5,8 @@
 
 #include "postproc/batch/job_result.h"
 
-// The files of a batch for programs: one row, object or suite for each job, in their order. What may differ between two
-// runs of the same jobs stands in `seconds`, `memory_mb`, `host` and `rank`, and in JUnit's times.
+// The files of a batch for programs: one row, object or suite for each job, in their order. Two runs of the same jobs
+// may differ only in `seconds`, `memory_mb`, `host` and `rank`, and in JUnit's times.
 
 namespace gouge {
 

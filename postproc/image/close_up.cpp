@@ -60,7 +60,7 @@ View close_view(const PictureSet& set, const PictureEvent& event, const Vec3& to
   return event.head ? head_view(set, event, toward, width, height) : tool_view(set, event, toward, width, height);
 }
 
-// How much of what is gouged about the finding is seen and faces the viewer.
+// Returns how much of the gouged surface about the finding is visible and faces the viewer.
 double gouged_share(const PictureSet& set, const std::vector<GougeWitness>& gouges, const Vec3& toward,
                     double clear_mm) {
   double seen = 0, all = 0;

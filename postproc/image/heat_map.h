@@ -42,8 +42,8 @@ struct PictureSet {
 /// with triad, scale and colours.
 void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words);
 
-/// The right of a finding's page: the section through the deepest point and the region enlarged, with the
-/// depth as an arrow called `words`. What is buried has no deepest point: one section of all of it.
+/// The right of a finding's page: the section through the deepest point and the region enlarged, with the depth as an
+/// arrow called `words`. A buried tool has no deepest point: one section of all of it is drawn.
 void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words);
 
 /// Draws the depth of every move over its number. The certain depth is a bar in the colour of the body, and the depth

@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// So many findings have a picture in a report.
+/// Number of findings with a picture in a report.
 inline constexpr std::size_t kEventsOfReport = 6;
 
 /// A finding as the pictures number it: 1 is the worst.
@@ -26,7 +26,7 @@ struct PictureEvent {
   double depth_mm = 0;
 };
 
-/// Gouges and buried tools, the deepest first (buried ones last, they have no depth), at most `most`. Of
+/// Returns gouges and buried tools, the deepest first, at most `most`. Buried ones are last, as they have no depth. Of
 /// findings of one tool and body close beside each other (5 % of the parts' size) only the deepest is taken.
 [[nodiscard]] std::vector<PictureEvent> worst_events(const CheckedToolpath& input, std::size_t most);
 
@@ -34,10 +34,10 @@ struct PictureEvent {
 struct GougeWitness {
   Vec3 at = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();  ///< unit, out of the tool's depth
-  double weight = 0;            ///< about the area of what the move gouges, in no unit
+  double weight = 0;            ///< about the area that the move gouges, without a unit
 };
 
-/// Those of a path, in its order; of more than `most` every so manieth.
+/// Returns the witnesses of a path, in its order. Of more than `most` they are taken at equal steps.
 [[nodiscard]] std::vector<GougeWitness> gouge_witnesses(const CheckedToolpath& input, std::size_t most);
 
 /// Returns whether a point is visible to a viewer far away in direction `toward` (unit). No part or fixture may lie

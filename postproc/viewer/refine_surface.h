@@ -17,7 +17,7 @@ struct AskedValues {
   SurfaceQuantity quantity = SurfaceQuantity::pictured;
 };
 
-/// Those values at the vertices of a surface: one list for each that was queried, as long as the vertices.
+/// Those values at the vertices of a surface: one list for each of `asked`, as long as the vertices.
 using VertexValues = std::vector<std::vector<float>>;
 
 /// Cuts the triangles of `mesh` where one of `asked` is more than 0, as finely as a picture needs. Returns each of

@@ -32,9 +32,9 @@ struct Station {
   bool is_start = false;  ///< no motion leads here: the first position, or one after a motion that is not known
 };
 
-/// Returns stations of a path: curves with chords `error_mm` from them. Of a path of more than `most` moves every so
-/// manieth is taken. The worst move of each finding is taken with its neighbours, where the next but one would not be
-/// distinguished.
+/// Returns stations of a path: curves with chords `error_mm` from them. Of a path of more than `most` moves some are
+/// taken, at equal steps. The worst move of each finding is taken with its neighbours, where the next but one would not
+/// be distinguished.
 [[nodiscard]] std::vector<Station> stations_of(const CheckedToolpath& input, double error_mm, std::size_t most);
 
 }  // namespace gouge

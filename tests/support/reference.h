@@ -231,7 +231,7 @@ class Search {
     pieces_.push_back(piece);
   }
 
-  // How far a point can move against the tool between two instants `share` of the move apart.
+  // Returns how far a point can move against the tool between two instants `share` of the move apart.
   [[nodiscard]] double travel(const Vec3& p, double share) const {
     const bool is_straight = movement_.arc == nullptr && movement_.spline == nullptr;
     const double far = std::max((p - from_.tip).norm(), (p - to_.tip).norm()) + (is_straight ? 0 : length_);

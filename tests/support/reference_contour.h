@@ -26,7 +26,7 @@ class Contour {
     }
   }
 
-  /// How deep (r, z) is in the solid: distance to the boundary, negative outside.
+  /// Returns how deep (r, z) is in the solid: distance to the boundary, negative outside.
   [[nodiscard]] double depth(double r, double z) const {
     const Vec2 q(r, z);
     double nearest2 = 1e300;

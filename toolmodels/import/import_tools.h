@@ -28,17 +28,16 @@ struct ImportOptions {
 
 struct ImportedTools {
   ToolLibrary library;  ///< write_tool_library of it reads back as the same tools; may be empty
-  /// Errors: a tool that was left out because its numbers make no tool. Warnings: a shape that cannot be
-  /// imported, numbers that contradict each other (the message states which were believed). Notes: what was
-  /// assumed.
+  /// Errors: a tool that was left out because its numbers make no tool. Warnings: a shape that cannot be imported,
+  /// numbers that contradict each other (the message states which were believed). Notes: assumptions.
   Diagnostics notes;
 };
 
 /// Fusion library: JSON, or .tools, which is a zip of it.
 /// Errors   json-too-deep, json-too-long, import-syntax, import-duplicate-key, import-format, import-zip: the file as a
-///          whole cannot be read. What is wrong with one tool is in `notes`: import-field, import-shape,
-///          import-stickout, import-contradiction, import-number, import-guess, import-left-out, import-empty, and
-///          those of make_body_profiles.
+///          whole cannot be read. Errors of one tool are in `notes`: import-field, import-shape, import-stickout,
+///          import-contradiction, import-number, import-guess, import-left-out, import-empty, and those of
+///          make_body_profiles.
 [[nodiscard]] Result<ImportedTools> import_fusion(const std::string& file, std::string_view bytes,
                                                   const ImportOptions& options);
 
@@ -53,7 +52,7 @@ struct ImportedTools {
 [[nodiscard]] Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes,
                                               const ImportOptions& options);
 
-/// By what the file holds, not by its name.
+/// Chooses the importer by the content of the file, not by its name.
 [[nodiscard]] std::optional<ImportFormat> recognise_format(std::string_view bytes);
 
 /// The importer of `format`, or of the format that is recognised. Errors: import-format, and those above.

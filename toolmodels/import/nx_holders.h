@@ -12,7 +12,7 @@ namespace gouge {
 /// Returns whether these are the rows of a holder_database.dat.
 [[nodiscard]] bool has_holders(const std::vector<NxRow>& rows);
 
-/// Adds the holders of a holder_database.dat to the library. What is wrong with one leaves it out, and is reported.
+/// Adds the holders of a holder_database.dat to the library. A holder with an error is left out and reported.
 void import_nx_holders(Collector& collector, const std::vector<NxRow>& rows, LengthUnit unit);
 
 /// The holders of the holder_database.dat beside a tool_database.dat, read when the first is requested.

@@ -16,7 +16,7 @@ class DescribedCurve {
  public:
   explicit DescribedCurve(StatementContext& in) : in_(in) {}
 
-  /// To the next position, in the block's frame.
+  /// Begins a curve to the next position, in the block's frame.
   void describe(ArcStatement arc) {
     arc_ = arc;
     statement_ = in_.index();
@@ -42,7 +42,7 @@ class DescribedCurve {
     has_tangent_ = false;
   }
   void end_arc() { arc_.reset(); }
-  /// Nor does the next statement go on along it.
+  /// Ends the curve, so that the next statement does not go on along it.
   void end_arcs() {
     arc_.reset();
     last_arc_.reset();

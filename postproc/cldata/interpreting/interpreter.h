@@ -10,7 +10,7 @@ namespace gouge {
 
 class Interpreter {
  public:
-  /// `path.source` holds the bytes. `records` may be null; else it gets one entry for each move.
+  /// Requires that `path.source` holds the bytes. The list `records` may be null; else it gets one entry for each move.
   Interpreter(Toolpath& path, const Dialect& dialect, LengthUnit unit, MotionRecords* records)
       : states_(path, dialect, unit, records) {}
 

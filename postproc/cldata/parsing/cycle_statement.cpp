@@ -180,7 +180,7 @@ std::span<const CycleWord> cycle_words(CycleForm form) {
   return kCycleWords;
 }
 
-// How many numbers follow the word at `at`.
+// Returns how many numbers follow the word at `at`.
 std::size_t numbers_after(Arguments arguments, std::size_t at) {
   std::size_t count = 0;
   while (at + 1 + count < arguments.size() && arguments[at + 1 + count].number) ++count;
