@@ -29,7 +29,7 @@ struct InputLimit {
   std::uint64_t max_bytes = kMaxInputBytes;
 };
 
-/// The parser refuses what is no size, so that `limit` is always usable.
+/// The parser refuses what is not a size, so that `limit` is always usable.
 void add_input_limit(CLI::App& command, InputLimit& limit);
 
 }  // namespace gouge

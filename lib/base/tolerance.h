@@ -53,7 +53,7 @@ struct Tolerance {
   static constexpr double kFilePoint_mm = 1e-3;
   /// Tool axes in files have five decimals or more.
   static constexpr double kFileAxis = 1e-5;
-  /// A vector in a file that is longer or shorter than 1 by more is no unit vector.
+  /// A vector in a file that is longer or shorter than 1 by more is not a unit vector.
   static constexpr double kUnitVectorError = 1e-3;
   /// Corrections are computed to this, mm: less than one digit of a file with three decimals, in both its ends.
   static constexpr double kCorrection_mm = 2e-4;

@@ -196,7 +196,7 @@ class MoveChecker {
     const CompiledTool& whole_form = limit.of_mesh == nullptr ? tool_.*rule_of(target.against).form : *target.tool;
     const double depth = target.reach_mm - signed_distance_mm(whole_form, position.r, position.z);
     verdict_.reason = {reason_of(limit), target.tool->elements[at.element].body, entered.value_mm};
-    // A point that is deeper elsewhere, within the tolerance there, is no evidence against a mesh.
+    // A point that is deeper elsewhere, within the tolerance there, is not evidence against a mesh.
     const bool is_evidence = limit.of_mesh != nullptr || verdict_.depth_upper_mm - depth <= options_.resolution_mm;
     if (!(depth > 0) || !is_evidence) return;
     verdict_.depth_mm = depth;

@@ -31,7 +31,7 @@ struct BodyStrategies {
 
 struct PoseLimits {
   CorrectionAim aim;             ///< what must be met at the end
-  double largest_shift_mm = 20;  ///< a tip further from where it was is no correction
+  double largest_shift_mm = 20;  ///< a tip further from where it was is not a correction
   int largest_iterations = 60;
   Vec3 direction = Vec3::UnitZ();  ///< of Strategy::direction, unit
 };

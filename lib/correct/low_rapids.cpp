@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kAsMuch_mm = 1e-3;                           // less than that is no change of what a rapid keeps
+constexpr double kAsMuch_mm = 1e-3;                           // less than that is not a change of what a rapid keeps
 constexpr double kCertifiedShares[] = {0.99, 0.9, 0.5, 0.1};  // of a distance that was found
 
 class RapidMeasurer {

@@ -277,7 +277,7 @@ void PathCorrector::link_move(std::size_t i) {
 
 /// A move that gouges all the same runs as it was programmed: from its new start to the old one, along the programmed
 /// motion, and from the old end to the new one. So it cuts nothing that it did not cut before, but what the shifts of
-/// its ends cut, no deeper than its ends are. Nothing where that is not so, or the motion is no straight line.
+/// its ends cut, no deeper than its ends are. Nothing where that is not so, or the motion is not a straight line.
 std::vector<LinkPose> PathCorrector::programmed_again(std::size_t i) const {
   const Move& move = path_.moves[i];
   const bool is_dogleg = move.kind == MoveKind::rapid && options_.law.rapid() == RapidMode::dogleg;

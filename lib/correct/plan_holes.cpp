@@ -49,7 +49,7 @@ double top_mm(const Vec3& foot, const Vec3& axis, double max_mm, const PreparedS
 }
 
 // Returns how deep a drill is below the surface of the parts that surrounds it, from its tip, in mm; 0 where material
-// does not surround it, or a part is no solid. It is the same whether or not the parts have the hole.
+// does not surround it, or a part is not a solid. It is the same whether or not the parts have the hole.
 //
 // `pose`: tip at the bottom of the hole. `radius_mm`: of the drill. `max_mm`: nothing above that height is examined.
 // Ensures  at each of eight directions about the axis, material stands beside the drill at a quarter of its radius up

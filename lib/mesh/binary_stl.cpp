@@ -73,7 +73,7 @@ bool has_attributes(std::string_view bytes, std::size_t count) {
   return false;
 }
 
-// Refuses coordinates that are no numbers, and counts the stored normals.
+// Refuses coordinates that are not numbers, and counts the stored normals.
 Outcome count_facets(TriangleSoup& soup, std::string_view bytes, const FacetPlaces& places) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const TrianglePoints triangle = soup.triangles[i];

@@ -48,7 +48,7 @@ class ContactPivot {
   Pose programmed_;
   const CompiledTool* cutter_ = nullptr;
   std::vector<Contact> contacts_;
-  double ball_mm_ = 0;  // the centre's height above the tip; 0: the tip is no ball
+  double ball_mm_ = 0;  // the centre's height above the tip; 0: the tip is not a ball
 };
 
 }  // namespace gouge

@@ -160,7 +160,7 @@ std::size_t remove_faces_without_area(SurfaceMesh& surface) {
   return count - std::min(count, count_faces_without_area(surface));
 }
 
-// The rim of a lone triangle is no hole: its filling would be the triangle's other side.
+// The rim of a lone triangle is not a hole: its filling would be the triangle's other side.
 bool is_rim_of_triangle(const SurfaceMesh& surface, SurfaceMesh::Halfedge_index rim) {
   const auto inside = surface.opposite(rim);
   const auto neighbours = CGAL::halfedges_around_face(inside, surface);

@@ -43,7 +43,7 @@ class ToolContour {
   [[nodiscard]] bool has(const Vec2& q) const;
   /// Distance to the pieces of one body.
   [[nodiscard]] double distance_to(Body body, const Vec2& q) const;
-  /// Returns whether it has a corner that goes in, or a hollow arc: such a tool is no convex body.
+  /// Returns whether it has a corner that goes in, or a hollow arc: such a tool is not a convex body.
   [[nodiscard]] bool is_stepped() const { return is_stepped_; }
   /// No point is farther from the tip.
   [[nodiscard]] double size_mm() const { return size_mm_; }

@@ -38,7 +38,7 @@ struct JobResult {
   std::string report;       ///< its report.html below the folder of the batch; empty: none
   std::string key;          ///< SHA-256 of all that the result depends on; empty: it may not be used again
   std::string messages;     ///< what its command stated on standard error
-  bool is_altered = false;  ///< a store gave back other rows than were put into it: it is no result
+  bool is_altered = false;  ///< a store gave back other rows than were put into it: its result is not valid
   // Fields that may differ between two runs of the same job.
   double seconds = 0;
   double memory_mb = 0;  ///< at the peak of the process until its end

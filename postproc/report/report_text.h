@@ -77,7 +77,7 @@ struct UncutTotal {
 [[nodiscard]] std::string_view statement_text(const Toolpath& toolpath, const Move& move);
 
 /// The statement of a move as its file has it, up to three lines of at most 200 bytes; what is more ends in " ...".
-/// None where the move has no statement or the file is no text.
+/// None where the move has no statement or the file is not text.
 [[nodiscard]] std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t move);
 
 /// One finding without its location: "gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42".

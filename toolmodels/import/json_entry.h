@@ -19,7 +19,7 @@ namespace gouge::detail {
 /// For a file to import, where `what` was expected: "a Fusion tool library".
 [[nodiscard]] JsonKind imported_kind(const std::string& what);
 
-/// The cleaned text of `key`; empty when there is none or it is no text.
+/// The cleaned text of `key`; empty when there is none or it is not text.
 [[nodiscard]] std::string text_of(const nlohmann::json& object, const char* key);
 
 /// A number, or a text with a unit. A bare number is in mm_per(unit), or degrees when `angle`. Nothing for

@@ -68,7 +68,7 @@ class GOUGECHECK_EXPORT DepthQuery {
   DepthQuery(const Scene& scene, const Tool& tool, const CheckOptions& options = {});
 
   /// Queries one position; axis of any length but 0. Allocates little; microseconds to a millisecond. Throws Error for
-  /// a position or axis that is no number.
+  /// a position or axis that is not a number.
   [[nodiscard]] Contact at(const Vec3& tip, const Vec3& axis) const;
   /// Queries many positions, on `threads` threads (0: all). Axes: as many as tips, or one for all.
   [[nodiscard]] std::vector<Contact> at(std::span<const Vec3> tips, std::span<const Vec3> axes,

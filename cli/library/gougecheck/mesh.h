@@ -15,7 +15,7 @@ class GOUGECHECK_EXPORT Mesh {
  public:
   /// Vertices with identical coordinates become one, as in an STL file; triangles with two identical corners are left
   /// out. The arrays are copied.
-  /// Throws   Error: an index beyond the vertices, a coordinate that is no number or beyond 100 m, no triangle left.
+  /// Throws   Error: an index beyond the vertices, a coordinate that is not a number or beyond 100 m, no triangle left.
   Mesh(std::span<const Vec3> vertices, std::span<const Triangle> faces, std::string name = "mesh");
 
   /// `unit`: um, mm, cm, m or inch. Empty: not known; a check then takes that of its path, and all else takes mm.

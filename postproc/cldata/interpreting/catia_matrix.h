@@ -16,7 +16,7 @@ class CatiaMatrix {
   CatiaMatrix(StatementContext& in, FrameState& frame) : in_(in), frame_(frame) {}
 
   void begin();
-  /// A statement that is no comment, and whether it needs to know the frame.
+  /// A statement that is not a comment, and whether it needs to know the frame.
   void pass_statement(bool needs_frame);
   [[nodiscard]] bool expects_row() const { return row_ >= 0 || is_nameless_; }
   /// The text of a comment that expects_row(). The frame after the last row; else nothing.

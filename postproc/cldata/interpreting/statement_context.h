@@ -47,7 +47,7 @@ class StatementContext : public PathBuilder {
   void count_declared() { declared_.add(line()); }
   [[nodiscard]] const Tally& declared() const { return declared_; }
   void fail(std::string code, std::string message);
-  /// The file is no CL data: of all errors this one is left, and reading further has no use.
+  /// The file is not CL data: of all errors this one is left, and reading further has no use.
   void refuse_part_program(std::string_view what) { refuse_part_program(what, line()); }
   void refuse_part_program(std::string_view what, std::size_t line);
   void give_up() { is_beyond_cutoff_ = true; }

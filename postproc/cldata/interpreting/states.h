@@ -34,7 +34,7 @@ class FeedState {
  public:
   explicit FeedState(StatementContext& in) : in_(in) {}
 
-  // One without a unit after one per revolution: of which kind it is no file states.
+  // One without a unit after one per revolution: no file states of which kind it is.
   void take_fedrat(double mm_per_unit) {
     if (switches_inverse_time(in_.arguments)) return;
     feed_ = read_feed(in_.arguments, mm_per_unit);

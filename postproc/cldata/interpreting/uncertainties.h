@@ -23,7 +23,7 @@ enum class Uncertainty : std::uint8_t {
   control_curve,  ///< in words of one control
   unread_frame,
   mcs,
-  skew,  ///< the axes of the frame are no unit vectors at right angles
+  skew,  ///< the axes of the frame are not unit vectors at right angles
   csys,
   trans,
   origin,

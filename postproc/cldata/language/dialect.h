@@ -85,7 +85,7 @@ struct Dialect {
   bool states_multax = false;             ///< MULTAX stands before the first axis
   bool has_axes_under_multax = false;     ///< every position has one under MULTAX, and none without it
   bool has_points_at_multax_off = false;  ///< six numbers under MULTAX/OFF are two positions, whatever they look like
-  bool has_points_without_axis = false;   ///< six numbers that are no position and unit axis are two positions
+  bool has_points_without_axis = false;   ///< six numbers that are not a position and unit axis are two positions
   bool lists_run_along_arc = false;       ///< all positions of a list behind a CIRCLE lie on it
   bool may_go_on_round = false;           ///< a position alone may go on along the circle of the one before it
 

@@ -248,7 +248,7 @@ std::optional<DrillCycle> read_nx(Arguments arguments) {
   return cycle;
 }
 
-// FEDTO is a depth below the position; CAMplete leaves a RAPTO of 0 out, and its CLEAR is no height above it.
+// FEDTO is a depth below the position; CAMplete leaves a RAPTO of 0 out, and its CLEAR is not a height above it.
 std::optional<DrillCycle> read_depth_words(Arguments arguments, bool is_clearance_optional) {
   const std::optional<double> depth = number_after(arguments, "FEDTO");
   std::optional<double> clearance = number_after(arguments, "RAPTO");

@@ -38,7 +38,7 @@ class RecordTexts {
   RecordTexts(const Toolpath& before, const std::vector<PathChange>& changes, const Toolpath& after,
               const std::vector<WrittenStatement>& written);
 
-  /// Text of a move as it was. Nothing for binary records (NCCS), whose bytes are no text, and for moves without a
+  /// Text of a move as it was. Nothing for binary records (NCCS), whose bytes are not text, and for moves without a
   /// statement.
   [[nodiscard]] std::optional<std::string_view> before(std::size_t move) const;
   /// Text of the k-th position inserted before the end of `move`; the end itself stands behind the last of them.
