@@ -17,8 +17,8 @@ constexpr std::size_t kMaxOfAnyContour = 1000;  // elements, of which every pair
 constexpr int kHalvings = 40;                   // of an element, to where it comes before a plane
 constexpr double kNearlyHorizontal = 1e-6;      // below this a foot may be bounded by a horizontal plane
 
-// The tangent planes of one element: all have a normal between n0 and n1 and touch the circle about `center`
-// (radius 0 for a vertex, and for a segment, whose two normals are one).
+// The tangent planes of one element. All have a normal between n0 and n1 and touch the circle about `center` (radius 0
+// for a vertex and a segment). The two normals of a segment are one.
 struct Planes {
   Vec2 n0, n1, center;
   double radius_mm;
@@ -119,8 +119,9 @@ class Support {
 
   enum class End { a, b };
 
-  // The height up to which an element stays behind the planes, from that end of it on; the end's own where it comes
-  // before them at once. The search halves the element: its result is proved, but may not be the largest.
+  // Returns the height up to which an element stays behind the planes, from that end of it on. It is the end's own
+  // height where the element comes before them at once. The search halves the element: its result is proved, but may
+  // not be the largest.
   double behind_until(const BoundaryElement& e, const Planes& planes, End from) const {
     BoundaryElement part = e;
     const Vec2& start = from == End::a ? part.a : part.b;

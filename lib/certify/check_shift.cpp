@@ -68,8 +68,8 @@ class ShiftCheck {
     return checker_.side_of(pose, tool_) == Side::inside ? ShiftHazard::into_solid : ShiftHazard::none;
   }
 
-  /// "Never buried" along a shift: stretch by stretch, either a surface stays inside the tool, which is then not buried
-  /// but a gouge, or none reaches the middle of the cutter, which then stays on one side.
+  /// Proves "never buried" along a shift, stretch by stretch. Either a surface stays inside the tool, which is then not
+  /// buried but a gouge. Or none reaches the middle of the cutter, which then stays on one side.
   [[nodiscard]] ShiftHazard of_sides(double t0, double t1) const {
     const double half = 0.5 * (t1 - t0) * length_, t = 0.5 * (t0 + t1);
     const Pose middle{from_.tip + t * (to_.tip - from_.tip), from_.axis};

@@ -209,8 +209,8 @@ class MoveChecker {
                                            : Reason::Kind::mesh_tolerance_exceeded;
   }
 
-  // Within the tolerance a blade or a point may still reach far into a solid: where a tool has such,
-  // less depth must be proved (docs/method/inside_outside.md, section 4).
+  // Within the tolerance a blade or a point may still reach far into a solid. For a tool with one, less depth must be
+  // proved (docs/method/inside_outside.md, section 4).
   void check_reach() {
     const CertifiedDepth sure = certified_depth(tool_, scene_, options_);
     if (verdict_.depth_upper_mm <= sure.depth_mm) return;

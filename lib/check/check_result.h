@@ -23,7 +23,7 @@ struct CheckResult {
   double worst_overcut_mm = 0;                      ///< largest overcut of a gouge; 0 where none was measured
   double largest_gap_mm = 0;                        ///< largest depth_upper - depth over gouging moves
   std::uint64_t evaluations = 0;                    ///< bounds computed; the same on every run
-  Assumptions assumptions;                          ///< what the verdict rests on; empty where only moves were checked
+  Assumptions assumptions;                          ///< on which the verdict rests; empty where only moves were checked
   std::optional<ClosestApproach> closest_approach;  ///< none: not measured, or nothing to measure
   PathFit fit;                                      ///< fits where it was not requested
 };

@@ -11,9 +11,9 @@
 
 namespace gouge {
 
-/// Observed closest approach of a tool to the parts in cuts. A path that belongs to a part cuts along it, so this shows
-/// at a glance whether part and path coincide. Both distances are bounds from above: the tool comes as near, and may be
-/// closer between the sampled positions.
+/// Observed closest approach of the tool to the parts in cuts. A path that belongs to a part cuts along it, so this
+/// shows at a glance whether part and path coincide. Both distances are bounds from above: the tool comes as near, and
+/// may be closer between the sampled positions.
 struct ClosestApproach {
   static constexpr double kFar_mm = 20;  ///< greater distances are not measured
 

@@ -7,8 +7,8 @@
 #include "lib/check/scene.h"
 #include "lib/tool/tool_variants.h"
 
-// The contact table: what of a tool may touch which obstacle. All that examines a scene follows it; nothing else names
-// the kinds of obstacles.
+// The contact table, which states the parts of a tool that may touch an obstacle. All that examines a scene follows it;
+// nothing else names the kinds of obstacles.
 
 namespace gouge {
 
@@ -19,8 +19,8 @@ using ToolForm = CompiledTool ToolVariants::*;
 struct ContactRule {
   Against against;
   const char* name;                                 ///< of messages and results
-  ToolForm form;                                    ///< what may be entered no deeper than the tolerance
-  ToolForm form_beside_cuts;                        ///< what must keep the near-miss distance while the tool cuts
+  ToolForm form;                                    ///< the obstacle enters it at most by the tolerance
+  ToolForm form_beside_cuts;                        ///< keeps the near-miss distance while the tool cuts
   CertifiedDepths ToolVariants::*certified_depths;  ///< of `form`
   bool is_workpiece;  ///< the cutter makes its surface: positions fit it, contact with it is wanted
 };

@@ -15,8 +15,8 @@ namespace gouge {
 /// checked, and reported as such.
 inline constexpr double kFarthest_mm = 1e5;
 
-/// Finds a point of the motion or of its curve that is beyond kFarthest_mm or not a number, or an axis that is not a
-/// unit vector. None where the motion can be checked.
+/// Finds a point of the motion or of its curve that is beyond kFarthest_mm or not a number. Also finds an axis that is
+/// not a unit vector. None where the motion can be checked.
 [[nodiscard]] Reason::Kind why_unfit(const Motion& motion);
 
 /// Finds a vertex that is beyond kFarthest_mm or not a number. None where all are fit.

@@ -47,7 +47,7 @@ struct SearchSeed {
   std::uint32_t target = 0, triangle = 0;
 };
 
-/// Start of a search: what is known of the move before.
+/// Start of a search: the known bounds of the move.
 struct SearchStart {
   std::vector<SearchSeed> seeds;  ///< the triangles to examine; all others are pruned
   double certified_mm = 0;        ///< proven for the others: the value is no larger

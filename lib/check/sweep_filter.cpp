@@ -38,7 +38,7 @@ constexpr float kSmallSwing_mm = 0.01F;
 struct MoveWork {
   float min_pruned = std::numeric_limits<float>::max();         ///< of the target at hand
   double certified_mm = std::numeric_limits<double>::lowest();  ///< the value of what was pruned is no larger
-  std::vector<SearchSeed> open;                                 ///< what no bound has pruned
+  std::vector<SearchSeed> open;                                 ///< parts that no bound has pruned
 };
 
 /// The work that a group leaves to its parts.
@@ -80,7 +80,7 @@ class Sweep {
   }
 
  private:
-  // Targets may differ in their reach: what they certify is joined by value, not by distance.
+  // Targets may differ in their reach, so their certified bounds are joined by value, not by distance.
   void close_target(MoveWork& work) const {
     const float least = std::exchange(work.min_pruned, std::numeric_limits<float>::max());
     work.certified_mm = std::max(work.certified_mm, reach_mm_ - static_cast<double>(least));
@@ -219,7 +219,7 @@ class Sweep {
     kernel_.nodes(node, *frame_, piece_, asked, result);
     ++bounds_;
     min_ = std::min(min_, result.min_pruned);
-    // The deepest first: what it shows prunes most of the others.
+    // The deepest first: its result prunes most of the others.
     std::array<std::uint8_t, kBlockLanes> order;
     std::size_t count = 0;
     for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
@@ -284,8 +284,8 @@ class Sweep {
     measure(step, block.triangle[deepest], from_tip + Vec3(frame.tip[0], frame.tip[1], frame.tip[2]) + tree_->origin);
   }
 
-  // Where a triangle is examined from its nearest point, what makes the bound slack is time: what the nearest
-  // point moves, and how far the triangle's corners swing about it. Smaller triangles swing less.
+  // Where a triangle is examined from its nearest point, time makes the bound slack. It adds the motion of the nearest
+  // point, and the swing of the triangle's corners about it. Smaller triangles swing less.
   void refine(const SweepInterval& step, const SweepFrame& frame, std::size_t depth, float short_of, int failures) {
     if (waiting_[depth].empty()) return;
     const bool is_standing = !(step.t1 > step.t0);

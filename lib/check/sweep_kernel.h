@@ -45,7 +45,7 @@ struct KernelPiece {
   float core_r_mm = 0;     ///< largest r of a corner of the chain, or of its only line
   float core_mm = 0;       ///< no corner of the core has a larger |r| + |z|
   bool is_level_below = false, is_level_above = false;  ///< the core ends in a flat face
-  float rounding_mm = 0;                                ///< what single precision may do to distances from the piece
+  float rounding_mm = 0;                                ///< effect of single precision on distances from the piece
 };
 
 [[nodiscard]] KernelPiece kernel_piece(const CoverPiece& piece);

@@ -23,11 +23,11 @@ struct LeftStock {
 inline constexpr std::size_t kUsualStockWork = 1'000'000;
 
 struct StockLimits {
-  double finished_mm = 0;                  ///< what is cut to this height above the surface, or lower, is finished
-  double allowed_mm = 0;                   ///< what is no farther from a cut is not left
+  double finished_mm = 0;                  ///< surface cut to this height above it, or lower, is finished
+  double allowed_mm = 0;                   ///< stock no farther from a cut is not left
   double max_mm = 0;                       ///< thicknesses beyond this are not distinguished
   bool are_solids = false;                 ///< triangles face out of solids: nothing is finished from within
-  std::size_t max_work = kUsualStockWork;  ///< bounds and distances; what is not decided by then stays undecided
+  std::size_t max_work = kUsualStockWork;  ///< bounds and distances; pieces not decided by then stay undecided
   /// The same for how much is left, once a point is known that is.
   std::size_t max_work_once_left = std::numeric_limits<std::size_t>::max();
 };

@@ -24,7 +24,7 @@ struct CorrectOptions {
   double max_shift_mm = 20;
   std::optional<double> max_side_shift_mm;  ///< none: kSideShiftsPerDepth times the depth (free_pose.h)
   double rapid_clearance_mm = 1;  ///< how far a rapid that must change keeps off, where there is room; at least 0
-  const RewritableMoves* rewritable = nullptr;  ///< what can be written without making it straight; null: nothing
+  const RewritableMoves* rewritable = nullptr;  ///< changes that the file can state as such; null: none
 };
 
 /// One changed or added position, for the change list.
@@ -55,7 +55,7 @@ struct NotTilted {
   std::string reason;
 };
 
-/// Moves [first, last] of which something is not cut any more.
+/// Moves [first, last] of which a part stays uncut.
 struct Uncut {
   enum class Kind {
     left_out,  ///< the tool passes above them

@@ -8,7 +8,8 @@
 #include "lib/contact/contacts.h"
 
 // Strategies that bring one pose out of the surface by moving the tip; the tool axis stays as it is. Tilts are of runs
-// of positions (lib/tilt); what no tilt frees is lifted along the axis. What is trimmed is left out (plan_trims.h).
+// of positions (lib/tilt); a position that no tilt frees is lifted along the axis. A trimmed stretch is left out
+// (plan_trims.h).
 
 namespace gouge {
 
@@ -17,7 +18,7 @@ enum class Strategy { weighted, axis, tilt, normal, direction, trim };
 
 /// Strategies for gouges of each body.
 struct BodyStrategies {
-  /// The least change that works: a cutter is shifted out of the surface, what is above it is tilted away.
+  /// The least change that works: a cutter is shifted out of the surface, and the bodies above it are tilted away.
   static constexpr Strategy kOfCutter = Strategy::normal;
   std::array<Strategy, 4> of = {kOfCutter, Strategy::tilt, Strategy::tilt, Strategy::tilt};
 
@@ -30,7 +31,7 @@ struct BodyStrategies {
 };
 
 struct PoseLimits {
-  CorrectionAim aim;             ///< what must be met at the end
+  CorrectionAim aim;             ///< requirements at the end
   double largest_shift_mm = 20;  ///< a tip further from where it was is not a correction
   int largest_iterations = 60;
   Vec3 direction = Vec3::UnitZ();  ///< of Strategy::direction, unit

@@ -22,7 +22,7 @@ struct LinkTask {
   CheckOptions options;  ///< stricter than those of the checker, so that rounding has a margin
   PoseLimits limits;
   Strategy strategy = Strategy::weighted;
-  double rapid_clearance_mm = 0;          ///< what a rapid keeps from everything, where there is room
+  double rapid_clearance_mm = 0;          ///< clearance of a rapid, where there is room
   bool is_free_as_programmed = false;     ///< the programmed motion does not gouge: only its ends are elsewhere
   std::optional<double> largest_side_mm;  ///< as in free_pose
   /// The programmed motion: where a feed may keep to it, it does, to this distance.

@@ -69,7 +69,7 @@ class LinkFinder {
   const LinkTask& task_;
   std::vector<TimeInterval> clean_;  // of the programmed motion, without those that nothing leads to or from
   std::size_t count_ = 0;            // of positions found since the last start
-  double air_mm_ = 0;                // what is kept from everything now
+  double air_mm_ = 0;                // the clearance in force
 };
 
 /// A waypoint on a motion that was at `before`, `lift` away from it.

@@ -275,7 +275,7 @@ void PathCorrector::link_move(std::size_t i) {
   work.is_refused = work.inserted.empty();
 }
 
-/// A move that gouges all the same runs as it was programmed: from its new start to the old one, along the programmed
+/// A move that still gouges runs as it was programmed. It leads from its new start to the old one, along the programmed
 /// motion, and from the old end to the new one. So it cuts nothing that it did not cut before, but what the shifts of
 /// its ends cut, no deeper than its ends are. Nothing where that is not so, or the motion is not a straight line.
 std::vector<LinkPose> PathCorrector::programmed_again(std::size_t i) const {

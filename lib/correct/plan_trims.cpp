@@ -215,8 +215,8 @@ class TrimChain {
     return false;
   }
 
-  /// Feeds become rapids no lower than where the path last went from rapid to feed: how high the stock stands above
-  /// what is left uncut is not known, but there the program states that the tool is above it.
+  /// Feeds become rapids no lower than where the path last went from rapid to feed. The height of the stock above the
+  /// uncut part is not known. But at that place the program states that the tool is above it.
   [[nodiscard]] bool is_above_stock(const PathPlace& from, double lift_mm) const {
     if (is_on_rapid(from)) return true;
     const Pose begin = pose(from);

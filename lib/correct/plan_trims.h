@@ -6,7 +6,7 @@
 #include "lib/correct/reworked_path.h"
 
 // Leaves out gouging stretches: the tool retracts along its axis where the path was last free, crosses, and comes down
-// again where it is free. What lies between stays uncut.
+// again where it is free. The stretch between stays uncut.
 
 namespace gouge {
 
@@ -45,7 +45,7 @@ struct TrimJob {
   const MotionChecker& checker;
   const std::vector<bool>& is_wanted;
   double max_lift_mm = 20;
-  double clearance_mm = 1;        ///< what the crossing keeps where there is room
+  double clearance_mm = 1;        ///< clearance of the crossing where there is room
   bool can_write_rapids = false;  ///< a feed may become a rapid
 };
 

@@ -15,8 +15,8 @@ struct LiftCure {
   std::size_t move = kNone;
   Body body = Body::holder;
   MoveState state = MoveState::gouge;
-  /// Proved: no multiple of the step below this frees the moves. Where it is `lift_mm`, that is the least one; what is
-  /// between both is not decided.
+  /// Proved: no multiple of the step below this frees the moves. Where it is `lift_mm`, that is the least one. Lifts
+  /// between both are not decided.
   double not_free_below_mm = 0;
 
   [[nodiscard]] bool is_least() const { return lift_mm && !(not_free_below_mm < *lift_mm); }

@@ -63,7 +63,7 @@ inline TrianglePoint closest_on_sliver(const Vec3& p, const std::array<Vec3, 3>&
   const double length2 = along.squaredNorm();
   if (!(length2 > 0)) return triangle_point(p, t[0], TriangleFeature::corner, 0);
   Vec3 across = side - (side.dot(along) / length2) * along;
-  across -= (across.dot(along) / length2) * along;  // what rounding left of it along the edge
+  across -= (across.dot(along) / length2) * along;  // its remainder along the edge, after rounding
   const double width2 = across.squaredNorm();
   if (!(width2 > 0)) return closest_on_rim(p, t);
   const double far = q.dot(across) / width2;  // the weight of the corner across from the edge

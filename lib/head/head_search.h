@@ -14,7 +14,7 @@ namespace gouge {
 /// A surface that a head must keep clear of.
 struct HeadTarget {
   const BlockTree* tree = nullptr;
-  double reach_mm = 0;  ///< the clearance: what is sought is the largest reach - signed distance
+  double reach_mm = 0;  ///< the clearance: the search is for the largest reach - signed distance
 };
 
 /// The largest depth of a surface in a head along one motion.

@@ -27,8 +27,8 @@ constexpr std::size_t kSubtree = kBlockLanes * kBlockLanes * kBlockLanes;
 // Ratio of a triangle's time in its subtree to that of one cut above it: twelve cuts, in the cache, and bounds.
 constexpr std::size_t kWorkOfSubtrees = 8;
 
-/// Triangles one child of a node over `count` of them holds: a power of 16, so that all blocks but the last
-/// of each level are full.
+/// Triangles one child of a node over `count` of them holds: a power of 16. So all blocks but the last of each level
+/// are full.
 std::size_t child_capacity(std::size_t count) {
   std::size_t capacity = kBlockLanes;
   while (capacity * kBlockLanes < count) capacity *= kBlockLanes;

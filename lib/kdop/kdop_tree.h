@@ -9,8 +9,8 @@
 #include "lib/kdop/directions.h"
 #include "lib/kdop/intervals.h"
 
-// A tree of k-DOPs over numbered items, two, four or eight children wide (thesis 5.2.1, 6.1.4.3). What an
-// item encloses is the caller's business: facets with their offset, or points.
+// A tree of k-DOPs over numbered items, two, four or eight children wide (thesis 5.2.1, 6.1.4.3). The caller defines
+// the content of an item: facets with their offset, or points.
 
 namespace gouge {
 

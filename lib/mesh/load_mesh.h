@@ -14,7 +14,7 @@ struct LoadedMesh {
   IndexedMesh mesh;  ///< mm, part coordinates
   MeshFindings findings;
   StlFormat format = StlFormat::binary;
-  Diagnostics notes;  ///< what the reader tolerated, then describe(findings); warnings and notes
+  Diagnostics notes;  ///< faults that the reader tolerated, then describe(findings); warnings and notes
 };
 
 /// From an STL file to a mesh and the remarks about it.

@@ -7,7 +7,7 @@
 #include "lib/geom/vec.h"
 #include "lib/path/joint_angles.h"
 
-// Motion of the tool axis between two positions where it is not on the great circle: what a kinematic chain gives.
+// Motion of the tool axis between two positions where it is not on the great circle, as a kinematic chain gives it.
 
 namespace gouge {
 

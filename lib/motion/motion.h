@@ -76,7 +76,7 @@ class Motion {
   /// Tip = center + (r0 + dr t) (cos(sweep t) e1 + sin(sweep t) e2) + (h0 + dh t) axis + t rest.
   struct Turn {
     Vec3 center = Vec3::Zero(), axis = Vec3::UnitZ(), e1 = Vec3::UnitX(), e2 = Vec3::UnitY();
-    Vec3 rest = Vec3::Zero();  ///< what the rounding of the numbers leaves at the end
+    Vec3 rest = Vec3::Zero();  ///< remainder at the end from the rounding of the numbers
     double sweep = 0, r0 = 0, dr = 0, h0 = 0, dh = 0;
     [[nodiscard]] Vec3 at(double t) const;
     [[nodiscard]] double largest_radius() const { return dr > 0 ? r0 + dr : r0; }

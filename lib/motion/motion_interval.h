@@ -7,11 +7,11 @@
 #include "lib/base/tolerance.h"
 #include "lib/motion/motion.h"
 
-// Time intervals of a motion and their halving: what is known of an interval is the caller's.
+// Time intervals of a motion and their halving. The caller adds its data of an interval.
 
 namespace gouge {
 
-/// A time interval within one segment of a motion; what is known of one derives from it.
+/// A time interval within one segment of a motion. Types with more data of one derive from it.
 struct MotionInterval {
   double t0 = 0, t1 = 0;
   std::uint32_t segment = 0;
@@ -25,7 +25,7 @@ struct MotionInterval {
   return {whole.t0, motion.is_alone() ? whole.t0 : whole.t1, segment};
 }
 
-/// Both halves, the earlier one first; what else the interval has they keep.
+/// Returns both halves, the earlier one first. They keep all other data of the interval.
 template <typename Interval>
 [[nodiscard]] std::array<Interval, 2> halves(const Interval& whole) {
   std::array<Interval, 2> parts{whole, whole};

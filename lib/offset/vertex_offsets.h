@@ -28,7 +28,7 @@ inline constexpr double kLongestOffset = 20;
 
 struct VertexOffset {
   Vec3 move = Vec3::Zero();            ///< n_i . move = 1 for every plane, as far as the case allows
-  PlaneCase planes = PlaneCase::none;  ///< what the faces' planes determine; none: zero, at a vertex without a face
+  PlaneCase planes = PlaneCase::none;  ///< what the faces' planes determine; none: zero, where there is no face
 };
 
 /// Moves the planes through a vertex with unit `normals` by 1 and finds where they meet then. That is the shortest

@@ -115,7 +115,7 @@ struct SourceStatement {
   SmallIndex first_byte, last_byte;  ///< [first, last)
 };
 
-/// Place of each move of a path in its file, and the state in which it was read: what a correction needs to rewrite it.
+/// Place of each move of a path in its file, and the state in which it was read. A correction needs both to rewrite it.
 /// Each reader keeps its own kind.
 struct MoveOrigins {
   MoveOrigins() = default;

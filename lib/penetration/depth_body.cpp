@@ -24,8 +24,8 @@ class InnerReach {
  public:
   InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, const std::vector<Vec3>& face_normals);
 
-  /// Not below the largest u . x over the inside points x that are nearest to `triangle` and within
-  /// `depth_mm` of it, the facet itself included. `u` unit.
+  /// Bounds from above the largest u . x over the inside points x that are nearest to `triangle` and within `depth_mm`
+  /// of it, the facet itself included. The vector u is unit.
   [[nodiscard]] double above(std::uint32_t triangle, const Vec3& u, double depth_mm) const;
 
  private:
@@ -57,8 +57,8 @@ InnerReach::InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, 
   find_wedges(adjacency);
 }
 
-/// A point is nearest to a vertex only if every edge there leads away from it: the cone of these constraints,
-/// bounded by its extreme rays, which are crossings of two constraint planes.
+/// Finds the cone of points nearest to a vertex. For such a point every edge there leads away from it. Extreme rays,
+/// the crossings of two constraint planes, bound the cone.
 InnerReach::Cone InnerReach::cone_at(Corner vertex, const MeshAdjacency& adjacency) const {
   const Vec3 outward = angle_weighted_normal(mesh_, adjacency, normals_, vertex);
   if (outward.squaredNorm() < 0.5) return {Vec3::UnitZ(), -1};

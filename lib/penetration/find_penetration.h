@@ -73,7 +73,7 @@ class PenetrationFinder {
   RigidTransform pose_;
   bool has_turned_ = false;
   std::size_t stride_ = 0;
-  float slack_ = 0;  ///< what single precision may be off at this pose
+  float slack_ = 0;  ///< error of single precision at this pose
   TurnedAxes axes_;
   std::vector<float> shifts_;           ///< projections of the pose's shift
   std::vector<float> turned_;           ///< by node: intervals before the shift

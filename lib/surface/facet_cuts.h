@@ -18,7 +18,7 @@ struct FacetPieces {
 
 /// The triangle cut so that no segment runs through the inside of a piece.
 ///
-/// Shape    Segments in the triangle's plane, mm; what is beyond the triangle is left out.
+/// Shape    Segments in the triangle's plane, mm; parts beyond the triangle are left out.
 /// Requires a triangle with area.
 /// Ensures  The pieces cover the triangle but for slivers no wider than `rounding_mm`; in the plane to about that.
 /// Cost     O(k log k) for k segments that do not cross, at most O(k^2) pieces.

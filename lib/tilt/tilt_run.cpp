@@ -149,7 +149,7 @@ class Chain {
 };
 
 /// Normal of the part where the cutter is in it or near it. A corner of the tool that touches a face has no normal of
-/// its own: there the face's counts, as far as the tool reaches no deeper below its plane.
+/// its own. There the face's normal counts, as far as the tool reaches no deeper below its plane.
 Vec3 normal_at(const ToolContact& contact, double depth_mm, const Pose& pose, const CompiledTool& cutter) {
   constexpr double kSameDepth_mm = 0.01;
   const Vec3& face = contact.face;

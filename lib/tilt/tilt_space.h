@@ -46,7 +46,7 @@ struct TiltTask {
 };
 
 /// Points of the part and the fixtures that were in the tool at tilts that were refused. Most are in it at others too,
-/// which is seen at once; what is found is the same without.
+/// which is seen at once. The result is the same without.
 using RefusingPoints = std::vector<Witness>;
 
 /// Free tilts at the positions of a run, and free turns between them. The results do not depend on the caller, from

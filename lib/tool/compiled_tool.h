@@ -17,7 +17,7 @@
 
 namespace gouge {
 
-/// The bodies of a tool's profile, from the tip up, and a head: what moves with the tool without being part of it.
+/// The bodies of a tool's profile, from the tip up, and a head, which moves with the tool without being part of it.
 enum class Body : std::uint8_t { cutter, shank, holder, head };
 [[nodiscard]] const char* body_name(Body body);
 

@@ -16,7 +16,7 @@ struct ToolVariants {
   CompiledTool against_fixture;  ///< shank and holder offset by their clearances
   /// Bodies that have a clearance, alone, offset: any depth in it is a gouge. No elements: none has one.
   CompiledTool with_clearance;
-  CompiledTool cutting;                         ///< the cutter alone, offset by stock to leave: what touches the part
+  CompiledTool cutting;                         ///< the cutter alone, offset by stock to leave, which touches the part
   CompiledTool non_cutting;                     ///< shank and holder as offset above: for near misses. May be empty.
   CertifiedDepths part_depths, fixture_depths;  ///< of the variants against_part and against_fixture
   /// The tool with every body wider by the diameter of the cutter. It holds all places that the tool takes where its

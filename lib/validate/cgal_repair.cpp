@@ -120,8 +120,9 @@ SurfaceMesh::Halfedge_index longest_side(const SurfaceMesh& surface, SurfaceMesh
   return longest;
 }
 
-// The corner of a face without area that lies between the two others splits the neighbour on its longest side: an
-// edge flip, by which no point of the surface moves. Nothing is lost either when a face without a neighbour there goes.
+// The corner of a face without area that lies between the two others splits the neighbour on its longest side. That is
+// an edge flip, by which no point of the surface moves. Nothing is lost either when a face without a neighbour there
+// goes.
 void flip_faces_without_area(SurfaceMesh& surface) {
   constexpr std::size_t kMaxFlipsEach = 20;  // several faces on one line may pass their corners to and fro
   std::vector<SurfaceMesh::Face_index> open;

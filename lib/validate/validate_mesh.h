@@ -47,7 +47,7 @@ struct MeshValidation {
 ///          intersections.
 /// Cost     O(n log n) for the surfaces of parts: about a microsecond and 100 bytes a triangle. Ten times that where
 ///          CGAL must state what the surface bounds: where a triangle has no area, or a piece may lie in another.
-/// Errors   None: what CGAL cannot do is reported in `trouble`, and the mesh is not sound then.
+/// Errors   None: a failure of CGAL is reported in `trouble`, and the mesh is not sound then.
 [[nodiscard]] MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findings,
                                            const ProgressCall& progress = {});
 

@@ -37,7 +37,7 @@ enum class ProofState : std::uint8_t {
   missing,  ///< the certificate does not mention the move
   open,     ///< it states that none was found
   proved,
-  refuted,  ///< what it has proves nothing
+  refuted,  ///< its content proves nothing
 };
 
 struct CertificateReading {

@@ -59,7 +59,7 @@ std::string ZstdWriter::finish() {
 struct ZstdReader::State {
   ZSTD_DCtx* context = made(ZSTD_createDCtx());
   ZSTD_inBuffer in{};
-  std::string ready;  // what was read and not yet taken
+  std::string ready;  // bytes read and not yet taken
   bool is_broken = false, is_ended = false;
 
   void read() {

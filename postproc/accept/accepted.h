@@ -10,7 +10,7 @@
 #include "postproc/accept/accepted_setup.h"
 #include "postproc/result/stored_result.h"
 
-// Findings that somebody has accepted, as a file: docs/formats/accepted.md. Lengths are in mm.
+// Accepted findings as a file: docs/formats/accepted.md. Lengths are in mm.
 
 namespace gouge {
 
@@ -24,7 +24,7 @@ struct AcceptedMove {
 
 struct Acceptance {
   std::string reason, by, date;
-  std::string finding, toolpath, statement;  ///< for people: what was accepted, and where it stood
+  std::string finding, toolpath, statement;  ///< for people: the accepted finding, and its place
   std::size_t line = 0;
   std::string tool, body, against;  ///< the tool by its key
   AcceptedSetup setup;

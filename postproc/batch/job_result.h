@@ -37,7 +37,7 @@ struct JobResult {
   std::vector<JobOutput> outputs;
   std::string report;       ///< its report.html below the folder of the batch; empty: none
   std::string key;          ///< SHA-256 of all that the result depends on; empty: it may not be used again
-  std::string messages;     ///< what its command stated on standard error
+  std::string messages;     ///< the text of its command on standard error
   bool is_altered = false;  ///< a store gave back other rows than were put into it: its result is not valid
   // Fields that may differ between two runs of the same job.
   double seconds = 0;

@@ -234,8 +234,8 @@ class Painter {
     return untouched > 0 || *levels != 0 ? untouched : 1;
   }
 
-  // Paints `draw` into a mask over `area` and lays the colour over the picture through it, so that overlapping
-  // strokes of one item do not add up.
+  // Paints `draw` into a mask over `area` and lays the colour over the picture through it. So overlapping strokes of
+  // one item do not add up.
   template <class Draw>
   void blend(const PixelArea& area, const Colour& colour, const Draw& draw) {
     const PixelArea seen = area.within(width_, height_);

@@ -74,8 +74,8 @@ class BlockDepths {
   std::vector<float> z_;
 };
 
-/// Values of a run of blocks, each a list: normals as the view sees them, x right, y down and z towards the viewer; how
-/// much of the sky over them their surroundings hide, 0 to 1; and their light.
+/// Values of a run of blocks, each a list. Normals are as the view sees them, x right, y down and z towards the viewer.
+/// The other values are the share of the sky that their surroundings hide, 0 to 1, and their light.
 struct LitBlocks {
   explicit LitBlocks(std::size_t count) : x(count), y(count), z(count), hidden(count), light(count) {}
   std::vector<float> x, y, z, hidden, light;

@@ -38,7 +38,7 @@ class CsvRow {
     }
     out_ += '"';
   }
-  // A bound that was never reached is not a number, and a row has no word for it.
+  // A bound that was never reached is not a number, and a row cannot state it.
   void number(double value) { std::isfinite(value) ? word(exact_text(value)) : word({}); }
   void count(std::size_t value) {
     std::array<char, 24> digits{};

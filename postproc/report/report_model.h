@@ -84,7 +84,7 @@ struct UncorrectedRecord {
   bool is_changed = false;  ///< its own record was changed all the same
 };
 
-/// Moves of which something is not cut any more.
+/// Moves of which a part stays uncut.
 struct UncutRecord {
   enum class Kind { left_out, hole, lifted };  ///< as in Uncut
   std::size_t first_move = 0, last_move = 0;   ///< of the path before the correction

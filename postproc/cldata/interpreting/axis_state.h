@@ -66,7 +66,7 @@ class AxisState {
   std::size_t first_axis_ = kNone;  // the first move with one in such a file
   bool is_tlaxis_ignored_ = false;
   bool is_last_tilted_ = false;
-  bool is_fixed_doubtful_ = false;  // what MULTAX/OFF leaves in force is not known
+  bool is_fixed_doubtful_ = false;  // the state after MULTAX/OFF is not known
   bool is_lock_lost_ = false;       // the last axis was in another frame
   Tally plain_after_tilt_;
   std::size_t renormalised_ = 0;

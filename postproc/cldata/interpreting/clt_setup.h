@@ -21,7 +21,7 @@ class CltSetup {
   /// stands beside its four: then nothing was taken.
   [[nodiscard]] bool take_turn();
   void take_axis();
-  /// A feature states its turns itself: what another one has left in force ends with it.
+  /// A feature states its turns itself. Turns that another one has left in force end with it.
   void end_feature();
   /// At a position: several statements before it make the setup.
   void choose_decimals();

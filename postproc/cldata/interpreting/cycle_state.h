@@ -29,7 +29,7 @@ class CycleState {
     if (!is_on_) drill_.reset();
   }
   void begin_block() { words_.clear(); }
-  /// A statement that no cycle holds. What follows could be a hole or a motion: reported at the next position, as
+  /// Takes a statement that no cycle holds. The next position could be a hole or a motion. It is reported there, as
   /// before it nothing is lost.
   void contradict();
   /// A statement that no cycle contains bounds the moves that could be holes of a cycle whose CYCLE is missing.
@@ -60,7 +60,7 @@ class CycleState {
   [[nodiscard]] const std::optional<DrillCycle>& drill() const { return drill_; }
   [[nodiscard]] const char* why() const { return why_; }
   [[nodiscard]] std::string_view uncertainty_reason() const { return reason_; }
-  /// Returns where the last position was a hole: what GODLTA goes on from, not where the tool is.
+  /// Returns the last position where that was a hole. GODLTA goes on from it, although the tool is elsewhere.
   [[nodiscard]] const std::optional<Pose>& last_hole() const { return last_hole_; }
   [[nodiscard]] std::size_t first_possible_hole() const { return first_possible_hole_; }
   void write_notes() const;

@@ -33,8 +33,8 @@ void break_motion(States& s);
 
 /// Moves [begin, end) are not checked, unless they have another reason.
 void mark_moves_uncertain(States& s, std::size_t begin, std::size_t end, std::string_view reason);
-/// A word with an OFF of its own switches `doubt`, for `reason`. An OFF that ends nothing makes moves doubtful: what it
-/// should end may have begun anywhere since the last tool, operation or OFF.
+/// A word with an OFF of its own switches `doubt`, for `reason`. An OFF that ends nothing makes moves doubtful: the
+/// state it should end may have begun anywhere since the last tool, operation or OFF.
 void switch_uncertainty(States& s, Uncertainty uncertainty, bool is_on, const char* reason);
 void mark_run_uncertain(States& s, std::size_t begin);
 /// The cycle in force should have ended.

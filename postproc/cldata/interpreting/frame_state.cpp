@@ -55,8 +55,8 @@ std::optional<Vec3> FrameState::read_tip(std::size_t first) {
   return std::nullopt;
 }
 
-// Each component of a unit vector is off by `rounding`: its length by sqrt(3) of it, the product of two by twice that,
-// and what the cross product of both differs from a third by no more than six times `rounding`.
+// Each component of a unit vector is off by `rounding`: its length by sqrt(3) of it, the product of two by twice that.
+// The cross product of both differs from a third by no more than six times `rounding`.
 std::optional<RigidTransform> FrameState::make(const Vec3& origin, const Vec3& x, const Vec3& y,
                                                const std::optional<Vec3>& z, double rounding, const char* what) {
   constexpr double kOfLength = 1.74, kOfProduct = 3.48, kOfThird = 6;

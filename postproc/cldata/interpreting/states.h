@@ -56,7 +56,7 @@ class FeedState {
  private:
   StatementContext& in_;
   Feed feed_;
-  bool has_feed_per_turn_ = false;  // a FEDRAT stated one: what one without a unit means is then not known
+  bool has_feed_per_turn_ = false;  // a FEDRAT stated one: the unit of one without it is then not known
   bool is_rapid_ = false;
   std::size_t rapid_statement_ = kNone;
 };

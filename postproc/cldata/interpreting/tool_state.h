@@ -14,7 +14,7 @@
 
 namespace gouge {
 
-/// The tool of the positions that follow: what CUTTER, TLDATA and their like define, and the number that is loaded. It
+/// The tool of the positions that follow, as CUTTER, TLDATA and their like define it, and the number that is loaded. It
 /// stays until the file names another one.
 class ToolState {
  public:
@@ -62,7 +62,7 @@ class ToolState {
     std::size_t line = 0;
     bool is_fresh = false;  // defined since the last motion
   };
-  struct Key {  // what makes two tools of the file the same
+  struct Key {  // properties that make two tools of the file the same
     std::optional<int> number;
     std::optional<std::array<double, 7>> cutter;
     double diameter_mm = 0;

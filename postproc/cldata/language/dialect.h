@@ -76,7 +76,7 @@ struct Dialect {
       "the file ends within a statement that a $ continues; expected its next line: the file is cut short";
   /// The error of a file without a position; empty: that of text.
   std::string_view no_position = {};
-  bool is_fallback = false;  ///< what a file without the marks of any dialect is taken for
+  bool is_fallback = false;  ///< the dialect of a file without the marks of any
 
   // Positions.
   bool is_axis_modal = false;             ///< one without axis keeps the last one; else it means +Z or TLAXIS
@@ -129,7 +129,7 @@ struct Dialect {
 /// The dialect called `id`; plain APT where there is no such dialect.
 [[nodiscard]] Dialect dialect_or_apt(std::string_view id);
 
-/// "nx-clsf, apt-catia, ...": what `dialect_called` takes.
+/// Returns "nx-clsf, apt-catia, ...", the names that `dialect_called` takes.
 [[nodiscard]] std::string dialect_names();
 
 }  // namespace gouge

@@ -104,7 +104,7 @@ class WordSet {
 /// The word a statement begins with; upper or lower case.
 [[nodiscard]] Word find_word(std::string_view major);
 
-/// True of words that move the tool or change what motion means: what would be missed if it were overlooked.
+/// Returns true for words that move the tool or change the meaning of motion. An overlooked one would be missed.
 [[nodiscard]] bool changes_motion(Word word);
 
 /// Finds, for a statement with an unknown word, the known word that its beginning was meant to be, as far as possible.

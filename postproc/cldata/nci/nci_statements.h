@@ -10,9 +10,8 @@
 #include "postproc/cldata/nci/nci_motion.h"
 #include "postproc/program/cutcom.h"
 
-// The pairs of lines of a Mastercam NCI file as statements: what each states in words of APT. Lines, arcs and
-// five-axis lines are motion; drilling and tool planes become motion or frames that are not read.
-// docs/formats/mastercam_nci.md.
+// The pairs of lines of a Mastercam NCI file as statements in words of APT. Lines, arcs and five-axis lines are motion;
+// drilling and tool planes become motion or frames that are not read. docs/formats/mastercam_nci.md.
 
 namespace gouge {
 

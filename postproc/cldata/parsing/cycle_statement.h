@@ -8,8 +8,8 @@
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/dialect.h"
 
-// The canned drilling cycles: what CYCLE/ states of the path up and down at each of its positions. The words of
-// each dialect and their evidence: docs/formats/cycles.md.
+// The canned drilling cycles. CYCLE/ states the path up and down at each of its positions. The words of each dialect
+// and their evidence: docs/formats/cycles.md.
 
 namespace gouge {
 

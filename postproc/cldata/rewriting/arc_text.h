@@ -32,7 +32,7 @@ class ArcText {
   /// The arc of move `move` as the file has it. Requires is_writable(move).
   [[nodiscard]] WrittenArc as_read(std::size_t move) const;
 
-  /// The first of the statements that describe the arc: what is put before them is before the arc. Requires
+  /// Returns the first of the statements that describe the arc. Text put before them is before the arc. Requires
   /// is_writable(move).
   [[nodiscard]] std::size_t first_statement(std::size_t move) const;
 
