@@ -21,7 +21,7 @@ class ProjectLine {
 
   /// With the options of the project file that the command line does not state, behind the command.
   [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
-  /// None where no file was found, or nothing of it is used.
+  /// Returns none where no file was found, or nothing of it is used.
   [[nodiscard]] const std::optional<ProjectUse>& use() const { return use_; }
   /// An error about an option that came from the file, with its place there; others as they are.
   [[nodiscard]] Diagnostic located(const Diagnostic& error) const;

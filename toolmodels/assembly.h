@@ -52,7 +52,7 @@ using BodyProfiles = std::array<Profile, 3>;
 ///          "slot": shank 2: ...").
 [[nodiscard]] Result<BodyProfiles> make_body_profiles(const ToolAssembly& tool);
 
-/// The contour of the whole assembly without growth; faces between bodies vanish.
+/// Returns the contour of the whole assembly without growth; faces between bodies vanish.
 /// Ensures  verify_profile is empty.  Errors as make_body_profiles, and those of unite.
 [[nodiscard]] Result<Profile> make_profile(const ToolAssembly& tool);
 
@@ -64,7 +64,7 @@ struct PositionedSegment {
   double z_mm = 0;  ///< of its lower end
 };
 
-/// Every segment above the cutter, from the tip side up. Requires a tool that make_body_profiles accepts.
+/// Returns every segment above the cutter, from the tip side up. Requires a tool that make_body_profiles accepts.
 [[nodiscard]] std::vector<PositionedSegment> position_segments(const ToolAssembly& tool);
 
 /// Tip to the lowest extension or holder; to the top when there is neither. Requires as position_segments.

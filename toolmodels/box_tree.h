@@ -6,7 +6,7 @@
 
 namespace gouge::detail {
 
-/// A box that an element lies in, larger on each side by `margin_mm`.
+/// Returns a box that an element lies in, larger on each side by `margin_mm`.
 [[nodiscard]] Eigen::AlignedBox2d box_around(const ProfileElement& element, double margin_mm);
 
 /// Finds those of many boxes that meet a box. They are paired as they follow each other, so this is quick for boxes

@@ -22,7 +22,7 @@ inline constexpr std::size_t kMaxBspNodes = 16;
 /// Source    Ho 1999, thesis 2.4.18; construction own, docs/method/tool_voronoi.md
 [[nodiscard]] std::vector<BspNode> build_bsp(const std::vector<BoundaryElement>& elements);
 
-/// Largest number of nodes on a path from the root to a leaf.
+/// Returns the largest number of nodes on a path from the root to a leaf.
 [[nodiscard]] std::size_t bsp_depth(const std::vector<BspNode>& nodes);
 
 }  // namespace gouge

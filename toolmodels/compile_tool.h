@@ -31,7 +31,7 @@ namespace gouge {
                                                       double shank_clearance_mm, double holder_clearance_mm,
                                                       bool has_wide = false);
 
-/// The same of shank and holder alone, as if the tool had no cutter: no elements where it has neither.
+/// Returns the same of shank and holder alone, as if the tool had no cutter: no elements where it has neither.
 /// Errors    As make_tool_variants.
 [[nodiscard]] Result<ToolVariants> make_non_cutting_variants(const ToolAssembly& tool, double shank_clearance_mm,
                                                              double holder_clearance_mm);

@@ -114,11 +114,11 @@ using Cutter = std::variant<FlatCutter, BallCutter, BullNoseCutter, TaperedCutte
                             ChamferCutter, LollipopCutter, TSlotCutter, SlittingSawCutter, DovetailCutter, BarrelCutter,
                             OvalCutter, LensCutter, FaceMillCutter, RadiusCutter, ProfileCutter>;
 
-/// The word of the library file: "flat", "ball", "bull_nose", ...
+/// Returns the word of the library file: "flat", "ball", "bull_nose", ...
 [[nodiscard]] const char* shape_name(const Cutter& cutter);
-/// Every word, in the order of the variant, and a cutter of that shape without dimensions.
+/// Returns every word, in the order of the variant, and a cutter of that shape without dimensions.
 [[nodiscard]] const std::vector<Cutter>& every_shape();
-/// Height of the flutes' top; where a shape leaves it to its other dimensions, computed from them. Means
+/// Returns the height of the flutes' top; where a shape leaves it to its other dimensions, computed from them. Means
 /// nothing for a cutter that make_cutter_profile refuses.
 [[nodiscard]] double length_mm(const Cutter& cutter);
 

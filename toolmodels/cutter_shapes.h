@@ -12,7 +12,7 @@ namespace gouge::detail {
 constexpr double kLargest_mm = 1e5;                      ///< keeps every later square far from overflow
 constexpr double kRelativeSlack = Tolerance::kRounding;  ///< dimensions closer than this to a limit are at the limit
 
-/// "12.5 mm", rounded to what a reader can use.
+/// Returns "12.5 mm", rounded to what a reader can use.
 [[nodiscard]] std::string mm(double value_mm);
 [[nodiscard]] double radians(double degrees);
 [[nodiscard]] double sine(double degrees);
@@ -54,7 +54,7 @@ struct RoundedCorner {
   double radius_mm = 0;
 };
 
-/// The polygon from the axis to the axis with its corners rounded. Requires radii that leave room for one
+/// Returns the polygon from the axis to the axis with its corners rounded. Requires radii that leave room for one
 /// another, which the caller has checked by name.
 [[nodiscard]] Result<Profile> make_rounded(const std::vector<RoundedCorner>& corners, const std::string& what);
 
@@ -76,7 +76,7 @@ struct RoundedCorner {
 [[nodiscard]] Result<Profile> make_shape(const LensCutter& cutter);
 [[nodiscard]] Result<Profile> make_shape(const ProfileCutter& cutter);
 
-/// Height at which a chamfer's cone reaches its diameter, and a lollipop's ball its neck.
+/// Returns the height at which a chamfer's cone reaches its diameter, and a lollipop's ball its neck.
 [[nodiscard]] double cone_height_mm(const ChamferCutter& cutter);
 [[nodiscard]] double ball_height_mm(const LollipopCutter& cutter);
 

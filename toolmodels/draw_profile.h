@@ -18,12 +18,12 @@ namespace gouge {
 /// Errors   Those of make_body_profiles.
 [[nodiscard]] Result<Drawing> draw_profile(const ToolAssembly& tool, LengthUnit unit);
 
-/// Every tool in a field of its own, in rows: the whole assembly small, its cutter large, name and dimensions.
+/// Returns every tool in a field of its own, in rows: the whole assembly small, its cutter large, name and dimensions.
 ///
 /// Errors   Those of make_body_profiles.
 [[nodiscard]] Result<Drawing> draw_sheet(const std::vector<const ToolAssembly*>& tools, LengthUnit unit);
 
-/// "cutter flat D 10 mm, ..." in one line: what captions and lists state of a tool.
+/// Returns "cutter flat D 10 mm, ..." in one line: what captions and lists state of a tool.
 [[nodiscard]] std::string describe_cutter(const Cutter& cutter, LengthUnit unit);
 
 }  // namespace gouge

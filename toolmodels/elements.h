@@ -12,7 +12,7 @@ namespace gouge {
 /// more are halved. Support ranges are left empty.
 [[nodiscard]] std::vector<BoundaryElement> make_elements(const Profile& profile);
 
-/// The outward normal of a segment or arc at a point of it; unit.
+/// Returns the outward normal of a segment or arc at a point of it; unit.
 [[nodiscard]] Vec2 normal_at(const BoundaryElement& element, const Vec2& point);
 
 /// Fills in the support ranges by the contract of SupportRange (lib/tool/compiled_tool.h).

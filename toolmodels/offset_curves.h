@@ -14,11 +14,11 @@ namespace gouge::detail {
 /// Requires  verify_profile(profile).empty(), growth_mm >= 0.
 [[nodiscard]] std::vector<ProfileElement> offset_curves(const Profile& profile, double growth_mm);
 
-/// Points common to both curves, ends included, to within `slack_mm`; where they run along one another none.
+/// Returns points common to both curves, ends included, to within `slack_mm`; where they run along one another none.
 /// Tangency gives one point, or two within rounding of each other.
 [[nodiscard]] std::vector<Vec2> meeting_points(const ProfileElement& c, const ProfileElement& d, double slack_mm);
 
-/// Points of a curve on the axis, r = 0.
+/// Returns points of a curve on the axis, r = 0.
 [[nodiscard]] std::vector<Vec2> axis_points(const ProfileElement& curve, double slack_mm);
 
 /// Returns how far along a curve a point lies: mm on a segment, radians on an arc, 0 at the start. Negative before
@@ -29,7 +29,7 @@ namespace gouge::detail {
 /// Returns whether the curve passes the point within `slack_mm`, ends included.
 [[nodiscard]] bool passes(const ProfileElement& curve, const Vec2& point, double slack_mm);
 
-/// The middle of a curve.
+/// Returns the middle of a curve.
 [[nodiscard]] Vec2 middle(const ProfileElement& curve);
 
 }  // namespace gouge::detail

@@ -41,19 +41,19 @@ struct Profile {
 [[nodiscard]] Vec2 start_direction(const ProfileElement& element);
 [[nodiscard]] Vec2 end_direction(const ProfileElement& element);
 
-/// Outward unit normal belonging to a direction of travel.
+/// Returns the outward unit normal belonging to a direction of travel.
 [[nodiscard]] inline Vec2 outward_normal(const Vec2& direction) { return {direction.y(), -direction.x()}; }
 
-/// Angle an arc sweeps, in (0, 2 pi); 0 for a segment.
+/// Returns the angle an arc sweeps, in (0, 2 pi); 0 for a segment.
 [[nodiscard]] double sweep_rad(const ProfileElement& element);
 
-/// The element as points: its two ends for a segment, `steps` + 1 points for an arc.
+/// Returns the element as points: its two ends for a segment, `steps` + 1 points for an arc.
 [[nodiscard]] std::vector<Vec2> sample(const ProfileElement& element, int steps);
 
-/// Largest coordinate of the contour: what "relative to the tool's size" refers to.
+/// Returns the largest coordinate of the contour: what "relative to the tool's size" refers to.
 [[nodiscard]] double size_of(const Profile& profile);
 
-/// True when every height has one radius: the solid is {r <= rho(z)}. No undercut seen along the radius.
+/// Returns true when every height has one radius: the solid is {r <= rho(z)}. No undercut seen along the radius.
 [[nodiscard]] bool is_single_valued(const Profile& profile);
 
 /// Returns broken invariants, empty when the contour is a closed half section. (1) It starts and ends on the axis and

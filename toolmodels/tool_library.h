@@ -20,7 +20,7 @@ struct NamedHolder {
   std::vector<ToolSegment> segments;
 };
 
-/// The number in "3" or "T3", as people write tools; nothing for anything else.
+/// Returns the number in "3" or "T3", as people write tools; nothing for anything else.
 [[nodiscard]] std::optional<int> tool_number(std::string_view text);
 
 struct ToolLibrary {
@@ -34,7 +34,7 @@ struct ToolLibrary {
   /// Null when there is none.
   [[nodiscard]] const ToolAssembly* with_number(int number) const;
   [[nodiscard]] const ToolAssembly* with_name(std::string_view name) const;
-  /// The tool that people mean by `name`: the one of that name, else of that number, written 3 or T3.
+  /// Returns the tool that people mean by `name`: the one of that name, else of that number, written 3 or T3.
   [[nodiscard]] const ToolAssembly* called(std::string_view name) const;
   /// Segments of the holder called `name`, or of the holder of the tool called so; null when there is
   /// neither.
@@ -52,7 +52,7 @@ struct ToolLibrary {
 /// Warnings in `notes`: library-unknown-key, library-duplicate-name, cutter-contradiction.
 [[nodiscard]] Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view bytes);
 
-/// The library as a file, in its unit, that reads back as the same library. Ends with a line break.
+/// Returns the library as a file, in its unit, that reads back as the same library. Ends with a line break.
 [[nodiscard]] std::string write_tool_library(const ToolLibrary& library);
 
 }  // namespace gouge

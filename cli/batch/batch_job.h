@@ -13,7 +13,7 @@ namespace gouge {
 /// SHA-256 of files, each read once. May be used from several threads.
 class FileHashes {
  public:
-  /// "sha256:..." as InputFile has it; empty where the file cannot be read.
+  /// Returns "sha256:..." as InputFile has it; empty where the file cannot be read.
   [[nodiscard]] std::string of(const std::string& file);
 
  private:
@@ -21,7 +21,7 @@ class FileHashes {
   std::map<std::string, std::string> known_;
 };
 
-/// The inputs of a job beside its files: the program, its command and its words.
+/// Returns the inputs of a job beside its files: the program, its command and its words.
 [[nodiscard]] std::string job_text(const BatchJob& job, const std::string& program);
 
 /// SHA-256 of `text`, a job_text, and of the contents of the job's files as they are now; empty where one of them

@@ -24,8 +24,8 @@ class Ranks {
   /// Begins list 0 or 1, whose groups end before these positions (JobDealer), the same for all processes. Only rank 0
   /// needs the `work` of each position.
   virtual void deal(int list, const std::vector<std::size_t>& group_ends, const std::vector<std::uint64_t>& work) = 0;
-  /// A position of the list that no process was given, by JobDealer's rule; none: all were given. A process may be
-  /// given up to `most` of a group at once, which are its own from then on.
+  /// Returns a position of the list that no process was given, by JobDealer's rule; none: all were given. A process may
+  /// be given up to `most` of a group at once, which are its own from then on.
   [[nodiscard]] virtual std::optional<std::size_t> take(int list, std::size_t most) = 0;
   /// Gives all processes what rank 0 has.
   virtual void share(std::vector<std::size_t>& numbers) = 0;

@@ -57,8 +57,8 @@ inline constexpr const char* kStoreName = "results.sqlite";
 /// `folder` is open. Errors: those of ReportFolder.
 [[nodiscard]] Outcome write_batch_files(ReportFolder& folder, const std::vector<JobResult>& results);
 
-/// The first of `files`, below `folder`, that is there though no job of the store wrote it as it is. In a batch that
-/// was interrupted they are its own: it found none before it began. Code: report-foreign.
+/// Returns the first of `files`, below `folder`, that is there though no job of the store wrote it as it is. In a batch
+/// that was interrupted they are its own: it found none before it began. Code: report-foreign.
 [[nodiscard]] std::optional<Diagnostic> find_foreign_output(const std::vector<std::string>& files,
                                                             const std::string& folder, const ResultStore& store);
 

@@ -15,7 +15,7 @@ struct CheckArguments {
   std::string stickout_step = "1", stickout_limit = "200";
 };
 
-/// The rows that `check` has beside job_options().
+/// Returns the rows that `check` has beside job_options().
 [[nodiscard]] const OptionRows<CheckArguments>& check_options();
 
 void add_check_options(CLI::App& command, CheckArguments& arguments);

@@ -29,10 +29,10 @@ struct WordRules {
 /// Those of a job list.
 [[nodiscard]] const WordRules& job_rules();
 
-/// The table of options of "check" or "correct", as files set them.
+/// Returns the table of options of "check" or "correct", as files set them.
 [[nodiscard]] const CLI::App& option_table(const std::string& command);
 
-/// The long name of the option that `key` of a file sets: its own, but for `harmless_words`, the list of
+/// Returns the long name of the option that `key` of a file sets: its own, but for `harmless_words`, the list of
 /// --harmless-word.
 [[nodiscard]] std::string option_of_key(const std::string& key);
 /// The other way round.
@@ -50,7 +50,7 @@ class JobWords {
   /// Errors: the rules' code, without a file, naming the key. The command does not have it, it cannot stand in the
   /// file, or its value is of the wrong kind.
   [[nodiscard]] Outcome add(const std::string& key, const nlohmann::json& value);
-  /// `file` below the folder, if it is relative.
+  /// Returns `file` below the folder, if it is relative.
   [[nodiscard]] std::string located(const std::string& file) const;
   [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
 

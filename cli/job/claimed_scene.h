@@ -18,7 +18,7 @@ namespace gouge {
 /// SHA-256 of the roles and checksums of all inputs, in their order: what a certificate is about.
 [[nodiscard]] std::string inputs_digest(const std::vector<InputFile>& inputs);
 
-/// The warning for moves without a proof. Requires that there are some.
+/// Returns the warning for moves without a proof. Requires that there are some.
 [[nodiscard]] Diagnostic describe_unproved(const Job& job, const MadeCertificate& certificate);
 
 }  // namespace gouge

@@ -58,7 +58,7 @@ struct Job {
   [[nodiscard]] CheckSetup setup(const PreparedScene& prepared) const;
   /// As requested, else the toolpath's.
   [[nodiscard]] LengthUnit stl_unit(const JobArguments& arguments) const;
-  /// The report of `result`, which must outlive it, like the job.
+  /// Returns the report of `result`, which must outlive it, like the job.
   [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,
                                    ReportParts parts) const;
 };

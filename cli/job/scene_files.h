@@ -45,7 +45,7 @@ class SceneFiles {
   Diagnostics notes;
   Diagnostics errors;  ///< where there is one the rest is of no use
 
-  /// The scene with its indices, made at the first call. `threads` as in for_each_chunk.
+  /// Returns the scene with its indices, made at the first call. `threads` as in for_each_chunk.
   [[nodiscard]] const PreparedScene& prepared(unsigned threads, const ProgressCall& progress = {}) const;
 
  private:

@@ -40,7 +40,7 @@ struct CheckedPath {
   /// Both must outlive the result, and `heads`, which are none.
   [[nodiscard]] gouge::CheckSetup setup() const;
   [[nodiscard]] gouge::ReportModel model(const gouge::CheckResult& result) const;
-  /// The files that were read for it.
+  /// Returns the files that were read for it.
   [[nodiscard]] std::vector<std::string> inputs() const;
 };
 

@@ -82,7 +82,7 @@ struct Scene::Content {
   std::vector<double> fixture_clearances;
   std::shared_ptr<const SceneIndex> index;
 
-  /// True where a file of it was read without a unit.
+  /// Returns true where a file of it was read without a unit.
   [[nodiscard]] bool has_unknown_unit() const;
 
   mutable std::once_flag inch_once;

@@ -12,7 +12,7 @@ class Option;
 
 namespace gouge {
 
-/// Those of "TEXT:{straight,dogleg,skip}", as the parser names a text of few values; empty for anything else.
+/// Returns those of "TEXT:{straight,dogleg,skip}", as the parser names a text of few values; empty for anything else.
 [[nodiscard]] std::vector<std::string> choices_in(const std::string& text);
 
 struct OptionDoc {
@@ -36,10 +36,10 @@ struct CommandDoc {
   std::vector<OptionDoc> options;  ///< positionals first
   std::vector<CommandDoc> commands;
 
-  /// Its own word: "import".
+  /// Returns its own word: "import".
   [[nodiscard]] std::string word() const;
 };
-/// `app` and all commands below it.
+/// Returns `app` and all commands below it.
 [[nodiscard]] CommandDoc document(const CLI::App& app);
 
 }  // namespace gouge

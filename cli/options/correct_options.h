@@ -26,7 +26,7 @@ struct CorrectArguments {
   [[nodiscard]] const std::string& reported_output() const { return output_name.empty() ? output : output_name; }
 };
 
-/// The rows that `correct` has beside job_options().
+/// Returns the rows that `correct` has beside job_options().
 [[nodiscard]] const OptionRows<CorrectArguments>& correct_options();
 
 void add_correct_options(CLI::App& command, CorrectArguments& arguments);

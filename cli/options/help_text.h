@@ -17,8 +17,8 @@ class App;
 
 namespace gouge {
 
-/// `text` in lines of at most `width` characters, broken at blanks, each but the first after `indent` blanks, which
-/// count. Line breaks of the text stay, and lines that begin with a blank are examples and stay as they are.
+/// Returns `text` in lines of at most `width` characters, broken at blanks, each but the first after `indent` blanks,
+/// which count. Line breaks of the text stay, and lines that begin with a blank are examples and stay as they are.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 
 /// Lays out --help in 80 columns, whatever the length of the texts.

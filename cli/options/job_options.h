@@ -71,8 +71,8 @@ struct JobOptions {
   std::string date;  ///< of the report
 };
 
-/// The rows that `check`, `correct` and `batch` share, without those of ReadingArguments; outputs are rows of their
-/// own.
+/// Returns the rows that `check`, `correct` and `batch` share, without those of ReadingArguments; outputs are rows of
+/// their own.
 [[nodiscard]] const OptionRows<JobArguments>& job_options();
 
 void add_job_options(CLI::App& command, JobArguments& arguments);
@@ -89,8 +89,8 @@ void add_progress_option(CLI::App& command, std::string& progress);
 /// Errors (code usage): names the option, what was typed and what was expected.
 [[nodiscard]] Result<JobOptions> understand(const JobArguments& arguments);
 
-/// "2026-11-23 14:05 UTC": now, or the instant that SOURCE_DATE_EPOCH names in seconds since 1970, so that reports can
-/// be made again to the byte (https://reproducible-builds.org/specs/source-date-epoch/). Errors: usage.
+/// Returns "2026-11-23 14:05 UTC": now, or the instant that SOURCE_DATE_EPOCH names in seconds since 1970, so that
+/// reports can be made again to the byte (https://reproducible-builds.org/specs/source-date-epoch/). Errors: usage.
 [[nodiscard]] Result<std::string> date_of_report();
 
 }  // namespace gouge

@@ -55,7 +55,7 @@ struct OptionRow {
   bool is_required = false;
   const char* needs = nullptr;  ///< name of an option without which it may not be given
 
-  /// The long name without its dashes.
+  /// Returns the long name without its dashes.
   [[nodiscard]] std::string key() const {
     const std::string all = name;
     return all.substr(all.rfind("--") + 2);

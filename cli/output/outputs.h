@@ -30,16 +30,16 @@ struct Output {
 
 using OutputTable = std::vector<Output>;
 
-/// The outputs requested of `check` and `correct`, where `corrected` is what -o names, or empty.
+/// Returns the outputs requested of `check` and `correct`, where `corrected` is what -o names, or empty.
 [[nodiscard]] OutputTable outputs_of(const JobArguments& arguments, const std::string& corrected);
 
-/// Those of `outputs` that are requested: without empty names.
+/// Returns those of `outputs` that are requested: without empty names.
 [[nodiscard]] OutputTable asked_for(const OutputTable& outputs);
 
 /// Returns whether one of them is "-", so that standard output belongs to it alone. Errors: usage, for more than one.
 [[nodiscard]] Result<bool> is_stdout_taken(const OutputTable& outputs);
 
-/// The folder of --report, or empty.
+/// Returns the folder of --report, or empty.
 [[nodiscard]] std::string report_folder_of(const OutputTable& outputs);
 
 /// The outputs of one run of `check` or `correct`. All are complete before any is put in its place;

@@ -14,7 +14,7 @@ struct InputOption {
   std::string what, file;
 };
 
-/// The inputs of `check` and `correct`.
+/// Returns the inputs of `check` and `correct`.
 [[nodiscard]] std::vector<InputOption> inputs_of(const JobArguments& arguments);
 
 /// Returns why nothing may be written. An output, or a file that a report may replace or remove in its folder, is one

@@ -40,14 +40,14 @@ struct ReportManifest {
 
 [[nodiscard]] ManifestEntry describe_bytes(std::string name, std::string_view bytes);
 
-/// The file `name` of `folder` as it is, read in pieces. Errors: file-unreadable.
+/// Returns the file `name` of `folder` as it is, read in pieces. Errors: file-unreadable.
 [[nodiscard]] Result<ManifestEntry> describe_file(const std::string& folder, const std::string& name);
 
 /// Every name a report may write into its folder: report.html, result.json, moves.csv, the pictures, and the
 /// manifest. No other file of a folder is the report's.
 [[nodiscard]] const std::vector<std::string>& names_of_report();
 
-/// The same for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.
+/// Returns the same for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.
 [[nodiscard]] const std::vector<std::string>& names_of_batch();
 
 /// The folder of --report, in which a new report takes the place of an older one and of nothing else. The manifest of

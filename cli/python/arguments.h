@@ -17,16 +17,16 @@ namespace py = pybind11;
 /// Throws the TypeError "NAME: expected WANTED, got VALUE (TYPE)".
 [[noreturn]] void refuse_argument(const std::string& name, const std::string& wanted, const py::handle& got);
 
-/// A number, also an int or a NumPy scalar; no bool and no text.
+/// Returns a number, also an int or a NumPy scalar; no bool and no text.
 [[nodiscard]] double number_of(const py::handle& object, const std::string& name);
-/// A str.
+/// Returns a str.
 [[nodiscard]] std::string text_of(const py::handle& object, const std::string& name);
-/// A str or an object with __fspath__.
+/// Returns a str or an object with __fspath__.
 [[nodiscard]] std::string file_of(const py::handle& object, const std::string& name = "file");
-/// A Mesh, or a sequence of them.
+/// Returns a Mesh, or a sequence of them.
 [[nodiscard]] std::vector<Mesh> meshes_of(const py::handle& object, const std::string& name,
                                           const std::string& wanted = "a Mesh or a list of Mesh");
-/// An object of the bound class T, of which `wanted` is the name: "a Tool".
+/// Returns an object of the bound class T, of which `wanted` is the name: "a Tool".
 template <class T>
 [[nodiscard]] const T& bound(const py::handle& object, const std::string& name, const std::string& wanted) {
   if (!py::isinstance<T>(object)) refuse_argument(name, wanted, object);
@@ -41,10 +41,10 @@ class Keywords {
   [[nodiscard]] double number(const char* name, double otherwise);
   [[nodiscard]] std::optional<double> number_or_none(const char* name);
   [[nodiscard]] std::string text(const char* name, const std::string& otherwise);
-  /// A sequence of texts; empty where it is not given.
+  /// Returns a sequence of texts; empty where it is not given.
   [[nodiscard]] std::vector<std::string> texts(const char* name);
   [[nodiscard]] bool flag(const char* name, bool otherwise);
-  /// A whole number of 0 or more.
+  /// Returns a whole number of 0 or more.
   [[nodiscard]] unsigned count(const char* name, unsigned otherwise);
   /// As it is; None where it is not given.
   [[nodiscard]] py::object object(const char* name);

@@ -27,13 +27,13 @@ namespace gouge {
 /// The least a length may be; above the finest resolution is what double precision can certify.
 enum class Minimum { zero, above_zero, finest_resolution };
 
-/// The length typed for `option`. Error (code usage): names the option, what was typed and what was expected.
+/// Returns the length typed for `option`. Error (code usage): names the option, what was typed and what was expected.
 [[nodiscard]] Result<double> understand_length(const std::string& option, const std::string& typed, Minimum least);
 
 /// parse_place of what was typed for `option`. Error: as above.
 [[nodiscard]] Result<RigidTransform> understand_place(const std::string& option, const std::string& typed);
 
-/// "OPTION 'TYPED': expected EXPECTED", code usage.
+/// Returns "OPTION 'TYPED': expected EXPECTED", code usage.
 [[nodiscard]] Diagnostic usage_error(const std::string& option, const std::string& typed, const std::string& expected);
 
 /// "shank=0.5,holder=1" into the options. Returns the error, or nothing.

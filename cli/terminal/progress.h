@@ -55,7 +55,7 @@ class Progress {
   std::jthread ticker_;  // draws while nothing reports
 };
 
-/// "7 s", "3 min", "2.5 h": of a time left, never less than it seems.
+/// Returns "7 s", "3 min", "2.5 h": of a time left, never less than it seems.
 [[nodiscard]] std::string duration_text(double seconds);
 
 }  // namespace gouge

@@ -31,7 +31,7 @@ struct ResolvedTools {
                                                   const std::vector<std::string>& tool_names,
                                                   const std::string& holder);
 
-/// The same where every tool of the path is `tool`.
+/// Returns the same where every tool of the path is `tool`.
 [[nodiscard]] Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool);
 
 }  // namespace gouge

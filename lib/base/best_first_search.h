@@ -74,7 +74,7 @@ class BestFirstSearch {
     return open_.empty() || !(open_.front().upper_mm > threshold_mm()) ? nullptr : &open_.front();
   }
 
-  /// False where the budget ran out first.
+  /// Returns false where the budget ran out first.
   [[nodiscard]] bool is_decided() const { return is_decided_; }
 
   /// Counts bounds that were proved before as those of pruned candidates.

@@ -16,7 +16,7 @@ namespace gouge {
 /// Default maximum size of an input: 8 GB.
 inline constexpr std::uint64_t kMaxInputBytes = 8'000'000'000;
 
-/// The bytes of `path`, a file or a pipe. Errors: those of InputReader (lib/base/input_file.h).
+/// Returns the bytes of `path`, a file or a pipe. Errors: those of InputReader (lib/base/input_file.h).
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::uint64_t max_bytes = kMaxInputBytes);
 
 /// As read_file, of a file that may be longer than memory.

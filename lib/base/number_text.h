@@ -18,13 +18,13 @@ namespace gouge {
 /// trailing point (".5", "25."), an optional exponent (e, E). Surrounding blanks are not accepted.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
-/// The whole number in `text`, or nothing (also when it does not fit).
+/// Returns the whole number in `text`, or nothing (also when it does not fit).
 [[nodiscard]] std::optional<long long> parse_integer(std::string_view text);
 
-/// Shortest text that reads back as exactly `value`. Requires a finite value. Never "-0".
+/// Returns the shortest text that reads back as exactly `value`. Requires a finite value. Never "-0".
 [[nodiscard]] std::string exact_text(double value);
 
-/// Fixed notation with `decimals` digits after the point; never "-0.000".
+/// Returns fixed notation with `decimals` digits after the point; never "-0.000".
 [[nodiscard]] std::string fixed_text(double value, int decimals);
 
 enum class Zeros { kept, dropped };
@@ -33,13 +33,13 @@ enum class Zeros { kept, dropped };
 /// state nothing, so the shortest form with an exponent is used ("1e+300").
 [[nodiscard]] std::string display_text(double value, int decimals, Zeros zeros = Zeros::dropped);
 
-/// "1 half", "7 halves".
+/// Returns "1 half", "7 halves".
 [[nodiscard]] std::string count_text(std::size_t count, std::string_view one, std::string_view many);
 
-/// "1 move", "7 moves".
+/// Returns "1 move", "7 moves".
 [[nodiscard]] std::string count_text(std::size_t count, std::string_view noun);
 
-/// "a, b and c" with `last` = " and ".
+/// Returns "a, b and c" with `last` = " and ".
 [[nodiscard]] std::string listed(const std::vector<std::string>& words, std::string_view last = ", ");
 
 /// Parses "8GB", "1.5 MiB" or "4096" as bytes, in capitals or not. Powers of 1000 are kB, MB, GB and TB; KiB, MiB, GiB

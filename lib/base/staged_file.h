@@ -60,7 +60,7 @@ class StagedFile {
 /// Number of letters random_name adds to its prefix.
 inline constexpr int kRandomLetters = 12;
 
-/// `prefix` and kRandomLetters of 0 to 9 and a to v.
+/// Returns `prefix` and kRandomLetters of 0 to 9 and a to v.
 [[nodiscard]] std::string random_name(const std::string& prefix);
 
 /// Locks the file of `handle` as long as it is open, so that no other process takes it for abandoned.

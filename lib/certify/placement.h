@@ -30,7 +30,7 @@ namespace gouge {
 /// Returns text where the path plainly does not fit the part (find_path_fit), with the usual mistake that explains it.
 [[nodiscard]] std::optional<std::string> describe_misfit(const Toolpath& path, const PathFit& fit);
 
-/// True where the whole path is wrong, so that correcting its positions is of no use.
+/// Returns true where the whole path is wrong, so that correcting its positions is of no use.
 [[nodiscard]] bool is_beyond_correction(const PathFit& fit);
 
 }  // namespace gouge

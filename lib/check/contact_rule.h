@@ -49,7 +49,7 @@ struct ObstacleMeshes {
   return {{kContactRules[0], scene.parts}, {kContactRules[1], scene.fixtures}};
 }
 
-/// The obstacle of each mesh, counted through all obstacles.
+/// Returns the obstacle of each mesh, counted through all obstacles.
 [[nodiscard]] inline std::vector<Against> obstacle_of_meshes(const Scene& scene) {
   std::vector<Against> all;
   for (const ObstacleMeshes& obstacle : obstacles_of(scene))
@@ -57,7 +57,7 @@ struct ObstacleMeshes {
   return all;
 }
 
-/// The clearance of each mesh, counted through all obstacles; 0: none.
+/// Returns the clearance of each mesh, counted through all obstacles; 0: none.
 [[nodiscard]] inline std::vector<double> clearance_of_meshes(const Scene& scene) {
   std::vector<double> all;
   for (const ObstacleMeshes& obstacle : obstacles_of(scene)) {
@@ -69,10 +69,10 @@ struct ObstacleMeshes {
   return all;
 }
 
-/// The meshes whose surface the cutter makes.
+/// Returns the meshes whose surface the cutter makes.
 [[nodiscard]] inline const std::vector<IndexedMesh>& workpiece_of(const Scene& scene) { return scene.parts; }
 
-/// A scene of a workpiece alone.
+/// Returns a scene of a workpiece alone.
 [[nodiscard]] inline Scene scene_of_workpiece(std::vector<IndexedMesh> meshes) { return {std::move(meshes), {}}; }
 
 }  // namespace gouge

@@ -42,12 +42,12 @@ class PreparedScene {
   [[nodiscard]] const PreparedObstacle& obstacle(Against against) const {
     return obstacles_[static_cast<std::size_t>(against)];
   }
-  /// The one whose surface the cutter makes.
+  /// Returns the one whose surface the cutter makes.
   [[nodiscard]] const PreparedObstacle& workpiece() const;
 
   [[nodiscard]] const BlockTree& workpiece_tree() const { return workpiece().tree; }
 
-  /// The meshes with limits of their own, in the order of Scene::limits.
+  /// Returns the meshes with limits of their own, in the order of Scene::limits.
   [[nodiscard]] std::span<const LimitedMesh> limited_meshes() const { return limited_; }
 
   /// Distances from a mesh. Its index is that of the sweep where the obstacle has no other mesh. Requires
@@ -56,10 +56,10 @@ class PreparedScene {
     return obstacle(against).surfaces[mesh];
   }
 
-  /// Every mesh of the workpiece is closed, oriented and outward. Cost of the first call O(n).
+  /// Returns whether every mesh of the workpiece is closed, oriented and outward. Cost of the first call O(n).
   [[nodiscard]] bool is_workpiece_solid() const;
 
-  /// Inside and outside of all obstacles.
+  /// Returns inside and outside of all obstacles.
   [[nodiscard]] const SceneSides& sides() const { return sides_; }
 
   const Scene* scene;

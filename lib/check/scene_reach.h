@@ -29,10 +29,10 @@ struct PartsBesidePath {
   [[nodiscard]] bool is_far_larger() const { return times_smaller < 1 / kFarOff; }
 };
 
-/// Nothing where there is no part or no motion.
+/// Returns nothing where there is no part or no motion.
 [[nodiscard]] std::optional<PartsBesidePath> compare_parts(const Toolpath& path, const Scene& scene);
 
-/// The units that would make parts about as large as the path which are that many times smaller when read in
+/// Returns the units that would make parts about as large as the path which are that many times smaller when read in
 /// `stl_unit`, the best first.
 [[nodiscard]] std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit stl_unit);
 

@@ -26,12 +26,12 @@ struct SearchTarget {
   std::uint32_t first_mesh = 0;  ///< index within its obstacle of the first mesh of the tree
 };
 
-/// This form of a tool against all meshes of an obstacle. Both must outlive it.
+/// Returns this form of a tool against all meshes of an obstacle. Both must outlive it.
 [[nodiscard]] inline SearchTarget target_on(const CompiledTool& form, const PreparedObstacle& obstacle) {
   return {&form, &obstacle.tree, obstacle.rule.against};
 }
 
-/// This form of a tool against one mesh; a value above 0 is a distance below its clearance.
+/// Returns this form of a tool against one mesh; a value above 0 is a distance below its clearance.
 [[nodiscard]] inline SearchTarget target_on(const CompiledTool& form, const LimitedMesh& mesh) {
   return {&form, mesh.tree, mesh.limit.against, mesh.limit.clearance_mm, static_cast<std::uint32_t>(mesh.limit.mesh)};
 }

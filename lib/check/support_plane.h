@@ -33,7 +33,7 @@ struct SupportPlane {
 
 [[nodiscard]] SupportPlane support_plane(const CompiledTool& tool, const ToolSample& sample);
 
-/// The plane mirrored in the tool axis: just as tangent, on the other side.
+/// Returns the plane mirrored in the tool axis: just as tangent, on the other side.
 [[nodiscard]] SupportPlane mirrored(const SupportPlane& plane);
 
 /// A set in tool coordinates, as far as `supports` needs to know it.

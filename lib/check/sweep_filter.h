@@ -38,7 +38,7 @@ struct CoverTarget {
   double reach_mm = 0;  ///< of SearchTarget
 };
 
-/// The same for covers that were made before, and of other bodies than tools.
+/// Returns the same for covers that were made before, and of other bodies than tools.
 [[nodiscard]] std::vector<SweptMove> sweep_covers(std::span<const Motion> motions, std::span<const CoverTarget> targets,
                                                   const SearchQuery& query,
                                                   const SweepKernel& kernel = fastest_sweep_kernel());

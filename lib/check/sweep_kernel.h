@@ -66,7 +66,7 @@ struct SweepKernel {
   void (*triangles)(const TriangleBlock&, const SweepFrame&, const KernelPiece&, float need, KernelResult&);
 };
 
-/// All that this processor can run, the fastest last.
+/// Returns all that this processor can run, the fastest last.
 [[nodiscard]] std::span<const SweepKernel* const> sweep_kernels();
 [[nodiscard]] const SweepKernel& fastest_sweep_kernel();
 

@@ -13,7 +13,7 @@ class ClashBody {
  public:
   explicit ClashBody(Surface surface) : whole_(std::move(surface)) {}
 
-  /// All triangles of the file.
+  /// Returns all triangles of the file.
   [[nodiscard]] const Surface& whole() const { return whole_; }
   /// Returns where the body ends: sides and depths are measured to it. Made when first requested.
   [[nodiscard]] const Surface& boundary() const { return whole_.boundary(); }
@@ -25,7 +25,7 @@ class ClashBody {
     return *maxima_;
   }
 
-  /// The nearest point of the boundary, with the side. Requires triangles.
+  /// Returns the nearest point of the boundary, with the side. Requires triangles.
   [[nodiscard]] ClosestPoint closest_point(const Vec3& point) const { return *boundary().closest_point(point); }
 
  private:

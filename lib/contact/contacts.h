@@ -22,13 +22,13 @@ struct CorrectionAim {
   double clearance_mm = 0;  ///< of all, in bodies that must keep a clearance
 };
 
-/// One contact for every triangle that exceeds the aim by more than `notable_mm` >= 0: its deepest point, to a tenth of
-/// its excess. In tree order. Cost O(triangles inside the tool).
+/// Returns one contact for every triangle that exceeds the aim by more than `notable_mm` >= 0: its deepest point, to a
+/// tenth of its excess. In tree order. Cost O(triangles inside the tool).
 [[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& tool,
                                                      const PreparedScene& scene, const CorrectionAim& aim,
                                                      double notable_mm = 0);
 
-/// The same of one tool and the triangles of one tree.
+/// Returns the same of one tool and the triangles of one tree.
 [[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const CompiledTool& tool, const BlockTree& tree,
                                                      double aim_mm, double notable_mm = 0);
 
@@ -37,7 +37,7 @@ struct CorrectionAim {
 [[nodiscard]] double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
                                     const CorrectionAim& aim, double accuracy_mm, std::uint64_t* bounds = nullptr);
 
-/// The same of one tool against the parts.
+/// Returns the same of one tool against the parts.
 [[nodiscard]] double largest_excess(const Pose& pose, const CompiledTool& tool, const PreparedScene& scene,
                                     double aim_mm, double accuracy_mm);
 

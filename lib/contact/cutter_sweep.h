@@ -49,17 +49,17 @@ class CutterSweep {
   [[nodiscard]] double distance(const Vec3& point, double lower_cutoff_mm, double upper_cutoff_mm,
                                 SweepHint& hint) const;
 
-  /// The move of an instant at which all points are in the cutter; kNone where none was found.
+  /// Returns the move of an instant at which all points are in the cutter; kNone where none was found.
   [[nodiscard]] std::size_t covering_move(std::span<const Vec3> points, SweepHint& hint) const;
 
   /// Returns false where no point of the piece, lifted by `lift_mm`, is ever inside a cutter by `deep_mm` or more.
   /// Cutters are excepted whose axis, by their deepest point, is on the other side.
   [[nodiscard]] bool may_reach(const SidedPiece& piece, double lift_mm, double deep_mm, SweepHint& hint) const;
 
-  /// False where some of its cutters are not convex.
+  /// Returns false where some of its cutters are not convex.
   [[nodiscard]] bool is_convex() const { return is_convex_; }
 
-  /// Radius of the thinnest cutter; infinite where there is none.
+  /// Returns the radius of the thinnest cutter; infinite where there is none.
   [[nodiscard]] double min_radius_mm() const { return min_radius_mm_; }
 
  private:

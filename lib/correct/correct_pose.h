@@ -64,7 +64,7 @@ struct CorrectedPose {
 [[nodiscard]] std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolVariants& tool,
                                                               const MotionChecker& checker, const PoseLimits& limits);
 
-/// The same along limits.direction.
+/// Returns the same along limits.direction.
 [[nodiscard]] std::optional<CorrectedPose> correct_along_direction(const Pose& pose, const ToolVariants& tool,
                                                                    const MotionChecker& checker,
                                                                    const PoseLimits& limits);

@@ -72,7 +72,7 @@ class LinkFinder {
   double air_mm_ = 0;                // the clearance in force
 };
 
-/// A waypoint on a motion that was at `before`, `lift` away from it.
+/// Returns a waypoint on a motion that was at `before`, `lift` away from it.
 [[nodiscard]] LinkPose link_stop(const Pose& before, const Pose& after, double lift_mm, double depth_mm);
 
 }  // namespace gouge

@@ -41,7 +41,7 @@ struct NewPosition {
 /// A reworked path without its moves.
 [[nodiscard]] Toolpath without_moves(const Toolpath& path);
 
-/// The changes of a reworked path, its own included, as changes of the path as it was.
+/// Returns the changes of a reworked path, its own included, as changes of the path as it was.
 [[nodiscard]] Correction restore_moves(const ReworkedPath& reworked, const Toolpath& path, const CheckResult& result,
                                        Correction correction);
 

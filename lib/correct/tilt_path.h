@@ -33,7 +33,7 @@ struct TiltProposal {
   [[nodiscard]] std::size_t origin_of(std::size_t i) const { return straight ? straight->origin[i] : i; }
 };
 
-/// Tilts for all gouges of bodies whose strategy is to tilt.
+/// Returns tilts for all gouges of bodies whose strategy is to tilt.
 [[nodiscard]] TiltProposal propose_tilts(const TiltRequest& request, const ProgressCall& progress);
 
 /// Returns a path with the positions of a plan. The `plan` is of `straight`, or of `path` where there is none. Moves of

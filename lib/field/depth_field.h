@@ -22,7 +22,7 @@ class DepthField {
   /// more. The worst instant of every gouging move is among them as long as that many fit.
   explicit DepthField(const CheckedToolpath& input, std::size_t max_poses = kMaxPoses);
 
-  /// For each point the largest depth that counts as a gouge, in mm, else 0. Within 3 % of the sampled poses.
+  /// Returns for each point the largest depth that counts as a gouge, in mm, else 0. Within 3 % of the sampled poses.
   [[nodiscard]] std::vector<float> depth_at(const std::vector<Point>& points) const;
 
   /// Returns for each ball of that radius about a centre whether any point in it may have a depth. Where not, no

@@ -23,7 +23,7 @@ class OvercutField {
   OvercutField(const OvercutField&) = delete;
   OvercutField& operator=(const OvercutField&) = delete;
 
-  /// No move has an overcut: depths are all there is to show.
+  /// Returns whether no move has an overcut: depths are all there is to show.
   [[nodiscard]] bool is_empty() const { return largest_mm_ <= 0; }
 
   struct Ray {
@@ -35,9 +35,9 @@ class OvercutField {
   /// depth. Where not, `at` is 0.
   [[nodiscard]] std::vector<std::uint8_t> may_be_deep(const std::vector<Vec3>& centres, double radius_mm) const;
 
-  /// For each ray the overcut alone, mm; 0 where the tool does not reach or the overcut is unknown.
+  /// Returns for each ray the overcut alone, mm; 0 where the tool does not reach or the overcut is unknown.
   [[nodiscard]] std::vector<float> overcut_at(const std::vector<Ray>& rays) const;
-  /// For each ray the overcut, or where it is unknown the depth, mm; 0 where nothing gouges.
+  /// Returns for each ray the overcut, or where it is unknown the depth, mm; 0 where nothing gouges.
   [[nodiscard]] std::vector<float> at(const std::vector<Ray>& rays) const;
 
  private:

@@ -49,7 +49,7 @@ class PointTree {
     }
   }
 
-  /// The root first; none without points.
+  /// Returns the root first; none without points.
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
 
   /// No point p of the node has direction . (p - centre) above this. Requires a unit direction.

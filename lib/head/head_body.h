@@ -33,7 +33,7 @@ struct HeadBody {
 /// build_head_body.
 [[nodiscard]] Result<std::vector<HeadBody>> moved_up(const std::vector<HeadBody>& heads, double by_mm);
 
-/// The connected pieces of a surface, each a mesh of its own.
+/// Returns the connected pieces of a surface, each a mesh of its own.
 [[nodiscard]] std::vector<IndexedMesh> shells_of(const IndexedMesh& mesh);
 
 /// Returns the shells of a surface where they are bodies apart. A surface with cavities stays whole, since they belong

@@ -32,7 +32,7 @@ struct PieceRegion : HeadRegion {
   [[nodiscard]] HeadRange along(const Vec3& n) const;
   /// Adds half-spaces along n that hold it: of the outline that it has seen along n.
   void add_sides(const Vec3& n, std::vector<HalfSpace>& sides) const;
-  /// The corner that is lowest along n.
+  /// Returns the corner that is lowest along n.
   [[nodiscard]] Vec3 lowest(const Vec3& n) const;
   std::array<Vec3, 6> corners;
 };
@@ -75,7 +75,7 @@ struct HeadPlane {
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region,
                                                    const HeadPlane& plane, bool is_middle_inside, double cutoff_mm);
 
-/// The same by a plane that all of the head is below (support_planes.h), at least 0.
+/// Returns the same by a plane that all of the head is below (support_planes.h), at least 0.
 /// Cost     A few products.
 [[nodiscard]] double depth_by_support(const PieceRegion& region, const OuterPlane& plane);
 [[nodiscard]] double depth_by_support(const NodeRegion& region, const OuterPlane& plane);

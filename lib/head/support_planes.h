@@ -27,12 +27,12 @@ class SupportPlanes {
   /// The surface is shared.
   explicit SupportPlanes(const Surface& surface);
 
-  /// A height above the plane that no point of the head is above; infinite where it rises above it by more than
+  /// Returns a height above the plane that no point of the head is above; infinite where it rises above it by more than
   /// kMaxRise_mm.
   /// Cost     Of the first call for a facet a search of the head's tree.
   [[nodiscard]] double rise_mm(std::uint32_t facet) const;
 
-  /// The facet's plane, raised by that; nothing where that is infinite.
+  /// Returns the facet's plane, raised by that; nothing where that is infinite.
   [[nodiscard]] std::optional<OuterPlane> plane(std::uint32_t facet) const;
 
   static constexpr double kMaxRise_mm = 1e-3;

@@ -32,9 +32,9 @@ struct BlockTree {
   std::vector<std::uint32_t> first_triangle;  ///< per mesh: how many triangles are in those before it
 
   [[nodiscard]] std::size_t mesh_of(std::uint32_t triangle) const;
-  /// The exact corners, part coordinates.
+  /// Returns the exact corners, part coordinates.
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t triangle) const;
-  /// Its index in the mesh's own file.
+  /// Returns its index in the mesh's own file.
   [[nodiscard]] std::uint32_t file_triangle(std::uint32_t triangle) const;
 };
 

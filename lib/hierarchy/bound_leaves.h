@@ -12,7 +12,7 @@
 
 namespace gouge::detail {
 
-/// The directions of a leaf's triangles, each as long as twice its area, in one sum.
+/// Returns the directions of a leaf's triangles, each as long as twice its area, in one sum.
 [[nodiscard]] std::array<float, 3> area_sum(const TriangleBlock& leaf);
 
 /// Writes the bounds of everything in `leaves` into lane `lane` of a node: an oriented disc and a ball. The disc is

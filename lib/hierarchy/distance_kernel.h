@@ -31,7 +31,7 @@ struct DistanceKernel {
   std::uint32_t (*triangles)(const TriangleBlock&, const DistanceQuery&, float& within_mm, Lanes& min_mm);
 };
 
-/// All that this processor can run, the fastest last.
+/// Returns all that this processor can run, the fastest last.
 [[nodiscard]] std::span<const DistanceKernel* const> distance_kernels();
 [[nodiscard]] const DistanceKernel& fastest_distance_kernel();
 

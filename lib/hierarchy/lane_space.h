@@ -16,9 +16,9 @@ class LaneSpace {
   /// Requires at most kMaxHalfSpaces.
   LaneSpace(const BlockTree& tree, std::span<const HalfSpace> space);
 
-  /// A bit for each lane of a node whose bound reaches into each half-space by itself, or comes near.
+  /// Returns a bit for each lane of a node whose bound reaches into each half-space by itself, or comes near.
   [[nodiscard]] std::uint32_t reached(const NodeBlock& node) const;
-  /// The same for the triangles of a leaf.
+  /// Returns the same for the triangles of a leaf.
   [[nodiscard]] std::uint32_t reached(const TriangleBlock& leaf) const;
 
  private:

@@ -9,8 +9,8 @@
 
 namespace gouge {
 
-/// The triangles that reach into each half-space, and some that only come near: those of the leaves whose bounds do. In
-/// increasing order.
+/// Returns the triangles that reach into each half-space, and some that only come near: those of the leaves whose
+/// bounds do. In increasing order.
 ///
 /// Cost     O(log n) and the triangles found, which are sorted.
 [[nodiscard]] std::vector<std::uint32_t> triangles_within(const BlockTree& tree, std::span<const HalfSpace> space);

@@ -24,11 +24,11 @@ class JsonField {
  public:
   JsonField(const nlohmann::json& root, JsonErrors& errors) : value_(&root), errors_(&errors) {}
 
-  /// The value of `key`, which must be there.
+  /// Returns the value of `key`, which must be there.
   [[nodiscard]] JsonField at(const std::string& key) const;
-  /// The same, or none where it is missing.
+  /// Returns the same, or none where it is missing.
   [[nodiscard]] std::optional<JsonField> find(const std::string& key) const;
-  /// The elements of a list.
+  /// Returns the elements of a list.
   [[nodiscard]] std::vector<JsonField> list() const;
 
   [[nodiscard]] bool is_null() const { return value_ == nullptr || value_->is_null(); }
@@ -36,10 +36,10 @@ class JsonField {
   [[nodiscard]] std::string text() const;
   /// One of these words.
   [[nodiscard]] std::size_t word(const std::vector<std::string>& words) const;
-  /// A finite number.
+  /// Returns a finite number.
   [[nodiscard]] double number() const;
   [[nodiscard]] std::optional<double> number_or_null() const;
-  /// A whole number of 0 or more.
+  /// Returns a whole number of 0 or more.
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] bool flag() const;
 

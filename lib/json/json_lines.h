@@ -19,7 +19,7 @@ class JsonLines {
     std::size_t line = 0;  ///< of the second
   };
 
-  /// Line of the pointer, or of the nearest thing around it.
+  /// Returns the line of the pointer, or of the nearest thing around it.
   [[nodiscard]] std::size_t at(std::string_view pointer) const;
 
   std::optional<Duplicate> duplicate;  ///< the first key that an object has twice

@@ -12,10 +12,10 @@ struct Interval {
   double low = 0, high = 0;
 };
 
-/// The interval of `points` along every axis; empty input gives [0, 0].
+/// Returns the interval of `points` along every axis; empty input gives [0, 0].
 [[nodiscard]] std::vector<Interval> intervals_of(const DirectionSet& directions, std::span<const Vec3> points);
 
-/// Corner points of the polytope {x : low_i <= axis_i . x <= high_i}.
+/// Returns corner points of the polytope {x : low_i <= axis_i . x <= high_i}.
 ///
 /// Shape    As many as the polytope has, corners nearer to each other than 1e-9 of its size listed once.
 /// Ensures  The polytope lies in the hull of the corners offset by 1e-8 of its size (tests put the enclosed points to

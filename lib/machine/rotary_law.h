@@ -14,10 +14,10 @@ class RotaryLaw : public AxisLaw {
  public:
   explicit RotaryLaw(Machine machine) : machine_(std::move(machine)) {}
 
-  /// The nearest angles of both directions, the first joint standing where one of them is a pole. Null where the
-  /// machine reaches one of them not at all.
+  /// Returns the nearest angles of both directions, the first joint standing where one of them is a pole. Null where
+  /// the machine reaches one of them not at all.
   [[nodiscard]] std::shared_ptr<const AxisPath> between(const Vec3& from, const Vec3& to) const override;
-  /// The angles chosen for the path, where they are those of the directions; else as `between`.
+  /// Returns the angles chosen for the path, where they are those of the directions; else as `between`.
   [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const JointPath* joints, std::size_t move, const Vec3& from,
                                                         const Vec3& to) const override;
   [[nodiscard]] std::string name() const override { return "axis of " + machine_.name; }

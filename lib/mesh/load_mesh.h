@@ -22,11 +22,11 @@ struct LoadedMesh {
 [[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement = {},
                                            std::uint64_t max_bytes = kMaxInputBytes, const ProgressCall& progress = {});
 
-/// The same from a file that is examined already; it is released as soon as the mesh is welded.
+/// Returns the same from a file that is examined already; it is released as soon as the mesh is welded.
 [[nodiscard]] Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name,
                                                 const MeshPlacement& placement = {}, const ProgressCall& progress = {});
 
-/// The same from the bytes of a file.
+/// Returns the same from the bytes of a file.
 [[nodiscard]] Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& name,
                                                  const MeshPlacement& placement = {});
 

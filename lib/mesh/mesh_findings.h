@@ -58,8 +58,8 @@ struct MeshFindings {
   [[nodiscard]] long long euler_number() const {
     return static_cast<long long>(vertices) - static_cast<long long>(edges) + static_cast<long long>(triangles);
   }
-  /// Number of handles (genus) summed over the components; nothing unless closed and manifold.
-  /// 0 for one component means E = 3V - 6 and F = 2V - 4 (thesis 5.2).
+  /// Returns the number of handles (genus) summed over the components; nothing unless closed and manifold. 0 for one
+  /// component means E = 3V - 6 and F = 2V - 4 (thesis 5.2).
   [[nodiscard]] std::optional<long long> handles() const;
 };
 
@@ -71,14 +71,14 @@ struct MeshFindings {
 [[nodiscard]] MeshFindings find_mesh_findings(const IndexedMesh& mesh, const MeshAdjacency& adjacency);
 [[nodiscard]] MeshFindings find_mesh_findings(const BuiltMesh& built, const ProgressCall& progress = {});
 
-/// One sentence for each kind of finding: how many, where the first is, and what it means for a check.
-/// Warnings where a check can no longer detect a buried tool, notes for the rest; empty for a clean solid.
-/// Codes: mesh-open, mesh-misoriented, mesh-inside-out, mesh-non-manifold-edges, mesh-non-manifold-vertices,
-/// mesh-duplicate-triangles, mesh-degenerate-triangles, mesh-collinear-triangles, mesh-opposite-normals.
+/// Returns one sentence for each kind of finding: how many, where the first is, and what it means for a check. Warnings
+/// where a check can no longer detect a buried tool, notes for the rest; empty for a clean solid. Codes: mesh-open,
+/// mesh-misoriented, mesh-inside-out, mesh-non-manifold-edges, mesh-non-manifold-vertices, mesh-duplicate-triangles,
+/// mesh-degenerate-triangles, mesh-collinear-triangles, mesh-opposite-normals.
 [[nodiscard]] Diagnostics describe(const MeshFindings& findings, const std::string& file,
                                    LengthUnit unit = LengthUnit::mm);
 
-/// "(1.000, 2.000, 3.000) mm, triangle 17": where a spot is, triangles counted from 1.
+/// Returns "(1.000, 2.000, 3.000) mm, triangle 17": where a spot is, triangles counted from 1.
 [[nodiscard]] std::string position_text(const MeshSpot& spot, LengthUnit unit);
 
 }  // namespace gouge

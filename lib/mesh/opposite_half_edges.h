@@ -17,7 +17,7 @@ namespace gouge {
 /// Half-edge 3 t + k runs from corner k of triangle t to its next corner. Its opposite runs back along the same edge.
 using OppositeHalfEdges = std::vector<std::uint32_t>;
 
-/// The opposite of every half-edge; nothing unless each edge is used exactly twice, once in either direction.
+/// Returns the opposite of every half-edge; nothing unless each edge is used exactly twice, once in either direction.
 /// Nothing either for a mesh of more than 350 million triangles.
 /// Cost     O(n); 12 bytes a triangle for the result, 20 more meanwhile. Three units of the stage a triangle.
 [[nodiscard]] std::optional<OppositeHalfEdges> find_opposite_half_edges(const IndexedMesh& mesh,

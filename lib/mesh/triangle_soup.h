@@ -44,7 +44,7 @@ class TriangleList {
   void push_back(const TrianglePoints& triangle) { points_.push_back(triangle); }
   void reserve(std::size_t count) { points_.reserve(count); }
 
-  /// Three single-precision numbers, little-endian.
+  /// Returns three single-precision numbers, little-endian.
   [[nodiscard]] static Vec3 vector_at(std::string_view bytes, std::size_t at) {
     return {number_at(bytes, at), number_at(bytes, at + 4), number_at(bytes, at + 8)};
   }

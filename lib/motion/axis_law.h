@@ -30,16 +30,16 @@ class AxisLaw {
  public:
   virtual ~AxisLaw() = default;
 
-  /// Null where the law leaves the way open, but never for equal directions. Requires unit directions. The ends of the
-  /// path are these directions, to rounding.
+  /// Returns null where the law leaves the way open, but never for equal directions. Requires unit directions. The ends
+  /// of the path are these directions, to rounding.
   [[nodiscard]] virtual std::shared_ptr<const AxisPath> between(const Vec3& from, const Vec3& to) const = 0;
-  /// The same for a move of a path with the angles of `joints`, whose history decides between several ways; may be
-  /// null.
+  /// Returns the same for a move of a path with the angles of `joints`, whose history decides between several ways; may
+  /// be null.
   [[nodiscard]] virtual std::shared_ptr<const AxisPath> of_move(const JointPath* /*joints*/, std::size_t /*move*/,
                                                                 const Vec3& from, const Vec3& to) const {
     return between(from, to);
   }
-  /// One word for options, reports and certificates.
+  /// Returns one word for options, reports and certificates.
   [[nodiscard]] virtual std::string name() const = 0;
 };
 

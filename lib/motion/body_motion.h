@@ -23,7 +23,7 @@ class BodyMotion {
 
   /// From the tool's frame to part coordinates at t.
   [[nodiscard]] RigidTransform at(double t) const;
-  /// Bounds over [t0, t1] of a segment.
+  /// Returns bounds over [t0, t1] of a segment.
   [[nodiscard]] MotionRates rates(double t0, double t1, std::uint32_t segment) const;
   /// Bounds the distance, in the tool's frame, of the path of a point of the part over the interval from its chord. The
   /// chord joins its positions at the ends. The point is at most `distance_mm` from the tip at one end. 0 for an

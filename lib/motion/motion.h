@@ -25,33 +25,33 @@ struct MotionSegment {
 /// Only a MotionLaw makes motions, so that no caller chooses a law by accident.
 class Motion {
  public:
-  /// False where the law leaves the way of the axis open: opposite axes on the great circle.
+  /// Returns false where the law leaves the way of the axis open: opposite axes on the great circle.
   [[nodiscard]] bool is_defined() const { return is_defined_; }
   [[nodiscard]] bool is_alone() const { return is_alone_; }
-  /// Pose at t in [0, 1]; t = 0 and 1 give the end poses bit for bit.
+  /// Returns the pose at t in [0, 1]; t = 0 and 1 give the end poses bit for bit.
   [[nodiscard]] Pose at(double t) const;
   /// Directions of the tool at t in the part: a rotation whose third column is the tool axis, continuous in t. On the
   /// great circle the first column is the direction about which the axis turns. Requires is_defined().
   [[nodiscard]] Eigen::Matrix3d axes_at(double t) const;
-  /// The rotation that turns the tool from its directions at the start to those at t. Requires is_defined().
+  /// Returns the rotation that turns the tool from its directions at the start to those at t. Requires is_defined().
   [[nodiscard]] Eigen::Matrix3d turn_to(double t) const;
   [[nodiscard]] std::span<const MotionSegment> segments() const {
     return segments_.empty() ? std::span(&whole_, 1) : std::span(segments_);
   }
-  /// Tip at t within the segment; exact also on arcs and splines.
+  /// Returns the tip at t within the segment; exact also on arcs and splines.
   [[nodiscard]] Vec3 tip_at(double t, std::uint32_t segment) const;
   /// The tip's path over [t0, t1] of a segment is no longer than this; straight paths are exactly this long.
   [[nodiscard]] double path_length_mm(double t0, double t1, std::uint32_t segment) const;
   /// Returns how far the tip may at any instant of [t0, t1] be from where it would be on the straight chord at constant
   /// speed. 0 for straight paths. Proof: docs/method/certified_sweep.md, section 3.
   [[nodiscard]] double sag_mm(double t0, double t1, std::uint32_t segment) const;
-  /// Bounds of all that moves with the tool over [t0, t1] of a segment.
+  /// Returns bounds of all that moves with the tool over [t0, t1] of a segment.
   [[nodiscard]] MotionRates rates(double t0, double t1, std::uint32_t segment) const;
   /// The tool turns by no more than this over [t0, t1], in radians; on the great circle by just as much.
   [[nodiscard]] double turn_rad(double t0, double t1) const;
   /// Over the whole move.
   [[nodiscard]] double turn_rad() const { return turn_rad(0, 1); }
-  /// The path of an AxisLaw; null on the great circle.
+  /// Returns the path of an AxisLaw; null on the great circle.
   [[nodiscard]] const AxisPath* axis_path() const { return axis_path_.get(); }
   /// Returns false when a coordinate of the tip, of an arc's centre and radius or of a spline's control points is
   /// larger. Also false where one is not a number.

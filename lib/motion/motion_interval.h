@@ -19,7 +19,7 @@ struct MotionInterval {
   [[nodiscard]] double middle() const { return 0.5 * (t0 + t1); }
 };
 
-/// A whole segment; of no length where the motion is a single pose.
+/// Returns a whole segment; of no length where the motion is a single pose.
 [[nodiscard]] inline MotionInterval whole_segment(const Motion& motion, std::uint32_t segment) {
   const MotionSegment& whole = motion.segments()[segment];
   return {whole.t0, motion.is_alone() ? whole.t0 : whole.t1, segment};

@@ -36,7 +36,7 @@ struct VertexOffset {
 /// Source  Thesis 4.5.2.3; the cases are those it calls degenerate.
 [[nodiscard]] VertexOffset offset_of_planes(std::span<const Vec3> normals);
 
-/// The normals without repetitions (closer than 1e-9).
+/// Returns the normals without repetitions (closer than 1e-9).
 [[nodiscard]] std::vector<Vec3> distinct_normals(std::span<const Vec3> normals);
 
 /// One for each vertex: the planes of its faces are moved and meet again (offset_of_planes); longer than 1 at an edge.
@@ -44,10 +44,10 @@ struct VertexOffset {
 /// Source  Thesis 4.5.2.3. Its two other methods are in tests/bench/penetration/normal_methods.h.
 [[nodiscard]] std::vector<VertexOffset> offset_by_planes(const IndexedMesh& mesh, const MeshAdjacency& adjacency);
 
-/// Unit normal of every triangle; zero for one without area.
+/// Returns the unit normal of every triangle; zero for one without area.
 [[nodiscard]] std::vector<Vec3> face_normals(const IndexedMesh& mesh);
 
-/// Sum of the faces' normals at a vertex, each weighted by its angle there; unit, or zero when they cancel.
+/// Returns the sum of the faces' normals at a vertex, each weighted by its angle there; unit, or zero when they cancel.
 /// Source  G. Thuermer, C. Wuethrich, Computing vertex normals from polygonal facets, J. Graphics Tools 3 (1998).
 [[nodiscard]] Vec3 angle_weighted_normal(const IndexedMesh& mesh, const MeshAdjacency& adjacency,
                                          const std::vector<Vec3>& normals, Corner vertex);

@@ -49,9 +49,9 @@ class SweptSolid {
   SweptSolid(const SweptSolid&) = delete;
   SweptSolid& operator=(const SweptSolid&) = delete;
 
-  /// Signed, 1-Lipschitz in the point; negative inside.
+  /// Returns the signed, 1-Lipschitz in the point; negative inside.
   [[nodiscard]] virtual double distance_at(const Vec3& point_part, double t) const = 0;
-  /// Unit gradient of that distance.
+  /// Returns the unit gradient of that distance.
   [[nodiscard]] virtual Vec3 outward_at(const Vec3& point_part, double t) const = 0;
 
   /// Time intervals are numbered; the first so many are the segments of the motion.
@@ -60,7 +60,7 @@ class SweptSolid {
   virtual std::uint32_t halve(std::uint32_t interval) = 0;
   /// Over the ball about `centre`.
   [[nodiscard]] virtual SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const = 0;
-  /// A half-space as in `bound`, whose plane touches the solid next to a point of the ball at the instant of s.
+  /// Returns a half-space as in `bound`, whose plane touches the solid next to a point of the ball at the instant of s.
   [[nodiscard]] virtual std::optional<DriftingHalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,
                                                                     double radius_mm, std::uint32_t interval) const = 0;
 
@@ -68,7 +68,8 @@ class SweptSolid {
   /// of `frame`). With `is_sharp_only` the boxes hold those of its sharp zones.
   [[nodiscard]] virtual std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
                                                   bool is_sharp_only) const = 0;
-  /// Smaller boxes along the same axes that together hold what the box of a sharp zone, counted as in `extents`, does.
+  /// Returns smaller boxes along the same axes that together hold what the box of a sharp zone, counted as in
+  /// `extents`, does.
   [[nodiscard]] virtual std::vector<Box3> pieces(const Eigen::Matrix3d& /*frame*/, std::uint32_t /*interval*/,
                                                  std::size_t /*zone*/) const {
     return {};
@@ -91,7 +92,7 @@ class SweptHead : public SweptSolid {
   [[nodiscard]] std::uint32_t segments() const override { return intervals_.segments(); }
   std::uint32_t halve(std::uint32_t interval) override { return intervals_.halve(interval); }
   [[nodiscard]] SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const override;
-  /// None where the head's surface over the cell is steep, or where the head goes on above it.
+  /// Returns none where the head's surface over the cell is steep, or where the head goes on above it.
   [[nodiscard]] std::optional<DriftingHalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,
                                                             double radius_mm, std::uint32_t interval) const override;
   [[nodiscard]] std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,

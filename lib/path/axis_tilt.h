@@ -52,7 +52,8 @@ struct AxisTilts {
 [[nodiscard]] AxisTilts find_axis_tilts(const Toolpath& before, const Toolpath& after,
                                         const std::vector<std::size_t>& origins, std::size_t max_runs = 12);
 
-/// For each move of a corrected path, the programmed unit axis at its end, as find_axis_tilts (axis_tilt.h) states.
+/// Returns for each move of a corrected path, the programmed unit axis at its end, as find_axis_tilts (axis_tilt.h)
+/// states.
 /// Requires one origin for each move of `after`.
 [[nodiscard]] std::vector<Vec3> programmed_axes(const Toolpath& before, const Toolpath& after,
                                                 const std::vector<std::size_t>& origins);

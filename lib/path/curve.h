@@ -49,10 +49,10 @@ struct PathSpline {
 /// Source   Boehm, Inserting new knots into B-spline curves, CAD 12 (1980).
 [[nodiscard]] PathSpline make_spline(const std::vector<Vec3>& control, const std::vector<double>& inner_knots);
 
-/// Length of an arc between two tips, helix and spiral included.
+/// Returns the length of an arc between two tips, helix and spiral included.
 [[nodiscard]] double arc_length_mm(const PathArc& arc, const Vec3& start, const Vec3& end);
 
-/// Length of a spline, to about a thousandth of it.
+/// Returns the length of a spline, to about a thousandth of it.
 [[nodiscard]] double spline_length_mm(const PathSpline& spline);
 
 }  // namespace gouge

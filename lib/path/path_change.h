@@ -40,7 +40,7 @@ struct PathChange {
   [[nodiscard]] bool is_at_rapid(std::size_t k) const { return k < at_rapid.size() && at_rapid[k]; }
   [[nodiscard]] bool is_end_at_rapid() const { return is_at_rapid(inserted_before.size()); }
 
-  /// True where some piece of what the move becomes is an arc of the change's own.
+  /// Returns true where some piece of what the move becomes is an arc of the change's own.
   [[nodiscard]] bool has_arc() const {
     return new_arc ||
            std::any_of(inserted_arcs.begin(), inserted_arcs.end(), [](const auto& arc) { return arc.has_value(); });

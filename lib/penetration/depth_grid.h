@@ -34,7 +34,7 @@ class DepthGrid {
 
   [[nodiscard]] Cover at(const Vec3& point) const { return result(cell_of(point)); }
 
-  /// The cell of a point; cell_count(), which is outside, for points out of the body's box.
+  /// Returns the cell of a point; cell_count(), which is outside, for points out of the body's box.
   [[nodiscard]] std::size_t cell_of(const Vec3& point) const;
   [[nodiscard]] std::size_t cell_count() const { return cell_count_; }
   [[nodiscard]] double cell_mm() const { return cell_mm_; }

@@ -16,7 +16,7 @@ struct FacetPieces {
   std::vector<std::vector<std::size_t>> polygons;
 };
 
-/// The triangle cut so that no segment runs through the inside of a piece.
+/// Returns the triangle cut so that no segment runs through the inside of a piece.
 ///
 /// Shape    Segments in the triangle's plane, mm; parts beyond the triangle are left out.
 /// Requires a triangle with area.

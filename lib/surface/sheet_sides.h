@@ -14,7 +14,7 @@ struct SheetSides {
   std::uint32_t lowest = 0;  ///< triangle of the sheet
 };
 
-/// The winding numbers beside a point of a closed surface.
+/// Returns the winding numbers beside a point of a closed surface.
 ///
 /// `normal`: unit, of a triangle at the point; `rounding_mm`: as rounding_of.
 /// Requires a point farther than a few roundings from the edges of all triangles of its sheet.

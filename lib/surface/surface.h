@@ -52,16 +52,16 @@ class Surface {
   /// its sides unknown.
   /// Ensures  Valid as long as this surface or a copy of it. Cost of the first call as find_solid_boundary.
   [[nodiscard]] const Surface& boundary() const;
-  /// The boundary is the surface itself.
+  /// Returns whether the boundary is the surface itself.
   [[nodiscard]] bool is_boundary() const { return &boundary() == this; }
 
   [[nodiscard]] std::array<Vec3, 3> corners(std::size_t triangle) const {
     return {mesh().corner(triangle, 0), mesh().corner(triangle, 1), mesh().corner(triangle, 2)};
   }
-  /// Unit; zero of a triangle without area.
+  /// Returns unit; zero of a triangle without area.
   [[nodiscard]] Vec3 face_normal(std::size_t triangle) const { return gouge::face_normal(mesh(), triangle); }
 
-  /// The closest point within `within_mm`; nothing when there is none (or no triangle at all).
+  /// Returns the closest point within `within_mm`; nothing when there is none (or no triangle at all).
   ///
   /// Ensures  Exact at any distance, on both sides of a solid; of equally near triangles the lowest
   ///          (closest_triangle.h). Without a solid every point counts as outside.
@@ -70,7 +70,7 @@ class Surface {
   [[nodiscard]] std::optional<ClosestPoint> closest_point(
       const Vec3& point, double within_mm = std::numeric_limits<double>::infinity()) const;
 
-  /// The same without a limit, searched from one triangle: quicker where it is about as near as the closest.
+  /// Returns the same without a limit, searched from one triangle: quicker where it is about as near as the closest.
   /// Requires a mesh with triangles.
   [[nodiscard]] ClosestPoint closest_point_from(const Vec3& point, std::uint32_t near) const;
 

@@ -24,7 +24,7 @@ class SurfaceSign {
   /// Mesh and triangles at its vertices must outlive it. Requires triangles with three distinct corners. Cost O(n).
   SurfaceSign(const IndexedMesh& mesh, const VertexTriangles& around);
 
-  /// Outward direction at a foot on `triangle`: zero where the winding number must be computed.
+  /// Returns the outward direction at a foot on `triangle`: zero where the winding number must be computed.
   /// Cost  As many steps as triangles meet at the foot, at most kMaxAround.
   [[nodiscard]] Vec3 outward(std::uint32_t triangle, TriangleFeature feature, std::size_t index) const;
 

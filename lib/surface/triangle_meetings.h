@@ -14,7 +14,8 @@ struct TriangleMeeting {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< of the segment, mm
 };
 
-/// Length below which points of a mesh cannot be distinguished: rounding of its coordinates and of a few products. mm.
+/// Returns the length below which points of a mesh cannot be distinguished: rounding of its coordinates and of a few
+/// products. mm.
 [[nodiscard]] double rounding_of(const IndexedMesh& mesh);
 
 /// Finds all pairs of triangles that meet, in the order of the tree's leaves. Triangles without area meet nothing.

@@ -26,7 +26,7 @@ class ContactPivot {
   /// counts more than one across.
   ContactPivot(const Pose& programmed, const CompiledTool& cutter, std::vector<Vec3> normals);
 
-  /// Outward from the part at the contact that counts most; without one the programmed axis.
+  /// Returns the outward from the part at the contact that counts most; without one the programmed axis.
   [[nodiscard]] const Vec3& normal() const { return contacts_.empty() ? programmed_.axis : contacts_.front().normal; }
 
   /// Returns where the tip goes when the axis becomes `axis`, a unit vector.

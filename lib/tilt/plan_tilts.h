@@ -32,7 +32,7 @@ struct TiltPlan {
   std::vector<UntiltedRun> failed;
 };
 
-/// Tilts for all wanted moves of a path: smooth, and certified at every instant of the changed motions.
+/// Returns tilts for all wanted moves of a path: smooth, and certified at every instant of the changed motions.
 ///
 /// Ensures  The same plan at any number of threads.
 /// Source   docs/method/tilting.md

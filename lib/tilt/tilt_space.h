@@ -30,7 +30,7 @@ struct TiltPosition {
   bool is_reached_clean = false;  ///< the programmed motion from the position before is clean
 
   [[nodiscard]] Vec3 axis_for(const Tilt& tilt) const;
-  /// The tilt with that axis, which is less than half a circle from the programmed one.
+  /// Returns the tilt with that axis, which is less than half a circle from the programmed one.
   [[nodiscard]] Tilt tilt_to(const Vec3& axis) const;
   [[nodiscard]] bool is_fixed() const { return given.has_value(); }
   [[nodiscard]] bool stays_programmed() const { return given && given->isZero(0); }
@@ -91,7 +91,7 @@ class TiltSpace {
   /// there for any motion. So its neighbours would have to stay as programmed too, and one of them cannot.
   [[nodiscard]] bool holds_back(std::size_t i) const;
 
-  /// The obstacle to the tool at a tilt, and its depth.
+  /// Returns the obstacle to the tool at a tilt, and its depth.
   [[nodiscard]] MoveVerdict verdict(std::size_t i, const Tilt& tilt) const;
 
  private:
@@ -100,7 +100,7 @@ class TiltSpace {
   [[nodiscard]] CheckOptions options_for(double tolerance_share) const;
   [[nodiscard]] bool is_gouge(std::size_t i, MoveKind kind) const;
   [[nodiscard]] bool may_stay_programmed(std::size_t i) const;
-  /// The contact kept, and not raised.
+  /// Returns the contact kept, and not raised.
   [[nodiscard]] Pose kept_pose(std::size_t i, const Tilt& tilt) const;
   [[nodiscard]] Pose raised_pose(std::size_t i, const Tilt& tilt, double raised_mm) const;
   [[nodiscard]] double max_raise_mm() const;

@@ -20,7 +20,7 @@ struct CertifiedDepth {
   int halvings = 0;     ///< depth_mm = given depth x 2^(-halvings / 2)
 };
 
-/// The largest depth of the row given depth x 2^(-k / 2) for which bound_reach(form, bare, depth) is at most
+/// Returns the largest depth of the row given depth x 2^(-k / 2) for which bound_reach(form, bare, depth) is at most
 /// kReachPerDepth times the given depth. Cost: bound_reach, once for a usual tool.
 [[nodiscard]] CertifiedDepth find_certified_depth(const CompiledTool& form, const CompiledTool& bare, double given_mm);
 

@@ -29,26 +29,26 @@ struct ToolDistance {
 /// (no borders), or where there is no tree.
 [[nodiscard]] ToolDistance evaluate_by_stretches(const CompiledTool& tool, double r_mm, double z_mm);
 
-/// The signed distance of evaluate alone, to the last bit.
+/// Returns the signed distance of evaluate alone, to the last bit.
 [[nodiscard]] double signed_distance_mm(const CompiledTool& tool, double r_mm, double z_mm);
 
-/// Signed distance of a point of the part, in part coordinates, to the tool at a pose.
+/// Returns the signed distance of a point of the part, in part coordinates, to the tool at a pose.
 [[nodiscard]] inline double signed_distance_mm(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
   const Vec3 from_tip = point - pose.tip;
   const double z = from_tip.dot(pose.axis);
   return signed_distance_mm(tool, (from_tip - z * pose.axis).norm(), z);
 }
 
-/// Distance to one element, its ends included; not signed.
+/// Returns the distance to one element, its ends included; not signed.
 [[nodiscard]] double distance_to(const BoundaryElement& element, const Vec2& q);
 
-/// The same by examining every element: the reference that tests hold the BSP against. The distance is the
-/// smallest distance_to; the side follows from how often a ray along r crosses the contour, whatever the
-/// element. Where elements tie, a vertex is named before others, else the first.
+/// Returns the same by examining every element: the reference that tests hold the BSP against. The distance is the
+/// smallest distance_to; the side follows from how often a ray along r crosses the contour, whatever the element. Where
+/// elements tie, a vertex is named before others, else the first.
 /// Requires a contour that is closed at the heights of the point.
 [[nodiscard]] ToolDistance evaluate_brute_force(const CompiledTool& tool, double r_mm, double z_mm);
 
-/// Distance of one element alone for a point whose nearest element it is.
+/// Returns the distance of one element alone for a point whose nearest element it is.
 [[nodiscard]] ToolDistance evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm, double z_mm);
 
 }  // namespace gouge

@@ -26,13 +26,13 @@ struct FootCell {
   /// Returns the largest distance between two rays of the cell, t from their feet. For the middle ray and any other it
   /// is half of that.
   [[nodiscard]] double width_mm(double t) const;
-  /// The distance from `point` to the farthest point of the cell at most t from its foot.
+  /// Returns the distance from `point` to the farthest point of the cell at most t from its foot.
   [[nodiscard]] double farthest_mm(const Vec2& place, double t) const;
   /// Returns whether every ray passes within `within_mm` of `point`, a point of the middle ray.
   [[nodiscard]] bool rays_meet(const Vec2& place, double within_mm) const;
 };
 
-/// The cells of a tool's contour in its order, none that turns by more than a quarter of a circle.
+/// Returns the cells of a tool's contour in its order, none that turns by more than a quarter of a circle.
 [[nodiscard]] std::vector<FootCell> foot_cells(const CompiledTool& tool);
 
 }  // namespace gouge

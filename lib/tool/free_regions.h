@@ -32,7 +32,7 @@ struct FreeRegions {
   std::array<bool, 3> has_body{};    ///< by Body: the tool has a cutter, shank, holder
   std::array<bool, 3> is_covered{};  ///< by Body: some point of it lies deeper, so a region represents it
   [[nodiscard]] bool covers_all() const;
-  /// The first body that none represents. Requires that there is one.
+  /// Returns the first body that none represents. Requires that there is one.
   [[nodiscard]] Body uncovered() const;
 };
 

@@ -18,7 +18,7 @@ struct InscribedBall {
   double radius_mm = 0;        ///< of the tool no point nearer to the centre is missing; 0: none was found
 };
 
-/// The largest ball found that touches the boundary at the foot of ray `s` of a cell, larger than `min_mm`.
+/// Returns the largest ball found that touches the boundary at the foot of ray `s` of a cell, larger than `min_mm`.
 /// Ensures  Its radius is the depth of its centre, and that is no more than `nearly_mm` less than the way to the foot.
 /// Cost     Some evaluations.
 [[nodiscard]] InscribedBall inscribed_ball(const CompiledTool& tool, const FootCell& cell, double s, double min_mm,

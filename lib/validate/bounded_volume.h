@@ -16,7 +16,7 @@ namespace gouge::detail {
 ///          log n) and 80 bytes a triangle.
 [[nodiscard]] std::optional<bool> does_bound_volume(const IndexedMesh& mesh, std::size_t pieces);
 
-/// Sum of the signed volumes of the tetrahedra from the origin, in the order of the triangles.
+/// Returns the sum of the signed volumes of the tetrahedra from the origin, in the order of the triangles.
 [[nodiscard]] double signed_volume(const IndexedMesh& mesh);
 
 }  // namespace gouge::detail

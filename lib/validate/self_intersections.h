@@ -13,7 +13,7 @@
 
 namespace gouge::detail {
 
-/// Triangles whose corners lie on one line, in increasing order. Exact. Errors: cgal-failed.
+/// Returns triangles whose corners lie on one line, in increasing order. Exact. Errors: cgal-failed.
 [[nodiscard]] Result<std::vector<std::uint32_t>> find_triangles_without_area(const IndexedMesh& mesh);
 
 /// Finds pairs of triangles that have more in common than their shared corners. Triangles without area and copies of

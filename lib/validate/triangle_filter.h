@@ -10,7 +10,7 @@
 
 namespace gouge::detail {
 
-/// The corners do not lie on one line.
+/// Returns whether the corners do not lie on one line.
 [[nodiscard]] bool surely_has_area(const std::array<Vec3, 3>& t);
 
 /// The triangles share no point. Corners in any order.

@@ -33,7 +33,7 @@ inline constexpr std::size_t kHeaderBytes = 64 + 5 * 8 + kLawBytes;
 /// Requires kHeaderBytes bytes.
 [[nodiscard]] CertificateHeader header_of(std::string_view bytes);
 
-/// A block with its length before it; no groups: the end.
+/// Returns a block with its length before it; no groups: the end.
 [[nodiscard]] std::string block_bytes(const std::vector<ProofGroup>& groups);
 /// The length a block begins with. Requires 4 bytes.
 [[nodiscard]] std::uint32_t block_length(std::string_view bytes);

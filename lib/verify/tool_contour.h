@@ -20,7 +20,7 @@ class ToolContour {
     [[nodiscard]] double z_lo() const { return std::min(a.y(), b.y()); }
     [[nodiscard]] double z_hi() const { return std::max(a.y(), b.y()); }
     [[nodiscard]] double r_hi() const { return std::max(a.x(), b.x()); }
-    /// Normal of the piece nearest to q.
+    /// Returns the normal of the piece nearest to q.
     [[nodiscard]] Vec2 foot(const Vec2& q) const;
   };
 
@@ -41,7 +41,7 @@ class ToolContour {
   /// By examining every piece; the side by how often a ray along r crosses the contour.
   [[nodiscard]] Nearest nearest(const Vec2& q) const;
   [[nodiscard]] bool has(const Vec2& q) const;
-  /// Distance to the pieces of one body.
+  /// Returns the distance to the pieces of one body.
   [[nodiscard]] double distance_to(Body body, const Vec2& q) const;
   /// Returns whether it has a corner that goes in, or a hollow arc: such a tool is not a convex body.
   [[nodiscard]] bool is_stepped() const { return is_stepped_; }

@@ -32,7 +32,7 @@ class TriangleOrder {
 
   [[nodiscard]] Node root() const { return {0, static_cast<std::uint32_t>(order_.size())}; }
   [[nodiscard]] const Extent& extent(const Node& node) const { return extents_[node.middle()]; }
-  /// Corners of the triangle at a place of the order.
+  /// Returns corners of the triangle at a place of the order.
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t place) const;
 
  private:

@@ -37,7 +37,7 @@ struct Acceptance {
 /// written, or is there twice.
 [[nodiscard]] Result<std::vector<Acceptance>> read_accepted(const std::string& file, std::string_view bytes);
 
-/// The file, each entry with a seal of its contents. Reads back as the same entries.
+/// Returns the file, each entry with a seal of its contents. Reads back as the same entries.
 [[nodiscard]] std::string write_accepted(const std::vector<Acceptance>& entries);
 
 /// The person, reason and date of an acceptance.

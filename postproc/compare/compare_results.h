@@ -11,7 +11,7 @@ namespace gouge {
 
 enum class Change { fresh, deeper, not_checked, gone, shallower, same };
 inline constexpr std::size_t kChanges = 6;
-/// "new", "deeper", "not-checked-any-more", "gone", "shallower", "same"
+/// Returns "new", "deeper", "not-checked-any-more", "gone", "shallower", "same"
 [[nodiscard]] const char* change_name(Change change);
 
 /// A finding of the new run with the earlier findings that match it, or a finding of the old run that is gone.

@@ -24,7 +24,7 @@ namespace gouge {
 [[nodiscard]] Result<std::string> write_ply(const ExportScene& scene);
 
 using WriteScene = Result<std::string> (*)(const ExportScene&);
-/// The format of a file by its ending .glb, .vtp or .ply, in any case; null for others.
+/// Returns the format of a file by its ending .glb, .vtp or .ply, in any case; null for others.
 [[nodiscard]] WriteScene scene_format_of(const std::string& file);
 
 }  // namespace gouge

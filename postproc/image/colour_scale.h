@@ -16,7 +16,7 @@ inline constexpr Colour kHairline{206, 211, 217, 1};
 inline constexpr Colour kAlarm{178, 24, 43, 1};
 inline constexpr Colour kCalm{34, 120, 84, 1};
 
-/// Colour of a body of the tool, in every picture the same.
+/// Returns the colour of a body of the tool, in every picture the same.
 [[nodiscard]] Colour body_colour(int body);
 
 /// Depth to colour: pale yellow just above `low`, through orange and red to dark purple at `high`. Lightness falls
@@ -26,9 +26,9 @@ inline constexpr Colour kCalm{34, 120, 84, 1};
 struct ColourScale {
   double low_mm = 0, high_mm = 1;
   bool is_root = false;
-  /// Place on the scale from 0 (depth 0) to 1 (high_mm).
+  /// Returns the place on the scale from 0 (depth 0) to 1 (high_mm).
   [[nodiscard]] double place(double depth_mm) const;
-  /// The depth at a point.
+  /// Returns the depth at a point.
   [[nodiscard]] double depth_at(double place) const;
   [[nodiscard]] Colour at(double depth_mm) const;
 };
@@ -43,7 +43,7 @@ struct Tick {
 /// From the tolerance to a round number not below the worst depth and its headroom.
 [[nodiscard]] ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit, double headroom = 1);
 
-/// A round number (two digits at most) not below `value`. Requires value > 0.
+/// Returns a round number (two digits at most) not below `value`. Requires value > 0.
 [[nodiscard]] double round_up(double value);
 /// 1, 2 or 5 times a power of ten, not above `value`. Requires value > 0.
 [[nodiscard]] double round_down(double value);

@@ -39,10 +39,10 @@ class Font {
   [[nodiscard]] bool has_letters() const;
   [[nodiscard]] bool has_letter(char32_t letter) const;
 
-  /// Width of the text in units of the size, which is the height of the font's em square.
+  /// Returns the width of the text in units of the size, which is the height of the font's em square.
   [[nodiscard]] double width(std::string_view text, bool is_bold) const;
 
-  /// The text with an em square of `size` pixels, the pen first at `shift` (0 to 1) pixels.
+  /// Returns the text with an em square of `size` pixels, the pen first at `shift` (0 to 1) pixels.
   /// Requires 0 < size <= 4096.
   [[nodiscard]] TextMask draw(std::string_view text, double size, bool is_bold, double shift) const;
 
@@ -51,7 +51,7 @@ class Font {
   std::unique_ptr<Files> files_;
 };
 
-/// The fonts of the system: DejaVu Sans, then one that has Chinese, Japanese and Korean. Opened at the first
+/// Returns the fonts of the system: DejaVu Sans, then one that has Chinese, Japanese and Korean. Opened at the first
 /// call.
 [[nodiscard]] const Font& installed_font();
 

@@ -26,11 +26,11 @@ struct PictureSet {
   std::vector<GougeWitness> gouges;
 };
 
-/// The part from the chosen views, coloured by overcut, or by depth where no move has one, with the worst
+/// Returns the part from the chosen views, coloured by overcut, or by depth where no move has one, with the worst
 /// events numbered.
 [[nodiscard]] Page draw_heat_map(const PictureSet& set);
 
-/// The part before (left) and after a correction (right), same views, same colours. `after` describes the
+/// Returns the part before (left) and after a correction (right), same views, same colours. `after` describes the
 /// corrected path, `before` the path as read.
 [[nodiscard]] Page draw_before_after(const PictureSet& before, const PictureSet& after);
 
@@ -50,12 +50,12 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
 /// that is not excluded is a pale band above. The tolerance is a line; unchecked and buried stretches stand out.
 [[nodiscard]] Page draw_depth_strip(const PictureSet& set);
 
-/// "Overcut on the part", or "Gouge depth on the part" where no move has one.
+/// Returns "Overcut on the part", or "Gouge depth on the part" where no move has one.
 [[nodiscard]] std::string heat_map_title(const PictureSet& set);
 
-/// "path.apt against part.stl", and the tools with tolerance and resolution: the two lines below a title.
+/// Returns "path.apt against part.stl", and the tools with tolerance and resolution: the two lines below a title.
 [[nodiscard]] std::vector<std::string> caption_lines(const ReportModel& model, const Toolpath& toolpath);
-/// "worst 0.213 mm" and the like, for the badge of a page.
+/// Returns "worst 0.213 mm" and the like, for the badge of a page.
 [[nodiscard]] std::string badge_text(const ReportModel& model, const CheckResult& result);
 [[nodiscard]] Colour badge_colour(const CheckResult& result);
 

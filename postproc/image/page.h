@@ -36,7 +36,7 @@ struct Page {
             TextAnchor anchor = TextAnchor::left, bool is_bold = false);
 };
 
-/// A page with its title and up to two lines below it, all shortened to fit.
+/// Returns a page with its title and up to two lines below it, all shortened to fit.
 [[nodiscard]] Page make_page(const std::string& title, const std::string& verdict, const Colour& verdict_colour,
                              const std::vector<std::string>& lines);
 
@@ -57,7 +57,7 @@ void add_scale_bar(Page& page, const Vec2& at, const View& view, LengthUnit unit
 /// Adds the directions of x, y and z as the view sees them.
 void add_triad(Page& page, const Vec2& at, const View& view, double size);
 
-/// Point of a picture for a point of a view whose raster lies at `area`.
+/// Returns the point of a picture for a point of a view whose raster lies at `area`.
 [[nodiscard]] inline Vec2 on_page(const Area& area, const Vec3& projected) {
   return {area.x + projected.x() / kSupersampling, area.y + projected.y() / kSupersampling};
 }

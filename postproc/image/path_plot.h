@@ -20,7 +20,7 @@ namespace gouge {
 /// (thin_lines.h), so that a million moves make a few megabytes. The list `parts` may be empty.
 [[nodiscard]] Drawing draw_path(const Toolpath& path, const std::vector<IndexedMesh>& parts);
 
-/// The same as the bytes of a picture. Errors: those of render_png.
+/// Returns the same as the bytes of a picture. Errors: those of render_png.
 [[nodiscard]] Result<std::string> plot_path(const Toolpath& path, const std::vector<IndexedMesh>& parts, bool is_svg);
 
 inline constexpr Colour kCheckedPath{24, 96, 186, 1};

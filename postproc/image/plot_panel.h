@@ -35,7 +35,7 @@ void draw_frame(const PlotPanel& panel, LengthUnit unit, Drawing& drawing);
 /// memory for that. Cost O(triangles + cells they cover).
 void draw_parts(const PlotPanel& panel, const std::vector<IndexedMesh>& parts, Drawing& drawing);
 
-/// The largest of 1, 2 and 5 times a power of ten that is at most `length` > 0.
+/// Returns the largest of 1, 2 and 5 times a power of ten that is at most `length` > 0.
 [[nodiscard]] double round_length(double length);
 
 }  // namespace gouge

@@ -15,14 +15,14 @@ namespace gouge {
 /// Errors   (1) picture-size: a side below 1 or above 16384. (2) picture-not-encoded, out-of-memory.
 [[nodiscard]] Result<std::string> render_png(const Drawing& drawing);
 
-/// The same with pictures laid under the drawing, in the order given; what falls outside is cut off.
+/// Returns the same with pictures laid under the drawing, in the order given; what falls outside is cut off.
 [[nodiscard]] Result<std::string> render_png(const Drawing& drawing, const std::vector<PlacedRaster>& underlay);
 
-/// Width that render_png gives a text, in picture units.
+/// Returns the width that render_png gives a text, in picture units.
 [[nodiscard]] double text_width(const std::string& text, double size, bool is_bold = false);
 
-/// The drawing as an SVG 1.1 document, one user unit a picture unit.
-/// Points that are not finite are left out; text is escaped and keeps its UTF-8.
+/// Returns the drawing as an SVG 1.1 document, one user unit a picture unit. Points that are not finite are left out;
+/// text is escaped and keeps its UTF-8.
 [[nodiscard]] std::string render_svg(const Drawing& drawing);
 
 }  // namespace gouge

@@ -32,7 +32,7 @@ struct SectionLine {
 /// Returns where the plane cuts the triangles.
 [[nodiscard]] std::vector<SectionLine> cut_scene(const PreparedScene& scene, const SectionPlane& plane);
 
-/// The same of bodies that `to_part` places, one after another.
+/// Returns the same of bodies that `to_part` places, one after another.
 [[nodiscard]] std::vector<std::vector<SectionLine>> cut_heads(std::span<const HeadBody> heads,
                                                               const RigidTransform& to_part, const SectionPlane& plane);
 
@@ -49,7 +49,7 @@ struct Section {
 [[nodiscard]] Section make_section(const PreparedScene& scene, const Pose& pose, const Vec3& point_part, double size_mm,
                                    const std::optional<Vec3>& way_out = std::nullopt);
 
-/// The piece of a line inside a box, if any.
+/// Returns the piece of a line inside a box, if any.
 [[nodiscard]] std::optional<std::array<Vec2, 2>> clipped(const Vec2& a, const Vec2& b, const Area& box);
 
 }  // namespace gouge

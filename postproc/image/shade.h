@@ -17,7 +17,7 @@ namespace gouge {
 [[nodiscard]] Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer, const std::vector<float>& depth_mm,
                            const ColourScale& scale);
 
-/// A level of a colour from a value in [0, 255].
+/// Returns a level of a colour from a value in [0, 255].
 [[nodiscard]] inline std::uint8_t colour_level(double value) { return static_cast<std::uint8_t>(value + 0.5); }
 
 /// A colour to lay over pixels.

@@ -33,7 +33,7 @@ class MotionSink {
   virtual void go_to(const Pose& end) = 0;
   /// False where the dialect cannot state this arc; then nothing was written.
   [[nodiscard]] virtual bool go_round(const PathArc& arc, const Pose& start, const Pose& end) = 0;
-  /// The bytes of the file. To be called once, at the end.
+  /// Returns the bytes of the file. To be called once, at the end.
   [[nodiscard]] virtual std::string finish() = 0;
 };
 

@@ -27,7 +27,7 @@ class PathBuilder {
   explicit PathBuilder(Toolpath& path_read) : path(path_read) {}
 
   void add_statement(const SourceStatement& statement);
-  /// Index of the last statement, in Toolpath::statements.
+  /// Returns the index of the last statement, in Toolpath::statements.
   [[nodiscard]] std::size_t index() const { return path.statements.size() - 1; }
   [[nodiscard]] std::size_t moves() const { return path.moves.size(); }
 

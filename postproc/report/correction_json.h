@@ -6,8 +6,8 @@
 
 namespace gouge {
 
-/// The changes, remains and written statements of a correction, and how the tool axis turns before and after; null for
-/// a check.
+/// Returns the changes, remains and written statements of a correction, and how the tool axis turns before and after;
+/// null for a check.
 [[nodiscard]] nlohmann::ordered_json correction_json(const ReportModel& model);
 
 }  // namespace gouge

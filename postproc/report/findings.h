@@ -33,7 +33,7 @@ struct Finding {
 /// tools come first, then gouges, the deepest first, then near misses. Those alike are in the order of the path.
 [[nodiscard]] std::vector<std::size_t> finding_numbers(const CheckResult& result);
 
-/// Every event in the order of the path, then every reason why moves were not checked or not certified.
+/// Returns every event in the order of the path, then every reason why moves were not checked or not certified.
 [[nodiscard]] std::vector<Finding> list_findings(const ReportModel& model);
 
 /// Facts of a run beside its findings.

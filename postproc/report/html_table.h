@@ -11,7 +11,7 @@ struct HtmlColumn {
   const char* css = "";  ///< "n": numbers, to the right; "k": never broken
 };
 
-/// A cell with escaped text.
+/// Returns a cell with escaped text.
 [[nodiscard]] std::string html_cell(const std::string& text, const char* css = "");
 
 /// A table of rows, the first page of it open. The others fold away and open with a click, without a script; a page

@@ -10,19 +10,19 @@
 
 namespace gouge {
 
-/// The first digits of every move's motion_key, as texts of many moves each.
+/// Returns the first digits of every move's motion_key, as texts of many moves each.
 [[nodiscard]] nlohmann::ordered_json motions_json(const Toolpath& path);
 /// The runs of moves of one operation and tool, by their first move.
 [[nodiscard]] nlohmann::ordered_json runs_json(const Toolpath& path);
-/// The statement of a move, its line end and what is beyond 2000 bytes left out, as UTF-8.
+/// Returns the statement of a move, its line end and what is beyond 2000 bytes left out, as UTF-8.
 [[nodiscard]] std::string statement_json(const Toolpath& path, const Move& move);
 
-/// Effect of --baseline on the result: its entries and how each was used; null without one.
+/// Returns the effect of --baseline on the result: its entries and how each was used; null without one.
 [[nodiscard]] nlohmann::ordered_json baseline_json(const ReportModel& model);
-/// The same of one of CheckResult::events; null where nothing accepts it or anything of it.
+/// Returns the same of one of CheckResult::events; null where nothing accepts it or anything of it.
 [[nodiscard]] nlohmann::ordered_json acceptance_json(const ReportModel& model, std::size_t event);
 
-/// A report's JSON with its digest: `json`, which ends in "\n}\n", and one key more.
+/// Returns a report's JSON with its digest: `json`, which ends in "\n}\n", and one key more.
 [[nodiscard]] std::string with_digest(std::string json);
 
 /// Comparison of the digest at the end of `json` with the bytes before it.

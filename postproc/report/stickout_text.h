@@ -12,18 +12,18 @@ namespace gouge {
 [[nodiscard]] std::string stickout_need_text(const ReportModel& model, const StickoutFacts& tool,
                                              const StickoutNeed& need);
 
-/// Those that need more than the tool has, where it has several.
+/// Returns those that need more than the tool has, where it has several.
 [[nodiscard]] std::vector<OperationStickout> operations_in_need(const StickoutFacts& tool);
-/// Its name, or its number where it has none.
+/// Returns its name, or its number where it has none.
 [[nodiscard]] std::string stickout_operation_label(const ReportModel& model, std::size_t operation);
 
-/// A line for each tool, and for each of its operations in need.
+/// Returns a line for each tool, and for each of its operations in need.
 [[nodiscard]] std::string stickout_lines(const ReportModel& model);
 
-/// A length in `unit`; null for a bound that was never reached and so has no number.
+/// Returns a length in `unit`; null for a bound that was never reached and so has no number.
 [[nodiscard]] nlohmann::ordered_json length_json(double length_mm, LengthUnit unit);
 
-/// Result of --find-stickout; null without the option.
+/// Returns the result of --find-stickout; null without the option.
 [[nodiscard]] nlohmann::ordered_json stickout_json(const ReportModel& model);
 
 }  // namespace gouge

@@ -24,7 +24,7 @@ struct Headlines {
 };
 [[nodiscard]] Headlines headlines(const ReportModel& model);
 
-/// The summary alone.
+/// Returns the summary alone.
 [[nodiscard]] std::string summary_text(const ReportModel& model, bool is_coloured = false);
 
 /// Writes the report as one HTML page that needs nothing beside it. It holds verdict, guarantee, pictures (embedded),
@@ -36,11 +36,11 @@ struct Headlines {
 [[nodiscard]] std::string write_html(const ReportModel& model, const std::vector<NamedFile>& pictures,
                                      const std::string& view = {});
 
-/// The report as JSON: docs/formats/report_json.md, schema docs/formats/report.schema.json. Key order is
-/// fixed, lengths are in the toolpath's unit and read back exactly, text is UTF-8.
+/// Returns the report as JSON: docs/formats/report_json.md, schema docs/formats/report.schema.json. Key order is fixed,
+/// lengths are in the toolpath's unit and read back exactly, text is UTF-8.
 [[nodiscard]] std::string write_json(const ReportModel& model);
 
-/// One row for every move, header first; RFC 4180 with line feeds. Columns and their meaning:
+/// Returns one row for every move, header first; RFC 4180 with line feeds. Columns and their meaning:
 /// docs/formats/csv.md. Lengths in the toolpath's unit, written so that they read back exactly.
 [[nodiscard]] std::string write_csv(const ReportModel& model);
 /// The same in parts, never whole in memory.

@@ -89,7 +89,7 @@ struct StoredResult {
   std::vector<StoredRun> runs;          ///< of all moves
   std::size_t left_out_as_asked = 0;    ///< rapids
 
-  /// None where that move is clean.
+  /// Returns none where that move is clean.
   [[nodiscard]] const StoredMove* find_move(std::size_t move) const;
   /// The moves of a finding, in order: those of its interval and state.
   [[nodiscard]] std::vector<const StoredMove*> moves_of(const StoredFinding& finding) const;
@@ -100,13 +100,14 @@ struct StoredResult {
   [[nodiscard]] const StoredRun& run_of(std::size_t move) const;
   /// Returns how many of the moves [first, end) are of the operation and tool of `run`.
   [[nodiscard]] std::size_t moves_like(const StoredRun& run, std::size_t first, std::size_t end) const;
-  /// The checksums of the files of a role, in order, a line each.
+  /// Returns the checksums of the files of a role, in order, a line each.
   [[nodiscard]] std::string contents_of(std::string_view role) const;
 };
 
-/// "T1", a quoted name, or "the unnamed tool", by its key.
+/// Returns "T1", a quoted name, or "the unnamed tool", by its key.
 [[nodiscard]] std::string stored_tool_label(const std::string& key);
-/// A finding without its location, in the unit of its result: "0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118".
+/// Returns a finding without its location, in the unit of its result: "0.213 mm cutter T1 at (12.3, 4.5, 6.7), move
+/// 118".
 [[nodiscard]] std::string stored_finding_text(const StoredResult& result, const StoredFinding& finding);
 
 /// Reads the bytes of `file`.

@@ -37,7 +37,7 @@ class GougedCells {
 
   void add(const Vec3& point);
 
-  /// True where a point lies within `reach_mm` of `at`, and for some up to four times as far away.
+  /// Returns true where a point lies within `reach_mm` of `at`, and for some up to four times as far away.
   [[nodiscard]] bool is_near(const Vec3& at, double reach_mm) const;
 
  private:

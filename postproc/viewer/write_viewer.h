@@ -11,8 +11,8 @@
 
 namespace gouge {
 
-/// The 3D view of a report as HTML that needs nothing beside it: its place in the page, style, script, and the scene.
-/// It shows itself where a browser has WebGL2, else it stays hidden and the pictures represent it. Empty without
+/// Returns the 3D view of a report as HTML that needs nothing beside it: its place in the page, style, script, and the
+/// scene. It shows itself where a browser has WebGL2, else it stays hidden and the pictures represent it. Empty without
 /// triangles.
 ///
 /// Ensures  The same bytes on every run and at any number of threads. Positions are rounded to 1/65535 of the scene's

@@ -55,7 +55,7 @@ struct ImportedTools {
 /// Chooses the importer by the content of the file, not by its name.
 [[nodiscard]] std::optional<ImportFormat> recognise_format(std::string_view bytes);
 
-/// The importer of `format`, or of the format that is recognised. Errors: import-format, and those above.
+/// Returns the importer of `format`, or of the format that is recognised. Errors: import-format, and those above.
 [[nodiscard]] Result<ImportedTools> import_tools(const std::string& file, std::string_view bytes,
                                                  std::optional<ImportFormat> format, const ImportOptions& options);
 

@@ -20,7 +20,7 @@ class NxHolderSource {
  public:
   NxHolderSource(const ImportOptions& options, LengthUnit unit) : options_(options), unit_(unit) {}
 
-  /// Null where there is no such file or no such holder in it.
+  /// Returns null where there is no such file or no such holder in it.
   [[nodiscard]] const std::vector<ToolSegment>* called(const std::string& name);
 
  private:

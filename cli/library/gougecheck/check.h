@@ -112,8 +112,8 @@ struct Correction {
   std::vector<Uncorrected> uncorrected;
 };
 
-/// A path without the gouges of `path`, as far as the limits allow. No clean move becomes anything else, none becomes
-/// deeper. Throws as check.
+/// Returns a path without the gouges of `path`, as far as the limits allow. No clean move becomes anything else, none
+/// becomes deeper. Throws as check.
 [[nodiscard]] GOUGECHECK_EXPORT Correction correct(const Path& path, const Scene& scene, const Tool& tool,
                                                    const CheckOptions& options = {}, const CorrectOptions& how = {});
 [[nodiscard]] GOUGECHECK_EXPORT Correction correct(const Path& path, const Scene& scene, const ToolLibrary& tools,

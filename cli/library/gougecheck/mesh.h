@@ -31,7 +31,7 @@ class GOUGECHECK_EXPORT Mesh {
 
   /// It separates inside from outside: a buried tool is found, and depths of bodies mean something.
   [[nodiscard]] bool is_solid() const;
-  /// Warnings: open edges, wrong orientations, triangles left out.
+  /// Returns warnings: open edges, wrong orientations, triangles left out.
   [[nodiscard]] std::vector<Note> notes() const;
 
   struct Content;

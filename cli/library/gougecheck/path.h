@@ -36,7 +36,7 @@ class GOUGECHECK_EXPORT Path {
   [[nodiscard]] std::span<const std::uint32_t> lines() const;  ///< of the file, from 1; of a path from memory the move
   [[nodiscard]] std::vector<Note> notes() const;               ///< notes of the reader
 
-  /// The bytes of its file; of a path from memory, APT that reads back as the same positions.
+  /// Returns the bytes of its file; of a path from memory, APT that reads back as the same positions.
   [[nodiscard]] std::string text() const;
 
   struct Content;

@@ -41,12 +41,12 @@ class GOUGECHECK_EXPORT Report {
   /// moves.
   [[nodiscard]] std::span<const double> depth() const;
   [[nodiscard]] std::span<const double> depth_upper() const;
-  /// The witness of `depth`: instant of the move in [0, 1], point of the surface, unit direction in which the tool must
-  /// move away. NaN where there is none.
+  /// Returns the witness of `depth`: instant of the move in [0, 1], point of the surface, unit direction in which the
+  /// tool must move away. NaN where there is none.
   [[nodiscard]] std::span<const double> t() const;
   [[nodiscard]] std::span<const Vec3> point() const;
   [[nodiscard]] std::span<const Vec3> normal() const;
-  /// The witness: face of its mesh as given, index of the mesh, the body of the tool. -1 where there is none.
+  /// Returns the witness: face of its mesh as given, index of the mesh, the body of the tool. -1 where there is none.
   [[nodiscard]] std::span<const std::int64_t> triangle() const;
   [[nodiscard]] std::span<const std::int32_t> mesh() const;
   [[nodiscard]] std::span<const std::int8_t> body() const;        ///< a Body

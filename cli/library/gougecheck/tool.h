@@ -62,7 +62,7 @@ class GOUGECHECK_EXPORT ToolLibrary {
   std::shared_ptr<const Content> content_;
 };
 
-/// Every word that Tool takes as a shape.
+/// Returns every word that Tool takes as a shape.
 [[nodiscard]] GOUGECHECK_EXPORT std::vector<std::string> tool_shapes();
 
 }  // namespace gougecheck

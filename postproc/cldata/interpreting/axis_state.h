@@ -42,7 +42,7 @@ class AxisState {
   /// The numbers are a list of positions without axes: [first, last) of the moves whose axes may be positions as well.
   [[nodiscard]] std::pair<std::size_t, std::size_t> note_list(std::size_t numbers);
   [[nodiscard]] bool is_doubtful(const Position& position);
-  /// The unit vector at argument `first`; nothing after an error.
+  /// Returns the unit vector at argument `first`; nothing after an error.
   [[nodiscard]] std::optional<Vec3> read(std::size_t first);
 
   void write_length_note() const;

@@ -54,7 +54,7 @@ class CycleState {
   [[nodiscard]] bool is_on() const { return is_on_; }
   [[nodiscard]] bool has_holes() const { return first_positions_ != kNone; }
   [[nodiscard]] bool is_doubtful() const { return is_on_ && is_contradicted_; }
-  /// The file ends within it, and moves are in doubt.
+  /// Returns whether the file ends within it, and moves are in doubt.
   [[nodiscard]] bool is_left_open() const { return is_on_ && certain_moves_ < in_.moves(); }
   /// Nothing: its words are not understood, for why().
   [[nodiscard]] const std::optional<DrillCycle>& drill() const { return drill_; }

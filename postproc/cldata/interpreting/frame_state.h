@@ -28,12 +28,12 @@ class FrameState {
   /// Ensures  The result shows whether that is another frame.
   bool set(const RigidTransform& to_part);
   void begin_block();
-  /// The line of the last frame that is not the part's own; 0: none.
+  /// Returns the line of the last frame that is not the part's own; 0: none.
   [[nodiscard]] std::size_t line() const { return line_; }
-  /// True where a frame of the file turns X, Y and Z.
+  /// Returns true where a frame of the file turns X, Y and Z.
   [[nodiscard]] bool has_turned() const { return has_turned_; }
 
-  /// A tip at argument `first`, in mm and in the frame; nothing after an error.
+  /// Returns a tip at argument `first`, in mm and in the frame; nothing after an error.
   [[nodiscard]] std::optional<Vec3> read_tip(std::size_t first);
   /// Makes a frame of the numbers at `origin`, `x` and `y`, and `z` where the file has it. Returns nothing after an
   /// error, which names `what`. Each component of an axis may be off by `rounding`.

@@ -123,7 +123,7 @@ enum class ReasonKind : std::uint8_t {
 
 /// True where an unknown place the statement takes the tool.
 [[nodiscard]] inline bool is_unread(std::string_view reason) { return kind_of(reason) >= ReasonKind::unread; }
-/// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
+/// Returns true where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
 [[nodiscard]] inline bool is_motion_known(std::string_view reason) {
   return kind_of(reason) <= ReasonKind::compensated;
 }
@@ -138,7 +138,7 @@ class NamedReasons {
   /// that repeats a statement has no list of all its lines.
   static constexpr std::size_t kMaxLines = 20;
 
-  /// `reason` with the word and the line of its statement (0: the word alone). The text is never freed, as
+  /// Returns `reason` with the word and the line of its statement (0: the word alone). The text is never freed, as
   /// Move::not_checked_reason requires; equal texts are one text.
   [[nodiscard]] const char* name(std::string_view reason, std::string_view major, std::size_t line = 0);
 

@@ -36,7 +36,7 @@ class StatementContext : public PathBuilder {
   /// True where all arguments are numbers; else an error, "`expected` in numbers", or a part program is refused.
   [[nodiscard]] bool check_all_numbers(std::string_view expected);
 
-  /// `reason` with the word and the line of the statement, or of another one.
+  /// Returns `reason` with the word and the line of the statement, or of another one.
   [[nodiscard]] const char* because(const char* reason) { return named(reason, statement_->major, line()); }
   [[nodiscard]] const char* named(const char* reason, std::string_view word, std::size_t line = 0) {
     return reasons_.name(reason, word, line);

@@ -50,7 +50,7 @@ class FeedState {
 
   [[nodiscard]] const Feed& feed() const { return feed_; }
   [[nodiscard]] bool is_rapid() const { return is_rapid_; }
-  /// The last RAPID, or kNone.
+  /// Returns the last RAPID, or kNone.
   [[nodiscard]] std::size_t rapid_statement() const { return rapid_statement_; }
 
  private:

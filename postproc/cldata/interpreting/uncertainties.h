@@ -55,14 +55,14 @@ class Uncertainties {
   [[nodiscard]] bool has(Uncertainty uncertainty) const {
     return reasons_[static_cast<std::size_t>(uncertainty)] != nullptr;
   }
-  /// True where it is in force or was before.
+  /// Returns true where it is in force or was before.
   [[nodiscard]] bool was_on(Uncertainty uncertainty) const { return was_on_[static_cast<std::size_t>(uncertainty)]; }
-  /// True where that doubt is in force and no other.
+  /// Returns true where that doubt is in force and no other.
   [[nodiscard]] bool is_alone(Uncertainty uncertainty) const {
     return has(uncertainty) &&
            std::ranges::count_if(reasons_, [](const char* reason) { return reason != nullptr; }) == 1;
   }
-  /// The reason to report, or null.
+  /// Returns the reason to report, or null.
   [[nodiscard]] const char* reason() const {
     const auto* const first =
         std::find_if(reasons_.begin(), reasons_.end(), [](const char* reason) { return reason != nullptr; });

@@ -118,15 +118,15 @@ struct Dialect {
   CutterForm cutter_form = CutterForm::whole;
 };
 
-/// All dialects, in the order they are listed for the user.
+/// Returns all dialects, in the order they are listed for the user.
 [[nodiscard]] std::span<const Dialect> all_dialects();
 
 [[nodiscard]] const Dialect& dialect_of(DialectKind kind);
 
-/// The dialect called `id`, upper or lower case, also without a leading "apt-"; nothing for other names.
+/// Returns the dialect called `id`, upper or lower case, also without a leading "apt-"; nothing for other names.
 [[nodiscard]] std::optional<Dialect> dialect_called(std::string_view id);
 
-/// The dialect called `id`; plain APT where there is no such dialect.
+/// Returns the dialect called `id`; plain APT where there is no such dialect.
 [[nodiscard]] Dialect dialect_or_apt(std::string_view id);
 
 /// Returns "nx-clsf, apt-catia, ...", the names that `dialect_called` takes.

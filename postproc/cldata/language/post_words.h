@@ -10,10 +10,10 @@
 
 namespace gouge {
 
-/// The major word, or nothing where the code is not known.
+/// Returns the major word, or nothing where the code is not known.
 [[nodiscard]] std::string_view major_of_code(std::uint16_t subclass);
 
-/// The minor word, or nothing where the code is not known.
+/// Returns the minor word, or nothing where the code is not known.
 [[nodiscard]] std::string_view minor_of_code(std::uint16_t code);
 
 }  // namespace gouge

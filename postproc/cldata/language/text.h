@@ -22,8 +22,8 @@ namespace gouge {
 /// Byte order mark that some editors put before UTF-8 text; not part of it.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-/// `text` in UTF-8 without control characters, cut behind a letter that reaches `longest` bytes; bytes that are no
-/// UTF-8 are taken as Latin-1.
+/// Returns `text` in UTF-8 without control characters, cut behind a letter that reaches `longest` bytes; bytes that are
+/// no UTF-8 are taken as Latin-1.
 [[nodiscard]] std::string shown_text(std::string_view text, std::size_t longest);
 
 [[nodiscard]] std::string_view trim(std::string_view text);
@@ -45,11 +45,11 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 /// Letters are compared as capitals. False for equal texts.
 [[nodiscard]] bool is_one_letter_off(std::string_view a, std::string_view b);
 
-/// `text` as a name for people and for JSON: trimmed, quotes around it and control characters dropped. Text
+/// Returns `text` as a name for people and for JSON: trimmed, quotes around it and control characters dropped. Text
 /// that is not UTF-8 is taken as Latin-1 (CATIA writes the code page of its user). At most 200 bytes.
 [[nodiscard]] std::string name_text(std::string_view text);
 
-/// `text` for use in a message: as name_text, cut to 40 bytes.
+/// Returns `text` for use in a message: as name_text, cut to 40 bytes.
 [[nodiscard]] std::string quoted_text(std::string_view text);
 
 }  // namespace gouge

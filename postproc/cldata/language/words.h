@@ -113,11 +113,11 @@ class WordSet {
 /// are found.
 [[nodiscard]] Word find_intended_word(std::string_view major);
 
-/// The word that `token` ends with, of those that change motion and have four letters or more: CYCLE of
+/// Returns the word that `token` ends with, of those that change motion and have four letters or more: CYCLE of
 /// "OFFCYCLE".
 [[nodiscard]] Word find_word_at_end(std::string_view token);
 
-/// True of words that only go on in a statement whose beginning is missing: OFF, FEDTO, MMPM.
+/// Returns true of words that only go on in a statement whose beginning is missing: OFF, FEDTO, MMPM.
 [[nodiscard]] bool is_minor_word(std::string_view word);
 
 /// Returns how many characters the free-text word of `line` (without leading blanks) has, or 0 when it has no such
@@ -128,7 +128,7 @@ class WordSet {
 /// MM, MMS, MILLIMETERS, INCH, INCHES, IN; nothing for other words.
 [[nodiscard]] std::optional<LengthUnit> unit_of_word(std::string_view word);
 
-/// The length unit of a feed word (MMPM, MMPR, IPM, IPR, FPM, FPR); nothing for other words.
+/// Returns the length unit of a feed word (MMPM, MMPR, IPM, IPR, FPM, FPR); nothing for other words.
 [[nodiscard]] std::optional<LengthUnit> unit_of_feed_word(std::string_view word);
 
 }  // namespace gouge

@@ -34,7 +34,7 @@ class Lexer final : public StatementSource {
   Word last_word_ = Word::unknown;
 };
 
-/// A Lexer of its own.
+/// Returns a Lexer of its own.
 [[nodiscard]] std::unique_ptr<StatementSource> open_text(std::string_view bytes, std::size_t first_byte,
                                                          std::size_t line);
 

@@ -52,10 +52,10 @@ class NccsWords {
   [[nodiscard]] std::size_t words() const;
   /// Returns where the word begins in the file's bytes.
   [[nodiscard]] static std::size_t offset(std::size_t word);
-  /// The word that begins at `offset`.
+  /// Returns the word that begins at `offset`.
   [[nodiscard]] static std::size_t word_at(std::size_t offset);
   [[nodiscard]] std::string_view bytes(std::size_t word) const;
-  /// `count` bytes from the beginning of the word on.
+  /// Returns `count` bytes from the beginning of the word on.
   [[nodiscard]] std::string_view bytes(std::size_t word, std::size_t count) const;
   [[nodiscard]] double number(std::size_t word) const;
   [[nodiscard]] NccsHeader header(std::size_t word) const;
@@ -64,11 +64,11 @@ class NccsWords {
   std::string_view bytes_;
 };
 
-/// The 8 bytes of a header and of a number, low byte first.
+/// Returns the 8 bytes of a header and of a number, low byte first.
 [[nodiscard]] std::string nccs_word(const NccsHeader& header);
 [[nodiscard]] std::string nccs_word(double number);
 
-/// `words` (8 bytes each) in blocks, the last one filled with zeros.
+/// Returns `words` (8 bytes each) in blocks, the last one filled with zeros.
 [[nodiscard]] std::string nccs_blocks(std::string_view words);
 
 }  // namespace gouge

@@ -97,7 +97,7 @@ class NciLines {
 /// here.
 void split_nci_fields(std::string_view parameters, std::vector<Argument>& fields);
 
-/// True where the first pairs of lines are codes and parameters, with a motion among them.
+/// Returns true where the first pairs of lines are codes and parameters, with a motion among them.
 [[nodiscard]] bool is_nci(std::string_view bytes);
 
 }  // namespace gouge

@@ -34,7 +34,7 @@ class NciStatements final : public StatementSource {
   void add(Word word, std::string_view major);
   void add_circle(const NciMotion& motion);
   [[nodiscard]] std::vector<Argument>& decoded() { return queue_[queued_ - 1].decoded; }
-  /// The pair's parameters; valid until the next call.
+  /// Returns the pair's parameters; valid until the next call.
   [[nodiscard]] const std::vector<Argument>& read_fields();
 
   NciLines lines_;

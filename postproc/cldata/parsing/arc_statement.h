@@ -46,7 +46,7 @@ struct ArcStatement {
   std::string_view problem;  ///< one of ArcProblems: then the rest states nothing; empty: none
 };
 
-/// One of which nothing is known but `problem`.
+/// Returns one of which nothing is known but `problem`.
 [[nodiscard]] ArcStatement unreadable_arc(std::string_view problem);
 
 /// CIRCLE/ or MOVARC/ in the sense of `dialect`.
@@ -61,7 +61,7 @@ struct TlonStatement {
   bool is_beyond_half = false;  ///< ON,2,INTOF: the second crossing of the line
 };
 
-/// True where circle and line are numbers, whatever words stand beside them: no part program.
+/// Returns true where circle and line are numbers, whatever words stand beside them: no part program.
 [[nodiscard]] bool is_tlon_of_numbers(std::span<const Argument> arguments);
 
 /// Nothing for a TLON of another form.
@@ -89,7 +89,7 @@ struct ArcFit {
 /// is a stated half turn, a whole turn of a helix, or any arc that states no sweep.
 [[nodiscard]] bool fits_both_ways(ArcStatement statement, const Vec3& start, const Vec3& end);
 
-/// Unit direction in which a right-handed arc passes `tip`.
+/// Returns the unit direction in which a right-handed arc passes `tip`.
 [[nodiscard]] Vec3 arc_tangent(const ArcStatement& statement, const Vec3& tip);
 
 }  // namespace gouge

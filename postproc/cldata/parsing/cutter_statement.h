@@ -37,8 +37,8 @@ struct CutterOutcome {
 /// a kind of tool. It has nothing of a macro outside of square brackets.
 [[nodiscard]] bool is_tool_name(std::string_view text);
 
-/// True of the two other texts that SolidWorks CAM writes by itself: "Stock Size X95. Y95. Z10." and "STOP" with a
-/// message for the operator.
+/// Returns true of the two other texts that SolidWorks CAM writes by itself: "Stock Size X95. Y95. Z10." and "STOP"
+/// with a message for the operator.
 [[nodiscard]] bool is_setup_text(std::string_view text);
 
 }  // namespace gouge

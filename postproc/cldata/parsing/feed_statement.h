@@ -13,8 +13,8 @@ namespace gouge {
 /// file's unit of length. Not understood are another number of numbers, one that is not above 0, two units, and INVERS.
 [[nodiscard]] Feed read_feed(std::span<const Argument> arguments, double mm_per_unit);
 
-/// True where FEDRAT only switches how the control gets its feeds (INVERS,AUTO and INVERS,OFF), and where it states
-/// no unit.
+/// Returns true where FEDRAT only switches how the control gets its feeds (INVERS,AUTO and INVERS,OFF), and where it
+/// states no unit.
 [[nodiscard]] bool switches_inverse_time(std::span<const Argument> arguments);
 [[nodiscard]] bool has_feed_unit(std::span<const Argument> arguments);
 

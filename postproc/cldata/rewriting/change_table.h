@@ -25,7 +25,7 @@ class ChangeTable {
   [[nodiscard]] bool is_changed(std::size_t move) const {
     return has_new_end(move) || has_insertion(move) || is_straightened(move) || has_new_arc(move) || is_rewritten(move);
   }
-  /// An arc or a hole is to be described anew.
+  /// Returns whether an arc or a hole is to be described anew.
   [[nodiscard]] bool is_rewritten(std::size_t move) const {
     return of_move_[move] != nullptr && (of_move_[move]->has_arc() || of_move_[move]->hole_shift_mm);
   }
@@ -54,12 +54,12 @@ class ReplacedStatements {
   /// `path` must outlive the object.
   explicit ReplacedStatements(const Toolpath& path) : path_(path) {}
 
-  /// Replacement of `statement`; empty at first.
+  /// Returns the replacement of `statement`; empty at first.
   [[nodiscard]] std::string& operator[](std::size_t statement) { return text_of_[statement]; }
 
   /// As the file has it.
   [[nodiscard]] std::string_view bytes_of(std::size_t statement) const;
-  /// False where a sequence number or label, which belongs to its statement alone, stands before the word.
+  /// Returns false where a sequence number or label, which belongs to its statement alone, stands before the word.
   [[nodiscard]] bool begins_with(std::size_t statement, std::string_view word) const;
 
   /// Appends the edits of the statements that begin in the bytes [from, to) of the file.

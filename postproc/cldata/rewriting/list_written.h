@@ -20,8 +20,8 @@ struct WrittenStatement {
   std::size_t before = kNone, after = kNone;  ///< the statement of each file; kNone: it has none there, or it is binary
 };
 
-/// Every statement by whose bytes the two files differ, in order; all others are the same to the byte and in the same
-/// order.
+/// Returns every statement by whose bytes the two files differ, in order; all others are the same to the byte and in
+/// the same order.
 ///
 /// Requires `after` as read from what write_corrected made of `before` and `changes`. In binary NCCS files, whose
 /// records break at other points once one is added, these are the records of the changed moves.
@@ -38,12 +38,12 @@ class RecordTexts {
   RecordTexts(const Toolpath& before, const std::vector<PathChange>& changes, const Toolpath& after,
               const std::vector<WrittenStatement>& written);
 
-  /// Text of a move as it was. Nothing for binary records (NCCS), whose bytes are not text, and for moves without a
-  /// statement.
+  /// Returns the text of a move as it was. Nothing for binary records (NCCS), whose bytes are not text, and for moves
+  /// without a statement.
   [[nodiscard]] std::optional<std::string_view> before(std::size_t move) const;
   /// Text of the k-th position inserted before the end of `move`; the end itself stands behind the last of them.
   [[nodiscard]] std::optional<std::string_view> after(std::size_t move, std::size_t k) const;
-  /// Text of all that the move became.
+  /// Returns the text of all that the move became.
   [[nodiscard]] std::optional<std::string_view> after(std::size_t move) const;
 
  private:

@@ -26,7 +26,7 @@ namespace gouge {
 /// Errors   write-move, write-arc, write-alone, as write_corrected.
 [[nodiscard]] std::optional<Diagnostic> find_wrong_change(const Toolpath& path, const std::vector<PathChange>& changes);
 
-/// The edits of write_corrected for a file of text. Requires changes that write_corrected has checked.
+/// Returns the edits of write_corrected for a file of text. Requires changes that write_corrected has checked.
 /// Errors   write-arc, as write_corrected.
 [[nodiscard]] Result<Edits> edits_of_text(const Toolpath& path, const MotionRecords& records,
                                           const std::vector<PathChange>& changes);

@@ -48,7 +48,7 @@ struct TextFormat {
 
   [[nodiscard]] std::string number_text(double value, int decimals) const;
   [[nodiscard]] std::string coordinate(double value) const { return number_text(value, decimals); }
-  /// Three numbers, separated.
+  /// Returns three numbers, separated.
   [[nodiscard]] std::string point(const Vec3& value) const;
   [[nodiscard]] std::string direction(const Vec3& value) const;
 };
