@@ -17,7 +17,7 @@ struct ProjectOption {
   std::vector<std::string> words;  ///< "--fixture=a.stl", "--fixture=b.stl"
   std::size_t line = 0;
 
-  /// For people: "a.stl, b.stl"; of a flag "yes".
+  /// Returns the value for people: "a.stl, b.stl"; for a flag "yes".
   [[nodiscard]] std::string value() const;
 };
 
@@ -28,7 +28,7 @@ struct ProjectFile {
   [[nodiscard]] const ProjectOption* option(const std::string& key) const;
 };
 
-/// The long names of all options that a project file may set, in the order of the tables.
+/// Returns the long names of all options that a project file may set, in the order of the tables.
 [[nodiscard]] std::vector<std::string> project_keys();
 
 /// Finds the project file that holds in the working directory. It is the nearest one from there up to the root of its

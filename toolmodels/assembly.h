@@ -67,9 +67,10 @@ struct PositionedSegment {
 /// Returns every segment above the cutter, from the tip side up. Requires a tool that make_body_profiles accepts.
 [[nodiscard]] std::vector<PositionedSegment> position_segments(const ToolAssembly& tool);
 
-/// Tip to the lowest extension or holder; to the top when there is neither. Requires as position_segments.
+/// Returns the length from the tip to the lowest extension or holder; to the top when there is neither. Requires as
+/// position_segments.
 [[nodiscard]] double stickout_mm(const ToolAssembly& tool);
-/// Tip to top.
+/// Returns the length from tip to top.
 [[nodiscard]] double height_mm(const ToolAssembly& tool);
 
 /// Returns the tool with its top body extended, as wide as it ends, until `height_mm` above the tip (when it is not

@@ -144,7 +144,7 @@ struct NominalSize {
 /// agree. Both zero means not given; e may also be the diameter of the flat tip, as some writers have it.
 [[nodiscard]] std::string apt_contradiction(const AptCutter& cutter);
 
-/// Positive, finite and not absurdly large; the check shared by cutters and segments.
+/// Checks that a length is positive, finite and not absurdly large, for cutters and segments.
 [[nodiscard]] Outcome check_length(const std::string& field, double value_mm);
 
 }  // namespace gouge

@@ -37,7 +37,7 @@ struct Profile {
 [[nodiscard]] ProfileElement make_concave_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center,
                                               double radius_mm);
 
-/// Unit direction of travel at the start and at the end. Requires an element that verify_profile accepts.
+/// Returns the unit direction of travel at the start and at the end. Requires an element that verify_profile accepts.
 [[nodiscard]] Vec2 start_direction(const ProfileElement& element);
 [[nodiscard]] Vec2 end_direction(const ProfileElement& element);
 

@@ -31,7 +31,7 @@ struct ToolLibrary {
   Diagnostics notes;                ///< warnings: keys that are not known, and the like
   std::vector<int> shared_numbers;  ///< shared by several tools of an imported file; the first keeps it
 
-  /// Null when there is none.
+  /// Returns the tool of that number; null when there is none.
   [[nodiscard]] const ToolAssembly* with_number(int number) const;
   [[nodiscard]] const ToolAssembly* with_name(std::string_view name) const;
   /// Returns the tool that people mean by `name`: the one of that name, else of that number, written 3 or T3.

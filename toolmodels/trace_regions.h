@@ -17,8 +17,8 @@ struct TracedRegion {
   std::vector<bool> is_bisector;  ///< per far point: ends at another region, not at the axis or the window
 };
 
-/// Returns all regions within the window [0, high.x] x [low.y, high.y], traced through the BSP (not from its
-/// equations), for pictures. Accuracy of the far points: 1e-9 of the tool's size along the normal.
+/// Traces all regions within the window [0, high.x] x [low.y, high.y], through the BSP (not from its equations), for
+/// pictures. Accuracy of the far points: 1e-9 of the tool's size along the normal.
 [[nodiscard]] std::vector<TracedRegion> trace_regions(const CompiledTool& tool, const Vec2& low, const Vec2& high);
 
 /// Builds a tree over a contour: stretches of it, each in a box and cut in halves, down to a few elements.

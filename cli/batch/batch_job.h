@@ -24,8 +24,8 @@ class FileHashes {
 /// Returns the inputs of a job beside its files: the program, its command and its words.
 [[nodiscard]] std::string job_text(const BatchJob& job, const std::string& program);
 
-/// SHA-256 of `text`, a job_text, and of the contents of the job's files as they are now; empty where one of them
-/// cannot be read.
+/// Returns the SHA-256 of `text`, a job_text, and of the contents of the job's files. Empty where one of them cannot be
+/// read.
 [[nodiscard]] std::string job_key(const BatchJob& job, const std::string& text, FileHashes& hashes);
 
 /// Returns whether all of `outputs`, below `folder` where they are relative, are there and as they were written.

@@ -33,7 +33,7 @@ struct BatchFolder {
   bool has_reports = true;  ///< false: of no job, whatever it states
 
   [[nodiscard]] std::string report_of(const std::string& job) const { return path + "/reports/" + job; }
-  /// Below `path`.
+  /// Returns the name of a corrected toolpath below `path`.
   [[nodiscard]] static std::string corrected_name(const BatchJob& job);
 };
 

@@ -29,13 +29,13 @@ class Ranks {
   [[nodiscard]] virtual std::optional<std::size_t> take(int list, std::size_t most) = 0;
   /// Gives all processes what rank 0 has.
   virtual void share(std::vector<std::size_t>& numbers) = 0;
-  /// The largest of what the processes have, once all of them have called.
+  /// Returns the largest value of all processes, once all of them have called.
   [[nodiscard]] virtual int largest(int value) = 0;
 
   [[nodiscard]] bool is_first() const { return rank() == 0; }
 };
 
-/// Those of mpirun, if that is what started this process; else this one alone. Errors: usage, where mpirun started
+/// Makes the ranks of mpirun, if it started this process; else this one alone. Errors: usage, where mpirun started
 /// several processes of a program that was built without MPI, which would all do the same; module-missing.
 [[nodiscard]] Result<std::unique_ptr<Ranks>> make_ranks();
 

@@ -26,7 +26,7 @@ struct WordRules {
   std::optional<std::string> (*why_not)(const CLI::Option& option);
   std::string why_no_dash;  ///< why a file cannot be -
 };
-/// Those of a job list.
+/// Returns the rules of a job list.
 [[nodiscard]] const WordRules& job_rules();
 
 /// Returns the table of options of "check" or "correct", as files set them.
@@ -35,7 +35,7 @@ struct WordRules {
 /// Returns the long name of the option that `key` of a file sets: its own, but for `harmless_words`, the list of
 /// --harmless-word.
 [[nodiscard]] std::string option_of_key(const std::string& key);
-/// The other way round.
+/// Does the reverse.
 [[nodiscard]] std::string key_of_option(const std::string& name);
 
 /// The options of `check` or `correct` as the values of a job list or a project file give them.

@@ -36,7 +36,7 @@ struct ClaimedResult {
   };
   std::vector<Finding> findings;
 
-  /// One a move of a path of so many.
+  /// Returns one claim for each move of a path.
   [[nodiscard]] std::vector<MoveClaim> claims_of(std::size_t path_moves) const;
 };
 

@@ -10,12 +10,12 @@
 
 namespace gouge {
 
-/// The job must outlive it.
+/// Returns the scene of a job, which must outlive it.
 [[nodiscard]] ClaimedScene claimed_scene(const Job& job);
 
 [[nodiscard]] std::vector<MoveClaim> claims_of(const CheckResult& result);
 
-/// SHA-256 of the roles and checksums of all inputs, in their order: what a certificate is about.
+/// Returns the SHA-256 of the roles and checksums of all inputs, in their order. A certificate is about these.
 [[nodiscard]] std::string inputs_digest(const std::vector<InputFile>& inputs);
 
 /// Returns the warning for moves without a proof. Requires that there are some.

@@ -54,9 +54,9 @@ struct Job {
   /// Does --extend-up for a tool of this job. The tool becomes as high as the farthest point of the scene, and the
   /// widest radius more. So its end is nearest to nothing.
   [[nodiscard]] ToolAssembly without_end(const ToolAssembly& tool) const;
-  /// `prepared` is the scene of the job; both must outlive the result.
+  /// Returns the set-up of the check. The scene of the job is `prepared`; both must outlive the result.
   [[nodiscard]] CheckSetup setup(const PreparedScene& prepared) const;
-  /// As requested, else the toolpath's.
+  /// Returns the requested unit, else the toolpath's.
   [[nodiscard]] LengthUnit stl_unit(const JobArguments& arguments) const;
   /// Returns the report of `result`, which must outlive it, like the job.
   [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,
@@ -73,7 +73,7 @@ struct LoadedJob {
 [[nodiscard]] LoadedJob load_job(const JobArguments& arguments, const JobOptions& options, Progress& progress,
                                  const SceneSource& scenes = load_scene);
 
-/// The `bytes` of a corrected toolpath, to be called `file`, read as the path of `job`, which it was made from.
+/// Reads the `bytes` of a corrected toolpath, to be called `file`, as the path of `job` was read, of which it was made.
 /// Errors: those of the reader; they would be errors of this program.
 [[nodiscard]] Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes);
 

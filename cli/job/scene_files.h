@@ -31,7 +31,7 @@ struct SceneRequest {
   MeshCopies* copies = nullptr;  ///< where files are read from; none: where they are
   std::vector<MeshLimit> limits{};
 
-  /// Equal for requests that read the same files in the same way.
+  /// Returns a key that is equal for requests that read the same files in the same way.
   [[nodiscard]] std::string key() const;
 };
 

@@ -24,7 +24,7 @@ class SceneStore {
   void release(const JobArguments& arguments);
   /// Returns where a job of these arguments has its scene from; the store must outlive it.
   [[nodiscard]] SceneSource source(const JobArguments& arguments);
-  /// Equal for jobs that may share a scene: which files they name and how.
+  /// Returns a key that is equal for jobs that may share a scene. It states the files that they name and how.
   [[nodiscard]] static std::string group_of(const JobArguments& arguments);
 
  private:

@@ -23,7 +23,7 @@ struct OptionDoc {
   std::vector<std::string> needs;  ///< options without which it may not be given
   bool is_positional = false, is_required = false, is_repeatable = false;
 
-  /// With "[default: 0.01]" and "[required]" where it is so.
+  /// Returns the description, with "[default: 0.01]" and "[required]" where it is so.
   [[nodiscard]] std::string full_description() const;
   [[nodiscard]] bool takes_file() const;
   [[nodiscard]] bool takes_folder() const { return value == "FOLDER"; }

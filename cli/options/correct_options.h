@@ -34,7 +34,7 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments);
 /// Errors (code usage): names the option, what was typed and what was expected.
 [[nodiscard]] Result<CorrectOptions> understand_correction(const CorrectArguments& arguments);
 
-/// As a report names them: "auto", "axis", "cutter=axis, holder=tilt".
+/// Returns the strategies as a report names them: "auto", "axis", "cutter=axis, holder=tilt".
 [[nodiscard]] std::string strategies_text(const CorrectArguments& arguments);
 
 }  // namespace gouge

@@ -9,7 +9,7 @@ namespace gouge {
 
 using Json = nlohmann::ordered_json;  ///< keys stay in the order they are written
 
-/// [x, y, z] in the unit that has `mm_per_unit`; 1 for a direction. Zero has no sign.
+/// Returns [x, y, z] in the unit that has `mm_per_unit`; 1 for a direction. Zero has no sign.
 [[nodiscard]] inline Json point_json(const Vec3& v_mm, double mm_per_unit) {
   return Json::array({v_mm.x() / mm_per_unit + 0.0, v_mm.y() / mm_per_unit + 0.0, v_mm.z() / mm_per_unit + 0.0});
 }

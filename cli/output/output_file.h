@@ -33,7 +33,7 @@ class PendingOutputs {
   std::optional<std::string> for_stdout_;
 };
 
-/// PendingOutputs of one file.
+/// Writes one file as PendingOutputs.
 [[nodiscard]] Outcome write_output(const std::string& file, std::string_view bytes, std::ostream& out);
 
 /// Finds errors that will keep these outputs from being written, as far as they are known before the work. Their folder

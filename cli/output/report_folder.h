@@ -43,7 +43,7 @@ struct ReportManifest {
 /// Returns the file `name` of `folder` as it is, read in pieces. Errors: file-unreadable.
 [[nodiscard]] Result<ManifestEntry> describe_file(const std::string& folder, const std::string& name);
 
-/// Every name a report may write into its folder: report.html, result.json, moves.csv, the pictures, and the
+/// Returns every name a report may write into its folder: report.html, result.json, moves.csv, the pictures, and the
 /// manifest. No other file of a folder is the report's.
 [[nodiscard]] const std::vector<std::string>& names_of_report();
 

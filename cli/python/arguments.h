@@ -46,7 +46,7 @@ class Keywords {
   [[nodiscard]] bool flag(const char* name, bool otherwise);
   /// Returns a whole number of 0 or more.
   [[nodiscard]] unsigned count(const char* name, unsigned otherwise);
-  /// As it is; None where it is not given.
+  /// Returns the object as it is; None where it is not given.
   [[nodiscard]] py::object object(const char* name);
 
   /// Requires that every keyword was taken. Throws the TypeError that names one that was not.

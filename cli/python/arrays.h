@@ -22,7 +22,7 @@ namespace py = pybind11;
 [[nodiscard]] std::vector<Triangle> triangles_of(const py::handle& object);
 /// Returns a C-contiguous array of bool of shape (n,), or None.
 [[nodiscard]] std::span<const bool> flags_of(const py::handle& object, const std::string& name);
-/// Returns none, a float64 array of shape (4, 4), homogeneous as trimesh has it, or an object with getRotation and
+/// Reads None, a float64 array of shape (4, 4), homogeneous as trimesh has it, or an object with getRotation and
 /// getTranslation, as python-fcl's Transform.
 [[nodiscard]] Transform pose_of(const py::handle& object);
 

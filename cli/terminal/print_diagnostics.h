@@ -24,7 +24,7 @@ struct Verbosity {
 /// `on_verbose` is the help of -v.
 void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose);
 
-/// Both at once (code usage), or nothing.
+/// Returns the error that both are set (code usage), or nothing.
 [[nodiscard]] std::optional<Diagnostic> find_contradiction(const Verbosity& verbosity);
 
 /// Prints diagnostics, one a line, as compilers do.

@@ -15,7 +15,7 @@ namespace gouge {
 
 enum class ProgressMode { automatic, always, never };
 
-/// --progress: auto, always or never.
+/// Reads the word of --progress: auto, always or never.
 [[nodiscard]] ProgressMode understand_progress(std::string_view word);
 
 /// One line on standard error that is drawn over and over while long work runs, and wiped at its end. It shows the
@@ -34,7 +34,7 @@ class Progress {
   /// Wipes the line. To be called before anything else is printed.
   void end();
 
-  /// For work in libraries; empty where nothing is to be shown.
+  /// Returns the callback for work in libraries; empty where nothing is to be shown.
   [[nodiscard]] ProgressCall call();
 
  private:

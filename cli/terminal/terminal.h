@@ -30,7 +30,7 @@ void prepare_standard_streams();
 /// Returns whether standard output is a pipe without a reader, as in `gougecheck check ... | head -1`.
 [[nodiscard]] bool is_reader_gone();
 
-/// After a write to standard output failed. Code: output-unwritable.
+/// Describes a failed write to standard output. Code: output-unwritable.
 [[nodiscard]] Diagnostic describe_failed_output();
 
 }  // namespace gouge

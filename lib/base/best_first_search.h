@@ -69,7 +69,8 @@ class BestFirstSearch {
     return open_.empty() ? pruned_mm_ : std::max(pruned_mm_, open_.front().upper_mm);
   }
 
-  /// After `run` the candidate with the largest bound of those above the threshold that were not split; null: none.
+  /// Returns after `run` the candidate with the largest bound of those above the threshold that were not split; null:
+  /// none.
   [[nodiscard]] const Candidate* undecided() const {
     return open_.empty() || !(open_.front().upper_mm > threshold_mm()) ? nullptr : &open_.front();
   }

@@ -19,11 +19,12 @@ inline constexpr std::uint64_t kMaxInputBytes = 8'000'000'000;
 /// Returns the bytes of `path`, a file or a pipe. Errors: those of InputReader (lib/base/input_file.h).
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::uint64_t max_bytes = kMaxInputBytes);
 
-/// As read_file, of a file that may be longer than memory.
+/// Reads a file as read_file does; it may be longer than memory.
 [[nodiscard]] Result<PagedVector<char>> read_long_file(const std::string& path,
                                                        std::uint64_t max_bytes = kMaxInputBytes);
 
-/// A StagedFile that is committed at once: readers see the old file or the whole new one; links, owner and mode stay.
+/// Writes a StagedFile and commits it at once. Readers see the old file or the whole new one; links, owner and mode
+/// stay.
 /// Errors: file-unwritable (with the system's reason).
 [[nodiscard]] Outcome write_file(const std::string& path, std::string_view bytes);
 

@@ -47,7 +47,7 @@ enum class Zeros { kept, dropped };
 /// than 2^62 bytes.
 [[nodiscard]] std::optional<std::uint64_t> parse_byte_size(std::string_view text);
 
-/// For people, in powers of 1000: "8 GB", "12.35 MB", "999 bytes"; cut, not rounded up.
+/// Returns bytes for people, in powers of 1000: "8 GB", "12.35 MB", "999 bytes". Digits are cut, not rounded up.
 [[nodiscard]] std::string byte_size_text(std::uint64_t bytes);
 
 }  // namespace gouge

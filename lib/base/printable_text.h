@@ -22,7 +22,7 @@ namespace gouge {
 /// two. The same in every locale.
 [[nodiscard]] std::size_t display_width(std::string_view text);
 
-/// printable(text), followed by blanks up to `width` columns. Wider text stays as it is.
+/// Returns printable(text), followed by blanks up to `width` columns. Wider text stays as it is.
 [[nodiscard]] std::string padded(std::string_view text, std::size_t width);
 
 struct CodePoint {

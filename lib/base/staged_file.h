@@ -39,7 +39,7 @@ class StagedFile {
   StagedFile& operator=(StagedFile&&) = delete;
   ~StagedFile();
 
-  /// To be called once. Errors: file-unwritable; what stood at `path` is then as it was.
+  /// Puts the file in its place; to be called once. Errors: file-unwritable; the old file at `path` is then as it was.
   [[nodiscard]] Outcome commit();
 
  private:

@@ -69,7 +69,7 @@ class MotionChecker {
  private:
   friend class ShiftCheck;
 
-  /// check_move, charged to the budget and within what is left of it.
+  /// Does check_move, charged to the budget and within its rest.
   [[nodiscard]] MoveVerdict check_tool(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                                        const CheckOptions& options) const;
 

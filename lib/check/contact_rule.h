@@ -44,7 +44,7 @@ struct ObstacleMeshes {
   const std::vector<IndexedMesh>& meshes;
 };
 
-/// One for each row of the table, in its order. The scene must outlive it.
+/// Returns one entry for each row of the table, in its order. The scene must outlive it.
 [[nodiscard]] inline std::vector<ObstacleMeshes> obstacles_of(const Scene& scene) {
   return {{kContactRules[0], scene.parts}, {kContactRules[1], scene.fixtures}};
 }

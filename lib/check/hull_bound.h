@@ -19,7 +19,7 @@ struct PieceBound {
   bool is_time_next = false;  ///< halving the time lowers the bound more than halving the piece
 };
 
-/// Over the triangle `piece`. With reach > 0 the bound is max(0, ...), exact only up to the reach. Work stops as
+/// Bounds over the triangle `piece`. With reach > 0 the bound is max(0, ...), exact only up to the reach. Work stops as
 /// soon as the bound is at most `cutoff_mm`.
 [[nodiscard]] PieceBound bound_piece(const CompiledTool& tool, const std::array<Vec3, 3>& piece,
                                      const ToolInterval& interval, double reach_mm, double cutoff_mm);

@@ -36,9 +36,8 @@ struct PathFit {
   std::optional<Explanation> explanation;
 };
 
-/// A tool touches the part where its surface is within this of the part's: a twentieth of the cutter's
-/// radius, 0.02 mm to 0.5 mm. It allows for tessellation and for what is left to finish, not for a wrong
-/// position.
+/// Returns the distance within which the surface of a tool touches the part's: a twentieth of the cutter's radius, 0.02
+/// mm to 0.5 mm. It allows for tessellation and for stock left to finish, not for a wrong position.
 [[nodiscard]] double touch_mm(const ToolVariants& tool);
 
 /// Shape    As check_path, with the verdicts it gave.

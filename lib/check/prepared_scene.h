@@ -37,7 +37,7 @@ class PreparedScene {
   PreparedScene(const PreparedScene&) = delete;
   PreparedScene& operator=(const PreparedScene&) = delete;
 
-  /// In the order of the contact table.
+  /// Returns the obstacles in the order of the contact table.
   [[nodiscard]] std::span<const PreparedObstacle> obstacles() const { return obstacles_; }
   [[nodiscard]] const PreparedObstacle& obstacle(Against against) const {
     return obstacles_[static_cast<std::size_t>(against)];

@@ -26,11 +26,12 @@ class SceneSides {
   /// The scene must outlive it.
   explicit SceneSides(const Scene& scene);
 
-  /// Bit k: beyond all meshes of obstacle k.
+  /// Returns bits: bit k is set beyond all meshes of obstacle k.
   [[nodiscard]] std::uint8_t beyond(const Vec3& point) const;
   [[nodiscard]] std::uint8_t beyond_all() const { return static_cast<std::uint8_t>((1U << obstacles_.size()) - 1); }
 
-  /// Outside only when outside of all obstacles, inside when inside of one. In `beyond` is the part known already.
+  /// Returns the side: outside only when outside of all obstacles, inside when inside of one. In `beyond` is the part
+  /// known already.
   [[nodiscard]] SideResult side_of(const ConnectedPoints& joined, std::uint8_t beyond = 0) const;
 
  private:

@@ -75,7 +75,7 @@ struct SearchResult {
 [[nodiscard]] SearchResult search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
                                        const SearchQuery& query, const SearchStart& start);
 
-/// One motion, swept (sweep_filter.h) and searched to the end.
+/// Sweeps one motion (sweep_filter.h) and searches it to the end.
 [[nodiscard]] SearchResult sweep_and_search(const Motion& motion, const std::vector<SearchTarget>& targets,
                                             const SearchQuery& query);
 

@@ -58,7 +58,7 @@ struct SetupOverlap {
   Clash clash;  ///< of the part (A) and the fixture (B): penetrating or not certified
 };
 
-/// Every fixture of a scene against every part, in that order. `is_left_out`: by fixture.
+/// Tests every fixture of a scene against every part, in that order. The list `is_left_out` is by fixture.
 ///
 /// Requires scene.is_within_reach.
 /// Cost  Nothing for bodies whose bounding boxes have no more than the tolerance in common; else the surfaces of the

@@ -19,7 +19,7 @@ class ClashBody {
   [[nodiscard]] const Surface& boundary() const { return whole_.boundary(); }
   [[nodiscard]] bool is_solid() const { return boundary().is_solid(); }
 
-  /// Made when first requested, by one thread. Requires is_solid().
+  /// Returns the local maxima, made when first requested, by one thread. Requires is_solid().
   [[nodiscard]] const LocalMaxima& maxima() const {
     if (!maxima_) maxima_ = std::make_unique<LocalMaxima>(boundary());
     return *maxima_;

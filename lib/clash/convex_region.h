@@ -21,7 +21,7 @@ class ConvexRegion {
   [[nodiscard]] std::span<const Vec3> points() const { return std::span(points_).first(count_); }
 
   [[nodiscard]] Vec3 centre() const;
-  /// No point of the region is farther from `centre`.
+  /// Returns a distance from `centre` that no point of the region exceeds.
   [[nodiscard]] double radius_mm(const Vec3& centre) const;
   [[nodiscard]] Box3 box() const;
   /// Builds the region of a polygon.

@@ -12,7 +12,8 @@
 
 namespace gouge {
 
-/// For a solid of revolution whose profile turns in one direction only, with contours from the tip up.
+/// Returns whether it is a solid of revolution whose profile turns in one direction only, with contours from the tip
+/// up.
 [[nodiscard]] bool is_convex(const CompiledTool& tool);
 
 /// A flat piece of surface as seen from one side of it.
@@ -27,7 +28,7 @@ struct SweepHint {
   std::size_t work = 0;  ///< bounds of nodes and motions examined so far
 };
 
-/// No point of the cutter is farther from its tip.
+/// Returns a distance from the tip that no point of the cutter exceeds.
 [[nodiscard]] double farthest_mm(const CompiledTool& cutter);
 
 /// The space that cutters pass through on motions: a tree over the motions in the order in which they were added.

@@ -43,9 +43,9 @@ class NearestInstant {
   /// Cost: two to five distances; for a cutter that is not convex up to some thousand.
   void search(double lower_cutoff_mm, double upper_cutoff_mm);
 
-  /// There is an instant at which it is no more than this.
+  /// Returns a distance that is reached, or undercut, at some instant.
   [[nodiscard]] double found_mm() const { return found_mm_ + slack_mm_; }
-  /// At no instant is it less.
+  /// Returns a distance that is undercut at no instant.
   [[nodiscard]] double bound_mm() const { return std::min(bound_mm_, found_mm_) - slack_mm_; }
 
  private:

@@ -69,11 +69,11 @@ struct CorrectedPose {
                                                                    const MotionChecker& checker,
                                                                    const PoseLimits& limits);
 
-/// `wanted` alone: nothing where it finds no place, or leaves a head too deep, or is to tilt or to trim.
+/// Corrects by `wanted` alone. Nothing where it finds no place, or leaves a head too deep, or is to tilt or to trim.
 [[nodiscard]] std::optional<CorrectedPose> correct_as(Strategy wanted, const Pose& pose, const ToolVariants& tool,
                                                       const MotionChecker& checker, const PoseLimits& limits);
 
-/// check_shift in words: why the tool may not be shifted straight from `from` to `to`, or null: it may.
+/// Returns check_shift in words: why the tool may not be shifted straight from `from` to `to`; null where it may.
 [[nodiscard]] const char* why_not_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolVariants& tool,
                                         const MotionChecker& checker);
 
@@ -89,7 +89,7 @@ inline constexpr double kSideShiftsPerDepth = 2;
 /// Returns how far a shift leads away from the tool axis: along the axis the tool keeps to the programmed cut.
 [[nodiscard]] double side_shift_mm(const Vec3& shift, const Vec3& axis);
 
-/// correct_as, held to the laws of a shift: `wanted` first, then along the axis.
+/// Does correct_as under the laws of a shift: `wanted` first, then along the axis.
 ///
 /// `largest_side_mm`: none allows kSideShiftsPerDepth times the depth.
 [[nodiscard]] FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind,

@@ -17,7 +17,7 @@ struct HolePlan {
   double depth_before_mm = 0, depth_after_mm = 0;
 };
 
-/// The moves of the hole that begins at `first`: neighbouring cycle steps of one statement.
+/// Returns the end of the hole that begins at `first`: its moves are neighbouring cycle steps of one statement.
 [[nodiscard]] std::size_t end_of_hole(const Toolpath& path, std::size_t first);
 
 /// A hole [first, last) of which a step gouges and that stays where it is, and why.
@@ -31,7 +31,7 @@ struct HolePlans {
   std::vector<HoleLeft> left;  ///< where more is known than that no lift frees it
 };
 
-/// Plans for the holes of which a step gouges and which the file can write elsewhere. Each is the least lift for which
+/// Plans the holes of which a step gouges and which the file can write elsewhere. Each plan is the least lift for which
 /// the steps that gouge, shifted with it, are clean, and keeps the law of a shift. The written file shows how the path
 /// to the hole and from it runs then.
 ///

@@ -38,7 +38,7 @@ struct NewPosition {
 
 [[nodiscard]] bool is_curve(const Move& move);
 
-/// A reworked path without its moves.
+/// Returns a reworked path without its moves.
 [[nodiscard]] Toolpath without_moves(const Toolpath& path);
 
 /// Returns the changes of a reworked path, its own included, as changes of the path as it was.

@@ -41,7 +41,7 @@ class DepthField {
   /// Poses of the tool, in the order of the path.
   [[nodiscard]] const std::vector<FieldPose>& poses() const { return poses_; }
   [[nodiscard]] const HeadField& heads() const { return heads_; }
-  /// depth_at of the tool alone.
+  /// Returns depth_at of the tool alone.
   [[nodiscard]] std::vector<float> tool_depth_at(const std::vector<Point>& points) const;
 
  private:

@@ -79,7 +79,8 @@ class AnyDepth {
   double radius_mm_, floor_mm_;
 };
 
-/// Depths not above `max_floor_mm` do not count, nor those that do not count for the bodies, whichever is less.
+/// Makes an AnyDepth of each body. Depths not above `max_floor_mm` do not count, nor those that do not count for the
+/// bodies, whichever is less.
 template <class Of>
 [[nodiscard]] std::vector<AnyDepth<Of>> any_depths(const std::vector<Of>& bodies, double radius_mm,
                                                    double max_floor_mm = std::numeric_limits<double>::infinity()) {

@@ -52,7 +52,7 @@ class PointTree {
   /// Returns the root first; none without points.
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
 
-  /// No point p of the node has direction . (p - centre) above this. Requires a unit direction.
+  /// Returns a bound of direction . (p - centre) for all points p of the node. Requires a unit direction.
   [[nodiscard]] static double reach_mm(const Node& node, const Vec3& direction) {
     const double along = std::abs(direction.dot(node.normal));
     const double across = std::sqrt(std::max(0.0, 1 - along * along));

@@ -42,7 +42,7 @@ struct HeadResult {
 [[nodiscard]] HeadResult search_head(const BodyMotion& motion, const HeadBody& head,
                                      std::span<const HeadTarget> targets, const SearchGoal& goal);
 
-/// The same of what `start` leaves: its seeds name a target and a triangle of its tree, and it has no value.
+/// Does the same for the remainder in `start`: its seeds name a target and a triangle of its tree, and it has no value.
 [[nodiscard]] HeadResult search_head(const BodyMotion& motion, const HeadBody& head,
                                      std::span<const HeadTarget> targets, const SearchGoal& goal,
                                      const SearchStart& start);

@@ -21,7 +21,7 @@ struct EntryBox {
   std::array<float, 3> low{}, high{};
 
   [[nodiscard]] float width(std::size_t axis) const { return high[axis] - low[axis]; }
-  /// The lowest of equal ones.
+  /// Returns the widest axis, the lowest of equal ones.
   [[nodiscard]] std::size_t widest_axis() const;
 };
 

@@ -34,7 +34,7 @@ class JsonField {
   [[nodiscard]] bool is_null() const { return value_ == nullptr || value_->is_null(); }
   [[nodiscard]] bool is_text() const { return value_ != nullptr && value_->is_string(); }
   [[nodiscard]] std::string text() const;
-  /// One of these words.
+  /// Reads one of these words and returns its place among them.
   [[nodiscard]] std::size_t word(const std::vector<std::string>& words) const;
   /// Returns a finite number.
   [[nodiscard]] double number() const;

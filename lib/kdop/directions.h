@@ -17,7 +17,8 @@ struct DirectionSet {
   [[nodiscard]] std::size_t k() const { return 2 * axes.size(); }
 };
 
-/// Faces, corners and edges of a cube (thesis 2.3.2.6). Requires k of 6, 14, 18 or 26. The same bits on every call.
+/// Returns the directions of faces, corners and edges of a cube (thesis 2.3.2.6). Requires k of 6, 14, 18 or 26. The
+/// same bits on every call.
 [[nodiscard]] DirectionSet cube_directions(std::size_t k);
 
 }  // namespace gouge

@@ -37,7 +37,7 @@ enum class TurnLaw {
 };
 inline constexpr std::array<const char*, 2> kTurnLawNames = {"vector", "axis"};  // in this order
 [[nodiscard]] const char* turn_law_name(TurnLaw law);
-/// None: not a name of a law.
+/// Returns the law of that name; none where there is no such law.
 [[nodiscard]] std::optional<TurnLaw> turn_law_called(const std::string& name);
 
 struct Control {

@@ -18,7 +18,7 @@ struct MachinePreset {
   std::string_view name, title, text;
 };
 [[nodiscard]] const std::vector<MachinePreset>& machine_presets();
-/// Null: there is none of this name.
+/// Returns the preset of this name; null where there is none.
 [[nodiscard]] const MachinePreset* find_preset(std::string_view name);
 
 }  // namespace gouge

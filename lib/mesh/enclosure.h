@@ -30,7 +30,7 @@ class Enclosure {
   Enclosure(const Enclosure&) = delete;
   Enclosure& operator=(const Enclosure&) = delete;
 
-  /// Beyond the box of all surfaces together: outside, however broken they are. O(1).
+  /// Returns whether a point is beyond the box of all surfaces together, thus outside, however broken they are. O(1).
   [[nodiscard]] bool is_beyond(const Vec3& point) const;
 
   /// Returns on which side the points are.

@@ -17,7 +17,7 @@ struct LoadedMesh {
   Diagnostics notes;  ///< faults that the reader tolerated, then describe(findings); warnings and notes
 };
 
-/// From an STL file to a mesh and the remarks about it.
+/// Reads an STL file into a mesh and the remarks about it.
 /// Errors: those of read_file, parse_stl and build_mesh.
 [[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement = {},
                                            std::uint64_t max_bytes = kMaxInputBytes, const ProgressCall& progress = {});

@@ -46,7 +46,7 @@ struct MeshFindings {
   [[nodiscard]] bool is_closed() const { return boundary_edges.count == 0; }
   [[nodiscard]] bool is_manifold() const { return non_manifold_edges.count == 0 && non_manifold_vertices.count == 0; }
   [[nodiscard]] bool is_consistently_oriented() const { return misoriented_edges.count == 0; }
-  /// The surface separates inside from outside: winding numbers are whole.
+  /// Returns whether the surface separates inside from outside, so that winding numbers are whole.
   [[nodiscard]] bool is_watertight() const { return unbalanced_edges.count == 0; }
   /// Inside is where the triangles state it is: a buried tool is reported. Triangles written twice leave no inside, or
   /// one that the nearest of them does not show.
@@ -54,7 +54,7 @@ struct MeshFindings {
     return is_watertight() && inside_out_components.count == 0 && duplicate_triangles.count == 0;
   }
 
-  /// V - E + F: 2 for a surface like a sphere, 0 for one like a torus.
+  /// Returns V - E + F: 2 for a surface like a sphere, 0 for one like a torus.
   [[nodiscard]] long long euler_number() const {
     return static_cast<long long>(vertices) - static_cast<long long>(edges) + static_cast<long long>(triangles);
   }

@@ -23,7 +23,7 @@ class VertexTriangles {
   /// Cost  O(n); 14 bytes a triangle, none beside while it is made.
   explicit VertexTriangles(const IndexedMesh& mesh);
 
-  /// In increasing order.
+  /// Returns the triangles in increasing order.
   [[nodiscard]] std::span<const std::uint32_t> at(Corner vertex) const {
     return {triangles_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
   }

@@ -19,9 +19,9 @@ class AxisPath {
 
   /// Directions of the tool in the part: x, y and the tool axis as columns of a rotation. Twice differentiable in t.
   [[nodiscard]] virtual Eigen::Matrix3d axes_at(double t) const = 0;
-  /// The angular velocity is no larger anywhere in [t0, t1]; radians per unit of t.
+  /// Bounds the angular velocity in [t0, t1]; radians per unit of t.
   [[nodiscard]] virtual double turn_rate_rad(double t0, double t1) const = 0;
-  /// The derivative of the angular velocity is no larger anywhere in [t0, t1]; radians per square of a unit of t.
+  /// Bounds the derivative of the angular velocity in [t0, t1]; radians per square of a unit of t.
   [[nodiscard]] virtual double turn_acceleration_rad(double t0, double t1) const = 0;
 };
 

@@ -21,7 +21,7 @@ class BodyMotion {
   /// Requires motion.is_defined(); the motion must outlive it.
   explicit BodyMotion(const Motion& motion);
 
-  /// From the tool's frame to part coordinates at t.
+  /// Returns the transform from the tool's frame to part coordinates at t.
   [[nodiscard]] RigidTransform at(double t) const;
   /// Returns bounds over [t0, t1] of a segment.
   [[nodiscard]] MotionRates rates(double t0, double t1, std::uint32_t segment) const;
@@ -29,7 +29,7 @@ class BodyMotion {
   /// chord joins its positions at the ends. The point is at most `distance_mm` from the tip at one end. 0 for an
   /// instant.
   [[nodiscard]] double bulge_mm(const MotionInterval& interval, double distance_mm) const;
-  /// It turns by no more than this over the whole move, about the tool axis and with it.
+  /// Bounds its turn over the whole move, about the tool axis and with it.
   [[nodiscard]] double turn_rad() const { return motion_.turn_rad() + std::abs(twist_rad_); }
 
   [[nodiscard]] const Motion& motion() const { return motion_; }

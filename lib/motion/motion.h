@@ -40,16 +40,16 @@ class Motion {
   }
   /// Returns the tip at t within the segment; exact also on arcs and splines.
   [[nodiscard]] Vec3 tip_at(double t, std::uint32_t segment) const;
-  /// The tip's path over [t0, t1] of a segment is no longer than this; straight paths are exactly this long.
+  /// Bounds the length of the tip's path over [t0, t1] of a segment; for straight paths it is exact.
   [[nodiscard]] double path_length_mm(double t0, double t1, std::uint32_t segment) const;
   /// Returns how far the tip may at any instant of [t0, t1] be from where it would be on the straight chord at constant
   /// speed. 0 for straight paths. Proof: docs/method/certified_sweep.md, section 3.
   [[nodiscard]] double sag_mm(double t0, double t1, std::uint32_t segment) const;
   /// Returns bounds of all that moves with the tool over [t0, t1] of a segment.
   [[nodiscard]] MotionRates rates(double t0, double t1, std::uint32_t segment) const;
-  /// The tool turns by no more than this over [t0, t1], in radians; on the great circle by just as much.
+  /// Bounds the turn of the tool over [t0, t1], in radians; on the great circle it is exact.
   [[nodiscard]] double turn_rad(double t0, double t1) const;
-  /// Over the whole move.
+  /// Bounds the turn over the whole move.
   [[nodiscard]] double turn_rad() const { return turn_rad(0, 1); }
   /// Returns the path of an AxisLaw; null on the great circle.
   [[nodiscard]] const AxisPath* axis_path() const { return axis_path_.get(); }

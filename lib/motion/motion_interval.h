@@ -44,7 +44,7 @@ class IntervalTree {
     for (std::uint32_t s = 0; s < segments_; ++s) add(whole_segment(motion, s));
   }
 
-  /// The first so many are the segments.
+  /// Returns the number of segments, which come first.
   [[nodiscard]] std::uint32_t segments() const { return segments_; }
   [[nodiscard]] const Interval& operator[](std::uint32_t index) const { return intervals_[index]; }
   /// Returns whether halving can still distinguish instants.

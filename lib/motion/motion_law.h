@@ -61,7 +61,7 @@ class MotionLaw {
   [[nodiscard]] Motion at(const Pose& pose) const;
   /// Returns the same for a tool alone: a solid of revolution, which stands alike under every law.
   [[nodiscard]] static Motion tool_at(const Pose& pose) { return MotionLaw().at(pose); }
-  /// Between two positions with no curve: by the mode for rapids, straight otherwise.
+  /// Returns the motion between two positions with no curve: by the mode for rapids, straight otherwise.
   [[nodiscard]] Motion between(const Pose& from, const Pose& to, MoveKind kind) const;
   [[nodiscard]] Motion straight(const Pose& from, const Pose& to) const { return {from, to, feed_axes_.get()}; }
   [[nodiscard]] Motion along(const Pose& from, const Pose& to, const PathArc& arc) const;

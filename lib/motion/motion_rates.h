@@ -13,7 +13,7 @@ struct MotionRates {
   double turn_sag_rad = 0;    ///< |w'| h^2 is no more; 0 at a constant rate about a fixed direction
   double off_circle_rad = 0;  ///< how far the axis may be from the great circle between its ends at constant rate
 
-  /// |axis''| h^2 is no more.
+  /// Bounds |axis''| h^2.
   [[nodiscard]] double axis_acceleration_rad() const { return turn_rad * turn_rad + turn_sag_rad; }
 
   /// Bounds the distance, in the body's frame, of the path of a point of the part from its chord. The straight chord

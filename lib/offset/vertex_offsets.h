@@ -39,7 +39,8 @@ struct VertexOffset {
 /// Returns the normals without repetitions (closer than 1e-9).
 [[nodiscard]] std::vector<Vec3> distinct_normals(std::span<const Vec3> normals);
 
-/// One for each vertex: the planes of its faces are moved and meet again (offset_of_planes); longer than 1 at an edge.
+/// Returns one offset for each vertex: the planes of its faces are moved and meet again (offset_of_planes); longer than
+/// 1 at an edge.
 /// Cost    O(n).
 /// Source  Thesis 4.5.2.3. Its two other methods are in tests/bench/penetration/normal_methods.h.
 [[nodiscard]] std::vector<VertexOffset> offset_by_planes(const IndexedMesh& mesh, const MeshAdjacency& adjacency);

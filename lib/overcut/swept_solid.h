@@ -54,11 +54,11 @@ class SweptSolid {
   /// Returns the unit gradient of that distance.
   [[nodiscard]] virtual Vec3 outward_at(const Vec3& point_part, double t) const = 0;
 
-  /// Time intervals are numbered; the first so many are the segments of the motion.
+  /// Returns the number of segments of the motion, which are the first of the numbered time intervals.
   [[nodiscard]] virtual std::uint32_t segments() const = 0;
   /// The first half; the second follows.
   virtual std::uint32_t halve(std::uint32_t interval) = 0;
-  /// Over the ball about `centre`.
+  /// Bounds the solid over the ball about `centre`.
   [[nodiscard]] virtual SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const = 0;
   /// Returns a half-space as in `bound`, whose plane touches the solid next to a point of the ball at the instant of s.
   [[nodiscard]] virtual std::optional<DriftingHalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,

@@ -28,9 +28,9 @@ struct SplinePiece {
   std::array<Vec3, 4> control{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 
   [[nodiscard]] Vec3 at(double u) const;
-  /// No second derivative over the piece is longer: that of a cubic is linear, so its ends suffice.
+  /// Bounds the second derivative over the piece. That of a cubic is linear, so its ends suffice.
   [[nodiscard]] double largest_second_derivative() const;
-  /// Longer than the path of the tip over any share `du` of the piece, per `du`.
+  /// Bounds the length of the path of the tip over any share `du` of the piece, per `du`.
   [[nodiscard]] double largest_speed() const;
 };
 

@@ -10,8 +10,7 @@
 
 namespace gouge {
 
-/// sum(d_i^2 n_i) / sum(d_i): every contact's way out, weighted by its depth once more. Zero without
-/// contacts.
+/// Returns sum(d_i^2 n_i) / sum(d_i): every contact's way out, weighted by its depth once more. Zero without contacts.
 /// Source   Thesis 5.3.
 [[nodiscard]] Vec3 weighted_correction(std::span<const Contact> contacts);
 

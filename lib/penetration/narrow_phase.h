@@ -65,9 +65,8 @@ class NarrowPhase {
 /// examined as points of its edges.
 inline constexpr double kFaceRim = Tolerance::kRounding;
 
-/// By slot in the tree: 1 when no other facet crosses the prism of the body's depth below the facet. A point
-/// in such a prism is inside, and no wall behind the facet is thinner than the depth. Uncertainty counts as
-/// crossing.
+/// Returns by slot in the tree 1 when no other facet crosses the prism of the body's depth below the facet. A point in
+/// such a prism is inside, and no wall behind the facet is thinner than the depth. Uncertainty counts as crossing.
 /// Cost     A search of the tree for each facet.
 [[nodiscard]] std::vector<std::uint8_t> facets_clear_below(const DepthBody& body);
 

@@ -24,7 +24,7 @@ struct ClosestPoint {
   bool is_inside = false;      ///< the queried point lies in the solid; never where the surface is none
   std::uint32_t triangle = 0;  ///< of the mesh
 
-  /// Negative inside.
+  /// Returns the signed distance, negative inside.
   [[nodiscard]] double signed_mm() const { return is_inside ? -distance_mm : distance_mm; }
 };
 
@@ -41,9 +41,9 @@ class Surface {
 
   [[nodiscard]] const IndexedMesh& mesh() const;
   [[nodiscard]] const BlockTree& tree() const;
-  /// 14 bytes a triangle. Cost of the first call O(n).
+  /// Returns the triangles at each vertex, 14 bytes a triangle. Cost of the first call O(n).
   [[nodiscard]] const VertexTriangles& triangles_at_vertices() const;
-  /// Closed, oriented, outward: inside means something. Cost of the first call O(n).
+  /// Returns whether it is closed, oriented and outward, so that it has an inside. Cost of the first call O(n).
   [[nodiscard]] bool is_solid() const;
 
   /// Returns the boundary of the solid: the surface itself, or, where shells nest, overlap or cross, the part with no
@@ -58,7 +58,7 @@ class Surface {
   [[nodiscard]] std::array<Vec3, 3> corners(std::size_t triangle) const {
     return {mesh().corner(triangle, 0), mesh().corner(triangle, 1), mesh().corner(triangle, 2)};
   }
-  /// Returns unit; zero of a triangle without area.
+  /// Returns the unit normal; zero for a triangle without area.
   [[nodiscard]] Vec3 face_normal(std::size_t triangle) const { return gouge::face_normal(mesh(), triangle); }
 
   /// Returns the closest point within `within_mm`; nothing when there is none (or no triangle at all).
@@ -79,7 +79,7 @@ class Surface {
   /// Cost     About O(log n); O(n) where a few rays meet edges.
   [[nodiscard]] bool winds_around(const Vec3& point) const;
 
-  /// The same once a triangle is known to be nearest, with its foot.
+  /// Returns the same once a triangle is known to be nearest, with its foot.
   [[nodiscard]] ClosestPoint signed_closest_point(const Vec3& point, std::uint32_t triangle,
                                                   const TrianglePoint& foot) const;
 

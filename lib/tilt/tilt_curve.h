@@ -24,7 +24,7 @@ struct TiltAnchor {
                                          const std::vector<double>& arc_lengths_mm, bool is_first_level,
                                          bool is_last_level);
 
-/// BendingSum of a sequence, rad^2/mm^3. Where two ways are the same the later is left out.
+/// Returns the BendingSum of a sequence, rad^2/mm^3. Where two ways are the same the later is left out.
 [[nodiscard]] double roughness(const TiltSequence& tilts, const std::vector<double>& arc_lengths_mm);
 
 }  // namespace gouge

@@ -34,10 +34,10 @@ struct TiltRun {
 /// Cost     A check of every piece of the wanted moves, and three of the cutter at each position of a run.
 [[nodiscard]] std::vector<TiltRun> find_tilt_runs(const TiltJob& job, double spacing_mm);
 
-/// The run with the directions of its tilts as another freedom has them.
+/// Returns the run with the directions of its tilts as another freedom has them.
 [[nodiscard]] TiltRun with_freedom(TiltRun run, TiltFreedom freedom);
 
-/// Wanted moves and those on the way before and after them, arcs and splines too.
+/// Returns wanted moves and those on the way before and after them, arcs and splines too.
 [[nodiscard]] std::vector<bool> moves_near(const Toolpath& path, const std::vector<bool>& is_wanted,
                                            double arc_length_mm);
 

@@ -123,7 +123,7 @@ class TiltProofs {
   explicit TiltProofs(const TiltSpace& space) : space_(space), free_at_(space.size()), free_after_(space.size()) {}
 
   [[nodiscard]] bool is_free(std::size_t i, const Tilt& tilt);
-  /// From position i to the next.
+  /// Returns whether the motion from position i to the next is free.
   [[nodiscard]] bool is_free_after(std::size_t i, const Tilt& from, const Tilt& to);
 
  private:

@@ -38,11 +38,12 @@ struct ConvexCover {
   double size_mm = 0;              ///< no point of the tool is farther from its tip
 };
 
-/// The cover of a contour of many elements stands off by more: it follows chords, so that its pieces stay few.
+/// Makes the cover. That of a contour of many elements stands off by more: it follows chords, so that its pieces stay
+/// few.
 /// Cost linear in the number of elements, and in the square of pieces, which are some hundred at the most.
 [[nodiscard]] ConvexCover make_convex_cover(const CompiledTool& tool);
 
-/// f of a piece at (r, z).
+/// Returns f of a piece at (r, z).
 [[nodiscard]] double cover_distance(const CoverPiece& piece, const Vec2& q);
 
 }  // namespace gouge

@@ -19,9 +19,9 @@ struct FootCell {
   [[nodiscard]] bool is_straight() const { return along.squaredNorm() > 0; }
   [[nodiscard]] double middle() const { return 0.5 * (from + to); }
   [[nodiscard]] Vec2 inward_at(double s) const;
-  /// On the ray of s, t from its foot.
+  /// Returns the point on the ray of s, t from its foot.
   [[nodiscard]] Vec2 at(double s, double t) const;
-  /// No ray is longer than this for the cell's own sake.
+  /// Bounds the length of the rays by the cell itself.
   [[nodiscard]] double longest_ray_mm() const;
   /// Returns the largest distance between two rays of the cell, t from their feet. For the middle ray and any other it
   /// is half of that.

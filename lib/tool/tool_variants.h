@@ -28,7 +28,7 @@ struct ToolVariants {
     const CompiledTool* form;
     const CertifiedDepths* depths;
   };
-  /// find_certified_depth, the least one of the forms. Computed once for each depth given.
+  /// Returns the least find_certified_depth of the forms, computed once for each depth given.
   [[nodiscard]] CertifiedDepth certified_depth(std::span<const CertifiedForm> forms, double given_mm) const;
 };
 

@@ -37,7 +37,7 @@ struct MeshRepair {
   MeshValidation before;
   MeshValidation after;  ///< of `mesh`, so what is reported holds for the file and not only for the memory
 
-  /// Fewer defects than before: only then is it worth a file.
+  /// Returns whether it has fewer defects than before. Only then a file is of use.
   [[nodiscard]] bool is_better() const { return after.trouble.empty() && after.defects() < before.defects(); }
 };
 

@@ -13,14 +13,14 @@ namespace gouge::detail {
 /// Returns whether the corners do not lie on one line.
 [[nodiscard]] bool surely_has_area(const std::array<Vec3, 3>& t);
 
-/// The triangles share no point. Corners in any order.
+/// Returns whether the triangles surely share no point. Corners in any order.
 [[nodiscard]] bool are_surely_apart(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& u);
 
-/// The triangles share no point but their first corner, which is the same. Both must have area.
+/// Returns whether the triangles surely share no point but their first corner, which is the same. Both must have area.
 [[nodiscard]] bool share_surely_one_corner(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& u);
 
-/// The triangles share no point but the side between their first two corners, which are the same in this order. Both
-/// must have area.
+/// Returns whether the triangles surely share no point but the side between their first two corners, which are the same
+/// in this order. Both must have area.
 [[nodiscard]] bool share_surely_one_side(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& u);
 
 enum class RayMeeting { none, once, unknown };

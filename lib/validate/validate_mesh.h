@@ -34,7 +34,8 @@ struct MeshValidation {
   /// The reason why the exact part was not decided; empty when it was.
   std::string trouble;
 
-  /// Closed, manifold, consistently oriented outward, free of self-intersections and duplicates.
+  /// Returns whether it is closed, manifold, consistently oriented outward, and free of self-intersections and
+  /// duplicates.
   [[nodiscard]] bool is_sound() const;
   /// Returns the number of defects there are of all kinds together; 0 for a sound mesh without triangles of no area.
   [[nodiscard]] std::size_t defects() const;

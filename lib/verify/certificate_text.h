@@ -35,7 +35,7 @@ inline constexpr std::size_t kHeaderBytes = 64 + 5 * 8 + kLawBytes;
 
 /// Returns a block with its length before it; no groups: the end.
 [[nodiscard]] std::string block_bytes(const std::vector<ProofGroup>& groups);
-/// The length a block begins with. Requires 4 bytes.
+/// Returns the length a block begins with. Requires 4 bytes.
 [[nodiscard]] std::uint32_t block_length(std::string_view bytes);
 /// Returns the groups of a block. Returns nothing where the bytes are none, or where a group is empty or ends beyond
 /// `moves`. Also where one begins before `min_move` or before the end of the group ahead of it.

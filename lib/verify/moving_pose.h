@@ -28,9 +28,9 @@ class MotionPiece {
 
   [[nodiscard]] const PoseBounds& start() const { return ends_[0]; }
   [[nodiscard]] const PoseBounds& end() const { return ends_[1]; }
-  /// At every instant the tip is no farther than this from the point of the chord of the same instant ...
+  /// Bounds the distance of the tip from the point of the chord of the same instant.
   [[nodiscard]] double sag_mm() const { return sag_; }
-  /// ... and the axis no farther than this from its chord's.
+  /// Bounds the distance of the axis from that of its chord.
   [[nodiscard]] double bend() const { return bend_; }
   [[nodiscard]] std::array<MotionPiece, 2> halves() const;
 

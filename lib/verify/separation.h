@@ -61,7 +61,7 @@ class Separation {
   /// the span. Requires look_at, depth_mm <= max_mm, RoundsUpward.
   [[nodiscard]] bool holds(ProofKind kind, double depth_mm);
 
-  /// For the last plane: the shares of the shortfall that are due to the patch and to the time.
+  /// Returns, for the last plane, the shares of the shortfall that are due to the patch and to the time.
   [[nodiscard]] double patch_loss_mm() const { return patch_loss_; }
   [[nodiscard]] double time_loss_mm() const { return time_loss_; }
 

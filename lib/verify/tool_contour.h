@@ -38,14 +38,15 @@ class ToolContour {
   /// No piece ends farther than this from where the next begins, nor the first and last from the axis: else
   /// it bounds nothing.
   [[nodiscard]] double largest_gap_mm() const;
-  /// By examining every piece; the side by how often a ray along r crosses the contour.
+  /// Finds the nearest point by examining every piece. The side follows from how often a ray along r crosses the
+  /// contour.
   [[nodiscard]] Nearest nearest(const Vec2& q) const;
   [[nodiscard]] bool has(const Vec2& q) const;
   /// Returns the distance to the pieces of one body.
   [[nodiscard]] double distance_to(Body body, const Vec2& q) const;
   /// Returns whether it has a corner that goes in, or a hollow arc: such a tool is not a convex body.
   [[nodiscard]] bool is_stepped() const { return is_stepped_; }
-  /// No point is farther from the tip.
+  /// Bounds the distance of all points from the tip.
   [[nodiscard]] double size_mm() const { return size_mm_; }
 
  private:

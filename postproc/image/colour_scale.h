@@ -40,16 +40,16 @@ struct Tick {
 };
 [[nodiscard]] std::vector<Tick> make_ticks(const ColourScale& scale, LengthUnit unit, double gap);
 
-/// From the tolerance to a round number not below the worst depth and its headroom.
+/// Makes the scale from the tolerance to a round number not below the worst depth and its headroom.
 [[nodiscard]] ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit, double headroom = 1);
 
 /// Returns a round number (two digits at most) not below `value`. Requires value > 0.
 [[nodiscard]] double round_up(double value);
-/// 1, 2 or 5 times a power of ten, not above `value`. Requires value > 0.
+/// Returns 1, 2 or 5 times a power of ten, not above `value`. Requires value > 0.
 [[nodiscard]] double round_down(double value);
 /// Steps of 1, 2 or 5 times a power of ten that cut [0, high] into about `count` pieces.
 [[nodiscard]] double round_step(double high, int count);
-/// As many decimals as a step needs: "0.25" for steps of 0.05.
+/// Returns a number with as many decimals as a step needs: "0.25" for steps of 0.05.
 [[nodiscard]] std::string tick_text(double value, double step);
 
 }  // namespace gouge

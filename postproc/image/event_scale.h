@@ -30,11 +30,11 @@ struct FlatExtent {
   /// Takes in a point, no farther out than `reach`.
   void take(const Vec2& p, double reach);
   [[nodiscard]] Vec2 middle() const { return 0.5 * (low + high); }
-  /// Picture units are so many mm for it to fit in, with a margin.
+  /// Returns the mm of a picture unit with which it fits in, with a margin.
   [[nodiscard]] double mm_per_unit(double width, double height) const;
 };
 
-/// Scale of the depths of moves.
+/// Returns the scale of the depths of moves.
 [[nodiscard]] ColourScale depth_scale(const ReportModel& model, const CheckedToolpath& input);
 
 /// Returns the scale of the coloured quantity: overcuts, and the depths of gouges without one or of a head.

@@ -42,7 +42,7 @@ class MaskPainter {
 
   /// ASCII text in strokes; (x, y) is the pixel its base line begins at.
   virtual Outcome write(Mask& mask, const std::string& ascii, int x, int y, double scale, int thickness) const = 0;
-  /// In pixels; 0 where there is no memory to measure it.
+  /// Returns the width in pixels; 0 where there is no memory to measure it.
   [[nodiscard]] virtual double width(const std::string& ascii, double scale) const = 0;
 
   /// Three bytes a pixel, `factor` times smaller in each direction, each pixel the mean of those it covers.
@@ -50,7 +50,7 @@ class MaskPainter {
                          std::vector<std::uint8_t>& to) const = 0;
 };
 
-/// OpenCV's, loaded by the first call. Errors: module-missing, out-of-memory.
+/// Returns the painter of OpenCV, loaded by the first call. Errors: module-missing, out-of-memory.
 [[nodiscard]] Result<const MaskPainter*> mask_painter();
 
 }  // namespace gouge

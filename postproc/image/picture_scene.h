@@ -36,7 +36,7 @@ class PictureScene {
   PictureScene(const PictureScene&) = delete;
   PictureScene& operator=(const PictureScene&) = delete;
 
-  /// In the order of the obstacles.
+  /// Returns the number of faces, which are in the order of the obstacles.
   [[nodiscard]] std::uint32_t face_count() const;
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t face) const;
   /// Returns those that reach into the view, and some that only come near.

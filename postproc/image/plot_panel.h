@@ -21,7 +21,7 @@ struct PlotPanel {
 
   [[nodiscard]] Vec2 flat(const Vec3& p) const { return {p.dot(right), -p.dot(up)}; }
   [[nodiscard]] Vec2 at(const Vec3& p) const { return scale * flat(p) + shift; }
-  /// Along a coordinate axis: its ticks state where things are.
+  /// Returns whether it looks along a coordinate axis, so that its ticks state where things are.
   [[nodiscard]] bool is_along_axes() const;
   /// Makes `box` fit between the margins.
   void fit(const Box3& box);

@@ -44,7 +44,7 @@ using FaceCorners = std::array<std::uint32_t, 3>;
 class NormalsAt {
  public:
   NormalsAt(const PictureScene& scene, const View& view) : scene_(scene), view_(view), kept_(kKept) {}
-  /// Returns unit, turned towards the viewer, in part coordinates.
+  /// Returns the unit normal, turned towards the viewer, in part coordinates.
   [[nodiscard]] Vec3 operator()(std::uint32_t face, int x, int y);
   /// Returns a normal of any length and to either side, as its components right, up and towards the viewer.
   [[nodiscard]] Eigen::Vector3f in_view(std::uint32_t face, int x, int y);

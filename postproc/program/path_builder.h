@@ -61,7 +61,7 @@ class OperationState {
     line_ = line;
     is_new_ = true;
   }
-  /// At a motion: its operation in Toolpath::operations, or kNone.
+  /// Returns, at a motion, its operation in Toolpath::operations, or kNone.
   [[nodiscard]] std::size_t resolve() {
     if (!std::exchange(is_new_, false)) return index_;
     index_ = builder_.path.operations.size();

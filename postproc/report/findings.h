@@ -50,7 +50,7 @@ struct SarifJob {
   std::vector<Finding> findings;
 };
 [[nodiscard]] SarifJob sarif_job_of(const ReportModel& model);
-/// SARIF 2.1.0 of one run or many: one invocation and one artifact each, the findings in their order.
+/// Writes SARIF 2.1.0 of one run or many: one invocation and one artifact each, the findings in their order.
 [[nodiscard]] std::string write_sarif(const std::vector<SarifJob>& jobs);
 
 /// One test case of JUnit: an operation with one tool.

@@ -12,7 +12,7 @@ namespace gouge {
 
 /// Returns the first digits of every move's motion_key, as texts of many moves each.
 [[nodiscard]] nlohmann::ordered_json motions_json(const Toolpath& path);
-/// The runs of moves of one operation and tool, by their first move.
+/// Returns the runs of moves of one operation and tool, by their first move.
 [[nodiscard]] nlohmann::ordered_json runs_json(const Toolpath& path);
 /// Returns the statement of a move, its line end and what is beyond 2000 bytes left out, as UTF-8.
 [[nodiscard]] std::string statement_json(const Toolpath& path, const Move& move);

@@ -184,13 +184,13 @@ struct ReportModel {
 
 enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 
-/// Gouges and buried tools come first, then anything not checked that was not left out on request, and assumptions that
-/// are open.
+/// Returns the verdict. Gouges and buried tools come first, then anything not checked that was not left out on request,
+/// and assumptions that are open.
 [[nodiscard]] OverallVerdict overall_verdict(const CheckResult& result);
 /// Returns the same with accepted gouges, which come last of all that is not clean, and with warnings that count as
 /// errors.
 [[nodiscard]] OverallVerdict overall_verdict(const ReportModel& model);
-/// clean, gouges, not-fully-checked, accepted-gouges
+/// Returns clean, gouges, not-fully-checked or accepted-gouges.
 [[nodiscard]] const char* verdict_name(OverallVerdict verdict);
 /// Returns the exit status of `check` and `correct`.
 [[nodiscard]] ExitCode exit_status(OverallVerdict verdict);

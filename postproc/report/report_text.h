@@ -39,7 +39,7 @@ inline constexpr const char* kProjectFile = "project-file";
 
 /// Returns "left-out", "hole", "lifted".
 [[nodiscard]] const char* uncut_kind_name(UncutRecord::Kind kind);
-/// "cuts were moved by up to 0.213 mm: less is cut there than was programmed"; empty where none was.
+/// Returns "cuts were moved by up to 0.213 mm: less is cut there than was programmed"; empty where none was.
 [[nodiscard]] std::string moved_cuts_text(const CorrectionFacts& correction, LengthUnit unit);
 
 /// Sums over all stretches left out, and over the holes that are drilled less deep.
@@ -63,14 +63,14 @@ struct UncutTotal {
 [[nodiscard]] std::string kept_text(double keeps_mm, LengthUnit unit);
 /// Returns "20 mm or more", of one stretch.
 [[nodiscard]] std::string thickness_text(const StockRecord& stretch, LengthUnit unit);
-/// "2 curves became 79 straight moves".
+/// Returns "2 curves became 79 straight moves".
 [[nodiscard]] std::string straightened_text(const CorrectionFacts& correction);
 
 /// Returns "T1", else the quoted name, else "unnamed tool"; "no tool" for kNone.
 [[nodiscard]] std::string tool_label(const Toolpath& toolpath, std::size_t tool);
 /// Returns for programs: the number, else the name, else nothing.
 [[nodiscard]] std::string tool_key(const Toolpath& toolpath, std::size_t tool);
-/// Name of the mesh a witness lies on; empty when the model does not state.
+/// Returns the name of the mesh a witness lies on; empty when the model does not state it.
 [[nodiscard]] std::string mesh_name(const ReportModel& model, const Witness& witness);
 /// Returns the clearance of the mesh of a witness; 0: none.
 [[nodiscard]] double mesh_clearance_mm(const ReportModel& model, const Witness& witness);
@@ -93,7 +93,7 @@ struct UncutTotal {
 [[nodiscard]] std::string xml_escaped(std::string_view text);
 /// A file as a relative reference of RFC 3986, as the user named it; absolute paths become file URIs.
 [[nodiscard]] std::string uri_of(const std::string& file);
-/// Returns broken UTF-8 replaced by U+FFFD.
+/// Returns the text with broken UTF-8 replaced by U+FFFD.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
 [[nodiscard]] std::string base64(std::string_view bytes);
 

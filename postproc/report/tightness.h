@@ -27,7 +27,8 @@ struct Gaps {
 [[nodiscard]] std::string depth_gaps_text(const ReportModel& model);
 /// Returns "12.193 mm", "12.193 to 12.301 mm": the worst overcut of all, which lies between the two where they differ.
 [[nodiscard]] std::string overcut_range_text(const ReportModel& model);
-/// "a lower bound in 22 of 30 gouging moves; the true one may be up to 0.31 mm larger (move 18)". Empty as above.
+/// Returns "a lower bound in 22 of 30 gouging moves; the true one may be up to 0.31 mm larger (move 18)". Empty as
+/// above.
 [[nodiscard]] std::string overcut_gaps_text(const ReportModel& model);
 
 }  // namespace gouge

@@ -91,7 +91,7 @@ struct StoredResult {
 
   /// Returns none where that move is clean.
   [[nodiscard]] const StoredMove* find_move(std::size_t move) const;
-  /// The moves of a finding, in order: those of its interval and state.
+  /// Returns the moves of a finding, in order: those of its interval and state.
   [[nodiscard]] std::vector<const StoredMove*> moves_of(const StoredFinding& finding) const;
   [[nodiscard]] const StoredMove& worst_of(const StoredFinding& finding) const {
     return *find_move(finding.worst_move);

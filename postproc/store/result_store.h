@@ -56,7 +56,7 @@ class ResultStore {
   [[nodiscard]] Result<std::vector<JobResult>> all();
   /// Returns the batch that began last; empty names where there is none.
   [[nodiscard]] Result<BatchIdentity> identity();
-  /// The batch is whole: every job that was to run has run, and its files stand.
+  /// Marks the batch as whole: every job that was to run has run, and its files stand.
   [[nodiscard]] Outcome end();
 
  private:

@@ -36,7 +36,7 @@ class Payload {
   /// top, and are folded (0, -1, 1, -2, ...) to be small.
   nlohmann::ordered_json add_differences(std::span<const std::uint32_t> numbers, int bytes);
 
-  /// base64 of the deflated whole. Errors: page-not-packed, where there is no memory for it.
+  /// Returns base64 of the deflated whole. Errors: page-not-packed, where there is no memory for it.
   [[nodiscard]] Result<std::string> text(const nlohmann::ordered_json& json) const;
 
  private:

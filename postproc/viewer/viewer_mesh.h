@@ -20,7 +20,8 @@ struct ViewerMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< sharp ones, of these vertices
 
-  /// Vertices are as in the meshes, in the order in which triangles first name them, once for each normal.
+  /// Makes the mesh of a scene. Vertices are as in the meshes, in the order in which triangles first name them, once
+  /// for each normal.
   [[nodiscard]] static ViewerMesh from(const PictureScene& scene);
 };
 

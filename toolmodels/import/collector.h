@@ -43,7 +43,7 @@ class Collector {
 /// Returns how messages call a tool of another program's file: its number and name as far as it has them.
 [[nodiscard]] std::string tool_label(const std::optional<int>& number, const std::string& name);
 
-/// A tool number this project can hold.
+/// Returns a tool number that this project can hold.
 [[nodiscard]] std::optional<int> tool_number(long long number);
 
 struct BesideFile {

@@ -33,7 +33,7 @@ struct ImportedTools {
   Diagnostics notes;
 };
 
-/// Fusion library: JSON, or .tools, which is a zip of it.
+/// Imports a Fusion library: JSON, or .tools, which is a zip of it.
 /// Errors   json-too-deep, json-too-long, import-syntax, import-duplicate-key, import-format, import-zip: the file as a
 ///          whole cannot be read. Errors of one tool are in `notes`: import-field, import-shape, import-stickout,
 ///          import-contradiction, import-number, import-guess, import-left-out, import-empty, and those of
@@ -41,13 +41,12 @@ struct ImportedTools {
 [[nodiscard]] Result<ImportedTools> import_fusion(const std::string& file, std::string_view bytes,
                                                   const ImportOptions& options);
 
-/// One FreeCAD tool bit (.fctb), or a library (.fctl) whose bits are read with `read_beside`. Errors as
-/// above.
+/// Imports one FreeCAD tool bit (.fctb), or a library (.fctl) whose bits are read with `read_beside`. Errors as above.
 [[nodiscard]] Result<ImportedTools> import_freecad(const std::string& file, std::string_view bytes,
                                                    const ImportOptions& options);
 
-/// NX tool_database.dat, with the holders of the holder_database.dat beside it, or a holder_database.dat alone. Its
-/// unit is the option, or the folder metric or english in the file's name.
+/// Imports an NX tool_database.dat, with the holders of the holder_database.dat beside it, or a holder_database.dat
+/// alone. Its unit is the option, or the folder metric or english in the file's name.
 /// Errors   As above, and import-unit.
 [[nodiscard]] Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes,
                                               const ImportOptions& options);

@@ -16,7 +16,7 @@
 
 namespace gouge::detail {
 
-/// For a file to import, where `what` was expected: "a Fusion tool library".
+/// Returns the kind of JSON of a file to import, where `what` was expected: "a Fusion tool library".
 [[nodiscard]] JsonKind imported_kind(const std::string& what);
 
 /// Returns the cleaned text of `key`; empty when there is none or it is not text.

@@ -19,7 +19,7 @@ struct NxRow {
   std::map<std::string, std::string> values;
   std::size_t line = 0;
 
-  /// Empty where the row has no such field.
+  /// Returns a field; empty where the row has no such field.
   [[nodiscard]] std::string text(const std::string& field) const;
   /// Times `factor`; nothing for an empty field. Errors: import-field.
   [[nodiscard]] Result<std::optional<double>> number(const std::string& field, double factor) const;

@@ -46,7 +46,7 @@ struct CheckOptions {
 /// Thread safe, as everything here is.
 [[nodiscard]] GOUGECHECK_EXPORT Report check(const Path& path, const Scene& scene, const Tool& tool,
                                              const CheckOptions& options = {});
-/// The same with each of the path's tools from the library, by number or name, else by the path's own definition.
+/// Does the same with each of the path's tools from the library, by number or name, else by the path's own definition.
 [[nodiscard]] GOUGECHECK_EXPORT Report check(const Path& path, const Scene& scene, const ToolLibrary& tools,
                                              const CheckOptions& options = {});
 

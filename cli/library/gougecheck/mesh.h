@@ -22,14 +22,14 @@ class GOUGECHECK_EXPORT Mesh {
   /// Throws   Error: those of docs/errors.md for STL files.
   [[nodiscard]] static Mesh read_stl(const std::string& file, const std::string& unit = "");
 
-  /// After joining; valid as long as a copy of the mesh lives.
+  /// Returns the vertices after joining; valid as long as a copy of the mesh lives.
   [[nodiscard]] std::span<const Vec3> vertices() const;
   [[nodiscard]] std::span<const Triangle> faces() const;
-  /// By face: its index among the triangles as given.
+  /// Returns for each face its index among the triangles as given.
   [[nodiscard]] std::span<const std::uint32_t> given_face() const;
   [[nodiscard]] const std::string& name() const;
 
-  /// It separates inside from outside: a buried tool is found, and depths of bodies mean something.
+  /// Returns whether it separates inside from outside. Then a buried tool is found, and depths of bodies are defined.
   [[nodiscard]] bool is_solid() const;
   /// Returns warnings: open edges, wrong orientations, triangles left out.
   [[nodiscard]] std::vector<Note> notes() const;
@@ -58,7 +58,7 @@ class GOUGECHECK_EXPORT Scene {
 
   [[nodiscard]] std::span<const Mesh> parts() const;
   [[nodiscard]] std::span<const Mesh> fixtures() const;
-  /// One a fixture, mm; empty: none has one.
+  /// Returns one clearance for each fixture, mm; empty: none has one.
   [[nodiscard]] std::span<const double> fixture_clearances() const;
 
   struct Content;

@@ -23,8 +23,8 @@ class GOUGECHECK_EXPORT Path {
   Path(std::span<const Vec3> tips, std::span<const Vec3> axes, std::span<const bool> rapids = {},
        std::string name = "path");
 
-  /// CL data of any dialect, recognised by its content. `unit`: mm or inch, of a file that states none; empty: not
-  /// known.
+  /// Reads CL data of any dialect, recognised by its content. The `unit` is mm or inch, for a file that states none;
+  /// empty: not known.
   /// Throws   Error: the first error of the file (docs/formats/apt_cl.md), another unit than the file states.
   [[nodiscard]] static Path read(const std::string& file, const std::string& unit = "");
 

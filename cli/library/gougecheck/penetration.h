@@ -13,7 +13,7 @@ enum class ClashState : std::uint8_t {
   penetrating,    ///< a point in both is deeper than the tolerance, or one body is inside the other
   not_certified,  ///< neither could be proved
 };
-/// free, touching, penetrating, not-certified
+/// Returns free, touching, penetrating or not-certified.
 [[nodiscard]] GOUGECHECK_EXPORT const char* state_name(ClashState state);
 
 struct PenetrationOptions {

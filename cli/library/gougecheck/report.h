@@ -17,7 +17,7 @@ enum class State : std::uint8_t {
   not_checked,    ///< could not be checked: see Report::reason
   not_certified,  ///< checked, and not proved within the budget
 };
-/// clean, near, gouge, buried, not-checked, not-certified
+/// Returns clean, near, gouge, buried, not-checked or not-certified.
 [[nodiscard]] GOUGECHECK_EXPORT const char* state_name(State state);
 
 enum class Body : std::uint8_t { cutter, shank, holder, head };
@@ -60,7 +60,7 @@ class GOUGECHECK_EXPORT Report {
   /// Exceptions to the verdict, and warnings about the inputs.
   [[nodiscard]] std::vector<Note> notes() const;
 
-  /// As the program prints it: one finding a line, then the summary.
+  /// Returns the report as the program prints it: one finding a line, then the summary.
   [[nodiscard]] std::string text() const;
   /// The report in the form of the file's extension: .json, .csv, .sarif, .xml (JUnit), .html (without pictures), .txt.
   /// The file appears whole or not at all.

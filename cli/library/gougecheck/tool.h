@@ -31,7 +31,7 @@ class GOUGECHECK_EXPORT Tool {
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] bool has_holder() const;
   [[nodiscard]] double height() const;  ///< tip to top
-  /// As a tool library file that reads back as the same tool.
+  /// Returns a tool library file that reads back as the same tool.
   [[nodiscard]] std::string to_json() const;
 
   struct Content;
@@ -51,7 +51,7 @@ class GOUGECHECK_EXPORT ToolLibrary {
   [[nodiscard]] static ToolLibrary from_json(std::string_view json, const std::string& name = "tools");
 
   [[nodiscard]] std::vector<Tool> tools() const;
-  /// By name, or by number written 3 or T3. Throws Error, library-which, where there is none.
+  /// Returns a tool by name, or by number written 3 or T3. Throws Error, library-which, where there is none.
   [[nodiscard]] Tool tool(std::string_view name) const;
 
   struct Content;

@@ -51,7 +51,7 @@ class GOUGECHECK_EXPORT Error : public std::runtime_error {
   Error(std::string code, const std::string& what, std::string file = {}, std::size_t line = 0);
   ~Error() override;
 
-  /// Stable and kebab-case, as in docs/errors.md.
+  /// Returns the code, stable and in kebab-case, as in docs/errors.md.
   [[nodiscard]] const std::string& code() const { return code_; }
   [[nodiscard]] const std::string& file() const { return file_; }  ///< empty: no file is concerned
   [[nodiscard]] std::size_t line() const { return line_; }         ///< counted from 1; 0: no line is

@@ -27,7 +27,7 @@ class AxisState {
   void note_frame(bool says_axis);
 
   [[nodiscard]] bool is_multax_on() const { return multax_.value_or(false); }
-  /// TLAXIS since the last position.
+  /// Returns whether a TLAXIS stands since the last position.
   [[nodiscard]] bool is_new() const { return is_tlaxis_new_; }
   /// Axis of a position that states none, in the block's frame.
   [[nodiscard]] Vec3 implied() const {

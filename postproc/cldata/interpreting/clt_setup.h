@@ -17,8 +17,8 @@ class CltSetup {
  public:
   CltSetup(StatementContext& in, Uncertainties& uncertainties) : in_(in), uncertainties_(uncertainties) {}
 
-  /// ROTABL/angle,AAXIS,TABLE,CCLW: turns are undone by the opposite ones, the last one first. False where another word
-  /// stands beside its four: then nothing was taken.
+  /// Takes ROTABL/angle,AAXIS,TABLE,CCLW. Turns are undone by the opposite ones, the last one first. Returns false
+  /// where another word stands beside its four: then nothing was taken.
   [[nodiscard]] bool take_turn();
   void take_axis();
   /// A feature states its turns itself. Turns that another one has left in force end with it.

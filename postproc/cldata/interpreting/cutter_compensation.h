@@ -41,7 +41,7 @@ class CutterCompensation {
   void write_note() const;
 
  private:
-  /// On, and nothing states that positions are the cutter's centre.
+  /// Returns whether it is on, and nothing states that positions are the cutter's centre.
   [[nodiscard]] bool is_on() const { return is_contour_ || (side_ != CutcomSide::none && !is_centre_); }
 
   StatementContext& in_;

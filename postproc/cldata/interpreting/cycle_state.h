@@ -43,7 +43,8 @@ class CycleState {
   }
   void count_hole();
   void leave_hole() { last_hole_.reset(); }
-  /// [first, last) of the moves that are holes or motions of their own, the first time after begin(); else nothing.
+  /// Returns [first, last) of the moves that are holes or motions of their own, the first time after begin(); else
+  /// nothing.
   [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> uncertainty();
   /// The plane that the user states is below the clearance of this hole.
   void note_low_plane() { below_clearance_.add(in_.line()); }
@@ -56,7 +57,7 @@ class CycleState {
   [[nodiscard]] bool is_doubtful() const { return is_on_ && is_contradicted_; }
   /// Returns whether the file ends within it, and moves are in doubt.
   [[nodiscard]] bool is_left_open() const { return is_on_ && certain_moves_ < in_.moves(); }
-  /// Nothing: its words are not understood, for why().
+  /// Returns the cycle; nothing where its words are not understood, for why().
   [[nodiscard]] const std::optional<DrillCycle>& drill() const { return drill_; }
   [[nodiscard]] const char* why() const { return why_; }
   [[nodiscard]] std::string_view uncertainty_reason() const { return reason_; }

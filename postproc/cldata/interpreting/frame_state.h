@@ -21,7 +21,7 @@ class FrameState {
   FrameState(StatementContext& in, double mm_per_unit) : in_(in), mm_per_unit_(mm_per_unit) {}
 
   [[nodiscard]] double mm_per_unit() const { return mm_per_unit_; }
-  /// True the first time.
+  /// States the unit of the file. Returns true the first time.
   [[nodiscard]] bool state_unit(double mm_per_unit);
   [[nodiscard]] const RigidTransform& to_part() const { return to_part_; }
   [[nodiscard]] Pose to_local(const Pose& pose) const { return to_part_.inverse().pose(pose); }
@@ -44,7 +44,7 @@ class FrameState {
   /// CSYS, which is not applied: Creo writes positions in the machine's coordinate system.
   void note_csys() { csys_.add(in_.line()); }
   void write_note() const;
-  /// The last of `frames`, which becomes the one in force.
+  /// Appends the frame in force to `frames` unless it is there, and returns it.
   [[nodiscard]] const MotionFrame* record(std::deque<MotionFrame>& frames);
 
  private:

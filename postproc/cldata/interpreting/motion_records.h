@@ -48,7 +48,7 @@ struct MotionRecords final : MoveOrigins {
   std::deque<MotionFrame> frames;     ///< a deque, because records point into it while it grows
 };
 
-/// The records of `path`'s moves: its origins where it has them; else its bytes are read once more.
+/// Returns the records of `path`'s moves: its origins where it has them. Else its bytes are read once more.
 [[nodiscard]] std::shared_ptr<const MotionRecords> read_motion_records(const Toolpath& path, OpenStatements open);
 
 /// A position of one statement, before it becomes a move: the file's numbers made mm, in the block's frame.

@@ -121,7 +121,7 @@ enum class ReasonKind : std::uint8_t {
 /// `reason` with or without the word and the line behind it.
 [[nodiscard]] ReasonKind kind_of(std::string_view reason);
 
-/// True where an unknown place the statement takes the tool.
+/// Returns true where a statement takes the tool to an unknown place.
 [[nodiscard]] inline bool is_unread(std::string_view reason) { return kind_of(reason) >= ReasonKind::unread; }
 /// Returns true where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
 [[nodiscard]] inline bool is_motion_known(std::string_view reason) {

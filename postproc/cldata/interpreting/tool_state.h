@@ -44,9 +44,9 @@ class ToolState {
   [[nodiscard]] const std::optional<int>& number() const { return tool_.number; }
   /// Returns how deep the tip of a pointed tool is where its cone is `diameter_mm` wide; nothing of any other tool.
   [[nodiscard]] std::optional<double> countersink_depth(double diameter_mm) const;
-  /// At a motion: true where the tool is another one than before. index() is then its own.
+  /// Resolves the tool at a motion. Returns true where it is another one than before. index() is then its own.
   [[nodiscard]] bool resolve();
-  /// In Toolpath::tools; kNone: no tool named yet.
+  /// Returns the index in Toolpath::tools; kNone: no tool is named.
   [[nodiscard]] std::size_t index() const { return index_; }
   void write_note() const;
 

@@ -55,7 +55,7 @@ class StatementSource {
   StatementSource& operator=(const StatementSource&) = delete;
   virtual ~StatementSource() = default;
 
-  /// The next statement into `statement` (whose memory is used again); false at the end.
+  /// Reads the next statement into `statement` (whose memory is used again); false at the end.
   [[nodiscard]] virtual bool next(Statement& statement) = 0;
 };
 

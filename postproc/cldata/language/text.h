@@ -31,13 +31,15 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 /// Returns the number of spaces stand right before `bytes[at]`.
 [[nodiscard]] std::size_t blanks_before(std::string_view bytes, std::size_t at);
 
-/// Line end of the first line of `bytes`: "\r\n" or "\n".
+/// Returns the line end of the first line of `bytes`: "\\r\
+/// " or "\
+/// ".
 [[nodiscard]] std::string line_end_of(std::string_view bytes);
 
-/// < 0, 0, > 0 as `a` sorts before, equal to or after `b`, letters compared as capitals.
+/// Returns < 0, 0 or > 0 as `a` sorts before, equal to or after `b`, letters compared as capitals.
 [[nodiscard]] int compare_ignoring_case(std::string_view a, std::string_view b);
 [[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
-/// As equals_ignoring_case.
+/// Returns whether it is one of `words`, compared as equals_ignoring_case does.
 [[nodiscard]] bool is_one_of(std::string_view text, std::span<const std::string_view> words);
 [[nodiscard]] bool starts_with_ignoring_case(std::string_view text, std::string_view start);
 

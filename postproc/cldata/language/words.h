@@ -101,7 +101,7 @@ class WordSet {
   std::array<std::uint64_t, 2> bits_{};
 };
 
-/// The word a statement begins with; upper or lower case.
+/// Finds the word a statement begins with, in upper or lower case.
 [[nodiscard]] Word find_word(std::string_view major);
 
 /// Returns true for words that move the tool or change the meaning of motion. An overlooked one would be missed.
@@ -125,7 +125,7 @@ class WordSet {
 /// their six letters.
 [[nodiscard]] std::size_t free_text_word_length(std::string_view line);
 
-/// MM, MMS, MILLIMETERS, INCH, INCHES, IN; nothing for other words.
+/// Returns the unit of MM, MMS, MILLIMETERS, INCH, INCHES, IN; nothing for other words.
 [[nodiscard]] std::optional<LengthUnit> unit_of_word(std::string_view word);
 
 /// Returns the length unit of a feed word (MMPM, MMPR, IPM, IPR, FPM, FPR); nothing for other words.

@@ -16,7 +16,7 @@ class Lexer final : public StatementSource {
   /// `bytes` must outlive the statements.
   explicit Lexer(std::string_view bytes, std::size_t first_byte = 0, std::size_t line = 1);
 
-  /// The next statement that is not blank, into `statement` (whose memory is used again); false at the end.
+  /// Reads the next statement that is not blank into `statement` (whose memory is used again); false at the end.
   [[nodiscard]] bool next(Statement& statement) override;
 
  private:

@@ -17,8 +17,8 @@ class NccsStatements final : public StatementSource {
   /// `bytes` must outlive the statements.
   explicit NccsStatements(std::string_view bytes) : words_(bytes) {}
 
-  /// The next record; false after FINI or at the end. A record that does not fit in the file is a statement
-  /// that is unterminated.
+  /// Reads the next record; false after FINI or at the end. A record that does not fit in the file is a statement that
+  /// is unterminated.
   [[nodiscard]] bool next(Statement& statement) override;
 
  private:
@@ -39,7 +39,7 @@ class NccsStatements final : public StatementSource {
   bool is_multax_off_ = false;
 };
 
-/// From the first record on, whatever the line.
+/// Opens the statements from the first record on, whatever the line.
 [[nodiscard]] std::unique_ptr<StatementSource> open_nccs(std::string_view bytes, std::size_t first_byte,
                                                          std::size_t line);
 

@@ -20,8 +20,8 @@ class NciStatements final : public StatementSource {
   /// `bytes` must outlive the statements.
   NciStatements(std::string_view bytes, std::size_t first_byte, std::size_t line) : lines_(bytes, first_byte, line) {}
 
-  /// The next statement; a pair may state several, of which all but the last span no bytes. Of a motion the
-  /// last is its GOTO, whose numbers are those of the pair, but for the axis, which has no text.
+  /// Reads the next statement; a pair may state several, of which all but the last span no bytes. Of a motion the last
+  /// is its GOTO, whose numbers are those of the pair, but for the axis, which has no text.
   [[nodiscard]] bool next(Statement& statement) override;
 
  private:

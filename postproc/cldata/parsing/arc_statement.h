@@ -49,7 +49,7 @@ struct ArcStatement {
 /// Returns one of which nothing is known but `problem`.
 [[nodiscard]] ArcStatement unreadable_arc(std::string_view problem);
 
-/// CIRCLE/ or MOVARC/ in the sense of `dialect`.
+/// Reads CIRCLE/ or MOVARC/ in the sense of `dialect`.
 [[nodiscard]] ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> arguments, double mm_per_unit);
 
 /// CATIA: TLON,GOFWD/(CIRCLE/center,r),ON[,2,INTOF],(LINE/center,end). The circle lies in the plane of `tangent`
@@ -64,7 +64,7 @@ struct TlonStatement {
 /// Returns true where circle and line are numbers, whatever words stand beside them: no part program.
 [[nodiscard]] bool is_tlon_of_numbers(std::span<const Argument> arguments);
 
-/// Nothing for a TLON of another form.
+/// Reads a TLON; nothing for one of another form.
 [[nodiscard]] std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, double mm_per_unit);
 
 [[nodiscard]] ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start,

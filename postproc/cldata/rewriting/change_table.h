@@ -20,7 +20,7 @@ class ChangeTable {
     for (const PathChange& change : changes) of_move_[change.move] = &change;
   }
 
-  /// Null: none.
+  /// Returns the change of a move; null: none.
   [[nodiscard]] const PathChange* operator[](std::size_t move) const { return of_move_[move]; }
   [[nodiscard]] bool is_changed(std::size_t move) const {
     return has_new_end(move) || has_insertion(move) || is_straightened(move) || has_new_arc(move) || is_rewritten(move);
@@ -57,7 +57,7 @@ class ReplacedStatements {
   /// Returns the replacement of `statement`; empty at first.
   [[nodiscard]] std::string& operator[](std::size_t statement) { return text_of_[statement]; }
 
-  /// As the file has it.
+  /// Returns a statement as the file has it.
   [[nodiscard]] std::string_view bytes_of(std::size_t statement) const;
   /// Returns false where a sequence number or label, which belongs to its statement alone, stands before the word.
   [[nodiscard]] bool begins_with(std::size_t statement, std::string_view word) const;

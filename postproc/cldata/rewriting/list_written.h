@@ -41,7 +41,8 @@ class RecordTexts {
   /// Returns the text of a move as it was. Nothing for binary records (NCCS), whose bytes are not text, and for moves
   /// without a statement.
   [[nodiscard]] std::optional<std::string_view> before(std::size_t move) const;
-  /// Text of the k-th position inserted before the end of `move`; the end itself stands behind the last of them.
+  /// Returns the text of the k-th position inserted before the end of `move`; the end itself stands behind the last of
+  /// them.
   [[nodiscard]] std::optional<std::string_view> after(std::size_t move, std::size_t k) const;
   /// Returns the text of all that the move became.
   [[nodiscard]] std::optional<std::string_view> after(std::size_t move) const;
@@ -51,7 +52,7 @@ class RecordTexts {
     const Toolpath* path = nullptr;
     std::vector<bool> is_written;  // by statement
   };
-  /// Text of moves [first, last) of a file.
+  /// Returns the text of moves [first, last) of a file.
   [[nodiscard]] std::optional<std::string_view> text_of(const File& file, std::size_t first, std::size_t last) const;
 
   File before_, after_;
