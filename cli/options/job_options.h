@@ -89,7 +89,7 @@ void add_progress_option(CLI::App& command, std::string& progress);
 /// Errors (code usage): names the option, what was typed and what was expected.
 [[nodiscard]] Result<JobOptions> understand(const JobArguments& arguments);
 
-/// Returns "2026-11-23 14:05 UTC": now, or the instant that SOURCE_DATE_EPOCH names in seconds since 1970, so that
+/// Returns "2026-11-23 14:05 UTC": now, or the instant of SOURCE_DATE_EPOCH in seconds since 1970. With the latter
 /// reports can be made again to the byte (https://reproducible-builds.org/specs/source-date-epoch/). Errors: usage.
 [[nodiscard]] Result<std::string> date_of_report();
 

@@ -51,8 +51,8 @@ class PendingOutputs {
 /// .png, in any case.
 [[nodiscard]] Result<bool> is_svg_file(const std::string& file);
 
-/// Returns the note of find_missing_letters (postproc/image/font.h) on the names a picture of this path may show: of
-/// the file, its tools and operations, and of `meshes`.
+/// Returns the note of find_missing_letters (postproc/image/font.h) on the names that a picture of this path may show.
+/// They are those of the file, its tools and operations, and of `meshes`.
 [[nodiscard]] Diagnostics find_missing_letters(const Toolpath& path, const std::vector<std::string>& meshes = {});
 
 }  // namespace gouge

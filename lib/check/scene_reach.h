@@ -32,8 +32,8 @@ struct PartsBesidePath {
 /// Returns nothing where there is no part or no motion.
 [[nodiscard]] std::optional<PartsBesidePath> compare_parts(const Toolpath& path, const Scene& scene);
 
-/// Returns the units that would make parts about as large as the path which are that many times smaller when read in
-/// `stl_unit`, the best first.
+/// Returns the units, the best first, that would make parts about as large as the path. The parts are that many times
+/// smaller when read in `stl_unit`.
 [[nodiscard]] std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit stl_unit);
 
 /// Returns the error for a mesh with a vertex that is beyond kFarthest_mm (reach.h) or is not a number; else nothing.

@@ -34,8 +34,8 @@ struct ImportedTools {
 };
 
 /// Imports a Fusion library: JSON, or .tools, which is a zip of it.
-/// Errors   json-too-deep, json-too-long, import-syntax, import-duplicate-key, import-format, import-zip: the file as a
-///          whole cannot be read. Errors of one tool are in `notes`: import-field, import-shape, import-stickout,
+/// Errors   The file as a whole cannot be read: json-too-deep, json-too-long, import-syntax, import-duplicate-key,
+///          import-format, import-zip. Errors of one tool are in `notes`: import-field, import-shape, import-stickout,
 ///          import-contradiction, import-number, import-guess, import-left-out, import-empty, and those of
 ///          make_body_profiles.
 [[nodiscard]] Result<ImportedTools> import_fusion(const std::string& file, std::string_view bytes,

@@ -46,7 +46,7 @@ struct ArcStatement {
   std::string_view problem;  ///< one of ArcProblems: then the rest states nothing; empty: none
 };
 
-/// Returns one of which nothing is known but `problem`.
+/// Returns an arc of which only `problem` is known.
 [[nodiscard]] ArcStatement unreadable_arc(std::string_view problem);
 
 /// Reads CIRCLE/ or MOVARC/ in the sense of `dialect`.
