@@ -33,8 +33,8 @@ struct ToolAssembly {
   std::vector<ToolSegment> shank{};   ///< from the cutter up; may be empty
   std::vector<ToolSegment> holder{};  ///< from the shank (or the extensions) up; may be empty
   std::vector<ToolExtension> extensions{};
-  /// Stick-out of the tool from its lowest extension or holder: what of the shank is above is inside and
-  /// left out. 0: they stand on the shank's end.
+  /// Stick-out of the tool from its lowest extension or holder. The shank above is inside and left out. 0: they stand
+  /// on the shank's end.
   double stickout_mm = 0;
   double gauge_length_mm = 0;  ///< tip to gauge line; reported, not checked. 0: not given
   /// Length of the cutter above its flutes, as wide as they end: set by extended_up alone, in no library file.

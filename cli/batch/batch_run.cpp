@@ -187,7 +187,7 @@ void BatchRun::note(std::size_t number, JobRun&& run) {
   progress_.show(rate, done_, all_);
 }
 
-// A disk takes milliseconds to make sure of a result: other jobs run meanwhile, and what they bring goes together.
+// A disk takes milliseconds to make sure of a result. Other jobs run meanwhile, and their results are written together.
 void BatchRun::write_until_closed() {
   std::unique_lock lock(guard_);
   while (!is_closed_) {

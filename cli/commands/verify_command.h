@@ -57,7 +57,7 @@ struct Verification {
 /// Returns 0, 1 or 4.
 [[nodiscard]] int exit_status(const Verification& verification);
 
-/// Returns a line for each refutation, then what was verified, what was sampled and what was not covered.
+/// Returns a line for each refutation, then the verified, the sampled and the uncovered parts.
 [[nodiscard]] std::string verification_text(const Verification& verification, const ClaimedResult& result,
                                             const Toolpath* path);
 

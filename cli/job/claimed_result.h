@@ -10,7 +10,7 @@
 #include "lib/verify/claims.h"
 #include "postproc/report/report_model.h"
 
-// A result as JSON, read back: what was checked, with which options, and what is claimed of it.
+// A result as JSON, read back: the inputs of the check, its options, and its claims.
 
 namespace gouge {
 

@@ -31,7 +31,7 @@ struct CorrectArguments {
 
 void add_correct_options(CLI::App& command, CorrectArguments& arguments);
 
-/// Errors (code usage): names the option, what was typed and what was expected.
+/// Errors (code usage): names the option, the typed text and the expected one.
 [[nodiscard]] Result<CorrectOptions> understand_correction(const CorrectArguments& arguments);
 
 /// Returns the strategies as a report names them: "auto", "axis", "cutter=axis, holder=tilt".

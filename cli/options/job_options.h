@@ -86,7 +86,7 @@ void add_placement_options(CLI::App& command, std::string& place, std::string& s
 void add_threads_option(CLI::App& command, std::uint32_t& threads);
 void add_progress_option(CLI::App& command, std::string& progress);
 
-/// Errors (code usage): names the option, what was typed and what was expected.
+/// Errors (code usage): names the option, the typed text and the expected one.
 [[nodiscard]] Result<JobOptions> understand(const JobArguments& arguments);
 
 /// Returns "2026-11-23 14:05 UTC": now, or the instant of SOURCE_DATE_EPOCH in seconds since 1970. With the latter

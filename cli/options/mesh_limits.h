@@ -20,7 +20,7 @@ void split_limits(const std::vector<std::string>& typed, std::vector<std::string
 /// Returns the limits of files that were given with `option`, against obstacles of that kind.
 ///
 /// `tolerance_mm`: of the check, which a file may lower.
-/// Errors (code usage): names the option, what was typed and what was expected.
+/// Errors (code usage): names the option, the typed text and the expected one.
 [[nodiscard]] Result<std::vector<MeshLimit>> understand_limits(const std::string& option, Against against,
                                                                const std::vector<std::string>& files,
                                                                const LimitTexts& limits, double tolerance_mm);

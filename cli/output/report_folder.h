@@ -11,7 +11,7 @@
 #include "lib/base/staged_file.h"
 #include "postproc/report/named_file.h"
 
-// manifest.json of a report's folder: what in it is the report's own (docs/formats/report_folder.md).
+// The manifest.json of a report's folder, which lists the report's own files (docs/formats/report_folder.md).
 
 namespace gouge {
 

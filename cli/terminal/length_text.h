@@ -27,7 +27,7 @@ namespace gouge {
 /// The least a length may be; above the finest resolution is what double precision can certify.
 enum class Minimum { zero, above_zero, finest_resolution };
 
-/// Returns the length typed for `option`. Error (code usage): names the option, what was typed and what was expected.
+/// Returns the length typed for `option`. Error (code usage): names the option, the typed text and the expected one.
 [[nodiscard]] Result<double> understand_length(const std::string& option, const std::string& typed, Minimum least);
 
 /// Does parse_place for the text typed for `option`. Error: as above.

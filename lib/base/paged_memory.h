@@ -14,7 +14,8 @@ struct PagedLimits {
   std::size_t resident_bytes = 0;  ///< of files the process may hold at once, about
 };
 
-/// From now on, instead of 64 MB and 512 MB; what is allocated stays where it is. Returns what held before.
+/// Sets the limits for later allocations, instead of 64 MB and 512 MB. Allocated memory stays where it is. Returns the
+/// limits before.
 PagedLimits set_paged_limits(const PagedLimits& limits);
 
 /// Zeros, or anything. Where no file can be had (no room, no such file system) it is plain memory. Throws bad_alloc.

@@ -51,7 +51,7 @@ class HeadChecker {
   std::uint64_t sweep(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict,
                       std::vector<double>& uppers_mm) const;
 
-  /// Sweeps motions one after the other, together: what is far from all of them is discarded once.
+  /// Sweeps motions one after the other, together. Surfaces far from all of them are discarded once.
   ///
   /// Shape    One verdict, one list of uppers and one count of bounds a motion, as of `sweep`. A verdict may differ
   ///          from that of the motion alone in how deep the surface may be.

@@ -117,7 +117,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     return c.kind == Candidate::Kind::root ? LaneBound(tree) : LaneBound(tree, tree.nodes[c.parent], c.lane);
   }
 
-  /// All of the candidate but its bound and what comes next is known.
+  /// All of the candidate is known except its bound and the next step.
   void add_node(Candidate& c) {
     const BodyInterval& interval = intervals_[c.interval];
     const LaneBound held = bound_of(c);

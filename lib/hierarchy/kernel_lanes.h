@@ -199,7 +199,7 @@ struct V3 {
 GOUGE_INLINE void load(const float* from, V& to) { __builtin_memcpy(&to, from, sizeof(V)); }
 GOUGE_INLINE void store(const V& from, float* to) { __builtin_memcpy(to, &from, sizeof(V)); }
 #else
-// Part by part: what is copied in other pieces than it is read in has to wait for the memory.
+// Part by part: a value that is copied in other pieces than it is read has to wait for the memory.
 template <class P>
 GOUGE_INLINE void load(const float* from, P& to) {
   __builtin_memcpy(&to, from, sizeof(P));

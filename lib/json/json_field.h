@@ -43,7 +43,7 @@ class JsonField {
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] bool flag() const;
 
-  /// Names the field, its line, and what was expected of it, unless something else was wrong before.
+  /// Names the field, its line, and the expected value, unless there was an error before.
   void fail(const std::string& expected) const;
 
  private:

@@ -23,7 +23,7 @@ constexpr std::size_t kMaxOthers = 4;  // of those about a refused tilt that no 
 constexpr int kMaxRounds = 60;         // in which layers are added, ...
 constexpr int kMaxStrikes = 24;        // ... or motions struck out: an obstacle to these is one to most neighbours
 
-/// One lattice over the allowed tilts, and what is known of it at each position.
+/// One lattice over the allowed tilts, and the known tilts at each position.
 ///
 /// Free tilts are found lazily too. The cheapest way is sought as if all were free, then the tilts it takes are
 /// examined. It is sought again without those that are refused. The way that is left is the cheapest of all, as no
@@ -95,7 +95,7 @@ class Lattice {
     auto operator<=>(const Struck&) const = default;
   };
 
-  /// A position, and what is known of the lattice's tilts there.
+  /// A position, and the known tilts of the lattice there.
   struct Layer {
     std::size_t position = 0;
     std::vector<Node> open;     ///< that were not refused, and that ways may lead through; by columns

@@ -123,7 +123,7 @@ class Comparer {
       }
     }
     std::size_t wider = 0;
-    std::string of_one_move;  // what has become deeper, where the finding as a whole has not
+    std::string of_one_move;  // moves that became deeper, where the finding as a whole did not
     Stretch stretch;
     const WitnessGrid places(before_, was, kSamePlace_mm);
     for (const StoredMove* move : after_.moves_of(after_.findings[n])) {

@@ -17,11 +17,11 @@ namespace gouge {
 [[nodiscard]] std::string change_counts(const Comparison& comparison);
 /// Returns "worse", "no worse", or "no worse as far as it was checked".
 [[nodiscard]] std::string comparison_verdict(const Comparison& comparison);
-/// Returns reservations about the comparison, a sentence each: the differences of both set-ups, and what is open.
+/// Returns reservations about the comparison, a sentence each: the differences of both set-ups, and open facts.
 [[nodiscard]] std::vector<std::string> comparison_notes(const Comparison& comparison);
 
-/// Returns one finding a line as compilers print them, what is worst first, and a summary; what is the same only where
-/// `has_same`.
+/// Returns one finding a line as compilers print them, the worst first, and a summary. Findings that are the same are
+/// listed only where `has_same`.
 [[nodiscard]] std::string comparison_text(const Comparison& comparison, bool has_same);
 [[nodiscard]] std::string comparison_json(const Comparison& comparison);
 /// Returns one page that needs nothing beside it.

@@ -14,7 +14,7 @@ namespace gouge {
 
 struct WrittenToolpath {
   std::string bytes;
-  Diagnostics notes;  ///< what is lost or changed: codes convert-...
+  Diagnostics notes;  ///< losses and changes: codes convert-...
 };
 
 /// Writes lengths in the unit of `path`, and positions in part coordinates. Digits are those of the dialect, or of the

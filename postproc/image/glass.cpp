@@ -139,7 +139,7 @@ class ToolPane {
   std::vector<std::array<Coat, 2>> coats_;  ///< by face: where it is seen, and behind the part
 };
 
-/// Clearer than a tool: a head is large, and what it gouges lies behind it.
+/// Clearer than a tool: a head is large, and the surface that it gouges lies behind it.
 class HeadPane {
  public:
   HeadPane(const SurfaceBuffer& part, const PictureScene& heads)

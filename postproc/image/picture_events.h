@@ -20,8 +20,8 @@ struct PictureEvent {
   Pose pose;                        ///< of the tool at the worst instant
   RigidTransform heads;             ///< from the tool's frame: where the heads are then
   std::optional<std::size_t> head;  ///< the head that gouges or is buried; none where the tool does
-  Vec3 at = Vec3::Zero();    ///< witness; of what is buried a point inside: the middle of the cutter, a head's core
-  bool has_witness = false;  ///< what is buried has none
+  Vec3 at = Vec3::Zero();           ///< witness; buried: a point inside, the middle of the cutter, a head's core
+  bool has_witness = false;         ///< a buried tool has none
   Witness witness;
   double depth_mm = 0;
 };

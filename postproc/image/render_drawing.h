@@ -15,7 +15,7 @@ namespace gouge {
 /// Errors   (1) picture-size: a side below 1 or above 16384. (2) picture-not-encoded, out-of-memory.
 [[nodiscard]] Result<std::string> render_png(const Drawing& drawing);
 
-/// Returns the same with pictures laid under the drawing, in the order given; what falls outside is cut off.
+/// Returns the same with pictures laid under the drawing, in the order given. Parts outside are cut off.
 [[nodiscard]] Result<std::string> render_png(const Drawing& drawing, const std::vector<PlacedRaster>& underlay);
 
 /// Returns the width that render_png gives a text, in picture units.

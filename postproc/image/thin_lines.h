@@ -12,8 +12,7 @@ namespace gouge {
 /// them are left out. So are segments that lie on the last ones drawn in the same ink. Lines keep their order.
 class ThinLines {
  public:
-  /// Requires a finite area, at least 1 wide and high. Lines may leave it; what is outside is never left out as
-  /// covered.
+  /// Requires a finite area, at least 1 wide and high. Lines may leave it. Parts outside are never left out as covered.
   ThinLines(const Vec2& low, const Vec2& high);
 
   /// The stroke through `points`, drawn like `style` (whose own points do not count). Strokes of one `ink` look alike.

@@ -23,7 +23,7 @@ class HtmlTable {
 
   explicit HtmlTable(std::vector<HtmlColumn> columns) : columns_(std::move(columns)) {}
 
-  /// Returns whether the next row still has a page; what is not wanted need not be made, but must be counted by skip().
+  /// Returns whether the next row still has a page. A row that is not needed must be counted by skip().
   [[nodiscard]] bool has_room() const { return rows_ < kMaxRows; }
   /// `attributes`: of the row, each with a blank before it.
   void add(const std::string& cells, const std::string& attributes = {});

@@ -14,7 +14,7 @@ namespace gouge {
 [[nodiscard]] nlohmann::ordered_json motions_json(const Toolpath& path);
 /// Returns the runs of moves of one operation and tool, by their first move.
 [[nodiscard]] nlohmann::ordered_json runs_json(const Toolpath& path);
-/// Returns the statement of a move, its line end and what is beyond 2000 bytes left out, as UTF-8.
+/// Returns the statement of a move, as UTF-8, without its line end and text beyond 2000 bytes.
 [[nodiscard]] std::string statement_json(const Toolpath& path, const Move& move);
 
 /// Returns the effect of --baseline on the result: its entries and how each was used; null without one.

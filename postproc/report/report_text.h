@@ -78,7 +78,7 @@ struct UncutTotal {
 /// Returns the bytes of a move's statement, line end included; empty where the path does not state.
 [[nodiscard]] std::string_view statement_text(const Toolpath& toolpath, const Move& move);
 
-/// Returns the statement of a move as its file has it, up to three lines of at most 200 bytes; what is more ends in "
+/// Returns the statement of a move as its file has it, up to three lines of at most 200 bytes. Longer text ends in "
 /// ...". None where the move has no statement or the file is not text.
 [[nodiscard]] std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t move);
 

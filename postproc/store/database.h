@@ -18,7 +18,7 @@ namespace gouge {
 /// A value of a row. Text need not be UTF-8.
 using Cell = std::variant<std::nullptr_t, std::int64_t, double, std::string_view>;
 
-/// One row of an result. Columns count from 0; what is NULL is 0 or empty.
+/// One row of a result. Columns count from 0; NULL reads as 0 or empty.
 class Row {
  public:
   explicit Row(sqlite3_stmt* statement) : statement_(statement) {}

@@ -31,8 +31,8 @@ struct StoredJob {
 /// results.sqlite of a batch (docs/formats/batch_store.md): the results of its jobs, each committed when it is there.
 class ResultStore {
  public:
-  /// Makes an empty file where there is none; what is there stays as it is until begin. Errors: store-newer (of a later
-  /// version of the program), store-foreign (a database that is not a store of a batch), those of Database.
+  /// Makes an empty file where there is none. An existing one stays as it is until begin. Errors: store-newer (of a
+  /// later version of the program), store-foreign (a database that is not a store of a batch), those of Database.
   [[nodiscard]] static Result<ResultStore> open(const std::string& path);
 
   /// Returns whether a batch was begun here and not ended, and how many of its jobs are done.

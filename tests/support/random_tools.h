@@ -229,7 +229,7 @@ inline Profile random_assembly_profile(Scatter& random) {
   }
 }
 
-// Offset undercuts may close and hollows fill; what is left is one contour all the same.
+// Offset undercuts may close and hollows fill, but one contour remains.
 inline Profile random_offset_profile(Scatter& random) {
   for (;;) {
     const bool is_free = random.next() % 2 == 0;

@@ -160,7 +160,7 @@ void take_free_text(States& s) {
     if (s.in.moves() > 0) {
       end_program(s);
     } else {
-      s.uncertainties.clear(Uncertainty::unknown);  // what stands before a program is no part of it
+      s.uncertainties.clear(Uncertainty::unknown);  // text before a program is not part of it
     }
   }
   if (equals_ignoring_case(major, "OPFEATEND")) s.setup.end_feature();

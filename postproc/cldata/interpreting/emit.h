@@ -8,7 +8,7 @@
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/interpreting/states.h"
 
-// Moves out of positions, and what a statement does to moves that were read before it.
+// Makes moves of positions, and applies the effects of a statement on moves before it.
 
 namespace gouge {
 

@@ -256,7 +256,7 @@ void take_trntyp(States& s) {
   if (is_world && s.in.dialect.is_in_world) s.uncertainties.clear(Uncertainty::csys);
 }
 
-// TRANS and ORIGIN shift what a post-processor writes. Whether the part shifts with it no file shows. Zeros undo
+// TRANS and ORIGIN shift the output of a post-processor. No file shows whether the part shifts with it. Zeros undo
 // their own word's shift, unless another word states how they are meant.
 void take_trans(States& s) {
   if (s.in.arguments.empty()) return;

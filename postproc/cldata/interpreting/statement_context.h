@@ -14,8 +14,8 @@
 
 namespace gouge {
 
-/// The statement being taken, the file it stands in, and what is wrong with either: what every state of the
-/// interpreter examines.
+/// The statement being taken, its file, and the errors of either: the data that every state of the interpreter
+/// examines.
 class StatementContext : public PathBuilder {
  public:
   StatementContext(Toolpath& path_read, const Dialect& of_file) : PathBuilder(path_read), dialect(of_file) {}

@@ -45,7 +45,7 @@ class ArcText {
   [[nodiscard]] Result<std::string> tlon(std::size_t move, const WrittenArc& arc) const;
 
  private:
-  struct Field {  // an argument of a statement and what it is to be
+  struct Field {  // an argument of a statement and its new value
     std::size_t argument = 0;
     const NumberStyle* style = nullptr;
     double value = 0;
