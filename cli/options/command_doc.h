@@ -12,7 +12,8 @@ class Option;
 
 namespace gouge {
 
-/// Returns those of "TEXT:{straight,dogleg,skip}", as the parser names a text of few values; empty for anything else.
+/// Returns the choices of "TEXT:{straight,dogleg,skip}", as the parser names a text of few values; empty for anything
+/// else.
 [[nodiscard]] std::vector<std::string> choices_in(const std::string& text);
 
 struct OptionDoc {
@@ -36,7 +37,7 @@ struct CommandDoc {
   std::vector<OptionDoc> options;  ///< positionals first
   std::vector<CommandDoc> commands;
 
-  /// Returns its own word: "import".
+  /// Returns the command's own word: "import".
   [[nodiscard]] std::string word() const;
 };
 /// Returns `app` and all commands below it.

@@ -42,7 +42,7 @@ class PreparedScene {
   [[nodiscard]] const PreparedObstacle& obstacle(Against against) const {
     return obstacles_[static_cast<std::size_t>(against)];
   }
-  /// Returns the one whose surface the cutter makes.
+  /// Returns the obstacle whose surface the cutter makes.
   [[nodiscard]] const PreparedObstacle& workpiece() const;
 
   [[nodiscard]] const BlockTree& workpiece_tree() const { return workpiece().tree; }

@@ -34,7 +34,7 @@ struct BlockTree {
   [[nodiscard]] std::size_t mesh_of(std::uint32_t triangle) const;
   /// Returns the exact corners, part coordinates.
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t triangle) const;
-  /// Returns its index in the mesh's own file.
+  /// Returns the index of the triangle in the mesh's own file.
   [[nodiscard]] std::uint32_t file_triangle(std::uint32_t triangle) const;
 };
 

@@ -49,14 +49,14 @@ class SweptSolid {
   SweptSolid(const SweptSolid&) = delete;
   SweptSolid& operator=(const SweptSolid&) = delete;
 
-  /// Returns the signed, 1-Lipschitz in the point; negative inside.
+  /// Returns the signed distance, 1-Lipschitz in the point; negative inside.
   [[nodiscard]] virtual double distance_at(const Vec3& point_part, double t) const = 0;
   /// Returns the unit gradient of that distance.
   [[nodiscard]] virtual Vec3 outward_at(const Vec3& point_part, double t) const = 0;
 
   /// Returns the number of segments of the motion, which are the first of the numbered time intervals.
   [[nodiscard]] virtual std::uint32_t segments() const = 0;
-  /// The first half; the second follows.
+  /// Halves an interval and returns its first half; the second follows.
   virtual std::uint32_t halve(std::uint32_t interval) = 0;
   /// Bounds the solid over the ball about `centre`.
   [[nodiscard]] virtual SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const = 0;
@@ -68,8 +68,8 @@ class SweptSolid {
   /// of `frame`). With `is_sharp_only` the boxes hold those of its sharp zones.
   [[nodiscard]] virtual std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
                                                   bool is_sharp_only) const = 0;
-  /// Returns smaller boxes along the same axes that together hold what the box of a sharp zone, counted as in
-  /// `extents`, does.
+  /// Returns smaller boxes along the same axes that together hold the content of the box of a sharp zone, counted as in
+  /// `extents`.
   [[nodiscard]] virtual std::vector<Box3> pieces(const Eigen::Matrix3d& /*frame*/, std::uint32_t /*interval*/,
                                                  std::size_t /*zone*/) const {
     return {};

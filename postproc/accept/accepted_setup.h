@@ -21,9 +21,9 @@ struct AcceptedSetup {
   std::vector<std::string> law{};     ///< StoredOptions::law
 };
 
-/// Returns that of a stored result; `tool` is the identity of the finding's.
+/// Returns the set-up of a stored result; `tool` is the identity of the finding's.
 [[nodiscard]] AcceptedSetup setup_of(const StoredResult& result, const std::string& tool);
-/// Returns that of a check that was just made.
+/// Returns the set-up of a check that was just made.
 [[nodiscard]] AcceptedSetup setup_of(const ReportModel& model, const std::string& tool);
 
 /// Returns the first change of the set-up since an acceptance, a sentence ("the part is another one"); none: nothing.

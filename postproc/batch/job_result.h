@@ -48,7 +48,7 @@ struct JobResult {
   [[nodiscard]] std::size_t moves() const;
   /// Returns how many of its findings are gouges or a buried tool.
   [[nodiscard]] std::size_t gouge_findings() const;
-  /// Returns its warnings as text; of a job without a result what its command stated of its errors.
+  /// Returns its warnings as text; for a job without a result the errors that its command reported.
   [[nodiscard]] std::vector<std::string> remarks() const;
   /// Returns "clean", "accepted-gouges", "gouges", "not-fully-checked", "failed" or "not-run".
   [[nodiscard]] const char* verdict() const;

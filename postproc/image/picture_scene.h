@@ -39,7 +39,7 @@ class PictureScene {
   /// Returns the number of faces, which are in the order of the obstacles.
   [[nodiscard]] std::uint32_t face_count() const;
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t face) const;
-  /// Returns those that reach into the view, and some that only come near.
+  /// Returns the faces that reach into the view, and some that only come near.
   [[nodiscard]] std::vector<std::uint32_t> faces_in(const View& view) const;
   /// Returns the unit normals at the three corners, smooth across edges that bend less than 35 degrees.
   [[nodiscard]] const std::array<Eigen::Vector3f, 3>& normals(std::uint32_t face) const { return normals_[face]; }

@@ -46,7 +46,8 @@ class GOUGECHECK_EXPORT Report {
   [[nodiscard]] std::span<const double> t() const;
   [[nodiscard]] std::span<const Vec3> point() const;
   [[nodiscard]] std::span<const Vec3> normal() const;
-  /// Returns the witness: face of its mesh as given, index of the mesh, the body of the tool. -1 where there is none.
+  /// Returns of the witness the face of its mesh as given, the index of the mesh, and the body of the tool. -1 where
+  /// there is none.
   [[nodiscard]] std::span<const std::int64_t> triangle() const;
   [[nodiscard]] std::span<const std::int32_t> mesh() const;
   [[nodiscard]] std::span<const std::int8_t> body() const;        ///< a Body
