@@ -46,7 +46,7 @@ class GOUGECHECK_EXPORT Report {
   [[nodiscard]] std::span<const double> t() const;
   [[nodiscard]] std::span<const Vec3> point() const;
   [[nodiscard]] std::span<const Vec3> normal() const;
-  /// Returns of the witness the face of its mesh as given, the index of the mesh, and the body of the tool. -1 where
+  /// Returns of the witness the face of its mesh as given, the index of the mesh, and the body of the tool. Each is -1 where
   /// there is none.
   [[nodiscard]] std::span<const std::int64_t> triangle() const;
   [[nodiscard]] std::span<const std::int32_t> mesh() const;
