@@ -12,12 +12,12 @@ namespace gouge {
 
 void add_config_commands(CLI::App& app);
 
-/// `gougecheck config [check|correct] [OPTIONS]`: what holds for that command line in this folder, and where it comes
-/// from. Returns the exit status.
+/// Runs `gougecheck config [check|correct] [OPTIONS]`. It lists the options that hold for that command line in this
+/// folder, and where each comes from. Returns the exit status.
 [[nodiscard]] int run_config(const std::vector<std::string>& words, std::ostream& out, std::ostream& err);
 
-/// `gougecheck init [OPTIONS]`: writes a project file from what lies in the working directory; options of check or
-/// correct that are given go before. Never over a file that exists. Returns the exit status.
+/// Runs `gougecheck init [OPTIONS]`, which writes a project file from the files in the working directory; options of
+/// check or correct that are given go before. Never over a file that exists. Returns the exit status.
 [[nodiscard]] int run_init(const std::vector<std::string>& words, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

@@ -21,9 +21,9 @@ void report(std::string_view text) {
   [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-// An exception that nothing can catch any more (out of memory in a destructor of the JSON library, or in the static
-// initialiser of another one) ends the program with its message and kExitInternal, not with SIGABRT. Broken assertions
-// still abort: their core is the evidence of a bug. Allocates nothing, as there may be nothing to allocate.
+// An exception that nothing can catch ends the program with its message and kExitInternal, not with SIGABRT. Examples
+// are lack of memory in a destructor of the JSON library, or in the static initialiser of another one. Broken
+// assertions still abort: their core is the evidence of a bug. Allocates nothing, as there may be nothing to allocate.
 [[noreturn]] void end_orderly() noexcept {
   const std::type_info* thrown = abi::__cxa_current_exception_type();
   if (thrown != nullptr && (*thrown == typeid(std::bad_alloc) || *thrown == typeid(std::bad_array_new_length))) {
@@ -37,22 +37,22 @@ void report(std::string_view text) {
   ::_exit(gouge::kExitInternal);
 }
 
-// glibc loads what it unwinds the stack of an ending thread with when it first needs it, and aborts where there is no
-// memory for that: better now.
+// When glibc first unwinds the stack of an ending thread it loads a library, and aborts where there is no memory for
+// that. So the library is loaded here.
 void load_unwinder() {
   void* frame = nullptr;
   ::backtrace(&frame, 1);
 }
 
-// The second one, which comes when this handler returns, takes the default action: a parent that waits for the program sees
-// which signal ended it.
+// The second one, which comes when this handler returns, takes the default action: a parent that waits for the program
+// sees which signal ended it.
 void tidy_up_and_end(int signal) {
   gouge::remove_temporary_names();
   ::raise(signal);
 }
 
 // SIGINT (ctrl-C), SIGTERM and SIGHUP remove the temporary names of outputs before they end the program, as these
-// signals do; one that is ignored (nohup) stays so.
+// signals do. An ignored signal (nohup) stays ignored.
 void tidy_up_on_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction old {

@@ -18,7 +18,7 @@ struct ProjectOption {
   std::vector<std::string> words;  ///< "--fixture=a.stl", "--fixture=b.stl"
   std::size_t line = 0;
 
-  /// For people: "a.stl, b.stl"; of a flag "yes".
+  /// Returns the value for people: "a.stl, b.stl"; for a flag "yes".
   [[nodiscard]] std::string value() const;
 };
 
@@ -35,14 +35,15 @@ struct ProjectFile {
 /// Returns their keys in a project file.
 [[nodiscard]] std::vector<std::string> project_keys();
 
-/// The project file that holds in the working directory: the nearest one from there up to the root of its repository
-/// (the folder with .git); without a repository the working directory alone. None where there is none.
-/// Errors: project-foreign where it belongs to somebody else or everybody may write it, project-unreadable.
+/// Finds the project file that holds in the working directory. It is the nearest one from there up to the root of its
+/// repository (the folder with .git). Without a repository only the working directory is searched. None where there is
+/// none.
+/// Errors: project-foreign where it belongs to another user or everybody may write it, project-unreadable.
 [[nodiscard]] Result<std::optional<ProjectFile>> find_project_file();
 
-/// The options of a project file called `name`, whose files are below `folder`. Errors, with the line: project-syntax,
-/// project-duplicate-key, project-option (no such option, or one that no project file may set, or a wrong kind of
-/// value), json-too-deep, json-too-long.
+/// Reads the options of a project file called `name`, whose files are below `folder`.
+/// Errors, with the line: project-syntax, project-duplicate-key, project-option, json-too-deep, json-too-long. With
+/// project-option there is no such option, no project file may set it, or its value is of the wrong kind.
 [[nodiscard]] Result<ProjectFile> read_project_file(const std::string& name, const std::string& folder,
                                                     const std::string& bytes);
 

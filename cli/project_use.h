@@ -19,11 +19,11 @@ class ProjectLine {
   /// --no-config leave it as it is. Errors: those of find_project_file.
   [[nodiscard]] static Result<ProjectLine> make(const std::vector<std::string>& words);
 
-  /// With the options of the project file that the command line does not state, behind the command.
+  /// Returns the words with the options of the project file that the command line does not state, behind the command.
   [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
-  /// None where no file was found, or nothing of it is used.
+  /// Returns none where no file was found, or nothing of it is used.
   [[nodiscard]] const std::optional<ProjectUse>& use() const { return use_; }
-  /// An error about an option that came from the file, with its place there; others as they are.
+  /// Returns an error about an option from the file with its place there; others as they are.
   [[nodiscard]] Diagnostic located(const Diagnostic& error) const;
 
  private:
@@ -37,8 +37,8 @@ class ProjectLine {
 /// --no-config of `check` and `correct`.
 void add_no_config_option(CLI::App& command, bool& is_without);
 
-/// The long names of the options that `words` gives to a command, its name first; nothing where they cannot be parsed
-/// or request help. Options that are needed may be missing.
+/// Returns the long names of the options that `words` gives to a command, its name first. Nothing where they cannot be
+/// parsed or request help. Options that are needed may be missing.
 [[nodiscard]] std::optional<std::vector<std::string>> options_typed(const std::vector<std::string>& words);
 
 }  // namespace gouge

@@ -46,7 +46,7 @@ bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& 
   return true;
 }
 
-/// Shows the command of its project file. What is wrong with a value from there is found here, where its line is known.
+/// Shows the command of its project file. An error in a value from there is found here, where its line is known.
 std::optional<Diagnostic> take_project(const ProjectLine& line, const CLI::App& app, Arguments& arguments) {
   const bool is_check = app.got_subcommand("check");
   JobArguments& job = is_check ? arguments.check.job : arguments.correct.job;

@@ -4,7 +4,7 @@
 
 namespace gouge {
 
-/// The whole command line: parses, runs the one command requested, and returns its exit status
+/// Runs the whole command line: parses it, runs the one command requested, and returns its exit status
 /// (lib/base/exit_code.h). Nothing is printed but to `out` (results) and `err` (errors, progress).
 [[nodiscard]] int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
 

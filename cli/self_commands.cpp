@@ -23,7 +23,7 @@ void add_words(CLI::App& command, SelfArguments& arguments) {
       ->type_name("COMMAND");
 }
 
-// Errors: usage, naming the word that is no command.
+// Errors: usage, naming the word that is not a command.
 Result<const CLI::App*> command_called(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* at = &app;
   for (const std::string& word : words) {

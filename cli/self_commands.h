@@ -19,7 +19,7 @@ struct SelfArguments {
 
 void add_self_commands(CLI::App& app, SelfArguments& arguments);
 
-/// The one of them that was requested of `app`, after its parse. Returns the exit status.
+/// Runs the one of them that `app` was called with, after its parse. Returns the exit status.
 [[nodiscard]] int run_self_command(const CLI::App& app, const SelfArguments& arguments, std::ostream& out,
                                    std::ostream& err);
 

@@ -18,8 +18,8 @@ using detail::DirectedLine;
 using detail::DistanceForm;
 using Element = std::uint32_t;
 
-// A cell of the subdivision with what is known of it: the elements that may still be nearest, per domain line
-// and per element the side it lies on (0: on both, or not known).
+// A cell of the subdivision with the elements that may still be nearest. Per domain line and per element it has the
+// side on which it lies (0: on both, or not known).
 struct Region {
   ConvexCell cell;
   std::vector<Element> candidates;

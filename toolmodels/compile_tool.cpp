@@ -37,8 +37,8 @@ void set_extent(CompiledTool& tool) {
 
 double depth_on_axis(const CompiledTool& tool, double z) { return -signed_distance_mm(tool, 0, z); }
 
-// Deepest of evenly spaced points, then halving the spacing around it: the depth is 1-Lipschitz, so the
-// result is within one spacing of the best depth, and in practice at it.
+// Finds the deepest of evenly spaced points, then halves the spacing around it. The depth is 1-Lipschitz, so the result
+// is within one spacing of the best depth, and in practice at it.
 double deepest_on_axis(const CompiledTool& tool, double low, double high) {
   constexpr int kSamples = 512;
   double step = (high - low) / kSamples;

@@ -15,24 +15,24 @@
 namespace gouge {
 
 /// Requires  verify_profile(profile).empty(), or a profile without elements (gives a tool without elements).
-/// Ensures   (1) indices in range, every element owned by a leaf, unit normals, elements that join, extent and core that
-///           fit; (2) the contract of evaluate.h; (3) the contract of SupportRange.
-/// Cost      milliseconds for a tool of twenty elements.
+/// Ensures   (1) Indices are in range, every element is owned by a leaf, normals are unit vectors, and elements join.
+///           Extent and core fit. (2) The contract of evaluate.h. (3) The contract of SupportRange.
+/// Cost      Milliseconds for a tool of twenty elements.
 /// Source    Ho 1999, thesis 2.4.18, appendix C; docs/method/tool_voronoi.md
 [[nodiscard]] CompiledTool compile_tool(const std::string& name, const Profile& profile);
 
-/// All variants a check needs. Growth is rounded: the body's solid of revolution plus a ball.
+/// Makes all variants a check needs. Growth is rounded: the body's solid of revolution plus a ball.
 ///
-/// Ensures   with `has_wide` also ToolVariants::wide: of every body the solid of revolution of its contour moved out by
-///           the diameter of the cutter, which holds every place the body takes that far beside the axis.
-/// Requires  the three lengths are finite and >= 0.
-/// Errors    those of make_body_profiles, and of unite.
+/// Ensures   With `has_wide` also ToolVariants::wide. It is, for every body, the solid of revolution of its contour
+///           moved out by the diameter of the cutter. That holds every place the body takes that far beside the axis.
+/// Requires  The three lengths are finite and >= 0.
+/// Errors    Those of make_body_profiles, and of unite.
 [[nodiscard]] Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm,
                                                       double shank_clearance_mm, double holder_clearance_mm,
                                                       bool has_wide = false);
 
-/// The same of shank and holder alone, as if the tool had no cutter: no elements where it has neither.
-/// Errors    as make_tool_variants.
+/// Returns the same of shank and holder alone, as if the tool had no cutter: no elements where it has neither.
+/// Errors    As make_tool_variants.
 [[nodiscard]] Result<ToolVariants> make_non_cutting_variants(const ToolAssembly& tool, double shank_clearance_mm,
                                                              double holder_clearance_mm);
 

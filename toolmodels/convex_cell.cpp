@@ -61,9 +61,9 @@ ConvexCell ConvexCell::clipped(const DirectedLine& line, int sign) const {
   return part;
 }
 
-// Corners where nearly parallel lines meet lie so far away that what is measured at them, with their slack, states
-// nothing of the points near the tool. So the cut's own point, where the tool is, becomes a corner wherever
-// it lies amid the new edge. It is also the only point of an edge between two opposite directions.
+// Corners where nearly parallel lines meet lie so far away that values there, with their slack, state nothing of the
+// points near the tool. So the cut's own point, where the tool is, becomes a corner wherever it lies amid the new edge.
+// It is also the only point of an edge between two opposite directions.
 void ConvexCell::add_corner_amid(const DirectedLine& line) {
   const Vec2 along(-line.direction.y(), line.direction.x());
   const auto is_on_line = [&](const Vec3& c) { return std::abs(value(line, c)) <= slack_at(c); };

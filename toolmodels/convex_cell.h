@@ -28,12 +28,12 @@ class ConvexCell {
 
   [[nodiscard]] const std::vector<Vec3>& corners() const { return corners_; }
   [[nodiscard]] CellSides sides(const DirectedLine& line) const;
-  /// The part on the negative (sign < 0) or positive side.
+  /// Returns the part on the negative (sign < 0) or positive side.
   [[nodiscard]] ConvexCell clipped(const DirectedLine& line, int sign) const;
-  /// Points of the cell: finite corners, and their mean moved along the directions.
+  /// Returns points of the cell: finite corners, and their mean moved along the directions.
   [[nodiscard]] std::vector<Vec2> samples() const;
   [[nodiscard]] double area_within(const Vec2& low, const Vec2& high) const;
-  /// Rounding allowed at a corner: grows with its distance from the tool.
+  /// Returns the rounding allowed at a corner: grows with its distance from the tool.
   [[nodiscard]] double slack_at(const Vec3& corner) const;
 
  private:

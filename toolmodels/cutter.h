@@ -27,9 +27,9 @@ struct BullNoseCutter {
   double diameter_mm = 0, corner_radius_mm = 0, length_mm = 0;
 };
 
-/// The corner arc of radius c is centred at (diameter/2 - c, c), tangent to the tip plane and to a side that
-/// leans outward by `taper_angle_deg` from the axis (inward when negative). c = diameter/2 is the tapered
-/// ball.
+/// A cutter with a corner arc of radius c, centred at (diameter/2 - c, c). The arc is tangent to the tip plane and to a
+/// side that leans outward by `taper_angle_deg` from the axis (inward when negative). With c = diameter/2 it is the
+/// tapered ball.
 struct TaperedCutter {
   double diameter_mm = 0, corner_radius_mm = 0, taper_angle_deg = 0, length_mm = 0;
 };
@@ -67,9 +67,8 @@ struct DovetailCutter {
   double diameter_mm = 0, corner_radius_mm = 0, taper_angle_deg = 0, length_mm = 0;
 };
 
-/// The flank is an arc of `profile_radius_mm`; at the height `axial_distance_mm` it is `diameter_mm` wide and
-/// leans outward by `taper_angle_deg` (0: that is its widest point). A corner arc touches it and the tip
-/// plane.
+/// A cutter whose flank is an arc of `profile_radius_mm`. At the height `axial_distance_mm` it is `diameter_mm` wide
+/// and leans outward by `taper_angle_deg` (0: that is its widest point). A corner arc touches it and the tip plane.
 struct BarrelCutter {
   double diameter_mm = 0, profile_radius_mm = 0, corner_radius_mm = 0, taper_angle_deg = 0;
   double axial_distance_mm = 0, length_mm = 0;
@@ -115,11 +114,11 @@ using Cutter = std::variant<FlatCutter, BallCutter, BullNoseCutter, TaperedCutte
                             ChamferCutter, LollipopCutter, TSlotCutter, SlittingSawCutter, DovetailCutter, BarrelCutter,
                             OvalCutter, LensCutter, FaceMillCutter, RadiusCutter, ProfileCutter>;
 
-/// The word of the library file: "flat", "ball", "bull_nose", ...
+/// Returns the word of the library file: "flat", "ball", "bull_nose", ...
 [[nodiscard]] const char* shape_name(const Cutter& cutter);
-/// Every word, in the order of the variant, and a cutter of that shape without dimensions.
+/// Returns every word, in the order of the variant, and a cutter of that shape without dimensions.
 [[nodiscard]] const std::vector<Cutter>& every_shape();
-/// Height of the flutes' top; where a shape leaves it to its other dimensions, computed from them. Means
+/// Returns the height of the flutes' top; where a shape leaves it to its other dimensions, computed from them. Means
 /// nothing for a cutter that make_cutter_profile refuses.
 [[nodiscard]] double length_mm(const Cutter& cutter);
 
@@ -129,24 +128,23 @@ struct NominalSize {
 };
 [[nodiscard]] NominalSize nominal_size(const Cutter& cutter);
 
-/// Contour of the cutter alone, closed by a flat top at its length.
+/// Makes the contour of the cutter alone, closed by a flat top at its length.
 ///
-/// Ensures  (1) verify_profile is empty; (2) the contour is single-valued but for a hollow bottom and free
-///          profiles; (3) parts of no length are left out: a bull-nose whose corner radius is half its
-///          diameter is the ball, bit for bit.
-/// Errors   tool-dimension-not-positive, tool-dimension-negative, tool-dimension-too-large,
-///          tool-corner-radius-negative, tool-corner-radius-too-large, tool-angle-out-of-range,
-///          tool-taper-closes, tool-length-too-short, tool-dimensions-contradict, tool-no-closed-profile,
-///          tool-profile-broken. The message names the field and states what would be allowed.
-/// Source   design of the tool library (docs/formats/tool_library.md); APT: thesis 2.4.18.2 and CL-data
-///          usage.
+/// Ensures  (1) The result of verify_profile is empty. (2) The contour is single-valued, except for a hollow bottom and
+///          free profiles. (3) Parts of no length are left out: a bull-nose whose corner radius is half its diameter is
+///          the ball, bit for bit.
+/// Errors   Codes: tool-dimension-not-positive, tool-dimension-negative, tool-dimension-too-large,
+///          tool-corner-radius-negative, tool-corner-radius-too-large, tool-angle-out-of-range, tool-taper-closes,
+///          tool-length-too-short, tool-dimensions-contradict, tool-no-closed-profile, tool-profile-broken. The message
+///          names the field and states what would be allowed.
+/// Source   Design of the tool library (docs/formats/tool_library.md); APT: thesis 2.4.18.2 and CL-data usage.
 [[nodiscard]] Result<Profile> make_cutter_profile(const Cutter& cutter);
 
 /// Returns the values of e and f that fit the other five numbers, where the given ones differ; empty when they
 /// agree. Both zero means not given; e may also be the diameter of the flat tip, as some writers have it.
 [[nodiscard]] std::string apt_contradiction(const AptCutter& cutter);
 
-/// Positive, finite and not absurdly large; the check shared by cutters and segments.
+/// Checks that a length is positive, finite and not absurdly large, for cutters and segments.
 [[nodiscard]] Outcome check_length(const std::string& field, double value_mm);
 
 }  // namespace gouge

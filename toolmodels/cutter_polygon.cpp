@@ -61,7 +61,7 @@ Outcome check_edge(const FaceMillCutter& t) {
   return Done{};
 }
 
-// How far from a corner of `between_deg` degrees an arc of the radius touches its sides.
+// Returns how far from a corner of `between_deg` degrees an arc of the radius touches its sides.
 double trim(double radius_mm, double between_deg) { return radius_mm * cotangent(between_deg / 2); }
 
 Outcome check_face_corner(const FaceMillCutter& t) {

@@ -12,20 +12,20 @@ namespace gouge::detail {
 constexpr double kLargest_mm = 1e5;                      ///< keeps every later square far from overflow
 constexpr double kRelativeSlack = Tolerance::kRounding;  ///< dimensions closer than this to a limit are at the limit
 
-/// "12.5 mm", rounded to what a reader can use.
+/// Returns "12.5 mm", rounded to what a reader can use.
 [[nodiscard]] std::string mm(double value_mm);
 [[nodiscard]] double radians(double degrees);
 [[nodiscard]] double sine(double degrees);
-/// Exact at 0 and 90 degrees.
+/// Returns the cosine, exact at 0 and 90 degrees.
 [[nodiscard]] double cosine(double degrees);
 
-/// A dimension that may be left out: 0 or more, finite and not absurdly large.
+/// Checks a dimension that may be left out: 0 or more, finite and not absurdly large.
 [[nodiscard]] Outcome check_not_negative(const std::string& field, double value_mm);
-/// Between the limits, which are not allowed themselves.
+/// Checks that an angle is between the limits, which are not allowed themselves.
 [[nodiscard]] Outcome check_angle(const std::string& field, double value_deg, double low_deg, double high_deg);
 [[nodiscard]] Outcome check_corner_radius(double radius_mm, double diameter_mm);
 
-/// That the flutes end within `what`, such as "the tip".
+/// Reports that the flutes end within `what`, such as "the tip".
 [[nodiscard]] Diagnostic too_short(double length_mm, const std::string& what, double at_min_mm);
 /// Dimensions that exclude each other.
 [[nodiscard]] Diagnostic contradict(const std::string& message);
@@ -37,7 +37,7 @@ class ContourMaker {
 
   void line_to(const Vec2& to);
   void arc_to(const Vec2& to, const Vec2& center, double radius_mm, bool is_concave = false);
-  /// Level to the axis. The contour is checked as a whole; an error states it is broken at `what`.
+  /// Closes the contour level to the axis. The contour is checked as a whole; an error states it is broken at `what`.
   [[nodiscard]] Result<Profile> close(const std::string& what);
 
  private:
@@ -54,7 +54,7 @@ struct RoundedCorner {
   double radius_mm = 0;
 };
 
-/// The polygon from the axis to the axis with its corners rounded. Requires radii that leave room for one
+/// Returns the polygon from the axis to the axis with its corners rounded. Requires radii that leave room for one
 /// another, which the caller has checked by name.
 [[nodiscard]] Result<Profile> make_rounded(const std::vector<RoundedCorner>& corners, const std::string& what);
 
@@ -76,7 +76,7 @@ struct RoundedCorner {
 [[nodiscard]] Result<Profile> make_shape(const LensCutter& cutter);
 [[nodiscard]] Result<Profile> make_shape(const ProfileCutter& cutter);
 
-/// Height at which a chamfer's cone reaches its diameter, and a lollipop's ball its neck.
+/// Returns the height at which a chamfer's cone reaches its diameter, and a lollipop's ball its neck.
 [[nodiscard]] double cone_height_mm(const ChamferCutter& cutter);
 [[nodiscard]] double ball_height_mm(const LollipopCutter& cutter);
 

@@ -24,7 +24,7 @@ Colour region_colour(const BoundaryElement& e, const TracedRegion& region) {
   return lightened(body_colour(e.body), (e.kind == ElementKind::vertex ? 0.42 : 0.58) + lighter);
 }
 
-// The part of a polygon on one side of a window's edge; what lies beyond collapses onto the edge.
+// Returns the part of a polygon on one side of a window's edge. Points beyond it move onto the edge.
 std::vector<Vec2> clipped(const std::vector<Vec2>& points, int axis, double bound, double sign) {
   std::vector<Vec2> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -22,7 +22,7 @@ struct ProfileView {
 };
 
 [[nodiscard]] Colour body_colour(Body body);
-/// The colour mixed with white; amount 0 leaves it, 1 is white.
+/// Returns the colour mixed with white; amount 0 leaves it, 1 is white.
 [[nodiscard]] Colour lightened(const Colour& colour, double amount);
 
 void draw_line(Drawing& drawing, const Vec2& from, const Vec2& to, const Colour& colour, double width,

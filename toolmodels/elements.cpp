@@ -11,8 +11,8 @@
 namespace gouge {
 namespace {
 
-// A turn at an arc below this is a tangency found to half the digits, as where a growing arc meets a line:
-// the joint is then put where it belongs. Between segments a joint is smooth only when it is straight.
+// A turn at an arc below this is a tangency found to half the digits, as where a growing arc meets a line. The joint is
+// then put where it belongs. Between segments a joint is smooth only when it is straight.
 constexpr double kLargestShift = 1e-3;  // of the shorter element, by which a joint may be put right
 constexpr double kLargestSweep_rad = 150 * std::numbers::pi / 180;
 
@@ -29,8 +29,8 @@ BoundaryElement boundary(const ProfileElement& e) {
   return element;
 }
 
-// How much more the contour bends to the left behind a point where it turns back than before it, seen in the direction
-// both share: above 0 they enclose a crack, below 0 a blade.
+// Compares how much the contour bends to the left behind a point where it turns back with its bend before it. Both are
+// seen in the direction they share. Above 0 the difference encloses a crack, below 0 a blade.
 double opening(const ProfileElement& e, const ProfileElement& next) {
   const auto bend = [](const ProfileElement& p) { return p.is_arc ? (p.is_concave ? -1 : 1) / p.radius_mm : 0.0; };
   return bend(next) + bend(e);
@@ -80,8 +80,8 @@ Vec2 mirrored_travel(const Vec2& direction) { return {direction.x(), -direction.
 
 double length_of(const BoundaryElement& e) { return (e.b - e.a).norm(); }
 
-// Where two elements that join smoothly have one normal: on an arc beside a segment where the circle has the
-// segment's normal, between two arcs on the line of their centres.
+// Finds where two elements that join smoothly have one normal. On an arc beside a segment the circle has the segment's
+// normal there; between two arcs it is on the line of their centres.
 Vec2 joint_position(const BoundaryElement& e, const BoundaryElement& next) {
   const BoundaryElement& arc = e.kind == ElementKind::arc ? e : next;
   const BoundaryElement& other = e.kind == ElementKind::arc ? next : e;

@@ -7,20 +7,20 @@
 
 namespace gouge {
 
-/// The boundary elements of a contour in order: its segments and arcs, and a vertex at every joint where the
-/// direction turns, on the axis also where the mirrored contour would. Arcs of 150 degrees and more are
-/// halved. Support ranges are left empty.
+/// Returns the boundary elements of a contour in order: its segments and arcs, and a vertex at every joint where the
+/// direction turns. On the axis there is a vertex also where the mirrored contour would turn. Arcs of 150 degrees and
+/// more are halved. Support ranges are left empty.
 [[nodiscard]] std::vector<BoundaryElement> make_elements(const Profile& profile);
 
-/// The outward normal of a segment or arc at a point of it; unit.
+/// Returns the outward normal of a segment or arc at a point of it; unit.
 [[nodiscard]] Vec2 normal_at(const BoundaryElement& element, const Vec2& point);
 
 /// Fills in the support ranges by the contract of SupportRange (lib/tool/compiled_tool.h).
 ///
-/// Requires  elements as make_elements gives them, of a closed profile.
-/// Ensures   a hollow profile claims what it would with its underside filled (a solid is never deeper than a
-///           larger one), and nothing within the hollow; one that is not single-valued even then, nothing.
-/// Source    own, docs/method/tool_voronoi.md
+/// Requires  Elements as make_elements gives them, of a closed profile.
+/// Ensures   A hollow profile claims the same as with its underside filled, as a solid is never deeper than a larger
+///           one. It claims nothing within the hollow. A profile that is not single-valued even then claims nothing.
+/// Source    Own, docs/method/tool_voronoi.md
 void set_support_ranges(const Profile& profile, std::vector<BoundaryElement>& elements);
 
 }  // namespace gouge

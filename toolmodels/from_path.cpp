@@ -13,7 +13,7 @@ double tangent_of(double degrees) { return std::tan(degrees * (std::numbers::pi 
 
 std::string cutter_mm(double value) { return exact_text(std::round(value * 1e6) / 1e6) + " mm"; }
 
-// Highest point the corner can reach; what lies above is the side.
+// Highest point that the corner can reach. The part above is the side.
 double tip_height(const AptCutter& c) {
   return c.d_mm / 2 * tangent_of(std::clamp(c.alpha_deg, 0.0, 89.0)) + 2 * c.r_mm;
 }

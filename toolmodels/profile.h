@@ -6,9 +6,9 @@
 #include "lib/geom/vec.h"
 #include "lib/tool/compiled_tool.h"
 
-// The boundary of a tool's half section: segments and circular arcs in the (r, z) half plane, r >= 0, mm. The
-// contour starts on the axis at the tip and ends on the axis at the top; the axis closes it. The solid is on
-// its left, so convex arcs run counter-clockwise and concave ones clockwise.
+// The boundary of a tool's half section: segments and circular arcs in the (r, z) half plane, r >= 0, mm. The contour
+// starts on the axis at the tip and ends on the axis at the top; the axis closes it. The solid is on its left. So
+// convex arcs run counter-clockwise and concave ones clockwise.
 //
 //      z ^ <--------+
 //        |  solid   |
@@ -37,30 +37,30 @@ struct Profile {
 [[nodiscard]] ProfileElement make_concave_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center,
                                               double radius_mm);
 
-/// Unit direction of travel at the start and at the end. Requires an element that verify_profile accepts.
+/// Returns the unit direction of travel at the start and at the end. Requires an element that verify_profile accepts.
 [[nodiscard]] Vec2 start_direction(const ProfileElement& element);
 [[nodiscard]] Vec2 end_direction(const ProfileElement& element);
 
-/// Outward unit normal belonging to a direction of travel.
+/// Returns the outward unit normal belonging to a direction of travel.
 [[nodiscard]] inline Vec2 outward_normal(const Vec2& direction) { return {direction.y(), -direction.x()}; }
 
-/// Angle an arc sweeps, in (0, 2 pi); 0 for a segment.
+/// Returns the angle an arc sweeps, in (0, 2 pi); 0 for a segment.
 [[nodiscard]] double sweep_rad(const ProfileElement& element);
 
-/// The element as points: its two ends for a segment, `steps` + 1 points for an arc.
+/// Returns the element as points: its two ends for a segment, `steps` + 1 points for an arc.
 [[nodiscard]] std::vector<Vec2> sample(const ProfileElement& element, int steps);
 
-/// Largest coordinate of the contour: what "relative to the tool's size" refers to.
+/// Returns the largest coordinate of the contour: what "relative to the tool's size" refers to.
 [[nodiscard]] double size_of(const Profile& profile);
 
-/// True when every height has one radius: the solid is {r <= rho(z)}. No undercut seen along the radius.
+/// Returns true when every height has one radius: the solid is {r <= rho(z)}. No undercut seen along the radius.
 [[nodiscard]] bool is_single_valued(const Profile& profile);
 
-/// Broken invariants, empty when the contour is a closed half section: it starts and ends on the axis and
-/// touches it nowhere else, elements join end to start, have length, lie on their circles, do not cross or
-/// touch, and keep the solid on the left.
-///          At most a hundred or so crossings are named.
-/// Cost     n log n for n elements whose boxes are apart, at worst quadratic; arcs are examined as polygons of 48 chords.
+/// Returns broken invariants, empty when the contour is a closed half section. (1) It starts and ends on the axis and
+/// touches it nowhere else. (2) Elements join end to start, have length, and lie on their circles. (3) They do not
+/// cross or touch, and keep the solid on the left. At most a hundred or so crossings are named.
+/// Cost     O(n log n) for n elements whose boxes are apart, at worst quadratic. Arcs are examined as polygons of 48
+///          chords.
 [[nodiscard]] std::vector<std::string> verify_profile(const Profile& profile);
 
 }  // namespace gouge

@@ -17,8 +17,8 @@ constexpr std::size_t kMaxOfAnyContour = 1000;  // elements, of which every pair
 constexpr int kHalvings = 40;                   // of an element, to where it comes before a plane
 constexpr double kNearlyHorizontal = 1e-6;      // below this a foot may be bounded by a horizontal plane
 
-// The tangent planes of one element: all have a normal between n0 and n1 and touch the circle about `center`
-// (radius 0 for a vertex, and for a segment, whose two normals are one).
+// The tangent planes of one element. All have a normal between n0 and n1 and touch the circle about `center` (radius 0
+// for a vertex and a segment). The two normals of a segment are one.
 struct Planes {
   Vec2 n0, n1, center;
   double radius_mm;
@@ -119,8 +119,9 @@ class Support {
 
   enum class End { a, b };
 
-  // The height up to which an element stays behind the planes, from that end of it on; the end's own where it comes
-  // before them at once. By halving: what is found is proved, though it may not be all.
+  // Returns the height up to which an element stays behind the planes, from that end of it on. It is the end's own
+  // height where the element comes before them at once. The search halves the element: its result is proved, but may
+  // not be the largest.
   double behind_until(const BoundaryElement& e, const Planes& planes, End from) const {
     BoundaryElement part = e;
     const Vec2& start = from == End::a ? part.a : part.b;
@@ -177,8 +178,8 @@ class Support {
     return {is_low ? e.center.y() - e.radius_mm : low, has_pole && !is_low ? e.center.y() + e.radius_mm : high};
   }
 
-  // A solid holds nothing at a height that is farther from the axis than all of its contour there: so nothing more is
-  // queried than that all of the contour at the heights of the range is behind the planes.
+  // No point of a solid is farther from the axis than all of its contour at that height. So it suffices that all of the
+  // contour at the heights of the range is behind the planes.
   SupportRange range_of_any_contour(std::size_t i) const {
     const std::optional<Planes> own = outward(planes(i));
     if (!own) return {};
@@ -210,7 +211,7 @@ class Support {
     return std::ranges::all_of(corners, [&](const Vec2& p) { return planes.reach(p) <= slack_; });
   }
 
-  // How far from the axis the contour but for element i is just above a height, or just below it; no less than that.
+  // Bounds from above how far from the axis the contour without element i is, just above a height or just below it.
   double widest_beside(std::size_t i, double z, int up) const {
     double widest = 0;
     for (std::size_t j = 0; j < elements_.size(); ++j) {
@@ -250,7 +251,7 @@ class Support {
     return has_equator ? e.center.x() + e.radius_mm : ends;
   }
 
-  // A horizontal face looking down: outside the radius below it a point above it may leave through it, and a
+  // Handles a horizontal face that looks down. Outside the radius below it, a point above it may leave through it. A
   // point below it is free as long as nothing down there is wider.
   SupportRange below_step(std::size_t i) const {
     SupportRange claim{-kEndless, kEndless, radius_below(i)};
@@ -288,9 +289,8 @@ Vec2 lowest_of(const ProfileElement& e) {
   return sweep_rad(part) < sweep_rad(e) ? pole : lowest;
 }
 
-// From the axis level to the lowest point, then along the contour; nothing when the rest has two radii at one
-// height. The contour before that point stays within: it starts on the axis, above the fill, and crosses
-// nothing.
+// Runs from the axis level to the lowest point, then along the contour. Nothing when the rest has two radii at one
+// height. The contour before that point stays within: it starts on the axis, above the fill, and crosses nothing.
 std::optional<Profile> with_filled_underside(const Profile& profile) {
   const std::vector<ProfileElement>& parts = profile.elements;
   std::size_t first = 0;

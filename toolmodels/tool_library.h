@@ -20,7 +20,7 @@ struct NamedHolder {
   std::vector<ToolSegment> segments;
 };
 
-/// The number in "3" or "T3", as people write tools; nothing for anything else.
+/// Returns the number in "3" or "T3", as people write tools; nothing for anything else.
 [[nodiscard]] std::optional<int> tool_number(std::string_view text);
 
 struct ToolLibrary {
@@ -31,10 +31,10 @@ struct ToolLibrary {
   Diagnostics notes;                ///< warnings: keys that are not known, and the like
   std::vector<int> shared_numbers;  ///< shared by several tools of an imported file; the first keeps it
 
-  /// Null when there is none.
+  /// Returns the tool of that number; null when there is none.
   [[nodiscard]] const ToolAssembly* with_number(int number) const;
   [[nodiscard]] const ToolAssembly* with_name(std::string_view name) const;
-  /// The tool that people mean by `name`: the one of that name, else of that number, written 3 or T3.
+  /// Returns the tool that people mean by `name`: the one of that name, else of that number, written 3 or T3.
   [[nodiscard]] const ToolAssembly* called(std::string_view name) const;
   /// Segments of the holder called `name`, or of the holder of the tool called so; null when there is
   /// neither.
@@ -43,15 +43,16 @@ struct ToolLibrary {
   [[nodiscard]] std::string holder_names() const;
 };
 
-/// Every tool is built once to see that it can be; what cannot is an error that names tool and field.
+/// Reads a tool library. Every tool is built once to see that it can be. One that cannot is an error that names tool
+/// and field.
 ///
-/// Errors   with file and line: json-too-deep, json-too-long, library-syntax, library-field (missing, of the wrong
-///          kind, unknown shape, unit or holder), library-duplicate-key, library-duplicate-number, library-empty, and
-///          those of make_body_profiles.
+/// Errors   With file and line: json-too-deep, json-too-long, library-syntax, library-field, library-duplicate-key,
+///          library-duplicate-number, library-empty. Also those of make_body_profiles. With library-field a field is
+///          missing, of the wrong kind, or an unknown shape, unit or holder.
 /// Warnings in `notes`: library-unknown-key, library-duplicate-name, cutter-contradiction.
 [[nodiscard]] Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view bytes);
 
-/// The library as a file, in its unit, that reads back as the same library. Ends with a line break.
+/// Returns the library as a file, in its unit, that reads back as the same library. Ends with a line break.
 [[nodiscard]] std::string write_tool_library(const ToolLibrary& library);
 
 }  // namespace gouge

@@ -98,7 +98,7 @@ class Tracer {
     return {-before.x(), before.y()};
   }
 
-  // How far a ray runs before it leaves the window; 0 when it starts outside.
+  // Returns how far a ray runs before it leaves the window; 0 when it starts outside.
   double length_in_window(const Ray& ray) const {
     constexpr double kNoSpeed = 1e-15;
     double length = 1e300;

@@ -7,9 +7,9 @@
 
 namespace gouge {
 
-/// One region of the Voronoi diagram on one side of the contour, as seen along the normals of its element: a
-/// strip from the element (`near_points`) to where another element becomes the nearer one (`far_points`),
-/// point by point.
+/// One region of the Voronoi diagram on one side of the contour, as seen along the normals of its element. It is a
+/// strip, point by point, from the element (`near_points`) to where another element becomes the nearer one
+/// (`far_points`).
 struct TracedRegion {
   std::uint32_t element = 0;
   bool is_inside = false;
@@ -17,22 +17,22 @@ struct TracedRegion {
   std::vector<bool> is_bisector;  ///< per far point: ends at another region, not at the axis or the window
 };
 
-/// All regions within the window [0, high.x] x [low.y, high.y], traced through the BSP (not from its
-/// equations), for pictures. Accuracy of the far points: 1e-9 of the tool's size along the normal.
+/// Traces all regions within the window [0, high.x] x [low.y, high.y], through the BSP (not from its equations), for
+/// pictures. Accuracy of the far points: 1e-9 of the tool's size along the normal.
 [[nodiscard]] std::vector<TracedRegion> trace_regions(const CompiledTool& tool, const Vec2& low, const Vec2& high);
 
-/// A tree over a contour: stretches of it, each in a box and cut in halves, down to a few elements.
+/// Builds a tree over a contour: stretches of it, each in a box and cut in halves, down to a few elements.
 ///
-/// Requires  elements in contour order, arcs of at most 180 degrees.
-/// Ensures   [0] holds all elements; every point of an element lies in the boxes of all stretches that hold it, rounding
-///           apart; fewer stretches than elements. No stretches when there are no elements.
-/// Cost      n log n
-/// Source    own, docs/method/tool_voronoi.md
+/// Requires  Elements in contour order, arcs of at most 180 degrees.
+/// Ensures   Stretch [0] holds all elements. Every point of an element lies in the boxes of all stretches that hold it,
+///           rounding apart. There are fewer stretches than elements. No stretches when there are no elements.
+/// Cost      O(n log n).
+/// Source    Own, docs/method/tool_voronoi.md
 [[nodiscard]] std::vector<ContourStretch> make_contour_tree(const std::vector<BoundaryElement>& elements);
 
-/// The lines between the domains of neighbours (CompiledTool::borders). None for a contour that turns back on itself:
-/// within a crack or a blade narrower than rounding two elements tie that know opposite sides, which no distance shows
-/// apart.
+/// Returns the lines between the domains of neighbours (CompiledTool::borders). There are none for a contour that turns
+/// back on itself. Within a crack or a blade narrower than rounding two elements tie that know opposite sides, and no
+/// distance distinguishes them.
 [[nodiscard]] std::vector<DomainBorder> make_borders(const std::vector<BoundaryElement>& elements);
 
 }  // namespace gouge

@@ -104,8 +104,8 @@ Comparison compare_circle_line(const DistanceForm& f, const DistanceForm& g, con
   return curved(f.center, offset, slope, -f.sign, f.sign);
 }
 
-// A against B + k with k >= 0, A = |x - w|, B = |x|, x = q - origin: one branch of a hyperbola.
-// `factor` is 1 when the first is A.
+// A against B + k with k >= 0, A = |x - w|, B = |x|, x = q - origin: one branch of a hyperbola. The `factor` is 1 when
+// the first is A.
 Comparison compare_difference(const Vec2& origin, const Vec2& w, double k, double factor, const ConvexCell& cell) {
   const double distance = w.norm();
   if (k >= distance) return decided(factor > 0);

@@ -6,10 +6,10 @@
 #include "lib/tool/compiled_tool.h"
 #include "toolmodels/convex_cell.h"
 
-// The 2D Voronoi diagram of a closed half profile, element by element: where an element can be nearest at all
-// (its domain, bounded by normals at its ends), its distance there, and the curve on which two distances are
-// equal. Each curve is the bisector itself: no false branch of a squared equation is left in the cell it is
-// used in.
+// The 2D Voronoi diagram of a closed half profile, element by element. It gives where an element can be nearest at all
+// (its domain, bounded by normals at its ends), and its distance there. It also gives the curve on which two distances
+// are equal. Each curve is the bisector itself: no false branch of a squared equation is left in the cell it is used
+// in.
 
 namespace gouge::detail {
 
@@ -23,7 +23,7 @@ struct DistanceForm {
   [[nodiscard]] DistanceForm negated() const;
 };
 
-/// Signed distance of an element, positive outside, valid within its domain.
+/// Returns the signed distance of an element, positive outside, valid within its domain.
 [[nodiscard]] DistanceForm signed_form(const BoundaryElement& element);
 
 /// A domain is the intersection of half planes {sign * line >= 0}. Neighbours share their lines, so domains
@@ -41,8 +41,8 @@ struct Domains {
 /// Requires elements in contour order with a vertex at every joint that is not smooth.
 [[nodiscard]] Domains make_domains(const std::vector<BoundaryElement>& elements);
 
-/// True when `f` <= `g` all over the cell (up to its slack). False may also mean: not seen.
-/// Ensures  never true wrongly. Convex f and concave g are decided exactly at the corners, else by tangents.
+/// Returns true when `f` <= `g` all over the cell (up to its slack). False may also mean: not seen.
+/// Ensures  Never true wrongly. Convex f and concave g are decided exactly at the corners, else by tangents.
 [[nodiscard]] bool is_everywhere_below(const DistanceForm& f, const DistanceForm& g, const ConvexCell& cell);
 
 /// Comparison of two distances within a cell.
@@ -56,7 +56,7 @@ struct Comparison {
 /// Requires that both forms are the (unsigned) distances all over the cell.
 [[nodiscard]] Comparison compare(const DistanceForm& first, const DistanceForm& second, const ConvexCell& cell);
 
-/// The curve {line = 0} as a node.
+/// Returns the curve {line = 0} as a node.
 [[nodiscard]] BspNode straight_node(const DirectedLine& line);
 
 }  // namespace gouge::detail

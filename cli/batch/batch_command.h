@@ -6,7 +6,7 @@
 
 namespace gouge {
 
-/// `gougecheck batch`. Returns the exit status: that of the worst job.
+/// Runs `gougecheck batch`. Returns the exit status: that of the worst job.
 [[nodiscard]] int run_batch(const BatchArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

@@ -60,7 +60,8 @@ void place_outputs(BatchJob& job, const BatchFolder& folder) {
   }
 }
 
-// The parser insists on an output; where the job names none it is below the folder of the batch, and no word of the job.
+// The parser insists on an output; where the job names none it is below the folder of the batch, and no word of the
+// job.
 constexpr const char* kNoOutput = "\x01";
 
 Result<BatchJob> make_job(std::string name, const std::string& command, std::vector<std::string> words,

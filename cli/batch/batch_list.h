@@ -33,7 +33,7 @@ struct BatchFolder {
   bool has_reports = true;  ///< false: of no job, whatever it states
 
   [[nodiscard]] std::string report_of(const std::string& job) const { return path + "/reports/" + job; }
-  /// Below `path`.
+  /// Returns the name of a corrected toolpath below `path`.
   [[nodiscard]] static std::string corrected_name(const BatchJob& job);
 };
 
@@ -45,9 +45,9 @@ struct BatchFolder {
 [[nodiscard]] Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& toolpaths,
                                                       const std::vector<std::string>& words, const BatchFolder& folder);
 
-/// Returns why these jobs cannot run together: an output of one that is an input or an output of another, that is
-/// the job list (empty: there is none), or that lies in the folder of the batch without being its own; a pipe that two
-/// are to read. Code: usage.
+/// Returns why these jobs cannot run together. An output of one is an input or an output of another, or is the job list
+/// (empty: there is none). Or it lies in the folder of the batch without being its own. Or two jobs are to read one
+/// pipe. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_jobs_in_the_way(const std::vector<BatchJob>& jobs,
                                                              const BatchFolder& folder, const std::string& list);
 

@@ -16,7 +16,8 @@
 namespace gouge {
 namespace {
 
-// Memory of a job without files, and of a byte of an STL or a toolpath with its data structures (docs/develop/benchmarks.md).
+// Memory of a job without files, and of a byte of an STL or a toolpath with its data structures
+// (docs/develop/benchmarks.md).
 constexpr std::uint64_t kBytesOfJob = 60'000'000, kPerMeshByte = 5, kPerPathByte = 25;
 // Memory of a long path during its check: the rest is in files (docs/method/scaling.md).
 constexpr std::uint64_t kMaxOfCheckedPath = 1'500'000'000;
@@ -186,7 +187,7 @@ void BatchRun::note(std::size_t number, JobRun&& run) {
   progress_.show(rate, done_, all_);
 }
 
-// A disk takes milliseconds to make sure of a result: other jobs run meanwhile, and what they bring goes together.
+// A disk takes milliseconds to make sure of a result. Other jobs run meanwhile, and their results are written together.
 void BatchRun::write_until_closed() {
   std::unique_lock lock(guard_);
   while (!is_closed_) {

@@ -44,8 +44,9 @@ struct BatchPlan {
   JobQueue together;  ///< side by side, each with one thread
 };
 
-/// Runs jobs side by side and commits each result to the store as soon as it is there, while others run. Jobs of one scene run next to
-/// each other, large jobs first; one that is larger than a fair share of all work runs alone, with all threads.
+/// Runs jobs side by side and commits each result to the store as soon as it is there, while others run. Jobs of one
+/// scene run next to each other, large jobs first. A job that is larger than a fair share of all work runs alone, with
+/// all threads.
 class BatchRun {
  public:
   /// All must outlive it. `texts`: job_text of each job.

@@ -16,7 +16,7 @@ struct MergeArguments : Verbosity {
 
 void add_merge_options(CLI::App& command, MergeArguments& arguments);
 
-/// `gougecheck merge`. Returns the exit status: that of the worst job.
+/// Runs `gougecheck merge`. Returns the exit status: that of the worst job.
 [[nodiscard]] int run_merge(const MergeArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

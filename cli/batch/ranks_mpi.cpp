@@ -17,13 +17,14 @@ namespace {
 
 constexpr int kAsk = 1, kAnswer = 2;  // tags of messages
 constexpr std::int64_t kNoMore = -1;  // instead of a list: this process requests no more jobs
-// A process whose next request comes so soon has short jobs and gets more at once: one process serves many (docs/method/scaling.md).
+// A process whose next request comes so soon has short jobs and gets more at once: one process serves many
+// (docs/method/scaling.md).
 constexpr std::chrono::milliseconds kSoon{4};
 constexpr std::chrono::microseconds kPause{200}, kLongestPause{1000};
 constexpr int kPausesBetween = 16;  // two questions, of who results: each pause takes the processor some 10 us
 
-/// Positions are handed out by a thread of rank 0, which serves requests while the others of that process work. A process that waits
-/// sleeps in between: MPI itself would keep a core busy.
+/// Positions are handed out by a thread of rank 0, which serves requests while the others of that process work. A
+/// process that waits sleeps in between: MPI itself would keep a core busy.
 class MpiRanks : public Ranks {
  public:
   MpiRanks() {

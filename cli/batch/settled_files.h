@@ -23,8 +23,8 @@ struct FileStamp {
 };
 using FileStamps = std::map<std::string, FileStamp>;
 
-/// The files of a folder, and which of them are no longer being written: neither size nor time has changed for a second.
-/// Hidden and temporary ones (~, .tmp, .part, ...) are passed over.
+/// The files of a folder, and which of them are no longer being written: neither size nor time has changed for a
+/// second. Hidden and temporary ones (~, .tmp, .part, ...) are passed over.
 class SettledFiles {
  public:
   /// `place`: a folder, or a pattern for the names in one.
@@ -33,8 +33,8 @@ class SettledFiles {
   [[nodiscard]] const std::string& folder() const { return folder_; }
   /// Returns whether `place` is a folder, and no pattern for the names in one.
   [[nodiscard]] bool is_whole_folder() const { return is_whole_folder_; }
-  /// Examines the folder. `now_s`: of a clock that never goes back, whatever the times of the files are: a copy keeps
-  /// the time of what it is a copy of.
+  /// Examines the folder. The time `now_s` is of a clock that never goes back, whatever the times of the files are. A
+  /// copy keeps the time of its original.
   [[nodiscard]] FileStamps look(double now_s);
   /// Returns whether the last look found some file that is yet to settle.
   [[nodiscard]] bool is_unsettled() const { return is_unsettled_; }
@@ -57,8 +57,8 @@ inline constexpr const char* kStoreName = "results.sqlite";
 /// `folder` is open. Errors: those of ReportFolder.
 [[nodiscard]] Outcome write_batch_files(ReportFolder& folder, const std::vector<JobResult>& results);
 
-/// The first of `files`, below `folder`, that is there though no job of the store wrote it as it is. In a batch that was
-/// interrupted they are its own: it found none before it began. Code: report-foreign.
+/// Returns the first of `files`, below `folder`, that is there though no job of the store wrote it as it is. In a batch
+/// that was interrupted they are its own: it found none before it began. Code: report-foreign.
 [[nodiscard]] std::optional<Diagnostic> find_foreign_output(const std::vector<std::string>& files,
                                                             const std::string& folder, const ResultStore& store);
 

@@ -23,8 +23,8 @@ struct AcceptArguments {
 
 void add_accept_options(CLI::App& command, AcceptArguments& arguments);
 
-/// `gougecheck accept`: adds findings of a result to a file of accepted ones, or lists what it has. Returns the exit
-/// status: 0 done, 2 wrong command line, 3 unreadable or not acceptable, 5 output unwritable.
+/// Runs `gougecheck accept`, which adds findings of a result to a file of accepted ones, or lists its entries. Returns
+/// the exit status: 0 done, 2 wrong command line, 3 unreadable or not acceptable, 5 output unwritable.
 [[nodiscard]] int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

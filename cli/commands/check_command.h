@@ -15,15 +15,15 @@ struct CheckArguments {
   std::string stickout_step = "1", stickout_limit = "200";
 };
 
-/// The rows that `check` has beside job_options().
+/// Returns the rows that `check` has beside job_options().
 [[nodiscard]] const OptionRows<CheckArguments>& check_options();
 
 void add_check_options(CLI::App& command, CheckArguments& arguments);
 
-/// The first value that is not what its option expects, before anything is read. Code: usage.
+/// Finds the first value that its option does not allow, before anything is read. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_wrong_value(const CheckArguments& arguments);
 
-/// `gougecheck check`. Returns the exit status.
+/// Runs `gougecheck check`. Returns the exit status.
 [[nodiscard]] int run_check(const CheckArguments& arguments, const JobContext& context);
 
 }  // namespace gouge

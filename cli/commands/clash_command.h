@@ -25,8 +25,8 @@ struct ClashArguments : Verbosity {
 
 void add_clash_options(CLI::App& command, ClashArguments& arguments);
 
-/// `gougecheck clash`: whether two bodies of a set-up penetrate. Returns the exit status: 0 proved free or
-/// touching within the tolerance, 1 they penetrate, 2 wrong command line, 3 unreadable, 4 not certified, 5
+/// Runs `gougecheck clash`, which tests whether two bodies of a set-up penetrate. Returns the exit status: 0 proved
+/// free or touching within the tolerance, 1 they penetrate, 2 wrong command line. Also 3 unreadable, 4 not certified, 5
 /// output unwritable.
 [[nodiscard]] int run_clash(const ClashArguments& arguments, std::ostream& out, std::ostream& err);
 

@@ -18,13 +18,13 @@ struct ClashReport {
   std::optional<FreeShift> shift;  ///< of bodies that penetrate
 };
 
-/// The finding in one line, then what is known of it.
+/// Returns the finding in one line, then what is known of it.
 [[nodiscard]] std::string clash_text(const ClashReport& report);
 
-/// The same with every digit; docs/formats/clash_json.md.
+/// Returns the same with every digit; docs/formats/clash_json.md.
 [[nodiscard]] std::string clash_json(const ClashReport& report);
 
-/// "free", "touching", "penetrating", "not-certified".
+/// Returns "free", "touching", "penetrating", "not-certified".
 [[nodiscard]] const char* state_name(ClashState state);
 
 }  // namespace gouge

@@ -21,8 +21,9 @@ struct CompareArguments : Verbosity {
 
 void add_compare_options(CLI::App& command, CompareArguments& arguments);
 
-/// `gougecheck compare`: what changed from one result to another. Returns the exit status: 0 nothing is new or deeper, 1
-/// something is, 2 wrong command line, 3 unreadable, 4 something was not checked any more, 5 output unwritable.
+/// Runs `gougecheck compare`, which reports what changed from one result to another. Returns the exit status: 0 nothing
+/// is new or deeper, 1 something is, 2 wrong command line, 3 unreadable. Also 4 something was not checked any more, 5
+/// output unwritable.
 [[nodiscard]] int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

@@ -21,7 +21,7 @@
 namespace gouge {
 namespace {
 
-/// The bytes of each change, each statement's once: those of a list of positions are long.
+/// The bytes of each change. Those of one statement are given once, as a list of positions is long.
 class ChangeTexts {
  public:
   ChangeTexts(const Toolpath& before, const std::vector<PathChange>& changes, const Toolpath& after,
@@ -136,7 +136,7 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   return facts;
 }
 
-/// Tilts stay inside the cone; what was programmed stays as it is.
+/// Notes axes outside the cone. Tilts stay inside it; programmed axes stay as they are.
 void add_axes_outside(const Toolpath& path, const std::optional<AxisCone>& cone, Diagnostics& notes) {
   if (!cone) return;
   const AxesOutside outside = find_axes_outside(path, *cone);
@@ -149,7 +149,7 @@ void add_axes_outside(const Toolpath& path, const std::optional<AxisCone>& cone,
       path.file, path.moves[outside.first_move].line));
 }
 
-/// One for each run that is not tilted, the first as a warning: it is a correction, but not the one requested.
+/// Adds a note for each run that is not tilted, the first as a warning: it is a correction, but not the one requested.
 void add_not_tilted(const Toolpath& path, const std::vector<NotTilted>& runs, Diagnostics& notes) {
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const std::size_t first = path.moves[runs[k].first].line, last = path.moves[runs[k].last].line;
@@ -160,13 +160,13 @@ void add_not_tilted(const Toolpath& path, const std::vector<NotTilted>& runs, Di
   }
 }
 
-/// Stock that a lift leaves is no gouge, so that a warning is all that reports it.
+/// Stock that a lift leaves is not a gouge, so that only a warning reports it.
 void add_left_stock(const Toolpath& path, const CorrectionFacts& facts, Diagnostics& notes) {
   if (facts.stock.empty()) return;
   notes.push_back(make_warning("stock-left", stock_text(facts, path.unit), path.file, facts.stock.front().first_line));
 }
 
-/// Moving thousands of positions out of a part that lies elsewhere gives nothing of use.
+/// A correction that moves thousands of positions out of a part that lies elsewhere is of no use.
 std::optional<Diagnostic> find_misfit(const Toolpath& path, const CheckResult& result) {
   const std::optional<std::string> misfit = describe_misfit(path, result.fit);
   if (!misfit || !is_beyond_correction(result.fit)) return std::nullopt;

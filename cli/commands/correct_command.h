@@ -7,10 +7,10 @@
 
 namespace gouge {
 
-/// The first value that is not what its option expects, before anything is read. Code: usage.
+/// Finds the first value that its option does not allow, before anything is read. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_wrong_value(const CorrectArguments& arguments);
 
-/// `gougecheck correct`. Returns the exit status.
+/// Runs `gougecheck correct`. Returns the exit status.
 [[nodiscard]] int run_correct(const CorrectArguments& arguments, const JobContext& context);
 
 }  // namespace gouge

@@ -20,8 +20,8 @@ class JobPipeline {
   JobPipeline(const JobArguments& arguments, const JobOptions& options, const std::string& corrected,
               const JobContext& context);
 
-  /// Opens the outputs, reads all inputs and compares the fixtures with the parts. Returns the exit status where the run
-  /// ends here, with the errors printed; otherwise none.
+  /// Opens the outputs, reads all inputs and compares the fixtures with the parts. Returns the exit status where the
+  /// run ends here, with the errors printed; otherwise none.
   [[nodiscard]] std::optional<int> load();
 
   /// Checks the path as it was read. Requires that `load` returned none, as do all that follow.

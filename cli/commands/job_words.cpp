@@ -80,7 +80,7 @@ Diagnostic JobWords::unknown(const std::string& key) const {
 }
 
 std::string JobWords::located(const std::string& file) const {
-  // A preset of --machine is no file.
+  // A preset of --machine is not a file.
   if (folder_.empty() || file.empty() || file.front() == '/' || file.starts_with(kMachinePreset)) return file;
   return (std::filesystem::path(folder_) / file).string();
 }

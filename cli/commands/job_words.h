@@ -26,16 +26,16 @@ struct WordRules {
   std::optional<std::string> (*why_not)(const CLI::Option& option);
   std::string why_no_dash;  ///< why a file cannot be -
 };
-/// Those of a job list.
+/// Returns the rules of a job list.
 [[nodiscard]] const WordRules& job_rules();
 
-/// The table of options of "check" or "correct", as files set them.
+/// Returns the table of options of "check" or "correct", as files set them.
 [[nodiscard]] const CLI::App& option_table(const std::string& command);
 
-/// The long name of the option that `key` of a file sets: its own, but for `harmless_words`, the list of
+/// Returns the long name of the option that `key` of a file sets: its own, but for `harmless_words`, the list of
 /// --harmless-word.
 [[nodiscard]] std::string option_of_key(const std::string& key);
-/// The other way round.
+/// Does the reverse.
 [[nodiscard]] std::string key_of_option(const std::string& name);
 
 /// The options of `check` or `correct` as the values of a job list or a project file give them.
@@ -45,12 +45,12 @@ class JobWords {
   JobWords(std::string command, std::string folder, const WordRules& rules = job_rules())
       : command_(std::move(command)), folder_(std::move(folder)), rules_(&rules) {}
 
-  /// Adds "--key=value" for a text or a number, one for each entry of a list, and "--key" for a flag that is true. What
-  /// is given by body may be an object: {"shank": 0.5, "holder": 1}.
-  /// Errors: the rules' code, without a file, naming the key: one the command does not have or that cannot stand in the
-  /// file, or a value of the wrong kind.
+  /// Adds "--key=value" for a text or a number, one for each entry of a list, and "--key" for a flag that is true. An
+  /// option that is given by body may be an object: {"shank": 0.5, "holder": 1}.
+  /// Errors: the rules' code, without a file, naming the key. The command does not have it, it cannot stand in the
+  /// file, or its value is of the wrong kind.
   [[nodiscard]] Outcome add(const std::string& key, const nlohmann::json& value);
-  /// `file` below the folder, if it is relative.
+  /// Returns `file` below the folder, if it is relative.
   [[nodiscard]] std::string located(const std::string& file) const;
   [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
 

@@ -20,7 +20,7 @@ struct MachineArguments {
 
 void add_machine_commands(CLI::App& command, MachineArguments& arguments);
 
-/// `gougecheck machine list` and `show`. Returns the exit status.
+/// Runs `gougecheck machine list` and `show`. Returns the exit status.
 [[nodiscard]] int run_machine(const MachineArguments& arguments, std::ostream& out, std::ostream& err);
 
 /// Arguments of `gougecheck path laws` and `path joints`.
@@ -34,8 +34,8 @@ struct PathMachineArguments {
 void add_path_laws_options(CLI::App& command, PathMachineArguments& arguments);
 void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments);
 
-/// `gougecheck path laws`: how far the laws of motion are apart on a path. `gougecheck path joints`: the joints of every
-/// record. Returns the exit status.
+/// Runs `gougecheck path laws`, which reports how far the laws of motion are apart on a path. Or runs `gougecheck path
+/// joints`, which lists the joints of every record. Returns the exit status.
 [[nodiscard]] int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

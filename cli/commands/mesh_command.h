@@ -28,8 +28,8 @@ struct MeshArguments {
 
 void add_mesh_options(CLI::App& command, MeshArguments& arguments);
 
-/// `gougecheck mesh`: what a part is worth as a solid, and its repair. Returns the exit status: 0 sound (with
-/// --repair: what was written is sound), 1 defects, 3 unreadable, 4 not wholly decided, 5 output unwritable.
+/// Runs `gougecheck mesh`, which validates a part as a solid, and repairs it. Returns the exit status: 0 sound (with
+/// --repair: the written mesh is sound), 1 defects, 3 unreadable, 4 not wholly decided, 5 output unwritable.
 [[nodiscard]] int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

@@ -30,10 +30,10 @@ struct MeshInfo {
   std::string written_file;          ///< the repaired STL; empty when none was written
 };
 
-/// A table of facts, the verdict and what it means for a check, and what a repair did.
+/// Returns a table of facts, the verdict and what it means for a check, and what a repair did.
 [[nodiscard]] std::string mesh_info_text(const MeshInfo& info);
 
-/// The same for programs; described in docs/formats/stl.md. Lengths in the file's unit.
+/// Returns the same for programs; described in docs/formats/stl.md. Lengths in the file's unit.
 [[nodiscard]] std::string mesh_info_json(const MeshInfo& info);
 
 }  // namespace gouge

@@ -27,7 +27,7 @@ struct PathArguments {
 
 void add_path_options(CLI::App& command, PathArguments& arguments);
 
-/// `gougecheck path info`, `convert` and `plot`. Returns the exit status.
+/// Runs `gougecheck path info`, `convert` and `plot`. Returns the exit status.
 [[nodiscard]] int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

@@ -26,14 +26,14 @@ struct ToolArguments {
 
 void add_tool_options(CLI::App& command, ToolArguments& arguments);
 
-/// `gougecheck tool list|show|draw|import`: what is in a tool library, or in one of another program. Returns
-/// the exit status.
+/// Runs `gougecheck tool list|show|draw|import`, which shows the content of a tool library, or of one of another
+/// program. Returns the exit status.
 [[nodiscard]] int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& err);
 
-/// One line a tool under a heading, columns aligned, lengths in the library's unit.
+/// Returns one line a tool under a heading, columns aligned, lengths in the library's unit.
 [[nodiscard]] std::string tool_list_text(const ToolLibrary& library);
 
-/// Every dimension of a tool, and the contour it makes. Requires a tool that make_profile accepts.
+/// Returns every dimension of a tool, and the contour it makes. Requires a tool that make_profile accepts.
 [[nodiscard]] std::string tool_text(const ToolAssembly& tool, LengthUnit unit);
 
 }  // namespace gouge

@@ -23,7 +23,7 @@ struct ToolImportArguments {
 
 void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, std::string& output);
 
-/// `gougecheck tool import`: writes `output` in our format; what was understood and assumed goes to `out`,
+/// Runs `gougecheck tool import`, which writes `output` in our format. Imported tools and assumptions go to `out`,
 /// warnings and errors to `err`. Tools that are wrong are left out, and make the exit status 3.
 [[nodiscard]] int run_tool_import(const ToolImportArguments& arguments, const std::string& output, std::ostream& out,
                                   std::ostream& err);

@@ -29,8 +29,8 @@ struct VerifyArguments : Verbosity {
 
 void add_verify_options(CLI::App& command, VerifyArguments& arguments);
 
-/// `gougecheck verify`: whether a result is right, by means that share nothing with the check but the readers
-/// of files. Returns the exit status: 0 verified, 1 refuted, 2 wrong command line, 3 unreadable, 4 not
+/// Runs `gougecheck verify`, which tests whether a result is right, by means that share nothing with the check but the
+/// readers of files. Returns the exit status: 0 verified, 1 refuted, 2 wrong command line, 3 unreadable, 4 not
 /// everything is covered.
 [[nodiscard]] int run_verify(const VerifyArguments& arguments, std::ostream& out, std::ostream& err);
 
@@ -54,10 +54,10 @@ struct Verification {
   bool has_heads = false;
 };
 
-/// 0, 1 or 4.
+/// Returns 0, 1 or 4.
 [[nodiscard]] int exit_status(const Verification& verification);
 
-/// A line for each refutation, then what was verified, what was sampled and what was not covered.
+/// Returns a line for each refutation, then the verified, the sampled and the uncovered parts.
 [[nodiscard]] std::string verification_text(const Verification& verification, const ClaimedResult& result,
                                             const Toolpath* path);
 

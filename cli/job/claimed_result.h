@@ -11,7 +11,7 @@
 #include "postproc/record/result_record.h"
 #include "postproc/report/report_model.h"
 
-// A result as JSON, read back: what was checked, with which options, and what is claimed of it.
+// A result as JSON, read back: the inputs of the check, its options, and its claims.
 
 namespace gouge {
 
@@ -37,14 +37,14 @@ struct ClaimedResult {
   };
   std::vector<Finding> findings;
 
-  /// One a move of a path of so many.
+  /// Returns one claim for each move of a path.
   [[nodiscard]] std::vector<MoveClaim> claims_of(std::size_t path_moves) const;
 };
 
-/// `file` is the name of the result. Inputs that are not where the result states are looked for beside it.
-/// Errors  those of JSON (result-syntax, result-duplicate-key, json-too-deep, json-too-long), result-invalid: it is no
-///         result of `check`, or has an option that cannot be, and result-field with the line: a value that is missing or
-///         not as expected.
+/// Reads the result `file`. Inputs that are not where the result states are looked for beside it.
+/// Errors  (1) Those of JSON (result-syntax, result-duplicate-key, json-too-deep, json-too-long). (2) result-invalid:
+///         it is not a result of `check`, or has an impossible option. (3) result-field with the line: a value that is
+///         missing or not as expected.
 [[nodiscard]] Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_view bytes);
 
 /// Returns contradictions within a result, its verdict included; none where all fits.

@@ -10,17 +10,17 @@
 
 namespace gouge {
 
-/// The job must outlive it.
+/// Returns the scene of a job, which must outlive it.
 [[nodiscard]] ClaimedScene claimed_scene(const Job& job);
 
 [[nodiscard]] ClaimedState claimed_state(MoveState state);
 
 [[nodiscard]] std::vector<MoveClaim> claims_of(const CheckResult& result);
 
-/// SHA-256 of the roles and checksums of all inputs, in their order: what a certificate is about.
+/// Returns the SHA-256 of the roles and checksums of all inputs, in their order. A certificate is about these.
 [[nodiscard]] std::string inputs_digest(const std::vector<InputFile>& inputs);
 
-/// The warning for moves without a proof. Requires that there are some.
+/// Returns the warning for moves without a proof. Requires that there are some.
 [[nodiscard]] Diagnostic describe_unproved(const Job& job, const MadeCertificate& certificate);
 
 }  // namespace gouge

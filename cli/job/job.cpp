@@ -39,8 +39,8 @@ std::string placement_identity(const RigidTransform& place, LengthUnit stl_unit)
   return sha256_of(text).substr(0, kDigits);
 }
 
-// ToolFacts::identity and ::bodies of a tool as it is checked: by its dimensions, whatever its name and number.
-// `is_extended_up`: with a top body that goes on without end.
+// Sets ToolFacts::identity and ::bodies of a tool as it is checked, by its dimensions, whatever its name and number.
+// With `is_extended_up` the top body goes on without end.
 void identify_tool(const ToolAssembly& tool, bool is_extended_up, ToolFacts& facts) {
   ToolLibrary library;
   library.tools = {tool};

@@ -32,7 +32,7 @@ struct ReportParts {
 struct Job {
   JobOptions options;
   Toolpath toolpath;
-  std::shared_ptr<const SceneFiles> files;              ///< what stands still, and heads; other jobs may share it
+  std::shared_ptr<const SceneFiles> files;              ///< parts, fixtures and heads; other jobs may share it
   std::vector<std::optional<ToolAssembly>> assemblies;  ///< one per Toolpath::tools; empty where it has no definition
   std::vector<std::optional<ToolVariants>> variants;    ///< of these
   std::vector<InputFile> inputs;
@@ -51,14 +51,14 @@ struct Job {
   [[nodiscard]] const Scene& scene() const { return files->scene; }
   [[nodiscard]] const std::vector<HeadBody>& heads() const { return files->heads; }
   [[nodiscard]] std::vector<const ToolVariants*> tools() const;
-  /// --extend-up for a tool of this job: as high as the farthest point of the scene, and the widest radius more: its end
-  /// is nearest to nothing.
+  /// Does --extend-up for a tool of this job. The tool becomes as high as the farthest point of the scene, and the
+  /// widest radius more. So its end is nearest to nothing.
   [[nodiscard]] ToolAssembly without_end(const ToolAssembly& tool) const;
-  /// `prepared` is the scene of the job; both must outlive the result.
+  /// Returns the set-up of the check. The scene of the job is `prepared`; both must outlive the result.
   [[nodiscard]] CheckSetup setup(const PreparedScene& prepared) const;
-  /// As requested, else the toolpath's.
+  /// Returns the requested unit, else the toolpath's.
   [[nodiscard]] LengthUnit stl_unit(const JobArguments& arguments) const;
-  /// The report of `result`, which must outlive it, like the job.
+  /// Returns the report of `result`, which must outlive it, like the job.
   [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,
                                    ReportParts parts) const;
 };
@@ -73,8 +73,8 @@ struct LoadedJob {
 [[nodiscard]] LoadedJob load_job(const JobArguments& arguments, const JobOptions& options, Progress& progress,
                                  const SceneSource& scenes = load_scene);
 
-/// The `bytes` of a corrected toolpath, to be called `file`, read as the path of `job`, which it was made from.
-/// Errors: those of the reader; they would be a fault of ours.
+/// Reads the `bytes` of a corrected toolpath, to be called `file`, as the path of `job` was read, of which it was made.
+/// Errors: those of the reader; they would be errors of this program.
 [[nodiscard]] Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes);
 
 }  // namespace gouge

@@ -12,9 +12,9 @@
 
 namespace gouge {
 
-/// Copies of meshes on a disk of this machine, so that all gougechecks on it, ranks or shares, read a mesh of a shared
-/// file system once. They agree by locks on files alone; what one of them left that was killed is removed by the next
-/// that begins, all by the last that ends. May be used from several threads.
+/// Copies of meshes on a disk of this machine. All gougechecks on it, ranks or shares, so read a mesh of a shared file
+/// system once. They agree by locks on files alone. The next one that begins removes copies that a killed one left, and
+/// the last one that ends removes all. May be used from several threads.
 class MeshCopies {
  public:
   /// In a folder of this user's own below `folder`; empty: nothing is copied.
@@ -23,8 +23,8 @@ class MeshCopies {
   MeshCopies& operator=(const MeshCopies&) = delete;
   ~MeshCopies();
 
-  /// As view_file: from the copy where there is one with the SHA-256 of what was copied, made of the file as it is now;
-  /// else from the file, and copied.
+  /// Reads a file as view_file does, from its copy where there is one. The copy must have the SHA-256 of the copied
+  /// bytes, and be made of the file as it is. Else the file itself is read, and copied.
   [[nodiscard]] Result<FileView> view(const std::string& path, std::uint64_t max_bytes);
 
   /// Returns why files are read where they are, the first reason of all (a warning, code scratch-unusable).

@@ -31,7 +31,7 @@ struct SceneRequest {
   MeshCopies* copies = nullptr;  ///< where files are read from; none: where they are
   std::vector<MeshLimit> limits{};
 
-  /// Equal for requests that read the same files in the same way.
+  /// Returns a key that is equal for requests that read the same files in the same way.
   [[nodiscard]] std::string key() const;
 };
 
@@ -45,7 +45,7 @@ class SceneFiles {
   Diagnostics notes;
   Diagnostics errors;  ///< where there is one the rest is of no use
 
-  /// The scene with its indices, made at the first call. `threads` as in for_each_chunk.
+  /// Returns the scene with its indices, made at the first call. `threads` as in for_each_chunk.
   [[nodiscard]] const PreparedScene& prepared(unsigned threads, const ProgressCall& progress = {}) const;
 
  private:

@@ -11,8 +11,8 @@
 
 namespace gouge {
 
-/// Scenes that several jobs share: each is read and indexed once, by the first job that needs it, while others that want the
-/// same wait, and is released when the last job that may request it is done. May be used from several threads.
+/// Scenes that several jobs share. Each is read and indexed once, by the first job that needs it, while others that
+/// want the same wait. It is released when the last job that may request it is done. May be used from several threads.
 class SceneStore {
  public:
   /// Files are read from `copies`, which must outlive it; none: where they are.
@@ -24,7 +24,7 @@ class SceneStore {
   void release(const JobArguments& arguments);
   /// Returns where a job of these arguments has its scene from; the store must outlive it.
   [[nodiscard]] SceneSource source(const JobArguments& arguments);
-  /// Equal for jobs that may share a scene: which files they name and how.
+  /// Returns a key that is equal for jobs that may share a scene. It states the files that they name and how.
   [[nodiscard]] static std::string group_of(const JobArguments& arguments);
 
  private:

@@ -37,23 +37,24 @@ struct CheckedPath {
   gouge::SetupBasis basis;
   std::shared_ptr<const PathMachine> machine;  // null: the axis turns on the great circle
 
-  /// Both must outlive the result, and `heads`, which are none.
+  /// Returns the set-up. Path and tools must outlive it, like `heads`, which are none.
   [[nodiscard]] gouge::CheckSetup setup() const;
   [[nodiscard]] gouge::ReportModel model(const gouge::CheckResult& result) const;
-  /// The files that were read for it.
+  /// Returns the files that were read for it.
   [[nodiscard]] std::vector<std::string> inputs() const;
 };
 
 /// Errors: a length that is negative, too long or no number.
 [[nodiscard]] gouge::CheckOptions to_check_options(const CheckOptions& options);
 
-/// Compiled for `options`. Errors: those of make_tool_variants.
+/// Compiles a tool for `options`. Errors: those of make_tool_variants.
 [[nodiscard]] gouge::ToolVariants compile(const gouge::ToolAssembly& tool, const gouge::CheckOptions& options,
                                           bool has_wide = false);
 
-/// Every move with this tool. Errors: tool-ambiguous, where the path calls several.
+/// Prepares a check of every move with this tool. Errors: tool-ambiguous, where the path calls several.
 [[nodiscard]] CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, const CheckOptions& options);
-/// Each tool by number or name, else as the path defines it. Errors: no-tool, where none is defined.
+/// Prepares a check with each tool by number or name, else as the path defines it. Errors: no-tool, where none is
+/// defined.
 [[nodiscard]] CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& library,
                                   const CheckOptions& options);
 

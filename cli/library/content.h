@@ -36,7 +36,7 @@ T value_or_raise(gouge::Result<T>&& result) {
 [[nodiscard]] inline gouge::Vec3 to_vector(const Vec3& v) { return {v[0], v[1], v[2]}; }
 [[nodiscard]] inline Vec3 to_array(const gouge::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// A pose of numbers a check can use: unit axis. Nothing otherwise.
+/// Returns a pose that a check can use, with a unit axis. Nothing for other numbers.
 [[nodiscard]] std::optional<gouge::Pose> to_pose(const Vec3& tip, const Vec3& axis);
 
 /// Meshes with all that checks make of them, once, when first requested and from any thread. Stays where it is.
@@ -45,7 +45,7 @@ class SceneIndex {
   explicit SceneIndex(gouge::Scene scene) : scene_(std::move(scene)) {}
 
   [[nodiscard]] const gouge::Scene& scene() const { return scene_; }
-  /// `threads` as in for_each_chunk.
+  /// Returns the prepared scene; `threads` as in for_each_chunk.
   [[nodiscard]] const gouge::PreparedScene& prepared(unsigned threads) const {
     std::call_once(once_, [&] { prepared_.emplace(scene_, threads); });
     return *prepared_;
@@ -82,7 +82,7 @@ struct Scene::Content {
   std::vector<double> fixture_clearances;
   std::shared_ptr<const SceneIndex> index;
 
-  /// True where a file of it was read without a unit.
+  /// Returns true where a file of it was read without a unit.
   [[nodiscard]] bool has_unknown_unit() const;
 
   mutable std::once_flag inch_once;
@@ -113,7 +113,7 @@ struct Path::Content {
 /// For those who make paths of other paths.
 struct PathAccess {
   [[nodiscard]] static Path from(gouge::Toolpath path, bool is_from_memory);
-  /// The bytes of a file called `name`, read as `options` state.
+  /// Reads the bytes of a file called `name` as `options` state.
   [[nodiscard]] static Path from_bytes(const std::string& name, std::string bytes,
                                        const gouge::ReadOptions& options = {});
 };

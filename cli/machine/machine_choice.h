@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// Begins a --machine that is no file.
+/// Begins a --machine that is not a file.
 inline constexpr std::string_view kMachinePreset = "preset:";
 
 /// Help of --machine.
@@ -41,10 +41,10 @@ struct ChosenMachine {
 [[nodiscard]] Result<Machine> load_machine(const std::string& typed, std::uint64_t max_bytes, std::string& bytes,
                                            const MachineOptionNames& names = {});
 
-/// Returns the machine of a job, with the laws that the user states, else those that its control promises. None: no machine
-/// is stated.
-/// Errors: those of load_machine; usage, for a law of another name, and for `axis` without a machine; machine-law, where
-/// nothing states a law.
+/// Returns the machine of a job, with the laws that the user states, else those that its control promises. None: no
+/// machine is stated.
+/// Errors: those of load_machine; usage, for a law of another name, and for `axis` without a machine; machine-law,
+/// where nothing states a law.
 [[nodiscard]] Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
                                                                   std::uint64_t max_bytes,
                                                                   const MachineOptionNames& names = {});

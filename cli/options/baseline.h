@@ -27,7 +27,7 @@ struct LoadedBaseline {
   void apply(ReportModel& model) const;
 };
 
-/// Errors: those of read_file and read_accepted. An empty name is no baseline.
+/// Errors: those of read_file and read_accepted. An empty name is not a baseline.
 [[nodiscard]] Result<LoadedBaseline> load_baseline(const std::string& file, const InputLimit& limit);
 
 }  // namespace gouge

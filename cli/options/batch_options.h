@@ -14,7 +14,7 @@ namespace gouge {
 struct Shard {
   std::size_t index = 1, count = 1;
 
-  /// Decided by the place of the job in its list alone.
+  /// Returns whether the share has a job, by the job's place in its list alone.
   [[nodiscard]] bool has(std::size_t job) const { return job % count == index - 1; }
 };
 
@@ -29,7 +29,7 @@ struct BatchArguments : Verbosity {
   bool is_resumed = false, is_fresh = false, is_rehearsal = false, is_without_reports = false, is_forced = false;
 };
 
-/// "2/8". Errors (code usage).
+/// Parses "2/8". Errors (code usage).
 [[nodiscard]] Result<Shard> understand_shard(const std::string& text);
 
 void add_batch_options(CLI::App& command, BatchArguments& arguments);

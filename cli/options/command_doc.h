@@ -12,7 +12,8 @@ class Option;
 
 namespace gouge {
 
-/// Those of "TEXT:{straight,dogleg,skip}", as the parser names a text of few values; empty for anything else.
+/// Returns the choices of "TEXT:{straight,dogleg,skip}", as the parser names a text of few values; empty for anything
+/// else.
 [[nodiscard]] std::vector<std::string> choices_in(const std::string& text);
 
 struct OptionDoc {
@@ -23,7 +24,7 @@ struct OptionDoc {
   std::vector<std::string> needs;  ///< options without which it may not be given
   bool is_positional = false, is_required = false, is_repeatable = false;
 
-  /// With "[default: 0.01]" and "[required]" where it is so.
+  /// Returns the description, with "[default: 0.01]" and "[required]" where it is so.
   [[nodiscard]] std::string full_description() const;
   [[nodiscard]] bool takes_file() const;
   [[nodiscard]] bool takes_folder() const { return value == "FOLDER"; }
@@ -36,10 +37,10 @@ struct CommandDoc {
   std::vector<OptionDoc> options;  ///< positionals first
   std::vector<CommandDoc> commands;
 
-  /// Its own word: "import".
+  /// Returns the command's own word: "import".
   [[nodiscard]] std::string word() const;
 };
-/// `app` and all commands below it.
+/// Returns `app` and all commands below it.
 [[nodiscard]] CommandDoc document(const CLI::App& app);
 
 }  // namespace gouge

@@ -26,15 +26,15 @@ struct CorrectArguments {
   [[nodiscard]] const std::string& reported_output() const { return output_name.empty() ? output : output_name; }
 };
 
-/// The rows that `correct` has beside job_options().
+/// Returns the rows that `correct` has beside job_options().
 [[nodiscard]] const OptionRows<CorrectArguments>& correct_options();
 
 void add_correct_options(CLI::App& command, CorrectArguments& arguments);
 
-/// Errors (code usage): names the option, what was typed and what was expected.
+/// Errors (code usage): names the option, the typed text and the expected one.
 [[nodiscard]] Result<CorrectOptions> understand_correction(const CorrectArguments& arguments);
 
-/// As a report names them: "auto", "axis", "cutter=axis, holder=tilt".
+/// Returns the strategies as a report names them: "auto", "axis", "cutter=axis, holder=tilt".
 [[nodiscard]] std::string strategies_text(const CorrectArguments& arguments);
 
 }  // namespace gouge

@@ -17,16 +17,17 @@ class App;
 
 namespace gouge {
 
-/// `text` in lines of at most `width` characters, broken at blanks, each but the first after `indent` blanks, which
-/// count. Line breaks of the text stay, and lines that begin with a blank are examples and stay as they are.
+/// Returns `text` in lines of at most `width` characters, broken at blanks, each but the first after `indent` blanks,
+/// which count. Line breaks of the text stay, and lines that begin with a blank are examples and stay as they are.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
 
 /// Lays out --help in 80 columns, whatever the length of the texts.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> make_help_formatter();
 
-/// The command line of a parsed command as it can be typed again: its name, then what was given of its options in the
-/// order of its help, quoted for a shell. Left out is what changes no result: outputs, threads, progress, how much is
-/// printed, and the words of a report's head. So it is the same for one check however it was started.
+/// Returns the command line of a parsed command as it can be typed again. It is the command's name, then the given
+/// options in the order of its help, quoted for a shell. Options that change no result are left out: outputs, threads,
+/// progress, how much is printed, and the words of a report's head. So it is the same for one check however it was
+/// started.
 [[nodiscard]] std::string repeatable_command(const CLI::App& command);
 
 }  // namespace gouge

@@ -71,7 +71,8 @@ struct JobOptions {
   std::string date;  ///< of the report
 };
 
-/// The rows that `check`, `correct` and `batch` share, without those of ReadingArguments; outputs are rows of their own.
+/// Returns the rows that `check`, `correct` and `batch` share, without those of ReadingArguments; outputs are rows of
+/// their own.
 [[nodiscard]] const OptionRows<JobArguments>& job_options();
 
 void add_job_options(CLI::App& command, JobArguments& arguments);
@@ -85,11 +86,11 @@ void add_placement_options(CLI::App& command, std::string& place, std::string& s
 void add_threads_option(CLI::App& command, std::uint32_t& threads);
 void add_progress_option(CLI::App& command, std::string& progress);
 
-/// Errors (code usage): names the option, what was typed and what was expected.
+/// Errors (code usage): names the option, the typed text and the expected one.
 [[nodiscard]] Result<JobOptions> understand(const JobArguments& arguments);
 
-/// "2026-11-23 14:05 UTC": now, or the instant that SOURCE_DATE_EPOCH names in seconds since 1970, so that reports can
-/// be made again to the byte (https://reproducible-builds.org/specs/source-date-epoch/). Errors: usage.
+/// Returns "2026-11-23 14:05 UTC": now, or the instant of SOURCE_DATE_EPOCH in seconds since 1970. With the latter
+/// reports can be made again to the byte (https://reproducible-builds.org/specs/source-date-epoch/). Errors: usage.
 [[nodiscard]] Result<std::string> date_of_report();
 
 }  // namespace gouge

@@ -17,10 +17,10 @@ using LimitTexts = std::map<std::string, std::string>;
 /// Splits each value into the name of a file and its limits. A comma of the name itself stays in it.
 void split_limits(const std::vector<std::string>& typed, std::vector<std::string>& files, LimitTexts& limits);
 
-/// The limits of files that were given with `option`, against obstacles of that kind.
+/// Returns the limits of files that were given with `option`, against obstacles of that kind.
 ///
 /// `tolerance_mm`: of the check, which a file may lower.
-/// Errors (code usage): names the option, what was typed and what was expected.
+/// Errors (code usage): names the option, the typed text and the expected one.
 [[nodiscard]] Result<std::vector<MeshLimit>> understand_limits(const std::string& option, Against against,
                                                                const std::vector<std::string>& files,
                                                                const LimitTexts& limits, double tolerance_mm);

@@ -55,7 +55,7 @@ struct OptionRow {
   bool is_required = false;
   const char* needs = nullptr;  ///< name of an option without which it may not be given
 
-  /// The long name without its dashes.
+  /// Returns the long name without its dashes.
   [[nodiscard]] std::string key() const {
     const std::string all = name;
     return all.substr(all.rfind("--") + 2);
@@ -120,8 +120,8 @@ std::vector<OptionText> recorded_options(const Arguments& arguments, const Optio
   return recorded;
 }
 
-/// Sets the options of `rows` that a verification repeats. `given(key, is_repeatable)` returns the texts that the result
-/// has for a key.
+/// Sets the options of `rows` that a verification repeats. `given(key, is_repeatable)` returns the texts that the
+/// result has for a key.
 template <typename Arguments, typename Given>
 void repeat_options(Arguments& arguments, const OptionRows<Arguments>& rows, const Given& given) {
   for (const OptionRow<Arguments>& row : rows) {

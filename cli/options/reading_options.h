@@ -20,7 +20,8 @@ struct ReadingArguments {
 
 [[nodiscard]] const OptionRows<ReadingArguments>& reading_options();
 
-/// Errors (code usage): a retract plane that is no length, a dialect that is not known, a harmless word that is none or that is read.
+/// Errors (code usage): a retract plane that is not a length, or an unknown dialect. Also a harmless word that is not a
+/// word, or that is read.
 [[nodiscard]] Result<ReadOptions> understand(const ReadingArguments& arguments);
 
 /// --max-input of a command, in bytes: no file it reads may have more.
@@ -28,7 +29,7 @@ struct InputLimit {
   std::uint64_t max_bytes = kMaxInputBytes;
 };
 
-/// The parser refuses what is no size, so that `limit` is always usable.
+/// The parser refuses what is not a size, so that `limit` is always usable.
 void add_input_limit(CLI::App& command, InputLimit& limit);
 
 }  // namespace gouge

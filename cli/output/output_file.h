@@ -33,27 +33,26 @@ class PendingOutputs {
   std::optional<std::string> for_stdout_;
 };
 
-/// PendingOutputs of one file.
+/// Writes one file as PendingOutputs.
 [[nodiscard]] Outcome write_output(const std::string& file, std::string_view bytes, std::ostream& out);
 
-/// Finds errors that will keep these outputs from being written, as far as they are known before the work:
-/// their folder is missing or closed to us, a folder has their name, or the file there could not keep its
-/// owner and mode. The folder of a report may be missing if it can be made (code folder-unwritable). "-" is
-/// passed over. Creates and opens nothing. Code: file-unwritable.
+/// Finds errors that will keep these outputs from being written, as far as they are known before the work. Their folder
+/// is missing or closed to us, a folder has their name, or the file there could not keep its owner and mode. The folder
+/// of a report may be missing if it can be made (code folder-unwritable). The name "-" is passed over. Creates and
+/// opens nothing. Code: file-unwritable.
 [[nodiscard]] Diagnostics find_unwritable(const OutputTable& outputs);
 
-/// Finds errors in a command's outputs before its work: two for standard output, one that is an
-/// input or another output, one that cannot be written. Prints it, and returns the exit status; none
-/// where all is well.
+/// Finds errors in a command's outputs before its work. Two are for standard output, one is an input or another output,
+/// or one cannot be written. Prints the error and returns the exit status; none where all is well.
 [[nodiscard]] std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
                                                 std::ostream& err);
 
-/// Returns whether the picture `file` is to be an SVG; else a PNG. Error (code usage) for another ending than .svg and .png, in
-/// any case.
+/// Returns whether the picture `file` is to be an SVG; else a PNG. Error (code usage) for another ending than .svg and
+/// .png, in any case.
 [[nodiscard]] Result<bool> is_svg_file(const std::string& file);
 
-/// The note of find_missing_letters (postproc/image/font.h) on the names a picture of this path may show: of the file,
-/// its tools and operations, and of `meshes`.
+/// Returns the note of find_missing_letters (postproc/image/font.h) on the names that a picture of this path may show.
+/// They are those of the file, its tools and operations, and of `meshes`.
 [[nodiscard]] Diagnostics find_missing_letters(const Toolpath& path, const std::vector<std::string>& meshes = {});
 
 }  // namespace gouge

@@ -30,16 +30,16 @@ struct Output {
 
 using OutputTable = std::vector<Output>;
 
-/// The outputs requested of `check` and `correct`, where `corrected` is what -o names, or empty.
+/// Returns the outputs requested of `check` and `correct`, where `corrected` is what -o names, or empty.
 [[nodiscard]] OutputTable outputs_of(const JobArguments& arguments, const std::string& corrected);
 
-/// Those of `outputs` that are requested: without empty names.
+/// Returns those of `outputs` that are requested: without empty names.
 [[nodiscard]] OutputTable asked_for(const OutputTable& outputs);
 
 /// Returns whether one of them is "-", so that standard output belongs to it alone. Errors: usage, for more than one.
 [[nodiscard]] Result<bool> is_stdout_taken(const OutputTable& outputs);
 
-/// The folder of --report, or empty.
+/// Returns the folder of --report, or empty.
 [[nodiscard]] std::string report_folder_of(const OutputTable& outputs);
 
 /// The outputs of one run of `check` or `correct`. All are complete before any is put in its place;
@@ -49,12 +49,12 @@ class JobOutputs {
   /// `corrected` is where the corrected toolpath goes, or empty.
   JobOutputs(const JobArguments& arguments, const std::string& corrected);
 
-  /// Before the work: what is wrong with the outputs is printed, and the result is the exit status. None
-  /// where all is well; the report's folder, if it exists, is then locked.
+  /// Prints errors of the outputs before the work, and returns the exit status. None where all is well; the report's
+  /// folder, if it exists, is then locked.
   [[nodiscard]] std::optional<int> refuse(std::ostream& err);
 
-  /// `scene` is that of the job. Writes every file requested, then prints the findings. What cannot be written is
-  /// reported on `err`. Returns whether all was written, and delivered where it is standard output's.
+  /// Writes every file requested, then prints the findings. The `scene` is that of the job. A file that cannot be
+  /// written is reported on `err`. Returns whether all was written, and delivered where it is standard output's.
   [[nodiscard]] bool write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
                            std::ostream& out, std::ostream& err);
 

@@ -14,12 +14,12 @@ struct InputOption {
   std::string what, file;
 };
 
-/// The inputs of `check` and `correct`.
+/// Returns the inputs of `check` and `correct`.
 [[nodiscard]] std::vector<InputOption> inputs_of(const JobArguments& arguments);
 
-/// Returns why nothing may be written: an output, or a file that a report may replace or remove in its folder, is one
-/// of the inputs, another output, or the file standard output goes to, under whatever name (links, ./,
-/// relative). Empty names and "-" are passed over. Code: usage.
+/// Returns why nothing may be written. An output, or a file that a report may replace or remove in its folder, is one
+/// of the inputs or another output. Or it is the file that standard output goes to. Names count under any form (links,
+/// ./, relative). Empty names and "-" are passed over. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_overwriting(const std::vector<InputOption>& inputs,
                                                          const OutputTable& outputs);
 

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr const char* kPrefix = ".gougecheck-report-";  // of names a file has for a moment
 constexpr std::uintmax_t kLargestManifest = 1 << 16;
 
-// None where the file is no manifest of ours. Errors: one that cannot be read may be ours or not.
+// Reads a manifest; none where the file is not a manifest of ours. Errors: one that cannot be read may be ours or not.
 Result<std::optional<ReportManifest>> manifest_of(const std::string& path) {
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(path, error);
@@ -59,7 +59,7 @@ Outcome ReportFolder::lock() {
   lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0)
     return make_error("folder-unwritable", "cannot read the folder: " + std::string(std::strerror(errno)), folder_);
-  // Where a file system has no locks, two reports at once are the user's to avoid.
+  // Where a file system has no locks, the user must avoid two reports at once.
   if (::flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return Done{};
   ::close(std::exchange(lock_, -1));
   return make_error(
@@ -235,7 +235,7 @@ Result<ManifestEntry> describe_file(const std::string& folder, const std::string
 }
 
 const std::vector<std::string>& names_of_report() {
-  // event_1.png to event_9.png: a report has fewer, and a longer number may be a date of somebody's own.
+  // event_1.png to event_9.png: a report has fewer, and a longer number may be a date in a user's own file.
   static const std::vector<std::string> kNames = {
       "report.html",          "result.json", "moves.csv",   "before_after.png", "tilt_field.png", "heat_map.png",
       "depth_along_path.png", "event_1.png", "event_2.png", "event_3.png",      "event_4.png",    "event_5.png",

@@ -11,7 +11,7 @@
 #include "lib/base/staged_file.h"
 #include "postproc/report/named_file.h"
 
-// manifest.json of a report's folder: what in it is the report's own (docs/formats/report_folder.md).
+// The manifest.json of a report's folder, which lists the report's own files (docs/formats/report_folder.md).
 
 namespace gouge {
 
@@ -35,25 +35,25 @@ struct ReportManifest {
 
 [[nodiscard]] std::string write_manifest(const ReportManifest& manifest);
 
-/// None where `text` is no manifest of ours.
+/// Reads a manifest. None where `text` is not a manifest of ours.
 [[nodiscard]] std::optional<ReportManifest> read_manifest(std::string_view text);
 
 [[nodiscard]] ManifestEntry describe_bytes(std::string name, std::string_view bytes);
 
-/// The file `name` of `folder` as it is, read in pieces. Errors: file-unreadable.
+/// Returns the file `name` of `folder` as it is, read in pieces. Errors: file-unreadable.
 [[nodiscard]] Result<ManifestEntry> describe_file(const std::string& folder, const std::string& name);
 
-/// Every name a report may write into its folder: report.html, result.json, moves.csv, the pictures, and the
+/// Returns every name a report may write into its folder: report.html, result.json, moves.csv, the pictures, and the
 /// manifest. No other file of a folder is the report's.
 [[nodiscard]] const std::vector<std::string>& names_of_report();
 
-/// The same for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.
+/// Returns the same for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.
 [[nodiscard]] const std::vector<std::string>& names_of_batch();
 
-/// The folder of --report, in which a new report takes the place of an older one and of nothing else. What is
-/// an older report's states its manifest, by name and content; all other files under a name of the report's are
-/// foreign, and refused unless `is_forced`. A process that is killed at any instant leaves a folder whose
-/// manifest knows every file of the report in it. Order of calls: open, stage, commit.
+/// The folder of --report, in which a new report takes the place of an older one and of nothing else. The manifest of
+/// an older report states its files, by name and content. All other files under a name of the report's are foreign, and
+/// refused unless `is_forced`. A process that is killed at any instant leaves a folder whose manifest knows every file
+/// of the report in it. Order of calls: open, stage, commit.
 class ReportFolder {
  public:
   /// `names`: those it may write, of which no other file of the folder is; they must outlive it.

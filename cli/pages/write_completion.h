@@ -6,8 +6,8 @@
 
 namespace gouge {
 
-/// The script that completes command lines of `program` in `shell`, which is bash, zsh or fish: commands, options, the
-/// values of those that take one of few, files and folders.
+/// Returns the script that completes command lines of `program` in `shell`, which is bash, zsh or fish. It completes
+/// commands, options, files, folders, and the values of options that take one of few.
 [[nodiscard]] std::string write_completion(const std::string& shell, const CommandDoc& program);
 
 [[nodiscard]] std::string bash_completion(const CommandDoc& program);
@@ -18,13 +18,13 @@ namespace gouge {
 enum class Completed { nothing, files, folders, choices, commands };
 [[nodiscard]] Completed completed_of(const OptionDoc& option);
 
-/// `program` and all commands below it, each before those below it.
+/// Returns `program` and all commands below it, each before those below it.
 [[nodiscard]] std::vector<const CommandDoc*> flattened(const CommandDoc& program);
 
-/// `text` as one word of a shell, in single quotes.
+/// Returns `text` as one word of a shell, in single quotes.
 [[nodiscard]] std::string single_quoted(const std::string& text);
 
-/// The beginning of a description, as a menu has room for: up to its first clause, at most 72 characters.
+/// Returns the beginning of a description, as a menu has room for: up to its first clause, at most 72 characters.
 [[nodiscard]] std::string brief_of(const std::string& description);
 
 }  // namespace gouge

@@ -7,7 +7,7 @@
 namespace gouge {
 namespace {
 
-// A backslash begins an escape, a point or quote at the beginning of a line a request; a hyphen that is typed is "\-".
+// A backslash begins an escape. A point or quote at the beginning of a line begins a request. A typed hyphen is "\-".
 std::string roff(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -6,11 +6,11 @@
 
 namespace gouge {
 
-/// The manual page of a command (section 1, in the man macros of roff): name, synopsis, description, commands, options by
-/// group, examples, notes, see also.
+/// Writes the manual page of a command (section 1, in the man macros of roff). It has name, synopsis, description,
+/// commands, options by group, examples, notes, and see also.
 [[nodiscard]] std::string write_man(const CommandDoc& command);
 
-/// "gougecheck-tool-import", which with ".1" is the name of the page's file.
+/// Returns "gougecheck-tool-import", which with ".1" is the name of the page's file.
 [[nodiscard]] std::string man_name(const CommandDoc& command);
 
 }  // namespace gouge

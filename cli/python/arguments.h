@@ -7,8 +7,8 @@
 #include <gougecheck/mesh.h>
 #include <pybind11/pybind11.h>
 
-// Arguments of Python's kind as those of the library, or a TypeError that names the argument, what it is and what was
-// expected.
+// Converts Python arguments into those of the library, or throws a TypeError that names the argument, its value and the
+// expected kind.
 
 namespace gougecheck::python {
 
@@ -17,23 +17,23 @@ namespace py = pybind11;
 /// Throws the TypeError "NAME: expected WANTED, got VALUE (TYPE)".
 [[noreturn]] void refuse_argument(const std::string& name, const std::string& wanted, const py::handle& got);
 
-/// A number, also an int or a NumPy scalar; no bool and no text.
+/// Returns a number, also an int or a NumPy scalar; no bool and no text.
 [[nodiscard]] double number_of(const py::handle& object, const std::string& name);
-/// A str.
+/// Returns a str.
 [[nodiscard]] std::string text_of(const py::handle& object, const std::string& name);
-/// A str or an object with __fspath__.
+/// Returns a str or an object with __fspath__.
 [[nodiscard]] std::string file_of(const py::handle& object, const std::string& name = "file");
-/// A Mesh, or a sequence of them.
+/// Returns a Mesh, or a sequence of them.
 [[nodiscard]] std::vector<Mesh> meshes_of(const py::handle& object, const std::string& name,
                                           const std::string& wanted = "a Mesh or a list of Mesh");
-/// An object of the bound class T, of which `wanted` is the name: "a Tool".
+/// Returns an object of the bound class T, of which `wanted` is the name: "a Tool".
 template <class T>
 [[nodiscard]] const T& bound(const py::handle& object, const std::string& name, const std::string& wanted) {
   if (!py::isinstance<T>(object)) refuse_argument(name, wanted, object);
   return object.cast<const T&>();
 }
 
-/// The keywords of one call of `function`. Each is taken by its name; what is left is refused by `finish`.
+/// The keywords of one call of `function`. Each is taken by its name; the rest is refused by `finish`.
 class Keywords {
  public:
   Keywords(std::string function, const py::kwargs& given);
@@ -41,15 +41,15 @@ class Keywords {
   [[nodiscard]] double number(const char* name, double otherwise);
   [[nodiscard]] std::optional<double> number_or_none(const char* name);
   [[nodiscard]] std::string text(const char* name, const std::string& otherwise);
-  /// A sequence of texts; empty where it is not given.
+  /// Returns a sequence of texts; empty where it is not given.
   [[nodiscard]] std::vector<std::string> texts(const char* name);
   [[nodiscard]] bool flag(const char* name, bool otherwise);
-  /// A whole number of 0 or more.
+  /// Returns a whole number of 0 or more.
   [[nodiscard]] unsigned count(const char* name, unsigned otherwise);
-  /// As it is; None where it is not given.
+  /// Returns the object as it is; None where it is not given.
   [[nodiscard]] py::object object(const char* name);
 
-  /// Requires that every keyword there is was taken. Throws the TypeError that names one that is left.
+  /// Requires that every keyword was taken. Throws the TypeError that names one that was not.
   void finish() const;
 
  private:

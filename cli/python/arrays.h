@@ -8,20 +8,21 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-// NumPy arrays in and out without copies: what comes in is read where it is, or refused with a TypeError; what goes out
-// is a read-only view that keeps its owner alive.
+// NumPy arrays in and out without copies. An input array is read where it is, or refused with a TypeError. An output
+// array is a read-only view that keeps its owner alive.
 
 namespace gougecheck::python {
 
 namespace py = pybind11;
 
-/// The rows of a C-contiguous float64 array of shape (n, 3), valid as long as `object`. `may_be_one`: or of shape (3,).
+/// Returns the rows of a C-contiguous float64 array of shape (n, 3), valid as long as `object`. `may_be_one`: or of
+/// shape (3,).
 [[nodiscard]] std::span<const Vec3> rows_of(const py::handle& object, const std::string& name, bool may_be_one = false);
-/// A C-contiguous array of integers of shape (n, 3), none negative. Copied where it is not uint32.
+/// Returns a C-contiguous array of integers of shape (n, 3), none negative. Copied where it is not uint32.
 [[nodiscard]] std::vector<Triangle> triangles_of(const py::handle& object);
-/// A C-contiguous array of bool of shape (n,), or None.
+/// Returns a C-contiguous array of bool of shape (n,), or None.
 [[nodiscard]] std::span<const bool> flags_of(const py::handle& object, const std::string& name);
-/// None, a float64 array of shape (4, 4), homogeneous as trimesh has it, or an object with getRotation and
+/// Reads None, a float64 array of shape (4, 4), homogeneous as trimesh has it, or an object with getRotation and
 /// getTranslation, as python-fcl's Transform.
 [[nodiscard]] Transform pose_of(const py::handle& object);
 
@@ -33,7 +34,7 @@ template <class T>
 }
 [[nodiscard]] py::array view(std::span<const Vec3> rows, const py::handle& owner);
 [[nodiscard]] py::array view(std::span<const Triangle> rows, const py::handle& owner);
-/// An array of shape (3,) of its own.
+/// Returns an array of shape (3,) of its own.
 [[nodiscard]] py::array copy(const Vec3& vector);
 
 }  // namespace gougecheck::python

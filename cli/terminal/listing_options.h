@@ -18,7 +18,8 @@ struct ListingArguments {
   std::string most = "auto";
 };
 
-/// The group of options that state what is printed for people. They belong to a command line, never to a job of a batch.
+/// The group of options that state what is printed for people. They belong to a command line, never to a job of a
+/// batch.
 inline constexpr const char* kTerminalGroup = "Terminal";
 
 void add_listing_options(CLI::App& command, ListingArguments& arguments);

@@ -24,7 +24,7 @@ struct Verbosity {
 /// `on_verbose` is the help of -v.
 void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose);
 
-/// Both at once (code usage), or nothing.
+/// Returns the error that both are set (code usage), or nothing.
 [[nodiscard]] std::optional<Diagnostic> find_contradiction(const Verbosity& verbosity);
 
 /// Prints diagnostics, one a line, as compilers do.
@@ -33,18 +33,19 @@ void print(std::ostream& err, const Diagnostics& diagnostics);
 /// Warnings of the inputs; with -v notes as well, with -q nothing. More than a handful are counted.
 void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity);
 
-/// The most this process had in use at once, mapped files included; none where the system does not state.
+/// Returns the maximum memory of this process at any time, mapped files included; none where the system does not state
+/// it.
 [[nodiscard]] std::optional<std::size_t> peak_memory_bytes();
 
-/// "memory: 178 MB at the peak", the most this process had in use at once, mapped files included; nothing where the
-/// system does not state. For people, never for a report: it differs from run to run.
+/// Prints "memory: 178 MB at the peak", the maximum memory of this process at any time, mapped files included. Prints
+/// nothing where the system does not state it. For people, never for a report: it differs from run to run.
 void print_peak_memory(std::ostream& err);
 
 /// Prints `errors` and returns `status`.
 int fail(std::ostream& err, const Diagnostics& errors, int status);
 
-/// The same with the status of what was wrong: the command line where one of them has the code usage, as where --tool
-/// names what the library lacks; else an input.
+/// Does the same with the status of the error. It is that of the command line where one of them has the code usage, as
+/// where --tool names a tool that the library lacks. Else it is that of an input.
 int fail(std::ostream& err, const Diagnostics& errors);
 
 }  // namespace gouge

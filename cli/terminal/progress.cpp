@@ -89,7 +89,7 @@ void Progress::draw(Clock::time_point now) {
     const double elapsed_s = seconds(now - first_counted_);
     err_ << done_ << " of " << total_ << " (" << done_ * 100 / total_ << " %)";
     if (done_ > 0 && done_ < total_ && elapsed_s > kMinElapsed_s) {
-      // The rest takes as long in proportion as what was done when it was last counted.
+      // The rest is taken to be as fast as the part done at the last count.
       const double all_s =
           seconds(counted_ - first_counted_) * static_cast<double>(total_) / static_cast<double>(done_);
       err_ << ", about " << duration_text(std::max(1.0, all_s - elapsed_s)) << " left";

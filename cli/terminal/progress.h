@@ -15,12 +15,12 @@ namespace gouge {
 
 enum class ProgressMode { automatic, always, never };
 
-/// --progress: auto, always or never.
+/// Reads the word of --progress: auto, always or never.
 [[nodiscard]] ProgressMode understand_progress(std::string_view word);
 
-/// One line on standard error that is drawn over and over while long work runs, and wiped at its end: the stage, how
-/// much of it is done and about how long the rest of it takes, or for how long it runs where nothing counts it.
-/// Automatic: only where standard error is a terminal. Silent for work shorter than a moment.
+/// One line on standard error that is drawn over and over while long work runs, and wiped at its end. It shows the
+/// stage, how much of it is done and about how long the rest of it takes. Where nothing counts it, the line shows for
+/// how long it runs. Automatic: only where standard error is a terminal. Silent for work shorter than a moment.
 class Progress {
  public:
   Progress(std::ostream& err, ProgressMode mode);
@@ -34,7 +34,7 @@ class Progress {
   /// Wipes the line. To be called before anything else is printed.
   void end();
 
-  /// For work in libraries; empty where nothing is to be shown.
+  /// Returns the callback for work in libraries; empty where nothing is to be shown.
   [[nodiscard]] ProgressCall call();
 
  private:
@@ -55,7 +55,7 @@ class Progress {
   std::jthread ticker_;  // draws while nothing reports
 };
 
-/// "7 s", "3 min", "2.5 h": of a time left, never less than it seems.
+/// Returns "7 s", "3 min", "2.5 h": of a time left, never less than it seems.
 [[nodiscard]] std::string duration_text(double seconds);
 
 }  // namespace gouge

@@ -22,15 +22,15 @@ void choose_colour(std::ostream& stream, std::string_view word);
 /// Returns whether text for people on `stream` is coloured; not where nothing was chosen.
 [[nodiscard]] bool is_coloured(std::ostream& stream);
 
-/// To be called once, first of all. A pipe without a reader and a file beyond the limit of the shell (ulimit
-/// -f) become failed writes instead of the end of the program, and a standard stream that is closed (>&-) is
-/// never taken by a file that is opened later: writing to it fails.
+/// Prepares the standard streams; to be called once, first of all. A pipe without a reader and a file beyond the limit
+/// of the shell (ulimit -f) then become failed writes. They do not end the program. A standard stream that is closed
+/// (>&-) is never taken by a file that is opened later. A write to it fails.
 void prepare_standard_streams();
 
 /// Returns whether standard output is a pipe without a reader, as in `gougecheck check ... | head -1`.
 [[nodiscard]] bool is_reader_gone();
 
-/// After a write to standard output failed. Code: output-unwritable.
+/// Describes a failed write to standard output. Code: output-unwritable.
 [[nodiscard]] Diagnostic describe_failed_output();
 
 }  // namespace gouge

@@ -259,7 +259,7 @@ class Resolver {
                       size_text(diameter, corner, path_.unit), is_smaller);
   }
 
-  // How far the file's tool reaches out of the library's.
+  // Returns how far the file's tool reaches out of the library's.
   [[nodiscard]] double reach_mm(const PathTool& tool, const ToolAssembly& known) const {
     const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
     return made ? reach_beyond_mm(made->tool.cutter, known.cutter) : 0;

@@ -32,17 +32,17 @@ struct SearchCandidate {
 
 /// Certified best-first branch and bound for a largest value, the one loop of all such searches.
 ///
-/// `Problem` derives from it and has, as public members,
-///   double threshold_mm() const            the pruning threshold, by the largest value measured so far
-///   bool is_exhausted() const              whether the budget has run out
-///   void split(const Candidate&)           bounds the parts of a candidate, measures the value at points of them,
-///                                          and offers them
-///   static constexpr bool kDescends        whether to go from a candidate straight down to where its best part is
-///                                          decided: a value close to the bound is measured early, even where many
-///                                          candidates have the same bound
-/// It offers the candidates to begin with, which must cover the domain, before it calls `run`.
+/// `Problem` derives from it. It offers the first candidates, which must cover the domain, before it calls `run`. It
+/// has these public members.
+///   double threshold_mm() const            By the largest value measured so far.
+///   bool is_exhausted() const              True once the budget has run out.
+///   void split(const Candidate&)           Bounds the parts of a candidate, measures the value at points of them,
+///                                          and offers them.
+///   static constexpr bool kDescends        True to go from a candidate straight down to where its best part is
+///                                          decided. A value close to the bound is then measured early, even where
+///                                          many candidates have the same bound.
 ///
-/// Ensures  the same order on every machine. Every candidate was split or its bound is in what `run` returns.
+/// Ensures  The same order on every machine. Every candidate was split or its bound is in what `run` returns.
 /// Source   A. H. Land, A. G. Doig, An automatic method of solving discrete programming problems (1960).
 template <typename Problem, typename Candidate>
 class BestFirstSearch {
@@ -69,12 +69,13 @@ class BestFirstSearch {
     return open_.empty() ? pruned_mm_ : std::max(pruned_mm_, open_.front().upper_mm);
   }
 
-  /// After `run` the candidate with the largest bound of those above the threshold that were not split; null: none.
+  /// Returns after `run` the candidate with the largest bound of those above the threshold that were not split; null:
+  /// none.
   [[nodiscard]] const Candidate* undecided() const {
     return open_.empty() || !(open_.front().upper_mm > threshold_mm()) ? nullptr : &open_.front();
   }
 
-  /// False where the budget ran out first.
+  /// Returns false where the budget ran out first.
   [[nodiscard]] bool is_decided() const { return is_decided_; }
 
   /// Counts bounds that were proved before as those of pruned candidates.

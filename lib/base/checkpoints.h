@@ -10,8 +10,8 @@
 
 namespace gouge {
 
-/// Results of stretches of long work that outlast the process: kept as soon as they are there, and taken from here
-/// when the same work is begun again. The owner must key a store to the inputs of the work. Used from one thread at a time.
+/// Results of stretches of long work that survive the process. Each is kept as soon as it is there, and is reused when
+/// the same work begins again. The owner must key a store to the inputs of the work. Used from one thread at a time.
 class CheckpointStore {
  public:
   CheckpointStore() = default;
@@ -32,8 +32,8 @@ struct CheckpointForm {
   std::function<bool(std::size_t first, std::size_t last, std::string_view bytes)> read;
 };
 
-/// for_each_chunk, stretch after stretch: one that is in `kept` is read, and each other one kept once all its chunks are
-/// done. The chunks are the same ones. Without `kept`, and where all of the work is one stretch, nothing is kept.
+/// for_each_chunk, stretch after stretch: one that is in `kept` is read, and each other one kept once all its chunks
+/// are done. The chunks are the same ones. Without `kept`, and where all of the work is one stretch, nothing is kept.
 void for_each_checkpointed_chunk(std::size_t count, std::size_t chunk, unsigned threads, std::string_view stage,
                                  const ProgressCall& progress, CheckpointStore* kept, const CheckpointForm& form,
                                  const std::function<void(std::size_t, std::size_t)>& body);

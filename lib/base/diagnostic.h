@@ -28,8 +28,8 @@ using Diagnostics = std::vector<Diagnostic>;
 
 [[nodiscard]] bool has_error(const Diagnostics& diagnostics);
 
-/// "file:line: error: message [code]", the form compilers use, as one line without its end: what the
-/// file name and the message hold is made printable (printable_text.h).
+/// Returns "file:line: error: message [code]", the form that compilers use, as one line without its end. The characters
+/// of the file name and the message are made printable (printable_text.h).
 [[nodiscard]] std::string to_text(const Diagnostic& diagnostic);
 
 }  // namespace gouge

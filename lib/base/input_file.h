@@ -10,9 +10,9 @@
 
 namespace gouge {
 
-/// A file that is read once from its begin to its end, with a limit on how much that may be. What never ends is
-/// refused: devices before they are opened, pipes at the limit. What changes while it is read is refused too, as half
-/// of the old and half of the new is neither.
+/// A file that is read once from its begin to its end, with a limit on how much that may be. Endless input is refused:
+/// devices before they are opened, pipes at the limit. A file that changes while it is read is refused too, as its
+/// bytes would be half old and half new.
 class InputReader {
  public:
   /// A terminal is read where it is this program's standard input. Opening a pipe waits for its writer.
@@ -24,10 +24,10 @@ class InputReader {
   InputReader& operator=(InputReader&&) = delete;
   ~InputReader();
 
-  /// Returns how many bytes it will be; 0 where only reading shows.
+  /// Returns the expected number of bytes; 0 where only reading shows it.
   [[nodiscard]] std::size_t expected_bytes() const;
 
-  /// The next bytes, at most `room`, to `to`; 0 at the end. Requires room > 0.
+  /// Reads the next bytes, at most `room`, to `to`, and returns their number; 0 at the end. Requires room > 0.
   /// Errors: file-unreadable, input-too-large, input-changed.
   [[nodiscard]] Result<std::size_t> read(char* to, std::size_t room);
 

@@ -29,7 +29,7 @@ namespace gouge {
   return 1;
 }
 
-/// Those of the kernels, one for each instruction set in that order, that this processor runs: the fastest last.
+/// Returns the kernels, one for each instruction set in that order, that this processor runs: the fastest last.
 template <typename Kernel, std::size_t count>
 [[nodiscard]] std::span<const Kernel* const> runnable(const std::array<const Kernel*, count>& kernels) {
   return std::span(kernels).first(std::min(count, instruction_sets()));

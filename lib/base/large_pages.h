@@ -8,19 +8,19 @@
 
 namespace gouge {
 
-/// Queries the system to back this memory by large pages, which are quicker to get and to look up. Only a hint,
-/// and only of use before the memory is first written.
+/// Requests that the system back this memory by large pages, which are quicker to get and to look up. Only a hint, and
+/// only of use before the memory is first written.
 void ask_for_large_pages(void* start, std::size_t bytes);
 
-/// Memory for `count` items of an empty vector, in large pages where there are.
+/// Memory for `count` items of an empty vector, in large pages where the system has them.
 template <typename Item>
 void reserve_large(std::vector<Item>& items, std::size_t count) {
   items.reserve(count);
   ask_for_large_pages(items.data(), count * sizeof(Item));
 }
 
-/// Gives a vector large pages, where there are, whose items are not set when it grows without a value: for those who set
-/// all of them and would have to fetch each twice.
+/// Gives a vector large pages, where the system has them. Items that are added without a value are not set. It is for
+/// callers that set all items, and would have to fetch each of them twice.
 template <typename Item>
 struct LargePageAllocator {
   using value_type = Item;

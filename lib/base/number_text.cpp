@@ -21,9 +21,9 @@ bool looks_like_number(std::string_view text) {
   return i < text.size() && (is_digit(text[i]) || text[i] == '.');
 }
 
-// A decimal without exponent and of few digits, as nearly all in a toolpath are: its digits as one integer and
-// the power of ten are doubles exactly, so that their quotient is the nearest double (Clinger, How to read
-// floating point numbers accurately, 1990). Nothing where that does not hold or the text is no such number.
+// Reads a decimal without exponent and of few digits, as nearly all in a toolpath are. Its digits as one integer and
+// the power of ten are doubles exactly. So their quotient is the nearest double (Clinger, How to read floating point
+// numbers accurately, 1990). Nothing where that does not hold or the text is no such number.
 std::optional<double> few_digits(std::string_view text) {
   constexpr std::size_t kLongest = 18;  // below it the integer does not overflow
   constexpr std::uint64_t kLargestExact = std::uint64_t{1} << 53U;

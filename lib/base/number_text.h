@@ -18,35 +18,36 @@ namespace gouge {
 /// trailing point (".5", "25."), an optional exponent (e, E). Surrounding blanks are not accepted.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
-/// The whole number in `text`, or nothing (also when it does not fit).
+/// Returns the whole number in `text`, or nothing (also when it does not fit).
 [[nodiscard]] std::optional<long long> parse_integer(std::string_view text);
 
-/// Shortest text that reads back as exactly `value`. Requires a finite value. Never "-0".
+/// Returns the shortest text that reads back as exactly `value`. Requires a finite value. Never "-0".
 [[nodiscard]] std::string exact_text(double value);
 
-/// Fixed notation with `decimals` digits after the point; never "-0.000".
+/// Returns fixed notation with `decimals` digits after the point; never "-0.000".
 [[nodiscard]] std::string fixed_text(double value, int decimals);
 
 enum class Zeros { kept, dropped };
 
-/// A number for people: fixed_text, its zeros at the end kept or dropped; from 1e15 on, where more digits would state
-/// nothing, the shortest form with an exponent ("1e+300").
+/// Returns a number for people: fixed_text, with the zeros at its end kept or dropped. From 1e15 on more digits would
+/// state nothing, so the shortest form with an exponent is used ("1e+300").
 [[nodiscard]] std::string display_text(double value, int decimals, Zeros zeros = Zeros::dropped);
 
-/// "1 half", "7 halves".
+/// Returns "1 half", "7 halves".
 [[nodiscard]] std::string count_text(std::size_t count, std::string_view one, std::string_view many);
 
-/// "1 move", "7 moves".
+/// Returns "1 move", "7 moves".
 [[nodiscard]] std::string count_text(std::size_t count, std::string_view noun);
 
-/// "a, b and c" with `last` = " and ".
+/// Returns "a, b and c" with `last` = " and ".
 [[nodiscard]] std::string listed(const std::vector<std::string>& words, std::string_view last = ", ");
 
-/// "8GB", "1.5 MiB" or "4096": bytes, where kB, MB, GB and TB are powers of 1000 and KiB, MiB, GiB and TiB of 1024, and
-/// a bare number or B is bytes; capitals or not. Nothing for other text, or for less than 1 or more than 2^62 bytes.
+/// Parses "8GB", "1.5 MiB" or "4096" as bytes, in capitals or not. Powers of 1000 are kB, MB, GB and TB; KiB, MiB, GiB
+/// and TiB are powers of 1024. A bare number or B is bytes. Returns nothing for other text, or for less than 1 or more
+/// than 2^62 bytes.
 [[nodiscard]] std::optional<std::uint64_t> parse_byte_size(std::string_view text);
 
-/// For people, in powers of 1000: "8 GB", "12.35 MB", "999 bytes"; cut, not rounded up.
+/// Returns bytes for people, in powers of 1000: "8 GB", "12.35 MB", "999 bytes". Digits are cut, not rounded up.
 [[nodiscard]] std::string byte_size_text(std::uint64_t bytes);
 
 }  // namespace gouge

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <vector>
 
-// Arrays as long as a toolpath, in memory that need not be. From a certain size on they stand in a temporary file
-// without a name (in $TMPDIR, else /var/tmp) that the program sees as memory: the system writes out what is not in
-// use, and pages beyond a limit are released, so that what the process holds does not grow with the path.
+// Arrays as long as a toolpath, which need not stay in memory. Above a certain size they are in a temporary file
+// without a name (in $TMPDIR, else /var/tmp) that the program sees as memory. The system writes out what is not in use.
+// Pages beyond a limit are released, so that the memory of the process does not grow with the path.
 
 namespace gouge {
 
@@ -14,7 +14,8 @@ struct PagedLimits {
   std::size_t resident_bytes = 0;  ///< of files the process may hold at once, about
 };
 
-/// From now on, instead of 64 MB and 512 MB; what is allocated stays where it is. Returns what held before.
+/// Sets the limits for later allocations, instead of 64 MB and 512 MB. Allocated memory stays where it is. Returns the
+/// limits before.
 PagedLimits set_paged_limits(const PagedLimits& limits);
 
 /// Zeros, or anything. Where no file can be had (no room, no such file system) it is plain memory. Throws bad_alloc.

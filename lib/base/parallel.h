@@ -4,22 +4,22 @@
 #include <functional>
 #include <string_view>
 
-// Work cut into fixed chunks. What a chunk computes may not depend on which thread runs it or when, and
-// results are joined in index order, so any number of threads gives the same bytes.
+// Work cut into fixed chunks. The result of a chunk may not depend on which thread runs it or when. Results are joined
+// in index order, so any number of threads gives the same bytes.
 
 namespace gouge {
 
 /// More threads than this are no use on any machine, and each takes memory before it does anything.
 inline constexpr unsigned kMaxThreads = 1024;
 
-/// Sets the number of threads that for_each_chunk uses for 0; initially 0: all of the machine. With 1 no thread is started.
+/// Sets the number of threads that for_each_chunk uses for 0; initially 0: all of the machine. With 1 no thread is
+/// started.
 void set_default_threads(unsigned threads);
 
-/// Calls `body(first, last)` once for each chunk of [0, count) with `chunk` items (the last one shorter).
-/// `threads` = 0 takes all the machine has, or as set_default_threads sets; 1 runs in the calling thread,
-/// in order, as do chunks of a chunk. Where the system lets no more threads begin, those that run do all of
-/// the work. Requires chunk > 0. An exception of `body` reaches the caller after the other chunks have
-/// stopped.
+/// Calls `body(first, last)` once for each chunk of [0, count) with `chunk` items (the last one shorter). With
+/// `threads` = 0 it takes all the machine has, or as set_default_threads sets. With `threads` = 1 it runs in the
+/// calling thread, in order; so do chunks of a chunk. Where the system lets no more threads begin, those that run do
+/// all of the work. Requires chunk > 0. An exception of `body` reaches the caller after the other chunks have stopped.
 void for_each_chunk(std::size_t count, std::size_t chunk, unsigned threads,
                     const std::function<void(std::size_t, std::size_t)>& body);
 

@@ -13,9 +13,8 @@ struct Range {
   char32_t first, last;
 };
 
-// Characters that are invisible or change the direction of text (Unicode 15: Cc, Cf
-// without the signs of numbers, Zl, Zp, Default_Ignorable_Code_Point without variation selectors,
-// noncharacters of the first plane).
+// Characters that are invisible or change the direction of text. In Unicode 15 these are Cc, Cf without the signs of
+// numbers, Zl, Zp, Default_Ignorable_Code_Point without variation selectors, and noncharacters of the first plane.
 constexpr std::array<Range, 20> kUnseen = {
     {{0x00, 0x1F},     {0x7F, 0x9F},     {0xAD, 0xAD},       {0x34F, 0x34F},     {0x61C, 0x61C},
      {0x115F, 0x1160}, {0x17B4, 0x17B5}, {0x180B, 0x180F},   {0x200B, 0x200F},   {0x2028, 0x202E},

@@ -5,23 +5,24 @@
 #include <string>
 #include <string_view>
 
-// Text from outside (names of files, tools and operations, words of a toolpath) on its way to a terminal.
-// A caller that puts such a name into a line of text passes it, or the whole line, through printable() once; data
-// (JSON, CSV, toolpaths) is never passed through it.
+// Text from outside (names of files, tools and operations, words of a toolpath) on its way to a terminal. A caller that
+// puts such a name into a line of text passes it, or the whole line, through printable() once. Data (JSON, CSV,
+// toolpaths) never passes through it.
 
 namespace gouge {
 
-/// `text` as one line that shows what is in it: every character a terminal would obey or hide is written as
-/// an escape. These are the controls (C0, DEL, C1: \n, \t, \x1b, \u009b), bytes that are not UTF-8 (\xff),
-/// line separators, marks of direction, characters without width, fillers and tags (\u202e, \U000e0041). The
-/// result is UTF-8 and printable(printable(text)) == printable(text): a backslash stays one.
+/// Returns `text` as one line that shows every character in it. A character that a terminal would obey or hide is
+/// written as an escape.
+/// (1) The controls (C0, DEL, C1: \n, \t, \x1b, \u009b), and bytes that are not UTF-8 (\xff).
+/// (2) Line separators, marks of direction, characters without width, fillers and tags (\u202e, \U000e0041).
+/// The result is UTF-8 and printable(printable(text)) == printable(text): a backslash stays one.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// Columns a terminal gives to a printable text: combining marks take none, Chinese and Japanese characters
 /// two. The same in every locale.
 [[nodiscard]] std::size_t display_width(std::string_view text);
 
-/// printable(text), followed by blanks up to `width` columns. Wider text stays as it is.
+/// Returns printable(text), followed by blanks up to `width` columns. Wider text stays as it is.
 [[nodiscard]] std::string padded(std::string_view text, std::size_t width);
 
 struct CodePoint {
@@ -29,7 +30,7 @@ struct CodePoint {
   std::size_t bytes = 1;  ///< how many of the text it takes
 };
 
-/// The code point whose well-formed sequence begins at `at` (RFC 3629: no overlong forms, no surrogates,
+/// Returns the code point whose well-formed sequence begins at `at` (RFC 3629: no overlong forms, no surrogates,
 /// nothing above U+10FFFF); nothing where there is none. Requires at < text.size().
 [[nodiscard]] std::optional<CodePoint> decode_utf8(std::string_view text, std::size_t at);
 

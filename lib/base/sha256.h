@@ -13,7 +13,7 @@ class Sha256 {
   Sha256();
   ~Sha256();
   void add(std::string_view bytes);
-  /// 64 hexadecimal digits of all that was added; nothing may be added after it.
+  /// Returns 64 hexadecimal digits of all that was added; nothing may be added after it.
   [[nodiscard]] std::string finish();
 
  private:

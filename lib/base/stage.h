@@ -10,12 +10,12 @@
 
 namespace gouge {
 
-/// One stage of long work that is not a loop over chunks alone: counts what is done and reports it a thousand times at
-/// the most. No cost without a progress callback.
+/// One stage of long work that is not a loop over chunks alone. It counts what is done and reports it a thousand times
+/// at the most. No cost without a progress callback.
 class Stage {
  public:
-  /// `items` is what is counted for the reader, all of them done when `work` is, in any unit: where each item is gone
-  /// through six times it is six times as much. Reports that nothing is done. The call must outlive it.
+  /// `items` is the count that the reader sees; all are done when `work` is done. The unit of `work` may be any: where
+  /// each item is processed six times, it is six times `items`. Reports that nothing is done. The call must outlive it.
   Stage(const ProgressCall& progress, std::string_view name, std::size_t items, std::size_t work);
   Stage(const ProgressCall& progress, std::string_view name, std::size_t items) : Stage(progress, name, items, items) {}
 

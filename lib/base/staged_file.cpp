@@ -42,7 +42,7 @@ bool write_all(int handle, std::string_view bytes) {
   return true;
 }
 
-// Some file systems cannot, and state so; what they took is then as safe as they make it.
+// Some file systems cannot, and report that. Their data is then as safe as they make it.
 bool synchronise(int handle) { return ::fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS; }
 
 Outcome write_at_position(const std::string& path, std::string_view bytes) {

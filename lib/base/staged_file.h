@@ -14,17 +14,17 @@ namespace gouge {
 /// exist. Errors: file-unwritable where the links go in a circle.
 [[nodiscard]] Result<std::string> follow_links(const std::string& path);
 
-/// Returns why a new file cannot take the place of the one at `path`, which exists, with its owner, group and mode:
-/// it is write-protected, or belongs to somebody a file cannot be given to. None where it can, as far as is
-/// known before.
+/// Returns why a new file cannot take the place of the existing one at `path`, with its owner, group and mode. Reasons:
+/// it is write-protected, or belongs to a user to whom a file cannot be given. None where it can, as far as is known
+/// beforehand.
 [[nodiscard]] std::optional<std::string> why_not_replaceable(const std::string& path);
 
-/// The whole new content of a file, written and synchronised to the disk but not yet in its place: commit()
-/// puts it there with one rename, so that readers see the old file or the new one. A symbolic link is
-/// followed and stays. A file that is replaced hands on its owner, group and mode; its other hard links keep
-/// the old content. What is not committed leaves nothing behind, on most file systems not even when the
-/// process is killed: until commit() the content has no name. Where a kill did leave a name, the next
-/// StagedFile in that folder removes it. Devices and pipes (/dev/null, a FIFO) are written directly, by commit().
+/// The whole new content of a file, written and synchronised to the disk but not yet in its place. A call of commit()
+/// puts it there with one rename, so that readers see the old file or the new one. A symbolic link is followed and
+/// stays. A file that is replaced hands on its owner, group and mode; its other hard links keep the old content.
+/// Content that is not committed leaves nothing behind. On most file systems this holds even when the process is
+/// killed: until commit() the content has no name. Where a kill did leave a name, the next StagedFile in that folder
+/// removes it. Devices and pipes (/dev/null, a FIFO) are written directly, by commit().
 class StagedFile {
  public:
   /// `prefix` begins the name it has beside `path` for the moment where one is needed. Errors:
@@ -39,7 +39,7 @@ class StagedFile {
   StagedFile& operator=(StagedFile&&) = delete;
   ~StagedFile();
 
-  /// To be called once. Errors: file-unwritable; what stood at `path` is then as it was.
+  /// Puts the file in its place; to be called once. Errors: file-unwritable; the old file at `path` is then as it was.
   [[nodiscard]] Outcome commit();
 
  private:
@@ -60,14 +60,14 @@ class StagedFile {
 /// Number of letters random_name adds to its prefix.
 inline constexpr int kRandomLetters = 12;
 
-/// `prefix` and kRandomLetters of 0 to 9 and a to v.
+/// Returns `prefix` and kRandomLetters of 0 to 9 and a to v.
 [[nodiscard]] std::string random_name(const std::string& prefix);
 
 /// Locks the file of `handle` as long as it is open, so that no other process takes it for abandoned.
 void keep_from_removal(int handle);
 
-/// Removes from `folder` the files named by random_name(prefix) that belong to this user and that no process keeps
-/// from removal: those of a program that was killed. What cannot be identified or removed stays.
+/// Removes from `folder` the files of a program that was killed. These are named by random_name(prefix) and belong to
+/// this user, and no process keeps them from removal. A file that cannot be identified or removed stays.
 /// Cost     O(entries of the folder).
 void remove_abandoned(const std::string& folder, const std::string& prefix);
 

@@ -4,8 +4,8 @@
 
 namespace gouge {
 
-/// A name that a file has for a moment, until it is in its place: removed by the destructor, and when a signal ends the
-/// program (remove_temporary_names). At most 64 at once are known to signals.
+/// A name that a file has for a moment, until it is in its place. The destructor removes it, and so does a signal that
+/// ends the program (remove_temporary_names). At most 64 at once are known to signals.
 class TemporaryName {
  public:
   TemporaryName() = default;

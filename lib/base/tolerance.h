@@ -9,8 +9,8 @@ namespace gouge {
 struct Tolerance {
   // Rounding of doubles.
 
-  /// For lengths, mm: coordinates reach 1e5 mm (lib/check/reach.h), so one addition rounds by 1.1e-11 mm at most, and
-  /// what is compared has fewer than 50 of them.
+  /// For lengths, mm. Coordinates reach 1e5 mm (lib/check/reach.h), so one addition rounds by 1.1e-11 mm at most.
+  /// Numbers that are compared result from fewer than 50 additions.
   static constexpr double kRounding_mm = 1e-9;
   /// Points that were computed in two ways are one, mm. As above; no tool, part or position has details this small.
   static constexpr double kSamePoint_mm = 1e-9;
@@ -19,8 +19,8 @@ struct Tolerance {
   static constexpr double kSameDirection = 1e-9;
   /// For a quantity computed in two ways, relative to it, as a long sum or by an iteration.
   static constexpr double kRounding = 1e-9;
-  /// For nested constructions (offsets, intersections, unions), relative to the size of the whole: each loses
-  /// at most 1e3 u / sine of the angle it depends on, and no angle is below 1e-3.
+  /// For nested constructions (offsets, intersections, unions), relative to the size of the whole. Each construction
+  /// loses at most 1e3 u / sine of the angle that it depends on. No angle is below 1e-3.
   static constexpr double kConstruction = 1e-10;
   /// For fewer than 1,000 operations, relative to their operands.
   static constexpr double kFewRoundings = 1e-12;
@@ -53,7 +53,7 @@ struct Tolerance {
   static constexpr double kFilePoint_mm = 1e-3;
   /// Tool axes in files have five decimals or more.
   static constexpr double kFileAxis = 1e-5;
-  /// A vector in a file that is longer or shorter than 1 by more is no unit vector.
+  /// A vector in a file that is longer or shorter than 1 by more is not a unit vector.
   static constexpr double kUnitVectorError = 1e-3;
   /// Corrections are computed to this, mm: less than one digit of a file with three decimals, in both its ends.
   static constexpr double kCorrection_mm = 2e-4;

@@ -39,7 +39,7 @@ inline constexpr std::array<UnitFacts, 5> kUnits{{{LengthUnit::um, "um", "um", 0
 
 [[nodiscard]] constexpr double mm_per(LengthUnit unit) { return facts_of(unit).mm; }
 [[nodiscard]] constexpr const char* unit_name(LengthUnit unit) { return facts_of(unit).name; }
-/// The unit of that name on a command line; none for other words.
+/// Returns the unit of that name on a command line; none for other words.
 [[nodiscard]] constexpr std::optional<LengthUnit> unit_called(std::string_view option) {
   for (const UnitFacts& facts : kUnits) {
     if (facts.option == option) return facts.unit;

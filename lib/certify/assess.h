@@ -26,7 +26,7 @@ struct SetupBasis {
 /// Returns whether an STL file bounds a solid, as an assumption. `name` is the file as the user named it.
 [[nodiscard]] Assumption assume_solid(const std::string& name, const MeshFindings& findings);
 
-/// Completes a result: what its verdict rests on, the closest approach and the fit of path and part.
+/// Completes a result: the facts on which its verdict rests, the closest approach and the fit of path and part.
 ///
 /// Requires verdicts on every move. Ensures  the same result at any number of threads.
 /// Cost     That of measure_closest_approach and find_path_fit: a search at some 450 positions, more where much gouges.

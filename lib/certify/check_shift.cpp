@@ -50,7 +50,7 @@ class ShiftCheck {
   }
 
  private:
-  // The search that heads take does not close the depth of a long motion to the resolution.
+  // The search for heads does not close the depth of a long motion to the resolution.
   [[nodiscard]] ShiftHazard of_heads(double depth_mm) const {
     if (!checker_.heads_) return ShiftHazard::none;
     CheckOptions options = checker_.options();
@@ -68,8 +68,8 @@ class ShiftCheck {
     return checker_.side_of(pose, tool_) == Side::inside ? ShiftHazard::into_solid : ShiftHazard::none;
   }
 
-  /// "Never buried" along a shift: stretch by stretch, either a surface stays inside the tool, which is then not buried
-  /// but a gouge, or none reaches the middle of the cutter, which then stays on one side.
+  /// Proves "never buried" along a shift, stretch by stretch. Either a surface stays inside the tool, which is then not
+  /// buried but a gouge. Or none reaches the middle of the cutter, which then stays on one side.
   [[nodiscard]] ShiftHazard of_sides(double t0, double t1) const {
     const double half = 0.5 * (t1 - t0) * length_, t = 0.5 * (t0 + t1);
     const Pose middle{from_.tip + t * (to_.tip - from_.tip), from_.axis};

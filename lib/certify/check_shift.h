@@ -13,9 +13,10 @@ enum class ShiftHazard {
 };
 
 /// Requires equal axes.
-/// Ensures  none: the depth is at no instant of the shift more than at its start (to twice the resolution, of a head to
-///          2 % of it), and the tool is at no instant inside a solid without a surface inside it, as far as the meshes
-///          can show: so no shift leads through a wall or on into the material. Proof: docs/method/correction.md.
+/// Ensures  With `none` the depth at each instant of the shift is at most that at its start. This holds to twice the
+///          resolution, and for a head to 2 % of its depth. At no instant is the tool inside a solid without a surface
+///          inside the tool, as far as the meshes can show. So no shift leads through a wall or on into the material.
+///          Proof: docs/method/correction.md.
 [[nodiscard]] ShiftHazard check_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolVariants& tool,
                                       const MotionChecker& checker);
 

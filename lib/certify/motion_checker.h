@@ -27,34 +27,37 @@ class WorkBudget {
 
 class HeadChecker;
 
-/// All that a single motion is checked for, at once: cutter, shank and holder against parts and fixtures, the
-/// bodies that move with the tool, and whether tool or head lies inside a solid. No step of a correction checks less.
+/// Every check of a single motion, at once. It covers cutter, shank, holder and the bodies that move with the tool,
+/// against parts and fixtures. It also decides whether tool or head lies inside a solid. No step of a correction checks
+/// less.
 ///
-/// It examines one motion, not at the path that leads to it: where only that path can show inside from outside (an open
-/// mesh), a motion that meets no surface passes here, and the check of the whole written path decides.
+/// It examines one motion, not the path that leads to it. With an open mesh only that path can show inside from
+/// outside. There a motion that meets no surface passes here, and the check of the whole written path decides.
 class MotionChecker {
  public:
   /// The objects that `setup` refers to must outlive it.
   explicit MotionChecker(const CheckSetup& setup);
   ~MotionChecker();
 
-  /// The same checker for one step of a correction: what it does is charged to `budget`, which must outlive it. Once that
-  /// is spent nothing is certified any more: check and measure give not_certified, head_excess gives infinity.
+  /// Returns the same checker for one step of a correction. Its work is charged to `budget`, which must outlive it.
+  /// Once the budget is spent nothing more is certified: check and measure give not_certified, head_excess gives
+  /// infinity.
   [[nodiscard]] MotionChecker within(WorkBudget& budget) const;
   [[nodiscard]] bool is_out_of_budget() const { return budget_ != nullptr && budget_->is_spent(); }
   /// For bounds that a step computes elsewhere.
   void charge(std::uint64_t bounds) const;
 
-  /// Requires motion.is_defined(). `is_start_outside`: the caller knows it, which saves asking.
+  /// Requires motion.is_defined(). The flag `is_start_outside` is set where the caller knows that, which saves a test.
   [[nodiscard]] MoveVerdict check(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                                   const CheckOptions& options, bool is_start_outside = false) const;
   [[nodiscard]] bool is_clean(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                               const CheckOptions& options, bool is_start_outside = false) const;
 
-  /// As deep as it is, not only whether that is too deep: tolerance 0. It does not test whether the tool is inside a solid.
+  /// Measures the true depth, with tolerance 0. Does not test whether the tool is inside a solid.
   [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;
 
-  /// Returns how much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are none.
+  /// Returns how much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are
+  /// none.
   [[nodiscard]] double head_excess(const Pose& pose, double allowed_mm, double accuracy_mm) const;
 
   /// Returns where the middle of the cutter is.
@@ -66,7 +69,7 @@ class MotionChecker {
  private:
   friend class ShiftCheck;
 
-  /// check_move, charged to the budget and within what is left of it.
+  /// Does check_move, charged to the budget and within its rest.
   [[nodiscard]] MoveVerdict check_tool(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                                        const CheckOptions& options) const;
 

@@ -13,13 +13,14 @@
 
 namespace gouge {
 
-/// Returns text where no part comes as near to the box of the path's tips as a tool can reach. `tool_mm` is the longest
-/// distance from a tip to a point of a tool.
+/// Returns text where every part is farther from the box of the path's tips than a tool can reach. The length `tool_mm`
+/// is the longest distance from a tip to a point of a tool.
 [[nodiscard]] std::optional<std::string> find_gap(const Toolpath& path, const Scene& scene, double tool_mm);
 
-/// Returns text where all parts together are many times smaller than what the path cuts, or many times larger while
-/// most cuts gouge or are buried. It names each unit of STL files with which the sizes would agree; of larger parts
-/// only where there is one. `unit` is the one in which they were read.
+/// Returns text where all parts together are many times smaller than the region that the path cuts. Also where they are
+/// many times larger, while most cuts gouge or are buried. The text names each unit of STL files with which the sizes
+/// would agree; for larger parts only where there is one such unit. The argument `unit` is the one in which they were
+/// read.
 [[nodiscard]] std::optional<std::string> find_other_size(const Toolpath& path, const Scene& scene,
                                                          const MoveVerdicts& verdicts, LengthUnit unit);
 
@@ -29,7 +30,7 @@ namespace gouge {
 /// Returns text where the path plainly does not fit the part (find_path_fit), with the usual mistake that explains it.
 [[nodiscard]] std::optional<std::string> describe_misfit(const Toolpath& path, const PathFit& fit);
 
-/// True where the whole path is wrong, so that correcting its positions is of no use.
+/// Returns true where the whole path is wrong, so that correcting its positions is of no use.
 [[nodiscard]] bool is_beyond_correction(const PathFit& fit);
 
 }  // namespace gouge

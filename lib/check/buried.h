@@ -9,16 +9,17 @@
 
 namespace gouge {
 
-/// Returns whether a thin feature is why a move is not certified: its depth is known, so it may still prove to be buried.
+/// Returns whether a thin feature is why a move is not certified: its depth is known, so it may still prove to be
+/// buried.
 [[nodiscard]] bool is_thin_feature(const MoveVerdict& verdict);
 
 /// Turns moves that are clean or near although the tool is inside a solid, or may be, into buried and not certified.
 ///
-/// While nothing of the surface comes as deep into the tool as some points of it lie, those points cannot pass from
-/// outside to inside; nor can a move's last point and the next one's first differ. So each part of the tool that is
-/// connected at that depth is on one side during a whole chain of moves, which ends only at moves without a proof, and
-/// is tested once for all of it. A move stays clean only if every body of its tool has such a point and all of them are
-/// proved outside. Proof: docs/method/inside_outside.md.
+/// Take points of the tool that lie deeper in it than any surface comes. They cannot pass from outside to inside during
+/// a move, and the last instant of a move is the first one of the next. So each part of the tool that is connected at
+/// that depth is on one side during a whole chain of moves. It is tested once for the chain, which ends only at moves
+/// without a proof. A move stays clean only if every body of its tool has such a point and all of them are proved
+/// outside. Proof: docs/method/inside_outside.md.
 ///
 /// Cost     O(moves), and for each chain that never leaves the surfaces' box O(triangles).
 void mark_buried(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,

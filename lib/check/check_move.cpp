@@ -196,7 +196,7 @@ class MoveChecker {
     const CompiledTool& whole_form = limit.of_mesh == nullptr ? tool_.*rule_of(target.against).form : *target.tool;
     const double depth = target.reach_mm - signed_distance_mm(whole_form, position.r, position.z);
     verdict_.reason = {reason_of(limit), target.tool->elements[at.element].body, entered.value_mm};
-    // A point that is deeper elsewhere, within the tolerance there, is no evidence against a mesh.
+    // A point that is deeper elsewhere, within the tolerance there, is not evidence against a mesh.
     const bool is_evidence = limit.of_mesh != nullptr || verdict_.depth_upper_mm - depth <= options_.resolution_mm;
     if (!(depth > 0) || !is_evidence) return;
     verdict_.depth_mm = depth;
@@ -209,8 +209,8 @@ class MoveChecker {
                                            : Reason::Kind::mesh_tolerance_exceeded;
   }
 
-  // Within the tolerance a blade or a point may still reach far into a solid: where a tool has such,
-  // less depth must be proved (docs/method/inside_outside.md, section 4).
+  // Within the tolerance a blade or a point may still reach far into a solid. For a tool with one, less depth must be
+  // proved (docs/method/inside_outside.md, section 4).
   void check_reach() {
     const CertifiedDepth sure = certified_depth(tool_, scene_, options_);
     if (verdict_.depth_upper_mm <= sure.depth_mm) return;
@@ -276,7 +276,7 @@ class MoveChecker {
   std::uint64_t bounds_ = 0;
 };
 
-// Why the motion cannot be checked in this scene with these options; none where it can.
+// Returns why the motion cannot be checked in this scene with these options; none where it can.
 Reason::Kind why_not(const Motion& motion, const ToolVariants& tool, const PreparedScene& scene,
                      const CheckOptions& options) {
   if (!scene.is_within_reach) return Reason::Kind::out_of_reach;

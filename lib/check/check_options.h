@@ -27,8 +27,8 @@ struct CheckOptions {
 /// The least resolution of a depth that may be requested, beyond which the search would work on rounding alone.
 inline constexpr double kFinestResolution_mm = 1e-6;
 
-/// Returns how deep a surface may be in a tool without that the tool reaches farther into the solid than kReachPerDepth times
-/// tolerance + resolution.
+/// Returns how deep a surface may be in a tool without that the tool reaches farther into the solid than kReachPerDepth
+/// times tolerance + resolution.
 [[nodiscard]] inline CertifiedDepth certified_depth(const ToolVariants& tool, const PreparedScene& scene,
                                                     const CheckOptions& options) {
   std::vector<ToolVariants::CertifiedForm> forms;

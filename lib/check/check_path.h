@@ -13,15 +13,14 @@ namespace gouge {
 
 /// Checks the tools of a toolpath along every move: its share of a verdict (lib/certify has the whole).
 ///
-/// Shape    `tools[k]` belongs to toolpath.tools[k]; null or missing: that tool has no definition, its moves are
-///          not checked.
-/// Ensures  (1) one verdict a move, in order, and nothing else but the bounds spent. A move whose start or curve the
-///          path does not hold (one cut out of another path) is not checked.
-///          (2) the same result, bit for bit, at any number of threads.
-///          (3) a move is clean only if every body of the tool is proved outside of all solids during it, and
-///              buried only if one is proved inside; else it is not certified (buried.h).
-///          (4) the same result where stretches of it come from `kept`, which may be null.
-/// Source   design of docs/method/guarantee.md; docs/method/certified_sweep.md.
+/// Shape    `tools[k]` belongs to toolpath.tools[k]. Where it is null or missing, that tool has no definition and its
+///          moves are not checked.
+/// Ensures  (1) One verdict a move, in order, and nothing else but the bounds spent. A move is not checked where the
+///          path does not hold its start or curve (a move cut out of another path). (2) The same result, bit for bit,
+///          at any number of threads. (3) A move is clean only if every body of the tool is proved outside of all
+///          solids during it. It is buried only if one is proved inside; else it is not certified (buried.h). (4) The
+///          same result where stretches of it come from `kept`, which may be null.
+/// Source   Design of docs/method/guarantee.md; docs/method/certified_sweep.md.
 [[nodiscard]] CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                      const PreparedScene& scene, const CheckOptions& options,
                                      const ProgressCall& progress = {}, CheckpointStore* kept = nullptr);

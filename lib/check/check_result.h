@@ -23,7 +23,7 @@ struct CheckResult {
   double worst_overcut_mm = 0;                      ///< largest overcut of a gouge; 0 where none was measured
   double largest_gap_mm = 0;                        ///< largest depth_upper - depth over gouging moves
   std::uint64_t evaluations = 0;                    ///< bounds computed; the same on every run
-  Assumptions assumptions;                          ///< what the verdict rests on; empty where only moves were checked
+  Assumptions assumptions;                          ///< on which the verdict rests; empty where only moves were checked
   std::optional<ClosestApproach> closest_approach;  ///< none: not measured, or nothing to measure
   PathFit fit;                                      ///< fits where it was not requested
 };
@@ -31,7 +31,7 @@ struct CheckResult {
 /// Fills the events, the counts and the worst move of a result from its verdicts, anew.
 ///
 /// Neighbouring moves of one state, tool, operation, body and counterpart are one event, in path order; buried ones
-/// only with the same reason. Clean and not-checked moves make none.
+/// only with the same reason. Clean and not-checked moves are not in events.
 void summarise(const Toolpath& toolpath, CheckResult& result);
 
 }  // namespace gouge

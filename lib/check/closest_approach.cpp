@@ -27,8 +27,8 @@ std::uint64_t mixed(std::uint64_t k) {
   return k ^ (k >> 31U);
 }
 
-// Picks one of `count` cuts out of each equal share, by hash: paths repeat a pattern over and over, and equal steps would
-// meet the same point of it every time.
+// Picks one of `count` cuts out of each equal share, by hash. Paths repeat a pattern over and over, and equal steps
+// would meet the same point of it every time.
 std::vector<std::size_t> spread(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                 std::size_t count) {
   const std::size_t wanted = std::min(count, kMaxPositions);

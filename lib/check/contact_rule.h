@@ -7,8 +7,8 @@
 #include "lib/check/scene.h"
 #include "lib/tool/tool_variants.h"
 
-// The contact table: what of a tool may touch which obstacle. All that examines a scene follows it; nothing else names
-// the kinds of obstacles.
+// The contact table, which states the parts of a tool that may touch an obstacle. All that examines a scene follows it;
+// nothing else names the kinds of obstacles.
 
 namespace gouge {
 
@@ -19,8 +19,8 @@ using ToolForm = CompiledTool ToolVariants::*;
 struct ContactRule {
   Against against;
   const char* name;                                 ///< of messages and results
-  ToolForm form;                                    ///< what may be entered no deeper than the tolerance
-  ToolForm form_beside_cuts;                        ///< what must keep the near-miss distance while the tool cuts
+  ToolForm form;                                    ///< the obstacle enters it at most by the tolerance
+  ToolForm form_beside_cuts;                        ///< keeps the near-miss distance while the tool cuts
   CertifiedDepths ToolVariants::*certified_depths;  ///< of `form`
   bool is_workpiece;  ///< the cutter makes its surface: positions fit it, contact with it is wanted
 };
@@ -44,12 +44,12 @@ struct ObstacleMeshes {
   const std::vector<IndexedMesh>& meshes;
 };
 
-/// One for each row of the table, in its order. The scene must outlive it.
+/// Returns one entry for each row of the table, in its order. The scene must outlive it.
 [[nodiscard]] inline std::vector<ObstacleMeshes> obstacles_of(const Scene& scene) {
   return {{kContactRules[0], scene.parts}, {kContactRules[1], scene.fixtures}};
 }
 
-/// The obstacle of each mesh, counted through all obstacles.
+/// Returns the obstacle of each mesh, counted through all obstacles.
 [[nodiscard]] inline std::vector<Against> obstacle_of_meshes(const Scene& scene) {
   std::vector<Against> all;
   for (const ObstacleMeshes& obstacle : obstacles_of(scene))
@@ -57,7 +57,7 @@ struct ObstacleMeshes {
   return all;
 }
 
-/// The clearance of each mesh, counted through all obstacles; 0: none.
+/// Returns the clearance of each mesh, counted through all obstacles; 0: none.
 [[nodiscard]] inline std::vector<double> clearance_of_meshes(const Scene& scene) {
   std::vector<double> all;
   for (const ObstacleMeshes& obstacle : obstacles_of(scene)) {
@@ -69,10 +69,10 @@ struct ObstacleMeshes {
   return all;
 }
 
-/// The meshes whose surface the cutter makes.
+/// Returns the meshes whose surface the cutter makes.
 [[nodiscard]] inline const std::vector<IndexedMesh>& workpiece_of(const Scene& scene) { return scene.parts; }
 
-/// A scene of a workpiece alone.
+/// Returns a scene of a workpiece alone.
 [[nodiscard]] inline Scene scene_of_workpiece(std::vector<IndexedMesh> meshes) { return {std::move(meshes), {}}; }
 
 }  // namespace gouge

@@ -18,8 +18,8 @@ double end_limit(const CompiledTool& tool, double z_lo, double z_hi, double reac
   return std::max(0.0, reach + std::min(z_hi - tool.z_min_mm, tool.z_max_mm - z_lo));
 }
 
-// The hull lies on the far side of the line through its closest corner square to that corner's direction, if
-// all corners do; otherwise it may reach the axis.
+// The hull lies on the far side of the line through its closest corner square to that corner's direction, if all
+// corners do. Otherwise it may reach the axis.
 double smallest_r(const Hull& hull) {
   std::size_t closest = 0;
   for (std::size_t i = 1; i < kCorners; ++i) {
@@ -93,8 +93,8 @@ class PieceBounder {
     bound.upper_mm = std::min(bound.upper_mm, std::max(0.0, reach_mm_ + depth_mm));
   }
 
-  // A hull about the tool axis falls behind every plane on one side and comes before it on the other; with
-  // its mirror image in the axis the plane bounds both sides.
+  // A hull about the tool axis falls behind every plane on one side and comes before it on the other. With its mirror
+  // image in the axis the plane bounds both sides.
   [[nodiscard]] bool is_about_axis() const {
     return center_.head<2>().squaredNorm() <= (radius_ + bulge_) * (radius_ + bulge_);
   }
@@ -123,8 +123,8 @@ class PieceBounder {
     return is_valid ? result : around(plane.foot);
   }
 
-  // Where no plane supports the tool, at reflex corners, nothing is deeper than its distance from the
-  // boundary point itself; a distance is convex, so over the hull it is largest at a corner.
+  // Where no plane supports the tool, at reflex corners, a point is at most as deep as its distance from the boundary
+  // point itself. A distance is convex, so over the hull it is largest at a corner.
   [[nodiscard]] HullLimit around(const Vec3& foot) const {
     HullLimit result;
     result.largest_mm = -1e300;
@@ -216,8 +216,8 @@ class PieceBounder {
     bound.is_at_end = corner >= 3;
   }
 
-  // Which of the two makes the plane bound slack: how much it varies along the chords or across the piece;
-  // plain lengths count a little, for tools that curve away, and the bulge belongs to time alone.
+  // Returns which of the two makes the plane bound slack: its variation along the chords or across the piece. Plain
+  // lengths count a little, for tools that curve away. The bulge belongs to time alone.
   bool is_time_worse(const HullLimit& plane) const {
     double along = 0, across = 0, chord = 0, edge = 0;
     for (std::size_t k = 0; k < 3; ++k) {

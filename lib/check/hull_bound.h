@@ -5,9 +5,9 @@
 #include "lib/check/support_plane.h"
 #include "lib/motion/tool_interval.h"
 
-// Upper bounds of (reach - signed distance) over a part of the surface during a time interval. In tool
-// coordinates every surface point runs within `bulge` of a straight chord, so surface and motion together lie
-// in the convex hull of two placements of the surface. Proofs: docs/method/certified_sweep.md.
+// Upper bounds of (reach - signed distance) over a part of the surface during a time interval. In tool coordinates
+// every surface point runs within `bulge` of a straight chord. So surface and motion together lie in the convex hull of
+// two placements of the surface. Proofs: docs/method/certified_sweep.md.
 
 namespace gouge {
 
@@ -19,7 +19,7 @@ struct PieceBound {
   bool is_time_next = false;  ///< halving the time lowers the bound more than halving the piece
 };
 
-/// Over the triangle `piece`. With reach > 0 the bound is max(0, ...), exact only up to the reach. Work stops as
+/// Bounds over the triangle `piece`. With reach > 0 the bound is max(0, ...), exact only up to the reach. Work stops as
 /// soon as the bound is at most `cutoff_mm`.
 [[nodiscard]] PieceBound bound_piece(const CompiledTool& tool, const std::array<Vec3, 3>& piece,
                                      const ToolInterval& interval, double reach_mm, double cutoff_mm);

@@ -39,8 +39,8 @@ struct Sample {
 
 enum class Contact { apart, touching, gouging };
 
-/// Returns whether a verdict is about the cutter in the part. Of a move where something else is deeper, or a head is buried, it
-/// does not show how deep the cutter is.
+/// Returns whether a verdict is about the cutter in the part. Of a move where something else is deeper, or a head is
+/// buried, it does not show how deep the cutter is.
 bool is_of_cutter(const MoveVerdict& verdict) {
   if (verdict.state == MoveState::buried) return verdict.reason.body != Body::head;
   return !verdict.witness || (verdict.witness->body == Body::cutter && rule_of(verdict.witness->against).is_workpiece);

@@ -36,23 +36,22 @@ struct PathFit {
   std::optional<Explanation> explanation;
 };
 
-/// A tool touches the part where its surface is within this of the part's: a twentieth of the cutter's
-/// radius, 0.02 mm to 0.5 mm. It allows for tessellation and for what is left to finish, not for a wrong
-/// position.
+/// Returns the distance within which the surface of a tool touches the part's: a twentieth of the cutter's radius, 0.02
+/// mm to 0.5 mm. It allows for tessellation and for stock left to finish, not for a wrong position.
 [[nodiscard]] double touch_mm(const ToolVariants& tool);
 
-/// Shape    as check_path, with the verdicts it gave.
-/// Ensures  (1) fits, where fewer than 10 positions cut, however deep: a position is too little to judge by.
-///          (2) too_deep only if also more than half of the operations are, each by most of its positions, so
-///          that one bad operation is none; mistaken never by a shift along the tool axis of less than half
-///          the cutter's radius, nor where the path gouges by less than touch_mm: a uniform shallow undercut
-///          fits. (3) an explanation changes the path, leaves three quarters of the positions it is tried at
-///          touching the part with the tool outside, and at most a tenth gouging; it is the one with which
-///          most touch. It takes 20 positions that the mistake changes, and of a unit a path whose size fits
-///          the part's better then. (4) the same result at any number of threads.
-/// Cost     32 searches where little gouges; else some 27 mistakes, tried at 16 to 128 positions, spread by the golden
-///          ratio so that they do not fall into step with passes: 0.1 s to 0.3 s, whatever the path's length, and twice
-///          the trees of the part where its size is in doubt.
+/// Shape    As check_path, with the verdicts it gave.
+/// Ensures  (1) `fits` where fewer than 10 positions cut, however deep: so few do not suffice to judge. (2) `too_deep`
+///          only if more than half of the operations are too deep as well, each at most of its positions. So one bad
+///          operation alone is not `too_deep`. (3) Never `mistaken` by a shift along the tool axis of less than half
+///          the cutter's radius. Nor is it `mistaken` where the path gouges by less than touch_mm: a uniform shallow
+///          undercut fits. (4) An explanation changes the path. With it at least three quarters of the tried positions
+///          touch the part with the tool outside, and at most a tenth gouge. It is the explanation with which most
+///          touch. It needs 20 positions that the mistake changes. For a mistaken unit the size of the path must then
+///          fit the part better. (5) The same result at any number of threads.
+/// Cost     32 searches where little gouges. Else some 27 mistakes, each tried at 16 to 128 positions. These are spread
+///          by the golden ratio so that they do not fall into step with passes. 0.1 s to 0.3 s at any length of the
+///          path. Where the size of the part is in doubt, also twice the trees of the part.
 [[nodiscard]] PathFit find_path_fit(const Toolpath& toolpath, const MoveVerdicts& verdicts,
                                     const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
                                     unsigned threads);

@@ -27,8 +27,8 @@ struct LimitedMesh {
   const BlockTree* tree;  ///< of this mesh alone
 };
 
-/// The scene with each index of its meshes, built lazily, once, by any thread: the trees of the sweep at once, all else when first
-/// requested, from any thread.
+/// The scene with each index of its meshes. The trees of the sweep are built at once. Every other index is built when
+/// it is first requested, once, from any thread.
 class PreparedScene {
  public:
   /// Requires that the scene outlives it. `threads` as in for_each_chunk.
@@ -37,17 +37,17 @@ class PreparedScene {
   PreparedScene(const PreparedScene&) = delete;
   PreparedScene& operator=(const PreparedScene&) = delete;
 
-  /// In the order of the contact table.
+  /// Returns the obstacles in the order of the contact table.
   [[nodiscard]] std::span<const PreparedObstacle> obstacles() const { return obstacles_; }
   [[nodiscard]] const PreparedObstacle& obstacle(Against against) const {
     return obstacles_[static_cast<std::size_t>(against)];
   }
-  /// The one whose surface the cutter makes.
+  /// Returns the obstacle whose surface the cutter makes.
   [[nodiscard]] const PreparedObstacle& workpiece() const;
 
   [[nodiscard]] const BlockTree& workpiece_tree() const { return workpiece().tree; }
 
-  /// The meshes with limits of their own, in the order of Scene::limits.
+  /// Returns the meshes with limits of their own, in the order of Scene::limits.
   [[nodiscard]] std::span<const LimitedMesh> limited_meshes() const { return limited_; }
 
   /// Distances from a mesh. Its index is that of the sweep where the obstacle has no other mesh. Requires
@@ -56,10 +56,10 @@ class PreparedScene {
     return obstacle(against).surfaces[mesh];
   }
 
-  /// Every mesh of the workpiece is closed, oriented and outward. Cost of the first call O(n).
+  /// Returns whether every mesh of the workpiece is closed, oriented and outward. Cost of the first call O(n).
   [[nodiscard]] bool is_workpiece_solid() const;
 
-  /// Inside and outside of all obstacles.
+  /// Returns inside and outside of all obstacles.
   [[nodiscard]] const SceneSides& sides() const { return sides_; }
 
   const Scene* scene;

@@ -6,26 +6,27 @@
 #include "lib/motion/motion.h"
 #include "lib/tool/tool_variants.h"
 
-// Rejects inputs outside the range for which the bounds are proven, with the reason: numbers that come out all the
-// same would mean nothing, and a comparison with one that is no number reads as free.
+// Rejects inputs outside the range for which the bounds are proved, with the reason. Numbers computed beyond it would
+// mean nothing, and a comparison with one that is not a number would read as free.
 
 namespace gouge {
 
-/// Bounds are proven for coordinates up to here (docs/method/certified_sweep.md). What reaches farther is not
+/// Bounds are proved for coordinates up to here (docs/method/certified_sweep.md). A move that reaches farther is not
 /// checked, and reported as such.
 inline constexpr double kFarthest_mm = 1e5;
 
-/// A point of the motion or of its curve beyond kFarthest_mm or that is no number, or an axis that is no unit
-/// vector. None where the motion can be checked.
+/// Finds a point of the motion or of its curve that is beyond kFarthest_mm or not a number. Also finds an axis that is
+/// not a unit vector. None where the motion can be checked.
 [[nodiscard]] Reason::Kind why_unfit(const Motion& motion);
 
-/// A vertex beyond kFarthest_mm or that is no number. None where there is none.
+/// Finds a vertex that is beyond kFarthest_mm or not a number. None where all are fit.
 [[nodiscard]] Reason::Kind why_unfit(const Scene& scene);
 
-/// A part of a variant's contour beyond kFarthest_mm or that is no number. None where there is none. Cost: O(elements).
+/// Finds a part of a variant's contour that is beyond kFarthest_mm or not a number. None where all are fit. Cost:
+/// O(elements).
 [[nodiscard]] Reason::Kind why_unfit(const ToolVariants& tool);
 
-/// A length that is not finite, or a resolution that is not above 0. None where there is none.
+/// Finds a length that is not finite, or a resolution that is not above 0. None where all are fit.
 [[nodiscard]] Reason::Kind why_unfit(const CheckOptions& options);
 
 /// Returns whether the point is one that bounds are proven for.

@@ -48,7 +48,7 @@ struct Reason {
   }
 };
 
-/// The sentence for people; empty where there is no reason.
+/// Returns the sentence for people; empty where there is no reason.
 [[nodiscard]] std::string reason_text(const Reason& reason);
 
 }  // namespace gouge

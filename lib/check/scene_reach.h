@@ -14,8 +14,8 @@
 
 namespace gouge {
 
-/// No point of the scene is farther than this from any tip the path has, between positions too: the diagonal of
-/// the box of meshes and tips. 0 when there is nothing.
+/// Bounds the distance of any point of the scene from any tip of the path, also between positions. The bound is the
+/// diagonal of the box of meshes and tips. 0 when there is nothing.
 [[nodiscard]] double reach_mm(const Toolpath& path, const Scene& scene);
 
 /// All parts together beside a path.
@@ -29,15 +29,15 @@ struct PartsBesidePath {
   [[nodiscard]] bool is_far_larger() const { return times_smaller < 1 / kFarOff; }
 };
 
-/// Nothing where there is no part or no motion.
+/// Returns nothing where there is no part or no motion.
 [[nodiscard]] std::optional<PartsBesidePath> compare_parts(const Toolpath& path, const Scene& scene);
 
-/// The units that would make parts about as large as the path which are that many times smaller when read in
-/// `stl_unit`, the best first.
+/// Returns the units, the best first, that would make parts about as large as the path. The parts are that many times
+/// smaller when read in `stl_unit`.
 [[nodiscard]] std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit stl_unit);
 
-/// The error for a mesh with a vertex beyond kFarthest_mm (reach.h) or that is no number, or nothing. `body`, such as
-/// "part", and `advice`, what to examine, are words of the message. Code: mesh-too-far.
+/// Returns the error for a mesh with a vertex that is beyond kFarthest_mm (reach.h) or is not a number; else nothing.
+/// The words `body`, such as "part", and `advice`, on what to examine, are part of the message. Code: mesh-too-far.
 [[nodiscard]] std::optional<Diagnostic> find_too_far(const IndexedMesh& mesh, const std::string& body,
                                                      const std::string& advice);
 

@@ -26,19 +26,20 @@ class SceneSides {
   /// The scene must outlive it.
   explicit SceneSides(const Scene& scene);
 
-  /// Bit k: beyond all meshes of obstacle k.
+  /// Returns bits: bit k is set beyond all meshes of obstacle k.
   [[nodiscard]] std::uint8_t beyond(const Vec3& point) const;
   [[nodiscard]] std::uint8_t beyond_all() const { return static_cast<std::uint8_t>((1U << obstacles_.size()) - 1); }
 
-  /// Outside only when outside of all obstacles, inside when inside of one. `beyond`: what is known already.
+  /// Returns the side: outside only when outside of all obstacles, inside when inside of one. In `beyond` is the part
+  /// known already.
   [[nodiscard]] SideResult side_of(const ConnectedPoints& joined, std::uint8_t beyond = 0) const;
 
  private:
   std::deque<Enclosure> obstacles_;  // at most eight: one bit each
 };
 
-/// Points that moves keep free of all surfaces, numbered from 0, joined where one leads to the next: what holds of one
-/// holds of all that are joined with it, before it on the path as well as after.
+/// Points that moves keep free of all surfaces, numbered from 0 and joined where one leads to the next. A side proved
+/// for one holds for all that are joined with it, before it on the path as well as after.
 class FreeChains {
  public:
   FreeChains(const SceneSides& sides, std::size_t count) : sides_(sides), joins_(count), beyond_(count, 0) {}

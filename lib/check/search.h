@@ -10,10 +10,10 @@
 #include "lib/motion/motion.h"
 #include "lib/tool/compiled_tool.h"
 
-// The exact search of one move: best first (best_first_search.h) over (instant x triangle), every step with a proven
-// upper bound, every candidate a real point of a triangle at a real instant. It examines the triangles that the
-// wide sweep (sweep_filter.h) could not decide. Method and proofs: docs/method/certified_sweep.md. Goes beyond
-// thesis 2.4.18 (points at single poses).
+// The exact search of one move: best first (best_first_search.h) over (instant x triangle). Every step has a proved
+// upper bound, and every candidate is a real point of a triangle at a real instant. It examines the triangles that the
+// wide sweep (sweep_filter.h) could not decide. Method and proofs: docs/method/certified_sweep.md. Goes beyond thesis
+// 2.4.18 (points at single poses).
 
 namespace gouge {
 
@@ -26,12 +26,12 @@ struct SearchTarget {
   std::uint32_t first_mesh = 0;  ///< index within its obstacle of the first mesh of the tree
 };
 
-/// This form of a tool against all meshes of an obstacle. Both must outlive it.
+/// Returns this form of a tool against all meshes of an obstacle. Both must outlive it.
 [[nodiscard]] inline SearchTarget target_on(const CompiledTool& form, const PreparedObstacle& obstacle) {
   return {&form, &obstacle.tree, obstacle.rule.against};
 }
 
-/// This form of a tool against one mesh; a value above 0 is a distance below its clearance.
+/// Returns this form of a tool against one mesh; a value above 0 is a distance below its clearance.
 [[nodiscard]] inline SearchTarget target_on(const CompiledTool& form, const LimitedMesh& mesh) {
   return {&form, mesh.tree, mesh.limit.against, mesh.limit.clearance_mm, static_cast<std::uint32_t>(mesh.limit.mesh)};
 }
@@ -47,7 +47,7 @@ struct SearchSeed {
   std::uint32_t target = 0, triangle = 0;
 };
 
-/// Start of a search: what is known of the move before.
+/// Start of a search: the known bounds of the move.
 struct SearchStart {
   std::vector<SearchSeed> seeds;  ///< the triangles to examine; all others are pruned
   double certified_mm = 0;        ///< proven for the others: the value is no larger
@@ -71,11 +71,11 @@ struct SearchResult {
 /// Requires motion.is_defined(), resolution and gap > 0. Tools without elements are passed over.
 /// Ensures  value <= true value <= value_upper; when decided, value_upper <= tolerance + resolution, or <= value + gap
 ///          when the value is above the tolerance.
-/// Cost     a few hundred bounds for a clean move near the surface, no allocation that outlives the call.
+/// Cost     A few hundred bounds for a clean move near the surface, no allocation that outlives the call.
 [[nodiscard]] SearchResult search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
                                        const SearchQuery& query, const SearchStart& start);
 
-/// One motion, swept (sweep_filter.h) and searched to the end.
+/// Sweeps one motion (sweep_filter.h) and searches it to the end.
 [[nodiscard]] SearchResult sweep_and_search(const Motion& motion, const std::vector<SearchTarget>& targets,
                                             const SearchQuery& query);
 

@@ -33,8 +33,8 @@ bool is_face(const BoundaryElement& e) {
   return e.kind == ElementKind::segment && !(e.a.y() < e.b.y()) && !(e.b.y() < e.a.y());
 }
 
-/// Returns whether a set that reaches from z_lo to z_hi keeps outside of the tool's radius on the free side of a face: at every
-/// height from the face to the set's end on that side the tool is no wider than `r`.
+/// Returns whether a set that reaches from z_lo to z_hi keeps outside of the tool's radius on the free side of a face.
+/// That is so if, at every height from the face to the set's end on that side, the tool is no wider than `r`.
 bool is_free_of(const CompiledTool& tool, const BoundaryElement& face, double z_lo, double z_hi, double r) {
   if (tool.elements.size() > kMaxBesideFace) return false;
   const double z = face.a.y();

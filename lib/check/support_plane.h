@@ -6,8 +6,8 @@
 #include "lib/tool/compiled_tool.h"
 #include "lib/tool/evaluate.h"
 
-// First-order bounds: behind a plane tangent to the tool nothing is deeper than its distance from the plane,
-// as far as the plane supports the tool (SupportRange). Proof: docs/method/certified_sweep.md.
+// First-order bounds. Behind a plane tangent to the tool every point is at most as deep as its distance from the plane.
+// That holds as far as the plane supports the tool (SupportRange). Proof: docs/method/certified_sweep.md.
 
 namespace gouge {
 
@@ -33,7 +33,7 @@ struct SupportPlane {
 
 [[nodiscard]] SupportPlane support_plane(const CompiledTool& tool, const ToolSample& sample);
 
-/// The plane mirrored in the tool axis: just as tangent, on the other side.
+/// Returns the plane mirrored in the tool axis: just as tangent, on the other side.
 [[nodiscard]] SupportPlane mirrored(const SupportPlane& plane);
 
 /// A set in tool coordinates, as far as `supports` needs to know it.
@@ -43,9 +43,9 @@ struct SupportedSet {
   double smallest_r_mm = 0;     ///< distance from the tool axis
 };
 
-/// Returns whether a plane of the tool bounds its depth over a set. `margin_mm` extends the bound up to that far outside as
-/// well. For a horizontal face the contour between the face and the set is tested.
-/// Cost     constant; of a horizontal face linear in the elements of the tool.
+/// Returns whether a plane of the tool bounds its depth over a set. `margin_mm` extends the bound up to that far
+/// outside as well. For a horizontal face the contour between the face and the set is tested.
+/// Cost     Constant; for a horizontal face linear in the elements of the tool.
 [[nodiscard]] bool supports(const CompiledTool& tool, const SupportPlane& plane, const SupportedSet& set,
                             double margin_mm);
 

@@ -20,16 +20,16 @@ constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one lev
 // A node is opened for a whole group only if it is this much larger than half the path length of the group: space
 // first. Smaller ones are left to the parts of the group: time first.
 constexpr float kSpaceFirst = 12.0F;
-// How often triangles and time are cut, and how many parts are examined, before the exact search takes over.
+// Limits of the sweep: how often triangles and time are cut, and how many parts are examined, before the exact search
+// takes over.
 constexpr std::size_t kCuts = 10;
 constexpr std::uint32_t kMaxParts = 1200;
 constexpr std::size_t kMaxBlocks = 200;
 constexpr float kProgress = 0.95F;
 constexpr int kFailures = 1;
-// Where nothing moves, what a bound of whole triangles leaves open are mostly edges of the tool, which smaller triangles
-// do not mend.
+// Where nothing moves, bounds of whole triangles fail mostly at edges of the tool. Smaller triangles do not help there.
 constexpr std::uint32_t kMaxStandingParts = 10;
-// Where a point may be deeper than the deepest known one by all but this share of the gap it is measured.
+// A point is measured where it may exceed the deepest known one by this share of the gap.
 constexpr float kWorthMeasuring = 0.75F;
 // The swing of a triangle's corners that is not worth smaller triangles.
 constexpr float kSmallSwing_mm = 0.01F;
@@ -38,7 +38,7 @@ constexpr float kSmallSwing_mm = 0.01F;
 struct MoveWork {
   float min_pruned = std::numeric_limits<float>::max();         ///< of the target at hand
   double certified_mm = std::numeric_limits<double>::lowest();  ///< the value of what was pruned is no larger
-  std::vector<SearchSeed> open;                                 ///< what no bound has pruned
+  std::vector<SearchSeed> open;                                 ///< parts that no bound has pruned
 };
 
 /// The work that a group leaves to its parts.
@@ -80,7 +80,7 @@ class Sweep {
   }
 
  private:
-  // Targets may differ in their reach: what they certify is joined by value, not by distance.
+  // Targets may differ in their reach, so their certified bounds are joined by value, not by distance.
   void close_target(MoveWork& work) const {
     const float least = std::exchange(work.min_pruned, std::numeric_limits<float>::max());
     work.certified_mm = std::max(work.certified_mm, reach_mm_ - static_cast<double>(least));
@@ -111,7 +111,7 @@ class Sweep {
 
   /// The signed distance to prove for a move, given the deepest point met on it.
   [[nodiscard]] float need(double value_mm) const {
-    // Which any bound meets, that of what no piece bounds, too.
+    // Any bound meets this, also that of a part that no piece bounds.
     if (query_.is_met_by(value_mm)) return std::numeric_limits<float>::lowest();
     const double distance = reach_mm_ - query_.pruning_threshold_mm(value_mm);
     return std::nextafter(static_cast<float>(distance), std::numeric_limits<float>::max());
@@ -219,7 +219,7 @@ class Sweep {
     kernel_.nodes(node, *frame_, piece_, asked, result);
     ++bounds_;
     min_ = std::min(min_, result.min_pruned);
-    // The deepest first: what it shows prunes most of the others.
+    // The deepest first: its result prunes most of the others.
     std::array<std::uint8_t, kBlockLanes> order;
     std::size_t count = 0;
     for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
@@ -284,8 +284,8 @@ class Sweep {
     measure(step, block.triangle[deepest], from_tip + Vec3(frame.tip[0], frame.tip[1], frame.tip[2]) + tree_->origin);
   }
 
-  // Where a triangle is examined from its nearest point, what makes the bound slack is time: what the nearest
-  // point moves, and how far the triangle's corners swing about it. Smaller triangles swing less.
+  // Where a triangle is examined from its nearest point, time makes the bound slack. It adds the motion of the nearest
+  // point, and the swing of the triangle's corners about it. Smaller triangles swing less.
   void refine(const SweepInterval& step, const SweepFrame& frame, std::size_t depth, float short_of, int failures) {
     if (waiting_[depth].empty()) return;
     const bool is_standing = !(step.t1 > step.t0);

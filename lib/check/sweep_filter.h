@@ -9,9 +9,9 @@
 #include "lib/motion/motion.h"
 #include "lib/tool/convex_cover.h"
 
-// The wide sweep: many moves against a surface at once. What sixteen-wide bounds in single precision prove free
-// needs no further look; the triangles that remain go to the exact search (search.h).
-// Method and proofs: docs/method/wide_sweep.md.
+// The wide sweep: many moves against a surface at once. Motions that sixteen-wide bounds in single precision prove free
+// need no further search. The triangles that remain go to the exact search (search.h). Method and proofs:
+// docs/method/wide_sweep.md.
 
 namespace gouge {
 
@@ -21,16 +21,16 @@ struct SweptMove {
   std::uint64_t bounds = 0;  ///< blocks examined; those examined for a group count for its first move
 };
 
-/// Every motion against every target, for one query (search.h).
+/// Sweeps every motion against every target, for one query (search.h).
 /// Requires motions that are defined. Tools without elements and empty trees are passed over.
-/// Ensures  each result depends on `motions` alone, not on the processor or on who else runs.
-/// Cost     a microsecond or two for a motion along a surface, a tenth of that for one far from it.
+/// Ensures  Each result depends on `motions` alone, not on the processor or on who else runs.
+/// Cost     A microsecond or two for a motion along a surface, a tenth of that for one far from it.
 [[nodiscard]] std::vector<SweptMove> sweep_moves(std::span<const Motion> motions,
                                                  const std::vector<SearchTarget>& targets, const SearchQuery& query,
                                                  const SweepKernel& kernel = fastest_sweep_kernel());
 
-/// A cover against a surface. `tool`: what it covers, which is measured where it is deepest; null: nothing is measured,
-/// and what is left of a move has no value.
+/// A cover against a surface. `tool` is the tool inside the cover, which is measured where it is deepest. With null
+/// nothing is measured, and the undecided rest of a move has no value.
 struct CoverTarget {
   const ConvexCover* cover = nullptr;
   const BlockTree* tree = nullptr;
@@ -38,7 +38,7 @@ struct CoverTarget {
   double reach_mm = 0;  ///< of SearchTarget
 };
 
-/// The same for covers that were made before, and of other bodies than tools.
+/// Returns the same for covers that were made before, and of other bodies than tools.
 [[nodiscard]] std::vector<SweptMove> sweep_covers(std::span<const Motion> motions, std::span<const CoverTarget> targets,
                                                   const SearchQuery& query,
                                                   const SweepKernel& kernel = fastest_sweep_kernel());

@@ -23,11 +23,11 @@ struct SweepInterval : MotionInterval {
 /// Appends the steps of a motion: one where it is straight, more where it bends.
 void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepInterval>& steps);
 
-/// The two halves of a step.
+/// Returns the two halves of a step.
 [[nodiscard]] std::array<SweepInterval, 2> halved(const Motion& motion, const SweepInterval& step);
 
-/// The frame that holds for every instant of every step, and for points up to `rounding_mm` beside the ones they
-/// represent. Requires at least one step.
+/// Returns the frame that holds for every instant of every step, and for points up to `rounding_mm` beside the ones
+/// they represent. Requires at least one step.
 [[nodiscard]] SweepFrame sweep_frame(std::span<const SweepInterval> steps, const Vec3& origin, double rounding_mm);
 
 }  // namespace gouge

@@ -7,17 +7,17 @@
 
 #include "lib/hierarchy/blocks.h"
 
-// The bound of docs/method/wide_sweep.md for sixteen nodes or triangles at once, in single precision. The
-// same source is compiled for several instruction sets; every operation is one that IEEE 754 rounds correctly, none
-// is fused or reordered, so all of them give the same bytes.
+// The bound of docs/method/wide_sweep.md for sixteen nodes or triangles at once, in single precision. The same source
+// is compiled for several instruction sets. Every operation is one that IEEE 754 rounds correctly, and none is fused or
+// reordered, so all of them give the same bytes.
 
 namespace gouge {
 
 struct CoverPiece;
 
-/// A motion to first order, in the frame of a tree (mm, part coordinates minus its origin): the surface point p
-/// stands at u - s (displacement + turn x u) + e in tool coordinates, u = p - tip, for an s in [-1/2, 1/2] and an e with
-/// |e| <= rest + rest_per_mm |u|. The tool axis at s = 0 is `axis`.
+/// A motion to first order, in the frame of a tree (mm, part coordinates minus its origin). In tool coordinates the
+/// surface point p is at u - s (displacement + turn x u) + e, where u = p - tip. Here s lies in [-1/2, 1/2] and |e| <=
+/// rest + rest_per_mm |u|. The tool axis at s = 0 is `axis`.
 struct SweepFrame {
   std::array<float, 3> tip{}, axis{}, displacement{}, turn{};
   float displacement_mm = 0;  ///< at least |displacement|
@@ -45,7 +45,7 @@ struct KernelPiece {
   float core_r_mm = 0;     ///< largest r of a corner of the chain, or of its only line
   float core_mm = 0;       ///< no corner of the core has a larger |r| + |z|
   bool is_level_below = false, is_level_above = false;  ///< the core ends in a flat face
-  float rounding_mm = 0;                                ///< what single precision may do to distances from the piece
+  float rounding_mm = 0;                                ///< effect of single precision on distances from the piece
 };
 
 [[nodiscard]] KernelPiece kernel_piece(const CoverPiece& piece);
@@ -58,15 +58,15 @@ struct alignas(64) KernelResult {
   float min_pruned = 0;        ///< smallest bound among the pruned lanes; infinite if there are none
 };
 
-/// Sixteen nodes, or triangles, against one piece during one motion. `need` is the signed distance to prove:
-/// minus the depth that is allowed, or plus the distance that must be kept.
+/// Bounds sixteen nodes, or triangles, against one piece during one motion. The value `need` is the signed distance to
+/// prove: minus the depth that is allowed, or plus the distance that must be kept.
 struct SweepKernel {
   const char* name;
   void (*nodes)(const NodeBlock&, const SweepFrame&, const KernelPiece&, float need, KernelResult&);
   void (*triangles)(const TriangleBlock&, const SweepFrame&, const KernelPiece&, float need, KernelResult&);
 };
 
-/// All that this processor can run, the fastest last.
+/// Returns all that this processor can run, the fastest last.
 [[nodiscard]] std::span<const SweepKernel* const> sweep_kernels();
 [[nodiscard]] const SweepKernel& fastest_sweep_kernel();
 

@@ -66,8 +66,8 @@ GOUGE_INLINE V3 away_from_core(const KernelPiece& piece, const Triangle& t, cons
   return select(is_away, unit, {-unit.x, -unit.y, -unit.z});
 }
 
-/// The point of the core that is farthest in a direction; inside a sharp corner, the deepest point of the plane through
-/// a corner of the triangle. The core's lower end where it goes on in that direction.
+/// Returns the point of the core that is farthest in a direction. Inside a sharp corner it is the deepest point of the
+/// plane through a corner of the triangle. It is the core's lower end where the core goes on in that direction.
 GOUGE_INLINE V3 first_look(const KernelPiece& piece, const Triangle& t, const V3& g, const V3& axis) {
   const V z0 = broadcast(piece.count > 1 ? piece.lines[1].z : 0.5F * (piece.z_lo_mm + piece.z_hi_mm));
   const V gz = dot(g, axis);
@@ -132,8 +132,8 @@ struct Deepest {
   V3 point;
 };
 
-/// Inside a sharp corner two lines are near. Each is a bound, and the deepest point is where they are equal: shows
-/// what both together prove, notes how deep `point` is, and moves it there.
+/// Combines the two near lines inside a sharp corner. Each is a bound, and the deepest point is where they are equal.
+/// Shows what both together prove, notes how deep `point` is, and moves it there.
 GOUGE_INLINE V meet_in_corner(const KernelPiece& piece, const Touch& at, const Plane& plane, const Triangle& t,
                               const Frame& f, V3& point, Deepest& deepest) {
   Touch also;

@@ -126,8 +126,9 @@ GOUGE_INLINE V combine(const KernelPiece& piece, const M& has_closest_point, con
   return max(bound, select(is_above, above, never));
 }
 
-/// A lower bound of the signed distance of points by a direction that does not turn with the tool: that of the point
-/// farthest back along it, `farthest_back`, and how far the core reaches at both ends of the motion.
+/// Returns a lower bound of the signed distance of points by a direction that does not turn with the tool. It is that
+/// of the point farthest back along the direction, `farthest_back`, and how far the core reaches at both ends of the
+/// motion.
 GOUGE_INLINE V min_along(const KernelPiece& piece, const V3& g, const V& farthest_back, const SweepFrame& frame,
                          const Frame& f) {
   if (!piece.is_steady) return broadcast(-3e38F);

@@ -58,8 +58,8 @@ GOUGE_INLINE void prepare(const TriangleBlock& block, const V3& tip, Triangle& t
   t.normal_scale = inverse(dot(t.normal, t.normal));
 }
 
-/// A lower bound of the distance that is linear in the point and in the instant, by its values at the corners of
-/// the triangle at both ends of the motion: nothing in between is smaller than the smallest.
+/// A lower bound of the distance that is linear in the point and in the instant. It is given by its values at the
+/// corners of the triangle at both ends of the motion. No value in between is below the smallest of these.
 struct Plane {
   V value[6];
 };
@@ -107,8 +107,8 @@ GOUGE_INLINE V min_blended(const Plane& p, const Plane& q) {
   return min_blended(p, q, share);
 }
 
-/// Point of the triangle where the larger of two planes is least, at the end of the motion where that is lower, and the
-/// share of the first in the blend that is level there.
+/// The point of the triangle where the larger of two planes is least, at the end of the motion where that is lower.
+/// Also the share of the first plane in the blend that is level there.
 struct Crossing {
   V3 point;
   V share;

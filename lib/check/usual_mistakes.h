@@ -21,9 +21,11 @@ struct UndoneMistake {
   [[nodiscard]] Pose pose(const Pose& given, double corner_radius_mm) const;
 };
 
-/// Signs of the tool axis, its components exchanged, X, Y, Z exchanged, the part turned by quarters about its
-/// axes, positions of the centre of the corner taken as the tip and the other way round, inches and
-/// millimetres (of the path in `unit` and of the part). Those most easily made first.
+/// Returns the usual mistakes, those most easily made first.
+/// (1) Signs of the tool axis, its components exchanged, and X, Y, Z exchanged.
+/// (2) The part turned by quarters about its axes.
+/// (3) Positions of the centre of the corner taken as the tip, and the other way round.
+/// (4) Inches and millimetres, of the path in `unit` and of the part.
 [[nodiscard]] std::vector<UndoneMistake> usual_mistakes(LengthUnit unit);
 
 }  // namespace gouge

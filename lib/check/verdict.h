@@ -43,7 +43,7 @@ struct MoveVerdict {
 
 using MoveVerdicts = PagedVector<MoveVerdict>;  ///< one a move, in path order
 
-/// A move that is not checked.
+/// Returns a move that is not checked.
 [[nodiscard]] inline MoveVerdict not_checked(Reason reason) {
   MoveVerdict verdict;
   verdict.state = MoveState::not_checked;

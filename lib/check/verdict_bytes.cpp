@@ -65,7 +65,8 @@ bool take(std::string_view& bytes, Reason& reason) {
   return true;
 }
 
-// The bytes may have been damaged, or made by somebody else: what is not possible would be an index out of range later.
+// The bytes may have been damaged, or made by another program. Without this test an impossible value would be an index
+// out of range later.
 bool is_possible(Body body) { return body <= Body::head; }
 
 bool is_possible(const Witness& w) {

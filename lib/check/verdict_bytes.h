@@ -21,7 +21,7 @@ void append_bytes(std::uint64_t count, std::string& bytes);
 [[nodiscard]] bool take_bytes(std::string_view& bytes, double& number);
 [[nodiscard]] bool take_bytes(std::string_view& bytes, std::uint64_t& count);
 
-/// True unless a verdict that was taken names a mesh that the scene lacks.
+/// Returns true unless a verdict that was taken names a mesh that the scene lacks.
 [[nodiscard]] bool is_of_meshes(const MoveVerdict& verdict, const Scene& scene);
 
 }  // namespace gouge

@@ -46,13 +46,12 @@ double best_weight(const Distances& a, const Distances& b, std::size_t count) {
   return 0.5 * (low + high);
 }
 
-/// Not below the distance to the surface of any point of the convex hull of `points`, of which there are at
-/// most kMaxHullPoints: the distance to a facet is convex, so its largest value over the hull is at one of
-/// the points; so is that of any weighted mean of such distances, and the distance to the surface is no
-/// larger than that mean.
+/// Returns a length not below the distance to the surface of any point of the convex hull of `points`, (kMaxHullPoints
+/// at most). The distance to a facet is convex, so its largest value over the hull is at one of the points. So is that
+/// of any weighted mean of such distances. The distance to the surface does not exceed that mean.
 ///
-/// `facets`: those to use, at least one; those nearest to the points are the best choice.
-/// Ensures  exact (up to rounding) where the hull lies over one facet, or between two that oppose each other.
+/// At least one of `facets` is needed; those nearest to the points are the best choice.
+/// Ensures  Exact (up to rounding) where the hull lies over one facet, or between two that oppose each other.
 double greatest_distance_mm(const Surface& surface, std::span<const Vec3> points,
                             std::span<const std::uint32_t> facets) {
   std::array<Distances, kMaxHullPoints + 1> rows{};
@@ -220,9 +219,9 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
     return foot.is_inside ? over : std::min(over, grazing_bound(region, centre, radius, foot));
   }
 
-  /// Where the centre is outside and all of the surface in the ball about the region lies beyond the region,
-  /// but for `graze`: a line from the centre to a point inside crosses the surface that near to the region's
-  /// far side, so the point is no farther from the crossing than the line takes to descend by `graze`.
+  /// Bounds the depth where the centre is outside. All of the surface in the ball about the region lies beyond the
+  /// region, except for `graze`. A line from the centre to a point inside crosses the surface that near to the region's
+  /// far side. So the point is no farther from the crossing than the line takes to descend by `graze`.
   [[nodiscard]] double grazing_bound(const Region& region, const Vec3& centre, double radius,
                                      const ClosestPoint& foot) const {
     const double graze = kGraze * threshold_mm();

@@ -19,19 +19,17 @@ struct BodyDepth {
   std::uint64_t bounds = 0;
 };
 
-/// The depth of `of` in `in`, where a point x of `of` lies at x + shift in the coordinates of `in`.
+/// Finds the depth of `of` in `in`, where a point x of `of` lies at x + shift in the coordinates of `in`.
 ///
-/// A point as deep as any is on the surface of `of`, or inside both where the distance to the surface of `in`
-/// has a local maximum. So the search takes the triangles of the one, and cells of space that may hold such a
-/// maximum.
+/// A deepest point is on the surface of `of`, or inside both where the distance to the surface of `in` has a local
+/// maximum. So the search takes the triangles of `of`, and cells of space that may hold such a maximum.
 ///
-/// Requires in.is_solid(). Where `of` is no solid only its surface is examined: `depth_mm` is realised all
-/// the same,
-///          `depth_upper_mm` bounds the surface alone.
-/// Ensures  depth <= true depth <= depth_upper at any budget; the same bits on every machine.
-/// Cost     about 10 microseconds a bound; a few hundred bounds for plain bodies, as many as pairs of facets lie over
-///          one another where surfaces touch or run parallel.
-/// Source   measure of thesis chapters 4 and 5; proof: docs/method/clash.md.
+/// Requires in.is_solid(). Where `of` is not a solid only its surface is examined. There `depth_mm` is still realised,
+/// and `depth_upper_mm` bounds the surface alone.
+/// Ensures  At any budget, depth <= true depth <= depth_upper. The same bits on every machine.
+/// Cost     About 10 microseconds a bound. Plain bodies need a few hundred bounds. Where surfaces touch or run parallel
+///          they need as many as pairs of facets lie over one another.
+/// Source   Measure of thesis chapters 4 and 5; proof: docs/method/clash.md.
 [[nodiscard]] BodyDepth find_body_depth(const ClashBody& of, const ClashBody& in, const Vec3& shift,
                                         const SearchGoal& goal);
 

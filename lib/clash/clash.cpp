@@ -167,7 +167,7 @@ std::vector<Box3> boxes_of(std::span<const IndexedMesh> meshes) {
   return boxes;
 }
 
-/// Two bodies whose boxes have a slab of at most that thickness in common are nowhere deeper in each other: along the
+/// Two bodies whose boxes have a slab of at most that thickness in common are nowhere deeper in each other. Along the
 /// slab's normal each point of it is that near to the end of either body.
 bool may_be_deeper(const Box3& a, const Box3& b, double tolerance_mm) {
   return a.intersects(b) && a.intersection(b).sizes().minCoeff() > tolerance_mm;

@@ -36,8 +36,8 @@ struct Clash {
   /// Largest distance of a point in both bodies to the surface of one of them: depth <= true depth <=
   /// depth_upper. The upper bound is infinite where a surface bounds no solid.
   double depth_mm = 0, depth_upper_mm = 0;
-  /// The deepest point of B in A (body 1) and of A in B (body 0), the deeper first, each with the direction
-  /// in which B moves away; as far as there are such points.
+  /// The deepest point of B in A (body 1) and of A in B (body 0), the deeper first, where such points exist. Each has
+  /// the direction in which B moves away.
   std::vector<Contact> deepest;
   std::string reason;  ///< of not_certified
   std::uint64_t bounds = 0;
@@ -46,7 +46,7 @@ struct Clash {
 /// Returns whether two bodies penetrate and how deep, B moved by `shift_b`.
 ///
 /// Requires triangles in both.
-/// Ensures  free and touching are proved, for bodies whose inside is not known as well; the same bits on
+/// Ensures  Free and touching are proved, for bodies whose inside is not known as well; the same bits on
 /// every machine.
 /// Source   docs/method/clash.md, with the proofs.
 [[nodiscard]] Clash find_clash(const ClashBody& a, const ClashBody& b, const Vec3& shift_b,
@@ -58,10 +58,10 @@ struct SetupOverlap {
   Clash clash;  ///< of the part (A) and the fixture (B): penetrating or not certified
 };
 
-/// Every fixture of a scene against every part, in that order. `is_left_out`: by fixture.
+/// Tests every fixture of a scene against every part, in that order. The list `is_left_out` is by fixture.
 ///
 /// Requires scene.is_within_reach.
-/// Cost  nothing for bodies whose bounding boxes have no more than the tolerance in common; else the surfaces of the
+/// Cost  Nothing for bodies whose bounding boxes have no more than the tolerance in common; else the surfaces of the
 ///       scene and a search (body_depth.h).
 [[nodiscard]] std::vector<SetupOverlap> find_setup_overlaps(const PreparedScene& scene,
                                                             const std::vector<bool>& is_left_out,

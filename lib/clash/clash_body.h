@@ -13,19 +13,19 @@ class ClashBody {
  public:
   explicit ClashBody(Surface surface) : whole_(std::move(surface)) {}
 
-  /// All triangles of the file.
+  /// Returns all triangles of the file.
   [[nodiscard]] const Surface& whole() const { return whole_; }
   /// Returns where the body ends: sides and depths are measured to it. Made when first requested.
   [[nodiscard]] const Surface& boundary() const { return whole_.boundary(); }
   [[nodiscard]] bool is_solid() const { return boundary().is_solid(); }
 
-  /// Made when first requested, by one thread. Requires is_solid().
+  /// Returns the local maxima, made when first requested, by one thread. Requires is_solid().
   [[nodiscard]] const LocalMaxima& maxima() const {
     if (!maxima_) maxima_ = std::make_unique<LocalMaxima>(boundary());
     return *maxima_;
   }
 
-  /// The nearest point of the boundary, with the side. Requires triangles.
+  /// Returns the nearest point of the boundary, with the side. Requires triangles.
   [[nodiscard]] ClosestPoint closest_point(const Vec3& point) const { return *boundary().closest_point(point); }
 
  private:

@@ -21,7 +21,7 @@ class ConvexRegion {
   [[nodiscard]] std::span<const Vec3> points() const { return std::span(points_).first(count_); }
 
   [[nodiscard]] Vec3 centre() const;
-  /// No point of the region is farther from `centre`.
+  /// Returns a distance from `centre` that no point of the region exceeds.
   [[nodiscard]] double radius_mm(const Vec3& centre) const;
   [[nodiscard]] Box3 box() const;
   /// Builds the region of a polygon.
@@ -34,17 +34,17 @@ class ConvexRegion {
 
 [[nodiscard]] ConvexRegion region_of_box(const Box3& box);
 
-/// Both halves of a box across its longest side.
+/// Returns both halves of a box across its longest side.
 [[nodiscard]] std::array<Box3, 2> halves(const Box3& box);
 
-/// A polygon in two, which cover it: across its longest extent, or where it has many corners from one to
+/// Returns a polygon in two, which cover it: across its longest extent, or where it has many corners from one to
 /// another.
 [[nodiscard]] std::vector<ConvexRegion> halves(const ConvexRegion& polygon);
 
-/// A polygon cut by the three planes that stand on a triangle's edges: first what lies over the triangle,
-/// then the rest. One part, the polygon itself, where nothing is cut off, nothing lies over the triangle or
-/// it has many corners.
-/// Ensures  no point of the polygon is farther than 1e-10 mm from the parts.
+/// Returns a polygon cut by the three planes that stand on a triangle's edges: first what lies over the triangle, then
+/// the rest. One part, the polygon itself, where nothing is cut off, nothing lies over the triangle or it has many
+/// corners.
+/// Ensures  No point of the polygon is farther than 1e-10 mm from the parts.
 [[nodiscard]] std::vector<ConvexRegion> cut_along(const ConvexRegion& polygon, const std::array<Vec3, 3>& triangle);
 
 }  // namespace gouge

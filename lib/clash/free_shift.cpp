@@ -76,7 +76,7 @@ class Shifter {
         options_(options),
         of_b_(b.boundary(), a.boundary(), reach_mm(found)),
         of_a_(a.boundary(), b.boundary(), reach_mm(found)) {
-    // A proof is all that is wanted, and of what is not free yet some point to follow.
+    // Only a proof is needed, and for bodies that are not free some point to follow.
     options_.gap_mm = std::max(options.gap_mm, 0.1 * found.depth_mm);
   }
 

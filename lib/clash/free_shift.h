@@ -15,12 +15,12 @@ struct FreeShift {
   ClashState state = ClashState::free;  ///< proved there: free or touching
 };
 
-/// The shorter of the sum of weighted corrections (thesis 5.3), applied until find_clash proves the bodies
-/// free or touching, and of the shortest shift along a coordinate axis that takes the bounding boxes apart.
-/// Not the shortest of all.
+/// Returns the shorter of two shifts; it is not the shortest of all. One is the sum of weighted corrections (thesis
+/// 5.3), applied until find_clash proves the bodies free or touching. The other is the shortest shift along a
+/// coordinate axis that takes the bounding boxes apart.
 ///
 /// `found`: the clash at rest.
-/// Cost     an index with volumes that carry depth over each body, then a search of the points of each for every
+/// Cost     An index with volumes that carry depth over each body, then a search of the points of each for every
 ///          iteration.
 [[nodiscard]] FreeShift find_free_shift(const ClashBody& a, const ClashBody& b, const Clash& found,
                                         const ClashOptions& options);

@@ -13,9 +13,9 @@ class LocalMaxima {
   /// Requires a solid's boundary. Cost O(n).
   explicit LocalMaxima(Surface surface);
 
-  /// False when it is proved that no point of the solid within `radius_mm` of `centre` is a local maximum: a
-  /// direction is found that leads away from all points of the surface that may be nearest to any of them.
-  /// `foot`: of the centre.
+  /// Returns false when it is proved that no point of the solid within `radius_mm` of `centre` is a local maximum. The
+  /// proof is a direction that leads away from all points of the surface that may be nearest to any of them. The foot
+  /// is that of the centre.
   [[nodiscard]] bool may_hold(const Vec3& centre, double radius_mm, const ClosestPoint& foot) const;
 
  private:

@@ -22,8 +22,8 @@ struct CapHit {
   Vec3 point = Vec3::Zero();  ///< of it, in the cap, the nearest to the cap's centre
 };
 
-/// A facet that reaches into the cap and for which `is_allowed(triangle)` is false; nothing when there is none.
-/// Ensures  no facet that reaches into the cap by more than rounding is missed; always the same one.
+/// Returns a facet that reaches into the cap and for which `is_allowed(triangle)` is false; nothing when there is none.
+/// Ensures  No facet that reaches into the cap by more than rounding is missed; always the same one.
 template <typename IsAllowed>
 [[nodiscard]] std::optional<CapHit> find_in_cap(const Surface& surface, const BallCap& cap,
                                                 const IsAllowed& is_allowed);
@@ -33,7 +33,7 @@ namespace detail {
 /// Returns whether what lies in a bound may reach into the cap.
 [[nodiscard]] bool may_reach(const LaneBound& bound, const BallCap& cap);
 
-/// The nearest point to the cap's centre of the part of a facet that is in the cap.
+/// Returns the nearest point to the cap's centre of the part of a facet that is in the cap.
 [[nodiscard]] std::optional<Vec3> nearest_in_cap(const std::array<Vec3, 3>& facet, const BallCap& cap);
 
 }  // namespace detail

@@ -19,7 +19,7 @@ constexpr double kRelativeAccuracy = 0.1;
 constexpr double kSmallestPiece_mm = 0.02;
 // Pieces examined of one triangle: in hollow or undercut tools the bounds do not decide over a wide face.
 constexpr int kMaxPieces = 1000;
-// How far below the truth the excess may be reported while it is above 0.
+// Maximum by which a reported excess above 0 may be below the truth.
 constexpr double kGap_mm = 0.05;
 
 class Collector {

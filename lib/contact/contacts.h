@@ -22,13 +22,13 @@ struct CorrectionAim {
   double clearance_mm = 0;  ///< of all, in bodies that must keep a clearance
 };
 
-/// One contact for every triangle that exceeds the aim by more than `notable_mm` >= 0: its deepest point, to a tenth of
-/// its excess. In tree order. Cost O(triangles inside the tool).
+/// Returns one contact for every triangle that exceeds the aim by more than `notable_mm` >= 0: its deepest point, to a
+/// tenth of its excess. In tree order. Cost O(triangles inside the tool).
 [[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& tool,
                                                      const PreparedScene& scene, const CorrectionAim& aim,
                                                      double notable_mm = 0);
 
-/// The same of one tool and the triangles of one tree.
+/// Returns the same of one tool and the triangles of one tree.
 [[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const CompiledTool& tool, const BlockTree& tree,
                                                      double aim_mm, double notable_mm = 0);
 
@@ -37,12 +37,12 @@ struct CorrectionAim {
 [[nodiscard]] double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
                                     const CorrectionAim& aim, double accuracy_mm, std::uint64_t* bounds = nullptr);
 
-/// The same of one tool against the parts.
+/// Returns the same of one tool against the parts.
 [[nodiscard]] double largest_excess(const Pose& pose, const CompiledTool& tool, const PreparedScene& scene,
                                     double aim_mm, double accuracy_mm);
 
-/// A corrected position is as deep as half of the tolerance at the most: the other half is for the rounding of the
-/// written numbers and for the motion between corrected positions.
+/// Share of the tolerance by which a corrected position may be deep. The other half is for the rounding of the written
+/// numbers and for the motion between corrected positions.
 inline constexpr double kPositionAimShare = 0.5;
 
 /// Motions between corrected positions are held to this share of the tolerance: the rest is for the file's digits.

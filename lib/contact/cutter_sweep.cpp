@@ -109,9 +109,9 @@ std::uint32_t CutterSweep::build(std::uint32_t first, std::uint32_t last) {
   return index;
 }
 
-// A point of a body is moved from one pose to another by no more than its tip, and its distance from the tip times the
-// angle between the axes, about which it may be turned as one likes. On the way of a piece tips are between those of its
-// ends, and axes between its axes or its turn beyond.
+// Between two poses a point of a body moves by at most two amounts together. One is the motion of the tip, the other
+// its distance from the tip times the angle between the axes. About the axes it may be turned at will. On the way of a
+// piece tips are between those of its ends, and axes between its axes or its turn beyond.
 void CutterSweep::surround(Node& node) const {
   const CutterStretch& middle = stretches_[node.first + (node.last - node.first) / 2];
   node.middle = middle.start;

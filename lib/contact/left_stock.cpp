@@ -14,8 +14,8 @@ namespace gouge {
 namespace {
 
 constexpr double kBorderShare = 0.02, kMaxBorder_mm = 0.1;  // of the cutter's radius
-constexpr double kMinShare = 0.1;     // of the border: what is not decided on a piece so small is not decided
-constexpr double kFirstPiece_mm = 8;  // no piece is longer
+constexpr double kMinShare = 0.1;                           // of the border: a smaller piece is not decided
+constexpr double kFirstPiece_mm = 8;                        // no piece is longer
 // Points nearer than this to a gouge count as not finished; the surface must be this near to a queried place.
 constexpr double kMaxRim_mm = 0.5, kNearRim = 0.25;
 constexpr double kSure_mm = 1e-3;  // deeper than that below what is finished it is gouged for sure
@@ -143,14 +143,15 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     return true;
   }
 
-  /// Returns whether all of a piece was gouged, or lies at the rim of what was: the cutter went through the surface there, and
-  /// what it leaves when it does not was never finished.
+  /// Returns whether all of a piece was gouged, or lies at the rim of a gouge. The cutter went through the surface
+  /// there. Stock that it leaves when it does not was never finished.
   [[nodiscard]] bool is_gouged(Candidate& candidate, const Vec3& middle, double radius_mm) const {
     return is_deeper(middle, limits_.finished_mm + radius_mm + kSure_mm, candidate.gouged) ||
            is_at_rim(candidate, middle, radius_mm);
   }
 
-  /// Returns whether a place was gouged that is at the rim's width, or less, from every point within `radius_mm` of the middle.
+  /// Returns whether a place was gouged that is at the rim's width, or less, from every point within `radius_mm` of the
+  /// middle.
   [[nodiscard]] bool is_at_rim(Candidate& candidate, const Vec3& middle, double radius_mm) const {
     const double away = rim_mm_ - radius_mm, gouged = limits_.finished_mm + kSure_mm;
     if (away < 0) return false;

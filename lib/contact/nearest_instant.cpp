@@ -31,8 +31,8 @@ NearestInstant::NearestInstant(const CutterStretch& stretch, const Vec3& middle,
   slack_mm_ += radius_mm_ * stretch.angle_rad;
 }
 
-// In the cutter's frame u = p - tip is turned back by the turn so far, so the second derivative of where p is there is
-// no more than angle^2 |u| + 2 angle |tip'|, and it is off its chord by no more than an eighth of that.
+// In the cutter's frame u = p - tip is turned back by the turn up to that instant. So the second derivative of the
+// place of p there is at most angle^2 |u| + 2 angle |tip'|. It is off its chord by at most an eighth of that.
 void NearestInstant::add(const Vec3& point) {
   const Vec3 first = point - stretch_.start.tip;
   Vec3 last = point - stretch_.end.tip;
@@ -83,8 +83,8 @@ bool NearestInstant::is_settled(double under_mm, double min_mm) const {
   return found_mm_ <= lower_cutoff_mm_ || under_mm > upper_cutoff_mm_ || found_mm_ - min_mm < kInstantGap_mm;
 }
 
-// A convex function lies above all of its tangents: above two of them that fall towards one another, their crossing is
-// the least; above one alone, its lower end.
+// A convex function lies above all of its tangents. Where two of them fall towards one another, its bound is their
+// crossing; for one alone it is the lower end.
 void NearestInstant::search_convex() {
   Look falling, rising;
   bool is_falling = false, is_rising = false;

@@ -15,8 +15,8 @@ namespace gouge {
 /// To which the distance at the nearest instant is found.
 inline constexpr double kInstantGap_mm = Tolerance::kCorrection_mm;
 
-/// A cutter on a stretch of its motion: tip on a straight line at constant speed, axis on the great circle at constant
-/// rate, from t = 0 to 1.
+/// A cutter on a stretch of its motion, from t = 0 to 1. The tip moves on a straight line at constant speed, the axis
+/// on the great circle at constant rate.
 struct CutterStretch {
   Pose start, end;
   double angle_rad = 0;  ///< between the axes
@@ -32,18 +32,20 @@ class NearestInstant {
  public:
   /// Finds the instant for one to three points at once. The stretch must outlive it.
   NearestInstant(const CutterStretch& stretch, std::span<const Vec3> points);
-  /// Finds the instant for a point; the bound is the least distance of all points of the triangle about it, its corners at
-  /// `corners` from there.
+  /// Finds the instant for a point. The bound is the minimum distance of all points of the triangle about it, whose
+  /// corners are at `corners` from there.
   NearestInstant(const CutterStretch& stretch, const Vec3& middle, const std::array<Vec3, 3>& corners);
 
-  /// Until an instant is found at which it is `lower_cutoff_mm` or less, or it is known to be more than `upper_cutoff_mm` at all,
-  /// or the least is known to 0.0002 mm and what the turn leaves open. Cost two to five distances, of a cutter that is
-  /// not convex up to some thousand.
+  /// Searches until one of these holds.
+  /// (1) An instant is found at which the distance is `lower_cutoff_mm` or less.
+  /// (2) The distance is known to be more than `upper_cutoff_mm` at all instants.
+  /// (3) The minimum is known to 0.0002 mm and what the turn leaves open.
+  /// Cost: two to five distances; for a cutter that is not convex up to some thousand.
   void search(double lower_cutoff_mm, double upper_cutoff_mm);
 
-  /// There is an instant at which it is no more than this.
+  /// Returns a distance that is reached, or undercut, at some instant.
   [[nodiscard]] double found_mm() const { return found_mm_ + slack_mm_; }
-  /// At no instant is it less.
+  /// Returns a distance that is undercut at no instant.
   [[nodiscard]] double bound_mm() const { return std::min(bound_mm_, found_mm_) - slack_mm_; }
 
  private:

@@ -15,12 +15,13 @@ struct TimeInterval {
 /// Returns whether the motion is clean at every instant between two, the earlier one first.
 using IsCleanBetween = std::function<bool(double first, double last)>;
 
-/// The time intervals in which a motion is clean, in order and apart from each other.
+/// Finds the time intervals in which a motion is clean, in order and apart from each other.
 ///
 /// Distances are those of the tip, in mm, and 10 mm for each unit by which the tool axis changes.
-/// Ensures  Every interval was called clean by `is_clean`, piece by piece. Where the motion is not clean beyond an end
-///          of an interval, that end is known to 0.01 mm (to 2^-14 of the gap where that is longer). An interval that
-///          holds neither end of the motion may be missing if no 16th of the motion fits into it, or not 0.5 mm.
+/// Ensures  For every interval `is_clean` was true, piece by piece. Where the motion is not clean beyond an end of an
+///          interval, that end is known to 0.01 mm. Where 2^-14 of the gap is longer, it is known to that. An interval
+///          that holds neither end of the motion may be missing. That occurs only where no 16th of the motion fits into
+///          it, or not 0.5 mm.
 /// Cost     At most 63 calls for the intervals and 14 for each of their ends; one where the whole motion is clean.
 [[nodiscard]] std::vector<TimeInterval> find_clean_intervals(const Motion& motion, const IsCleanBetween& is_clean);
 

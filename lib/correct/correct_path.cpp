@@ -107,12 +107,12 @@ class LiftedCuts {
 };
 
 // Returns the stretches of cuts that a correction lifted, or shifted, off their programmed place by more than the
-// cutter's radius: the tool passes elsewhere, and what was cut there is not cut any more. In path order.
+// cutter's radius. The tool passes elsewhere and leaves that stock. In path order.
 //
 // Requires `after` to be `path` with the changes.
-// Ensures  the length is that of the programmed feeds, known to half a millimetre a move, or to 1/400 of a longer one.
+// Ensures  The length is that of the programmed feeds, known to half a millimetre a move, or to 1/400 of a longer one.
 //          Cycles, rapids and what is left out already (Correction::uncut) are not examined.
-// Cost     some hundred distances for each changed move.
+// Cost     Some hundred distances for each changed move.
 std::vector<Uncut> find_lifted_cuts(const Toolpath& path, const Correction& correction, const Toolpath& after,
                                     const CheckSetup& setup) {
   if (correction.changes.empty()) return {};
@@ -164,8 +164,8 @@ std::vector<Uncorrected> list_remaining(const Toolpath& path, const CheckResult&
   return remaining;
 }
 
-// Part and path lie to each other as before: a path that was lifted from the part does not show otherwise, and one that
-// did not fit does not fit now.
+// Part and path lie to each other as before the correction. A path that was lifted from the part does not show
+// otherwise. One that did not fit still does not fit.
 void keep_place(const CheckResult& before, CheckResult& after) {
   for (const Subject fact : {Subject::mesh_unit, Subject::placement})
     copy_facts(fact, before.assumptions, after.assumptions);

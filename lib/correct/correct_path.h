@@ -12,8 +12,8 @@
 #include "lib/path/path_change.h"
 #include "lib/tilt/tilt_options.h"
 
-// Takes a path out of its gouges and makes nothing worse. What proves that is not the search for the changes: the
-// written file is read and checked again like any other, and a change that does not hold its own there is not made.
+// Takes a path out of its gouges and makes nothing worse. The proof of that is not the search for the changes. The
+// written file is read and checked again like any other, and a change that fails this check is not made.
 
 namespace gouge {
 
@@ -24,7 +24,7 @@ struct CorrectOptions {
   double max_shift_mm = 20;
   std::optional<double> max_side_shift_mm;  ///< none: kSideShiftsPerDepth times the depth (free_pose.h)
   double rapid_clearance_mm = 1;  ///< how far a rapid that must change keeps off, where there is room; at least 0
-  const RewritableMoves* rewritable = nullptr;  ///< what can be written without making it straight; null: nothing
+  const RewritableMoves* rewritable = nullptr;  ///< changes that the file can state as such; null: none
 };
 
 /// One changed or added position, for the change list.
@@ -56,7 +56,7 @@ struct NotTilted {
   std::string reason;
 };
 
-/// Moves [first_move, last_move] of which something is not cut any more.
+/// Moves [first_move, last_move] of which a part stays uncut.
 struct Uncut {
   enum class Kind {
     left_out,  ///< the tool passes above them
@@ -95,16 +95,16 @@ struct Correction {
   std::vector<LowRapid> low_rapids;  ///< in path order (lib/correct/low_rapids.h)
 };
 
-/// The changes as they are proposed. Each motion that they touch has been checked by itself and is no worse than it
-/// was.
+/// Returns the changes as they are proposed. Each motion that they touch has been checked by itself and is no worse
+/// than it was.
 ///
 /// Requires `result` from check() with the same path and setup.
-/// Ensures  (1) But for tilts and what is left out only positions at the ends of gouging moves are moved, and only when
-///          they are themselves too deep; none further than max_shift, nor further than max_side_shift across the tool
-///          axis. (2) The tool axis changes in the runs of lib/tilt alone: about moves of which a body gouges whose
-///          strategy is to tilt; and where a stretch is left out, above it (lib/correct/plan_trims.h).
-///          (3) the same proposal at any number of threads.
-/// Source   thesis 5.3 (weighted, iterated); tilting, lifting, inserting and taking back are ours:
+/// Ensures  (1) Except for tilts and left-out stretches, only positions at the ends of gouging moves are moved. They
+///          are moved only when they are themselves too deep. None goes further than max_shift, nor further than
+///          max_side_shift across the tool axis. (2) The tool axis changes in the runs of lib/tilt alone: about moves
+///          of which a body gouges whose strategy is to tilt. It also changes above a stretch that is left out
+///          (lib/correct/plan_trims.h). (3) The same proposal at any number of threads.
+/// Source   Thesis 5.3 (weighted, iterated); tilting, lifting, inserting and taking back are ours:
 ///          docs/method/correction.md, docs/method/tilting.md.
 [[nodiscard]] Correction correct_path(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
                                       const CorrectOptions& correct, const ProgressCall& progress = {});
@@ -122,13 +122,13 @@ struct LawfulCorrection {
   ChangedPath after;
 };
 
-/// The changes that keep the laws (laws.h) in what `rewrite` makes of them, checked like any other path: what makes a
-/// move worse there, or cannot be written, is taken back until nothing does.
+/// Returns the changes that keep the laws (laws.h) in the file that `rewrite` makes of them, checked like any other
+/// path. A change that makes a move worse there, or that cannot be written, is taken back until no such change is left.
 ///
-/// Ensures  `uncorrected` lists every move that gouges or is buried in `after`, and no other.
-/// Errors   those of `rewrite` for no changes at all; correct-law: even then a move is worse, a fault of ours.
-/// Cost     as correct_path, and a call of `rewrite` and a check of its path for every time something was taken
-///          back.
+/// Ensures  The list `uncorrected` holds every move that gouges or is buried in `after`, and no other.
+/// Errors   Those of `rewrite` for no changes at all. With correct-law a move is worse even then, which is an error of
+///          the program.
+/// Cost     As correct_path, and a call of `rewrite` and a check of its path for every time something was taken back.
 [[nodiscard]] Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckResult& result,
                                                         const CheckSetup& setup, const CorrectOptions& correct,
                                                         const RewritePath& rewrite, const ProgressCall& progress = {});

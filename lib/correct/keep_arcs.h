@@ -19,13 +19,13 @@ struct ArcKeeping {
   const std::vector<bool>& can_split;    ///< these may become several
 };
 
-/// Lets arcs that `correction` makes straight stay arcs, in this order: one arc between the ends that they got
-/// (shift_arc); one arc whose ends go on from there in the same direction, as far as all of it requires; or several, on
-/// the clean stretches as they were (split_arc).
+/// Lets arcs that `correction` makes straight stay arcs. It tries these in order. (1) One arc between the new ends
+/// (shift_arc). (2) One arc whose ends go further in the same direction, as far as all of the arc requires. (3) Several
+/// arcs on the clean stretches as they were (split_arc).
 ///
-/// Ensures  Positions and all other moves stay as proposed, but for the two ends of an arc that both were moved: those
-///          may go further, within the bounds of a shift and of --max-side-shift, where the motions beside them are
-///          clean and, where those are feeds, stay on the programmed ones.
+/// Ensures  Positions and all other moves stay as proposed, except for the two ends of an arc that were both moved.
+///          Those may go further, within the bounds of a shift and of --max-side-shift. The motions beside them must
+///          then be clean. Feeds beside them must stay on the programmed motions.
 void keep_arcs(const ArcKeeping& keeping, Correction& correction);
 
 }  // namespace gouge

@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-// How far from the end of a clean interval a path may leave it, tried in turn.
+// Distances from the end of a clean interval at which a path may leave it, tried in turn.
 constexpr std::array kBack_mm{0.02, 0.1, 0.5, 2.0, 8.0};
 constexpr std::array kBackShares{1.0 / 16, 1.0 / 4, 1.0 / 2};  // of both intervals, for paths over corrected positions
 constexpr double kShortest_mm = 0.01;                          // of an interval that is worth a position
@@ -127,8 +127,8 @@ void LinkFinder::leave_out_holds(const LinkNode& u, const LinkNode& v, LinkNodes
   waypoints = std::move(kept);
 }
 
-/// Returns whether the straight path keeps to the programmed motion wherever that is clean. It leaves the motion by a mean of
-/// what its ends are off, so the ends of the clean intervals represent all instants.
+/// Returns whether the straight path keeps to the programmed motion wherever that is clean. It leaves the motion by a
+/// mean of what its ends are off, so the ends of the clean intervals represent all instants.
 bool LinkFinder::stays_near(const LinkNode& from, const LinkNode& to) const {
   const Vec3 off_from = offset_mm(from), off_to = offset_mm(to);
   const double span = to.t - from.t;

@@ -102,9 +102,9 @@ class LawsCheck {
   }
 
  private:
-  /// Piece `k` of straight move `i` is the programmed motion or a part of it, or leads from its new start to the old
-  /// one, or from its old end to the new one. Elsewhere a motion that still gouges could cut what it did not cut before, less deep than
-  /// its deepest point.
+  /// Returns whether piece `k` of straight move `i` is the programmed motion or a part of it. It may also lead from its
+  /// new start to the old one, or from the old end to the new one. Elsewhere a motion that still gouges could cut what
+  /// it did not cut before, less deep than its deepest point.
   [[nodiscard]] bool is_programmed_or_shift(std::size_t i, std::size_t k, const MovesAfter& span) const {
     const Toolpath &a = *before_.path, &b = *after_.path;
     if (!b.moves[k].has_start) return false;
@@ -118,7 +118,8 @@ class LawsCheck {
            (is_last && !is_first && is_near(b.start_of(k), a.moves[i].end));
   }
 
-  /// Returns whether the tool passes there on straight move `i`: a straight motion between two such positions is a part of it.
+  /// Returns whether the tool passes there on straight move `i`: a straight motion between two such positions is a part
+  /// of it.
   [[nodiscard]] bool is_on_programmed(std::size_t i, const Pose& pose) const {
     const Motion motion = options_.law.straight(before_.path->start_of(i), before_.path->moves[i].end);
     const Vec3 along = motion.end().tip - motion.start().tip;
@@ -170,7 +171,7 @@ std::vector<std::size_t> find_worse(const CheckedPath& before, const std::vector
   std::vector<std::size_t> worse;
   for (const PathChange& change : changes) {
     if (change.hole_shift_mm && !has_same_steps(*before.path, change.move, *after.path, spans[change.move].first))
-      return {change.move};  // what stands behind it is then not where it is looked for
+      return {change.move};  // later moves are then not where they are searched
   }
   const bool is_as_long = count == 0 || spans.back().last == after.path->moves.size();
   const LawsCheck check(before, changes, after, options);

@@ -8,15 +8,15 @@
 #include "lib/path/path_change.h"
 #include "lib/path/toolpath.h"
 
-// Rules that a correction must keep, by the checks of the path before and after it: no move that was clean becomes
-// anything else, none becomes deeper, none becomes buried or uncertain.
+// Rules that a correction must keep, by the checks of the path before and after it. A clean move stays clean. No move
+// becomes deeper, buried or uncertain.
 
 namespace gouge {
 
 /// Returns whether a motion with verdict `before` may become one with verdict `after`.
 ///
-/// Ensures  True only where `after` is clean, or near where `before` was not clean, or a gouge where `before` was one
-///          at least as deep: to twice the resolution, as that is how far both depths are known.
+/// Ensures  True only in three cases: `after` is clean; it is near and `before` was not clean; or both are gouges and
+///          `after` is no deeper. Depths are compared to twice the resolution, as that is how far both are known.
 [[nodiscard]] bool is_no_worse_than(const MoveVerdict& before, const MoveVerdict& after, double resolution_mm);
 
 /// A checked path.
@@ -33,8 +33,9 @@ struct MovesAfter {
 /// For each move of a path with `moves` moves. The last entry ends at the number of moves of the changed path.
 [[nodiscard]] std::vector<MovesAfter> moves_after(std::size_t moves, const std::vector<PathChange>& changes);
 
-/// Moves of the path as it was, in path order, of which `after` is worse than `before` or is not what `changes` states:
-/// an unchanged move that is not the same any more, or not as many moves (then all of them). `options`: of both checks.
+/// Returns moves of the path as it was, in path order, of which `after` is worse than `before` or differs from
+/// `changes`. An unchanged move differs when its motion is another one. Where the number of moves differs, all moves
+/// are returned. The `options` are those of both checks.
 [[nodiscard]] std::vector<std::size_t> find_worse(const CheckedPath& before, const std::vector<PathChange>& changes,
                                                   const CheckedPath& after, const CheckOptions& options);
 

@@ -56,8 +56,8 @@ std::optional<LinkNodes> LinkFinder::halve(const LinkNode& u, const LinkNode& v,
   return before;
 }
 
-/// Away from the programmed motion at one end of the gap, as far as the other end is off, and parallel to it from there
-/// on.
+/// Leads away from the programmed motion at one end of the gap, as far as the other end is off. From there on it is
+/// parallel to it.
 std::optional<LinkNodes> LinkFinder::corner(const LinkNode& u, const LinkNode& v, double depth_mm) {
   if (task_.programmed == nullptr) return std::nullopt;
   const Vec3 off_u = offset_mm(u), off_v = offset_mm(v);
@@ -81,8 +81,8 @@ PoseLimits LinkFinder::limits() const {
   return limits;
 }
 
-/// The crossing keeps `clearance_mm`; what leads up to it and down again does not. Lifts grow; where only the largest
-/// one is free, the least between it and the one before is found by halving. For a rapid, lifts between these are tried
+/// The crossing keeps `clearance_mm`; the ways up to it and down again do not. Lifts grow; where only the largest one
+/// is free, the least between it and the one before is found by halving. For a rapid, lifts between these are tried
 /// where none is free.
 std::optional<LinkNodes> LinkFinder::over(const LinkNode& from, const LinkNode& to, double clearance_mm) {
   const bool is_rapid = task_.kind == MoveKind::rapid;

@@ -16,8 +16,9 @@ struct LinkNode {
 };
 using LinkNodes = std::vector<LinkNode>;
 
-/// The search behind bridge(). Whether the tool is inside a solid is tested where a path begins, at each position put
-/// into it and in each clean interval of the programmed motion; from there on a clean motion keeps it outside.
+/// The search behind bridge(). It tests whether the tool is inside a solid at certain places. These are the start of a
+/// path, each inserted position and each clean interval of the programmed motion. From there on a clean motion keeps
+/// the tool outside.
 class LinkFinder {
  public:
   explicit LinkFinder(const LinkTask& task) : task_(task) {}
@@ -68,10 +69,10 @@ class LinkFinder {
   const LinkTask& task_;
   std::vector<TimeInterval> clean_;  // of the programmed motion, without those that nothing leads to or from
   std::size_t count_ = 0;            // of positions found since the last start
-  double air_mm_ = 0;                // what is kept from everything now
+  double air_mm_ = 0;                // the clearance in force
 };
 
-/// A waypoint on a motion that was at `before`, `lift` away from it.
+/// Returns a waypoint on a motion that was at `before`, `lift` away from it.
 [[nodiscard]] LinkPose link_stop(const Pose& before, const Pose& after, double lift_mm, double depth_mm);
 
 }  // namespace gouge

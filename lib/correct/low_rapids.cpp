@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kAsMuch_mm = 1e-3;                           // less than that is no change of what a rapid keeps
+constexpr double kAsMuch_mm = 1e-3;                           // less than that is not a change of what a rapid keeps
 constexpr double kCertifiedShares[] = {0.99, 0.9, 0.5, 0.1};  // of a distance that was found
 
 class RapidMeasurer {
@@ -19,7 +19,7 @@ class RapidMeasurer {
     options_.tolerance_mm = 0;
   }
 
-  /// How far a rapid stays away from everything, up to the clearance; negative: how deep it is at most.
+  /// Returns how far a rapid stays away from everything, up to the clearance; negative: how deep it is at most.
   [[nodiscard]] double keeps_mm(const Toolpath& path, std::size_t move) const {
     const Motion motion = options_.law.of(path, move);
     if (!motion.is_defined() || path.moves[move].tool == kNone) return clearance_mm_;

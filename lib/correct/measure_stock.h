@@ -6,13 +6,15 @@
 
 namespace gouge {
 
-/// Measures the stock that a corrected path leaves on surfaces finished before: the maximum of each stretch of
-/// neighbouring changed moves, where that is more than the usual or the allowed TiltOptions::max_stock_mm above the
-/// tolerance, the lesser. What is left out (Correction::uncut) is not measured, and rapids cut nothing.
+/// Measures the stock that a corrected path leaves on surfaces finished before. It reports the maximum of each stretch
+/// of neighbouring changed moves where that exceeds the tolerance by more than a limit. The limit is the lesser of the
+/// usual and the allowed TiltOptions::max_stock_mm. Left-out stretches (Correction::uncut) are not measured, and rapids
+/// cut nothing.
 ///
 /// Requires `after` to be `path` with the changes.
-/// Ensures  the same at any number of threads; in path order.
-/// Cost     bounded: some tenths of a second for all stretches together, and a share for each move; results that are not decided by then are marked.
+/// Ensures  The same at any number of threads; in path order.
+/// Cost     Bounded: some tenths of a second for all stretches together, and a share for each move. Results that are
+///          not decided by then are marked.
 [[nodiscard]] std::vector<StockStretch> measure_stock(const Toolpath& path, const Correction& correction,
                                                       const Toolpath& after, const CheckSetup& setup,
                                                       const CorrectOptions& correct);

@@ -31,7 +31,7 @@ constexpr const char* kUncertain = "the check cannot tell whether it is clean, s
 
 bool is_straight(const Move& move) { return move.kind == MoveKind::feed || move.kind == MoveKind::rapid; }
 
-/// How deep the cutter may stay in the part.
+/// Returns how deep the cutter may stay in the part.
 double aim_of(double tolerance_mm) { return tolerance_mm > 2 * kAir_mm ? kPositionAimShare * tolerance_mm : -kAir_mm; }
 
 std::uint64_t step_budget(const CheckResult& result) {
@@ -275,9 +275,9 @@ void PathCorrector::link_move(std::size_t i) {
   work.is_refused = work.inserted.empty();
 }
 
-/// A move that gouges all the same runs as it was programmed: from its new start to the old one, along the programmed
+/// A move that still gouges runs as it was programmed. It leads from its new start to the old one, along the programmed
 /// motion, and from the old end to the new one. So it cuts nothing that it did not cut before, but what the shifts of
-/// its ends cut, no deeper than its ends are. Nothing where that is not so, or the motion is no straight line.
+/// its ends cut, no deeper than its ends are. Nothing where that is not so, or the motion is not a straight line.
 std::vector<LinkPose> PathCorrector::programmed_again(std::size_t i) const {
   const Move& move = path_.moves[i];
   const bool is_dogleg = move.kind == MoveKind::rapid && options_.law.rapid() == RapidMode::dogleg;

@@ -20,7 +20,7 @@ class PathCorrector {
   PathCorrector(const Toolpath& path, const CheckResult& result, const std::vector<const ToolVariants*>& tools,
                 const MotionChecker& checker, const CorrectOptions& correct);
 
-  /// Keeps this move, both its positions and what lies between, as it is from now on.
+  /// Keeps this move, both its positions and the motion between, unchanged.
   void keep(std::size_t move, const std::string& reason);
 
   [[nodiscard]] Correction propose(const ProgressCall& progress);

@@ -48,13 +48,13 @@ double top_mm(const Vec3& foot, const Vec3& axis, double max_mm, const PreparedS
   return in;
 }
 
-// Returns how deep a drill is below the surface of the parts that surrounds it, from its tip, in mm; 0 where material
-// does not surround it, or a part is no solid. It is the same whether or not the parts have the hole.
+// Returns how deep the tip of a drill is below the surface of the parts around it, in mm. 0 where material does not
+// surround it, or a part is not a solid. It is the same whether or not the parts have the hole.
 //
-// `pose`: tip at the bottom of the hole. `radius_mm`: of the drill. `max_mm`: nothing above that height is examined.
-// Ensures  at each of eight directions about the axis, material stands beside the drill at a quarter of its radius up
-//          to that depth, as far as 64 heights show; the upper end is known to 0.001 mm.
-// Cost     some 600 queries of a side.
+// At `pose` the tip is at the bottom of the hole. The radius is that of the drill. Nothing above `max_mm` is examined.
+// Ensures  In each of eight directions about the axis, material stands beside the drill at a quarter of its radius up
+//          to that depth. This holds as far as 64 heights show; the upper end is known to 0.001 mm.
+// Cost     Some 600 queries of a side.
 double depth_below_surface_mm(const Pose& pose, double radius_mm, double max_mm, const PreparedScene& scene) {
   if (!(max_mm > 0) || !scene.is_within_reach) return 0;
   const Vec3 across = pose.axis.unitOrthogonal(), other = pose.axis.cross(across);

@@ -17,7 +17,7 @@ struct HolePlan {
   double depth_before_mm = 0, depth_after_mm = 0;
 };
 
-/// The moves of the hole that begins at `first`: neighbouring cycle steps of one statement.
+/// Returns the end of the hole that begins at `first`: its moves are neighbouring cycle steps of one statement.
 [[nodiscard]] std::size_t end_of_hole(const Toolpath& path, std::size_t first);
 
 /// A hole [first, last) of which a step gouges and that stays where it is, and why.
@@ -31,12 +31,12 @@ struct HolePlans {
   std::vector<HoleLeft> left;  ///< where more is known than that no lift frees it
 };
 
-/// Plans for the holes of which a step gouges and which the file can write elsewhere. Each is the least lift for which
-/// the steps that gouge, shifted with it, are clean, and keeps the law of a shift. How the path to it and from it runs
-/// then, the written file shows.
+/// Plans the holes of which a step gouges and which the file can write elsewhere. Each plan is the least lift for which
+/// the steps that gouge, shifted with it, are clean, and keeps the law of a shift. The written file shows how the path
+/// to the hole and from it runs then.
 ///
-/// Ensures  No hole is lifted out of the part: a lift is at most a quarter of the depth below the surface that surrounds
-///          the drill (hole_depth.h), and a quarter of the diameter. Any other hole stays.
+/// Ensures  No hole is lifted out of the part. A lift is at most a quarter of the depth below the surface that
+///          surrounds the drill (hole_depth.h), and a quarter of the diameter. Any other hole stays.
 [[nodiscard]] HolePlans plan_holes(const Toolpath& path, const CheckResult& result,
                                    const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
                                    const CorrectOptions& correct);

@@ -19,7 +19,7 @@ namespace {
 
 // A clean stretch between two that are left out is cut only where it is longer: a shorter cut is not worth a plunge.
 constexpr double kMinCut_mm = 2;
-// How far before and behind the stretch another place to retract is sought.
+// Distances before and behind the stretch at which another place to retract is sought.
 constexpr std::array kAway_mm = {0.0, 0.05, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
 Pose lifted(const Pose& pose, double lift_mm) { return {pose.tip + lift_mm * pose.axis, pose.axis}; }
@@ -190,8 +190,8 @@ class TrimChain {
     return places;
   }
 
-  /// The first of `places` from `next` on from which the tool may retract by the lift. What is in the way of a lift is
-  /// in the way of every longer one. A rapid is left, and joined, where it keeps the clearance: there is no way up.
+  /// The first of `places` from `next` on from which the tool may retract by the lift. An obstacle to a lift is in the
+  /// way of every longer one. A rapid is left, and joined, where it keeps the clearance: there is no way up.
   [[nodiscard]] bool find_retract(const std::vector<PathPlace>& places, std::size_t& next, double lift_mm) const {
     for (; next < places.size(); ++next) {
       const Pose low = pose(places[next]);
@@ -215,8 +215,8 @@ class TrimChain {
     return false;
   }
 
-  /// Feeds become rapids no lower than where the path last went from rapid to feed: how high the stock stands above
-  /// what is left uncut is not known, but there the program states that the tool is above it.
+  /// Feeds become rapids no lower than where the path last went from rapid to feed. The height of the stock above the
+  /// uncut part is not known. But at that place the program states that the tool is above it.
   [[nodiscard]] bool is_above_stock(const PathPlace& from, double lift_mm) const {
     if (is_on_rapid(from)) return true;
     const Pose begin = pose(from);

@@ -5,8 +5,8 @@
 
 #include "lib/correct/reworked_path.h"
 
-// Leaves out gouging stretches: the tool retracts along its axis where the path was last free, crosses, and comes down again
-// where it is free. What lies between stays uncut.
+// Leaves out gouging stretches: the tool retracts along its axis where the path was last free, crosses, and comes down
+// again where it is free. The stretch between stays uncut.
 
 namespace gouge {
 
@@ -45,19 +45,19 @@ struct TrimJob {
   const MotionChecker& checker;
   const std::vector<bool>& is_wanted;
   double max_lift_mm = 20;
-  double clearance_mm = 1;        ///< what the crossing keeps where there is room
+  double clearance_mm = 1;        ///< clearance of the crossing where there is room
   bool can_write_rapids = false;  ///< a feed may become a rapid
 };
 
-/// Leaves out, of every wanted feed, what is not clean, and of the moves about it as much as it takes.
+/// Leaves out, of every wanted feed, the stretches that are not clean, and of the moves about it as much as that takes.
 ///
-/// Ensures  (1) Every motion of a trim is certified clean to four fifths of the tolerance, its crossing with the
+/// Ensures  (1) Every motion of a trim is certified clean to four fifths of the tolerance. Its crossing keeps the
 ///          clearance too, where any lift gives that; then it is at rapid, where that can be written. Without the
 ///          clearance it is a feed. (2) The path outside of trims stays as programmed. Positions that are not visited
-///          keep their records: they lie evenly on the straight crossing, or, where that is not clean, above their
+///          keep their records. They lie evenly on the straight crossing, or, where that is not clean, above their
 ///          programmed places. (3) The lift is the least of a growing list. (4) The same plan at any number of threads.
-/// Cost     the clean intervals of each move that is not clean; for each stretch some 16 lifts, each a check of three
-///          motions, or of all its moves where the straight crossing is not clean.
+/// Cost     The clean intervals of each move that is not clean. For each stretch also some 16 lifts, each a check of
+///          three motions, or of all its moves where the straight crossing is not clean.
 [[nodiscard]] TrimPlan plan_trims(const TrimJob& job);
 
 }  // namespace gouge

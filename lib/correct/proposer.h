@@ -15,9 +15,8 @@
 
 namespace gouge {
 
-/// Proposes changes of a path, one kind upon the other: curves that must change become chords, runs are tilted,
-/// stretches are left out, positions of what then still gouges are shifted, arcs come back where they can, and holes
-/// are lifted.
+/// Proposes changes of a path, one kind upon the other. Curves that must change become chords. Runs are tilted, and
+/// stretches are left out. Positions that still gouge are shifted. Arcs come back where they can, and holes are lifted.
 class Proposer {
  public:
   /// All must outlive it.
@@ -37,9 +36,9 @@ class Proposer {
   void plan_tilting(const ProgressCall& progress);
   void rework();
   void plan_trimming();
-  /// Reworked last; null: the path is as it was.
+  /// Returns the path reworked last; null: the path is as it was.
   [[nodiscard]] const ReworkedPath* last() const;
-  /// Before stretches are left out.
+  /// Returns the path before stretches are left out.
   [[nodiscard]] const ReworkedPath* untrimmed() const;
   /// Returns which of the moves [first, last] of the path gouges deepest; kNone: none does.
   [[nodiscard]] std::size_t deepest(std::size_t first, std::size_t last) const;

@@ -7,7 +7,7 @@
 namespace gouge {
 namespace {
 
-/// Which curves a correction may have to change.
+/// The curves that a correction may have to change.
 class CurveChoice {
  public:
   CurveChoice(const Toolpath& path, const CheckResult& result, const std::vector<const ToolVariants*>& tools,
@@ -23,7 +23,7 @@ class CurveChoice {
     options_.near_miss_mm = 0;
   }
 
-  // A gouging move may move its end and the end of the move before it, where those are too deep themselves; both are
+  // A gouging move may move its end and the end of the move before it, where those are too deep themselves. Both are
   // ends of curves beside it.
   std::vector<bool> run() {
     const std::size_t count = path_.moves.size();

@@ -8,8 +8,8 @@
 
 namespace gouge {
 
-/// Gouges of bodies whose strategy is `wanted`, one entry a move. What is buried only leaving it out frees: it counts
-/// for that.
+/// Returns the moves with gouges of bodies whose strategy is `wanted`, one entry a move. A buried move is freed only by
+/// leaving it out, and counts for that strategy.
 [[nodiscard]] std::vector<bool> moves_to(Strategy wanted, const Toolpath& path, const CheckResult& result,
                                          const BodyStrategies& strategies);
 
@@ -33,11 +33,11 @@ struct TiltProposal {
   [[nodiscard]] std::size_t origin_of(std::size_t i) const { return straight ? straight->origin[i] : i; }
 };
 
-/// Tilts for all gouges of bodies whose strategy is to tilt.
+/// Returns tilts for all gouges of bodies whose strategy is to tilt.
 [[nodiscard]] TiltProposal propose_tilts(const TiltRequest& request, const ProgressCall& progress);
 
-/// A path with the positions of a plan: `plan` is of `straight`, or of `path` where there is none, and moves of the
-/// result are pieces of the moves of `path`.
+/// Returns a path with the positions of a plan. The `plan` is of `straight`, or of `path` where there is none. Moves of
+/// the result are pieces of the moves of `path`.
 [[nodiscard]] ReworkedPath tilt_path(const Toolpath& path, const CheckResult& result,
                                      const std::optional<ReworkedPath>& straight, const TiltPlan& plan,
                                      const std::vector<const ToolVariants*>& tools, const MotionChecker& checker);

@@ -29,14 +29,15 @@ struct FindingCures {
   LiftCure lift;
 };
 
-/// Cures of every gouge and every buried finding of shank, holder and heads, in the order of the events.
+/// Finds cures of every gouge and every buried finding of shank, holder and heads, in the order of the events.
 ///
-/// `result` from check() with the same path and setup.
+/// Requires `result` from check() with the same path and setup.
 /// Ensures  (1) The lift is that of find_lift for all moves of the finding. (2) The tilt is that of the runs that
-///          plan_tilts gives for the whole path, as `correct` would: about the contact, coming and going over the
-///          blend. It is given only where check() of the path so tilted finds every move of the finding, and every
-///          other one that the run changed, clean or near. (3) The same at any number of threads.
-/// Cost     that of planning all tilts, a check of the path, and of find_lift for each finding.
+///          plan_tilts gives for the whole path, as `correct` would. It is about the contact, and comes and goes over
+///          the blend. It is given only where check() of the path so tilted finds certain moves clean or near. These
+///          are every move of the finding, and every other move that the run changed. (3) The same at any number of
+///          threads.
+/// Cost     That of planning all tilts, a check of the path, and of find_lift for each finding.
 [[nodiscard]] std::vector<FindingCures> find_cures(const Toolpath& path, const CheckResult& result,
                                                    const CheckSetup& setup, const CureOptions& options,
                                                    const ProgressCall& progress = {});

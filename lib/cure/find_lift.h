@@ -15,15 +15,15 @@ struct LiftCure {
   std::size_t move = kNone;
   Body body = Body::holder;
   MoveState state = MoveState::gouge;
-  /// Proved: no multiple of the step below this frees the moves. Where it is `lift_mm`, that is the least one; what is
-  /// between both is not decided.
+  /// Proved: no multiple of the step below this frees the moves. Where it is `lift_mm`, that is the least one. Lifts
+  /// between both are not decided.
   double not_free_below_mm = 0;
 
   [[nodiscard]] bool is_least() const { return lift_mm && !(not_free_below_mm < *lift_mm); }
 };
 
-/// Moves of a path at some height: lifted along the tool axis of each position. What follows without a gap stays one
-/// motion after the other; a curve keeps its form, or, where the axis turns along it, becomes chords within
+/// Moves of a path at some height, lifted along the tool axis of each position. Moves that follow without a gap stay
+/// one motion after the other. A curve keeps its form. Where the axis turns along it, it becomes chords within
 /// `chord_error_mm`.
 struct LiftedMoves {
   Toolpath path;                    ///< no source
@@ -32,16 +32,16 @@ struct LiftedMoves {
 [[nodiscard]] LiftedMoves lift_moves(const Toolpath& path, const std::vector<std::size_t>& moves, double lift_mm,
                                      double chord_error_mm);
 
-/// The least lift, a multiple of `step_mm` up to `max_mm`, with which check() of the moves finds no gouge, nothing
-/// buried and nothing uncertain, of any body.
+/// Finds the least lift, a multiple of `step_mm` up to `max_mm`, that frees the moves. With it check() finds no gouge,
+/// nothing buried and nothing uncertain, of any body.
 ///
 /// Requires moves in path order, not all of them free as they are.
-/// Ensures  (1) The named move is not proved free one step below. (2) `not_free_below_mm` is proved by real gouges, each
-///          for all lifts that differ by less than what it is deeper than allowed, and by buried tools. Lifts follow what
-///          is missing; after 64 of these, and where the check decides nothing, they double, and are halved back.
-///          (3) Where it decided nothing one step below, whole checks, which know the path to each move, are made of
-///          up to eight lifts below, by halving.
-/// Cost     a check of the moves for each lift tried, some ten; a whole check at the end.
+/// Ensures  (1) The named move is not proved free one step below. (2) The height `not_free_below_mm` is proved by
+///          buried tools and by real gouges. Each gouge proves it for all lifts that differ by less than its depth
+///          beyond the allowed one. Each lift follows from the depth that remains. After 64 of these, and where the
+///          check decides nothing, lifts double, and are halved back. (3) Where the check decided nothing one step
+///          below, whole checks are made of up to eight lifts below, by halving. These know the path to each move.
+/// Cost     A check of the moves for each lift tried, some ten; a whole check at the end.
 [[nodiscard]] LiftCure find_lift(const Toolpath& path, const std::vector<std::size_t>& moves, const CheckSetup& setup,
                                  double step_mm, double max_mm);
 

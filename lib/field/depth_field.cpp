@@ -22,10 +22,10 @@ constexpr double kSpread = 0.5;  // of a node's radius: farther apart they are q
 // Part of a depth that may go unseen.
 constexpr double kUnseenShare = 0.01;
 
-/// How closely the instants of a move must be picked.
+/// The spacing at which the instants of a move must be picked.
 struct PoseApproach {
-  double step_mm = 0;    ///< so close that what the tool leaves between two of them goes unseen
-  double unseen_mm = 0;  ///< a depth that does
+  double step_mm = 0;    ///< so close that material left between two of them goes unseen
+  double unseen_mm = 0;  ///< a depth that goes unseen
   double lever_mm = 0;   ///< where it gouges, the tool turns about its tip with this one
 };
 
@@ -119,7 +119,8 @@ class PlacedTool {
 
   [[nodiscard]] double floor_mm() const { return has_clearance() || asked_.clearance_mm > 0 ? 0.0 : tolerance_mm_; }
 
-  // The form compared with the workpiece holds every other one inside it up to its clearances, so it decides what is far away.
+  // The form compared with the workpiece holds every other one inside it up to its clearances, so it decides what is
+  // far away.
   [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double, Memory&) const {
     const Vec3 d = node.centre - pose_->tip;
     const double z = d.dot(pose_->axis);

@@ -18,15 +18,16 @@ class DepthField {
 
   static constexpr std::size_t kMaxPoses = 12000;
 
-  /// Picks the instants, about `max_poses` of them for the tool and a twenty-fifth for the heads, whose
-  /// distances cost more; the worst of every gouging move as long as that many fit.
+  /// Picks the instants: about `max_poses` of them for the tool, and a twenty-fifth for the heads, whose distances cost
+  /// more. The worst instant of every gouging move is among them as long as that many fit.
   explicit DepthField(const CheckedToolpath& input, std::size_t max_poses = kMaxPoses);
 
-  /// For each point the largest depth that counts as a gouge, in mm, else 0. Within 3 % of the sampled poses.
+  /// Returns for each point the largest depth that counts as a gouge, in mm, else 0. Within 3 % of the sampled poses.
   [[nodiscard]] std::vector<float> depth_at(const std::vector<Point>& points) const;
 
-  /// For each ball of that radius about a centre whether any point in it may have a depth: where not, no depth_at is
-  /// more than 0. With `around_mm`, also whether any of the tool may be within that of such a point, however little.
+  /// Returns for each ball of that radius about a centre whether any point in it may have a depth. Where not, no
+  /// depth_at is more than 0. With `around_mm` also whether any of the tool may be within that of such a point, however
+  /// little.
   [[nodiscard]] std::vector<std::uint8_t> may_be_deep(const std::vector<Vec3>& centres, double radius_mm,
                                                       double around_mm = 0) const;
 
@@ -40,7 +41,7 @@ class DepthField {
   /// Poses of the tool, in the order of the path.
   [[nodiscard]] const std::vector<FieldPose>& poses() const { return poses_; }
   [[nodiscard]] const HeadField& heads() const { return heads_; }
-  /// depth_at of the tool alone.
+  /// Returns depth_at of the tool alone.
   [[nodiscard]] std::vector<float> tool_depth_at(const std::vector<Point>& points) const;
 
  private:

@@ -15,9 +15,9 @@ struct FieldInstants {
   std::vector<double> t;  ///< that of the witness first
 };
 
-/// The instants that show how deep a path gouges, about `most` of them. `wanted` shows how many steps would
-/// show a move as well as can be seen; where they come to too many in all, every move gets fewer, and at last
-/// of each group of neighbouring moves only the worst is examined.
+/// Picks the instants that show how deep a path gouges, about `most` of them. The function `wanted` returns how many
+/// steps show a move as well as can be seen. Where these are too many in all, every move gets fewer. At last only the
+/// worst move of each group of neighbours is examined.
 [[nodiscard]] std::vector<FieldInstants> pick_instants(
     const CheckedToolpath& input, std::size_t most,
     const std::function<std::size_t(const Motion& motion, std::size_t move)>& wanted);

@@ -7,8 +7,8 @@
 
 namespace gouge {
 
-/// Appends groups of up to four neighbours, groups of those, and so on: the bodies that a tree of points can query at once for all of
-/// a group while they are far from it. Returns how many groups are last and represent all.
+/// Appends groups of up to four neighbours, groups of those, and so on. A tree of points can query a group once for all
+/// of its bodies while they are far from it. Returns how many groups are last and represent all.
 ///
 /// A Body has is_of(other), whether it may be in one group with it, and is made from (parts, index of the first).
 template <class Body>

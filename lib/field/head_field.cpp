@@ -85,7 +85,8 @@ class PlacedHead {
     return foot;
   }
 
-  // A point inside is not deeper than it is far from any part of the surface, such as what was nearest to its neighbour.
+  // A point inside is not deeper than it is far from any part of the surface, such as what was nearest to its
+  // neighbour.
   [[nodiscard]] double max_at(const Vec3& point, const Memory& memory) const {
     if (!memory.triangle) return std::numeric_limits<double>::infinity();
     return std::sqrt(closest_on_triangle(point, head_->surface.corners(*memory.triangle)).distance2_mm2);

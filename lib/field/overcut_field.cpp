@@ -16,8 +16,7 @@ constexpr int kShrinks = 16, kSteps = 64, kLooks = 8;
 // Overcuts of moves that are not the worst of their finding are searched less, and may be reported smaller than
 // they are.
 constexpr double kMoreThanReported = 2;
-// A flat facet of a curved part is taken for the part: what lies below it may be a little nearer to its
-// neighbour.
+// A flat facet of a curved part is taken for the part: points below it may be a little nearer to its neighbour.
 constexpr double kNearer = 0.95;
 constexpr double kMet = 1e-3;  // of a depth: as near the tool a ray has met it
 constexpr double kOnBoundary_mm = 1e-3;
@@ -52,8 +51,9 @@ class OvercutField::SweptPose {
   [[nodiscard]] double distance_mm(const Vec3& point) const {
     return signed_distance_mm(pose_->tool->bare, pose_->pose, point);
   }
-  /// How far at least all points of a node, moved as its centre to `at` and up to `more_mm` farther, are outside of it:
-  /// the node is flat, and beside a flat one the tangent plane of the tool states more than the nearest point.
+  /// Returns how far at least all points of a node, moved as its centre to `at` and up to `more_mm` farther, are
+  /// outside of it. The node is flat, and beside a flat one the tangent plane of the tool bounds better than the
+  /// nearest point.
   [[nodiscard]] double out_mm(const PointTree::Node& node, const Vec3& at, double more_mm) const {
     const Pose& pose = pose_->pose;
     const Vec3 d = at - pose.tip;
@@ -70,8 +70,8 @@ class OvercutField::SweptPose {
     const double radius_mm = node.radius + more_mm + std::max(by_plane, 0.0);
     return by_plane > out && is_bounded_by_tangent(tool, here, r, z, radius_mm) ? by_plane : out;
   }
-  /// How far from it the parts are at most, as the point sees them. An axis turns a point no farther than the chord its
-  /// own end goes, times the distance to the tip.
+  /// Returns how far from it the parts are at most, as the point sees them. An axis turns a point no farther than the
+  /// chord its own end goes, times the distance to the tip.
   [[nodiscard]] double spread_mm(const Vec3& point) const {
     return parts > 0 ? shift_mm_ + turn_ * (point - pose_->pose.tip).norm() : 0;
   }
@@ -175,8 +175,8 @@ class OvercutField::RayTree {
     return near;
   }
 
-  /// From the far end of the middle ray back to where the tool may meet any: a ray's point at depth s lies within the
-  /// node's radius and s times the spread of the middle ray's.
+  /// Goes from the far end of the middle ray back to where the tool may meet any ray. A ray's point at depth s lies
+  /// near that of the middle ray: within the node's radius and s times the spread.
   void add_near(std::size_t at, const Reach& of, Swept& near) const {
     const PointTree::Node& node = tree_.nodes()[at];
     const Bundle& bundle = bundles_[at];
@@ -262,8 +262,8 @@ class OvercutField::RayTree {
   std::vector<float> reported_;
 };
 
-/// How far along the ray its own foot stays the nearest: the radius of the largest ball that touches the
-/// surface there from within, found by shrinking it as long as another foot lies in it.
+/// Returns how far along the ray its own foot stays the nearest. That is the radius of the largest ball that touches
+/// the surface there from within. The ball is shrunk as long as another foot lies in it.
 double OvercutField::margin_mm(const Surface& solid, const Ray& ray, double max_mm) const {
   if (!solid.closest_point(ray.at, kOnBoundary_mm)) return 0;  // of a shell inside the solid
   double radius = max_mm;

@@ -7,14 +7,14 @@
 
 namespace gouge {
 
-/// Distance of the gouging moves of a path below the part's surface, at any point of it: the largest s for
-/// which the point p - s n, n being the normal at p, is in the tool and p is the closest point of the surface
-/// to it. Where the part is thinner than the tool is deep in it, this is the depth, which the tool's depth
-/// does not.
+/// Distance of the gouging moves of a path below the part's surface, at any point of it. Let n be the normal at the
+/// point p. The distance is the largest s for which p - s n is in the tool and p is its closest point of the surface.
+/// Where the tool is deeper in the part than it is thick, this is still how deep it reaches; the tool's depth saturates
+/// there.
 ///
-/// Where the overcut is unknown, the depth replaces it: on surfaces that are not closed, where only a clearance or
-/// stock to leave is entered, and of heads, which are too thick for their depth to saturate. Sampled, for
-/// pictures, as depths are; it guarantees nothing.
+/// Where the overcut is unknown, the depth replaces it. That is so on surfaces that are not closed, and where only a
+/// clearance or stock to leave is entered. It is also so for heads, which are too thick for their depth to saturate.
+/// Sampled, for pictures, as depths are; it guarantees nothing.
 class OvercutField {
  public:
   /// All arguments, and what they point at, must outlive it.
@@ -23,7 +23,7 @@ class OvercutField {
   OvercutField(const OvercutField&) = delete;
   OvercutField& operator=(const OvercutField&) = delete;
 
-  /// No move has an overcut: depths are all there is to show.
+  /// Returns whether no move has an overcut: depths are all there is to show.
   [[nodiscard]] bool is_empty() const { return largest_mm_ <= 0; }
 
   struct Ray {
@@ -31,13 +31,13 @@ class OvercutField {
     Vec3 inward = -Vec3::UnitZ();  ///< unit
     std::size_t mesh = 0;          ///< counted through all obstacles
   };
-  /// For each ball of that radius about a centre whether any ray that begins in it may have an overcut or a depth: where
-  /// not, `at` is 0.
+  /// Returns for each ball of that radius about a centre whether any ray that begins in it may have an overcut or a
+  /// depth. Where not, `at` is 0.
   [[nodiscard]] std::vector<std::uint8_t> may_be_deep(const std::vector<Vec3>& centres, double radius_mm) const;
 
-  /// For each ray the overcut alone, mm; 0 where the tool does not reach or the overcut is unknown.
+  /// Returns for each ray the overcut alone, mm; 0 where the tool does not reach or the overcut is unknown.
   [[nodiscard]] std::vector<float> overcut_at(const std::vector<Ray>& rays) const;
-  /// For each ray the overcut, or where it is unknown the depth, mm; 0 where nothing gouges.
+  /// Returns for each ray the overcut, or where it is unknown the depth, mm; 0 where nothing gouges.
   [[nodiscard]] std::vector<float> at(const std::vector<Ray>& rays) const;
 
  private:

@@ -79,7 +79,8 @@ class AnyDepth {
   double radius_mm_, floor_mm_;
 };
 
-/// Depths not above `max_floor_mm` do not count, nor those that do not count for the bodies, whichever is less.
+/// Makes an AnyDepth of each body. Depths not above `max_floor_mm` do not count, nor those that do not count for the
+/// bodies, whichever is less.
 template <class Of>
 [[nodiscard]] std::vector<AnyDepth<Of>> any_depths(const std::vector<Of>& bodies, double radius_mm,
                                                    double max_floor_mm = std::numeric_limits<double>::infinity()) {
@@ -89,8 +90,9 @@ template <class Of>
   return out;
 }
 
-/// The largest depth of each point of a surface in any of many bodies. Both are halved together: a node of points
-/// hands down the bodies that may be the deepest somewhere in it, and its leaves query those with the largest bound first.
+/// The largest depth of each point of a surface in any of many bodies. Points and bodies are halved together. A node of
+/// points hands down the bodies that may be the deepest somewhere in it. Its leaves query those with the largest bound
+/// first.
 class PointDepths {
  public:
   static constexpr double kUnseen = 1.03;  ///< a depth not above this many times another looks the same
@@ -98,15 +100,16 @@ class PointDepths {
   explicit PointDepths(const std::vector<FieldPoint>& points)
       : points_(points), tree_(points.size(), [&](std::size_t i) { return points[i].at; }) {}
 
-  /// The depth of each point, mm, less 3 % at most; 0 where it is in none. The last `roots` bodies are queried for all
-  /// points, others only as parts of those.
+  /// Returns the depth of each point, mm, less 3 % at most; 0 where it is in none. The last `roots` bodies are queried
+  /// for all points, others only as parts of those.
   ///
-  /// A Body has range_mm(node, cutoff_mm, memory): what is known of the node's depth, as exact as it need be where that
-  /// is not above `cutoff_mm`; depth_mm(point, cutoff_mm, memory): of a point, where it is above `cutoff_mm`; and
-  /// floor_mm(): depths not above it do not count. Its Memory keeps what it finds from one call to the next nearby.
+  /// A Body has these functions. (1) range_mm(node, cutoff_mm, memory) bounds the node's depth, as exactly as needed
+  /// where that is not above `cutoff_mm`. (2) depth_mm(point, cutoff_mm, memory) is the depth of a point, where that is
+  /// above `cutoff_mm`. (3) floor_mm() is a depth; depths not above it do not count. Its Memory keeps results from one
+  /// call to the next nearby.
   ///
-  /// One may represent several: `parts` is how many, `first_part` the first of them, and its range holds for each. Where
-  /// is_coarse(node) they are queried themselves.
+  /// One body may represent several. Then `parts` is how many, `first_part` the first of them, and its range holds for
+  /// each. Where is_coarse(node) they are queried themselves.
   template <class Body>
   [[nodiscard]] std::vector<float> deepest(const std::vector<Body>& bodies, std::size_t roots) const {
     std::vector<float> depth(points_.size(), 0.0F);

@@ -9,10 +9,10 @@
 
 namespace gouge {
 
-/// A tree of boxes over points in the order they come in, halved in the middle: quick to make for a single pass over
-/// points whose neighbours in the list are neighbours in space, as those of a picture are. In any other order it
-/// holds as well, but its boxes are large. It is cut into blocks that share no point, so that threads may work on them
-/// in any order.
+/// A tree of boxes over points in the order they come in, halved in the middle. It is quick to make for a single pass
+/// over points. Neighbours in their list should be neighbours in space, as in a picture. In any other order it holds as
+/// well, but its boxes are large. It is cut into blocks that share no point, so that threads may work on them in any
+/// order.
 ///
 /// The trees of lib/hierarchy and lib/kdop hold surfaces that stand still for many queries.
 class PointTree {
@@ -49,10 +49,10 @@ class PointTree {
     }
   }
 
-  /// The root first; none without points.
+  /// Returns the root first; none without points.
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
 
-  /// No point p of the node has direction . (p - centre) above this. Requires a unit direction.
+  /// Returns a bound of direction . (p - centre) for all points p of the node. Requires a unit direction.
   [[nodiscard]] static double reach_mm(const Node& node, const Vec3& direction) {
     const double along = std::abs(direction.dot(node.normal));
     const double across = std::sqrt(std::max(0.0, 1 - along * along));

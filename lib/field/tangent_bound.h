@@ -6,8 +6,9 @@
 
 namespace gouge {
 
-/// Returns whether the plane tangent to the tool at the foot of the point (r, z) bounds the depth of all points within `radius_mm`
-/// of it (SupportRange). `here`: what evaluate states about the point.
+/// Returns whether the plane tangent to the tool at the foot of the point (r, z) bounds the depth of the points about
+/// it. These are all points within `radius_mm` of it (SupportRange). The argument `here` is what evaluate states about
+/// the point.
 [[nodiscard]] inline bool is_bounded_by_tangent(const CompiledTool& tool, const ToolDistance& here, double r, double z,
                                                 double radius_mm) {
   const SupportRange& support = tool.elements[here.element].support;

@@ -17,7 +17,8 @@ struct HalfSpace {
 
 inline constexpr std::size_t kMaxHalfSpaces = 12;
 
-/// Returns whether anything of a triangle is in all half-spaces, at most kMaxHalfSpaces of them; a point on a border is.
+/// Returns whether anything of a triangle is in all half-spaces, at most kMaxHalfSpaces of them; a point on a border
+/// is.
 /// Source  I. Sutherland, G. Hodgman, Reentrant polygon clipping, Comm. ACM 17 (1974).
 [[nodiscard]] inline bool is_any_within(const std::array<Vec3, 3>& triangle, std::span<const HalfSpace> space) {
   std::array<Vec3, 2 * (3 + kMaxHalfSpaces)> now, next;  // a cut adds one corner, or more where rounding bent it

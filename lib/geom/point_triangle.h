@@ -63,7 +63,7 @@ inline TrianglePoint closest_on_sliver(const Vec3& p, const std::array<Vec3, 3>&
   const double length2 = along.squaredNorm();
   if (!(length2 > 0)) return triangle_point(p, t[0], TriangleFeature::corner, 0);
   Vec3 across = side - (side.dot(along) / length2) * along;
-  across -= (across.dot(along) / length2) * along;  // what rounding left of it along the edge
+  across -= (across.dot(along) / length2) * along;  // its remainder along the edge, after rounding
   const double width2 = across.squaredNorm();
   if (!(width2 > 0)) return closest_on_rim(p, t);
   const double far = q.dot(across) / width2;  // the weight of the corner across from the edge
@@ -78,15 +78,14 @@ inline TrianglePoint closest_on_sliver(const Vec3& p, const std::array<Vec3, 3>&
 
 }  // namespace detail
 
-/// Closest point of triangle `t` to `p`, and the feature it lies on.
+/// Finds the closest point of triangle `t` to `p`, and the feature it lies on.
 ///
-/// Degenerate  A triangle without area is its edges; one without extent its first corner. Never NaN for
-///             finite input.
-/// Rounding    The distance is that of a point of the triangle, at most 1e-11 of the coordinates' differences above
-///             the least, however narrow the triangle.
+/// Degenerate  A triangle without area is its edges; one without extent its first corner. Never NaN for finite input.
+/// Rounding    The distance is that of a point of the triangle, at most 1e-11 of the coordinates' differences above the
+///             least, however narrow the triangle.
 /// Cost        Constant, no allocation.
-/// Source      C. Ericson, Real-Time Collision Detection (2005), 5.1.5: regions of the triangle by dot
-///             products; not where the triangle is so narrow that their weights would be rounding.
+/// Source      C. Ericson, Real-Time Collision Detection (2005), 5.1.5: regions of the triangle by dot products. They
+///             are not used where the triangle is so narrow that their weights would be rounding.
 [[nodiscard]] inline TrianglePoint closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& t) {
   using detail::triangle_point;
   const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];

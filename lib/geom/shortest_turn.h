@@ -7,9 +7,9 @@
 
 namespace gouge {
 
-/// The rotation by the smallest angle that takes one unit vector to another; between opposite ones half a turn about some
-/// axis across them. (Eigen's own FromTwoVectors states the same through a singular value decomposition, which costs each
-/// source that calls it five seconds to compile.)
+/// Returns the rotation by the smallest angle that takes one unit vector to another; between opposite ones half a turn
+/// about some axis across them. (Eigen's own FromTwoVectors states the same through a singular value decomposition,
+/// which costs each source that calls it five seconds to compile.)
 [[nodiscard]] inline Eigen::Quaterniond shortest_turn(const Vec3& from, const Vec3& to) {
   const double w = 1 + from.dot(to);
   if (w < Tolerance::kNoDirection) {

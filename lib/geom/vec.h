@@ -11,7 +11,7 @@ using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Box3 = Eigen::AlignedBox3d;
 
-/// Positive where `v` is to the left of `u`.
+/// Returns the cross product, positive where `v` is to the left of `u`.
 [[nodiscard]] inline double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 }  // namespace gouge

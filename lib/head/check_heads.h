@@ -51,21 +51,21 @@ class HeadChecker {
   std::uint64_t sweep(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict,
                       std::vector<double>& uppers_mm) const;
 
-  /// Motions one after the other, together: what is far from all of them is discarded once.
+  /// Sweeps motions one after the other, together. Surfaces far from all of them are discarded once.
   ///
-  /// Shape    one verdict, one list of uppers and one count of bounds a motion, as of `sweep`; a verdict may differ from
-  ///          that of the motion alone in how deep the surface may be.
+  /// Shape    One verdict, one list of uppers and one count of bounds a motion, as of `sweep`. A verdict may differ
+  ///          from that of the motion alone in how deep the surface may be.
   void sweep_all(std::span<const Motion> motions, const CheckOptions& options, std::span<MoveVerdict* const> verdicts,
                  std::span<std::vector<double>> uppers_mm, std::span<std::uint64_t> bounds) const;
 
-  /// Turns moves that are clean or near into buried or not certified where a head is inside a solid or may be, as
+  /// Turns moves that are clean or near into buried or not certified where a head is inside a solid or may be. Does as
   /// mark_buried does for the tool.
   void mark_buried(const Toolpath& toolpath, const CheckOptions& options, const HeadUppers& uppers_mm,
                    MoveVerdicts& verdicts) const;
 
-  /// Returns how much deeper than `allowed_mm` the heads are at a pose, less than the truth by `accuracy_mm` at most:
-  /// the least they must still move. 0 only when that is proven and no head is buried; infinite when one is,
-  /// or when it could not be decided.
+  /// Returns how much deeper than `allowed_mm` the heads are at a pose: the minimum distance that they must still move.
+  /// It is below the truth by `accuracy_mm` at most. 0 only when that is proved and no head is buried. Infinite when
+  /// one is buried, or when it could not be decided.
   [[nodiscard]] double excess_at(const Pose& pose, const MotionLaw& law, double allowed_mm, double accuracy_mm,
                                  std::uint64_t& bounds) const;
 
@@ -90,13 +90,13 @@ class HeadChecker {
   std::vector<Group> groups_;  ///< first the one of all surfaces
 };
 
-/// Checks bodies that move with the tool, and that its profile does not hold, along every move that the tool was
-/// checked on, and joins what it finds to the verdicts of `result`: the deeper witness stays, a gouge of either is a
-/// gouge, and a move is clean only if both are. Their share of a verdict: lib/certify has the whole.
+/// Checks bodies that move with the tool, and that its profile does not hold, along every move on which the tool was
+/// checked. Joins their verdicts to those of `result`. The deeper witness stays, a gouge of either is a gouge, and a
+/// move is clean only if both are. Their share of a verdict: lib/certify has the whole.
 ///
-/// The guarantee is the tool's: depth <= true depth <= depth_upper over every instant; clean means that
-/// depth_upper is at most tolerance + resolution and that no head lies inside a solid (Body::head in the witness).
-/// Ensures  the same bits at any number of threads.
+/// The guarantee is the tool's: depth <= true depth <= depth_upper over every instant. Clean means that depth_upper is
+/// at most tolerance + resolution and that no head lies inside a solid (Body::head in the witness).
+/// Ensures  The same bits at any number of threads.
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
                  const CheckOptions& options, CheckResult& result, const ProgressCall& progress = {},
                  CheckpointStore* kept = nullptr);

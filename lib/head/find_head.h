@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// The head in which `point_tool`, in the tool's frame, is deepest, or to which it is closest. Requires heads.
+/// Returns the head in which `point_tool`, in the tool's frame, is deepest, or to which it is closest. Requires heads.
 [[nodiscard]] std::size_t deepest_head(std::span<const HeadBody> heads, const Vec3& point_tool);
 
 /// A point of a head that is inside a solid of the scene.
@@ -20,8 +20,8 @@ struct BuriedCore {
   Vec3 at = Vec3::Zero();  ///< part coordinates
 };
 
-/// The first core of a head, placed by `to_part` from the tool's frame, that is inside a solid; none where none is. On
-/// surfaces that are not closed a hint only (is_inside of lib/mesh/winding.h).
+/// Returns the first core of a head, placed by `to_part` from the tool's frame, that is inside a solid; none where none
+/// is. On surfaces that are not closed a hint only (is_inside of lib/mesh/winding.h).
 /// Cost  O(triangles) for each core within a mesh's box.
 [[nodiscard]] std::optional<BuriedCore> find_buried_core(std::span<const HeadBody> heads, const RigidTransform& to_part,
                                                          const Scene& scene);

@@ -25,18 +25,19 @@ struct HeadBody {
 };
 
 /// Requires what build_mesh ensures. Shells may nest, overlap and cross: depth is measured to the boundary of all.
-/// Errors   mesh-head-open: the surface is not closed, so what is inside it is not defined; mesh-head-crosses: rounding
-///          leaves unknown where its inside ends.
+/// Errors   The code mesh-head-open: the surface is not closed, so its inside is not defined. The code
+///          mesh-head-crosses: rounding leaves open where its inside ends.
 [[nodiscard]] Result<HeadBody> build_head_body(IndexedMesh mesh);
 
-/// Builds the same bodies `by_mm` farther up the tool axis, as with a longer stick-out. Errors: those of build_head_body.
+/// Builds the same bodies `by_mm` farther up the tool axis, as with a longer stick-out. Errors: those of
+/// build_head_body.
 [[nodiscard]] Result<std::vector<HeadBody>> moved_up(const std::vector<HeadBody>& heads, double by_mm);
 
-/// The connected pieces of a surface, each a mesh of its own.
+/// Returns the connected pieces of a surface, each a mesh of its own.
 [[nodiscard]] std::vector<IndexedMesh> shells_of(const IndexedMesh& mesh);
 
-/// The shells of a surface where they are bodies apart. A surface with cavities stays whole, since they belong to the
-/// shell around them; so does one whose shells nest or overlap, since no shell shows how deep a point is in all.
+/// Returns the shells of a surface where they are bodies apart. A surface with cavities stays whole, since they belong
+/// to the shell around them. So does one whose shells nest or overlap, since no shell shows how deep a point is in all.
 [[nodiscard]] std::vector<IndexedMesh> head_pieces(const IndexedMesh& mesh);
 
 }  // namespace gouge

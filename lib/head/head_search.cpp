@@ -15,7 +15,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kMaxKept = 8;                          // planes
-constexpr double kFacetsOwn = 1 - Tolerance::kFewRoundings;  // cosine: what rounding makes of a facet's normal
+constexpr double kFacetsOwn = 1 - Tolerance::kFewRoundings;  // cosine: the effect of rounding on a facet's normal
 constexpr double kSameNormal = 0.9999;  // cosine: a second plane as steep as the first bounds nothing more
 
 /// A node or leaf of a tree or a piece of a facet, over a time interval.
@@ -117,7 +117,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     return c.kind == Candidate::Kind::root ? LaneBound(tree) : LaneBound(tree, tree.nodes[c.parent], c.lane);
   }
 
-  /// All of the candidate but its bound and what comes next is known.
+  /// All of the candidate is known except its bound and the next step.
   void add_node(Candidate& c) {
     const BodyInterval& interval = intervals_[c.interval];
     const LaneBound held = bound_of(c);
@@ -149,8 +149,9 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     return c.facet;
   }
 
-  /// False where the region stays out of the head's box. Else bounds its depth: first by planes that bounded others, then
-  /// by the signed distance of its middle, which changes by no more than the distance moved, and last by planes near it.
+  /// False where the region stays out of the head's box. Else bounds its depth, first by planes that bounded others.
+  /// Then it takes the signed distance of the middle, which changes by at most the distance moved, and last planes near
+  /// it.
   template <typename Region>
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
     const double reach_mm = targets_[c.tree].reach_mm;
@@ -192,8 +193,8 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
   void bound_by_planes(Candidate& c, const NodeRegion& region, const ClosestPoint& foot) {
     bound_by_plane(c, region, foot, foot.is_inside);
   }
-  /// Where the plane at the closest point to the middle leaves too much, as across an edge of the head, the one at the
-  /// closest point to where it leaves most may not.
+  /// The plane at the closest point to the middle may leave too much, as across an edge of the head. Then the plane at
+  /// the closest point to the place where it leaves most may leave less.
   void bound_by_planes(Candidate& c, const PieceRegion& region, const ClosestPoint& foot) {
     bound_by_plane(c, region, foot, foot.is_inside);
     if (c.upper_mm <= threshold_mm()) return;

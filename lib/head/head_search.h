@@ -14,7 +14,7 @@ namespace gouge {
 /// A surface that a head must keep clear of.
 struct HeadTarget {
   const BlockTree* tree = nullptr;
-  double reach_mm = 0;  ///< the clearance: what is sought is the largest reach - signed distance
+  double reach_mm = 0;  ///< the clearance: the search is for the largest reach - signed distance
 };
 
 /// The largest depth of a surface in a head along one motion.
@@ -30,19 +30,19 @@ struct HeadResult {
   std::uint64_t bounds = 0;
 };
 
-/// Best first (best_first_search.h) over (interval of time x part of the surface). Planes that all of the head is below
-/// are queried first, the ones that bounded other parts. In the tool's frame a point of the
-/// surface stays within `bulge` of the chord between its positions at both ends of an interval; the head's signed
-/// distance is 1-Lipschitz, so over the interval and a ball about the point it is nowhere below half of (sum of both
-/// ends - path length) - radius.
+/// Searches best first (best_first_search.h) over (interval of time x part of the surface). Planes that all of the head
+/// is below are queried first, the ones that bounded other parts. In the tool's frame a point of the surface stays
+/// within `bulge` of the chord between its positions at both ends of an interval. The head's signed distance is
+/// 1-Lipschitz. So over the interval and a ball about the point it is nowhere below half of (sum of both ends - path
+/// length) - radius.
 ///
 /// Requires resolution and gap > 0, and no negative reach.
-/// Ensures  depth <= true depth <= depth_upper, at any budget.
-/// Source   space-time bounds, thesis 2.4.14; chord and bulge as in docs/method/certified_sweep.md.
+/// Ensures  At any budget, depth <= true depth <= depth_upper.
+/// Source   Space-time bounds, thesis 2.4.14; chord and bulge as in docs/method/certified_sweep.md.
 [[nodiscard]] HeadResult search_head(const BodyMotion& motion, const HeadBody& head,
                                      std::span<const HeadTarget> targets, const SearchGoal& goal);
 
-/// The same of what `start` leaves: its seeds name a target and a triangle of its tree, and it has no value.
+/// Does the same for the remainder in `start`: its seeds name a target and a triangle of its tree, and it has no value.
 [[nodiscard]] HeadResult search_head(const BodyMotion& motion, const HeadBody& head,
                                      std::span<const HeadTarget> targets, const SearchGoal& goal,
                                      const SearchStart& start);

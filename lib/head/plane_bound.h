@@ -15,8 +15,8 @@ struct HeadRange {
   double low_mm = 0, high_mm = 0;
 };
 
-/// Part of a surface during a time interval, in the tool's frame: within `bulge_mm` of the convex hull of what it is at
-/// both ends of the interval.
+/// Part of a surface during a time interval, in the tool's frame. It lies within `bulge_mm` of the convex hull of its
+/// positions at both ends of the interval.
 struct HeadRegion {
   Vec3 middle = Vec3::Zero();
   Vec3 longest = Vec3::Zero();  ///< the direction it extends in
@@ -32,7 +32,7 @@ struct PieceRegion : HeadRegion {
   [[nodiscard]] HeadRange along(const Vec3& n) const;
   /// Adds half-spaces along n that hold it: of the outline that it has seen along n.
   void add_sides(const Vec3& n, std::vector<HalfSpace>& sides) const;
-  /// The corner that is lowest along n.
+  /// Returns the corner that is lowest along n.
   [[nodiscard]] Vec3 lowest(const Vec3& n) const;
   std::array<Vec3, 6> corners;
 };
@@ -56,26 +56,27 @@ struct HeadPlane {
   explicit HeadPlane(const ClosestPoint& foot) : normal(foot.normal), through(foot.point) {}
 };
 
-/// Upper bound of the depth of a region in a head, by a plane that the head does not rise above near the region.
+/// Bounds the depth of a region in a head from above, by a plane that the head does not rise above near the region.
 ///
-/// Let no part of the head be in a prism that stands on the plane n . x = h, whose sides hold the region, and whose top
-/// is above it. Points of the region above the plane are outside then. From a point p below it, q = p + (h - n . p) n
-/// is on the prism's base, and points just above q are outside; so p is no deeper than h - n . p. Any plane will do; one
-/// at the head's closest point to the region's middle, or to another point of it, is likely to hold. The head is not in
-/// the prism if its surface is not and one point of the prism is outside.
+/// Let no part of the head be in a prism that stands on the plane n . x = h. The sides of the prism hold the region,
+/// and its top is above it. Points of the region above the plane are then outside. From a point p below the plane, q =
+/// p + (h - n . p) n is on the prism's base, and points just above q are outside. So p is no deeper than h - n . p.
 ///
-/// `is_middle_inside`: of the head. `cutoff_mm`: a bound of this is as good as any smaller one; the plane is raised to
-/// it where the given one does not hold.
-/// Ensures  nothing, or at least 0 and not below the depth of any point of the region.
-/// Cost     a search of the head's tree or two, and at most as many closest points.
+/// Any plane will do. One at the head's closest point to the region's middle, or to another point of it, is likely to
+/// hold. The head is not in the prism if its surface is not and one point of the prism is outside.
+///
+/// The flag `is_middle_inside` is of the head. A bound of `cutoff_mm` is as good as any smaller one. The plane is
+/// raised to it where the given one does not hold.
+/// Ensures  Nothing, or at least 0 and not below the depth of any point of the region.
+/// Cost     A search of the head's tree or two, and at most as many closest points.
 /// Source   docs/method/shallow_penetration.md, section 7.
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const PieceRegion& region,
                                                    const HeadPlane& plane, bool is_middle_inside, double cutoff_mm);
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region,
                                                    const HeadPlane& plane, bool is_middle_inside, double cutoff_mm);
 
-/// The same by a plane that all of the head is below (support_planes.h), at least 0.
-/// Cost     a few products.
+/// Returns the same by a plane that all of the head is below (support_planes.h), at least 0.
+/// Cost     A few products.
 [[nodiscard]] double depth_by_support(const PieceRegion& region, const OuterPlane& plane);
 [[nodiscard]] double depth_by_support(const NodeRegion& region, const OuterPlane& plane);
 

@@ -15,7 +15,7 @@ namespace gouge {
 namespace {
 
 constexpr double kShort = 1e-6;    // of the mesh's size: shorter lines have no direction worth keeping
-constexpr double kMaxEmpty = 3;    // how many times the mesh's volume a cover may take to be worth asking
+constexpr double kMaxEmpty = 3;    // a cover may have this many times the mesh's volume to be of use
 constexpr double kMinGain = 0.03;  // of a cover's volume, for another piece
 constexpr std::size_t kMaxPieces = 6, kMaxHeights = 48, kMaxRoundings = 24, kMaxLines = CoverPiece::kMaxChain - 1;
 constexpr int kDirections = 128;
@@ -99,7 +99,8 @@ double length_between(const std::vector<Line>& lines, std::size_t k) {
   return (meeting(lines[k], lines[k + 1]) - meeting(lines[k - 1], lines[k])).dot(lines[k].along);
 }
 
-/// How far the corner is outside the k-th line that its neighbours make without it; infinite where they make none.
+/// Returns how far the corner is outside the k-th line that its neighbours make without it; infinite where they make
+/// none.
 double loss_without(const std::vector<Line>& lines, std::size_t k) {
   if (cross(lines[k - 1].along, lines[k + 1].along) <= kShort) return std::numeric_limits<double>::infinity();
   return -cross(lines[k].along, meeting(lines[k - 1], lines[k + 1]) - lines[k].through);
@@ -188,7 +189,7 @@ class PieceMaker {
     }
   }
 
-  /// How far the piece reaches beyond the hull at most, in directions in which it ends.
+  /// Returns how far the piece reaches beyond the hull at most, in directions in which it ends.
   [[nodiscard]] double stand_off(const CoverPiece& piece) const {
     double most = 0;
     for (int i = 0; i <= kDirections; ++i) {

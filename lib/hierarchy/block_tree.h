@@ -12,12 +12,12 @@
 #include "lib/hierarchy/blocks.h"
 #include "lib/mesh/indexed_mesh.h"
 
-// The tree over the triangles of one or more meshes: sixteen children a node and sixteen triangles a leaf, in
-// single precision and by coordinate, so that one instruction examines all of them. A child is bounded twice: by
-// a ball, and by a disc whose direction is near the surface's own normal, thin where the surface is nearly flat.
-// The disc is what a first-order bound needs: a surface lying along the tool costs one node, not its area.
-// Source: bounding volume hierarchies in thesis 2.3 and 4.6, the oriented disc in place of the k-DOP slab pairs
-// (docs/decisions/0006_oriented_discs.md); wide nodes as in ray tracing (Wald, Benthin, Boulos 2008).
+// The tree over the triangles of one or more meshes: sixteen children a node and sixteen triangles a leaf. It is in
+// single precision and by coordinate, so that one instruction examines all of them. A child is bounded twice. One bound
+// is a ball. The other is a disc whose direction is near the surface's own normal, thin where the surface is nearly
+// flat. First-order bounds need the disc: a surface lying along the tool costs one node, not its area.
+// Source: bounding volume hierarchies in thesis 2.3 and 4.6. The oriented disc is in place of the k-DOP slab pairs
+// (docs/decisions/0006_oriented_discs.md). Wide nodes as in ray tracing (Wald, Benthin, Boulos 2008).
 
 namespace gouge {
 
@@ -32,14 +32,14 @@ struct BlockTree {
   std::vector<std::uint32_t> first_triangle;  ///< per mesh: how many triangles are in those before it
 
   [[nodiscard]] std::size_t mesh_of(std::uint32_t triangle) const;
-  /// The exact corners, part coordinates.
+  /// Returns the exact corners, part coordinates.
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t triangle) const;
-  /// Its index in the mesh's own file.
+  /// Returns the index of the triangle in the mesh's own file.
   [[nodiscard]] std::uint32_t file_triangle(std::uint32_t triangle) const;
 };
 
 /// Requires that the meshes outlive the tree and hold fewer than 2^32 triangles together.
-/// Ensures  every triangle in exactly one leaf, every bound holds; the same bytes at any number of threads (0: all).
+/// Ensures  Every triangle in exactly one leaf, every bound holds; the same bytes at any number of threads (0: all).
 /// Cost     O(n log n) time, 47 bytes a triangle, 16 more while it is built. It is reported as `stage`, triangles
 ///          counted.
 [[nodiscard]] BlockTree build_block_tree(std::span<const IndexedMesh> meshes, unsigned threads = 0,

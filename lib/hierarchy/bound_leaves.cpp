@@ -122,8 +122,8 @@ void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, 
     node.center[k][lane] = center[k];
     node.normal[k][lane] = stored_normal[k];
   }
-  // Differences, products and sums in single precision are off by no more than 7 units of 6e-8 of the
-  // distance from the center, and the stored normal is longer or shorter than 1 by 1e-7.
+  // Differences, products and sums in single precision are off by no more than 7 units of 6e-8 of the distance from the
+  // center. The stored normal is longer or shorter than 1 by 1e-7.
   const double radius = std::sqrt(largest(reach.radius2));
   const double more = rounding_mm + 8 * Tolerance::kSingleRounding * radius + Tolerance::kRounding_mm;
   node.half_thickness_mm[lane] = rounded_up(largest(reach.height) + more);

@@ -12,13 +12,12 @@
 
 namespace gouge::detail {
 
-/// The directions of a leaf's triangles, each as long as twice its area, in one sum.
+/// Returns the directions of a leaf's triangles, each as long as twice its area, in one sum.
 [[nodiscard]] std::array<float, 3> area_sum(const TriangleBlock& leaf);
 
-/// Writes the bounds of everything in `leaves` into lane `lane` of a node: an oriented disc about `direction`
-/// (any length; when zero, the z axis) and a ball.
-/// `rounding_mm` is how far a corner may be from its stored position; it and the rounding of the arithmetic here
-/// are within what is written.
+/// Writes the bounds of everything in `leaves` into lane `lane` of a node: an oriented disc and a ball. The disc is
+/// about `direction`, which may have any length; when zero, about the z axis. A corner may be up to `rounding_mm` from
+/// its stored position. The written bounds include that and the rounding of the arithmetic here.
 void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, double rounding_mm, NodeBlock& node,
                   std::size_t lane);
 

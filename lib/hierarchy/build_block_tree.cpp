@@ -24,11 +24,11 @@ constexpr double kBlockRoundUp = 1 + Tolerance::kRounding;
 // Subtrees of this many triangles are made whole, one by one: their leaves stay in the processor's cache.
 constexpr std::size_t kSubtree = kBlockLanes * kBlockLanes * kBlockLanes;
 
-// How much longer a triangle takes in its subtree than in one cut above it: twelve cuts, in the cache, and bounds.
+// Ratio of a triangle's time in its subtree to that of one cut above it: twelve cuts, in the cache, and bounds.
 constexpr std::size_t kWorkOfSubtrees = 8;
 
-/// Triangles one child of a node over `count` of them holds: a power of 16, so that all blocks but the last
-/// of each level are full.
+/// Triangles one child of a node over `count` of them holds: a power of 16. So all blocks but the last of each level
+/// are full.
 std::size_t child_capacity(std::size_t count) {
   std::size_t capacity = kBlockLanes;
   while (capacity * kBlockLanes < count) capacity *= kBlockLanes;
@@ -137,7 +137,7 @@ class Builder {
     }
   }
 
-  // How often each triangle is in a cut, about.
+  // Returns about how often each triangle is in a cut.
   [[nodiscard]] std::size_t cuts_to_subtrees() const {
     return total_ <= kSubtree ? 0 : static_cast<std::size_t>(std::bit_width((total_ - 1) / kSubtree));
   }

@@ -15,17 +15,20 @@ struct ClosestTriangle {
   TrianglePoint foot;          ///< on it; mm, part coordinates
 };
 
-/// The nearest triangle within `within_mm` of a point, found from its exact corners; nothing when there is none.
+/// Returns the nearest triangle within `within_mm` of a point, found from its exact corners; nothing when there is
+/// none.
 ///
-/// Ensures  the foot is that of closest_on_triangle, and no other triangle's has a smaller distance2_mm2; of those whose
-///          distances are the same number, the lowest triangle. So it does not depend on the tree, nor on the machine.
+/// Ensures  The foot is that of closest_on_triangle, and no other triangle's has a smaller distance2_mm2; of those
+///          whose distances are the same number, the lowest triangle. So it does not depend on the tree, nor on the
+///          machine.
 /// Requires coordinates of at most 1e9 mm.
-/// Cost     about O(log n).
+/// Cost     About O(log n).
 /// Proof    docs/method/closest_point.md.
 [[nodiscard]] std::optional<ClosestTriangle> closest_triangle(
     const BlockTree& tree, const Vec3& point_part, double within_mm = std::numeric_limits<double>::infinity());
 
-/// The same without a limit, searched from a triangle of the tree: quicker where `near` is about as near as the nearest.
+/// Returns the same without a limit, searched from a triangle of the tree: quicker where `near` is about as near as the
+/// nearest.
 [[nodiscard]] ClosestTriangle closest_triangle_from(const BlockTree& tree, const Vec3& point_part, std::uint32_t near);
 
 }  // namespace gouge

@@ -73,7 +73,8 @@ class Climb {
   }
 
  private:
-  /// Returns whether to enter a lane. One that ends below what is enough is not entered: its bound is taken as the height.
+  /// Returns whether to enter a lane. One that ends below what is enough is not entered: its bound is taken as the
+  /// height.
   [[nodiscard]] bool may_be_higher(const LaneBound& lane) {
     const Vec3 from = lane.center - column_.through;
     const double height = column_.direction.dot(from);
@@ -113,8 +114,8 @@ class Climb {
     return highest + Tolerance::kRounding_mm;
   }
 
-  /// Returns whether the triangle, seen along the column, is proven to miss its disc: by a line through an edge or by a line
-  /// square to the direction of its nearest corner.
+  /// Returns whether the triangle, seen along the column, is proved to miss its disc. The proof is a line through an
+  /// edge, or a line square to the direction of its nearest corner.
   [[nodiscard]] bool is_beside(const std::array<Vec3, 3>& flat) const {
     const double reach = column_.radius_mm + Tolerance::kRounding_mm;
     for (std::size_t k = 0; k < 3; ++k) {

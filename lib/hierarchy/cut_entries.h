@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <span>
 
-// The sorting behind a block tree: sixteen bytes a triangle, cut in two again and again. A cut is a histogram
-// and one pass without branches that a processor could guess wrong; no more is put in order than the tree
-// requests.
+// The sorting behind a block tree: sixteen bytes a triangle, cut in two again and again. A cut is a histogram and one
+// pass without branches that a processor could predict wrongly. Only as much is put in order as the tree requests.
 
 namespace gouge::detail {
 
@@ -22,7 +21,7 @@ struct EntryBox {
   std::array<float, 3> low{}, high{};
 
   [[nodiscard]] float width(std::size_t axis) const { return high[axis] - low[axis]; }
-  /// The lowest of equal ones.
+  /// Returns the widest axis, the lowest of equal ones.
   [[nodiscard]] std::size_t widest_axis() const;
 };
 

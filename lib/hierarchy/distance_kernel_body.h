@@ -15,7 +15,7 @@ constexpr float kAcross = 1.0F / (1 << 19);
 // The square of a shorter vector may be 0, and a quotient by its length anything.
 constexpr float kMinSquare = 1e-30F;
 
-GOUGE_INLINE V not_negative(const V& a) { return select(0 < a, a, V{}); }  // 0 for what is no number
+GOUGE_INLINE V not_negative(const V& a) { return select(0 < a, a, V{}); }  // 0 for what is not a number
 
 /// `least`, `most`: no point of a lane is nearer, some point of it is no farther, but for `slack`.
 GOUGE_INLINE std::uint32_t finish(const V& least, const V& most, const V& slack, std::uint32_t count, float& within_mm,

@@ -1,7 +1,7 @@
 #pragma once
 
-// Sixteen lanes of single precision, for the bodies of kernels alone, under their rule: nothing here may come from
-// another header as an inline function, as it would be compiled for this instruction set and linked into the rest.
+// Sixteen lanes of single precision, for the bodies of kernels alone, under their rule. Nothing here may come from
+// another header as an inline function. It would be compiled for this instruction set and linked into the rest.
 #include "lib/hierarchy/blocks.h"
 
 namespace gouge::GOUGE_KERNEL {
@@ -65,7 +65,8 @@ GOUGE_INLINE float min_of(const V& a) {
 #else
 
 // g++ splits comparisons and choices of vectors wider than the processor's into single numbers, ten times as slow.
-// So sixteen lanes are made of parts as wide as the processor's registers here, and what is done to them is done to each.
+// So sixteen lanes are made of parts as wide as the processor's registers here, and what is done to them is done to
+// each.
 template <class Part>
 struct Halves {
   Part low, high;
@@ -198,7 +199,7 @@ struct V3 {
 GOUGE_INLINE void load(const float* from, V& to) { __builtin_memcpy(&to, from, sizeof(V)); }
 GOUGE_INLINE void store(const V& from, float* to) { __builtin_memcpy(to, &from, sizeof(V)); }
 #else
-// Part by part: what is copied in other pieces than it is read in has to wait for the memory.
+// Part by part: a value that is copied in other pieces than it is read has to wait for the memory.
 template <class P>
 GOUGE_INLINE void load(const float* from, P& to) {
   __builtin_memcpy(&to, from, sizeof(P));

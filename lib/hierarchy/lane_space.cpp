@@ -17,7 +17,7 @@ constexpr float kNormal = 1e-6F;  // the stored normal of a node is longer or sh
 // Loops over sixteen numbers, which the compiler cuts to the width of the processor. (Vectors of sixteen, where that is
 // less, it takes apart into single numbers wherever they are compared.)
 
-/// Lowers `least` to `reach`. Whether any lane of it is not negative.
+/// Lowers `least` to `reach`. Returns whether any lane of it is not negative.
 [[gnu::always_inline]] inline bool lower(const Lanes& reach, Lanes& least) {
   std::int32_t open = 0;
   for (std::size_t i = 0; i < kBlockLanes; ++i) {
@@ -58,8 +58,8 @@ std::uint32_t LaneSpace::reached(const TriangleBlock& leaf) const {
   return not_negative(reach_mm, leaf.count);
 }
 
-// How far each lane reaches into the half-space that it reaches into least: its ball, or its disc where that is less.
-// Once no lane reaches into one of them, the others are not tested.
+// Returns how far each lane reaches into the half-space that it reaches into least: its ball, or its disc where that is
+// less. Once no lane reaches into one of them, the others are not tested.
 GOUGE_WIDE void LaneSpace::find_reach(const NodeBlock& node, std::span<const Half> halves, Lanes& least) {
   least.fill(std::numeric_limits<float>::max());
   Lanes reach;

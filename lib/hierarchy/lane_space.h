@@ -9,16 +9,16 @@
 
 namespace gouge {
 
-/// The common part of half-spaces in the frame of a tree, tested sixteen lanes at a time, with the instructions the
-/// processor has and the same result with any of them.
+/// The common part of half-spaces in the frame of a tree, tested sixteen lanes at a time. It uses the instructions that
+/// the processor has and gives the same result with any of them.
 class LaneSpace {
  public:
   /// Requires at most kMaxHalfSpaces.
   LaneSpace(const BlockTree& tree, std::span<const HalfSpace> space);
 
-  /// A bit for each lane of a node whose bound reaches into each half-space by itself, or comes near.
+  /// Returns a bit for each lane of a node whose bound reaches into each half-space by itself, or comes near.
   [[nodiscard]] std::uint32_t reached(const NodeBlock& node) const;
-  /// The same for the triangles of a leaf.
+  /// Returns the same for the triangles of a leaf.
   [[nodiscard]] std::uint32_t reached(const TriangleBlock& leaf) const;
 
  private:

@@ -13,7 +13,7 @@ struct Sight {
   std::array<float, 3> from, toward;
 };
 
-// Which balls the ray meets.
+// Returns which balls the ray meets.
 GOUGE_WIDE void meet_balls(const NodeBlock& node, const Sight& sight, LaneFlags& is_met) {
   for (std::size_t i = 0; i < kBlockLanes; ++i) {
     const float x = node.center[0][i] - sight.from[0];
@@ -26,7 +26,7 @@ GOUGE_WIDE void meet_balls(const NodeBlock& node, const Sight& sight, LaneFlags&
   }
 }
 
-// Which triangles the ray meets, from either side.
+// Returns which triangles the ray meets, from either side.
 GOUGE_WIDE void meet_triangles(const TriangleBlock& leaf, const Sight& sight, LaneFlags& is_met) {
   const float dx = sight.toward[0], dy = sight.toward[1], dz = sight.toward[2];
   for (std::size_t i = 0; i < kBlockLanes; ++i) {

@@ -25,10 +25,11 @@ class MaskedLanes {
 };
 
 /// Visits a tree depth first, the one loop of all walks that need no order across nodes. BestFirstSearch is for the
-/// others. `Visitor` has
-///   auto children(const NodeBlock&)          a cursor; its next() returns the next lane to enter, or none. It is called
-///                                            after the lane before was visited, so it may prune by what was found there
-///   bool visit(const TriangleBlock&)         whether the walk may end here
+/// others. `Visitor` has:
+///   auto children(const NodeBlock&)          A cursor. Its next() returns the next lane to enter, or none, and is
+///                                            called after the lane before was visited. So it may prune by the results
+///                                            there.
+///   bool visit(const TriangleBlock&)         True where the walk may end here.
 /// Returns whether a visit ended it. Cost: the depth of the tree in stack frames, at most 16 for 2^32 triangles.
 template <typename Visitor>
 bool traverse(const BlockTree& tree, Visitor& visitor, std::uint32_t index = 0) {

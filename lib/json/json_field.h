@@ -19,17 +19,17 @@ struct JsonErrors {
   std::optional<Diagnostic> first = {};  ///< none: all is well so far
 };
 
-/// A value of a JSON text that must be as expected. After the first error every reading gives an empty value: the reader
-/// examines JsonErrors::first once, at the end. `errors` must outlive it, like the text.
+/// A value of a JSON text that must be as expected. After the first error every reading gives an empty value. So the
+/// reader examines JsonErrors::first once, at the end. The object `errors` must outlive it, like the text.
 class JsonField {
  public:
   JsonField(const nlohmann::json& root, JsonErrors& errors) : value_(&root), errors_(&errors) {}
 
-  /// The value of `key`, which must be there.
+  /// Returns the value of `key`, which must be there.
   [[nodiscard]] JsonField at(const std::string& key) const;
-  /// The same, or none where it is missing.
+  /// Returns the same, or none where it is missing.
   [[nodiscard]] std::optional<JsonField> find(const std::string& key) const;
-  /// The elements of a list.
+  /// Returns the elements of a list.
   [[nodiscard]] std::vector<JsonField> list() const;
   /// The keys and values of an object.
   [[nodiscard]] std::vector<std::pair<std::string, JsonField>> entries() const;
@@ -37,16 +37,16 @@ class JsonField {
   [[nodiscard]] bool is_null() const { return value_ == nullptr || value_->is_null(); }
   [[nodiscard]] bool is_text() const { return value_ != nullptr && value_->is_string(); }
   [[nodiscard]] std::string text() const;
-  /// One of these words.
+  /// Reads one of these words and returns its place among them.
   [[nodiscard]] std::size_t word(const std::vector<std::string>& words) const;
-  /// A finite number.
+  /// Returns a finite number.
   [[nodiscard]] double number() const;
   [[nodiscard]] std::optional<double> number_or_null() const;
-  /// A whole number of 0 or more.
+  /// Returns a whole number of 0 or more.
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] bool flag() const;
 
-  /// Names the field, its line, and what was expected of it, unless something else was wrong before.
+  /// Names the field, its line, and the expected value, unless there was an error before.
   void fail(const std::string& expected) const;
 
  private:

@@ -103,7 +103,8 @@ std::size_t JsonLines::set_root(std::size_t line) {
   return 0;
 }
 
-// A key may hold a slash, so that the next name is the shortest one there is. A key of slashes alone would take forever.
+// A key may hold a slash, so that the next name is the shortest one there is. A key of slashes alone would take
+// forever.
 std::size_t JsonLines::at(std::string_view pointer) const {
   constexpr int kMaxSlashes = 100;
   std::size_t value = 0;

@@ -19,12 +19,12 @@ class JsonLines {
     std::size_t line = 0;  ///< of the second
   };
 
-  /// Line of the pointer, or of the nearest thing around it.
+  /// Returns the line of the pointer, or of the nearest thing around it.
   [[nodiscard]] std::size_t at(std::string_view pointer) const;
 
   std::optional<Duplicate> duplicate;  ///< the first key that an object has twice
 
-  /// The value of that key, or of that index, of the value `parent`; false when there is one already.
+  /// Adds the value of that key, or of that index, to the value `parent`; false when there is one already.
   [[nodiscard]] std::pair<std::size_t, bool> add(std::size_t parent, const std::string& key, std::size_t line);
   /// The line of the whole text's value, which is number 0.
   std::size_t set_root(std::size_t line);

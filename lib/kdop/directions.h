@@ -5,10 +5,10 @@
 
 #include "lib/geom/vec.h"
 
-// The directions of a k-DOP: k half spaces in k / 2 opposite pairs, kept as k / 2 axes with an interval each.
-// Two volumes over the same directions are apart as soon as their intervals are apart along one axis, which
-// needs both ends of every axis: sets that are not their own mirror image (the tetrahedron, an odd k) have no
-// such test and are not offered.
+// The directions of a k-DOP: k half spaces in k / 2 opposite pairs, kept as k / 2 axes with an interval each. Two
+// volumes over the same directions are apart as soon as their intervals are apart along one axis. That needs both ends
+// of every axis. Sets that are not their own mirror image (the tetrahedron, an odd k) have no such test and are not
+// offered.
 
 namespace gouge {
 
@@ -17,7 +17,8 @@ struct DirectionSet {
   [[nodiscard]] std::size_t k() const { return 2 * axes.size(); }
 };
 
-/// Faces, corners and edges of a cube (thesis 2.3.2.6). Requires k of 6, 14, 18 or 26. The same bits on every call.
+/// Returns the directions of faces, corners and edges of a cube (thesis 2.3.2.6). Requires k of 6, 14, 18 or 26. The
+/// same bits on every call.
 [[nodiscard]] DirectionSet cube_directions(std::size_t k);
 
 }  // namespace gouge

@@ -4,9 +4,9 @@
 
 #include "lib/kdop/float4.h"
 
-// A k-DOP as numbers, single precision, widened outward when they are made: the lower ends of four axes,
-// their upper ends, then the next four axes, so that most overlap tests read one cache line. The stride is
-// the number of axes rounded up to four; spare slots hold [-1, 1].
+// A k-DOP as numbers, single precision, widened outward when they are made. The lower ends of four axes come first,
+// then their upper ends, then the next four axes. So most overlap tests read one cache line. The stride is the number
+// of axes rounded up to four; spare slots hold [-1, 1].
 
 namespace gouge {
 

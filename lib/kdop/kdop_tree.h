@@ -9,8 +9,8 @@
 #include "lib/kdop/directions.h"
 #include "lib/kdop/intervals.h"
 
-// A tree of k-DOPs over numbered items, two, four or eight children wide (thesis 5.2.1, 6.1.4.3). What an
-// item encloses is the caller's business: facets with their offset, or points.
+// A tree of k-DOPs over numbered items, two, four or eight children wide (thesis 5.2.1, 6.1.4.3). The caller defines
+// the content of an item: facets with their offset, or points.
 
 namespace gouge {
 
@@ -43,7 +43,7 @@ using BoundItem = std::function<void(std::uint32_t item, float* intervals)>;
 /// Splits at the median of the widest side of the items' centres, equal coordinates by number.
 ///
 /// Requires width 2, 4 or 8; leaf_items >= 1; `bound` gives intervals that hold the item.
-/// Ensures  every node's intervals are the union of those below it.
+/// Ensures  Every node's intervals are the union of those below it.
 /// Cost     O(n log^2 n), deterministic.
 [[nodiscard]] KdopTree build_kdop_tree(const DirectionSet& directions, std::span<const Vec3> centres,
                                        const KdopTreeOptions& options, const BoundItem& bound);

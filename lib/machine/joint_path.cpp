@@ -93,8 +93,8 @@ class Chooser {
     return best;
   }
 
-  /// Returns the joint that may as well turn otherwise: half a turn either way, or to the other solution. None: the nearest
-  /// turn is unique beyond rounding of the positions.
+  /// Returns the joint that may as well turn otherwise: half a turn either way, or to the other solution. None: the
+  /// nearest turn is unique beyond rounding of the positions.
   [[nodiscard]] std::optional<std::size_t> undecided_joint(const RotaryAngles& best,
                                                            const std::optional<RotaryAngles>& other,
                                                            const RotaryAngles& from) const {
@@ -114,7 +114,7 @@ class Chooser {
   }
 
   void note_limit(const std::vector<RotaryAngles>& solutions, const RotaryAngles& from, std::size_t move) {
-    // Of the solutions that one whose first joint beyond its limits is the least beyond.
+    // Takes the solution whose first joint beyond its limits exceeds them least.
     JointProblem problem{Kind::limit, move, machine_.rotary[0], 0, 0};
     double least = std::numeric_limits<double>::infinity();
     for (const RotaryAngles& angles : solutions) {

@@ -29,9 +29,9 @@ struct JointChoice {
   std::vector<JointProblem> problems;  ///< in path order
 };
 
-/// Chooses the rotary angles of a path as a post-processor does: of both solutions and all turns within the limits those
-/// nearest to the angles before; at a pole the first joint stays. `path` has none where no solution is within the limits.
-/// Cost O(moves).
+/// Chooses the rotary angles of a path as a post-processor does. Of both solutions and all turns within the limits it
+/// takes those nearest to the angles before. At a pole the first joint stays. The result `path` is none where no
+/// solution is within the limits. Cost O(moves).
 [[nodiscard]] JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath);
 
 }  // namespace gouge

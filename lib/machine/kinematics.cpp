@@ -37,9 +37,9 @@ Eigen::Matrix3d tool_axes(const Machine& machine, const RotaryAngles& angles) {
          turned(machine.joints[machine.rotary[1]].direction, angles[1]);
 }
 
-// With u and w the directions of the joints, from the part: a = R(u, alpha) b, b = R(w, beta) z. b runs on a cone about w.
-// In the spherical triangle of u, w and b the sides are known, and the half-angle formula gives the angle at w without
-// loss of digits at either end. alpha then turns b to a about u.
+// With u and w the directions of the joints, from the part: a = R(u, alpha) b, b = R(w, beta) z. Then b runs on a cone
+// about w. In the spherical triangle of u, w and b the sides are known. The half-angle formula gives the angle at w
+// without loss of digits at either end. Then alpha turns b to a about u.
 RotarySolutions rotary_angles(const Machine& machine, const Vec3& axis) {
   const Vec3 &u = machine.joints[machine.rotary[0]].direction, &w = machine.joints[machine.rotary[1]].direction;
   const Vec3 z = Vec3::UnitZ();

@@ -20,11 +20,12 @@ inline constexpr double kWholeTurn_rad = 2 * std::numbers::pi;
 /// Solutions of the inverse problem for one tool axis, each angle within (-pi, pi].
 struct RotarySolutions {
   std::vector<RotaryAngles> all;  ///< none, one or two
-  /// The first joint turns the tool about its own axis there, so that any of its angles serves. `all` then has its angle 0.
+  /// The first joint turns the tool about its own axis there, so that any of its angles serves. `all` then has its
+  /// angle 0.
   bool is_pole = false;
 };
-/// Requires a unit axis. Ensures: tool_axes of each solution has `axis` as its third column, to 1e-12 away from poles. At
-/// the rim of the reachable axes both solutions fall together.
+/// Requires a unit axis. Ensures: tool_axes of each solution has `axis` as its third column, to 1e-12 away from poles.
+/// At the rim of the reachable axes both solutions fall together.
 [[nodiscard]] RotarySolutions rotary_angles(const Machine& machine, const Vec3& axis);
 
 /// Values of all joints in the order of Machine::joints, mm and rad.

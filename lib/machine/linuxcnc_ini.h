@@ -11,8 +11,8 @@ namespace gouge {
 [[nodiscard]] bool is_linuxcnc_ini(std::string_view bytes);
 
 /// Reads kinematics, rotary directions, limits and rates of a LinuxCNC configuration. Pivots stay at the part zero.
-/// Errors, with the line: machine-ini (KINEMATICS that is not known, no or an unknown LINEAR_UNITS, no HALCMD that sets
-/// the rotary directions, a limit or rate that is not a number).
+/// Errors, with the line: machine-ini. The KINEMATICS are not known, LINEAR_UNITS is missing or unknown, or no HALCMD
+/// sets the rotary directions. Or a limit or rate is not a number.
 /// Source   LinuxCNC, INI Configuration: [KINS], [HAL], [TRAJ], [AXIS_<letter>]; src/emc/kinematics/trtfuncs.c.
 [[nodiscard]] Result<Machine> read_linuxcnc_ini(const std::string& file, std::string_view bytes);
 

@@ -9,8 +9,9 @@
 #include "lib/base/result.h"
 #include "lib/geom/vec.h"
 
-// A machine as the chain of its joints from the part to the tool. Directions and points are in part coordinates with all
-// joints at 0. Positive means the motion of the tool relative to the part (ISO 841), also for joints that move the table.
+// A machine as the chain of its joints from the part to the tool. Directions and points are in part coordinates with
+// all joints at 0. Positive means the motion of the tool relative to the part (ISO 841), also for joints that move the
+// table.
 
 namespace gouge {
 
@@ -36,7 +37,7 @@ enum class TurnLaw {
 };
 inline constexpr std::array<const char*, 2> kTurnLawNames = {"vector", "axis"};  // in this order
 [[nodiscard]] const char* turn_law_name(TurnLaw law);
-/// None: not a name of a law.
+/// Returns the law of that name; none where there is no such law.
 [[nodiscard]] std::optional<TurnLaw> turn_law_called(const std::string& name);
 
 struct Control {
@@ -57,8 +58,8 @@ struct Machine {
 };
 
 /// Fills in Machine::rotary and ::linear and normalises directions.
-/// Errors (without a file): machine-joints: not three linear and two rotary joints, linear directions in one plane,
-/// parallel rotary directions, a direction of no length, a minimum above the maximum.
+/// Errors (without a file): machine-joints. There are not three linear and two rotary joints, or linear directions lie
+/// in one plane. Or rotary directions are parallel, a direction has no length, or a minimum is above the maximum.
 [[nodiscard]] Result<Machine> make_machine(Machine machine);
 
 }  // namespace gouge

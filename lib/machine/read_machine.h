@@ -9,8 +9,8 @@
 namespace gouge {
 
 /// Reads a machine file (docs/formats/machine.md). `file` is for messages.
-/// Errors, with the line: machine-syntax, machine-duplicate-key, json-too-deep, json-too-long; machine-field (a key that is
-/// missing, unknown or not as expected); machine-joints as of make_machine.
+/// Errors, with the line: machine-syntax, machine-duplicate-key, json-too-deep, json-too-long; machine-field (a key
+/// that is missing, unknown or not as expected); machine-joints as of make_machine.
 [[nodiscard]] Result<Machine> read_machine(const std::string& file, std::string_view bytes);
 
 /// A machine that the program knows, as the text of a machine file.
@@ -18,7 +18,7 @@ struct MachinePreset {
   std::string_view name, title, text;
 };
 [[nodiscard]] const std::vector<MachinePreset>& machine_presets();
-/// Null: there is none of this name.
+/// Returns the preset of this name; null where there is none.
 [[nodiscard]] const MachinePreset* find_preset(std::string_view name);
 
 }  // namespace gouge

@@ -10,8 +10,8 @@
 namespace gouge {
 namespace {
 
-/// Both joints run evenly. The angular velocity is the sum of one about a fixed direction and one about a direction that
-/// the first joint turns, so it is at most the sum of both rates, and changes by at most their product.
+/// Both joints run evenly. The angular velocity is the sum of one about a fixed direction and one about a direction
+/// that the first joint turns. So it is at most the sum of both rates, and changes by at most their product.
 class EvenTurn : public AxisPath {
  public:
   EvenTurn(const Machine& machine, const RotaryAngles& from, const RotaryAngles& to)

@@ -32,20 +32,20 @@ class MeshAdjacency {
   /// Cost O(n). Requires triangles with three distinct corners (what build_mesh gives).
   explicit MeshAdjacency(const IndexedMesh& mesh);
 
-  /// In increasing order of (low, high).
+  /// Returns the edges in increasing order of (low, high).
   [[nodiscard]] const std::vector<MeshEdge>& edges() const { return edges_; }
 
-  /// In increasing order of triangle.
+  /// Returns the uses in increasing order of triangle.
   [[nodiscard]] std::span<const EdgeUse> uses(const MeshEdge& edge) const {
     return {uses_.data() + edge.first_use, edge.use_count};
   }
 
-  /// Edge k runs from corner k to corner k + 1 (mod 3).
+  /// Returns the edges of a triangle. Edge k runs from corner k to corner k + 1 (mod 3).
   [[nodiscard]] const std::array<std::uint32_t, 3>& edges_of_triangle(std::size_t triangle) const {
     return triangle_edges_[triangle];
   }
 
-  /// In increasing order.
+  /// Returns the triangles in increasing order.
   [[nodiscard]] std::span<const std::uint32_t> triangles_of_vertex(Corner vertex) const { return around_.at(vertex); }
 
  private:

@@ -55,8 +55,8 @@ class Words {
     return word;
   }
 
-  // The rest of the line is a name, which may be anything; only a facet may stand behind it, since some
-  // writers use no line ends at all.
+  // The rest of the line is a name, which may be anything. Only a facet may stand behind it, since some writers use no
+  // line ends at all.
   void skip_name() {
     for (; at_ < text_.size() && !is_line_end(text_[at_]); ++at_)
       if (is_blank(text_[at_]) && is_facet_at(at_ + 1)) return;
@@ -66,8 +66,8 @@ class Words {
   [[nodiscard]] std::size_t bytes_read() const { return at_; }
 
  private:
-  // Returns whether a facet begins there, and no name that has its words: it goes on to the loop, behind the three numbers of
-  // a normal if it has one.
+  // Returns whether a facet begins there, and not a name with the same words. A facet goes on to the loop, behind the
+  // three numbers of a normal if it has one.
   [[nodiscard]] bool is_facet_at(std::size_t at) const {
     if (!equals(text_.substr(at, 6), "facet ")) return false;
     Words words(text_.substr(at + 6));
@@ -186,7 +186,8 @@ class AsciiParser {
   // Returns whether `word`, which was read, and the next one are "end" and `what`; the next one is then read too.
   bool is_end_of(std::string_view word, std::string_view what) { return equals(word, "end") && skip(what); }
 
-  // 'endloop' and 'endfacet', of which one may be missing, and both where another facet or the end of the solid follows.
+  // 'endloop' and 'endfacet', of which one may be missing, and both where another facet or the end of the solid
+  // follows.
   bool parse_ends() {
     for (bool has_end_of_loop = false;;) {
       Words ahead = words_;

@@ -11,8 +11,8 @@
 
 namespace gouge::detail {
 
-/// Returns whether the bytes are meant as ASCII STL: the first word is `solid` (then `facet`, `solid` or `endsolid`
-/// begins a later line or follows) or `facet`.
+/// Returns whether the bytes are meant as ASCII STL. The first word is then `facet`, or it is `solid` and `facet`,
+/// `solid` or `endsolid` begins a later line or follows.
 [[nodiscard]] bool looks_like_ascii_stl(std::string_view bytes);
 
 /// Errors and tolerance as described at parse_stl.

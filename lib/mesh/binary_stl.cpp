@@ -73,7 +73,7 @@ bool has_attributes(std::string_view bytes, std::size_t count) {
   return false;
 }
 
-// Refuses coordinates that are no numbers, and counts the stored normals.
+// Refuses coordinates that are not numbers, and counts the stored normals.
 Outcome count_facets(TriangleSoup& soup, std::string_view bytes, const FacetPlaces& places) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const TrianglePoints triangle = soup.triangles[i];
@@ -120,8 +120,9 @@ Result<TriangleSoup> read_spread(std::string_view bytes, const FacetPlaces& plac
   return soup;
 }
 
-// Returns whether the stored normals are unit vectors along those of the corners: of more than half of the facets, and the
-// others are too thin for a comparison. A shifted facet has parts of corners where its normal should be.
+// Returns whether the stored normals are unit vectors along those of the corners. More than half of the facets must
+// fit, and the others must be too thin for a comparison. A shifted facet has parts of corners where its normal should
+// be.
 bool has_matching_normals(std::string_view bytes, const FacetPlaces& places) {
   constexpr double kThinnest = 1e-3;  // area over longest side squared
   constexpr double kAlike = 0.01;
@@ -171,8 +172,8 @@ Diagnostic refuse_bytes(std::string_view bytes, std::size_t count, const std::st
                     name);
 }
 
-// The file has the size that its header states. With bytes behind each facet it would be longer, but for the rare one
-// that was cut off just there: then attributes are set, and shifted facets have anything for a normal.
+// The file has the size that its header states. With bytes behind each facet it would be longer, except for the rare
+// file that was cut off just there. In that file attributes are set, and shifted facets have arbitrary normals.
 Result<TriangleSoup> parse_exact(std::string_view bytes, std::size_t count, const std::string& name,
                                  std::shared_ptr<const void> keep) {
   Result<TriangleSoup> soup = read_plain(bytes, count, name, std::move(keep));

@@ -17,10 +17,11 @@ namespace gouge::detail {
 /// Returns whether the file has exactly the size that its header states: 84 bytes and 50 for each facet.
 [[nodiscard]] bool has_binary_stl_size(std::string_view bytes);
 
-/// The triangles of a binary STL. A file that is longer than its header states is read where the places of its facets
-/// are certain. The further bytes may follow the last facet, or each facet as its attribute byte count states. The
-/// first is certain where no attribute is set and the bytes are too few for one behind each facet. Otherwise exactly
-/// one of the two readings must be confirmed: each of its edges has a partner, or its stored normals match its corners.
+/// Returns the triangles of a binary STL. A file that is longer than its header states is read where the places of its
+/// facets are certain. The further bytes may follow the last facet, or each facet as its attribute byte count states.
+/// The first is certain where no attribute is set and the bytes are too few for one behind each facet. Otherwise
+/// exactly one of the two readings must be confirmed: each of its edges has a partner, or its stored normals match its
+/// corners.
 ///
 /// Requires has_binary_stl_header.
 /// Errors   stl-no-triangles, stl-truncated, stl-trailing-data, stl-facet-bytes, stl-bad-number.

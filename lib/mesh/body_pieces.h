@@ -11,13 +11,14 @@
 namespace gouge {
 
 /// The sides of triangles joined two and two into pieces of surface. Half-edge 3 t + k runs from corner k of triangle t
-/// to the next. At an edge with two sides they are mates; at one with more the two that have material between them, as
-/// their orientation shows, where it does not, neighbours in angle. At an edge with an odd number none has a mate.
+/// to the next. At an edge with two sides these are mates. At an edge with more sides mates are the two that have
+/// material between them, as their orientation shows. Where it does not show that, neighbours in angle are mates. At an
+/// edge with an odd number of sides none has a mate.
 struct SurfacePieces {
   std::vector<std::uint32_t> piece_of;  ///< per triangle: the lowest triangle of its piece
   std::vector<bool> is_open;            ///< per triangle that names a piece: it has an edge with an odd number of sides
-  /// Per triangle that names a piece: what hangs together with it by edges comes to an edge with more than two
-  /// triangles, or to a vertex in more than one fan.
+  /// One flag per triangle that names a piece. It is set where the piece, connected by edges, has an edge with more
+  /// than two triangles, or a vertex in more than one fan.
   std::vector<bool> is_pinched;
 };
 

@@ -10,8 +10,8 @@ namespace {
 
 // Sheets nearer to each other than this share of the mesh's size are one wall written twice.
 constexpr double kMinWall = 5e-5;
-// Cosines of the angle between two sheets: of what may be a double wall at all, of sheets that lie on each other (30
-// degrees), of a fold without material (2 degrees).
+// Cosines of the angle between two sheets. In order they are those of a possible double wall (45 degrees), of sheets
+// that lie on each other (30 degrees), and of a fold without material (2 degrees).
 constexpr double kAny = 0.7071, kParallel = 0.866, kFolded = 0.99939;
 // Triangles side by side overlap by less than this share of the smaller one, for rounding.
 constexpr double kMinOverlap = 1e-3;

@@ -19,8 +19,8 @@ struct WeldedMesh {
   std::size_t repeated = 0;            ///< triangles left out
 };
 
-/// Triangles of several meshes over one list of vertices: identical coordinates are one vertex, whatever file they
-/// come from. Of triangles with the same corners and the same orientation only the first is kept.
+/// Returns triangles of several meshes over one list of vertices: identical coordinates are one vertex, whatever file
+/// they come from. Of triangles with the same corners and the same orientation only the first is kept.
 /// Cost     O(n log n).
 [[nodiscard]] WeldedMesh weld_together(std::span<const IndexedMesh> meshes);
 
@@ -37,7 +37,7 @@ struct SurfaceGap {
   Vec3 end_a = Vec3::Zero(), end_b = Vec3::Zero();
   double width_mm = 0;
 
-  /// Distance of a point from the segment.
+  /// Returns the distance of a point from the segment.
   [[nodiscard]] double distance_mm(const Vec3& point) const;
 };
 

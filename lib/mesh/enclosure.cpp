@@ -20,8 +20,8 @@ namespace gouge {
 
 namespace {
 
-// Rounding of a transformed vertex and of a point of the tool, relative to their coordinates.
-// What is missing at a hole lies within this many widths of its rim's middle line: a half sphere over a round hole.
+// Rounding of a transformed vertex and of a point of the tool, relative to their coordinates. Surface missing at a hole
+// lies within this many widths of its rim's middle line: a half sphere over a round hole.
 constexpr double kReach = 1;
 // A winding number with all gaps filled is whole up to rounding.
 constexpr double kWhole = 1e-6;
@@ -154,7 +154,7 @@ struct Enclosure::Surface {
   [[nodiscard]] Side side_of(const ConnectedPoints& joined) const {
     Side side = sound ? side_beyond_doubtful(joined) : Side::unknown;
     if (side == Side::unknown) side = all->side_of(joined);
-    // A file is a part of its own: what it encloses alone is inside, whatever others cancel.
+    // A file is a part of its own: a point that it encloses alone is inside, whatever others cancel.
     const auto encloses = [&](const auto& file) {
       return file->faults().open == 0 && file->side_of(joined) == Side::inside;
     };
@@ -221,7 +221,7 @@ std::string Enclosure::why_unknown() const {
 
 namespace {
 
-// Material around a cavity is at least this share of the cavity's size: two shells closer to each other than that are
+// Material around a cavity is at least this share of the cavity's size. Two shells closer to each other than that are
 // rather one wall written twice.
 constexpr double kMinCavityWall = 0.01;
 constexpr double kWholeCavity = 1e-6;

@@ -30,17 +30,18 @@ class Enclosure {
   Enclosure(const Enclosure&) = delete;
   Enclosure& operator=(const Enclosure&) = delete;
 
-  /// Beyond the box of all surfaces together: outside, however broken they are. O(1).
+  /// Returns whether a point is beyond the box of all surfaces together, thus outside, however broken they are. O(1).
   [[nodiscard]] bool is_beyond(const Vec3& point) const;
 
-  /// On which side the points are.
+  /// Returns on which side the points are.
   ///
-  /// Ensures  outside: a point is beyond the box; or all pieces bound bodies (BodyPieces) and a straight line from a
-  ///          point to infinity meets none; or all edges are balanced besides and the points are in a cavity of one
-  ///          file. Other pieces need not be examined for points beyond the box of all of them. inside: what the
-  ///          surfaces enclose, however their gaps are closed within reach of their rims: an odd winding number, or
-  ///          where all edges are balanced one other than 0; or what a file without open edges encloses alone. The same
-  ///          result for the same points, from any number of threads.
+  /// Ensures  (1) Outside in three cases. A point is beyond the box. Or all pieces bound bodies (BodyPieces) and a
+  ///          straight line from a point to infinity meets none. Or all pieces bound bodies, all edges are balanced,
+  ///          and the points are in a cavity of one file. Other pieces need not be examined for points beyond the box
+  ///          of all of them. (2) Inside for points that the surfaces enclose, however their gaps are closed within
+  ///          reach of their rims. The winding number is odd, or, where all edges are balanced, other than 0. Or a file
+  ///          without open edges encloses the points alone. (3) The same result for the same points, from any number of
+  ///          threads.
   /// Cost     O(n) for points within the box; the first of them O(n log n).
   [[nodiscard]] Side side_of(const ConnectedPoints& joined) const;
 
@@ -63,9 +64,10 @@ class Cavities {
   /// Requires that every edge of the mesh runs equally often both ways; the mesh must outlive it. Cost O(n).
   explicit Cavities(const IndexedMesh& mesh, std::span<const std::uint32_t> file_of = {});
 
-  /// Returns whether the point is in a cavity. True only when one shell of two triangles an edge winds about it inward, others
-  /// of the same file about it once outward, those of other files not at all, and none of those that have the point in
-  /// their box comes near the shell's, so that the shell is cut out of material. Cost O(n).
+  /// Returns whether the point is in a cavity, so that the shell is cut out of material. True only when all of these
+  /// hold. (1) One shell of two triangles an edge winds about the point inward. (2) Others of the same file wind about
+  /// it once outward, and those of other files not at all. (3) No shell that has the point in its box comes near the
+  /// first one. Cost O(n).
   [[nodiscard]] bool contain(const Vec3& point) const;
 
  private:

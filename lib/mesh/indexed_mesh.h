@@ -35,7 +35,7 @@ struct IndexedMesh {
   }
 };
 
-/// The box of all meshes together; empty where none has a vertex.
+/// Returns the box of all meshes together; empty where none has a vertex.
 [[nodiscard]] inline Box3 box_of(std::span<const IndexedMesh> meshes) {
   Box3 all;
   for (const IndexedMesh& mesh : meshes) all.extend(mesh.box());
@@ -49,7 +49,7 @@ struct IndexedMesh {
   return box;
 }
 
-/// Unit normal of a triangle, outward of a closed mesh; zero for one without area.
+/// Returns the unit normal of a triangle, outward of a closed mesh; zero for one without area.
 [[nodiscard]] inline Vec3 face_normal(const IndexedMesh& mesh, std::size_t triangle) {
   const Vec3 across =
       (mesh.corner(triangle, 1) - mesh.corner(triangle, 0)).cross(mesh.corner(triangle, 2) - mesh.corner(triangle, 0));
@@ -57,7 +57,7 @@ struct IndexedMesh {
   return length > 0 ? Vec3(across / length) : Vec3(Vec3::Zero());
 }
 
-/// The angle between the two edges of a triangle that meet at `vertex`, one of its corners.
+/// Returns the angle between the two edges of a triangle that meet at `vertex`, one of its corners.
 [[nodiscard]] inline double angle_at(const IndexedMesh& mesh, std::size_t triangle, Corner vertex) {
   const TriangleCorners& c = mesh.triangles[triangle];
   const std::size_t k = c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;

@@ -26,7 +26,7 @@ struct HashOfCell {
   }
 };
 
-// Vertices that stay, in cubes as wide as the reach: what is within it lies in the 27 around.
+// Vertices that stay, in cubes as wide as the reach. Vertices within it lie in the 27 cubes around.
 class Stayers {
  public:
   Stayers(const std::vector<Vec3>& vertices, double reach_mm) : vertices_(vertices), reach_mm_(reach_mm) {}

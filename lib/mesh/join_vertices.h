@@ -16,11 +16,11 @@ struct JoinedMesh {
   std::size_t triangles_collapsed = 0;  ///< left with two corners at one point, and left out
 };
 
-/// Joins vertices no farther apart than `reach_mm`: each goes to the nearest of the vertices before it that stay where
+/// Joins vertices no farther apart than `reach_mm`. Each goes to the nearest of the vertices before it that stay where
 /// they are (of two as near to the earlier), or stays.
 ///
 /// Requires reach_mm > 0 and what build_mesh ensures.
-/// Ensures  no vertex moves farther than reach_mm, however long a chain of near vertices is, and those left are farther
+/// Ensures  No vertex moves farther than reach_mm, however long a chain of near vertices is. Those left are farther
 ///          apart than that. Deterministic. Triangles keep their order and their numbers in the file.
 /// Errors   mesh-weld: every triangle collapses.
 /// Cost     O(n).

@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-/// A mesh, and what only its file shows.
+/// A mesh, and the facts that only its file shows.
 struct Welded {
   BuiltMesh built;
   StlFormat format = StlFormat::binary;

@@ -14,19 +14,19 @@ struct LoadedMesh {
   IndexedMesh mesh;  ///< mm, part coordinates
   MeshFindings findings;
   StlFormat format = StlFormat::binary;
-  Diagnostics notes;  ///< what the reader tolerated, then describe(findings); warnings and notes
+  Diagnostics notes;  ///< faults that the reader tolerated, then describe(findings); warnings and notes
 };
 
-/// From an STL file to a mesh and the remarks about it.
+/// Reads an STL file into a mesh and the remarks about it.
 /// Errors: those of read_file, parse_stl and build_mesh.
 [[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement = {},
                                            std::uint64_t max_bytes = kMaxInputBytes, const ProgressCall& progress = {});
 
-/// The same from a file that is examined already; it is released as soon as the mesh is welded.
+/// Returns the same from a file that is examined already; it is released as soon as the mesh is welded.
 [[nodiscard]] Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name,
                                                 const MeshPlacement& placement = {}, const ProgressCall& progress = {});
 
-/// The same from the bytes of a file.
+/// Returns the same from the bytes of a file.
 [[nodiscard]] Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& name,
                                                  const MeshPlacement& placement = {});
 

@@ -41,8 +41,8 @@ struct BuiltMesh {
   /// Triangles with two identical corners: left out of the mesh (they are a line, which their neighbours
   /// have).
   MeshSpot degenerate;
-  /// Triangles whose three distinct corners lie on one line: kept, since the check is about every point of
-  /// the surface and in an open mesh no neighbour need have theirs.
+  /// Triangles whose three distinct corners lie on one line. They are kept, since the check is about every point of the
+  /// surface. In an open mesh a neighbour need not have theirs.
   MeshSpot collinear;
   /// Triangles whose stored normal points to their other side (see TriangleSoup).
   MeshSpot opposite_normals;

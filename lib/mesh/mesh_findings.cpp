@@ -65,10 +65,10 @@ std::vector<Piece> measure_pieces(const IndexedMesh& mesh, UnionFind& roots, Mes
   return pieces;
 }
 
-/// Adds to `found` what concerns pieces of surface: how many, volume and area, cavities and pieces inside
-/// out. `pieces` joins the triangles of a piece; `is_open` states by a piece's lowest triangle whether its
-/// edges are not all used equally often in both directions, and may be empty when none is. Requires
-/// found.box_mm. Cost as described at find_mesh_findings.
+/// Adds to `found` the facts about pieces of surface: how many, volume and area, cavities and pieces inside out. The
+/// argument `pieces` joins the triangles of a piece. By a piece's lowest triangle `is_open` states whether its edges
+/// are not all used equally often in both directions. It may be empty when none is. Requires found.box_mm. Cost as
+/// described at find_mesh_findings.
 void find_pieces(const IndexedMesh& mesh, UnionFind& pieces, const std::vector<bool>& is_open, MeshFindings& found) {
   std::size_t looked_at = 0;
   const std::vector<Piece> measured = measure_pieces(mesh, pieces, found);

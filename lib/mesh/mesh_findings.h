@@ -11,8 +11,8 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/mesh_builder.h"
 
-// Facts about a mesh that counting finds: the part of validation that every check runs. Whether the
-// surface crosses itself needs exact predicates and is lib/validate's business.
+// Facts about a mesh that counting finds: the part of validation that every check runs. Self-intersections need exact
+// predicates and are found by lib/validate.
 
 namespace gouge {
 
@@ -46,7 +46,7 @@ struct MeshFindings {
   [[nodiscard]] bool is_closed() const { return boundary_edges.count == 0; }
   [[nodiscard]] bool is_manifold() const { return non_manifold_edges.count == 0 && non_manifold_vertices.count == 0; }
   [[nodiscard]] bool is_consistently_oriented() const { return misoriented_edges.count == 0; }
-  /// The surface separates inside from outside: winding numbers are whole.
+  /// Returns whether the surface separates inside from outside, so that winding numbers are whole.
   [[nodiscard]] bool is_watertight() const { return unbalanced_edges.count == 0; }
   /// Inside is where the triangles state it is: a buried tool is reported. Triangles written twice leave no inside, or
   /// one that the nearest of them does not show.
@@ -54,12 +54,12 @@ struct MeshFindings {
     return is_watertight() && inside_out_components.count == 0 && duplicate_triangles.count == 0;
   }
 
-  /// V - E + F: 2 for a surface like a sphere, 0 for one like a torus.
+  /// Returns V - E + F: 2 for a surface like a sphere, 0 for one like a torus.
   [[nodiscard]] long long euler_number() const {
     return static_cast<long long>(vertices) - static_cast<long long>(edges) + static_cast<long long>(triangles);
   }
-  /// Number of handles (genus) summed over the components; nothing unless closed and manifold.
-  /// 0 for one component means E = 3V - 6 and F = 2V - 4 (thesis 5.2).
+  /// Returns the number of handles (genus) summed over the components; nothing unless closed and manifold. 0 for one
+  /// component means E = 3V - 6 and F = 2V - 4 (thesis 5.2).
   [[nodiscard]] std::optional<long long> handles() const;
 };
 
@@ -71,14 +71,14 @@ struct MeshFindings {
 [[nodiscard]] MeshFindings find_mesh_findings(const IndexedMesh& mesh, const MeshAdjacency& adjacency);
 [[nodiscard]] MeshFindings find_mesh_findings(const BuiltMesh& built, const ProgressCall& progress = {});
 
-/// One sentence for each kind of finding: how many, where the first is, and what it means for a check.
-/// Warnings where a check can no longer detect a buried tool, notes for the rest; empty for a clean solid.
-/// Codes: mesh-open, mesh-misoriented, mesh-inside-out, mesh-non-manifold-edges, mesh-non-manifold-vertices,
-/// mesh-duplicate-triangles, mesh-degenerate-triangles, mesh-collinear-triangles, mesh-opposite-normals.
+/// Returns one sentence for each kind of finding: how many, where the first is, and what it means for a check. Warnings
+/// where a check can no longer detect a buried tool, notes for the rest; empty for a clean solid. Codes: mesh-open,
+/// mesh-misoriented, mesh-inside-out, mesh-non-manifold-edges, mesh-non-manifold-vertices, mesh-duplicate-triangles,
+/// mesh-degenerate-triangles, mesh-collinear-triangles, mesh-opposite-normals.
 [[nodiscard]] Diagnostics describe(const MeshFindings& findings, const std::string& file,
                                    LengthUnit unit = LengthUnit::mm);
 
-/// "(1.000, 2.000, 3.000) mm, triangle 17": where a spot is, triangles counted from 1.
+/// Returns "(1.000, 2.000, 3.000) mm, triangle 17": where a spot is, triangles counted from 1.
 [[nodiscard]] std::string position_text(const MeshSpot& spot, LengthUnit unit);
 
 }  // namespace gouge

@@ -31,10 +31,10 @@ class RayCone {
   double volume_ = 0, volume_slack_ = 0;
 };
 
-/// Returns whether from one of `origins` a ray in one of `directions` meets no triangle, beyond doubt: what rounding could turn
-/// into a hit counts as one.
+/// Returns whether from one of `origins` a ray in one of `directions` meets no triangle, beyond doubt. A ray that
+/// rounding could turn into a hit counts as one.
 ///
-/// Ensures  on true, one of the origins is joined with infinity by a straight line that keeps off the surface.
+/// Ensures  On true, one of the origins is joined with infinity by a straight line that keeps off the surface.
 /// Requires directions that are not zero.
 /// Cost     O(n) times the rays not yet known to be blocked; few remain after the first triangles where all are.
 [[nodiscard]] bool has_free_ray(const IndexedMesh& mesh, std::span<const Vec3> origins,

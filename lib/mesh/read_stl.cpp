@@ -56,9 +56,10 @@ bool begins_with_one(std::string_view line, const std::array<std::string_view, n
   return false;
 }
 
-/// Names the format of `bytes`, as the rest of a sentence that begins with "the file" ("is STEP, ..."), where they are certainly
-/// no STL but something that people take for a mesh. Nothing for anything else: the header of a binary STL may hold any
-/// words, so only `is_text`, no control characters at the beginning, lets words count. Examines the first lines only.
+/// Names the format of `bytes`, as the rest of a sentence that begins with "the file" ("is STEP, ..."). It does so
+/// where they are certainly not STL but another format that people take for a mesh. Nothing for anything else. The
+/// header of a binary STL may hold any words, so only `is_text`, no control characters at the beginning, lets words
+/// count. Examines the first lines only.
 std::optional<std::string> describe_foreign_mesh(std::string_view bytes, bool is_text) {
   for (const Beginning& beginning : kBinaries) {
     if (bytes.starts_with(beginning.text)) return std::string(beginning.sentence);

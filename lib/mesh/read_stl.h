@@ -13,19 +13,22 @@
 
 namespace gouge {
 
-/// The triangles of an STL file, in file order and file units.
+/// Reads the triangles of an STL file, in file order and file units.
 ///
-/// Binary   84 bytes, then 50 a triangle. In a longer file the further bytes may follow the last triangle (fewer
-///          than one triangle, or all zero), or each triangle as its attribute byte count states: docs/formats/stl.md.
-/// ASCII    Words in any case, any line ends, several solids in one file, any bytes in a solid's name, `end solid`
-///          as one word. `normal`, `outer`, `endloop` and `endfacet` may be missing. UTF-16 is read as ASCII.
-///          A file that ends after a whole facet without `endsolid` is read with a warning.
-/// Errors   stl-empty, stl-no-triangles, stl-truncated, stl-trailing-data, stl-facet-bytes, stl-bad-number (not
-///          finite, or in ASCII not a number), stl-syntax (ASCII: a word is missing or out of place), stl-not-stl.
-///          `name` stands in each; ASCII errors have the line.
-/// Binary triangles are looked up in `bytes` and not copied: the bytes must outlive the soup, unless `keep`
-/// ensures that.
-/// Cost     O(bytes); of a longer binary file that of build_mesh and find_mesh_findings. ASCII, which takes long enough, is counted in MB.
+/// Binary   84 bytes, then 50 a triangle. In a longer file the further bytes may follow the last triangle (fewer than
+///          one triangle, or all zero). Or they follow each triangle as its attribute byte count states:
+///          docs/formats/stl.md.
+/// ASCII    Words in any case, any line ends, several solids in one file, any bytes in a solid's name, `end solid` as
+///          one word. The words `normal`, `outer`, `endloop` and `endfacet` may be missing. UTF-16 is read as ASCII. A
+///          file that ends after a whole facet is read with a warning if it has no `endsolid`.
+/// Errors   (1) stl-empty, stl-no-triangles, stl-truncated, stl-trailing-data, stl-facet-bytes, stl-not-stl. (2)
+///          stl-bad-number: not finite, or in ASCII not a number. (3) stl-syntax, in ASCII: a word is missing or out of
+///          place. Each has `name`; ASCII errors have the line.
+/// Cost     O(bytes); for a longer binary file that of build_mesh and find_mesh_findings. ASCII, which takes long
+///          enough, is counted in MB.
+///
+/// Binary triangles are looked up in `bytes` and not copied. The bytes must outlive the soup, unless `keep` ensures
+/// that.
 [[nodiscard]] Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name,
                                              std::shared_ptr<const void> keep = nullptr,
                                              const ProgressCall& progress = {});

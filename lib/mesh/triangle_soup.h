@@ -20,9 +20,8 @@ namespace gouge {
 
 using TrianglePoints = std::array<Vec3, 3>;
 
-/// Triangles in file order: kept as points, or looked up in the records of a binary STL where they lie, which
-/// spares a copy of 72 bytes a triangle. Records are 50 bytes: normal, three corners, two bytes of
-/// attributes.
+/// Triangles in file order. They are kept as points, or looked up in the records of a binary STL where they lie. That
+/// spares a copy of 72 bytes a triangle. Records are 50 bytes: normal, three corners, two bytes of attributes.
 class TriangleList {
  public:
   static constexpr std::size_t kRecordSize = 50;
@@ -45,7 +44,7 @@ class TriangleList {
   void push_back(const TrianglePoints& triangle) { points_.push_back(triangle); }
   void reserve(std::size_t count) { points_.reserve(count); }
 
-  /// Three single-precision numbers, little-endian.
+  /// Returns three single-precision numbers, little-endian.
   [[nodiscard]] static Vec3 vector_at(std::string_view bytes, std::size_t at) {
     return {number_at(bytes, at), number_at(bytes, at + 4), number_at(bytes, at + 8)};
   }

@@ -23,12 +23,12 @@ class VertexTriangles {
   /// Cost  O(n); 14 bytes a triangle, none beside while it is made.
   explicit VertexTriangles(const IndexedMesh& mesh);
 
-  /// In increasing order.
+  /// Returns the triangles in increasing order.
   [[nodiscard]] std::span<const std::uint32_t> at(Corner vertex) const {
     return {triangles_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
   }
-  /// Requires the mesh it was made of. Cost: as many steps as triangles meet at the end with fewer; over all edges O(n)
-  /// for a surface of few handles, however many triangles meet at a vertex.
+  /// Requires the mesh it was made of. Cost: as many steps as triangles meet at the end with fewer. Over all edges it
+  /// is O(n) for a surface of few handles, however many triangles meet at a vertex.
   [[nodiscard]] EdgeTriangles at_edge(const IndexedMesh& mesh, Corner a, Corner b) const;
 
   /// Calls visit(a, b, edge) once for each edge, in the order of its first triangle. Requires and costs as at_edge.

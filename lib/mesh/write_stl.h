@@ -7,9 +7,8 @@
 
 namespace gouge {
 
-/// The mesh as binary STL in `unit`, with computed normals. Coordinates become single precision, as the
-/// format wants: what was read from a binary STL (unplaced) comes back bit for bit. Requires fewer than 2^32
-/// triangles.
+/// Returns the mesh as binary STL in `unit`, with computed normals. Coordinates become single precision, as the format
+/// wants: triangles read from a binary STL (unplaced) come back bit for bit. Requires fewer than 2^32 triangles.
 [[nodiscard]] std::string binary_stl_bytes(const IndexedMesh& mesh, LengthUnit unit);
 
 }  // namespace gouge

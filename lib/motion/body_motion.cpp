@@ -28,7 +28,7 @@ RigidTransform BodyMotion::at(double t) const {
 }
 
 // A turn about a fixed direction of the part and one about the tool axis, both at constant rate, are a product of two
-// exponentials: its second derivative is at most the square of both rates added up.
+// exponentials. Its second derivative is at most the square of the sum of both rates.
 MotionRates BodyMotion::rates(double t0, double t1, std::uint32_t segment) const {
   MotionRates rates = motion_.rates(t0, t1, segment);
   rates.turn_rad += std::abs(twist_rad_) * (t1 - t0);

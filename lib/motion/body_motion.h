@@ -12,23 +12,24 @@ namespace gouge {
 /// the tool's frame (origin at the tip, z along the tool axis) to the part's directions.
 [[nodiscard]] Eigen::Matrix3d rotation_to_axis(const Vec3& axis);
 
-/// A body that is not a solid of revolution along a move. On the great circle CL data state where the tool axis points, not
-/// how the body is turned about it; at every position that is rotation_to_axis. Between two, the axis runs on the great
-/// circle as the tool's does, and what is left of the turn about the axis is spread evenly over the move. An AxisLaw states
-/// all of it.
+/// A body that is not a solid of revolution along a move. On the great circle CL data state where the tool axis points,
+/// not how the body is turned about it. At every position that is rotation_to_axis. Between two, the axis runs on the
+/// great circle as the tool's does. The rest of the turn, about the axis, is spread evenly over the move. An AxisLaw
+/// states all of it.
 class BodyMotion {
  public:
   /// Requires motion.is_defined(); the motion must outlive it.
   explicit BodyMotion(const Motion& motion);
 
-  /// From the tool's frame to part coordinates at t.
+  /// Returns the transform from the tool's frame to part coordinates at t.
   [[nodiscard]] RigidTransform at(double t) const;
-  /// Bounds over [t0, t1] of a segment.
+  /// Returns bounds over [t0, t1] of a segment.
   [[nodiscard]] MotionRates rates(double t0, double t1, std::uint32_t segment) const;
-  /// Returns how far, in the tool's frame, the path of a point of the part over the interval may leave the straight chord
-  /// between its positions at the ends; the point is at most `distance_mm` from the tip at one end. 0 for an instant.
+  /// Bounds the distance, in the tool's frame, of the path of a point of the part over the interval from its chord. The
+  /// chord joins its positions at the ends. The point is at most `distance_mm` from the tip at one end. 0 for an
+  /// instant.
   [[nodiscard]] double bulge_mm(const MotionInterval& interval, double distance_mm) const;
-  /// It turns by no more than this over the whole move, about the tool axis and with it.
+  /// Bounds its turn over the whole move, about the tool axis and with it.
   [[nodiscard]] double turn_rad() const { return motion_.turn_rad() + std::abs(twist_rad_); }
 
   [[nodiscard]] const Motion& motion() const { return motion_; }

@@ -37,8 +37,8 @@ Vec3 axis_turned(const Vec3& axis, const Vec3& about, double angle) {
   return std::cos(angle) * axis + std::sin(angle) * about.cross(axis);
 }
 
-/// Both the axis and the one on the great circle stay near the chord between the ends of the axis: each by an eighth of
-/// its acceleration, and the turn bounds the angle between the ends.
+/// Both the axis and the one on the great circle stay near the chord between the ends of the axis. Each is off by at
+/// most an eighth of its acceleration. The turn bounds the angle between the ends.
 double off_circle_rad(const MotionRates& rates) {
   const double chord = (rates.axis_acceleration_rad() + rates.turn_rad * rates.turn_rad) / 8;
   // Angle of two unit vectors a chord apart: 2 asin(c / 2) <= 1.05 c for c <= 1, and <= c pi / 2.
@@ -62,8 +62,8 @@ void Motion::turn_on_great_circle() {
   const double sine = across.norm();
   angle_ = std::atan2(sine, start_.axis.dot(end_.axis));
   if (sine > 0) rotation_axis_ = across / sine;
-  // For axes that all but agree the cross product is mostly rounding; any perpendicular axis serves a
-  // rotation of that size, but it must be perpendicular.
+  // For axes that nearly agree the cross product is mostly rounding. Any perpendicular axis serves a rotation of that
+  // size, but it must be perpendicular.
   rotation_axis_ -= rotation_axis_.dot(start_.axis) * start_.axis;
   if (sine <= Tolerance::kNoDirection || rotation_axis_.norm() < 0.5) {
     rotation_axis_ = start_.axis.unitOrthogonal();

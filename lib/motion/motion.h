@@ -20,41 +20,41 @@ struct MotionSegment {
   Vec3 tip0 = Vec3::Zero(), tip1 = Vec3::Zero();
 };
 
-/// The motion of a tool over t in [0, 1]. The tip runs on a line, on a broken line of axes that each arrive in their own
-/// time, on an arc or on a spline. The axis turns on the great circle at constant rate, or on the path of an AxisLaw.
+/// The motion of a tool over t in [0, 1]. The tip runs on a line, an arc, a spline, or on a broken line of axes that
+/// each arrive in their own time. The axis turns on the great circle at constant rate, or on the path of an AxisLaw.
 /// Only a MotionLaw makes motions, so that no caller chooses a law by accident.
 class Motion {
  public:
-  /// False where the law leaves the way of the axis open: opposite axes on the great circle.
+  /// Returns false where the law leaves the way of the axis open: opposite axes on the great circle.
   [[nodiscard]] bool is_defined() const { return is_defined_; }
   [[nodiscard]] bool is_alone() const { return is_alone_; }
-  /// Pose at t in [0, 1]; t = 0 and 1 give the end poses bit for bit.
+  /// Returns the pose at t in [0, 1]; t = 0 and 1 give the end poses bit for bit.
   [[nodiscard]] Pose at(double t) const;
   /// Directions of the tool at t in the part: a rotation whose third column is the tool axis, continuous in t. On the
   /// great circle the first column is the direction about which the axis turns. Requires is_defined().
   [[nodiscard]] Eigen::Matrix3d axes_at(double t) const;
-  /// The rotation that turns the tool from its directions at the start to those at t. Requires is_defined().
+  /// Returns the rotation that turns the tool from its directions at the start to those at t. Requires is_defined().
   [[nodiscard]] Eigen::Matrix3d turn_to(double t) const;
   [[nodiscard]] std::span<const MotionSegment> segments() const {
     return segments_.empty() ? std::span(&whole_, 1) : std::span(segments_);
   }
-  /// Tip at t within the segment; exact also on arcs and splines.
+  /// Returns the tip at t within the segment; exact also on arcs and splines.
   [[nodiscard]] Vec3 tip_at(double t, std::uint32_t segment) const;
-  /// The tip's path over [t0, t1] of a segment is no longer than this; straight paths are exactly this long.
+  /// Bounds the length of the tip's path over [t0, t1] of a segment; for straight paths it is exact.
   [[nodiscard]] double path_length_mm(double t0, double t1, std::uint32_t segment) const;
   /// Returns how far the tip may at any instant of [t0, t1] be from where it would be on the straight chord at constant
   /// speed. 0 for straight paths. Proof: docs/method/certified_sweep.md, section 3.
   [[nodiscard]] double sag_mm(double t0, double t1, std::uint32_t segment) const;
-  /// Bounds of all that moves with the tool over [t0, t1] of a segment.
+  /// Returns bounds of all that moves with the tool over [t0, t1] of a segment.
   [[nodiscard]] MotionRates rates(double t0, double t1, std::uint32_t segment) const;
-  /// The tool turns by no more than this over [t0, t1], in radians; on the great circle by just as much.
+  /// Bounds the turn of the tool over [t0, t1], in radians; on the great circle it is exact.
   [[nodiscard]] double turn_rad(double t0, double t1) const;
-  /// Over the whole move.
+  /// Bounds the turn over the whole move.
   [[nodiscard]] double turn_rad() const { return turn_rad(0, 1); }
-  /// The path of an AxisLaw; null on the great circle.
+  /// Returns the path of an AxisLaw; null on the great circle.
   [[nodiscard]] const AxisPath* axis_path() const { return axis_path_.get(); }
-  /// True when no coordinate of the tip, of an arc's centre and radius or of a spline's control points is larger;
-  /// false where one is not a number.
+  /// Returns false when a coordinate of the tip, of an arc's centre and radius or of a spline's control points is
+  /// larger. Also false where one is not a number.
   [[nodiscard]] bool is_within(double limit_mm) const;
   [[nodiscard]] const Pose& start() const { return start_; }
   [[nodiscard]] const Pose& end() const { return end_; }
@@ -76,7 +76,7 @@ class Motion {
   /// Tip = center + (r0 + dr t) (cos(sweep t) e1 + sin(sweep t) e2) + (h0 + dh t) axis + t rest.
   struct Turn {
     Vec3 center = Vec3::Zero(), axis = Vec3::UnitZ(), e1 = Vec3::UnitX(), e2 = Vec3::UnitY();
-    Vec3 rest = Vec3::Zero();  ///< what the rounding of the numbers leaves at the end
+    Vec3 rest = Vec3::Zero();  ///< remainder at the end from the rounding of the numbers
     double sweep = 0, r0 = 0, dr = 0, h0 = 0, dh = 0;
     [[nodiscard]] Vec3 at(double t) const;
     [[nodiscard]] double largest_radius() const { return dr > 0 ? r0 + dr : r0; }

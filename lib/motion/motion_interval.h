@@ -7,11 +7,11 @@
 #include "lib/base/tolerance.h"
 #include "lib/motion/motion.h"
 
-// Time intervals of a motion and their halving: what is known of an interval is the caller's.
+// Time intervals of a motion and their halving. The caller adds its data of an interval.
 
 namespace gouge {
 
-/// A time interval within one segment of a motion; what is known of one derives from it.
+/// A time interval within one segment of a motion. Types with more data of one derive from it.
 struct MotionInterval {
   double t0 = 0, t1 = 0;
   std::uint32_t segment = 0;
@@ -19,13 +19,13 @@ struct MotionInterval {
   [[nodiscard]] double middle() const { return 0.5 * (t0 + t1); }
 };
 
-/// A whole segment; of no length where the motion is a single pose.
+/// Returns a whole segment; of no length where the motion is a single pose.
 [[nodiscard]] inline MotionInterval whole_segment(const Motion& motion, std::uint32_t segment) {
   const MotionSegment& whole = motion.segments()[segment];
   return {whole.t0, motion.is_alone() ? whole.t0 : whole.t1, segment};
 }
 
-/// Both halves, the earlier one first; what else the interval has they keep.
+/// Returns both halves, the earlier one first. They keep all other data of the interval.
 template <typename Interval>
 [[nodiscard]] std::array<Interval, 2> halves(const Interval& whole) {
   std::array<Interval, 2> parts{whole, whole};
@@ -33,8 +33,8 @@ template <typename Interval>
   return parts;
 }
 
-/// The segments of a motion, then their parts, halved on demand and once each. `Interval` derives from MotionInterval
-/// and is made from what moves (`Source`) and a MotionInterval.
+/// The segments of a motion, then their parts, halved on demand and once each. The type `Interval` derives from
+/// MotionInterval. It is made from what moves (`Source`) and a MotionInterval.
 template <typename Interval, typename Source>
 class IntervalTree {
  public:
@@ -44,7 +44,7 @@ class IntervalTree {
     for (std::uint32_t s = 0; s < segments_; ++s) add(whole_segment(motion, s));
   }
 
-  /// The first so many are the segments.
+  /// Returns the number of segments, which come first.
   [[nodiscard]] std::uint32_t segments() const { return segments_; }
   [[nodiscard]] const Interval& operator[](std::uint32_t index) const { return intervals_[index]; }
   /// Returns whether halving can still distinguish instants.

@@ -40,27 +40,28 @@ class MotionLaw {
       : rapid_(rapid), feed_axes_(std::move(feed_axes)), rapid_axes_(std::move(rapid_axes)) {}
 
   [[nodiscard]] RapidMode rapid() const { return rapid_; }
-  /// True where the motion between the poses at two instants of a motion without a curve is surely a part of it.
+  /// Returns true where the motion between the poses at two instants of a motion without a curve is surely a part of
+  /// it.
   [[nodiscard]] bool is_divisible(MoveKind kind) const {
     return axes_of(kind) == nullptr && (kind != MoveKind::rapid || rapid_ != RapidMode::dogleg);
   }
-  /// True where the axis turns on the great circle in all motions.
+  /// Returns true where the axis turns on the great circle in all motions.
   [[nodiscard]] bool is_great_circle() const { return !feed_axes_ && !rapid_axes_; }
-  /// True where the axis of such a motion runs by an AxisLaw.
+  /// Returns true where the axis of such a motion runs by an AxisLaw.
   [[nodiscard]] bool is_by_axes(MoveKind kind) const { return axes_of(kind) != nullptr; }
   /// Names the law of the axis: "great-circle", or as the AxisLaw does, for feeds and rapids.
   [[nodiscard]] std::string name() const;
 
   /// Makes the motion of a move, along its arc or spline where it has one.
   [[nodiscard]] Motion of(const Toolpath& toolpath, std::size_t move) const;
-  /// The straight motion to a position alone from where the tool was before it (Move::is_linked); nothing where the path
-  /// has no link there. The file does not state it; the check only tests whether it is clean.
+  /// Returns the straight motion to a position alone from where the tool was before it (Move::is_linked); nothing where
+  /// the path has no link there. The file does not state it; the check only tests whether it is clean.
   [[nodiscard]] std::optional<Motion> link_of(const Toolpath& toolpath, std::size_t move) const;
   /// Makes the motion of a tool that rests at a pose.
   [[nodiscard]] Motion at(const Pose& pose) const;
-  /// The same for a tool alone: a solid of revolution, which stands alike under every law.
+  /// Returns the same for a tool alone: a solid of revolution, which stands alike under every law.
   [[nodiscard]] static Motion tool_at(const Pose& pose) { return MotionLaw().at(pose); }
-  /// Between two positions with no curve: by the mode for rapids, straight otherwise.
+  /// Returns the motion between two positions with no curve: by the mode for rapids, straight otherwise.
   [[nodiscard]] Motion between(const Pose& from, const Pose& to, MoveKind kind) const;
   [[nodiscard]] Motion straight(const Pose& from, const Pose& to) const { return {from, to, feed_axes_.get()}; }
   [[nodiscard]] Motion along(const Pose& from, const Pose& to, const PathArc& arc) const;

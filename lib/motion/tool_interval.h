@@ -15,7 +15,7 @@ struct ToolFrame {
   [[nodiscard]] Vec3 to_tool(const Vec3& p_part) const { return rows * (p_part - tip); }
 };
 
-/// At t within the segment. Requires motion.is_defined().
+/// Returns the frame at t within the segment. Requires motion.is_defined().
 [[nodiscard]] ToolFrame tool_frame(const Motion& motion, double t, std::uint32_t segment);
 
 /// A time interval of a tool's motion.

@@ -28,26 +28,27 @@ inline constexpr double kLongestOffset = 20;
 
 struct VertexOffset {
   Vec3 move = Vec3::Zero();            ///< n_i . move = 1 for every plane, as far as the case allows
-  PlaneCase planes = PlaneCase::none;  ///< what the faces' planes determine; none: zero, at a vertex without a face
+  PlaneCase planes = PlaneCase::none;  ///< what the faces' planes determine; none: zero, where there is no face
 };
 
-/// Moves the planes through a vertex with unit `normals` by 1 and finds where they meet now: the shortest
+/// Moves the planes through a vertex with unit `normals` by 1 and finds where they meet then. That is the shortest
 /// solution of n_i . x = 1 in least squares.
-/// Source  thesis 4.5.2.3; the cases are those it calls degenerate.
+/// Source  Thesis 4.5.2.3; the cases are those it calls degenerate.
 [[nodiscard]] VertexOffset offset_of_planes(std::span<const Vec3> normals);
 
-/// The normals without repetitions (closer than 1e-9).
+/// Returns the normals without repetitions (closer than 1e-9).
 [[nodiscard]] std::vector<Vec3> distinct_normals(std::span<const Vec3> normals);
 
-/// One for each vertex: the planes of its faces are moved and meet again (offset_of_planes); longer than 1 at an edge.
+/// Returns one offset for each vertex: the planes of its faces are moved and meet again (offset_of_planes); longer than
+/// 1 at an edge.
 /// Cost    O(n).
-/// Source  thesis 4.5.2.3. Its two other methods are in tests/bench/penetration/normal_methods.h.
+/// Source  Thesis 4.5.2.3. Its two other methods are in tests/bench/penetration/normal_methods.h.
 [[nodiscard]] std::vector<VertexOffset> offset_by_planes(const IndexedMesh& mesh, const MeshAdjacency& adjacency);
 
-/// Unit normal of every triangle; zero for one without area.
+/// Returns the unit normal of every triangle; zero for one without area.
 [[nodiscard]] std::vector<Vec3> face_normals(const IndexedMesh& mesh);
 
-/// Sum of the faces' normals at a vertex, each weighted by its angle there; unit, or zero when they cancel.
+/// Returns the sum of the faces' normals at a vertex, each weighted by its angle there; unit, or zero when they cancel.
 /// Source  G. Thuermer, C. Wuethrich, Computing vertex normals from polygonal facets, J. Graphics Tools 3 (1998).
 [[nodiscard]] Vec3 angle_weighted_normal(const IndexedMesh& mesh, const MeshAdjacency& adjacency,
                                          const std::vector<Vec3>& normals, Corner vertex);

@@ -8,12 +8,13 @@
 
 namespace gouge {
 
-/// A height, as of a Column's, over all of a closed surface within a cylinder that `reach_mm` to both sides of
-/// `column.through` holds; at most `max_mm`, and what is above it, up to there and to reach_mm, is outside. So every
-/// point of the solid in the cylinder is below it. Nothing where no such height is proven.
+/// Finds a height, as of a Column's, over all of a closed surface within a cylinder. The cylinder extends `reach_mm` to
+/// both sides of `column.through`. The height is at most `max_mm`. The space above it, up to there and to reach_mm, is
+/// outside. So every point of the solid in the cylinder is below it. Returns nothing where no such height is proved.
 ///
-/// `column`: through, direction and radius; low and high are set here. `cutoff_mm`: no lower height is requested, at
-/// most `max_mm`. `is_through_outside`: known to be. `near`: a triangle near the column.
+/// The `column` states through, direction and radius; low and high are set here. No height lower than `cutoff_mm`, at
+/// most `max_mm`, is requested. The flag `is_through_outside` is true where that is known. The triangle `near` is near
+/// the column.
 /// Requires a solid's boundary.
 /// Proof    docs/method/overcut.md, section 4.
 [[nodiscard]] std::optional<double> ceiling(const Surface& solid, Column column, double reach_mm, double cutoff_mm,

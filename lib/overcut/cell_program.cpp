@@ -6,11 +6,10 @@
 
 #include "lib/base/tolerance.h"
 
-// Any weights of limits, adding up to 1, and of planes, none negative, bound the program:
-//   sum of weighted values + half . |sum of weighted gradients|.
-// Good weights come from the dual simplex method: it begins at the corner of the box where the first limit is largest,
-// and takes in what that corner violates most, until it violates nothing. Whatever rounding does to the weights, the
-// bound they make holds.
+// Any weights of limits, adding up to 1, and of planes, none negative, bound the program: sum of weighted values + half
+// . |sum of weighted gradients|. Good weights come from the dual simplex method. It begins at the corner of the box
+// where the first limit is largest. It takes in the constraint that the corner violates most, until it violates none.
+// Whatever rounding does to the weights, the bound they make holds.
 
 namespace gouge {
 namespace {
@@ -21,7 +20,7 @@ using Mat5 = Eigen::Matrix<double, 5, 5>;
 constexpr double kPivot = 1e-11;
 constexpr double kViolated_mm = 1e-8;
 constexpr int kMaxPivots = 30;
-constexpr double kLevel = 1e-4;  // what is steeper shows its end that exactly
+constexpr double kLevel = 1e-4;  // a steeper limit shows its end that exactly
 
 /// Largest v with  v <= limit(y)  of all limits,  plane(y) >= 0  of all planes, y in a box: rows n . (y, v) <= b.
 class DualSimplex {

@@ -17,8 +17,8 @@ struct Affine {
   [[nodiscard]] double at(const Vec4& y) const { return value + gradient.dot(y); }
 };
 
-/// A linear program over the points y of a box of space and time about the origin that a few half-spaces leave: the
-/// largest value that all of a few limits allow.
+/// A linear program over the points y of a box of space and time about the origin, cut by a few half-spaces. Its value
+/// is the largest one that all of a few limits allow.
 class CellProgram {
  public:
   static constexpr std::size_t kMaxPlanes = 10, kMaxLimits = 4;
@@ -44,16 +44,16 @@ class CellProgram {
     Affine least;  ///< the blend: at least min over the limits wherever that is behind all planes
   };
   /// Requires a limit.
-  /// Ensures  upper bounds the program's value at any rounding but for that of sums: it is a value of its dual. The
+  /// Ensures  Upper bounds the program's value at any rounding but for that of sums: it is a value of its dual. The
   ///          program's own value but for rounding.
-  /// Cost     below a microsecond.
+  /// Cost     Below a microsecond.
   [[nodiscard]] Bound bound() const;
 
   struct Range {
     Vec4 low, high;
   };
-  /// A part of the box that holds all of its points behind all planes where every limit allows at least
-  /// `value`; low > high somewhere: there is none. `bound`: of this program.
+  /// Returns a part of the box with all of its points that are behind all planes and where every limit allows at least
+  /// `value`. With low > high somewhere there is no such point. `bound`: of this program.
   [[nodiscard]] Range where_at_least(double value, const Bound& bound) const;
 
  private:

@@ -32,9 +32,9 @@ struct KnownOvercut {
   std::vector<Box2> sharp_zones;  ///< of the tool's half plane
 };
 
-/// How far a tool reaches below a surface that comes only so deep into it. Except near sharp corners and where the
-/// tool is thin that is no more than the depth: the part of the tool that the surface does not reach is outside, and a
-/// ball inscribed there leads from every other point to the surface.
+/// The reach of a tool below a surface that comes only so deep into it. Except near sharp corners and where the tool is
+/// thin it does not exceed the depth. The part of the tool that the surface does not reach is outside. A ball inscribed
+/// there leads from every other point to the surface.
 /// Proof: docs/method/overcut.md, section 2.
 class DepthBound {
  public:
@@ -42,7 +42,8 @@ class DepthBound {
   explicit DepthBound(const CompiledTool& tool);
 
   /// `depth_upper_mm`: nowhere during the motion is the surface of `part` deeper in the tool. Nothing where the depth
-  /// shows nothing: of a tool that turns back in height, or thinner than twice the depth, or with a core in the part.
+  /// shows nothing. That is so for a tool that turns back in height, is thinner than twice the depth, or has a core in
+  /// the part.
   /// Requires the boundary of a solid.
   [[nodiscard]] std::optional<KnownOvercut> at(double depth_upper_mm, const Motion& motion, const Surface& part) const;
 

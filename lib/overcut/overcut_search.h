@@ -24,16 +24,16 @@ struct Overcut {
   double t = 0;
 };
 
-/// Returns how far below the part's surface the solid reaches during the motion: the largest distance to the surface,
-/// over every point of the part's inside that the solid takes up at any instant.
+/// Finds how far below the part's surface the solid reaches during the motion. That is the largest distance to the
+/// surface, over every point of the part's inside that the solid takes up at any instant.
 ///
-/// Best first over cells of space and time. What of the solid comes into a cell lies behind planes that touch it, and
-/// what of the part is in it lies below a plane over all of the surface there, square to the closest point of the
-/// cell's middle: a linear program bounds the cell to second order in its size.
+/// The search is best first over cells of space and time. The part of the solid in a cell lies behind planes that touch
+/// it. The part of the workpiece in it lies below a plane over all of the surface there. That plane is square to the
+/// closest point of the cell's middle. A linear program bounds the cell to second order in its size.
 ///
 /// Requires a solid's boundary (Surface::boundary). `seed`: a point in the solid at `seed_t`, where the search begins.
-/// Cost     some microseconds a cell; none for a solid blunt wherever it is in the part, some dozens where a corner is.
-/// Source   measure of thesis chapters 4 and 5; proof: docs/method/overcut.md.
+/// Cost     Some microseconds a cell; none for a solid blunt wherever it is in the part, some dozens where a corner is.
+/// Source   Measure of thesis chapters 4 and 5; proof: docs/method/overcut.md.
 [[nodiscard]] Overcut find_overcut(SweptSolid& solid, const Surface& part, const Vec3& seed, double seed_t,
                                    const OvercutOptions& options = {});
 

@@ -13,15 +13,16 @@
 namespace gouge {
 
 /// The points x with normal . (x - centre) <= offset + s drift at the instant that s in [-1/2, 1/2] names within the
-/// interval, centre and interval those of the cell that was queried.
+/// interval. The centre and the interval are those of the cell that was queried.
 struct DriftingHalfSpace {
   Vec3 normal = Vec3::Zero();
   double offset_mm = 0, drift_mm = 0;
 };
 
-/// A plane of the solid itself, over a time interval: `n0` and `n1` its normal at both ends in the part's directions,
-/// `depth_mm` how far the cell's centre is behind it in the middle of its chord, `drift_mm` how much more so at the end
-/// than at the start. The mean of both normals serves, with half their difference at the cell's rim added.
+/// Returns the half-space behind a plane of the solid itself, over a time interval. In the part's directions `n0` and
+/// `n1` are its normal at both ends. The cell's centre is `depth_mm` behind it in the middle of its chord, and
+/// `drift_mm` more so at the end than at the start. The mean of both normals serves, with half their difference at the
+/// cell's rim added.
 [[nodiscard]] inline DriftingHalfSpace behind_plane(const Vec3& n0, const Vec3& n1, double depth_mm, double drift_mm,
                                                     double bulge_mm, double radius_mm) {
   constexpr double kRounding_mm = Tolerance::kRounding_mm;
@@ -48,26 +49,27 @@ class SweptSolid {
   SweptSolid(const SweptSolid&) = delete;
   SweptSolid& operator=(const SweptSolid&) = delete;
 
-  /// Signed, 1-Lipschitz in the point; negative inside.
+  /// Returns the signed distance, 1-Lipschitz in the point; negative inside.
   [[nodiscard]] virtual double distance_at(const Vec3& point_part, double t) const = 0;
-  /// Unit gradient of that distance.
+  /// Returns the unit gradient of that distance.
   [[nodiscard]] virtual Vec3 outward_at(const Vec3& point_part, double t) const = 0;
 
-  /// Time intervals are numbered; the first so many are the segments of the motion.
+  /// Returns the number of segments of the motion, which are the first of the numbered time intervals.
   [[nodiscard]] virtual std::uint32_t segments() const = 0;
-  /// The first half; the second follows.
+  /// Halves an interval and returns its first half; the second follows.
   virtual std::uint32_t halve(std::uint32_t interval) = 0;
-  /// Over the ball about `centre`.
+  /// Bounds the solid over the ball about `centre`.
   [[nodiscard]] virtual SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const = 0;
-  /// A half-space as in `bound`, whose plane touches the solid next to a point of the ball at the instant of s.
+  /// Returns a half-space as in `bound`, whose plane touches the solid next to a point of the ball at the instant of s.
   [[nodiscard]] virtual std::optional<DriftingHalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,
                                                                     double radius_mm, std::uint32_t interval) const = 0;
 
-  /// Along three orthogonal unit vectors (rows of `frame`) boxes that hold all points the solid takes during an
-  /// interval; where `is_sharp_only`, those of its sharp zones.
+  /// Returns boxes that hold all points the solid takes during an interval, along three orthogonal unit vectors (rows
+  /// of `frame`). With `is_sharp_only` the boxes hold those of its sharp zones.
   [[nodiscard]] virtual std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
                                                   bool is_sharp_only) const = 0;
-  /// Smaller boxes along the same axes that together hold what the box of a sharp zone, counted as in `extents`, does.
+  /// Returns smaller boxes along the same axes that together hold the content of the box of a sharp zone, counted as in
+  /// `extents`.
   [[nodiscard]] virtual std::vector<Box3> pieces(const Eigen::Matrix3d& /*frame*/, std::uint32_t /*interval*/,
                                                  std::size_t /*zone*/) const {
     return {};
@@ -90,7 +92,7 @@ class SweptHead : public SweptSolid {
   [[nodiscard]] std::uint32_t segments() const override { return intervals_.segments(); }
   std::uint32_t halve(std::uint32_t interval) override { return intervals_.halve(interval); }
   [[nodiscard]] SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const override;
-  /// None where the head's surface over the cell is steep, or where the head goes on above it.
+  /// Returns none where the head's surface over the cell is steep, or where the head goes on above it.
   [[nodiscard]] std::optional<DriftingHalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,
                                                             double radius_mm, std::uint32_t interval) const override;
   [[nodiscard]] std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,

@@ -35,12 +35,12 @@ struct Chord {
   }
 };
 
-/// The tool's points at some heights lie in the rings that discs of the half plane make about the axis, and in what is
-/// between them: largest of  r n_r + z n_z + radius  over a few discs, for each direction n.
+/// The hull of the tool's points at some heights. They lie in and between the rings that discs of the half plane make
+/// about the axis. Its support in a direction n is the largest r n_r + z n_z + radius of a few discs.
 class Hull {
  public:
-  /// Bounds the points at heights [z_lo, z_hi] and at least r_lo from the axis, for directions whose angle over the
-  /// (r, z) plane's r axis is in [low, high].
+  /// Bounds the points at heights [z_lo, z_hi] and at least r_lo from the axis. The directions have an angle over the
+  /// (r, z) plane's r axis in [low, high].
   Hull(const CompiledTool& tool, double z_lo, double z_hi, double r_lo, double low, double high)
       : z_lo_(z_lo), z_hi_(z_hi), r_lo_(r_lo), min_across_(std::max(0.0, std::min(std::cos(low), std::cos(high)))) {
     for (const BoundaryElement& e : tool.elements) {
@@ -128,8 +128,8 @@ class Hull {
   double z_lo_, z_hi_, r_lo_, min_across_;
 };
 
-/// The part of the tool inside the cell lies behind a plane of fixed direction in the part: how far the tool
-/// reaches along it changes with the instant nearly linearly. Proof: docs/method/overcut.md, section 4.
+/// The part of the tool inside the cell lies behind a plane of fixed direction in the part. The reach of the tool along
+/// it changes with the instant nearly linearly. Proof: docs/method/overcut.md, section 4.
 DriftingHalfSpace behind(const CompiledTool& tool, const Vec3& direction, const Vec3& centre, const Chord& chord,
                          const ToolInterval& interval) {
   const double around = chord.radius_mm + chord.bulge_mm + Tolerance::kRounding_mm;
@@ -153,8 +153,8 @@ Vec3 in_part(const Vec3& tool_vector, double s, const ToolInterval& interval) {
   return ((0.5 - s) * at0 + (0.5 + s) * at1).normalized();
 }
 
-/// A half-space that the place is not in at the instant of s, where there is one: square to the boundary nearest to it,
-/// or to the axis where that boundary is at other heights than the cell.
+/// Finds a half-space that does not contain the place at the instant of s, where there is one. It is square to the
+/// boundary nearest to it. Where that boundary is at other heights than the cell, it is square to the axis.
 DriftingHalfSpace beside(const CompiledTool& tool, const ToolSample& sample, const Vec3& place, double s,
                          const Vec3& centre, const Chord& chord, const ToolInterval& interval) {
   const auto behind_square_to = [&](const Vec3& direction) {

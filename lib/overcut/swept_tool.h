@@ -14,7 +14,8 @@ namespace gouge {
 /// A tool along one motion.
 class SweptTool : public SweptSolid {
  public:
-  /// Requires a tool with elements; it must outlive this. `sharp_zones`: of the tool (inscribed_balls.h); nothing: all of it.
+  /// Requires a tool with elements; it must outlive this. `sharp_zones`: of the tool (inscribed_balls.h); nothing: all
+  /// of it.
   SweptTool(const Motion& motion, const CompiledTool& tool, std::optional<std::vector<Box2>> sharp_zones = std::nullopt)
       : SweptSolid(motion), tool_(tool), intervals_(motion, motion), sharp_zones_(std::move(sharp_zones)) {}
 
@@ -22,7 +23,7 @@ class SweptTool : public SweptSolid {
   [[nodiscard]] Vec3 outward_at(const Vec3& point_part, double t) const override;
   [[nodiscard]] std::uint32_t segments() const override { return intervals_.segments(); }
   std::uint32_t halve(std::uint32_t interval) override { return intervals_.halve(interval); }
-  /// To first order: by planes that support the tool (SupportRange).
+  /// Bounds to first order, by planes that support the tool (SupportRange).
   [[nodiscard]] SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const override;
   [[nodiscard]] std::optional<DriftingHalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,
                                                             double radius_mm, std::uint32_t interval) const override;

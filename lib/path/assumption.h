@@ -35,7 +35,7 @@ enum class Subject : std::uint8_t {
   frame,         ///< the frame of its positions
   motion_law,    ///< tip and axis between two positions
   tool,          ///< the definition of one tool
-  holder,        ///< what is above its flutes
+  holder,        ///< the part above its flutes
   mesh_unit,     ///< unit of the STL files
   solid,         ///< one STL file bounds a solid
   placement      ///< the part lies where the toolpath expects it
@@ -52,9 +52,9 @@ inline constexpr std::size_t kSubjects = 11;
 /// One fact.
 struct Assumption {
   Subject subject = Subject::path_unit;
-  std::string object = {};  ///< what it is about where there are several: "T3", "part.stl"; else empty
+  std::string object = {};  ///< its subject where there are several: "T3", "part.stl"; else empty
   Basis basis = Basis::by_default;
-  std::string value = {};     ///< what was taken: "mm", "ball D 10 of tools.json"
+  std::string value = {};     ///< the assumed value: "mm", "ball D 10 of tools.json"
   std::string evidence = {};  ///< why, or what contradicts it; one sentence without a full stop
   std::string remedy = {};    ///< of contradicted, unknown and default facts: how to establish it
   std::string code = {};      ///< of the warning where it is open, as in docs/errors.md

@@ -24,8 +24,8 @@ struct AxisQuality {
   LargestOfMoves turn_rad;            ///< in one move, on the spot or not
   std::size_t turns_on_the_spot = 0;  ///< moves of at most kSpot_mm that turn
   LargestOfMoves turn_on_the_spot_rad;
-  /// J, the discrete integral of |u''|^2 in rad^2/mm^3, u the unit axis over the length of the tip's path: the sum over
-  /// neighbouring feed moves of |du(i+1)/ds(i+1) - du(i)/ds(i)|^2 * 2 / (ds(i) + ds(i+1)).
+  /// J, the discrete integral of |u''|^2 in rad^2/mm^3, u the unit axis over the length of the tip's path. The sum is
+  /// over neighbouring feed moves. Its term is |du(i+1)/ds(i+1) - du(i)/ds(i)|^2 * 2 / (ds(i) + ds(i+1)).
   double bending = 0;
   double feed_seconds = 0;                     ///< at the programmed feeds
   std::optional<double> limited_feed_seconds;  ///< and no faster than the rotary limit; none: no limit is given
@@ -39,11 +39,12 @@ struct AxisQuality {
   [[nodiscard]] bool has_turns() const { return turn_rad.value > kSameAxis_rad; }
 };
 
-/// `max_rotary_rad_per_s` limits the turn of the axis itself, above 0: each move takes the longer of its time at the
-/// programmed feed and its turn at the limit. A machine whose axes turn further than the tool's is slower than that.
+/// Measures the turns of the tool axis along a path. The limit `max_rotary_rad_per_s`, above 0, is on the turn of the
+/// axis itself. Each move takes the longer of its time at the programmed feed and its turn at the limit. A machine
+/// whose axes turn further than the tool's is slower than that.
 ///
-/// J joins moves that follow one another without a rapid or a gap. A move of at most kSpot_mm is left out of it: where
-/// it does not turn, its neighbours follow one another; where it turns, J would be infinite, so J ends and begins anew.
+/// J joins moves that follow one another without a rapid or a gap. A move of at most kSpot_mm is left out of it. Where
+/// it does not turn, its neighbours follow one another. Where it turns, J would be infinite, so J ends and begins anew.
 /// An even turn of w rad/mm on a great circle has w^4 a mm, the least that a unit axis can have.
 /// Cost: one pass over the moves.
 [[nodiscard]] AxisQuality measure_axis_quality(const Toolpath& path,

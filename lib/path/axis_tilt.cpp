@@ -21,7 +21,7 @@ constexpr double kCosOfCorner = 0.9;  // of about 26 degrees: below, the feed be
 constexpr double kPlunge =
     0.3;  // sine of some 17 degrees: a tip that goes nearer to the axis plunges, its feed has no side
 
-/// A place of the curve: what leads to it is straight.
+/// A place of the curve, reached on a straight line.
 struct Place {
   double length_mm = 0;
   Vec3 tip = Vec3::Zero(), programmed = Vec3::UnitZ(), corrected = Vec3::UnitZ();
@@ -171,9 +171,9 @@ class TiltCurve {
   Vec3 up_ = Vec3::UnitZ();
 };
 
-// The run of the moves [first, last) of a corrected path with its curve: these moves, and up to a tenth of their
-// length (1 to 10 mm) of the feed moves on each side. `programmed` has the programmed axis at the end of every move.
-// All but tilt_rad, which is left as it is.
+// Returns the run of the moves [first, last) of a corrected path with its curve. The curve covers these moves, and up
+// to a tenth of their length (1 to 10 mm) of the feed moves on each side. There `programmed` has the programmed axis at
+// the end of every move. All but tilt_rad, which is left as it is.
 TiltedRun draw_tilt_curve(const Toolpath& after, const std::vector<Vec3>& programmed, std::size_t first,
                           std::size_t last) {
   return TiltCurve(after, programmed).run(first, last);

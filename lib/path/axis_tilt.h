@@ -12,8 +12,8 @@
 namespace gouge {
 
 /// Axes of one place of a corrected path. Both are measured from one direction for the whole run, the mean of its
-/// programmed axes: `lead` is the angle forward, towards the feed, `side` the one to the left of the feed, seen from
-/// the spindle. A plunge, which leads within some 17 degrees along that direction, is seen in the forward direction of
+/// programmed axes. The angle forward, towards the feed, is `lead`; `side` is the one to the left of the feed, seen
+/// from the spindle. A plunge leads within some 17 degrees along that direction. It is seen in the forward direction of
 /// the feed before it, or behind it.
 struct TiltPlace {
   double length_mm = 0;  ///< of the corrected path from the begin of its run's curve
@@ -39,21 +39,21 @@ struct AxisTilts {
   static constexpr double kLeast_rad = 1e-3;
 };
 
-/// Tilts of `after`. Its move k came of move `origins[k]` of `before`: those of one move follow one another, and the
-/// last of them ends where, but for the correction, that move ends.
+/// Finds the tilts of `after`. Its move k came of move `origins[k]` of `before`. The moves of one origin follow one
+/// another. The last of them ends where that move ends, apart from the correction.
 ///
-/// The programmed axis at the end of a move is that of the same move; of an inserted position, that of the programmed
-/// motion at its nearest place. Of all places no further than twice the nearest one and 0.01 mm, the one with the
-/// axis nearest to the position's counts: an inserted position that was shifted, and not tilted, is then found where
-/// it came from.
-/// Moves apart by up to 2 mm of the path are one run.
+/// The programmed axis at the end of a move is that of the same move. For an inserted position it is that of the
+/// programmed motion at its nearest place. Places count that are no further than twice the nearest one and 0.01 mm. Of
+/// these the one is taken whose axis is nearest to the position's. So an inserted position that was shifted, and not
+/// tilted, is found where it came from. Moves apart by up to 2 mm of the path are one run.
 ///
 /// Requires as many origins as moves, or none: then nothing is tilted.
-/// Cost     one pass over the moves; chords to 0.01 mm of programmed curves into which positions were inserted.
+/// Cost     One pass over the moves; chords to 0.01 mm of programmed curves into which positions were inserted.
 [[nodiscard]] AxisTilts find_axis_tilts(const Toolpath& before, const Toolpath& after,
                                         const std::vector<std::size_t>& origins, std::size_t max_runs = 12);
 
-/// For each move of a corrected path, the programmed unit axis at its end, as find_axis_tilts (axis_tilt.h) states.
+/// Returns for each move of a corrected path, the programmed unit axis at its end, as find_axis_tilts (axis_tilt.h)
+/// states.
 /// Requires one origin for each move of `after`.
 [[nodiscard]] std::vector<Vec3> programmed_axes(const Toolpath& before, const Toolpath& after,
                                                 const std::vector<std::size_t>& origins);

@@ -4,8 +4,9 @@
 
 namespace gouge {
 
-/// J, the discrete integral of |w''|^2 over the length of a path on which the vector w changes: the sum over neighbouring
-/// pieces of |slope - slope before|^2 * 2 / (length + length before), with the slope dw / length of a piece.
+/// J, the discrete integral of |w''|^2 over the length of a path on which the vector w changes. The sum is over
+/// neighbouring pieces, of |slope - slope before|^2 * 2 / (length + length before). The slope is dw / length of a
+/// piece.
 template <int dimensions>
 class BendingSum {
  public:

@@ -13,8 +13,8 @@ namespace gouge {
 
 enum class CurveKind : std::uint8_t { none, arc, spline };
 
-/// A circle or a helix about `center + s axis`. Where start and end are not equally far from that line (by the
-/// rounding of the file) the radius changes evenly, and so does the height: the tip runs from the start to the
+/// A circle or a helix about `center + s axis`. Start and end may differ in their distance from that line (by the
+/// rounding of the file). Then the radius changes evenly, and so does the height. So the tip runs from the start to the
 /// end of its move exactly, whatever the numbers state.
 struct PathArc {
   Vec3 center = Vec3::Zero();
@@ -28,9 +28,9 @@ struct SplinePiece {
   std::array<Vec3, 4> control{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 
   [[nodiscard]] Vec3 at(double u) const;
-  /// No second derivative over the piece is longer: that of a cubic is linear, so its ends suffice.
+  /// Bounds the second derivative over the piece. That of a cubic is linear, so its ends suffice.
   [[nodiscard]] double largest_second_derivative() const;
-  /// Longer than the path of the tip over any share `du` of the piece, per `du`.
+  /// Bounds the length of the path of the tip over any share `du` of the piece, per `du`.
   [[nodiscard]] double largest_speed() const;
 };
 
@@ -40,19 +40,19 @@ struct PathSpline {
   std::vector<SplinePiece> pieces;
 };
 
-/// The Bezier pieces of a cubic B-spline.
+/// Builds the Bezier pieces of a cubic B-spline.
 ///
-/// Shape    `inner_knots` and the end value 1, not decreasing, in (0, 1]: the form of KNOT/ in an NX CLSF; the
-///          value 0 is there four times and 1 four times. inner_knots.size() + 4 control points.
-/// Errors   Empty result: too few control points, knots that decrease or leave (0, 1), a knot more than three
-///          times (the curve would be broken).
+/// Shape    The `inner_knots` and the end value 1 lie in (0, 1] and do not decrease: the form of KNOT/ in an NX CLSF.
+///          The value 0 is there four times and 1 four times. There are inner_knots.size() + 4 control points.
+/// Errors   Empty result: too few control points, or knots that decrease or leave (0, 1). Also a knot more than three
+///          times, as the curve would be broken.
 /// Source   Boehm, Inserting new knots into B-spline curves, CAD 12 (1980).
 [[nodiscard]] PathSpline make_spline(const std::vector<Vec3>& control, const std::vector<double>& inner_knots);
 
-/// Length of an arc between two tips, helix and spiral included.
+/// Returns the length of an arc between two tips, helix and spiral included.
 [[nodiscard]] double arc_length_mm(const PathArc& arc, const Vec3& start, const Vec3& end);
 
-/// Length of a spline, to about a thousandth of it.
+/// Returns the length of a spline, to about a thousandth of it.
 [[nodiscard]] double spline_length_mm(const PathSpline& spline);
 
 }  // namespace gouge

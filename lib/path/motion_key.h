@@ -9,9 +9,9 @@ namespace gouge {
 
 inline constexpr std::size_t kMotionDigits = 32;
 
-/// 32 hexadecimal digits that state which motion a move is: from which position to which, on which curve, of which kind,
+/// Returns 32 hexadecimal digits that identify the motion of a move. They cover its two positions, its curve and kind,
 /// and whether it is checked at all. Two moves of one key sweep the same space with the same tool, to the last bit,
-/// wherever their statements stand; what line, tool or feed they have does not enter.
+/// wherever their statements stand. The line, the tool and the feed do not enter.
 [[nodiscard]] std::string motion_key(const Toolpath& path, std::size_t move);
 
 }  // namespace gouge

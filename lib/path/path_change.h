@@ -24,13 +24,13 @@ struct PathChange {
   /// own change. Both ends lie on the circle to 0.01 mm; those of a full circle are the same position, digit for
   /// digit. The sign of the sweep about the axis is its direction, as in Toolpath::arcs.
   std::optional<PathArc> new_arc = std::nullopt;
-  /// The drilled hole whose first move this is goes elsewhere: its programmed position and with it all
-  /// heights that the cycle counts from there. What the cycle rises to from the position before it stays, so
-  /// a hole may get a step more or less than it had: read again, its moves are those of the same statement.
+  /// The drilled hole whose first move this is goes elsewhere: its programmed position, and with it all heights that
+  /// the cycle counts from there. The height to which the cycle rises from the position before the hole stays. So a
+  /// hole may get a step more or less than it had. Read again, its moves are those of the same statement.
   std::optional<Vec3> hole_shift_mm = std::nullopt;
   /// Arcs to each of `inserted_before`, with ends as for new_arc; none: straight. One
-  /// entry each, or none at all: all straight. Only of an arc, beside `new_arc` or `is_straightened`, which state how the
-  /// end of the move itself is reached.
+  /// entry each, or none at all: all straight. Only of an arc, beside `new_arc` or `is_straightened`, which state how
+  /// the end of the move itself is reached.
   std::vector<std::optional<PathArc>> inserted_arcs = {};
   /// For a feed, or a curve that becomes straight: which of `inserted_before`, and whether its own end, is
   /// reached at rapid. One entry each and one for the end, or none at all: none is.
@@ -40,15 +40,15 @@ struct PathChange {
   [[nodiscard]] bool is_at_rapid(std::size_t k) const { return k < at_rapid.size() && at_rapid[k]; }
   [[nodiscard]] bool is_end_at_rapid() const { return is_at_rapid(inserted_before.size()); }
 
-  /// True where some piece of what the move becomes is an arc of the change's own.
+  /// Returns true where some piece of what the move becomes is an arc of the change's own.
   [[nodiscard]] bool has_arc() const {
     return new_arc ||
            std::any_of(inserted_arcs.begin(), inserted_arcs.end(), [](const auto& arc) { return arc.has_value(); });
   }
 };
 
-/// The moves that a correction can rewrite within the statements of a file: one entry a move of the path, or none at all where
-/// nothing can be rewritten.
+/// The moves that a correction can rewrite within the statements of a file. There is one entry a move of the path, or
+/// none at all where nothing can be rewritten.
 struct RewritableMoves {
   std::vector<bool> arc;    ///< PathChange::new_arc can be written; elsewhere the arc can only be straightened
   std::vector<bool> split;  ///< and PathChange::inserted_arcs: the arc can become several

@@ -29,11 +29,11 @@ struct PathInfo {
   std::size_t moves_without_tool = 0;
 };
 
-/// Angle between two unit vectors, accurate for small and for nearly straight angles.
+/// Returns the angle between two unit vectors, accurate for small and for nearly straight angles.
 [[nodiscard]] double angle_between_rad(const Vec3& a, const Vec3& b);
 [[nodiscard]] double angle_between_deg(const Vec3& a, const Vec3& b);
 
-/// Length of the tip's path over the move `index`; of a spline to about a thousandth. Requires a start.
+/// Returns the length of the tip's path over the move `index`; of a spline to about a thousandth. Requires a start.
 [[nodiscard]] double move_length_mm(const Toolpath& path, std::size_t index);
 
 /// Cost: one pass over the moves and a sort of their axes.

@@ -21,15 +21,15 @@
 #include "lib/path/joint_angles.h"
 #include "lib/path/source_text.h"
 
-// The neutral toolpath: the content of a cutter-location file, free of any dialect, in mm and part coordinates,
-// every move remembering the source line its statement begins on. Readers and writers: postproc/cldata.
+// The neutral toolpath: the content of a cutter-location file, free of any dialect, in mm and part coordinates. Every
+// move remembers the source line on which its statement begins. Readers and writers: postproc/cldata.
 
 namespace gouge {
 
 inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// A count or an index below 2^32 - 1, or kNone, in half the memory of the std::size_t it reads as: a toolpath
-/// has millions of them. Requires what it is given to be one; read_toolpath takes no file with more.
+/// A count or an index below 2^32 - 1, or kNone, in half the memory of a std::size_t: a toolpath has millions of them.
+/// It requires such a value; read_toolpath takes no file with more.
 class SmallIndex {
  public:
   constexpr SmallIndex(std::size_t value = 0) : value_(static_cast<std::uint32_t>(value)) {}
@@ -64,8 +64,8 @@ struct Operation {
   std::size_t line = 0;
 };
 
-/// Returns a copy of `text` that lives as long as the process, for Move::not_checked_reason: moves outlive the reader that
-/// names their reasons. Thread safe. Memory: each different text once.
+/// Returns a copy of `text` that lives as long as the process, for Move::not_checked_reason: moves outlive the reader
+/// that names their reasons. Thread safe. Memory: each different text once.
 [[nodiscard]] const char* lasting_text(std::string text);
 
 /// The statement that a clean check still proves for a motion with a not_checked_reason.
@@ -115,7 +115,7 @@ struct SourceStatement {
   SmallIndex first_byte, last_byte;  ///< [first, last)
 };
 
-/// Place of each move of a path in its file, and the state in which it was read: what a correction needs to rewrite it.
+/// Place of each move of a path in its file, and the state in which it was read. A correction needs both to rewrite it.
 /// Each reader keeps its own kind.
 struct MoveOrigins {
   MoveOrigins() = default;

@@ -10,9 +10,8 @@
 
 namespace gouge {
 
-/// sum(d_i^2 n_i) / sum(d_i): every contact's way out, weighted by its depth once more. Zero without
-/// contacts.
-/// Source   thesis 5.3.
+/// Returns sum(d_i^2 n_i) / sum(d_i): every contact's way out, weighted by its depth once more. Zero without contacts.
+/// Source   Thesis 5.3.
 [[nodiscard]] Vec3 weighted_correction(std::span<const Contact> contacts);
 
 enum class CorrectionEnd {
@@ -38,9 +37,9 @@ struct FreeingShift {
 /// Contacts of the body moved by a shift.
 using ContactsAt = std::function<std::vector<Contact>(const Vec3& shift)>;
 
-/// Applies the weighted correction again and again (thesis 5.3, figure 35: 4 to 8 times is usual). The thesis
-/// does not state when to give up; a body jammed in a slot narrower than itself moves back and forth forever,
-/// which is reported as a cycle.
+/// Applies the weighted correction again and again (thesis 5.3, figure 35: 4 to 8 times is usual). The thesis does not
+/// state when to give up. A body jammed in a slot narrower than itself moves back and forth forever, which is reported
+/// as a cycle.
 [[nodiscard]] FreeingShift correct_until_free(const ContactsAt& contacts_at, const CorrectionOptions& options = {});
 
 }  // namespace gouge

@@ -17,15 +17,15 @@
 namespace gouge {
 namespace {
 
-/// How far the inside points reach that are nearest to a facet: what a volume must hold so that none of them
-/// within a depth is missed. They lie below the face, in the wedge at a reflex edge, or in the cone at a
-/// vertex that is not convex. Proof: docs/method/shallow_penetration.md, section 4.
+/// The reach of the inside points that are nearest to a facet. A volume must hold them so that none within a depth is
+/// missed. They lie below the face, in the wedge at a reflex edge, or in the cone at a vertex that is not convex.
+/// Proof: docs/method/shallow_penetration.md, section 4.
 class InnerReach {
  public:
   InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, const std::vector<Vec3>& face_normals);
 
-  /// Not below the largest u . x over the inside points x that are nearest to `triangle` and within
-  /// `depth_mm` of it, the facet itself included. `u` unit.
+  /// Bounds from above the largest u . x over the inside points x that are nearest to `triangle` and within `depth_mm`
+  /// of it, the facet itself included. The vector u is unit.
   [[nodiscard]] double above(std::uint32_t triangle, const Vec3& u, double depth_mm) const;
 
  private:
@@ -47,7 +47,7 @@ class InnerReach {
 // A ray this little outside a constraint still belongs to the cone: wider is safe.
 constexpr double kFeasible = 1e-7;
 constexpr double kNoPlane = 1e-13;
-// The rays of so many constraints are not worth their time; all directions below the vertex hold them.
+// With more constraints than this their rays cost too much time. All directions below the vertex contain them.
 constexpr std::size_t kManyEdges = 40;
 
 InnerReach::InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, const std::vector<Vec3>& face_normals)
@@ -57,8 +57,8 @@ InnerReach::InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, 
   find_wedges(adjacency);
 }
 
-/// A point is nearest to a vertex only if every edge there leads away from it: the cone of these constraints,
-/// bounded by its extreme rays, which are crossings of two constraint planes.
+/// Finds the cone of points nearest to a vertex. For such a point every edge there leads away from it. Extreme rays,
+/// the crossings of two constraint planes, bound the cone.
 InnerReach::Cone InnerReach::cone_at(Corner vertex, const MeshAdjacency& adjacency) const {
   const Vec3 outward = angle_weighted_normal(mesh_, adjacency, normals_, vertex);
   if (outward.squaredNorm() < 0.5) return {Vec3::UnitZ(), -1};

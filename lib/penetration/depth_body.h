@@ -10,8 +10,8 @@
 #include "lib/penetration/depth_grid.h"
 #include "lib/surface/surface.h"
 
-// The body that stands still, as polygons: a k-DOP tree whose volumes carry depth (thesis 4.6.2), so that a
-// point below the surface lies in the volume of the facet it is nearest to.
+// The body that stands still, as polygons: a k-DOP tree whose volumes carry depth (thesis 4.6.2). So a point below the
+// surface lies in the volume of the facet it is nearest to.
 
 namespace gouge {
 
@@ -34,9 +34,9 @@ struct DepthBodyOptions {
 struct FacetRecord {
   float n[3], o, c[3], r;
 
-  /// Not above the distance of a point to the facet's disc, up to the body's slack: from its height over the
-  /// plane and its squared distance from the centre. What lies across the plane is taken a millionth short:
-  /// the difference of squares in single precision.
+  /// Returns a bound not above the distance of a point to the facet's disc, up to the body's slack. It follows from the
+  /// point's height over the plane and its squared distance from the centre. The part across the plane is taken a
+  /// millionth short, for the difference of squares in single precision.
   [[nodiscard]] static float min_distance(float height, float squared_distance, float radius) {
     const float across2 = squared_distance * (1 - 1e-6F) - height * height;
     const float beyond = across2 > radius * radius ? std::sqrt(across2) - radius : 0;

@@ -11,12 +11,12 @@ namespace gouge {
 
 struct DepthBody;
 
-/// Cells over a solid that give most points' side at once, and where nothing can be deeper than the depth of
-/// its volumes.
+/// Cells over a solid. They give the side of most points at once, and show where nothing can be deeper than the depth
+/// of its volumes.
 ///
-/// A cell whose centre lies within half its diagonal of the surface has no point farther from the surface
-/// than the diagonal; while that is at most the depth, nothing in it is deeper. Any other cell holds no
-/// surface and is all inside or all outside, and so are cells that share a face with it.
+/// A cell whose centre lies within half its diagonal of the surface has no point farther from the surface than the
+/// diagonal. While that is at most the depth, nothing in it is deeper. Any other cell holds no surface and is all
+/// inside or all outside, and so are cells that share a face with it.
 class DepthGrid {
  public:
   enum class Cover : std::uint8_t {
@@ -34,7 +34,7 @@ class DepthGrid {
 
   [[nodiscard]] Cover at(const Vec3& point) const { return result(cell_of(point)); }
 
-  /// The cell of a point; cell_count(), which is outside, for points out of the body's box.
+  /// Returns the cell of a point; cell_count(), which is outside, for points out of the body's box.
   [[nodiscard]] std::size_t cell_of(const Vec3& point) const;
   [[nodiscard]] std::size_t cell_count() const { return cell_count_; }
   [[nodiscard]] double cell_mm() const { return cell_mm_; }

@@ -37,9 +37,9 @@ struct PenetrationResult {
 /// only their shift (thesis 6.1.4.2). One finder serves one thread; bodies may be shared.
 ///
 /// Requires both trees over the same directions; `body.is_solid()` for the sides to mean something.
-/// Ensures  with complete coverage: every point inside is reported, with the depth and direction of its nearest
+/// Ensures  With complete coverage: every point inside is reported, with the depth and direction of its nearest
 ///          surface; no point outside is.
-/// Source   thesis 5.2.1 (broad phase), 5.2.2 (narrow phase), 5.2.3 (only what is visited is updated).
+/// Source   Thesis 5.2.1 (broad phase), 5.2.2 (narrow phase), 5.2.3 (only what is visited is updated).
 class PenetrationFinder {
  public:
   PenetrationFinder(const DepthBody& body, const PointBody& points, const PenetrationOptions& options = {});
@@ -73,7 +73,7 @@ class PenetrationFinder {
   RigidTransform pose_;
   bool has_turned_ = false;
   std::size_t stride_ = 0;
-  float slack_ = 0;  ///< what single precision may be off at this pose
+  float slack_ = 0;  ///< error of single precision at this pose
   TurnedAxes axes_;
   std::vector<float> shifts_;           ///< projections of the pose's shift
   std::vector<float> turned_;           ///< by node: intervals before the shift

@@ -95,7 +95,7 @@ NarrowResult NarrowPhase::nearest(const Vec3& point, PenetrationCounters& counte
   return judge(point, slot, best, counters);
 }
 
-/// The nearest facet that was given is the nearest of all if the point is inside. Whether it is, the face decides when
+/// The nearest facet that was given is the nearest of all if the point is inside. The face decides the side when
 /// nothing else lies between; edges and vertices need the whole surface.
 NarrowResult NarrowPhase::judge(const Vec3& point, std::uint32_t slot, const TrianglePoint& nearest,
                                 PenetrationCounters& counters) const {

@@ -32,9 +32,9 @@ struct NarrowResult {
 
 /// Points of one leaf against the facets of the leaves it met (thesis 5.2.2).
 ///
-/// Finds the nearest facet among those given; with complete coverage they hold every facet within
-/// the depth of the point, so it is the nearest of all and the side it gives is the true one:
-/// docs/method/shallow_penetration.md, section 4. Filters in single precision, decides in double.
+/// Finds the nearest facet among those given. With complete coverage they hold every facet within the depth of the
+/// point. So it is the nearest of all and the side it gives is the true one: docs/method/shallow_penetration.md,
+/// section 4. Filters in single precision, decides in double.
 class NarrowPhase {
  public:
   explicit NarrowPhase(const DepthBody& body);
@@ -61,14 +61,13 @@ class NarrowPhase {
   std::vector<Hit> hits_;
 };
 
-/// The rim of a facet that does not count as its face: points whose foot has a smaller barycentric coordinate
-/// are examined as points of its edges.
+/// The rim of a facet that does not count as its face. Points whose foot has a smaller barycentric coordinate are
+/// examined as points of its edges.
 inline constexpr double kFaceRim = Tolerance::kRounding;
 
-/// By slot in the tree: 1 when no other facet crosses the prism of the body's depth below the facet. A point
-/// in such a prism is inside, and no wall behind the facet is thinner than the depth. Uncertainty counts as
-/// crossing.
-/// Cost     a search of the tree for each facet.
+/// Returns by slot in the tree 1 when no other facet crosses the prism of the body's depth below the facet. A point in
+/// such a prism is inside, and no wall behind the facet is thinner than the depth. Uncertainty counts as crossing.
+/// Cost     A search of the tree for each facet.
 [[nodiscard]] std::vector<std::uint8_t> facets_clear_below(const DepthBody& body);
 
 }  // namespace gouge

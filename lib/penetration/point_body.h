@@ -16,8 +16,8 @@ struct PointBodyOptions {
   DirectionSet directions = cube_directions(26);  ///< those of the other body
   std::size_t width = 2;
   std::size_t leaf_points = 20;  ///< at most
-  /// Thesis 6.1.1: a volume must not cost more than what it encloses. A node whose volume has more corners
-  /// than points below gets none: the query then continues with its children; a leaf is bounded by its points.
+  /// Thesis 6.1.1: a volume must not cost more than its content. A node whose volume has more corners than points below
+  /// gets none. The query then continues with its children; a leaf is bounded by its points.
   bool is_cost_weighed = true;
 };
 
@@ -38,18 +38,18 @@ struct PointBody {
 /// Requires points; cost O(n log^2 n) and about 50 microseconds for every node with a volume (k = 26).
 [[nodiscard]] PointBody build_point_body(std::span<const Vec3> points, const PointBodyOptions& options = {});
 
-/// Points of a surface, none of whose points is farther than `spacing_mm` from one of them.
+/// Returns points of a surface, such that no point of the surface is farther than `spacing_mm` from one of them.
 ///
-/// The depth below another surface changes by no more than the distance moved. So what a moving body's points
-/// show holds for all of its surface up to the spacing: nothing deeper than the largest reported depth plus the
-/// spacing is inside, and nothing that reaches deeper than the spacing is missed, be it between vertices, on
-/// an edge or amid a face that a spike pierces.
+/// The depth below another surface changes by no more than the distance moved. So the points of a moving body prove
+/// bounds for all of its surface up to the spacing. Nothing deeper than the largest reported depth plus the spacing is
+/// inside. Nothing that reaches deeper than the spacing is missed, between vertices, on an edge or amid a face that a
+/// spike pierces.
 ///
-/// Shape    the mesh's vertices first, in order; then the inner points of a grid over each triangle that is
-/// wide. Requires spacing_mm > 0.
-/// Cost     about area / spacing^2 points.
-/// Source   beyond thesis 4.2, which takes the vertices alone; covering of a triangle by its corners: none of its
-///          points is farther from the nearest corner than the longest edge over the square root of 3.
+/// Shape    The mesh's vertices first, in order; then the inner points of a grid over each triangle that is wide.
+/// Requires spacing_mm > 0.
+/// Cost     About area / spacing^2 points.
+/// Source   Beyond thesis 4.2, which takes the vertices alone. A triangle is covered by its corners. None of its points
+///          is farther from the nearest corner than the longest edge over the square root of 3.
 [[nodiscard]] std::vector<Vec3> surface_points(const IndexedMesh& mesh, double spacing_mm);
 
 }  // namespace gouge

@@ -10,9 +10,9 @@ namespace gouge {
 
 /// The directions of the standing body's volumes as the moving body sees them at one rotation.
 ///
-/// Turning a volume means turning its corners and bounding them anew (thesis 6.1.4.2, figure 14). Turning the
-/// k / 2 axes the other way once, and taking the corners as they are, gives the same intervals for 3 products
-/// an axis and corner instead of 9 more a corner.
+/// Turning a volume means turning its corners and bounding them anew (thesis 6.1.4.2, figure 14). Turning the k / 2
+/// axes the other way once, and taking the corners as they are, gives the same intervals. It costs 3 products an axis
+/// and corner instead of 9 more a corner.
 class TurnedAxes {
  public:
   explicit TurnedAxes(const DirectionSet& directions);

@@ -110,7 +110,7 @@ class ToolSearch {
     return Done{};
   }
 
-  /// Which of `moves` are not free at k.
+  /// Returns which of `moves` are not free at k.
   Result<std::vector<std::size_t>> not_free(const std::vector<std::size_t>& moves, std::size_t k) {
     if (Outcome made = candidate(k); !made) return made.error();
     const Candidate& at = *candidates_.at(k);

@@ -8,8 +8,8 @@
 #include "lib/base/result.h"
 #include "lib/certify/check.h"
 
-// Finds the stick-out of a tool at which shank, holder and heads are free: the cure that leaves the
-// path and the cut surface as they are.
+// Finds the stick-out of a tool at which shank, holder and heads are free. This cure leaves the path and the cut
+// surface as they are.
 
 namespace gouge {
 
@@ -28,8 +28,8 @@ struct StickoutOptions {
 /// Stick-out that some moves of a tool need.
 struct StickoutNeed {
   std::optional<double> stickout_mm;  ///< as it is, or the least multiple of the step found; none: none up to the most
-  /// Where the stick-out is not enough as it is: the first move that is not free one step below, or at the most, and
-  /// what is in the way there and how: a gouge, buried, or not certified to be neither.
+  /// Where the stick-out is not enough as it is: the first move that is not free one step below, or at the maximum.
+  /// Beside it the body that is in the way, and how: a gouge, buried, or not certified to be neither.
   std::size_t move = kNone;
   Body body = Body::holder;
   MoveState state = MoveState::gouge;
@@ -49,16 +49,18 @@ struct ToolStickout {
   std::vector<OperationStickout> operations;  ///< by operation, in path order
 };
 
-/// For each tool that has a stick-out the least that frees its moves of gouges by shank, holder and heads. What the
-/// cutter does is not examined.
+/// Finds for each tool that has a stick-out the least one that frees its moves of gouges by shank, holder and heads.
+/// The cutter is not examined.
 ///
-/// `result` from check() with the same path and setup; `now_mm` one per Toolpath::tools, none for those to leave out.
-/// Ensures  with that stick-out check() of the bodies finds no gouge in any of the moves, buried or uncertain ones but
-///          where they are as it stands; one step below, the named move is not proved free. Of a tool that gets wider
-///          upwards no shorter one would do: longer, it holds less space. The same at any number of threads.
-/// Errors   those of `make`.
-/// Cost     for each tool a check of its moves as they are and at each length reported, and of those that are not free
-///          about twice the logarithm of the steps.
+/// Requires `result` from check() with the same path and setup. There is one `now_mm` per Toolpath::tools, none for
+/// tools to leave out.
+/// Ensures  (1) With that stick-out check() of the bodies finds no gouge in any of the moves. Buried or uncertain moves
+///          remain only where they are so with the present stick-out. (2) One step below, the named move is not proved
+///          free. (3) For a tool that gets wider upwards no shorter one would do: longer, it holds less space. (4) The
+///          same at any number of threads.
+/// Errors   Those of `make`.
+/// Cost     For each tool a check of its moves as they are and at each length reported. For moves that are not free
+///          also about twice the logarithm of the steps.
 [[nodiscard]] Result<std::vector<ToolStickout>> find_stickouts(const Toolpath& path, const CheckResult& result,
                                                                const CheckSetup& setup,
                                                                const std::vector<std::optional<double>>& now_mm,

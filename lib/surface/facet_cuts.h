@@ -16,11 +16,11 @@ struct FacetPieces {
   std::vector<std::vector<std::size_t>> polygons;
 };
 
-/// The triangle cut so that no segment runs through the inside of a piece.
+/// Returns the triangle cut so that no segment runs through the inside of a piece.
 ///
-/// Shape    segments in the triangle's plane, mm; what is beyond the triangle is left out.
+/// Shape    Segments in the triangle's plane, mm; parts beyond the triangle are left out.
 /// Requires a triangle with area.
-/// Ensures  the pieces cover the triangle but for slivers no wider than `rounding_mm`; in the plane to about that.
+/// Ensures  The pieces cover the triangle but for slivers no wider than `rounding_mm`; in the plane to about that.
 /// Cost     O(k log k) for k segments that do not cross, at most O(k^2) pieces.
 [[nodiscard]] FacetPieces cut_facet(const std::array<Vec3, 3>& triangle, std::span<const std::array<Vec3, 2>> segments,
                                     double rounding_mm);

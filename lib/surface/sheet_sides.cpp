@@ -29,7 +29,7 @@ class SheetRay {
   }
 
  private:
-  /// False as soon as rounding decides something.
+  /// Returns false as soon as rounding decides something.
   bool visit(std::uint32_t index) {
     const NodeBlock& node = tree_.nodes[index];
     for (std::uint32_t i = 0; i < node.count; ++i) {

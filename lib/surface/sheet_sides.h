@@ -14,12 +14,12 @@ struct SheetSides {
   std::uint32_t lowest = 0;  ///< triangle of the sheet
 };
 
-/// The winding numbers beside a point of a closed surface.
+/// Returns the winding numbers beside a point of a closed surface.
 ///
 /// `normal`: unit, of a triangle at the point; `rounding_mm`: as rounding_of.
 /// Requires a point farther than a few roundings from the edges of all triangles of its sheet.
-/// Errors   nothing where rounding decides the sides of several rays.
-/// Cost     about O(log n) and what a ray meets.
+/// Errors   Nothing where rounding decides the sides of several rays.
+/// Cost     About O(log n) and what a ray meets.
 [[nodiscard]] std::optional<SheetSides> find_sheet_sides(const BlockTree& tree, const Vec3& point, const Vec3& normal,
                                                          double rounding_mm);
 

@@ -18,13 +18,13 @@ struct SolidBoundary {
   bool is_known = true;
 };
 
-/// The boundary of the body; nothing where the surface itself is that boundary.
+/// Finds the boundary of the body; nothing where the surface itself is that boundary.
 ///
 /// A point is in the body where the winding number is not 0. Where shells nest, overlap or cross, a part of the surface
-/// has nonzero winding numbers on both sides: it lies inside the body, and is left out.
+/// has nonzero winding numbers on both sides. It lies inside the body, and is left out.
 /// Requires a closed, oriented surface; `tree` and `around` of that mesh alone.
-/// Ensures  no point of the boundary is farther than rounding from the triangles, and none of theirs from the boundary.
-/// Cost     about a microsecond a triangle where none meet; and for each triangle that meets k others O(k log k).
+/// Ensures  No point of the boundary is farther than rounding from the triangles, and none of theirs from the boundary.
+/// Cost     About a microsecond a triangle where none meet. For each triangle that meets k others also O(k log k).
 /// Proof    docs/method/inside_outside.md, section 6.
 [[nodiscard]] std::optional<SolidBoundary> find_solid_boundary(const IndexedMesh& mesh, const BlockTree& tree,
                                                                const VertexTriangles& around, unsigned threads = 0);

@@ -99,8 +99,8 @@ class RayWalk {
   int winding_ = 0;
 };
 
-// How often closed surfaces wind around a point: the triangles that a ray from it leaves through, less those it enters
-// through. Nothing where the ray comes too near to an edge, or the point to a triangle, for rounding to show.
+// Returns how often closed surfaces wind around a point: the triangles that a ray from it leaves through, less those it
+// enters through. Nothing where the ray comes too near to an edge, or the point to a triangle, for rounding to show.
 // Requires a unit direction. Cost about O(log n) and what the ray meets.
 std::optional<int> winding_along(const BlockTree& tree, const Vec3& point, const Vec3& direction) {
   return RayWalk(tree, point, direction).run();

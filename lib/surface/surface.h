@@ -24,12 +24,12 @@ struct ClosestPoint {
   bool is_inside = false;      ///< the queried point lies in the solid; never where the surface is none
   std::uint32_t triangle = 0;  ///< of the mesh
 
-  /// Negative inside.
+  /// Returns the signed distance, negative inside.
   [[nodiscard]] double signed_mm() const { return is_inside ? -distance_mm : distance_mm; }
 };
 
-/// A mesh with its index and the data for the side of a point, each made once at the first request. Small, and shared by
-/// its copies. Any number of threads may call it it.
+/// A mesh with its index and the data for the side of a point, each made once at the first request. Small, and shared
+/// by its copies. Any number of threads may call it.
 class Surface {
  public:
   /// The mesh must outlive all copies. `threads` as in build_block_tree.
@@ -41,43 +41,45 @@ class Surface {
 
   [[nodiscard]] const IndexedMesh& mesh() const;
   [[nodiscard]] const BlockTree& tree() const;
-  /// 14 bytes a triangle. Cost of the first call O(n).
+  /// Returns the triangles at each vertex, 14 bytes a triangle. Cost of the first call O(n).
   [[nodiscard]] const VertexTriangles& triangles_at_vertices() const;
-  /// Closed, oriented, outward: inside means something. Cost of the first call O(n).
+  /// Returns whether it is closed, oriented and outward, so that it has an inside. Cost of the first call O(n).
   [[nodiscard]] bool is_solid() const;
 
-  /// Returns where the solid ends: the surface itself, or where shells nest, overlap or cross, what of it has no material on one
-  /// side (solid_boundary.h). The only surface that answers for a side of a solid, or for a depth in it. Of what is no solid
-  /// the surface itself; no solid where rounding leaves some of its sides unknown.
-  /// Ensures  valid as long as this surface or a copy of it. Cost of the first call as find_solid_boundary.
+  /// Returns the boundary of the solid: the surface itself, or, where shells nest, overlap or cross, the part with no
+  /// material on one side (solid_boundary.h). Only this surface states the side of a point of a solid, or a depth in
+  /// it. For a surface that is not a solid it is the surface itself. It is not a solid where rounding leaves some of
+  /// its sides unknown.
+  /// Ensures  Valid as long as this surface or a copy of it. Cost of the first call as find_solid_boundary.
   [[nodiscard]] const Surface& boundary() const;
-  /// The boundary is the surface itself.
+  /// Returns whether the boundary is the surface itself.
   [[nodiscard]] bool is_boundary() const { return &boundary() == this; }
 
   [[nodiscard]] std::array<Vec3, 3> corners(std::size_t triangle) const {
     return {mesh().corner(triangle, 0), mesh().corner(triangle, 1), mesh().corner(triangle, 2)};
   }
-  /// Unit; zero of a triangle without area.
+  /// Returns the unit normal; zero for a triangle without area.
   [[nodiscard]] Vec3 face_normal(std::size_t triangle) const { return gouge::face_normal(mesh(), triangle); }
 
-  /// The closest point within `within_mm`; nothing when there is none (or no triangle at all).
+  /// Returns the closest point within `within_mm`; nothing when there is none (or no triangle at all).
   ///
-  /// Ensures  exact at any distance, on both sides of a solid; of equally near triangles the lowest (closest_triangle.h).
-  ///          Without a solid every point counts as outside.
+  /// Ensures  Exact at any distance, on both sides of a solid; of equally near triangles the lowest
+  ///          (closest_triangle.h). Without a solid every point counts as outside.
   /// Requires for is_inside: a surface that is the boundary of its body (boundary()).
-  /// Cost     about O(log n).
+  /// Cost     About O(log n).
   [[nodiscard]] std::optional<ClosestPoint> closest_point(
       const Vec3& point, double within_mm = std::numeric_limits<double>::infinity()) const;
 
-  /// The same without a limit, searched from one triangle: quicker where it is about as near as the closest.
+  /// Returns the same without a limit, searched from one triangle: quicker where it is about as near as the closest.
   /// Requires a mesh with triangles.
   [[nodiscard]] ClosestPoint closest_point_from(const Vec3& point, std::uint32_t near) const;
 
-  /// Returns whether a point off the surface lies in the solid, by how often all triangles wind around it. Requires is_solid().
-  /// Cost     about O(log n); O(n) where a few rays meet edges.
+  /// Returns whether a point off the surface lies in the solid, by how often all triangles wind around it. Requires
+  /// is_solid().
+  /// Cost     About O(log n); O(n) where a few rays meet edges.
   [[nodiscard]] bool winds_around(const Vec3& point) const;
 
-  /// The same once a triangle is known to be nearest, with its foot.
+  /// Returns the same once a triangle is known to be nearest, with its foot.
   [[nodiscard]] ClosestPoint signed_closest_point(const Vec3& point, std::uint32_t triangle,
                                                   const TrianglePoint& foot) const;
 

@@ -55,8 +55,8 @@ Vec3 SurfaceSign::at_vertex(Corner vertex) const {
   return length > Tolerance::kNoDirection ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
-/// Returns whether each edge at the vertex has two triangles, one in either direction: each of its other ends then follows it
-/// in one triangle and comes before it in one.
+/// Returns whether each edge at the vertex has two triangles, one in either direction. Each of its other ends then
+/// follows it in one triangle and comes before it in one.
 bool SurfaceSign::is_plain(Corner vertex) const {
   const std::span<const std::uint32_t> around = around_->at(vertex);
   std::array<Corner, kMaxAround> few_next, few_last;

@@ -10,22 +10,22 @@
 
 namespace gouge {
 
-/// On which side of a closed surface a point is, decided by the surface's closest point: by the normal of its
-/// face, by the mean of both faces at an edge, by the angle-weighted mean at a vertex. Normals are computed where they
-/// are requested.
+/// Decides on which side of a closed surface a point is, by the surface's closest point. It takes the normal of its
+/// face, the mean of both faces at an edge, or the angle-weighted mean at a vertex. Normals are computed where they are
+/// requested.
 ///
-/// Source  J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal, IEEE
-///         Trans. Vis. Comput. Graph. 11 (2005): exact for a closed orientable 2-manifold.
-/// Deviates  features the theorem does not cover (edges of other than two triangles, neighbours without area,
-///         vertices whose normals cancel) have no normal; there the winding number decides.
+/// Source  J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal, IEEE Trans.
+///         Vis. Comput. Graph. 11 (2005): exact for a closed orientable 2-manifold.
+/// Deviates  Some features that the theorem does not cover have no normal: edges of other than two triangles,
+///           neighbours without area, vertices whose normals cancel. There the winding number decides.
 class SurfaceSign {
  public:
   SurfaceSign() = default;
   /// Mesh and triangles at its vertices must outlive it. Requires triangles with three distinct corners. Cost O(n).
   SurfaceSign(const IndexedMesh& mesh, const VertexTriangles& around);
 
-  /// Outward direction at a foot on `triangle`: zero where the winding number must be computed.
-  /// Cost  as many steps as triangles meet at the foot, at most kMaxAround.
+  /// Returns the outward direction at a foot on `triangle`: zero where the winding number must be computed.
+  /// Cost  As many steps as triangles meet at the foot, at most kMaxAround.
   [[nodiscard]] Vec3 outward(std::uint32_t triangle, TriangleFeature feature, std::size_t index) const;
 
  private:

@@ -14,15 +14,16 @@ struct TriangleMeeting {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< of the segment, mm
 };
 
-/// Length below which points of a mesh cannot be distinguished: rounding of its coordinates and of a few products. mm.
+/// Returns the length below which points of a mesh cannot be distinguished: rounding of its coordinates and of a few
+/// products. mm.
 [[nodiscard]] double rounding_of(const IndexedMesh& mesh);
 
-/// All pairs of triangles that meet, in the order of the tree's leaves. Triangles without area meet nothing.
+/// Finds all pairs of triangles that meet, in the order of the tree's leaves. Triangles without area meet nothing.
 ///
 /// Requires a tree of one mesh.
-/// Ensures  no pair is missed that crosses, overlaps in a plane or touches along a segment by more than rounding; the
+/// Ensures  No pair is missed that crosses, overlaps in a plane or touches along a segment by more than rounding. The
 ///          same pairs at any number of threads (0: all).
-/// Cost     about half a microsecond a triangle where none meet.
+/// Cost     About half a microsecond a triangle where none meet.
 [[nodiscard]] std::vector<TriangleMeeting> find_triangle_meetings(const BlockTree& tree, unsigned threads = 0);
 
 }  // namespace gouge

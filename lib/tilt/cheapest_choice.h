@@ -32,13 +32,14 @@ struct LayerChoices {
   std::vector<std::vector<char>> is_possible;
 };
 
-/// The choice for which sum of |tilt|^2 ds / blend^2 + |change of tilt|^2 / ds is least. Of choices as cheap the one with
-/// the first tilts in the last layers, where tilts are at one place.
+/// Finds the choice for which sum of |tilt|^2 ds / blend^2 + |change of tilt|^2 / ds is least. Of choices as cheap it
+/// takes the one with the first tilts in the last layers, where tilts are at one place.
 ///
 /// Requires layers in the order of the way, at least one.
-/// Cost     linear in the tilts and the rows times columns that they lie in, 0.2 ms a layer for 1,800 of a lattice; where a
-///          limit or a change struck out forbids the cheapest way to a tilt, all that may lead there are tested.
-/// Source   dynamic programming over layers of postures: Plakhotnik and Lauwers 2014.
+/// Cost     Linear in the tilts and the rows times columns that they lie in, 0.2 ms a layer for 1,800 of a lattice.
+///          Where a limit or a change struck out forbids the cheapest way to a tilt, all that may lead there are
+///          tested.
+/// Source   Dynamic programming over layers of postures: Plakhotnik and Lauwers 2014.
 [[nodiscard]] LayerChoices cheapest_choice(const std::vector<TiltLayer>& layers, double blend_mm);
 
 }  // namespace gouge

@@ -15,27 +15,29 @@ struct Seam {
   std::size_t begin = 0, end = 0;  ///< moves
 };
 
-/// Closed contours: sequences of one tool's feeds that return to an earlier pose, bit for bit, searched among
-/// the ends of the moves named.
+/// Finds closed contours: sequences of one tool's feeds that return to an earlier pose, bit for bit. They are searched
+/// among the ends of the moves named.
 [[nodiscard]] std::vector<Seam> find_seams(const Toolpath& path, const std::vector<bool>& is_named);
 
-/// Tilts that runs of a path need so that closed contours stay closed: the tool stands
-/// alike at both ends of a contour after tilting, too.
+/// Tilts that runs of a path need so that closed contours stay closed. The tool has the same pose at both ends of a
+/// contour after tilting, too.
 class ClosedContours {
  public:
   /// The objects that `job` refers to must outlive it.
   explicit ClosedContours(const TiltJob& job);
 
-  /// Runs that will be tilted next. Ends of contours that are in none of them, nor were before, stay as programmed.
+  /// Begins with the runs that will be tilted next. Ends of contours that are in none of them, nor were before, stay as
+  /// programmed.
   void begin(const std::vector<TiltRun>& runs);
 
-  /// The positions of a run, at one end of a contour given the axis that is known of its other end. Nothing where none is.
+  /// Returns the positions of a run. At one end of a contour they have the axis that is known of its other end. Nothing
+  /// where none is known.
   [[nodiscard]] std::optional<std::vector<TiltPosition>> with_known(const std::vector<TiltPosition>& positions) const;
 
-  /// Positions at the two ends of one contour, both of this run; in the order of the path.
+  /// Returns pairs of positions at the two ends of one contour, both of this run; in the order of the path.
   [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> loops(const TiltSpace& space) const;
 
-  /// The tilts of a run that are taken.
+  /// Learns the tilts of a run that are taken.
   void learn(const TiltSpace& space, const TiltSequence& tilts);
 
  private:

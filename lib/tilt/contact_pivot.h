@@ -15,8 +15,8 @@ struct SupportStretch {
 /// Requires direction.x() >= 0, not zero, and a tool with elements. Cost linear in the elements.
 [[nodiscard]] SupportStretch support_stretch(const CompiledTool& tool, const Vec2& direction);
 
-/// The fixed point of a tilt at a position: the point where the cutter touches the part, and with
-/// it the surface it cuts there. Of a tip that is a ball that is its centre, whatever it touches; of any other profile
+/// The fixed point of a tilt at a position: the point where the cutter touches the part. With it the surface that the
+/// cutter cuts there stays. For a tip that is a ball it is its centre, whatever it touches. For any other profile it is
 /// the point whose normal is that of the part. Without a contact the tip stays.
 class ContactPivot {
  public:
@@ -26,14 +26,14 @@ class ContactPivot {
   /// counts more than one across.
   ContactPivot(const Pose& programmed, const CompiledTool& cutter, std::vector<Vec3> normals);
 
-  /// Outward from the part at the contact that counts most; without one the programmed axis.
+  /// Returns the outward from the part at the contact that counts most; without one the programmed axis.
   [[nodiscard]] const Vec3& normal() const { return contacts_.empty() ? programmed_.axis : contacts_.front().normal; }
 
   /// Returns where the tip goes when the axis becomes `axis`, a unit vector.
   ///
-  /// Ensures  the cutter reaches exactly as far against the first normal as before, and where one point of it alone
-  ///          does, at the same point of the part. Where several do, as with a flat end on a flat floor, the one of them
-  ///          stays that the tilted cutter touches with. Against other normals, as of a wall beside that floor, it
+  /// Ensures  The cutter reaches exactly as far against the first normal as before. Where one point of the cutter alone
+  ///          does so, it does at the same point of the part. Where several do, as with a flat end on a flat floor, the
+  ///          one stays that the tilted cutter touches with. Against other normals, as of a wall beside that floor, it
   ///          reaches no farther than before, as far as a few shifts along them do.
   [[nodiscard]] Vec3 tip_for(const Vec3& axis) const;
 
@@ -48,7 +48,7 @@ class ContactPivot {
   Pose programmed_;
   const CompiledTool* cutter_ = nullptr;
   std::vector<Contact> contacts_;
-  double ball_mm_ = 0;  // the centre's height above the tip; 0: the tip is no ball
+  double ball_mm_ = 0;  // the centre's height above the tip; 0: the tip is not a ball
 };
 
 }  // namespace gouge

@@ -11,8 +11,8 @@
 
 namespace gouge {
 
-/// The surface that a path cuts while its runs are tilted one by one: as programmed except for accepted runs. Rapids cut
-/// nothing.
+/// The surface that a path cuts while its runs are tilted one by one: as programmed except for accepted runs. Rapids
+/// cut nothing.
 class CutPath {
  public:
   /// `job` must outlive it.

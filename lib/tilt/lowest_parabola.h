@@ -23,11 +23,11 @@ class TiltRows {
   std::vector<double> columns_;         // x of each
 };
 
-/// Finds for each tilt `to` the tilt `from` with the least height(from) + steepness * |to - from|^2; of equal ones that are
-/// at one place the first.
+/// Finds for each tilt `to` the tilt `from` with the least height(from) + steepness * |to - from|^2; of equal ones that
+/// are at one place the first.
 ///
 /// Two passes of lower envelopes of parabolas, along the rows of `from` and then along the columns of `to`.
-/// Cost     linear in the tilts and in rows times columns.
+/// Cost     Linear in the tilts and in rows times columns.
 /// Source   Felzenszwalb and Huttenlocher 2012, Distance transforms of sampled functions.
 class LowestParabolas {
  public:

@@ -31,8 +31,8 @@ class RunPlanner {
   RunPlanner(const TiltJob& job, const TiltRun& run, CutPath& cut, ClosedContours& contours)
       : job_(job), run_(run), cut_(cut), contours_(contours) {}
 
-  /// True where a tilt was found; else `reason` states why not. Where it would leave what was finished, forward and back
-  /// alone are tried, which leave least under a flat end, and to the sides alone.
+  /// True where a tilt was found; else `reason` states why not. Where it would leave what was finished, forward and
+  /// back alone are tried, which leave least under a flat end, and to the sides alone.
   bool plan() {
     const bool is_free_way = job_.options.freedom == TiltFreedom::both;
     if (plan_with(job_.options.freedom)) return true;
@@ -125,7 +125,7 @@ class RunPlanner {
     }
   }
 
-  /// Which limits of turns a way does not keep.
+  /// The limits of turns that a way does not keep.
   struct Beyond {
     bool is_too_fast = false, is_too_far = false;
     [[nodiscard]] bool is_any() const { return is_too_fast || is_too_far; }
@@ -141,8 +141,8 @@ class RunPlanner {
     return beyond;
   }
 
-  // Where it is open whether anything is left the tilt is made: a lift, which is what else there is, surely leaves it. The
-  // report of what is left states so.
+  // Where it is open whether anything is left the tilt is made: a lift, which is what else there is, surely leaves it.
+  // The report of what is left states so.
   bool leaves_too_much(const TiltSpace& space, const TiltSequence& tilts) {
     const std::optional<LeftStock> left = cut_.left_by(space, tilts);
     if (!left || !left->is_proved) return false;

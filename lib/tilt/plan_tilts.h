@@ -32,9 +32,9 @@ struct TiltPlan {
   std::vector<UntiltedRun> failed;
 };
 
-/// Tilts for all wanted moves of a path: smooth, and certified at every instant of the changed motions.
+/// Returns tilts for all wanted moves of a path: smooth, and certified at every instant of the changed motions.
 ///
-/// Ensures  the same plan at any number of threads.
+/// Ensures  The same plan at any number of threads.
 /// Source   docs/method/tilting.md
 [[nodiscard]] TiltPlan plan_tilts(const TiltJob& job, const ProgressCall& progress);
 

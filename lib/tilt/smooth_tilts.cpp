@@ -126,7 +126,7 @@ class Smoother {
     return is_refused;
   }
 
-  /// Returns whether nothing is refused. What is, is likely near `about`, where the tilts have changed most.
+  /// Returns whether nothing is refused. Refused tilts are likely near `about`, where the tilts have changed most.
   [[nodiscard]] bool is_free_about(std::size_t about, const TiltSequence& tilts) {
     const auto distance = [about](std::size_t i) { return i > about ? i - about : about - i; };
     std::vector<std::size_t> outwards(space_.size());

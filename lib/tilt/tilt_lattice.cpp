@@ -21,13 +21,13 @@ constexpr double kTube = 1.5;          // how many steps of it the finer lattice
 constexpr int kMaxUncertain = 3;       // layers that are searched for any free tilt where no way is left
 constexpr std::size_t kMaxOthers = 4;  // of those about a refused tilt that no known point refuses
 constexpr int kMaxRounds = 60;         // in which layers are added, ...
-constexpr int kMaxStrikes = 24;        // ... or motions struck out: what refuses these refuses most of their neighbours
+constexpr int kMaxStrikes = 24;        // ... or motions struck out: an obstacle to these is one to most neighbours
 
-/// One lattice over the allowed tilts, and what is known of it at each position.
+/// One lattice over the allowed tilts, and the known tilts at each position.
 ///
-/// Which of its tilts are free is found out lazily too: the cheapest way is sought as if all were, then the tilts it
-/// takes are examined, and it is sought again without those that are refused. The way that is left is the cheapest of
-/// all, as no other way lost a tilt that is free. Tilts that no way leads through any more are not examined.
+/// Free tilts are found lazily too. The cheapest way is sought as if all were free, then the tilts it takes are
+/// examined. It is sought again without those that are refused. The way that is left is the cheapest of all, as no
+/// other way lost a tilt that is free. Tilts that no way leads through any more are not examined.
 class Lattice {
  public:
   /// `near`: null, or the sequence that tilts may be no farther from than `reach_rad`. `known`: what other lattices
@@ -58,9 +58,8 @@ class Lattice {
     for (std::size_t i = 0; i + 1 < space.size(); ++i) changes_rad_.push_back(space.largest_change_rad(i));
   }
 
-  /// `doubtful`: a position where no tilt may be free, of which all are examined first.
-  /// `needed`: positions that are layers from the first, as a coarser lattice needed them; those that this one has are
-  /// returned in it.
+  /// At the position `doubtful` perhaps no tilt is free; all its tilts are examined first. The positions `needed` are
+  /// layers from the start, as a coarser lattice needed them. The layers of this lattice are returned in it.
   LatticeResult find(std::optional<std::size_t> doubtful, std::vector<std::size_t>& needed) {
     if (doubtful) {
       add_layer(*doubtful);
@@ -96,7 +95,7 @@ class Lattice {
     auto operator<=>(const Struck&) const = default;
   };
 
-  /// A position, and what is known of the lattice's tilts there.
+  /// A position, and the known tilts of the lattice there.
   struct Layer {
     std::size_t position = 0;
     std::vector<Node> open;     ///< that were not refused, and that ways may lead through; by columns
@@ -169,8 +168,8 @@ class Lattice {
     return state_in(known_[position].states, node);
   }
 
-  /// Where the tip may rise, what was refused before that stays refused if it does not or cannot. `is_raised`: whether
-  /// it does at any tilt there. From then on nothing more is searched.
+  /// Where the tip may rise, a tilt refused before stays refused if the tip does not or cannot rise. The flag
+  /// `is_raised` is set where it does at any tilt there. From then on nothing more is searched.
   [[nodiscard]] bool stays_refused(std::size_t position, Node node, bool& is_raised) {
     const KnownTilts::State state = state_of(position, node);
     KnownTilts& known = known_[position];
@@ -220,8 +219,8 @@ class Lattice {
     });
   }
 
-  /// Returns whether the tilt that was taken is free. Where it is not, others about it are examined too, twice as many each
-  /// time: what refuses it refuses many, and a position where none is free is soon known.
+  /// Returns whether the tilt that was taken is free. Where it is not free, others about it are examined too, twice as
+  /// many each time. An obstacle to one is an obstacle to many, and a position where none is free is soon known.
   [[nodiscard]] bool is_free(Layer& layer, Node taken) {
     const auto index = static_cast<std::size_t>(std::ranges::find(layer.open, taken) - layer.open.begin());
     if (layer.is_free[index] != 0) return true;
@@ -347,7 +346,8 @@ class Lattice {
     return sequence;
   }
 
-  /// Returns whether the sequence is free everywhere. Where not, layers are added or a change between two is struck out.
+  /// Returns whether the sequence is free everywhere. Where not, layers are added or a change between two is struck
+  /// out.
   [[nodiscard]] bool prove(const TiltSequence& sequence, const Choice& choice) {
     // For each stretch between two layers: the first position that is rejected, itself or the motion from it.
     std::vector<std::size_t> refused(layers_.size(), kNone);

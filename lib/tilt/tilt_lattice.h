@@ -12,7 +12,7 @@ using TiltSequence = std::vector<Tilt>;
 
 struct LatticeResult {
   std::optional<TiltSequence> sequence;
-  /// Where there is none: a position at which no tilt that was examined is free, or none, as they are free everywhere
+  /// Where there is none: a position at which no tilt that was examined is free. None where tilts are free everywhere
   /// but no way leads from each to the next.
   std::optional<std::size_t> blocked;
   /// Where there is none: a position that stays as programmed and lets there be none (TiltSpace::holds_back).
@@ -27,20 +27,24 @@ struct KnownTilts {
   std::vector<State> unraised;  ///< the same before the tip might rise
 };
 
-/// A sequence of tilts that is certified free at every position and on every motion between two that follow each other.
+/// Finds a sequence of tilts that is certified free at every position and on every motion between two that follow each
+/// other.
 ///
-/// Tilts of a square lattice over all that is allowed, coarse at first, finer about what the coarse one found or where it
-/// found nothing. Layers are positions of the run, few at first; dynamic programming finds the cheapest way through them:
-/// sum of |tilt|^2 ds / blend^2 + |change of tilt|^2 / ds. Only what that way takes is examined, first its tilts at the
-/// layers, then every position and motion of it. A tilt that is not free is left out, a position where the way is not
-/// becomes a layer of its own, a motion that is not is struck out, and the way is sought again.
-/// `doubtful`: a position where no tilt may be free; it is examined before all others. Where it is not, that is stated at
-/// once.
-/// `known`: of each position, empty at first; or of a search in the same space, but that the tip might not rise.
-/// Ensures  the same sequence at any number of threads.
-/// Cost     checks of about a tenth of the tilts of each layer, of which there are some hundred; where none is free of
+/// Tilts are those of a square lattice over all that is allowed. It is coarse at first, and finer about the result of
+/// the coarse one or where that found nothing. Layers are positions of the run, few at first. Dynamic programming finds
+/// the cheapest way through them: sum of |tilt|^2 ds / blend^2 + |change of tilt|^2 / ds. Only the cheapest way is
+/// examined, first its tilts at the layers, then every position and motion of it. A tilt that is not free is left out.
+/// A position where the way is not free becomes a layer of its own, and such a motion is struck out. Then the way is
+/// sought again.
+///
+/// At the position `doubtful` perhaps no tilt is free. It is examined before all others. Where no tilt is free, the
+/// search ends at once.
+/// The list `known` is of each position, empty at first. Or it is of a search in the same space in which only the tip
+/// might not rise.
+/// Ensures  The same sequence at any number of threads.
+/// Cost     Checks of about a tenth of the tilts of each layer, of which there are some hundred. Where none is free, of
 ///          all.
-/// Source   layers of postures: Plakhotnik and Lauwers 2014; only the winner's motions are proved: Dellin and Srinivasa
+/// Source   Layers of postures: Plakhotnik and Lauwers 2014. Only the winner's motions are proved: Dellin and Srinivasa
 ///          2016 (LazySP).
 [[nodiscard]] LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful,
                                        std::vector<KnownTilts>& known);

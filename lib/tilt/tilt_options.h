@@ -27,7 +27,7 @@ struct TiltOptions {
   double max_turn_rad_per_mm = std::numeric_limits<double>::infinity();
   double max_turn_step_rad = std::numeric_limits<double>::infinity();  ///< and on one motion
   double blend_mm = 10;  ///< way of the tip over which the tilt comes and goes, where the path has it
-  /// Maximum rise of the tip off the part where the cutter would gouge when tilted: what it leaves uncut.
+  /// Maximum rise of the tip off the part where the cutter would gouge when tilted. It leaves that stock uncut.
   double max_raise_mm = 1;
   /// Maximum beyond the tolerance that may be left of what the programmed path finished; infinite: it is not measured.
   double max_stock_mm = 0.01;

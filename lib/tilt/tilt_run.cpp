@@ -14,7 +14,7 @@
 namespace gouge {
 namespace {
 
-// How near the cutter is to what it touches: what a finishing cut leaves, or, where a run has no such place, a roughing
+// Distances at which the cutter touches: the stock of a finishing cut, or, where a run has no such place, of a roughing
 // cut.
 constexpr std::array kContacts_mm = {0.05, 1.0};
 constexpr std::array kShares = {0.5, 0.8, 0.95};  // of the tolerance, how deep the cutter may be at a position
@@ -148,8 +148,8 @@ class Chain {
   std::vector<Station> stations_;
 };
 
-/// Normal of the part where the cutter is in it or near it. A corner of the tool that touches a face has no normal of its own:
-/// there the face's counts, as far as the tool reaches no deeper below its plane.
+/// Normal of the part where the cutter is in it or near it. A corner of the tool that touches a face has no normal of
+/// its own. There the face's normal counts, as far as the tool reaches no deeper below its plane.
 Vec3 normal_at(const ToolContact& contact, double depth_mm, const Pose& pose, const CompiledTool& cutter) {
   constexpr double kSameDepth_mm = 0.01;
   const Vec3& face = contact.face;

@@ -18,25 +18,26 @@ struct TiltJob {
   const std::vector<bool>& is_wanted;  ///< gouges that a tilt shall cure
 };
 
-/// A stretch of one tool's straight moves that must be tilted somewhere, with the way before and after it over which the
-/// tilt comes and goes.
+/// A stretch of one tool's straight moves that must be tilted somewhere. It includes the way before and after it over
+/// which the tilt comes and goes.
 struct TiltRun {
   std::size_t tool = 0;
   std::size_t first_wanted = 0, last_wanted = 0;  ///< moves that gouge
   std::vector<TiltPosition> positions;  ///< in path order; fixed at both ends, but where the path ends in a collision
 };
 
-/// The runs of a path, in its order and apart from each other. Positions are at most `spacing_mm` of the tip's way apart.
+/// Finds the runs of a path, in its order and apart from each other. Positions are at most `spacing_mm` of the tip's
+/// way apart.
 ///
 /// Ensures  Every wanted move that can be tilted (straight, checked, not inside a solid) lies in a run, as far as it is
-///          not clean: long moves are examined piece by piece. No position of a move is in two runs, ends apart.
-/// Cost     a check of every piece of the wanted moves, and three of the cutter at each position of a run.
+///          not clean. Long moves are examined piece by piece. No position of a move is in two runs, except for ends.
+/// Cost     A check of every piece of the wanted moves, and three of the cutter at each position of a run.
 [[nodiscard]] std::vector<TiltRun> find_tilt_runs(const TiltJob& job, double spacing_mm);
 
-/// The run with the directions of its tilts as another freedom has them.
+/// Returns the run with the directions of its tilts as another freedom has them.
 [[nodiscard]] TiltRun with_freedom(TiltRun run, TiltFreedom freedom);
 
-/// Wanted moves and those on the way before and after them, arcs and splines too.
+/// Returns wanted moves and those on the way before and after them, arcs and splines too.
 [[nodiscard]] std::vector<bool> moves_near(const Toolpath& path, const std::vector<bool>& is_wanted,
                                            double arc_length_mm);
 

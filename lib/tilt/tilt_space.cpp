@@ -199,8 +199,8 @@ bool TiltSpace::stays_within_limits(std::size_t i, const Pose& from, std::size_t
   return stays(stays, 0, 1, 0);
 }
 
-/// While the axis turns by an angle on a straight way of the tip, a point of the tool at a distance from the tip leaves
-/// its own straight way by distance * angle^2 / 8: so much the cut surface may be off in between.
+/// Let the axis turn by an angle on a straight way of the tip. A point of the tool at a distance from the tip then
+/// leaves its own straight way by distance * angle^2 / 8. The cut surface may be off by as much in between.
 double TiltSpace::largest_turn_rad(std::size_t i, std::size_t k) const {
   const double programmed = angle_between_rad(positions_[i].programmed.axis, positions_[k].programmed.axis);
   const double allowed_mm = kBend * task_.checker->options().tolerance_mm;

@@ -9,7 +9,8 @@
 namespace gouge {
 
 /// Without a gouge the tool may reach into a solid by at most this many times the allowed depth. Corners of 45 degrees
-/// and more, thus all usual cutters, reach less than 3 times the depth; a blade or a tip of 30 degrees does not.
+/// and more, and thus all usual cutters, reach less than 3 times the depth. A blade or a tip of 30 degrees reaches
+/// farther.
 inline constexpr double kReachPerDepth = 3;
 
 /// Bounds how far a tool reaches into a solid whose surface is nowhere deeper in the tool than a given depth.
@@ -19,11 +20,12 @@ struct CertifiedDepth {
   int halvings = 0;     ///< depth_mm = given depth x 2^(-halvings / 2)
 };
 
-/// The largest depth of the row given depth x 2^(-k / 2) for which bound_reach(form, bare, depth) is at most
+/// Returns the largest depth of the row given depth x 2^(-k / 2) for which bound_reach(form, bare, depth) is at most
 /// kReachPerDepth times the given depth. Cost: bound_reach, once for a usual tool.
 [[nodiscard]] CertifiedDepth find_certified_depth(const CompiledTool& form, const CompiledTool& bare, double given_mm);
 
-/// Results of find_certified_depth for one tool, each computed once; may be queried from any thread. A copy starts empty.
+/// Results of find_certified_depth for one tool, each computed once; may be queried from any thread. A copy starts
+/// empty.
 class CertifiedDepths {
  public:
   CertifiedDepths() = default;

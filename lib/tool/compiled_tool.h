@@ -9,25 +9,25 @@
 #include "lib/geom/pose.h"
 #include "lib/geom/vec.h"
 
-// The tool as the check sees it: a closed solid of revolution about the tool axis, described by the
-// boundary of its half profile in the (r, z) plane (r >= 0, z = 0 at the tip, z grows to the spindle, mm)
-// and a BSP over the 2D Voronoi diagram of that boundary, or a tree over the boundary itself. It is plain data;
+// The tool as the check sees it: a closed solid of revolution about the tool axis. It is described by the boundary of
+// its half profile in the (r, z) plane, in mm. There r >= 0, z = 0 at the tip, and z grows to the spindle. Beside it
+// stands a BSP over the 2D Voronoi diagram of that boundary, or a tree over the boundary itself. It is plain data:
 // `toolmodels` compiles it from named dimensions, `evaluate.h` evaluates it.
 // Source: Ho 1999 as described in thesis 2.4.18 and appendix C.
 
 namespace gouge {
 
-/// The bodies of a tool's profile, from the tip up, and a head: what moves with the tool without being part of it.
+/// The bodies of a tool's profile, from the tip up, and a head, which moves with the tool without being part of it.
 enum class Body : std::uint8_t { cutter, shank, holder, head };
 [[nodiscard]] const char* body_name(Body body);
 
 enum class ElementKind : std::uint8_t { segment, arc, vertex };
 
-/// Range in which the plane tangent to the boundary at a foot on this element bounds the solid. An empty range
-/// (z_lo > z_hi), and a normal towards the axis (n_r < 0, in a hollow underside), claim nothing. For a query hull Q (convex,
-/// in tool coordinates) and the plane {n.x = n.foot}, n outward: when the z of every point of Q, and of its projection onto the
-/// plane for points behind it, lies in [z_lo, z_hi] and every point of Q has r >= r_min, then
-/// depth(q) <= max(0, n.foot - n.q) for every q in Q. Proof: docs/method/certified_sweep.md.
+/// Range in which the plane tangent to the boundary at a foot on this element bounds the solid. An empty range (z_lo >
+/// z_hi), and a normal towards the axis (n_r < 0, in a hollow underside), claim nothing. Let Q be a convex query hull
+/// in tool coordinates, n the outward normal, and {n.x = n.foot} the plane. Requires: (1) The z of every point of Q
+/// lies in [z_lo, z_hi]. (2) For points behind the plane, so does the z of their projection onto it. (3) Every point of
+/// Q has r >= r_min. Then depth(q) <= max(0, n.foot - n.q) for every q in Q. Proof: docs/method/certified_sweep.md.
 struct SupportRange {
   double z_lo_mm = 0;
   double z_hi_mm = -1;
@@ -44,16 +44,16 @@ struct BoundaryElement {
   Vec2 b = Vec2::Zero();       ///< end on the contour
   Vec2 center = Vec2::Zero();  ///< arcs: centre of the circle
   double radius_mm = 0;        ///< arcs: its radius
-  /// Segment: outward unit normal. Vertex: outward mean direction. Arc: unit direction from the centre to the
-  /// middle of the arc. What a query gets where the gradient is undefined (on a vertex, at a centre).
+  /// Segment: outward unit normal. Vertex: outward mean direction. Arc: unit direction from the centre to the middle of
+  /// the arc. A query returns it where the gradient is undefined (on a vertex, at a centre).
   Vec2 normal = Vec2::Zero();
   SupportRange support;
 };
 
-/// A node of the BSP; leaves name the nearest element, inner nodes a curve whose sign picks the child:
-/// f = linear v + square v^2 + round (x^2 + y^2) with v = v0 + vx x + vy y and (x, y) = (r, z) - origin.
-/// A line is v alone; every other bisector compares a distance from the origin, its focus, with a linear
-/// function. Written so, f keeps its digits however far apart, or alike, the two features are.
+/// A node of the BSP. Leaves name the nearest element. Inner nodes are a curve whose sign picks the child. It is f =
+/// linear v + square v^2 + round (x^2 + y^2). Here v = v0 + vx x + vy y and (x, y) = (r, z) - origin. A line is v
+/// alone. Every other bisector compares a distance from the origin, its focus, with a linear function. In this form f
+/// keeps its digits however far apart, or alike, the two features are.
 struct BspNode {
   Vec2 origin = Vec2::Zero();
   double v0 = 0, vx = 0, vy = 0;
@@ -70,8 +70,8 @@ struct DomainBorder {
   double offset = 0;
 };
 
-/// Consecutive elements in a box turned along the chord from the first one's start to the last one's end: every
-/// point of them is origin + u along + v left, left being `along` turned by +90 degrees, with (u, v) in [low, high].
+/// Consecutive elements in a box turned along the chord from the first one's start to the last one's end. Every point
+/// of them is origin + u along + v left, with (u, v) in [low, high]. Here left is `along` turned by +90 degrees.
 struct ContourStretch {
   std::uint32_t first = 0, last = 0;  ///< elements [first, last)
   std::uint32_t second = 0;           ///< its halves are the next stretch and this one; 0: it is not cut further
@@ -89,7 +89,7 @@ struct CompiledTool {
   /// A tree over the contour in place of the BSP, for tools of many elements: [0] is the root, children stand behind.
   std::vector<ContourStretch> stretches;
   double z_min_mm = 0, z_max_mm = 0, r_max_mm = 0;
-  /// A point on the axis (r = 0) deepest inside the cutter's part of the solid; of the whole solid when the
+  /// A point on the axis (r = 0) deepest inside the cutter's part of the solid. It is that of the whole solid when the
   /// axis is nowhere inside the cutter.
   Vec2 core = Vec2::Zero();
   double core_depth_mm = 0;  ///< its depth

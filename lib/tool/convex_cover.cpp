@@ -10,10 +10,10 @@
 namespace gouge {
 namespace {
 
-// How far the cover stands off the tool, so that rounding in its making never cuts into it.
+// Represents no limit.
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-// A contour of more lines and arcs than the first is covered by chords of it, as many as the second at the most if
-// chords over kMaxHeld elements allow it.
+// A contour of more lines and arcs than the first is covered by chords of it. There are at most as many as the second
+// if chords over kMaxHeld elements allow it.
 constexpr std::size_t kMaxExact = 64, kMaxChords = 256, kMaxHeld = 64;
 constexpr double kFinest = 1e-5;  // of the tool's size: how far the contour may lie off its chords, doubled as needed
 
@@ -28,7 +28,7 @@ bool is_rising(const BoundaryElement& e) {
          e.b.y() >= e.a.y();
 }
 
-/// How far a line or arc is from the segment between two points at most.
+/// Returns how far a line or arc is from the segment between two points at most.
 double farthest_off(const BoundaryElement& e, const Vec2& from, const Vec2& to) {
   const Vec2 chord = to - from;
   const auto off = [&](const Vec2& p) {
@@ -194,8 +194,8 @@ class CoverMaker {
     keep(piece, has_face ? first.b.x() : first.a.x(), last.b.x(), has_face && outside <= Tolerance::kRounding_mm);
   }
 
-  // A line needs two points apart, or its direction is noise, and the chain must turn left everywhere. Halved arcs
-  // give one centre twice. What a point less leaves outside is added to the radius.
+  // A line needs two points apart, or its direction is noise, and the chain must turn left everywhere. Halved arcs give
+  // one centre twice. The part outside of a chain with one point less is added to the radius.
   void straighten(std::vector<Vec2>& chain) const {
     for (std::size_t k = 1; k + 1 < chain.size();) {
       const Vec2 in = chain[k] - chain[k - 1], out = chain[k + 1] - chain[k];

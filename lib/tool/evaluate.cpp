@@ -27,9 +27,9 @@ ToolDistance from_vertex(const BoundaryElement& e, std::uint32_t index, const Ve
   return {sign * distance, index, e.a, normal};
 }
 
-// From the centre to the foot, unit. Within rounding of the centre the BSP cannot show the sectors of
-// neighbouring elements apart; a point just outside its arc's own sector gets the nearer end, so that the
-// foot is always a point of the tool and the normal one of its normals.
+// From the centre to the foot, unit. Within rounding of the centre the BSP cannot distinguish the sectors of
+// neighbouring elements. A point just outside its arc's own sector gets the nearer end. So the foot is always a point
+// of the tool and the normal one of its normals.
 Vec2 direction_to_closest(const BoundaryElement& e, const Vec2& away, double distance) {
   const Vec2 to_a = e.a - e.center;
   const Vec2 to_b = e.b - e.center;

@@ -6,13 +6,13 @@
 
 #include "lib/tool/compiled_tool.h"
 
-// Finds the points within a tool that no surface can separate as long as none comes deeper into the tool than a given depth.
-// Proof: docs/method/inside_outside.md.
+// Finds the points within a tool that no surface can separate as long as none comes deeper into the tool than a given
+// depth. Proof: docs/method/inside_outside.md.
 
 namespace gouge {
 
-/// A connected part of what lies deeper in the tool than some depth: a stretch of the axis with the points around it,
-/// or a ring about the axis.
+/// A connected part of the points that lie deeper in the tool than some depth. It is a stretch of the axis with the
+/// points around it, or a ring about the axis.
 struct FreeRegion {
   double z_lo_mm = 0, z_hi_mm = 0;  ///< of the axis; equal for a ring
   Vec2 deepest = Vec2::Zero();      ///< (r, z) of its deepest point
@@ -32,7 +32,7 @@ struct FreeRegions {
   std::array<bool, 3> has_body{};    ///< by Body: the tool has a cutter, shank, holder
   std::array<bool, 3> is_covered{};  ///< by Body: some point of it lies deeper, so a region represents it
   [[nodiscard]] bool covers_all() const;
-  /// The first body that none represents. Requires that there is one.
+  /// Returns the first body that none represents. Requires that there is one.
   [[nodiscard]] Body uncovered() const;
 };
 
@@ -42,9 +42,9 @@ class RegionFinder {
   /// Cost: some thousand evaluations. The tool must outlive it.
   explicit RegionFinder(const CompiledTool& tool);
 
-  /// Ensures  every region is connected within what lies deeper than `depth_mm`; no two of them need be separate.
+  /// Ensures  Every region is connected within what lies deeper than `depth_mm`; no two of them need be separate.
   ///          A stretch of the axis that is in none is at most 0.00001 of the tool's height deeper.
-  /// Cost     about height / (radius - depth) evaluations.
+  /// Cost     About height / (radius - depth) evaluations.
   [[nodiscard]] FreeRegions at(double depth_mm) const;
 
  private:

@@ -5,9 +5,9 @@
 #include "lib/tool/compiled_tool.h"
 #include "lib/tool/foot_cells.h"
 
-// Balls inside a tool that touch its boundary. Where a ball of radius R rolls along the contour, no surface that comes
-// less than R deep into the tool lets the tool's boundary reach farther below it than it is deep in the tool
-// (docs/method/overcut.md).
+// Balls inside a tool that touch its boundary. Let a ball of radius R roll along the contour, and a surface come less
+// than R deep into the tool. Then the tool's boundary reaches no farther below the surface than the surface is deep in
+// the tool (docs/method/overcut.md).
 
 namespace gouge {
 
@@ -18,9 +18,9 @@ struct InscribedBall {
   double radius_mm = 0;        ///< of the tool no point nearer to the centre is missing; 0: none was found
 };
 
-/// The largest ball found that touches the boundary at the foot of ray `s` of a cell, larger than `min_mm`.
-/// Ensures  its radius is the depth of its centre, and that is no more than `nearly_mm` less than the way to the foot.
-/// Cost     some evaluations.
+/// Returns the largest ball found that touches the boundary at the foot of ray `s` of a cell, larger than `min_mm`.
+/// Ensures  Its radius is the depth of its centre, and that is no more than `nearly_mm` less than the way to the foot.
+/// Cost     Some evaluations.
 [[nodiscard]] InscribedBall inscribed_ball(const CompiledTool& tool, const FootCell& cell, double s, double min_mm,
                                            double nearly_mm);
 
@@ -30,9 +30,10 @@ class InscribedBalls {
   /// `slack_mm`: how far a foot may lie out of its ball. Cost: some thousand evaluations.
   InscribedBalls(const CompiledTool& tool, double slack_mm);
 
-  /// Boxes of the half plane, in the order of the contour. Every point of the tool that is less than `depth_mm` deep and
-  /// in none of them is no farther than slack_mm outside of a ball in the tool whose radius is at least `depth_mm`.
-  /// Cost  linear in the stretches of the contour, about a thousand.
+  /// Returns boxes of the half plane, in the order of the contour. Take a point of the tool that is less than
+  /// `depth_mm` deep and in none of them. It is at most slack_mm outside of a ball in the tool whose radius is at least
+  /// `depth_mm`.
+  /// Cost  Linear in the stretches of the contour, about a thousand.
   [[nodiscard]] std::vector<Box2> sharp_zones(double depth_mm) const;
 
   /// Returns whether the tool has one radius at each height.

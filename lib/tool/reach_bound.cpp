@@ -59,7 +59,8 @@ class ReachSearch {
     return -signed_distance_mm(form_, std::max(0.0, q.x()), q.y()) - depth_mm_ - Tolerance::kConstruction * size_mm_;
   }
 
-  /// The part of the largest ball touching the boundary at the middle ray's foot, or nearly, that is deeper than the limit.
+  /// The part of the largest ball touching the boundary at the middle ray's foot, or nearly, that is deeper than the
+  /// limit.
   [[nodiscard]] Ball own_ball(const FootCell& cell) const {
     looks_ += 4 * kLooksOfEvaluation;
     const InscribedBall ball = inscribed_ball(form_, cell, cell.middle(), depth_mm_, kNearly * depth_mm_);
@@ -67,8 +68,8 @@ class ReachSearch {
     return {ball.center, ball.radius_mm - depth_mm_ - Tolerance::kConstruction * size_mm_};
   }
 
-  /// Where every ray of the cell enters the ball, what lies on it before is nearer than its foot, and what lies behind
-  /// is joined with the ball along the ray: it is deeper than where the ray enters.
+  /// Finds where every ray of the cell enters the ball. Points before that place are nearer than its foot. Points
+  /// behind it are joined with the ball along the ray, as they are deeper than its entry.
   [[nodiscard]] static double bound_by_own(const FootCell& cell, const Ball& ball) {
     if (!(ball.free_mm > 0) || !cell.rays_meet(ball.center, ball.free_mm)) return kNoReach_mm;
     return std::max(0.0, cell.farthest_mm(ball.center, 0) - ball.free_mm);
@@ -208,8 +209,8 @@ class ReachSearch {
     return bound_by_all(cell, near, min_mm, budget);
   }
 
-  /// No point of the tool whose foot is in the cell is farther from it: if one at t were, the point at t of the middle
-  /// ray would be at least as deep as t less the distance between both.
+  /// No point of the tool whose foot is in the cell is farther from it. If one at t were, the point at t of the middle
+  /// ray would be at least as deep as t less their distance.
   [[nodiscard]] double longest_ray(const FootCell& cell) const {
     const double longest = std::min(cell.longest_ray_mm(), size_mm_);
     for (double t = depth_mm_; t < longest; t *= 1.25) {

@@ -12,15 +12,15 @@ namespace gouge {
 
 inline constexpr double kNoReach_mm = std::numeric_limits<double>::infinity();
 
-/// An upper bound of the largest distance from any point of `form` to the nearest point that
-/// (1) lies deeper than `depth_mm` in `form`, and
-/// (2) is joined, by points as deep, with a point of the axis that RegionFinder(bare).at(depth_mm) has in a region.
+/// Bounds the largest distance from any point of `form` to the nearest point with two properties. (1) It lies deeper
+/// than `depth_mm` in `form`. (2) It is joined, by points as deep, with a point of the axis that
+/// RegionFinder(bare).at(depth_mm) has in a region.
 ///
-/// Requires  depth_mm > 0, and that `form` holds `bare` (it is `bare` or offset from it).
-/// Ensures   never less than the truth. Where the truth is above `cutoff_mm` the bound exceeds it by few per cent,
-///           where it is well below (by a tenth of the depth) the bound is at most `cutoff_mm`; in between either may
-///           be. kNoReach_mm where there is no such point.
-/// Cost      about length of the contour / sqrt(radius x cutoff_mm) evaluations: a fraction of a millisecond.
+/// Requires  The depth is above 0, and `form` holds `bare` (it is `bare` or offset from it).
+/// Ensures   Never less than the truth. Where the truth is above `cutoff_mm` the bound exceeds it by few per cent.
+///           Where it is well below (by a tenth of the depth) the bound is at most `cutoff_mm`. In between either may
+///           be. The bound is kNoReach_mm where there is no such point.
+/// Cost      About length of the contour / sqrt(radius x cutoff_mm) evaluations: a fraction of a millisecond.
 [[nodiscard]] double bound_reach(const CompiledTool& form, const CompiledTool& bare, double depth_mm, double cutoff_mm);
 
 }  // namespace gouge

@@ -16,11 +16,11 @@ struct ToolVariants {
   CompiledTool against_fixture;  ///< shank and holder offset by their clearances
   /// Bodies that have a clearance, alone, offset: any depth in it is a gouge. No elements: none has one.
   CompiledTool with_clearance;
-  CompiledTool cutting;                         ///< the cutter alone, offset by stock to leave: what touches the part
+  CompiledTool cutting;                         ///< the cutter alone, offset by stock to leave, which touches the part
   CompiledTool non_cutting;                     ///< shank and holder as offset above: for near misses. May be empty.
   CertifiedDepths part_depths, fixture_depths;  ///< of the variants against_part and against_fixture
-  /// The tool with every body wider by the diameter of the cutter: all places it takes where its tip is up to a diameter
-  /// beside a motion. Null: not made.
+  /// The tool with every body wider by the diameter of the cutter. It holds all places that the tool takes where its
+  /// tip is up to a diameter beside a motion. Null: not made.
   std::shared_ptr<const ToolVariants> wide;
 
   /// A form of this tool with its own sure depths.
@@ -28,7 +28,7 @@ struct ToolVariants {
     const CompiledTool* form;
     const CertifiedDepths* depths;
   };
-  /// find_certified_depth, the least one of the forms. Computed once for each depth given.
+  /// Returns the least find_certified_depth of the forms, computed once for each depth given.
   [[nodiscard]] CertifiedDepth certified_depth(std::span<const CertifiedForm> forms, double given_mm) const;
 };
 

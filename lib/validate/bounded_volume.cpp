@@ -67,13 +67,13 @@ bool has_box_in_another(std::vector<MeasuredPiece> pieces) {
   return false;
 }
 
-/// Which pieces a point lies in.
+/// The pieces that contain a point.
 class Nesting {
  public:
   Nesting(const IndexedMesh& mesh, const std::vector<std::uint32_t>& lowest)
       : mesh_(mesh), lowest_(lowest), near_(mesh, all_triangles(mesh)), crossings_(lowest.size(), 0) {}
 
-  /// How many others a piece lies in; nothing where no ray along the axes from its first corners shows.
+  /// Returns how many others a piece lies in; nothing where no ray along the axes from its first corners shows.
   std::optional<std::size_t> depth(std::uint32_t piece) {
     std::size_t tried = 0;
     for (std::uint32_t t = piece; t < lowest_.size() && tried < kMaxCorners; ++t) {
@@ -117,7 +117,7 @@ class Nesting {
   std::vector<std::uint8_t> crossings_;  // by lowest triangle: whether odd
 };
 
-/// Which way each piece faces; nothing where the sign of a volume drowns in rounding.
+/// Returns which way each piece faces; nothing where rounding decides the sign of a volume.
 std::optional<std::vector<bool>> facings(const IndexedMesh& mesh, const std::vector<MeasuredPiece>& pieces) {
   // Eight roundings a product and one for each sum on its way, doubled for the rounding of the magnitude.
   constexpr double kTwoRoundings = 2.3e-16, kUnderflow = 1e-200;

@@ -24,7 +24,7 @@ using TrianglePair = std::pair<std::uint32_t, std::uint32_t>;  ///< the lower tr
 [[nodiscard]] Result<std::vector<TrianglePair>> crossing_pairs(const IndexedMesh& mesh,
                                                                const std::vector<TrianglePair>& pairs);
 
-/// A point that two crossing triangles share, to rounding.
+/// Returns a point that two crossing triangles share, to rounding.
 [[nodiscard]] Result<Vec3> meeting_point(const IndexedMesh& mesh, const TrianglePair& pair);
 
 struct VolumeFacts {
@@ -40,7 +40,7 @@ struct CgalRepair {
   RepairSteps steps;
 };
 
-/// The steps of repair_mesh that are CGAL's.
+/// Returns the steps of repair_mesh that are CGAL's.
 [[nodiscard]] Result<CgalRepair> repair_with_cgal(const IndexedMesh& mesh, bool fills_holes);
 
 }  // namespace gouge::detail

@@ -120,8 +120,9 @@ SurfaceMesh::Halfedge_index longest_side(const SurfaceMesh& surface, SurfaceMesh
   return longest;
 }
 
-// The corner of a face without area that lies between the two others splits the neighbour on its longest side: an
-// edge flip, by which no point of the surface moves. Nothing is lost either when a face without a neighbour there goes.
+// The corner of a face without area that lies between the two others splits the neighbour on its longest side. That is
+// an edge flip, by which no point of the surface moves. Nothing is lost either when a face without a neighbour there
+// goes.
 void flip_faces_without_area(SurfaceMesh& surface) {
   constexpr std::size_t kMaxFlipsEach = 20;  // several faces on one line may pass their corners to and fro
   std::vector<SurfaceMesh::Face_index> open;
@@ -160,7 +161,7 @@ std::size_t remove_faces_without_area(SurfaceMesh& surface) {
   return count - std::min(count, count_faces_without_area(surface));
 }
 
-// The rim of a lone triangle is no hole: its filling would be the triangle's other side.
+// The rim of a lone triangle is not a hole: its filling would be the triangle's other side.
 bool is_rim_of_triangle(const SurfaceMesh& surface, SurfaceMesh::Halfedge_index rim) {
   const auto inside = surface.opposite(rim);
   const auto neighbours = CGAL::halfedges_around_face(inside, surface);
@@ -201,7 +202,8 @@ void orient_as_one(SurfaceMesh& surface) {
   }
 }
 
-// Returns whether CGAL can show which way a piece faces: not where the triangles about its uppermost corner lie in one plane.
+// Returns whether CGAL can show which way a piece faces: not where the triangles about its uppermost corner lie in one
+// plane.
 bool has_facing(const SurfaceMesh& piece) {
   if (!CGAL::is_closed(piece)) return true;
   try {

@@ -46,9 +46,9 @@ class TrianglePairs {
     }
   }
 
-  // A point two crossing triangles share: where a side of one passes through the other, to rounding; for
-  // triangles in one plane a corner inside the other or where sides cross is near enough: the middle of their
-  // common box.
+  // Returns a point that two crossing triangles share, to rounding: where a side of one passes through the other. For
+  // triangles in one plane the middle of their common box is near enough. It is near a corner inside the other, or a
+  // crossing of sides.
   [[nodiscard]] Vec3 meeting_point(std::uint32_t t, std::uint32_t u) const {
     for (const auto& [one, other] : {std::pair(t, u), std::pair(u, t)}) {
       const TriangleCorners corners = shared_first(one, other);

@@ -37,13 +37,13 @@ struct MeshRepair {
   MeshValidation before;
   MeshValidation after;  ///< of `mesh`, so what is reported holds for the file and not only for the memory
 
-  /// Fewer defects than before: only then is it worth a file.
+  /// Returns whether it has fewer defects than before. Only then a file is of use.
   [[nodiscard]] bool is_better() const { return after.trouble.empty() && after.defects() < before.defects(); }
 };
 
-/// Removes duplicates, orients the triangles alike, stitches borders with identical coordinates, removes
-/// triangles without area, splits vertices where surfaces only touch, fills holes when requested, and turns
-/// closed pieces outward (cavities inward). No vertex is moved and no self-intersection is resolved.
+/// Removes duplicates and triangles without area, orients the triangles alike, and stitches borders with identical
+/// coordinates. Splits vertices where surfaces only touch, and fills holes when requested. Turns closed pieces outward
+/// (cavities inward). No vertex is moved and no self-intersection is resolved.
 ///
 /// Requires a mesh in the frame of its file (no placement), and its validation.
 /// Errors   mesh-repair-failed: CGAL gave up; the message has its reason.

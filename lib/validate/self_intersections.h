@@ -13,11 +13,11 @@
 
 namespace gouge::detail {
 
-/// Triangles whose corners lie on one line, in increasing order. Exact. Errors: cgal-failed.
+/// Returns triangles whose corners lie on one line, in increasing order. Exact. Errors: cgal-failed.
 [[nodiscard]] Result<std::vector<std::uint32_t>> find_triangles_without_area(const IndexedMesh& mesh);
 
-/// Pairs of triangles that have more in common than their shared corners, but for triangles without area and copies of
-/// earlier ones (the same corners in any order). Exact; the same result at any number of threads.
+/// Finds pairs of triangles that have more in common than their shared corners. Triangles without area and copies of
+/// earlier ones (the same corners in any order) are excepted. Exact; the same result at any number of threads.
 ///
 /// Requires find_triangles_without_area(mesh), and whether any triangle is a copy. Calls progress from this thread.
 /// Cost     O(n log n) for the surfaces of parts; 80 bytes a triangle.

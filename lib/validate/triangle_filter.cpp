@@ -8,7 +8,7 @@ namespace gouge::detail {
 namespace {
 
 // Relative to the sum of the absolute products, with u = 2^-53: u (4, 8 and 5 for 3 + 16 u, 7 + 56 u and 4 + 16 u; the
-// rest covers the rounding of the bound itself). Absolute: what products below the smallest normal numbers lose.
+// rest covers the rounding of the bound itself). Absolute: the loss of products below the smallest normal numbers.
 constexpr double kUnit = 1.1102230246251565e-16;
 constexpr double kArea = 4 * kUnit, kVolume = 8 * kUnit, kDot = 5 * kUnit, kUnderflow = 1e-200;
 
@@ -41,16 +41,17 @@ bool is_surely_along(const Vec3& n, const Vec3& w) {
   return n.dot(w) > kDot * n.cwiseAbs().dot(w.cwiseAbs()) + kUnderflow;
 }
 
-/// A plane across the common corner with t beyond it on one side and u on the other. a, b and c, d: from that corner to
-/// the others of t, of u.
+/// Tests a plane across the common corner with t beyond it on one side and u on the other. The vectors a, b and c, d
+/// lead from that corner to the others of t and of u.
 bool has_plane_across_corner(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 n = a / a.norm() + b / b.norm() - c / c.norm() - d / d.norm();
   return is_surely_along(n, a) && is_surely_along(n, b) && is_surely_along(-n, c) && is_surely_along(-n, d);
 }
 
-/// A plane through one side from the common corner and an axis of coordinates, with the rest of that side's triangle on
-/// one side of it and the other triangle on the other. `third` is the cross product of that side with its own triangle's
-/// other one, `one` and `other` those with the sides of the other triangle; with `turned` 1 one of the two orders is reversed.
+/// Tests a plane through one side from the common corner and an axis of coordinates. The rest of that side's triangle
+/// is on one side of it and the other triangle on the other. The product `third` is that of the side with its own
+/// triangle's other one; `one` and `other` are those with the sides of the other triangle. With `turned` 1 one of the
+/// two orders is reversed.
 bool has_plane_through_side(const Cross& third, const Cross& one, const Cross& other, int turned) {
   for (Eigen::Index k = 0; k < 3; ++k) {
     const int beyond = turned * third.side(k);
@@ -59,8 +60,8 @@ bool has_plane_through_side(const Cross& third, const Cross& one, const Cross& o
   return false;
 }
 
-/// The plane of t with u strictly on one side, or one through a side of t and along an axis with t on one side of it
-/// and u strictly on the other.
+/// Tests the plane of t with u strictly on one side. Else tests one through a side of t and along an axis, with t on
+/// one side of it and u strictly on the other.
 bool is_apart_by_planes_of(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& u) {
   const Cross normal(t[1] - t[0], t[2] - t[0]);
   const int side = normal.side_of(u[0] - t[0]);

@@ -10,23 +10,23 @@
 
 namespace gouge::detail {
 
-/// The corners do not lie on one line.
+/// Returns whether the corners do not lie on one line.
 [[nodiscard]] bool surely_has_area(const std::array<Vec3, 3>& t);
 
-/// The triangles share no point. Corners in any order.
+/// Returns whether the triangles surely share no point. Corners in any order.
 [[nodiscard]] bool are_surely_apart(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& u);
 
-/// The triangles share no point but their first corner, which is the same. Both must have area.
+/// Returns whether the triangles surely share no point but their first corner, which is the same. Both must have area.
 [[nodiscard]] bool share_surely_one_corner(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& u);
 
-/// The triangles share no point but the side between their first two corners, which are the same in this order. Both
-/// must have area.
+/// Returns whether the triangles surely share no point but the side between their first two corners, which are the same
+/// in this order. Both must have area.
 [[nodiscard]] bool share_surely_one_side(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& u);
 
 enum class RayMeeting { none, once, unknown };
 
-/// Returns whether the ray from p on along a coordinate axis (0 to 2), to infinity, meets the triangle. `none` and `once`, through
-/// its inside, are proved.
+/// Returns whether the ray from p on along a coordinate axis (0 to 2), to infinity, meets the triangle. Proved are
+/// `none` and `once`, through its inside.
 [[nodiscard]] RayMeeting meet_ray(const std::array<Vec3, 3>& t, const Vec3& p, int axis);
 
 }  // namespace gouge::detail

@@ -8,8 +8,9 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/mesh_findings.h"
 
-// The whole judgement of a mesh: the counts of lib/mesh, and what must be exact: proved in double precision where that can
-// be, else decided by CGAL 5.5 (Polygon Mesh Processing), which stays behind cgal_bridge.h.
+// The whole judgement of a mesh: the counts of lib/mesh, and properties that must be exact. These are proved in double
+// precision where that is possible. Else CGAL 5.5 (Polygon Mesh Processing) decides them, which stays behind
+// cgal_bridge.h.
 
 namespace gouge {
 
@@ -33,7 +34,8 @@ struct MeshValidation {
   /// The reason why the exact part was not decided; empty when it was.
   std::string trouble;
 
-  /// Closed, manifold, consistently oriented outward, free of self-intersections and duplicates.
+  /// Returns whether it is closed, manifold, consistently oriented outward, and free of self-intersections and
+  /// duplicates.
   [[nodiscard]] bool is_sound() const;
   /// Returns the number of defects there are of all kinds together; 0 for a sound mesh without triangles of no area.
   [[nodiscard]] std::size_t defects() const;
@@ -44,9 +46,9 @@ struct MeshValidation {
 /// Ensures  Exact: no tolerance decides whether triangles intersect. Touching counts as intersecting.
 ///          Triangles of no area and repeated triangles are counted as such and take no part in
 ///          intersections.
-/// Cost     O(n log n) for the surfaces of parts: about a microsecond and 100 bytes a triangle. Ten times that where CGAL
-///          must state what the surface bounds: where a triangle has no area, or a piece may lie in another.
-/// Errors   None: what CGAL cannot do is reported in `trouble`, and the mesh is not sound then.
+/// Cost     O(n log n) for the surfaces of parts: about a microsecond and 100 bytes a triangle. Ten times that where
+///          CGAL must state what the surface bounds: where a triangle has no area, or a piece may lie in another.
+/// Errors   None: a failure of CGAL is reported in `trouble`, and the mesh is not sound then.
 [[nodiscard]] MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findings,
                                            const ProgressCall& progress = {});
 

@@ -149,8 +149,8 @@ class Attack {
     std::uint32_t triangle = 0;  ///< its place in the order
   };
 
-  /// Goes down to what may be deepest and halves triangles, until a point deeper than allowed is found, none can be, or
-  /// there were many looks.
+  /// Goes down to the part that may be deepest and halves triangles. Ends when a point deeper than allowed is found,
+  /// none can be, or many parts were examined.
   [[nodiscard]] Deepest find_deepest(const Target& target, std::size_t move, double t) const {
     constexpr std::size_t kLooks = 300;
     const auto is_less = [](const Piece& a, const Piece& b) { return a.max_mm < b.max_mm; };

@@ -24,14 +24,13 @@ struct AttackResult {
   std::optional<Counterexample> found;
 };
 
-/// Looks for points deeper than `claims` allow: at the end of every move without a proof and then at random instants of
-/// all it searches for the point of the surface that is deepest in the tool (or a head), best first, and climbs from
-/// there over its triangle and over time. What it does not find may be there all the same.
+/// Searches for points deeper than `claims` allow, at the end of every move without a proof and then at random instants
+/// of all moves. It finds the point of the surface that is deepest in the tool (or a head), best first. It climbs from
+/// there over its triangle and over time. A point that it does not find may exist all the same.
 ///
-/// `orders`     those of the scene.
-/// `is_proved`  one a move.
-/// `seconds`  how long it goes on at least; 0: these ends and some thousand instants more, the same on
-///            every run.
+/// `orders`     Those of the scene.
+/// `is_proved`  One a move.
+/// `seconds`    The minimum duration. With 0: these ends and some thousand instants more, the same on every run.
 [[nodiscard]] AttackResult attack_claims(const ClaimedScene& scene, const SceneOrders& orders,
                                          const ClaimedTools& tools, const std::vector<MoveClaim>& claims,
                                          const std::vector<bool>& is_proved, double seconds);

@@ -8,9 +8,8 @@
 
 #include "lib/geom/vec.h"
 
-// Numbers that are only known to lie between two doubles, by CGAL: whatever is computed from them holds the
-// true value of the formula, however the processor rounds. Every function that uses them runs under
-// RoundsUpward.
+// Numbers that are only known to lie between two doubles, by CGAL. A result computed from them holds the true value of
+// the formula, however the processor rounds. Every function that uses them runs under RoundsUpward.
 
 namespace gouge {
 
@@ -39,8 +38,8 @@ inline Bounds dot(const Bounds3& a, const Bounds3& b) { return a[0] * b[0] + a[1
 inline Bounds3 cross(const Bounds3& a, const Bounds3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// CGAL's own turns the processor's rounding over for the lower end, and back, which takes longer than the roots. Rounded
-/// upward the root of x is at most sqrt(x) (1 + e), e = 2^-52, and sqrt(x) (1 + e) (1 - e) < sqrt(x).
+/// CGAL's own turns the processor's rounding over for the lower end, and back, which takes longer than the roots.
+/// Rounded upward the root of x is at most sqrt(x) (1 + e), e = 2^-52, and sqrt(x) (1 + e) (1 - e) < sqrt(x).
 /// Values below zero, by rounding, count as zero.
 inline Bounds square_root(const Bounds& x) {
   constexpr double e = 0x1p-52;
@@ -68,8 +67,8 @@ inline Bounds3 widened(const Bounds3& a, double by) {
   return {widened(a[0], by), widened(a[1], by), widened(a[2], by)};
 }
 
-/// Sine and cosine of angles up to 8: the Taylor polynomial, whose next term bounds what is left out, since
-/// the terms alternate and shrink from the 8th on.
+/// Sine and cosine of angles up to 8 by the Taylor polynomial. Its next term bounds the remainder, since the terms
+/// alternate and shrink from the 8th on.
 struct SineCosine {
   Bounds sine, cosine;
 };

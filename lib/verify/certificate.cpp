@@ -139,7 +139,7 @@ class BlockMaker {
   std::vector<ProofGroup> groups_;
 };
 
-/// Blocks are small enough to be read with little memory, whatever it took to prove their moves.
+/// Blocks are small enough to be read with little memory, however much the proof of their moves needed.
 void add_blocks(const std::vector<ProofGroup>& groups, ZstdWriter& writer) {
   std::vector<ProofGroup> block;
   std::size_t bytes = 0;
@@ -212,7 +212,7 @@ class CertificateReader {
   std::size_t moves_, min_move_ = 0;
 };
 
-/// Why a group does not prove what the result claims; nothing where it does.
+/// Returns why a group does not prove what the result claims; nothing where it does.
 std::optional<ProofRefutation> refute(const Questions& questions, const std::vector<MoveClaim>& claims,
                                       const ProofGroup& group) {
   for (std::size_t i = group.first; i < group.first + group.count; ++i) {

@@ -19,11 +19,11 @@ struct MadeCertificate {
   std::vector<std::size_t> not_proved;  ///< moves that claim a bound for which none was found
 };
 
-/// A proof for every clean, near and gouging move, one for several moves where one will do.
+/// Makes a proof for every clean, near and gouging move, one for several moves where one will do.
 ///
-/// `inputs`  the SHA-256 digits of what the result is about (64), which a reader compares.
-/// Ensures   the same bytes at any number of threads.
-/// Cost      some hundred microseconds a move near the surface; a gouge, some milliseconds.
+/// Requires `inputs`, the SHA-256 digits of the inputs of the result (64), which a reader compares.
+/// Ensures   The same bytes at any number of threads.
+/// Cost      Some hundred microseconds a move near the surface; a gouge, some milliseconds.
 [[nodiscard]] MadeCertificate make_certificate(const ClaimedScene& scene, const std::vector<MoveClaim>& claims,
                                                std::string_view inputs, const ProgressCall& progress);
 
@@ -37,7 +37,7 @@ enum class ProofState : std::uint8_t {
   missing,  ///< the certificate does not mention the move
   open,     ///< it states that none was found
   proved,
-  refuted,  ///< what it has proves nothing
+  refuted,  ///< its content proves nothing
 };
 
 struct CertificateReading {
@@ -45,10 +45,10 @@ struct CertificateReading {
   std::vector<ProofRefutation> refuted;
 };
 
-/// Proves anew what the certificate proves. `orders` are those of the scene.
-/// Errors  certificate-invalid: it is no certificate, is cut short or broken, or belongs to other inputs or
-///         another result; the message states which.
-/// Cost    linear in what it holds once it is unpacked; memory for some thousand moves of it.
+/// Proves anew what the certificate proves. The `orders` are those of the scene.
+/// Errors  The code certificate-invalid: it is not a certificate, is cut short or broken, or belongs to other inputs or
+///         another result. The message states which.
+/// Cost    Linear in its size once it is unpacked; memory for some thousand moves of it.
 [[nodiscard]] Result<CertificateReading> verify_certificate(const ClaimedScene& scene, const SceneOrders& orders,
                                                             const std::vector<MoveClaim>& claims,
                                                             std::string_view inputs, const std::string& name,

@@ -33,12 +33,12 @@ inline constexpr std::size_t kHeaderBytes = 64 + 5 * 8 + kLawBytes;
 /// Requires kHeaderBytes bytes.
 [[nodiscard]] CertificateHeader header_of(std::string_view bytes);
 
-/// A block with its length before it; no groups: the end.
+/// Returns a block with its length before it; no groups: the end.
 [[nodiscard]] std::string block_bytes(const std::vector<ProofGroup>& groups);
-/// The length a block begins with. Requires 4 bytes.
+/// Returns the length a block begins with. Requires 4 bytes.
 [[nodiscard]] std::uint32_t block_length(std::string_view bytes);
-/// The groups of a block. Nothing where the bytes are none, or a group is empty or begins before `min_move`
-/// or before the one ahead of it ends, or ends beyond `moves`.
+/// Returns the groups of a block. Returns nothing where the bytes are none, or where a group is empty or ends beyond
+/// `moves`. Also where one begins before `min_move` or before the end of the group ahead of it.
 [[nodiscard]] std::optional<std::vector<ProofGroup>> groups_of(std::string_view block, std::size_t min_move,
                                                                std::size_t moves);
 

@@ -9,9 +9,9 @@
 #include "lib/path/toolpath.h"
 #include "lib/verify/bounds.h"
 
-// A motion as pieces of time that can be halved, each with proven bounds of the pose at its two ends and of
-// how far the pose is from the chord between them. Nothing but square roots is needed to halve a turn: the
-// axis in the middle is the normalised sum of the axes at the ends. docs/method/verify.md, "Poses".
+// A motion as pieces of time that can be halved. Each has proved bounds of the pose at its two ends, and of how far the
+// pose is from the chord between them. Square roots suffice to halve a turn: the axis in the middle is the normalised
+// sum of the axes at the ends. docs/method/verify.md, "Poses".
 
 namespace gouge {
 
@@ -28,9 +28,9 @@ class MotionPiece {
 
   [[nodiscard]] const PoseBounds& start() const { return ends_[0]; }
   [[nodiscard]] const PoseBounds& end() const { return ends_[1]; }
-  /// At every instant the tip is no farther than this from the point of the chord of the same instant ...
+  /// Bounds the distance of the tip from the point of the chord of the same instant.
   [[nodiscard]] double sag_mm() const { return sag_; }
-  /// ... and the axis no farther than this from its chord's.
+  /// Bounds the distance of the axis from that of its chord.
   [[nodiscard]] double bend() const { return bend_; }
   [[nodiscard]] std::array<MotionPiece, 2> halves() const;
 
@@ -61,14 +61,14 @@ class MotionPiece {
   double sag_ = 0, bend_ = 0;
 };
 
-/// The pieces that make up all of a move, the way to a linked position included. Nothing where the axis turns
-/// by half a circle, where a curve has more turns than any tool makes, or where a number is not finite.
+/// Returns the pieces that make up all of a move, the way to a linked position included. Returns nothing where the axis
+/// turns by half a circle, or where a number is not finite. Also where a curve has more turns than any tool makes.
 /// Requires  RoundsUpward.
 [[nodiscard]] std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std::size_t move,
                                                                     bool is_dogleg);
 
-/// The pose at t in [0, 1] of a move, as anyone would compute it from the file: plain doubles, a few 1e-14 of
-/// the coordinates.
+/// Returns the pose at t in [0, 1] of a move, as anyone would compute it from the file. It is in plain doubles, to a
+/// few 1e-14 of the coordinates.
 [[nodiscard]] Pose pose_at(const Toolpath& path, std::size_t move, double t, bool is_dogleg);
 
 }  // namespace gouge

@@ -17,9 +17,9 @@ struct OutsideCheck {
   std::vector<Counterexample> refuted;
 };
 
-/// Points on the tool's axis that lie deeper in the tool than a clean move lets any surface come cannot pass
-/// through a surface, so what holds of them at one instant holds for a whole run of such moves
-/// (docs/method/verify.md, "Outside"). Takes for granted that no move is deeper than it claims.
+/// Tests moves that claim to be clean, by points on the tool's axis. Some lie deeper in the tool than a clean move lets
+/// any surface come, so they cannot pass through a surface. Their side at one instant holds for a whole run of such
+/// moves (docs/method/verify.md, "Outside"). Assumes that no move is deeper than it claims.
 [[nodiscard]] OutsideCheck check_outside(const ClaimedScene& scene, const ClaimedTools& tools,
                                          const std::vector<MoveClaim>& claims);
 

@@ -84,8 +84,8 @@ void Separation::look_at(const SurfacePatch& patch, const TimeSpan& span) {
   bound_heights();
 }
 
-// The height above the tip is a product of two functions that are linear along the chords: what lies between
-// its values at the ends is added as twist, then what sag and bend do to it.
+// The height above the tip is a product of two functions that are linear along the chords. Its deviation between the
+// values at the ends is added as twist, then the effects of sag and bend.
 void Separation::bound_heights() {
   z_lo_ = kInfinity;
   z_hi_ = -kInfinity;

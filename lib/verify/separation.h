@@ -8,8 +8,8 @@
 #include "lib/verify/tool_contour.h"
 #include "lib/verify/triangle_order.h"
 
-// The one lemma of a certificate: a plane that separates a part of the tool from a part of the surface, but
-// for the depth that is allowed. docs/method/verify.md states and proves it.
+// The one lemma of a certificate: a plane separates a part of the tool from a part of the surface, except for the
+// allowed depth. The page docs/method/verify.md states and proves it.
 
 namespace gouge {
 
@@ -51,22 +51,22 @@ enum class ProofKind : std::uint8_t {
 
 class Separation {
  public:
-  /// About depths of up to `max_mm`: what is that deep or less, from any point of a patch, is examined.
+  /// Proves depths of up to `max_mm`. It examines the part of the contour that is that far or less from any point of a
+  /// patch.
   Separation(const ToolContour& tool, double max_mm) : tool_(tool), max_mm_(max_mm) {}
 
-  /// Queries about this patch in this span from now on; both must stay where they are.
+  /// Selects the patch and the span of the next queries; both must stay where they are.
   void look_at(const SurfacePatch& patch, const TimeSpan& span);
   /// Returns whether it is proved that no point of the patch is deeper in the tool than `depth_mm` at any instant of
   /// the span. Requires look_at, depth_mm <= max_mm, RoundsUpward.
   [[nodiscard]] bool holds(ProofKind kind, double depth_mm);
 
-  /// For the last plane: the shares of the shortfall that are due to the patch and to the time.
+  /// Returns, for the last plane, the shares of the shortfall that are due to the patch and to the time.
   [[nodiscard]] double patch_loss_mm() const { return patch_loss_; }
   [[nodiscard]] double time_loss_mm() const { return time_loss_; }
 
  private:
-  /// A piece of the contour, or of one, that may come into question; what is stated of more than there is does
-  /// no harm.
+  /// A piece of the contour, or a part of one, that may matter. It may include more than there is.
   struct Reach {
     Bounds r0, z0, r1, z1;  ///< ends of a line; corners of a box around an arc
     const ToolContour::Piece* arc = nullptr;

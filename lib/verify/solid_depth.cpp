@@ -46,7 +46,7 @@ bool is_in_plane(const Triangle& a, const Triangle& b) {
   return std::all_of(a.begin(), a.end(), [&](const Vec3& x) { return std::abs(normal.dot(x - b[0])) <= kOn_mm; });
 }
 
-/// Returns whether two triangles of one plane have more in common than a line: what is left of `a` within the edges of `b`.
+/// Returns whether two triangles of one plane have more in common than a line: the part of `a` within the edges of `b`.
 bool is_overlapping(const Triangle& a, const Triangle& b) {
   const Vec3 normal = (b[1] - b[0]).cross(b[2] - b[0]).normalized();
   std::vector<Vec3> left(a.begin(), a.end());

@@ -18,9 +18,10 @@ class SolidDepth {
 
   [[nodiscard]] const IndexedMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const Box3& box() const { return box_; }
-  /// 0 outside. Cost O(n); where triangles cross next to the point O(n) for each place where they do.
+  /// Returns the depth at a point; 0 outside. Cost O(n); where triangles cross next to the point O(n) for each place
+  /// where they do.
   [[nodiscard]] double at(const Vec3& point) const;
-  /// The distance to the nearest triangle. Cost O(n).
+  /// Returns the distance to the nearest triangle. Cost O(n).
   [[nodiscard]] double distance_to_surface(const Vec3& point) const;
 
  private:

@@ -66,7 +66,7 @@ class Finder {
  public:
   Finder(const ProofQuestion& question, std::uint64_t max_tries, std::string& steps)
       : question_(question),
-        depth_mm_(question.depth_mm + 0.9 * kProofSlack_mm),  // what another machine rounds otherwise is in the rest
+        depth_mm_(question.depth_mm + 0.9 * kProofSlack_mm),  // different rounding of other machines is in the rest
         separation_(question.tool, question.depth_mm + kProofSlack_mm),
         left_(max_tries),
         steps_(steps) {}

@@ -10,10 +10,9 @@
 #include "lib/verify/tool_contour.h"
 #include "lib/verify/triangle_order.h"
 
-// The proof that no point of a surface is deeper in a tool than a depth during a motion: all of the surface
-// and all of the time, cut in halves until each part is separated (separation.h). It is written as the cuts
-// in the order of a walk, a byte a step, so whatever is proved for the parts holds for the whole: no part can
-// be left out.
+// The proof that no point of a surface is deeper in a tool than a depth during a motion. All of the surface and all of
+// the time are cut in halves until each part is separated (separation.h). The proof is written as the cuts in the order
+// of a walk, a byte a step. So a proof for the parts is one for the whole: no part can be left out.
 
 namespace gouge {
 

@@ -6,8 +6,8 @@
 
 namespace gouge {
 
-/// A tool's contour as the verifier sees it: segments and arcs, each arc cut where it points along r or z, so
-/// that both coordinates only grow or only fall along a piece. Nothing else of a compiled tool is used.
+/// A tool's contour as the verifier sees it: segments and arcs. Each arc is cut where it points along r or z, so that
+/// both coordinates only grow or only fall along a piece. Nothing else of a compiled tool is used.
 class ToolContour {
  public:
   struct Piece {
@@ -20,7 +20,7 @@ class ToolContour {
     [[nodiscard]] double z_lo() const { return std::min(a.y(), b.y()); }
     [[nodiscard]] double z_hi() const { return std::max(a.y(), b.y()); }
     [[nodiscard]] double r_hi() const { return std::max(a.x(), b.x()); }
-    /// Normal of the piece nearest to q.
+    /// Returns the normal of the piece nearest to q.
     [[nodiscard]] Vec2 foot(const Vec2& q) const;
   };
 
@@ -38,14 +38,15 @@ class ToolContour {
   /// No piece ends farther than this from where the next begins, nor the first and last from the axis: else
   /// it bounds nothing.
   [[nodiscard]] double largest_gap_mm() const;
-  /// By examining every piece; the side by how often a ray along r crosses the contour.
+  /// Finds the nearest point by examining every piece. The side follows from how often a ray along r crosses the
+  /// contour.
   [[nodiscard]] Nearest nearest(const Vec2& q) const;
   [[nodiscard]] bool has(const Vec2& q) const;
-  /// Distance to the pieces of one body.
+  /// Returns the distance to the pieces of one body.
   [[nodiscard]] double distance_to(Body body, const Vec2& q) const;
-  /// Returns whether it has a corner that goes in, or a hollow arc: such a tool is no convex body.
+  /// Returns whether it has a corner that goes in, or a hollow arc: such a tool is not a convex body.
   [[nodiscard]] bool is_stepped() const { return is_stepped_; }
-  /// No point is farther from the tip.
+  /// Bounds the distance of all points from the tip.
   [[nodiscard]] double size_mm() const { return size_mm_; }
 
  private:

@@ -10,9 +10,8 @@
 
 namespace gouge {
 
-/// All triangles of a set of meshes in an order in which near ones follow each other. A node is a range of
-/// that order; its two children are its halves, so the whole hierarchy is the order alone and a proof need
-/// not name it.
+/// All triangles of a set of meshes in an order in which near ones follow each other. A node is a range of that order;
+/// its two children are its halves. So the whole hierarchy is the order alone, and a proof need not name it.
 class TriangleOrder {
  public:
   struct Node {
@@ -33,7 +32,7 @@ class TriangleOrder {
 
   [[nodiscard]] Node root() const { return {0, static_cast<std::uint32_t>(order_.size())}; }
   [[nodiscard]] const Extent& extent(const Node& node) const { return extents_[node.middle()]; }
-  /// Corners of the triangle at a place of the order.
+  /// Returns corners of the triangle at a place of the order.
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t place) const;
 
  private:

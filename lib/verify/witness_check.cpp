@@ -69,7 +69,8 @@ class WitnessChecker {
     return std::max(0.0, -distance);
   }
 
-  /// How far below the clearance of its mesh the point is once the tool has given way; nothing where it has none.
+  /// Returns how far below the clearance of its mesh the point is once the tool has given way; nothing where it has
+  /// none.
   [[nodiscard]] std::optional<double> depth_in_clearance(const Vec3& shift) const {
     const ClaimedLimit* limit = limit_of(scene_, w_);
     if (limit == nullptr || !(limit->clearance_mm > 0)) return std::nullopt;

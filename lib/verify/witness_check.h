@@ -27,16 +27,17 @@ struct ClaimedTool {
 using ClaimedTools = std::vector<std::unique_ptr<ClaimedTool>>;  ///< by Toolpath::tools; null: not defined
 [[nodiscard]] ClaimedTools claimed_tools(const ClaimedScene& scene);
 
-/// A point of the part in the half plane of a tool.
+/// Returns a point of the part in the half plane of a tool.
 [[nodiscard]] Vec2 in_tool(const Pose& pose, const Vec3& point);
 
 /// Returns how deep a point is in the heads; 0 where it is in none. Cost: O(facets).
 [[nodiscard]] double depth_in_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point);
 
-/// The signed distance of a point from the heads, negative in one; infinite where there are none. Cost: O(facets).
+/// Returns the signed distance of a point from the heads, negative in one; infinite where there are none. Cost:
+/// O(facets).
 [[nodiscard]] double distance_from_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point);
 
-/// The reason why a claim about a witness, or its numbers, is wrong; none where it is right.
+/// Returns the reason why a claim about a witness, or its numbers, is wrong; none where it is right.
 [[nodiscard]] std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const ClaimedTools& tools,
                                                             std::size_t move, const MoveClaim& claim);
 

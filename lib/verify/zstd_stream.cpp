@@ -11,7 +11,8 @@
 namespace gouge {
 namespace {
 
-// zstd reports a lack of memory by null or a number in place of std::bad_alloc. Incomplete data must not pass for complete.
+// zstd reports a lack of memory by null or a number in place of std::bad_alloc. Incomplete data must not pass for
+// complete.
 void end_without_memory() { static_cast<void>(::operator new(PTRDIFF_MAX)); }
 
 template <class Context>
@@ -58,7 +59,7 @@ std::string ZstdWriter::finish() {
 struct ZstdReader::State {
   ZSTD_DCtx* context = made(ZSTD_createDCtx());
   ZSTD_inBuffer in{};
-  std::string ready;  // what was read and not yet taken
+  std::string ready;  // bytes read and not yet taken
   bool is_broken = false, is_ended = false;
 
   void read() {

@@ -14,7 +14,7 @@ class ZstdWriter {
   ZstdWriter();
   ~ZstdWriter();
   void add(std::string_view bytes);
-  /// All of it; nothing may be added after it.
+  /// Returns all of it; nothing may be added after it.
   [[nodiscard]] std::string finish();
 
  private:
@@ -28,7 +28,7 @@ class ZstdReader {
   /// `bytes` must outlive it.
   explicit ZstdReader(std::string_view bytes);
   ~ZstdReader();
-  /// The next `count` bytes; fewer where the stream ends, or where it is broken (is_broken).
+  /// Returns the next `count` bytes; fewer where the stream ends, or where it is broken (is_broken).
   [[nodiscard]] std::string take(std::size_t count);
   [[nodiscard]] bool is_broken() const;
   /// Returns whether nothing is left, and the check sum at the end was right.

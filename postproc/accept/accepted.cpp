@@ -63,7 +63,8 @@ Json entry_json(const Acceptance& a) {
           {"setup", setup_json(a.setup)},   {"moves", std::move(moves)}};
 }
 
-// Text of the entry without its seal, its keys in their alphabetical order: white space and the order of keys do not matter.
+// Text of the entry without its seal, its keys in their alphabetical order: white space and the order of keys do not
+// matter.
 std::string seal_of(const nlohmann::json& entry) {
   return "sha256:" + sha256_of(entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }

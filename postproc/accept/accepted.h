@@ -10,7 +10,7 @@
 #include "postproc/accept/accepted_setup.h"
 #include "postproc/result/stored_result.h"
 
-// Findings that somebody has accepted, as a file: docs/formats/accepted.md. Lengths are in mm.
+// Accepted findings as a file: docs/formats/accepted.md. Lengths are in mm.
 
 namespace gouge {
 
@@ -24,7 +24,7 @@ struct AcceptedMove {
 
 struct Acceptance {
   std::string reason, by, date;
-  std::string finding, toolpath, statement;  ///< for people: what was accepted, and where it stood
+  std::string finding, toolpath, statement;  ///< for people: the accepted finding, and its place
   std::size_t line = 0;
   std::string tool, body, against;  ///< the tool by its key
   AcceptedSetup setup;
@@ -32,12 +32,12 @@ struct Acceptance {
 };
 
 /// Reads the bytes of `file`.
-/// Errors, with the line: accepted-syntax, accepted-duplicate-key, json-too-deep, json-too-long, accepted-format (not
-/// such a file), accepted-field (missing or not as expected), accepted-edited (an entry that is not as it was written, or
-/// is there twice).
+/// Errors, with the line: accepted-syntax, accepted-duplicate-key, json-too-deep, json-too-long. (1) accepted-format:
+/// not such a file. (2) accepted-field: missing or not as expected. (3) accepted-edited: an entry that is not as it was
+/// written, or is there twice.
 [[nodiscard]] Result<std::vector<Acceptance>> read_accepted(const std::string& file, std::string_view bytes);
 
-/// The file, each entry with a seal of its contents. Reads back as the same entries.
+/// Returns the file, each entry with a seal of its contents. Reads back as the same entries.
 [[nodiscard]] std::string write_accepted(const std::vector<Acceptance>& entries);
 
 /// The person, reason and date of an acceptance.
@@ -46,8 +46,8 @@ struct AcceptanceNote {
 };
 
 /// Accepts finding `number` of a result, beside what `accepted` has already.
-/// Errors: usage (no finding of that number); accept-impossible (buried, a depth that is not certified, a tool that is not
-/// known: it cannot be compared later); accept-twice (it is accepted already).
+/// Errors: (1) usage: no finding of that number. (2) accept-impossible: buried, a depth that is not certified, or a
+/// tool that is not known and so cannot be compared later. (3) accept-twice: it is accepted already.
 [[nodiscard]] Result<Acceptance> accept_finding(const StoredResult& result, std::size_t number,
                                                 const AcceptanceNote& note, const std::vector<Acceptance>& accepted);
 

@@ -21,13 +21,13 @@ struct AcceptedSetup {
   std::vector<std::string> law{};     ///< StoredOptions::law
 };
 
-/// That of a stored result; `tool` is the identity of the finding's.
+/// Returns the set-up of a stored result; `tool` is the identity of the finding's.
 [[nodiscard]] AcceptedSetup setup_of(const StoredResult& result, const std::string& tool);
-/// That of a check that was just made.
+/// Returns the set-up of a check that was just made.
 [[nodiscard]] AcceptedSetup setup_of(const ReportModel& model, const std::string& tool);
 
-/// Returns the first change of the set-up since an acceptance, a sentence ("the part is another one"); none: nothing. The tool is
-/// not examined. Lengths of the sentence are in `unit`.
+/// Returns the first change of the set-up since an acceptance, a sentence ("the part is another one"); none: nothing.
+/// The tool is not examined. Lengths of the sentence are in `unit`.
 [[nodiscard]] std::optional<std::string> find_change(const AcceptedSetup& accepted, const AcceptedSetup& now,
                                                      LengthUnit unit);
 

@@ -7,8 +7,9 @@
 
 namespace gouge {
 
-/// index.html of a batch: one row a job, the worst first, sortable by any column and filtered by a word, with the heat
-/// map and a link to the job's report. Needs no network; without scripts the table stands as it is.
+/// Writes index.html of a batch: one row a job, the worst first. Rows are sortable by any column and filtered by a
+/// word, and have the heat map and a link to the job's report. Needs no network; without scripts the table stands as it
+/// is.
 [[nodiscard]] std::string write_batch_page(const std::vector<JobResult>& jobs);
 
 }  // namespace gouge

@@ -7,11 +7,11 @@
 
 namespace gouge {
 
-/// Text that `batch` prints: a table of its jobs, the worst first, and one line that counts them. Names from outside are made
-/// printable. `most`: rows at most; those left out are counted.
+/// Returns text that `batch` prints: a table of its jobs, the worst first, and one line that counts them. Names from
+/// outside are made printable. `most`: rows at most; those left out are counted.
 [[nodiscard]] std::string batch_text(const std::vector<JobResult>& jobs, std::size_t most);
 
-/// "0.213 mm at line 123", or nothing.
+/// Returns "0.213 mm at line 123", or nothing.
 [[nodiscard]] std::string deepest_text(const JobResult& job);
 
 }  // namespace gouge

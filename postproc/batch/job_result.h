@@ -37,8 +37,8 @@ struct JobResult {
   std::vector<JobOutput> outputs;
   std::string report;       ///< its report.html below the folder of the batch; empty: none
   std::string key;          ///< SHA-256 of all that the result depends on; empty: it may not be used again
-  std::string messages;     ///< what its command stated on standard error
-  bool is_altered = false;  ///< a store gave back other rows than were put into it: it is no result
+  std::string messages;     ///< the text of its command on standard error
+  bool is_altered = false;  ///< a store gave back other rows than were put into it: its result is not valid
   // Fields that may differ between two runs of the same job.
   double seconds = 0;
   double memory_mb = 0;  ///< at the peak of the process until its end
@@ -48,16 +48,16 @@ struct JobResult {
   [[nodiscard]] std::size_t moves() const;
   /// Returns how many of its findings are gouges or a buried tool.
   [[nodiscard]] std::size_t gouge_findings() const;
-  /// Its warnings as text; of a job without a result what its command stated of its errors.
+  /// Returns its warnings as text; for a job without a result the errors that its command reported.
   [[nodiscard]] std::vector<std::string> remarks() const;
-  /// "clean", "accepted-gouges", "gouges", "not-fully-checked", "failed" or "not-run".
+  /// Returns "clean", "accepted-gouges", "gouges", "not-fully-checked", "failed" or "not-run".
   [[nodiscard]] const char* verdict() const;
 };
 
-/// Order of exit statuses from the worst: 5, 2, 3, 1, 4, 0. A job that has not run counts as 4.
+/// Returns the order of exit statuses from the worst: 5, 2, 3, 1, 4, 0. A job that has not run counts as 4.
 [[nodiscard]] int severity_of(std::optional<int> status);
 
-/// The exit status of a batch: that of its worst job.
+/// Returns the exit status of a batch: that of its worst job.
 [[nodiscard]] int batch_status(const std::vector<JobResult>& jobs);
 
 /// Indices of `jobs`, the worst first: by status, then by depth, then in their order.
@@ -72,7 +72,7 @@ struct TwoContents {
   std::size_t first = 0, second = 0;  ///< indices of the jobs
 };
 
-/// The first such file; none where every verdict is of the same contents.
+/// Returns the first such file; none where every verdict is of the same contents.
 [[nodiscard]] std::optional<TwoContents> find_two_contents(const std::vector<JobResult>& jobs);
 
 /// Takes over everything of a report that a batch keeps.

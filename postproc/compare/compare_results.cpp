@@ -128,7 +128,7 @@ class Comparer {
       }
     }
     std::size_t wider = 0;
-    std::string of_one_move;  // what has become deeper, where the finding as a whole has not
+    std::string of_one_move;  // moves that became deeper, where the finding as a whole did not
     Stretch stretch;
     const WitnessGrid places(before_, was, kSamePlace_mm);
     for (const MoveRecord* move : after_.moves_of(after_.findings[n])) {
@@ -172,8 +172,8 @@ class Comparer {
     return is_there;
   }
 
-  // Returns whether more moves gouge between the nearest motions that both paths have than did there. Where the depth is the same
-  // over an area, its deepest point may be anywhere in it, so that places alone state little.
+  // Returns whether more moves gouge between the nearest motions that both paths have than did there. Where the depth
+  // is the same over an area, its deepest point may be anywhere in it, so that places alone state little.
   [[nodiscard]] bool has_grown(std::size_t n, const std::vector<std::size_t>& was, Stretch& stretch) const {
     if (stretch.has_grown) return *stretch.has_grown;
     const std::vector<std::size_t>& other = motions_.after_to_before;

@@ -11,10 +11,10 @@ namespace gouge {
 
 enum class Change { fresh, deeper, not_checked, gone, shallower, same };
 inline constexpr std::size_t kChanges = 6;
-/// "new", "deeper", "not-checked-any-more", "gone", "shallower", "same"
+/// Returns "new", "deeper", "not-checked-any-more", "gone", "shallower", "same"
 [[nodiscard]] const char* change_name(Change change);
 
-/// A finding of the new run with those of the old one that it was, or one of the old run that it no longer has.
+/// A finding of the new run with the earlier findings that match it, or a finding of the old run that is gone.
 struct ComparedFinding {
   Change change = Change::same;
   std::vector<std::size_t> before;  ///< indices of the old run's findings
@@ -31,7 +31,8 @@ struct Comparison {
   std::size_t open_moves = 0;            ///< of the new run, neither checked nor left out as requested
 
   [[nodiscard]] std::size_t count(Change change) const;
-  /// 1: something is new or deeper; else 4: something is not checked any more or the new run has open moves; else 0.
+  /// Returns 1 where something is new or deeper. Else 4 where the new run leaves something unchecked or has open moves;
+  /// else 0.
   [[nodiscard]] ExitCode exit_status() const;
 };
 
@@ -39,7 +40,7 @@ struct CompareOptions {
   double same_within_mm = 0.001;  ///< depths that differ by no more are the same
 };
 
-/// Both results must outlive the comparison. What is matched to what: docs/formats/compare.md.
+/// Compares two results, which must outlive the comparison. The rules of matching: docs/formats/compare.md.
 [[nodiscard]] Comparison compare_results(const StoredResult& before, const StoredResult& after,
                                          const CompareOptions& options);
 

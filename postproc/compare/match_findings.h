@@ -17,17 +17,19 @@ struct MotionAlignment {
   std::vector<std::size_t> before_to_after, after_to_before;
 };
 
-/// Aligns two lists of motions: what is equal at both ends; between them those that are there once in both, as many as
-/// stand in one order, and what is equal beside them. Cost: n log n. Source: B. Cohen's patience diff (2005).
+/// Aligns two lists of motions. Motions that are equal at both ends are paired first. Between them those are paired
+/// that occur once in both, as many as stand in one order, and equal motions beside them. Cost: n log n. Source: B.
+/// Cohen's patience diff (2005).
 [[nodiscard]] MotionAlignment align_motions(const std::vector<std::string_view>& before,
                                             const std::vector<std::string_view>& after);
 
 /// Maximum distance of two witnesses at one place of the part, and with one statement at that.
 inline constexpr double kSamePlace_mm = 1, kSameStatement_mm = 10;
 
-/// For each finding of the new run those of the old run that it was, in order. Of one tool, body and counterpart; by the
-/// motions that gouge in both, and for findings whose motions are none of the other run's, by statement and place, then by
-/// place alone: another motion at the place of a finding that is still checked is a finding of its own.
+/// Returns for each finding of the new run the findings of the old run that it was, in order. All are of one tool, body
+/// and counterpart. They match by the motions that gouge in both. Findings whose motions are none of the other run's
+/// match by statement and place, then by place alone. Another motion at the place of a finding that is still checked is
+/// a finding of its own.
 [[nodiscard]] std::vector<std::vector<std::size_t>> match_findings(const StoredResult& before,
                                                                    const StoredResult& after,
                                                                    const MotionAlignment& motions);

@@ -8,22 +8,23 @@
 
 namespace gouge {
 
-/// "path.apt:123", of the new path, or of the old one where the finding is there alone.
+/// Returns "path.apt:123", of the new path, or of the old one where the finding is there alone.
 [[nodiscard]] std::string place_of(const Comparison& comparison, const ComparedFinding& one);
-/// Describes the change of a finding, without its place: "deeper: 0.213 mm cutter T1 at (1, 2, 3), move 118; 0.150 mm before".
+/// Describes the change of a finding, without its place: "deeper: 0.213 mm cutter T1 at (1, 2, 3), move 118; 0.150 mm
+/// before".
 [[nodiscard]] std::string change_text(const Comparison& comparison, const ComparedFinding& one);
-/// "1 new, 0 deeper, 0 not checked any more, 2 gone, 1 shallower, 4 same"
+/// Returns "1 new, 0 deeper, 0 not checked any more, 2 gone, 1 shallower, 4 same"
 [[nodiscard]] std::string change_counts(const Comparison& comparison);
-/// "worse", "no worse", or "no worse as far as it was checked".
+/// Returns "worse", "no worse", or "no worse as far as it was checked".
 [[nodiscard]] std::string comparison_verdict(const Comparison& comparison);
-/// Reservations about the comparison, a sentence each: the differences of both set-ups, and what is open.
+/// Returns reservations about the comparison, a sentence each: the differences of both set-ups, and open facts.
 [[nodiscard]] std::vector<std::string> comparison_notes(const Comparison& comparison);
 
-/// One finding a line as compilers print them, what is worst first, and a summary; what is the same only where
-/// `has_same`.
+/// Returns one finding a line as compilers print them, the worst first, and a summary. Findings that are the same are
+/// listed only where `has_same`.
 [[nodiscard]] std::string comparison_text(const Comparison& comparison, bool has_same);
 [[nodiscard]] std::string comparison_json(const Comparison& comparison);
-/// One page that needs nothing beside it.
+/// Returns one page that needs nothing beside it.
 [[nodiscard]] std::string comparison_html(const Comparison& comparison);
 
 }  // namespace gouge

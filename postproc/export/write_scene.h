@@ -15,16 +15,16 @@ namespace gouge {
 /// _DEPTH and _OVERCUT in mm; one mesh of lines for each state of the path.
 [[nodiscard]] Result<std::string> write_glb(const ExportScene& scene);
 
-/// VTK PolyData (XML, format "binary"), for ParaView: in the scene's unit, with point data depth and overcut and cell data
-/// kind, mesh, state and move.
+/// VTK PolyData (XML, format "binary"), for ParaView: in the scene's unit, with point data depth and overcut and cell
+/// data kind, mesh, state and move.
 [[nodiscard]] Result<std::string> write_vtp(const ExportScene& scene);
 
-/// PLY (binary, little endian), for MeshLab, Open3D and CGAL: in the scene's unit, vertices with normal, colour, depth and
-/// overcut. Parts and fixtures alone.
+/// PLY (binary, little endian), for MeshLab, Open3D and CGAL: in the scene's unit, vertices with normal, colour, depth
+/// and overcut. Parts and fixtures alone.
 [[nodiscard]] Result<std::string> write_ply(const ExportScene& scene);
 
 using WriteScene = Result<std::string> (*)(const ExportScene&);
-/// The format of a file by its ending .glb, .vtp or .ply, in any case; null for others.
+/// Returns the format of a file by its ending .glb, .vtp or .ply, in any case; null for others.
 [[nodiscard]] WriteScene scene_format_of(const std::string& file);
 
 }  // namespace gouge

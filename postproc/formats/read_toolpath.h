@@ -11,17 +11,16 @@
 namespace gouge {
 
 /// Units    The file's unit becomes mm; the frame of each block (NX: MSYS) becomes part coordinates.
-/// Ensures  (1) Every GOTO, FROM, GOHOME, GODLTA, arc, spline or cycle point of the file is one move, or the
-///              file is refused. (2) What is not understood is a move with a reason, a counted word or a
-///              note.
-/// Errors   path-empty, path-too-long, path-binary, path-not-cl-data, path-unit, path-no-motion,
+/// Ensures  (1) Every GOTO, FROM, GOHOME, GODLTA, arc, spline or cycle point of the file is one move, or the file is
+///          refused. (2) A statement that is not understood becomes a move with a reason, a counted word or a note.
+/// Errors   Codes: path-empty, path-too-long, path-binary, path-not-cl-data, path-unit, path-no-motion,
 ///          path-part-program, path-unterminated, path-number, path-count, path-axis, path-cutter, path-tools,
 ///          path-statement, path-frame, path-range, path-more-errors.
-/// Cost     One pass, about 300 MB/s on one core; memory is the file, 96 bytes for each move and 12 for each
-///          statement, none of them copied while it grows where lines have one position each. That is at most
-///          12 times the file for the shortest positions there are (GOTO/1,1,1), 3 times for usual ones of five
-///          axes, 18 times for lists of positions of one digit, 39 for such holes, each of which is four moves. Of long paths most of it is not in memory but
-///          in files (lib/base/paged_memory.h).
+/// Cost     One pass, about 300 MB/s on one core. Memory is the file, 96 bytes for each move and 12 for each statement.
+///          None of them is copied while it grows where lines have one position each. That is at most 12 times the file
+///          for the shortest positions there are (GOTO/1,1,1), 3 times for usual ones of five axes. It is 18 times for
+///          lists of positions of one digit, and 39 for such holes, each of which is four moves. For long paths most of
+///          it is not in memory but in files (lib/base/paged_memory.h).
 [[nodiscard]] ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const ReadOptions& options = {},
                                         const ProgressCall& progress = {});
 

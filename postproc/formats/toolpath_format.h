@@ -44,7 +44,8 @@ struct ToolpathFormat {
 [[nodiscard]] const ToolpathFormat& format_called(std::string_view id);
 [[nodiscard]] const ToolpathFormat& format_of(const Toolpath& path);
 
-/// By the content alone: the first format of the table that recognises it. A file without marks of any is plain "apt".
+/// Recognises a dialect by the content alone: the first format of the table that accepts it. A file without marks of
+/// any is plain "apt".
 [[nodiscard]] Dialect recognise_dialect(std::string_view bytes);
 
 }  // namespace gouge

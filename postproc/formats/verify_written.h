@@ -20,10 +20,10 @@ struct ExpectedMotion {
   Vec3 axis = Vec3::UnitZ();
 };
 
-/// Reads what was written as any file would be and compares it with what was meant. What differs is noted in `written`,
-/// but for `lost_breaks` positions, which are noted already.
+/// Reads the written file as any file would be and compares it with the expected motions. Differences are noted in
+/// `written`, except for `lost_breaks` positions, which are noted already.
 ///
-/// Errors   a motion with another tool, or that is rapid or at another feed: nothing may be written then.
+/// Errors   A motion with another tool, or that is rapid or at another feed. Then nothing may be written.
 [[nodiscard]] std::optional<Diagnostic> verify_written(const Toolpath& path, const Dialect& target,
                                                        const std::vector<ExpectedMotion>& expected,
                                                        std::size_t lost_breaks, WrittenToolpath& written);

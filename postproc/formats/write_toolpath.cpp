@@ -20,8 +20,8 @@ namespace {
 
 bool is_after_retract(const Move& move) { return kind_of(move.not_checked_reason) == ReasonKind::after_retract; }
 
-// Motions whose end is what the file states although they are not checked: only their start or the cutter's
-// side of the contour is in doubt.
+// Motions that end where the file states although they are not checked. Only their start or the cutter's side of the
+// contour is in doubt.
 bool is_understood(const Move& move) { return is_motion_known(move.not_checked_reason) || is_after_retract(move); }
 
 // The file or the user states of every compensated position that it is the cutter's centre.
@@ -173,8 +173,8 @@ void PathWriter::expect(const Pose& end, bool is_alone, double sweep_rad) {
   expected_.push_back(expected);
 }
 
-// Half a turn, and a whole one of a helix, fit whichever way round they are read in the dialect that states sweeps
-// and of whose writers some mean the other way: there they are written in parts.
+// Half a turn, and a whole one of a helix, fit whichever way round they are read. Some writers of the dialect that
+// states sweeps mean the other way. There such arcs are written in parts.
 bool PathWriter::write_arc(std::size_t index) {
   constexpr double kHalfTurn = std::numbers::pi, kNear_rad = 0.2;
   const Move& move = path_.moves[index];

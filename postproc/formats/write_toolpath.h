@@ -14,17 +14,17 @@ namespace gouge {
 
 struct WrittenToolpath {
   std::string bytes;
-  Diagnostics notes;  ///< what is lost or changed: codes convert-...
+  Diagnostics notes;  ///< losses and changes: codes convert-...
 };
 
-/// Lengths in the unit of `path`, positions in part coordinates with the digits of the dialect, or those of
-/// the source file where it has more. Arcs and splines that the dialect cannot state become chords within
-/// kChordError_mm.
+/// Writes lengths in the unit of `path`, and positions in part coordinates. Digits are those of the dialect, or of the
+/// source file where it has more. Arcs and splines that the dialect cannot state become chords within kChordError_mm.
 ///
-/// Ensures  The bytes, read again, hold the same motions to the last digit written; where not, a note states
-/// so.
-/// Errors   convert-not-understood: the path holds motions that are not understood, so that no dialect can hold them.
-///          convert-dialect: `target` is read only (Mastercam NCI), or has no tool axis (CLT) and the path needs one.
+/// Ensures  The bytes, read again, hold the same motions to the last digit written. Where they do not, a note states
+///          so.
+/// Errors   (1) convert-not-understood: the path holds motions that are not understood, so that no dialect can hold
+///          them. (2) convert-dialect: `target` is read only (Mastercam NCI), or has no tool axis (CLT) and the path
+///          needs one.
 /// Cost     One pass to write and one to read.
 [[nodiscard]] Result<WrittenToolpath> write_toolpath(const Toolpath& path, const Dialect& target);
 

@@ -5,8 +5,8 @@
 
 namespace gouge {
 
-/// UTF-8 text in ASCII, for the stroke font: accents dropped, "ß" as "ss", "µ" as "u", "°" as "deg",
-/// typographic dashes and quotes as plain ones, anything else (and broken UTF-8) as "?".
+/// Returns UTF-8 text in ASCII, for the stroke font. Accents are dropped, "ß" becomes "ss", "µ" "u", and "°" "deg".
+/// Typographic dashes and quotes become plain ones, anything else (and broken UTF-8) "?".
 [[nodiscard]] std::string ascii_text(std::string_view utf8);
 
 }  // namespace gouge

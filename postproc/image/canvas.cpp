@@ -222,7 +222,7 @@ class Painter {
            (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) * 3;
   }
 
-  // How many levels of a mask are 0 before one that is not, or some of them.
+  // Returns how many levels of a mask are 0 before one that is not, or some of them.
   static int untouched_of(const std::uint8_t* levels, int count) {
     constexpr int kTogether = 8;
     int untouched = 0;
@@ -234,8 +234,8 @@ class Painter {
     return untouched > 0 || *levels != 0 ? untouched : 1;
   }
 
-  // Paints `draw` into a mask over `area` and lays the colour over the picture through it, so that overlapping
-  // strokes of one item do not add up.
+  // Paints `draw` into a mask over `area` and lays the colour over the picture through it. So overlapping strokes of
+  // one item do not add up.
   template <class Draw>
   void blend(const PixelArea& area, const Colour& colour, const Draw& draw) {
     const PixelArea seen = area.within(width_, height_);
@@ -306,7 +306,7 @@ Result<std::string> encode_png(const std::uint8_t* rgb, int width, int height) {
   image.format = PNG_FORMAT_RGB;
   // A third of the time, for files 5 to 20 % larger.
   image.flags = PNG_IMAGE_FLAG_FAST;
-  // The largest size it can have: asking libpng for the true one would compress everything twice.
+  // The largest size it can have. A request to libpng for the true one would compress everything twice.
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string bytes(size, '\0');
   constexpr int kRowsAsTheyAre = 0;

@@ -19,14 +19,14 @@ namespace gouge {
 namespace {
 
 constexpr Area kCloseUp{152, 142, 830, 742};
-// A close-up may be seen from so many directions, on each of two heights; what gouges within this share of its height
-// about the finding is examined, and what is nearer than one of so many pixels hides nothing.
+// A close-up may be seen from this many directions, on each of two heights. Gouges within this share of its height
+// about the finding are examined. Surfaces nearer than one of this many pixels hide nothing.
 constexpr int kSides = 12;
 constexpr double kNear = 0.15;
 constexpr int kProbeWidth = 120, kProbeHeight = 108;
 
-// For a finding of a head: the heads as far as they are shown, with the finding and the tool's tip; the part
-// too where a head is buried in it.
+// For a finding of a head: the heads as far as they are shown, with the finding and the tool's tip. Also the part where
+// a head is buried in it.
 View head_view(const PictureSet& set, const PictureEvent& event, const Vec3& toward, int width, int height) {
   View view = make_view(toward, event.pose.axis, width, height);
   const double reach = head_reach_mm(set, event);
@@ -60,7 +60,7 @@ View close_view(const PictureSet& set, const PictureEvent& event, const Vec3& to
   return event.head ? head_view(set, event, toward, width, height) : tool_view(set, event, toward, width, height);
 }
 
-// How much of what is gouged about the finding is seen and faces the viewer.
+// Returns how much of the gouged surface about the finding is visible and faces the viewer.
 double gouged_share(const PictureSet& set, const std::vector<GougeWitness>& gouges, const Vec3& toward,
                     double clear_mm) {
   double seen = 0, all = 0;

@@ -16,19 +16,19 @@ inline constexpr Colour kHairline{206, 211, 217, 1};
 inline constexpr Colour kAlarm{178, 24, 43, 1};
 inline constexpr Colour kCalm{34, 120, 84, 1};
 
-/// Colour of a body of the tool, in every picture the same.
+/// Returns the colour of a body of the tool, in every picture the same.
 [[nodiscard]] Colour body_colour(int body);
 
-/// Depth to colour: pale yellow just above `low`, through orange and red to dark purple at `high`. Lightness
-/// falls steadily, so the order survives a black-and-white print.
-/// When the worst depth is a hundred times the tolerance and more, lengths along the scale grow with the
-/// square root of the depth, or one holder collision would hide every small gouge.
+/// Depth to colour: pale yellow just above `low`, through orange and red to dark purple at `high`. Lightness falls
+/// steadily, so the order survives a black-and-white print.
+/// When the worst depth is a hundred times the tolerance and more, lengths along the scale grow with the square root of
+/// the depth. Otherwise one holder collision would hide every small gouge.
 struct ColourScale {
   double low_mm = 0, high_mm = 1;
   bool is_root = false;
-  /// Place on the scale from 0 (depth 0) to 1 (high_mm).
+  /// Returns the place on the scale from 0 (depth 0) to 1 (high_mm).
   [[nodiscard]] double place(double depth_mm) const;
-  /// The depth at a point.
+  /// Returns the depth at a point.
   [[nodiscard]] double depth_at(double place) const;
   [[nodiscard]] Colour at(double depth_mm) const;
 };
@@ -40,16 +40,16 @@ struct Tick {
 };
 [[nodiscard]] std::vector<Tick> make_ticks(const ColourScale& scale, LengthUnit unit, double gap);
 
-/// From the tolerance to a round number not below the worst depth and its headroom.
+/// Makes the scale from the tolerance to a round number not below the worst depth and its headroom.
 [[nodiscard]] ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit, double headroom = 1);
 
-/// A round number (two digits at most) not below `value`. Requires value > 0.
+/// Returns a round number (two digits at most) not below `value`. Requires value > 0.
 [[nodiscard]] double round_up(double value);
-/// 1, 2 or 5 times a power of ten, not above `value`. Requires value > 0.
+/// Returns 1, 2 or 5 times a power of ten, not above `value`. Requires value > 0.
 [[nodiscard]] double round_down(double value);
 /// Steps of 1, 2 or 5 times a power of ten that cut [0, high] into about `count` pieces.
 [[nodiscard]] double round_step(double high, int count);
-/// As many decimals as a step needs: "0.25" for steps of 0.05.
+/// Returns a number with as many decimals as a step needs: "0.25" for steps of 0.05.
 [[nodiscard]] std::string tick_text(double value, double step);
 
 }  // namespace gouge

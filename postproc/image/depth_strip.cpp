@@ -172,7 +172,7 @@ class Strip {
   ColourScale scale_;
 };
 
-// Which operation and tool is at work, as a row of labelled spans above the strip.
+// Draws the operation and tool at work, as a row of labelled spans above the strip.
 void draw_operations(Page& page, const PictureSet& set, const Area& area) {
   const Toolpath& path = *set.input.toolpath;
   const Moves& moves = path.moves;

@@ -12,13 +12,13 @@
 
 namespace gouge {
 
-/// The tool of a finding.
+/// Returns the tool of a finding.
 [[nodiscard]] const ToolVariants& variants_of(const PictureSet& set, const PictureEvent& event);
 
-/// For a gouge of the tool: the radius of the body that gouges, or more when it is reached deep inside.
+/// Returns for a gouge of the tool: the radius of the body that gouges, or more when it is reached deep inside.
 [[nodiscard]] double tool_size_mm(const PictureSet& set, const PictureEvent& event);
 
-/// The heads of a finding in part coordinates: corners of a box about each, and the tool's tip.
+/// Returns the heads of a finding in part coordinates: corners of a box about each, and the tool's tip.
 [[nodiscard]] std::vector<Vec3> head_corners(const PictureSet& set, const PictureEvent& event);
 
 /// Returns how far from the finding a head is shown: a machine's whole column would leave nothing of the part.
@@ -30,14 +30,14 @@ struct FlatExtent {
   /// Takes in a point, no farther out than `reach`.
   void take(const Vec2& p, double reach);
   [[nodiscard]] Vec2 middle() const { return 0.5 * (low + high); }
-  /// Picture units are so many mm for it to fit in, with a margin.
+  /// Returns the mm of a picture unit with which it fits in, with a margin.
   [[nodiscard]] double mm_per_unit(double width, double height) const;
 };
 
-/// Scale of the depths of moves.
+/// Returns the scale of the depths of moves.
 [[nodiscard]] ColourScale depth_scale(const ReportModel& model, const CheckedToolpath& input);
 
-/// Scale of the coloured quantity: overcuts, and the depths of gouges without one or of a head.
+/// Returns the scale of the coloured quantity: overcuts, and the depths of gouges without one or of a head.
 [[nodiscard]] ColourScale surface_scale(const ReportModel& model, const CheckedToolpath& input);
 
 }  // namespace gouge

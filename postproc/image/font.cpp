@@ -129,7 +129,7 @@ class Font::Files {
     return {nullptr, 0};
   }
 
-  // Calls place(face, glyph, x) for every letter, with no face for a box, and returns where the text ends; in
+  // Calls place(face, glyph, x) for every letter, with no face for a box, and returns where the text ends. Both are in
   // units of the size, from the design of the font, so that widths grow with it exactly.
   template <class Place>
   double lay_out(std::string_view words, bool is_bold, const Place& place) const {
@@ -155,7 +155,7 @@ class Font::Files {
     return x;
   }
 
-  // FreeType's faces are no matter of several threads at once.
+  // Only one thread may use FreeType's faces at a time.
   mutable std::mutex mutex;
 
  private:
@@ -182,8 +182,7 @@ class Font::Files {
     return static_cast<double>(units.x) / face->units_per_EM;
   }
 
-  // FreeType goes on without what it has no memory for where it can (kerning, a glyph): the picture would be another
-  // one, without any sign of it.
+  // Where memory is lacking FreeType omits parts (kerning, a glyph). The picture would differ without any sign of it.
   static void* resize(FT_Memory memory, void* block, long bytes) {
     void* const got = std::realloc(block, static_cast<std::size_t>(bytes));
     if (got == nullptr && bytes > 0) static_cast<Files*>(memory->user)->is_short_of_memory_ = true;

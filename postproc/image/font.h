@@ -19,10 +19,10 @@ struct TextMask {
   std::vector<std::uint8_t> grey;
 };
 
-/// The letters of font files, one after the other: a letter comes from the first file that has it, without
-/// hinting, so that its shape does not depend on where it stands. Letters of right-to-left and joined scripts
-/// are neither turned nor joined. Text is made printable first (lib/base/printable_text.h); a character that
-/// no file has is drawn as a box. May be used from several threads.
+/// The letters of font files, one after the other. A letter comes from the first file that has it. It is drawn without
+/// hinting, so that its shape does not depend on where it stands. Letters of right-to-left and joined scripts are
+/// neither turned nor joined. Text is made printable first (lib/base/printable_text.h). A character that no file has is
+/// drawn as a box. May be used from several threads.
 class Font {
  public:
   /// Files that are missing or no fonts are passed over.
@@ -31,18 +31,18 @@ class Font {
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
 
-  /// Returns why what was drawn or measured until now may lack letters: memory ran out, or a file that is there cannot be read.
-  /// Codes: out-of-memory, file-unreadable.
+  /// Returns why what was drawn or measured until now may lack letters: memory ran out, or a file that is there cannot
+  /// be read. Codes: out-of-memory, file-unreadable.
   [[nodiscard]] std::optional<Diagnostic> trouble() const;
 
   /// Returns whether any file could be read. Without, every letter is a box.
   [[nodiscard]] bool has_letters() const;
   [[nodiscard]] bool has_letter(char32_t letter) const;
 
-  /// Width of the text in units of the size, which is the height of the font's em square.
+  /// Returns the width of the text in units of the size, which is the height of the font's em square.
   [[nodiscard]] double width(std::string_view text, bool is_bold) const;
 
-  /// The text with an em square of `size` pixels, the pen first at `shift` (0 to 1) pixels.
+  /// Returns the text with an em square of `size` pixels, the pen first at `shift` (0 to 1) pixels.
   /// Requires 0 < size <= 4096.
   [[nodiscard]] TextMask draw(std::string_view text, double size, bool is_bold, double shift) const;
 
@@ -51,12 +51,12 @@ class Font {
   std::unique_ptr<Files> files_;
 };
 
-/// The fonts of the system: DejaVu Sans, then one that has Chinese, Japanese and Korean. Opened at the first
+/// Returns the fonts of the system: DejaVu Sans, then one that has Chinese, Japanese and Korean. Opened at the first
 /// call.
 [[nodiscard]] const Font& installed_font();
 
-/// One note ("picture-letters") if characters of these texts are drawn as boxes, with the first of them and
-/// what to install; nothing where all are there or no font is.
+/// Returns one note ("picture-letters") if characters of these texts are drawn as boxes, with the first of them and the
+/// package to install. Returns nothing where all are there or no font is.
 [[nodiscard]] Diagnostics find_missing_letters(const std::vector<std::string>& texts,
                                                const Font& font = installed_font());
 

@@ -60,7 +60,7 @@ class Pane {
       for (int x = 0; x < buffer_.view.width; ++x) {
         if (faces[x] != kNoFace) bodies[x] = static_cast<std::int8_t>(body_of(faces[x]));
       }
-      // The edge of the picture is no outline.
+      // The edge of the picture is not an outline.
       if (range.right == part.view.width && buffer_.view.width >= kOutline)
         std::copy_n(bodies + buffer_.view.width - kOutline, kOutline, bodies + buffer_.view.width);
     }
@@ -139,7 +139,7 @@ class ToolPane {
   std::vector<std::array<Coat, 2>> coats_;  ///< by face: where it is seen, and behind the part
 };
 
-/// Clearer than a tool: a head is large, and what it gouges lies behind it.
+/// Clearer than a tool: a head is large, and the surface that it gouges lies behind it.
 class HeadPane {
  public:
   HeadPane(const SurfaceBuffer& part, const PictureScene& heads)

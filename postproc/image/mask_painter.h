@@ -7,8 +7,8 @@
 
 #include "lib/base/result.h"
 
-// Drawing functions of OpenCV for pictures. They are in a shared module of its own, loaded by the first picture: the library
-// brings a dozen others that a check without pictures has no use for.
+// Drawing functions of OpenCV for pictures. They are in a shared module of its own, loaded by the first picture. The
+// library brings a dozen others that a check without pictures does not use.
 
 namespace gouge {
 
@@ -27,8 +27,8 @@ struct MaskPoint {
 inline constexpr int kMaskUnitBits = 4;
 inline constexpr int kMaskUnits = 1 << kMaskUnitBits;
 
-/// Paints smoothed lines, areas and strokes of letters into masks. The same calls give the same bytes; calls from several
-/// threads do not disturb each other. Errors of all: out-of-memory, picture-not-encoded.
+/// Paints smoothed lines, areas and strokes of letters into masks. The same calls give the same bytes; calls from
+/// several threads do not disturb each other. Errors of all: out-of-memory, picture-not-encoded.
 class MaskPainter {
  public:
   MaskPainter() = default;
@@ -42,7 +42,7 @@ class MaskPainter {
 
   /// ASCII text in strokes; (x, y) is the pixel its base line begins at.
   virtual Outcome write(Mask& mask, const std::string& ascii, int x, int y, double scale, int thickness) const = 0;
-  /// In pixels; 0 where there is no memory to measure it.
+  /// Returns the width in pixels; 0 where there is no memory to measure it.
   [[nodiscard]] virtual double width(const std::string& ascii, double scale) const = 0;
 
   /// Three bytes a pixel, `factor` times smaller in each direction, each pixel the mean of those it covers.
@@ -50,7 +50,7 @@ class MaskPainter {
                          std::vector<std::uint8_t>& to) const = 0;
 };
 
-/// OpenCV's, loaded by the first call. Errors: module-missing, out-of-memory.
+/// Returns the painter of OpenCV, loaded by the first call. Errors: module-missing, out-of-memory.
 [[nodiscard]] Result<const MaskPainter*> mask_painter();
 
 }  // namespace gouge

@@ -8,7 +8,7 @@
 #include "postproc/image/raster.h"
 #include "postproc/image/view.h"
 
-// The furniture that the pictures share. Coordinates in picture units.
+// Titles, scales and labels that the pictures share. Coordinates in picture units.
 
 namespace gouge {
 
@@ -36,32 +36,33 @@ struct Page {
             TextAnchor anchor = TextAnchor::left, bool is_bold = false);
 };
 
-/// A page with its title and up to two lines below it, all shortened to fit.
+/// Returns a page with its title and up to two lines below it, all shortened to fit.
 [[nodiscard]] Page make_page(const std::string& title, const std::string& verdict, const Colour& verdict_colour,
                              const std::vector<std::string>& lines);
 
-/// `words`, cut short with "..." in the middle when wider than `width`, never within a number.
+/// Returns `words`, shortened with "..." in the middle when wider than `width`, never within a number.
 [[nodiscard]] std::string fitted(const std::string& words, double size, double width, bool is_bold = false);
 
-/// `size`, or as much less as makes `words` no wider than `width`: for what must not be cut.
+/// Returns `size`, or a smaller one with which `words` are at most as wide as `width`: for texts that must not be
+/// shortened.
 [[nodiscard]] double fitting_size(const std::string& words, double size, double width, bool is_bold = false);
 
-/// Vertical bar with numbers; grey below the tolerance.
+/// Adds a vertical bar with numbers, grey below the tolerance.
 void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit, const std::string& title);
-/// A round length drawn to the view's scale, its left end at `at`. The view's pixels are supersampled ones.
-/// `max_width`: of the bar alone.
+/// Adds a bar of a round length in the view's scale, with its left end at `at`. The view's pixels are supersampled
+/// ones. The `max_width` is that of the bar alone.
 void add_scale_bar(Page& page, const Vec2& at, const View& view, LengthUnit unit, double max_width);
-/// With its words.
+/// Returns the width of the bar with its words.
 [[nodiscard]] double scale_bar_width(const View& view, LengthUnit unit, double max_width);
-/// The directions of x, y and z as the view sees them.
+/// Adds the directions of x, y and z as the view sees them.
 void add_triad(Page& page, const Vec2& at, const View& view, double size);
 
-/// Point of a picture for a point of a view whose raster lies at `area`.
+/// Returns the point of a picture for a point of a view whose raster lies at `area`.
 [[nodiscard]] inline Vec2 on_page(const Area& area, const Vec3& projected) {
   return {area.x + projected.x() / kSupersampling, area.y + projected.y() / kSupersampling};
 }
 
-/// A numbered disc beside `target` that covers no other label, with a line to it; it stays within `area`.
+/// Adds a numbered disc beside `target` that covers no other label, with a line to it. It stays within `area`.
 void add_marker(Page& page, const Area& area, const Vec2& target, int number, bool is_hidden);
 
 }  // namespace gouge

@@ -36,36 +36,36 @@ class PictureScene {
   PictureScene(const PictureScene&) = delete;
   PictureScene& operator=(const PictureScene&) = delete;
 
-  /// In the order of the obstacles.
+  /// Returns the number of faces, which are in the order of the obstacles.
   [[nodiscard]] std::uint32_t face_count() const;
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t face) const;
-  /// Those that reach into the view, and some that only come near.
+  /// Returns the faces that reach into the view, and some that only come near.
   [[nodiscard]] std::vector<std::uint32_t> faces_in(const View& view) const;
-  /// Unit, at the three corners: smooth across edges that bend less than 35 degrees.
+  /// Returns the unit normals at the three corners, smooth across edges that bend less than 35 degrees.
   [[nodiscard]] const std::array<Eigen::Vector3f, 3>& normals(std::uint32_t face) const { return normals_[face]; }
-  /// Normal of the face alone, twice its area long.
+  /// Returns the normal of the face alone, twice its area long.
   [[nodiscard]] Vec3 area_normal(std::uint32_t face) const;
-  /// The obstacle that it is of. Requires a scene that was made of obstacles.
+  /// Returns the obstacle that it is of. Requires a scene that was made of obstacles.
   [[nodiscard]] Against against(std::uint32_t face) const {
     const auto next = std::upper_bound(first_faces_.begin(), first_faces_.end(), face);
     return static_cast<Against>(next - first_faces_.begin() - 1);
   }
-  /// True for the surface that the cutter makes, and for heads.
+  /// Returns true for the surface that the cutter makes, and for heads.
   [[nodiscard]] bool is_of_workpiece(std::uint32_t face) const {
     return first_faces_.empty() || rule_of(against(face)).is_workpiece;
   }
-  /// Counted through all obstacles.
+  /// Returns the mesh of the face, counted through all obstacles.
   [[nodiscard]] std::uint32_t mesh_of(std::uint32_t face) const;
-  /// Index of the mesh of the face; 0: none. Requires a scene that was made of obstacles.
+  /// Returns the clearance of the mesh of the face, mm; 0: none. Requires a scene that was made of obstacles.
   [[nodiscard]] double clearance_mm(std::uint32_t face) const { return clearances_mm_[mesh_of(face)]; }
 
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   [[nodiscard]] const Vec3& vertex(std::uint32_t index) const;
   [[nodiscard]] std::uint32_t vertex_count() const;
-  /// Corners of a face, in the list of vertices.
+  /// Returns corners of a face, in the list of vertices.
   [[nodiscard]] std::array<std::uint32_t, 3> corner_vertices(std::uint32_t face) const;
 
-  /// Vertices of each part: what a picture should show whole.
+  /// Returns the vertices of each part, which a picture should show whole.
   [[nodiscard]] std::span<const std::span<const Vec3>> part_points() const { return part_points_; }
   /// Across the parts, mm; 10 without any.
   [[nodiscard]] double part_size_mm() const { return part_box_.isEmpty() ? 10 : part_box_.diagonal().norm(); }

@@ -155,8 +155,8 @@ struct Balls {
   std::vector<std::size_t> of{};  ///< the square of each
 };
 
-// Those where the field may be more than nothing. Each is queried as a ball about what it shows; where that is deep, at
-// an edge of the part, a ball states little and the square stays.
+// Those where the field may be more than nothing. Each is queried as a ball about the surface it shows. Where that is
+// deep, at an edge of the part, a ball bounds little and the square stays.
 template <class Field>
 std::vector<Square> squares_with(const Field& field, const SurfaceBuffer& buffer) {
   const View& view = buffer.view;

@@ -8,10 +8,10 @@
 
 namespace gouge {
 
-/// The depth for every pixel of a buffer, mm; 0 where nothing is seen or gouged. Empty where nothing is gouged.
+/// Returns the depth for every pixel of a buffer, mm; 0 where nothing is seen or gouged. Empty where nothing is gouged.
 [[nodiscard]] std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& scene,
                                                  const SurfaceBuffer& buffer);
-/// The same of overcuts.
+/// Returns the same of overcuts.
 [[nodiscard]] std::vector<float> overcut_on_pixels(const OvercutField& field, const PictureScene& scene,
                                                    const SurfaceBuffer& buffer);
 

@@ -21,21 +21,21 @@ struct PlotPanel {
 
   [[nodiscard]] Vec2 flat(const Vec3& p) const { return {p.dot(right), -p.dot(up)}; }
   [[nodiscard]] Vec2 at(const Vec3& p) const { return scale * flat(p) + shift; }
-  /// Along a coordinate axis: its ticks state where things are.
+  /// Returns whether it looks along a coordinate axis, so that its ticks state where things are.
   [[nodiscard]] bool is_along_axes() const;
   /// Makes `box` fit between the margins.
   void fit(const Box3& box);
 };
 
-/// The frame, its name, and ticks with their coordinates along the edges of a panel along axes; of another one the
-/// directions of x, y and z. Both with a bar of a round length. Coordinates are in `unit`.
+/// Draws the frame, its name, and ticks with their coordinates along the edges of a panel along axes. For another panel
+/// it draws the directions of x, y and z. Both have a bar of a round length. Coordinates are in `unit`.
 void draw_frame(const PlotPanel& panel, LengthUnit unit, Drawing& drawing);
 
-/// The parts as shaded surfaces, the nearest on top, in cells of two units: what it takes is bounded by the panel, not
-/// by the meshes. Cost O(triangles + cells they cover).
+/// Draws the parts as shaded surfaces, the nearest on top, in cells of two units. The panel, not the meshes, bounds the
+/// memory for that. Cost O(triangles + cells they cover).
 void draw_parts(const PlotPanel& panel, const std::vector<IndexedMesh>& parts, Drawing& drawing);
 
-/// The largest of 1, 2 and 5 times a power of ten that is at most `length` > 0.
+/// Returns the largest of 1, 2 and 5 times a power of ten that is at most `length` > 0.
 [[nodiscard]] double round_length(double length);
 
 }  // namespace gouge

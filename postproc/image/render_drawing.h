@@ -9,20 +9,20 @@
 
 namespace gouge {
 
-/// The drawing as the bytes of a PNG file, one pixel a picture unit, lines and text smoothed. The same drawing gives
-/// the same bytes on every run and at any number of threads. Text is drawn with installed_font (font.h); where no font
-/// is installed, with strokes that know ASCII only (ascii_text.h).
-/// Errors   picture-size (a side below 1 or above 16384), picture-not-encoded, out-of-memory.
+/// Returns the drawing as the bytes of a PNG file, one pixel a picture unit, lines and text smoothed. The same drawing
+/// gives the same bytes on every run and at any number of threads. Text is drawn with installed_font (font.h). Where no
+/// font is installed, it is drawn with strokes that know ASCII only (ascii_text.h).
+/// Errors   (1) picture-size: a side below 1 or above 16384. (2) picture-not-encoded, out-of-memory.
 [[nodiscard]] Result<std::string> render_png(const Drawing& drawing);
 
-/// The same with pictures laid under the drawing, in the order given; what falls outside is cut off.
+/// Returns the same with pictures laid under the drawing, in the order given. Parts outside are cut off.
 [[nodiscard]] Result<std::string> render_png(const Drawing& drawing, const std::vector<PlacedRaster>& underlay);
 
-/// Width that render_png gives a text, in picture units.
+/// Returns the width that render_png gives a text, in picture units.
 [[nodiscard]] double text_width(const std::string& text, double size, bool is_bold = false);
 
-/// The drawing as an SVG 1.1 document, one user unit a picture unit.
-/// Points that are not finite are left out; text is escaped and keeps its UTF-8.
+/// Returns the drawing as an SVG 1.1 document, one user unit a picture unit. Points that are not finite are left out;
+/// text is escaped and keeps its UTF-8.
 [[nodiscard]] std::string render_svg(const Drawing& drawing);
 
 }  // namespace gouge

@@ -13,12 +13,12 @@ namespace gouge {
 /// Errors   module-missing, out-of-memory.
 [[nodiscard]] Outcome load_pictures();
 
-/// The pictures of a report, PNG, 1600 x 1000: heat_map.png, depth_along_path.png, event_1.png to event_6.png
-/// for the worst findings, before_after.png when the model has a correction with its path and verdicts
-/// before, and tilt_field.png when that tilted the tool.
+/// Draws the pictures of a report, PNG, 1600 x 1000: heat_map.png, depth_along_path.png, and event_1.png to event_6.png
+/// for the worst findings. When the model has a correction with its path and verdicts before, it draws
+/// before_after.png. When that tilted the tool, it also draws tilt_field.png.
 ///
 /// Ensures  The same bytes on every run and at any number of threads.
-/// Errors   picture-not-encoded; a picture of a scene without triangles is left out, not an error.
+/// Errors   Code picture-not-encoded. A picture of a scene without triangles is left out, not an error.
 /// Cost     Seconds; grows with the number of triangles and of gouging moves.
 [[nodiscard]] Result<std::vector<NamedFile>> draw_report_pictures(const ReportScene& shown,
                                                                   const ProgressCall& progress = {});

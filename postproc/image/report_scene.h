@@ -19,8 +19,8 @@ struct PicturedPath {
 
 /// Source of the pictures and the 3D view of a report, made once for both.
 ///
-/// Shape    `input` belongs to model.toolpath and model.result. `before` is the same for the path as read; it is looked
-///          at only for a correction and may be empty. All, and what they point at, must outlive it.
+/// Shape    The `input` belongs to model.toolpath and model.result. The same for the path as read is `before`. It is
+///          used only for a correction and may be empty. All, and the objects they point at, must outlive it.
 struct ReportScene {
   ReportScene(const ReportModel& of, const CheckedToolpath& input, const CheckedToolpath& path_before = {})
       : model(of), scene(*input.prepared), path(input) {

@@ -12,8 +12,8 @@
 
 namespace gouge {
 
-/// A plane along the tool axis in which a section is seen: u away from the axis, v along it, v = 0 at the
-/// tip's height.
+/// A plane along the tool axis in which a section is seen. Away from the axis is u, along it v; v = 0 is at the tip's
+/// height.
 struct SectionPlane {
   Pose pose;
   Vec3 u = Vec3::UnitX();  ///< unit, square to the axis
@@ -32,7 +32,7 @@ struct SectionLine {
 /// Returns where the plane cuts the triangles.
 [[nodiscard]] std::vector<SectionLine> cut_scene(const PreparedScene& scene, const SectionPlane& plane);
 
-/// The same of bodies that `to_part` places, one after another.
+/// Returns the same of bodies that `to_part` places, one after another.
 [[nodiscard]] std::vector<std::vector<SectionLine>> cut_heads(std::span<const HeadBody> heads,
                                                               const RigidTransform& to_part, const SectionPlane& plane);
 
@@ -41,15 +41,15 @@ struct Section {
   std::vector<SectionLine> lines;               ///< of the scene
   std::vector<std::vector<SectionLine>> heads;  ///< each a body of its own: they may overlap
 };
-/// The section through the tool's axis and a surface point, which lies on the side of positive u. A point on
-/// the axis leaves the plane open: then the one that shows most of the scene within `size_mm` of the point.
+/// Makes the section through the tool's axis and a surface point, which lies on the side of positive u. A point on the
+/// axis leaves the plane open. Then it is the one that shows most of the scene within `size_mm` of the point.
 ///
-/// Where `way_out` is given the section shows it, for a tool's way out lies in that plane but a head's may not:
-/// then the plane runs through the point and along the axis and the direction, beside the axis. Heads are not cut.
+/// Where `way_out` is given the section shows it. A tool's way out lies in that plane, but a head's may not. Then the
+/// plane runs through the point and along the axis and the direction, beside the axis. Heads are not cut.
 [[nodiscard]] Section make_section(const PreparedScene& scene, const Pose& pose, const Vec3& point_part, double size_mm,
                                    const std::optional<Vec3>& way_out = std::nullopt);
 
-/// The piece of a line inside a box, if any.
+/// Returns the piece of a line inside a box, if any.
 [[nodiscard]] std::optional<std::array<Vec2, 2>> clipped(const Vec2& a, const Vec2& b, const Area& box);
 
 }  // namespace gouge

@@ -111,7 +111,7 @@ class ToolBodies {
     return signed_distance_mm(tool_, r, p.y());
   }
 
-  // No pixel of a square is nearer to the boundary than its middle by more than it is far from the middle.
+  // A pixel of a square is nearer to the boundary than the square's middle by at most its distance from the middle.
   void fill(int x, int y, int side) {
     if (x >= width_ || y >= height_) return;
     const double middle = 0.5 * (side - 1);
@@ -141,7 +141,7 @@ using Pixel = std::array<std::uint8_t, 3>;
 
 constexpr std::size_t kKindsOfTool = 4;  // none, then the bodies
 
-/// The colour of every kind of pixel there is: few, so that each is mixed once and not at every place again.
+/// The colour of every kind of pixel. There are few, so that each is mixed once and not at every pixel.
 class SectionColours {
  public:
   SectionColours() {
@@ -210,7 +210,7 @@ Raster paint_panel(const SectionPanel& panel, const Section& section, bool is_cl
   return raster;
 }
 
-// The profile (r, z) as the plane shows it: |u| for r, nothing nearer to the axis than the plane is.
+// Returns the profile (r, z) as the plane shows it: |u| for r. Points nearer to the axis than the plane are not in it.
 std::vector<std::array<Vec2, 2>> seen_profile(const std::vector<Vec2>& points, double beside_mm) {
   std::vector<std::array<Vec2, 2>> out;
   const double least = std::abs(beside_mm);

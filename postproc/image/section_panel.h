@@ -17,9 +17,9 @@ struct SectionPanel {
   }
 };
 
-/// Paints material (only where `is_closed`, else just its outline), the tool, the heads and where they
-/// overlap with material, with the outline that was checked dashed where clearances or stock to leave make it
-/// larger than the tool; `clearance_mm`: of the mesh, around all of the tool.
+/// Paints material (only where `is_closed`, else just its outline), the tool, the heads and where they overlap with
+/// material. Clearances or stock to leave may make the checked outline larger than the tool. Then that outline is
+/// dashed. The `clearance_mm` is of the mesh, around all of the tool.
 void draw_section(Page& page, const SectionPanel& panel, const Section& section, bool is_closed,
                   const CompiledTool& bare, const CompiledTool& checked, double clearance_mm = 0);
 

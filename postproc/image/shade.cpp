@@ -33,11 +33,11 @@ constexpr std::array<Offset, 16> kNeighbours{{{6, 0},
                                               {-8, -20},
                                               {8, -20},
                                               {20, -8}}};
-constexpr float kPerReach = 1.0F / 40;  // of the pixels that what hides the sky may be away
+constexpr float kPerReach = 1.0F / 40;  // of the pixels, up to which a surface hides the sky
 constexpr int kBlock = 2;               // pixels a side that share a light where they show one piece of surface
 constexpr int kBorder = 10;             // blocks a neighbour may be outside the picture
 constexpr float kNothing = -1e15F;      // as deep as where nothing is seen
-constexpr double kAlike = 0.998;        // of faces so much in line no eye could show the light apart
+constexpr double kAlike = 0.998;        // of faces so nearly in line that their light looks the same
 
 Vec3 key_light() { return Vec3(-0.45, 0.75, 0.75).normalized(); }
 Vec3 fill_light() { return Vec3(0.8, 0.1, 0.6).normalized(); }
@@ -74,8 +74,8 @@ class BlockDepths {
   std::vector<float> z_;
 };
 
-/// Values of a run of blocks, each a list: normals as the view sees them, x right, y down and z towards the viewer; how
-/// much of the sky over them their surroundings hide, 0 to 1; and their light.
+/// Values of a run of blocks, each a list. Normals are as the view sees them, x right, y down and z towards the viewer.
+/// The other values are the share of the sky that their surroundings hide, 0 to 1, and their light.
 struct LitBlocks {
   explicit LitBlocks(std::size_t count) : x(count), y(count), z(count), hidden(count), light(count) {}
   std::vector<float> x, y, z, hidden, light;
@@ -103,7 +103,7 @@ GOUGE_WIDE void turn_to_viewer(LitBlocks& lit, std::size_t at, std::size_t count
   }
 }
 
-constexpr float kRise = 0.12F;         // what rises less over a surface hides nothing of its sky
+constexpr float kRise = 0.12F;         // a surface that rises less over another hides none of its sky
 constexpr std::size_t kTogether = 32;  // blocks examined in one, for mostly nothing hides any of them
 constexpr float kMinRiseSquare = 0.0143F, kMaxReachSquare = 1601.0F;  // a little wider than kRise and kPerReach
 
@@ -213,7 +213,7 @@ class Shader {
     return is_alike_;
   }
 
-  /// Those of the faces of a row or two of a picture are kept.
+  /// The normals of the faces of a row or two of a picture are kept.
   [[nodiscard]] const Vec3& area_normal(std::uint32_t face) {
     AreaNormal& known = area_normals_[face % area_normals_.size()];
     if (known.face != face) known = {face, scene_.area_normal(face)};
@@ -284,7 +284,7 @@ class Shader {
   }
 
   void colour(std::uint8_t* pixel, std::uint32_t face, float depth_mm, double light) const {
-    // Gouges with less contrast, so that a colour can be compared with the bar wherever it lies.
+    // Gouges have less contrast, so that their colour can be compared with the bar everywhere.
     if (depth_mm > 0) return put(pixel, scale_.at(static_cast<double>(depth_mm)), 0.55 + 0.42 * light);
     put(pixel, scene_.is_of_workpiece(face) ? kPartGrey : kFixtureGrey, 0.12 + 0.97 * light);
   }

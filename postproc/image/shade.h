@@ -11,13 +11,13 @@
 
 namespace gouge {
 
-/// The surface of a buffer in a soft light, untouched surface in grey and gouged ones in the colour of their
-/// depth (0: untouched), with sharp edges drawn faintly. `depth_mm` has one value a pixel or is empty. Four pixels that
-/// show one piece of surface, or faces nearly in line, share their light.
+/// Shades the surface of a buffer in a soft light, with sharp edges drawn faintly. Untouched surface is grey, gouged
+/// surface has the colour of its depth (0: untouched). The list `depth_mm` has one value a pixel or is empty. Four
+/// pixels that show one piece of surface, or faces nearly in line, share their light.
 [[nodiscard]] Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer, const std::vector<float>& depth_mm,
                            const ColourScale& scale);
 
-/// A level of a colour from a value in [0, 255].
+/// Returns a level of a colour from a value in [0, 255].
 [[nodiscard]] inline std::uint8_t colour_level(double value) { return static_cast<std::uint8_t>(value + 0.5); }
 
 /// A colour to lay over pixels.

@@ -17,8 +17,8 @@ struct RowRange {
   int first = 0, last = -1;  // inclusive
 };
 
-// Rows whose middles a face reaches; none where no middle of a pixel lies between its sides, as of most faces that are
-// smaller than a pixel.
+// Rows whose middles a face reaches. There are none where no middle of a pixel lies between its sides, as for most
+// faces that are smaller than a pixel.
 RowRange rows_of(const Vec3& a, const Vec3& b, const Vec3& c, int height) {
   constexpr double kSlack = 1e-6;  // pixels: more than what draw_face gives
   const double low = std::min({a.y(), b.y(), c.y()}) - kSlack - 0.5;
@@ -95,8 +95,8 @@ GOUGE_WIDE void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, c
     if (!(low <= high)) continue;
     const int first = static_cast<int>(std::ceil(low)), last = static_cast<int>(std::floor(high));
     if (first > last) continue;
-    // Whole lanes, for most runs are short and would spend their time on what is left over; the pixels beside the run
-    // stay as they are.
+    // Whole lanes, as most runs are short and would spend their time on the remainder. The pixels beside the run stay
+    // as they are.
     const int count = last + 1 - first, whole = (count + kLanes - 1) / kLanes * kLanes;
     const int from = whole <= width ? std::min(first, width - whole) : first;
     const std::size_t i = buffer.index(from, y);

@@ -22,7 +22,7 @@ struct SurfaceBuffer {
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x);
   }
-  /// Surface point at the middle of the pixel. Requires a face there.
+  /// Returns the surface point at the middle of the pixel. Requires a face there.
   [[nodiscard]] Vec3 point(int x, int y) const {
     return view.unproject(x + 0.5, y + 0.5, static_cast<double>(z[index(x, y)]));
   }
@@ -44,9 +44,9 @@ using FaceCorners = std::array<std::uint32_t, 3>;
 class NormalsAt {
  public:
   NormalsAt(const PictureScene& scene, const View& view) : scene_(scene), view_(view), kept_(kKept) {}
-  /// Unit, turned towards the viewer, in part coordinates.
+  /// Returns the unit normal, turned towards the viewer, in part coordinates.
   [[nodiscard]] Vec3 operator()(std::uint32_t face, int x, int y);
-  /// A normal of any length and to either side, as its components right, up and towards the viewer.
+  /// Returns a normal of any length and to either side, as its components right, up and towards the viewer.
   [[nodiscard]] Eigen::Vector3f in_view(std::uint32_t face, int x, int y);
 
  private:

@@ -7,13 +7,12 @@
 
 namespace gouge {
 
-/// Lines of a drawing without what cannot be seen in them, so that a path of a million moves makes a picture of a few
-/// megabytes. Strokes that go on in the same ink are one line; points nearer than a tenth of a picture unit to the line
-/// without them are left out; so are segments that lie on what the same ink has drawn last. Lines keep their order.
+/// Lines of a drawing without the invisible ones, so that a path of a million moves makes a picture of a few megabytes.
+/// Strokes that go on in the same ink are one line. Points nearer than a tenth of a picture unit to the line without
+/// them are left out. So are segments that lie on the last ones drawn in the same ink. Lines keep their order.
 class ThinLines {
  public:
-  /// Requires a finite area, at least 1 wide and high. Lines may leave it; what is outside is never left out as
-  /// covered.
+  /// Requires a finite area, at least 1 wide and high. Lines may leave it. Parts outside are never left out as covered.
   ThinLines(const Vec2& low, const Vec2& high);
 
   /// The stroke through `points`, drawn like `style` (whose own points do not count). Strokes of one `ink` look alike.

@@ -4,8 +4,8 @@
 
 namespace gouge {
 
-/// The tilted runs of a correction on the part: at positions along them the tool axis as it is now, in the colour of its
-/// angle from the programmed one. `set` describes the corrected path.
+/// Draws the tilted runs of a correction on the part. At positions along them it shows the corrected tool axis, in the
+/// colour of its angle from the programmed one. The `set` describes the corrected path.
 ///
 /// Requires has_tilt_field(set.model), and at least one direction in the set.
 [[nodiscard]] Page draw_tilt_field(const PictureSet& set);

@@ -15,7 +15,7 @@ struct OutlineRun {
 };
 [[nodiscard]] std::vector<OutlineRun> tool_outline(const CompiledTool& tool);
 
-/// The profile of all that is within `distance_mm` > 0 of a tool, as pieces of lines (r, z) in mm.
+/// Returns the profile of all that is within `distance_mm` > 0 of a tool, as pieces of lines (r, z) in mm.
 [[nodiscard]] std::vector<std::vector<Vec2>> outline_at(const CompiledTool& tool, double distance_mm);
 
 /// Lowest and highest z of a body's boundary; first > second when it has none.

@@ -79,7 +79,7 @@ std::vector<Candidate> candidates(const Vec3& axis) {
   return out;
 }
 
-// How much of what is gouged is seen.
+// Returns how much of the gouged surface is visible.
 double gouged_area(const CheckedToolpath& input, const std::vector<GougeWitness>& gouges, const Vec3& toward,
                    double clear_mm) {
   double area = 0;

@@ -22,8 +22,7 @@ struct View {
   }
 };
 
-/// A view from the direction `toward` with `up_hint` pointing up as far as it can. Requires `toward` not
-/// zero.
+/// Returns a view from the direction `toward` with `up_hint` pointing up as far as it can. Requires `toward` not zero.
 [[nodiscard]] View make_view(const Vec3& toward, const Vec3& up_hint, int width, int height);
 
 /// Moves and scales the view so that all points are seen with `margin` (a fraction of the side) left around.

@@ -16,7 +16,7 @@ struct Edit {
 /// In the order of the file; none overlaps the next one.
 using Edits = std::vector<Edit>;
 
-/// The file with its edits made. All other bytes stay.
+/// Returns the file with its edits made. All other bytes stay.
 ///
 /// Requires Edits in order, within `source`.
 /// Cost     One copy of the file.

@@ -11,7 +11,7 @@ class MotionChain {
  public:
   explicit MotionChain(PathBuilder& builder) : builder_(builder) {}
 
-  /// In part coordinates; nothing: the next position is alone.
+  /// Returns the last pose in part coordinates; nothing: the next position is alone.
   [[nodiscard]] const std::optional<Pose>& last_pose() const { return last_pose_; }
   /// Returns why the next motion's start is not known, or null.
   [[nodiscard]] const char* unknown_start() const { return unknown_start_; }

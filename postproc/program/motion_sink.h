@@ -20,20 +20,21 @@ class MotionSink {
   /// The name of an operation; and the tool of the motions that follow, where `tool` is not null.
   virtual void begin_operation(const std::string& name) = 0;
   virtual void change_tool(const PathTool& tool) = 0;
-  /// Nothing leads to the next position. False where the dialect cannot state so.
+  /// States that no motion leads to the next position. Returns false where the dialect cannot state that.
   [[nodiscard]] virtual bool break_motion() = 0;
-  /// The motions that follow are compensated; none: no longer. False where the dialect cannot state so.
+  /// Compensates the motions that follow; with none it ends that. Returns false where the dialect cannot state that.
   [[nodiscard]] virtual bool set_cutcom(CutcomSide side) = 0;
   /// The tool retracts to where unknown. Unused in dialects that cannot state it.
   virtual void retract() = 0;
-  /// The feed of the motions that follow; requires one that is a number. False where the dialect cannot state so.
+  /// Sets the feed of the motions that follow, which must be a number. Returns false where the dialect cannot state
+  /// that.
   [[nodiscard]] virtual bool set_feed(const Feed& feed) = 0;
-  /// The next motion is rapid. False where the dialect cannot state so.
+  /// Makes the next motion rapid. Returns false where the dialect cannot state that.
   [[nodiscard]] virtual bool make_rapid() = 0;
   virtual void go_to(const Pose& end) = 0;
-  /// False where the dialect cannot state this arc; then nothing was written.
+  /// Writes an arc. Returns false where the dialect cannot state it; then nothing was written.
   [[nodiscard]] virtual bool go_round(const PathArc& arc, const Pose& start, const Pose& end) = 0;
-  /// The bytes of the file. To be called once, at the end.
+  /// Returns the bytes of the file. To be called once, at the end.
   [[nodiscard]] virtual std::string finish() = 0;
 };
 

@@ -27,7 +27,7 @@ class PathBuilder {
   explicit PathBuilder(Toolpath& path_read) : path(path_read) {}
 
   void add_statement(const SourceStatement& statement);
-  /// Index of the last statement, in Toolpath::statements.
+  /// Returns the index of the last statement, in Toolpath::statements.
   [[nodiscard]] std::size_t index() const { return path.statements.size() - 1; }
   [[nodiscard]] std::size_t moves() const { return path.moves.size(); }
 
@@ -35,8 +35,8 @@ class PathBuilder {
   /// where it never was.
   void report(Severity severity, const char* code, const Tally& seen, std::string_view noun, std::string_view rest);
 
-  /// `all` with memory for `more`, or for as many as the rest of the file holds if it goes on like this: growing
-  /// by doubling would need three times the memory while it copies.
+  /// Gives `all` memory for `more`, or for as many as the rest of the file holds if it goes on like this. Growing by
+  /// doubling would need three times the memory while it copies.
   template <class Things>
   void make_room(Things& all, std::size_t more = 1) const {
     const std::size_t needed = all.size() + more;
@@ -61,7 +61,7 @@ class OperationState {
     line_ = line;
     is_new_ = true;
   }
-  /// At a motion: its operation in Toolpath::operations, or kNone.
+  /// Returns, at a motion, its operation in Toolpath::operations, or kNone.
   [[nodiscard]] std::size_t resolve() {
     if (!std::exchange(is_new_, false)) return index_;
     index_ = builder_.path.operations.size();

@@ -75,7 +75,7 @@ class AxisChart {
     std::string out = "<svg class=\"axes\" viewBox=\"0 0 " + size + "\" role=\"img\" aria-label=\"Lead and side tilt " +
                       "over the length of the path\">\n";
     Range lead = range(kSeries[0], kSeries[2]), side = range(kSeries[1], kSeries[3]);
-    // One span for both, so that slopes compare.
+    // One span for both, so that slopes can be compared.
     const double span = std::max({lead.high - lead.low, side.high - side.low, kMinSpan_deg}) * (1 + 2 * kAir);
     lead.widen_to(span);
     side.widen_to(span);
@@ -92,7 +92,7 @@ class AxisChart {
     return top + kPanel * (range.high - angle) / (range.high - range.low);
   }
 
-  /// Places that change the picture: more than a pixel can hold are as good as these.
+  /// Keeps the places that change the picture. More than a pixel can hold would look the same.
   void keep_what_shows() {
     const std::vector<TiltPlace>& all = run_.curve;
     for (std::size_t from = 0; from < all.size();) {

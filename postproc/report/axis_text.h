@@ -13,17 +13,17 @@ enum class DegreeSign { word, sign };
 
 /// Three digits: "12.3 deg", "0.0457 deg".
 [[nodiscard]] std::string angle_text(double angle_rad, DegreeSign sign);
-/// "0.412 deg/mm", "10.5 deg/in".
+/// Returns "0.412 deg/mm", "10.5 deg/in".
 [[nodiscard]] std::string turn_rate_text(double turn_rad_per_mm, LengthUnit unit, DegreeSign sign);
 /// J in radians and `unit`, without its unit, three digits: "0.0123", "3.21e-05".
 [[nodiscard]] std::string bending_text(double bending, LengthUnit unit);
-/// "4.21 s", "12 min 4 s", "3 h 5 min".
+/// Returns "4.21 s", "12 min 4 s", "3 h 5 min".
 [[nodiscard]] std::string feed_time_text(double seconds);
-/// "line 31"; empty for kNone.
+/// Returns "line 31"; empty for kNone.
 [[nodiscard]] std::string line_of_move(const Toolpath& path, std::size_t move);
 
-/// The lines of the summary: how far the axis turns, how far it was tilted, how long the feeds take; none where
-/// nothing is of interest. Requires model.correction.axes.
+/// Writes the lines of the summary: how far the axis turns, how far it was tilted, how long the feeds take. There are
+/// none where nothing is of interest. Requires model.correction.axes.
 [[nodiscard]] std::string axis_lines(const ReportModel& model);
 
 }  // namespace gouge

@@ -13,7 +13,7 @@ struct BaselineEntry {
   enum class Use { applied, unused, voided };
 
   std::string by, date, reason;  ///< as given when it was accepted
-  std::string finding;           ///< what was accepted, for people
+  std::string finding;           ///< the accepted finding, for people
   Use use = Use::unused;         ///< unused: nothing gouges any more where it was accepted
   std::string why;               ///< voided: what changed
 };

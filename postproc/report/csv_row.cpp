@@ -7,8 +7,9 @@
 namespace gouge {
 namespace {
 
-// Returns whether a spreadsheet might take the text for a formula: =, +, - or @, also in full width, behind blanks,
-// quotes and the apostrophe that hides one; tabs and carriage returns begin a cell of their own in some.
+// Returns whether a spreadsheet might take the text for a formula. It begins with =, +, - or @, also in full width,
+// behind blanks, quotes and the apostrophe that hides one. Tabs and carriage returns begin a cell of their own in some
+// spreadsheets.
 bool may_be_formula(std::string_view text) {
   using namespace std::string_view_literals;
   for (std::size_t at = 0; at < text.size();) {
@@ -23,8 +24,8 @@ bool may_be_formula(std::string_view text) {
 
 }  // namespace
 
-// Also behind the separators of other locales, where a row is split at semicolons, tabs and line ends without regard to
-// quotes that begin within it.
+// Also tests behind the separators of other locales. There a row is split at semicolons, tabs and line ends without
+// regard to quotes that begin within it.
 std::string without_formula(std::string_view text) {
   if (text.empty() || parse_number(text)) return std::string(text);
   std::string out;

@@ -11,8 +11,8 @@
 
 namespace gouge {
 
-/// Text from a file, which somebody else may have written for the spreadsheet that opens ours: an apostrophe in front of
-/// what may be a formula (docs/formats/csv.md).
+/// Returns text from a file, which a stranger may have written for the spreadsheet that opens ours. Puts an apostrophe
+/// in front of a possible formula (docs/formats/csv.md).
 [[nodiscard]] std::string without_formula(std::string_view text);
 
 /// Appends one row of RFC 4180 to a text.
@@ -38,7 +38,7 @@ class CsvRow {
     }
     out_ += '"';
   }
-  // A bound that was never reached is no number, and a row has no word for it.
+  // A bound that was never reached is not a number, and a row cannot state it.
   void number(double value) { std::isfinite(value) ? word(exact_text(value)) : word({}); }
   void count(std::size_t value) {
     std::array<char, 24> digits{};

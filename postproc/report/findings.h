@@ -29,11 +29,11 @@ struct Finding {
   std::string justification;  ///< of what is accepted: who accepted it and why
 };
 
-/// The number of each of CheckResult::events as a finding, from 1: buried tools, then gouges, the deepest first, then near
-/// misses, those alike in the order of the path; 0 for what is no finding.
+/// Returns the number of each of CheckResult::events as a finding, from 1, or 0 for an event that is not one. Buried
+/// tools come first, then gouges, the deepest first, then near misses. Those alike are in the order of the path.
 [[nodiscard]] std::vector<std::size_t> finding_numbers(const CheckResult& result);
 
-/// Every event in the order of the path, then every reason why moves were not checked or not certified.
+/// Returns every event in the order of the path, then every reason why moves were not checked or not certified.
 [[nodiscard]] std::vector<Finding> list_findings(const ReportModel& model);
 
 /// Facts of a run beside its findings.
@@ -50,7 +50,7 @@ struct SarifJob {
   std::vector<Finding> findings;
 };
 [[nodiscard]] SarifJob sarif_job_of(const ReportModel& model);
-/// SARIF 2.1.0 of one run or many: one invocation and one artifact each, the findings in their order.
+/// Writes SARIF 2.1.0 of one run or many: one invocation and one artifact each, the findings in their order.
 [[nodiscard]] std::string write_sarif(const std::vector<SarifJob>& jobs);
 
 /// One test case of JUnit: an operation with one tool.
@@ -93,8 +93,8 @@ struct ListedFindings {
   double deepest_more_mm = 0;       ///< ... and the deepest of them; 0: none gouges
 };
 
-/// Gouges, buried tools and near misses. A tool that is buried counts as deepest, a near miss as less deep than any
-/// gouge; what may be as deep as min_depth_mm by its upper bound, and what is buried, is listed.
+/// Lists gouges, buried tools and near misses. A buried tool counts as deepest, a near miss as less deep than any
+/// gouge. A finding is listed if its upper bound reaches min_depth_mm, or if it is buried.
 [[nodiscard]] ListedFindings list_events(const ReportModel& model, const FindingsView& view);
 
 }  // namespace gouge

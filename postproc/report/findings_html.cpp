@@ -57,7 +57,7 @@ class FindingsTable {
   }
 
  private:
-  // Buried tools have no depth and come first; what is near comes last, the nearest first.
+  // Buried tools have no depth and come first. Near misses come last, the nearest first.
   [[nodiscard]] double rank(const Event& event) const {
     const MoveVerdict& worst = model_.result->verdicts[event.worst_move];
     if (event.state == MoveState::buried) return std::numeric_limits<double>::infinity();

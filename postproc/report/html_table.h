@@ -11,7 +11,7 @@ struct HtmlColumn {
   const char* css = "";  ///< "n": numbers, to the right; "k": never broken
 };
 
-/// A cell with escaped text.
+/// Returns a cell with escaped text.
 [[nodiscard]] std::string html_cell(const std::string& text, const char* css = "");
 
 /// A table of rows, the first page of it open. The others fold away and open with a click, without a script; a page
@@ -23,7 +23,7 @@ class HtmlTable {
 
   explicit HtmlTable(std::vector<HtmlColumn> columns) : columns_(std::move(columns)) {}
 
-  /// Returns whether the next row still has a page; what is not wanted need not be made, but must be counted by skip().
+  /// Returns whether the next row still has a page. A row that is not needed must be counted by skip().
   [[nodiscard]] bool has_room() const { return rows_ < kMaxRows; }
   /// `attributes`: of the row, each with a blank before it.
   void add(const std::string& cells, const std::string& attributes = {});

@@ -58,7 +58,7 @@ struct AxisFacts {
   AxisTilts tilts;
   std::optional<double> max_rotary_deg_per_min;  ///< none: not given
 
-  /// False where the axis stands and no limit was given: then people need not read of it.
+  /// Returns false where the axis stands and no limit was given: then people need not read of it.
   [[nodiscard]] bool is_of_interest() const {
     return before.has_turns() || after.has_turns() || tilts.positions > 0 || max_rotary_deg_per_min;
   }
@@ -117,35 +117,38 @@ struct ReportModel {
   BaselineFacts baseline;
 };
 
-enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };  // in the order of verdict_words()
+/// In the order of verdict_words().
+enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 
-/// Gouges and buried tools come first, then anything not checked that was not left out on request, and assumptions that
-/// are open.
+/// Returns the verdict. Gouges and buried tools come first, then anything not checked that was not left out on request,
+/// and assumptions that are open.
 [[nodiscard]] OverallVerdict overall_verdict(const CheckResult& result);
-/// The same with accepted gouges, which come last of all that is not clean, and with warnings that count as errors.
+/// Returns the same with accepted gouges, which come last of all that is not clean, and with warnings that count as
+/// errors.
 [[nodiscard]] OverallVerdict overall_verdict(const ReportModel& model);
-/// clean, gouges, not-fully-checked, accepted-gouges
+/// Returns clean, gouges, not-fully-checked or accepted-gouges.
 [[nodiscard]] const char* verdict_name(OverallVerdict verdict);
-/// The exit status of `check` and `correct`.
+/// Returns the exit status of `check` and `correct`.
 [[nodiscard]] ExitCode exit_status(OverallVerdict verdict);
 
-/// "no gouge deeper than tolerance + resolution = 0.011 mm is missed, and where none is reported the tool reaches at
-/// most 3 times that into a solid", in the toolpath's unit, with what it does not cover when something was not checked.
+/// Returns the guarantee in the toolpath's unit, with the moves it does not cover when something was not checked. It
+/// begins "no gouge deeper than tolerance + resolution = 0.011 mm is missed". It ends "and where none is reported the
+/// tool reaches at most 3 times that into a solid".
 [[nodiscard]] std::string guarantee_text(const ReportModel& model);
 
 /// Returns one sentence for each assumption that keeps the verdict from being clean: which, why, and what to do.
 [[nodiscard]] std::vector<std::string> open_facts(const ReportModel& model);
 
-/// Reservations about the verdict, a sentence each: which option settles why moves are not checked
-/// (remedies.h), that the path may not belong to the part, that tools have no holder.
+/// Returns reservations about the verdict, a sentence each. (1) The option that settles why moves are not checked
+/// (remedies.h). (2) That the path may not belong to the part. (3) That tools have no holder.
 [[nodiscard]] std::vector<std::string> reservations(const ReportModel& model);
 
-/// A distance of ClosestApproach, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm", "not within 20
-/// mm".
+/// Returns a distance of ClosestApproach, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm",
+/// "not within 20 mm".
 [[nodiscard]] std::string closest_approach_words(const std::optional<double>& distance_mm, LengthUnit unit);
 
-/// "seen nearest, the tool is touching; half of the 400 cutting positions examined (of 2425) are within 0.83 mm".
-/// Empty without closeness.
+/// Returns "seen nearest, the tool is touching; half of the 400 cutting positions examined (of 2425) are within 0.83
+/// mm". Empty without closeness.
 [[nodiscard]] std::string closest_approach_text(const ReportModel& model);
 
 /// Moves that share a reason for not being checked or certified, in order of their first move.

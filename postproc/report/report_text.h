@@ -15,29 +15,29 @@ inline constexpr const char* kProjectFile = "project-file";
 
 /// Thousands apart: "4,957".
 [[nodiscard]] std::string grouped_text(std::size_t count);
-/// A length for people, in `unit`, with its name: "0.213 mm", "0.0084 in". Small lengths keep two digits.
+/// Returns a length for people, in `unit`, with its name: "0.213 mm", "0.0084 in". Small lengths keep two digits.
 [[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit);
-/// The same beside the limits of the check: with as many digits more as it takes to show it from the tolerance, from
-/// tolerance + resolution and from the near miss requested: "0.0112 mm" beside 0.011 mm.
+/// Returns the same beside the limits of the check. It has enough digits to differ from the tolerance, from tolerance +
+/// resolution and from the near miss requested: "0.0112 mm" beside 0.011 mm.
 [[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit, const CheckOptions& limits);
 /// Up to six digits, four below 1, no trailing zeros: "0.011 mm", "44.4543 mm", "0.0004331 in".
 [[nodiscard]] std::string length_text(double length_mm, LengthUnit unit);
-/// For pictures, where room is short: six decimals, or more where three digits need them; no trailing zeros:
+/// Returns for pictures, where room is short: six decimals, or more where three digits need them; no trailing zeros:
 /// "0.000394 in".
 [[nodiscard]] std::string short_length_text(double length_mm, LengthUnit unit);
-/// "(12.3, 4.5, 6.7)" in `unit`: three decimals in mm and four in inches, trailing zeros dropped.
+/// Returns "(12.3, 4.5, 6.7)" in `unit`: three decimals in mm and four in inches, trailing zeros dropped.
 [[nodiscard]] std::string point_text(const Vec3& point_mm, LengthUnit unit);
-/// "0.42": four decimals, trailing zeros dropped.
+/// Returns "0.42": four decimals, trailing zeros dropped.
 [[nodiscard]] std::string instant_text(double t);
-/// "mm" or "inches": for headings, where "in in" would read badly.
+/// Returns "mm" or "inches": for headings, where "in in" would read badly.
 [[nodiscard]] const char* unit_words(LengthUnit unit);
 
 /// Returns how many of its changes are positions that the path did not have.
 [[nodiscard]] std::size_t inserted_positions(const CorrectionFacts& correction);
-/// The programmed positions that are not left uncut.
+/// Returns the programmed positions that are not left uncut.
 [[nodiscard]] std::size_t moved_positions(const CorrectionFacts& correction);
 
-/// "cuts were moved by up to 0.213 mm: less is cut there than was programmed"; empty where none was.
+/// Returns "cuts were moved by up to 0.213 mm: less is cut there than was programmed"; empty where none was.
 [[nodiscard]] std::string moved_cuts_text(const CorrectionFacts& correction, LengthUnit unit);
 
 /// Sums over all stretches left out, and over the holes that are drilled less deep.
@@ -48,43 +48,46 @@ struct UncutTotal {
   double max_of_hole_mm = 0;  ///< most that is missing of the depth of one
 };
 [[nodiscard]] UncutTotal uncut_total(const CorrectionFacts& correction);
-/// "12 positions and 81.2 mm left uncut in 1 stretch, 2 holes left uncut by up to 0.02 mm"; empty where nothing is.
+/// Returns "12 positions and 81.2 mm left uncut in 1 stretch, 2 holes left uncut by up to 0.02 mm"; empty where nothing
+/// is.
 [[nodiscard]] std::string uncut_text(const CorrectionFacts& correction, LengthUnit unit);
-/// "up to 1.62 mm of what was finished left in 2 stretches, most at (0, 1, 2), line 12"; empty where nothing is.
+/// Returns "up to 1.62 mm of what was finished left in 2 stretches, most at (0, 1, 2), line 12"; empty where nothing
+/// is.
 [[nodiscard]] std::string stock_text(const CorrectionFacts& correction, LengthUnit unit);
-/// "2 rapids that were written keep less than the clearance of 2 mm: the least 0.005 mm, line 12"; empty where none does.
+/// Returns "2 rapids that were written keep less than the clearance of 2 mm: the least 0.005 mm, line 12"; empty where
+/// none does.
 [[nodiscard]] std::string low_rapids_text(const CorrectionFacts& correction, LengthUnit unit);
-/// "0.005 mm", "0.005 mm inside": what a rapid keeps.
+/// Returns "0.005 mm", "0.005 mm inside": what a rapid keeps.
 [[nodiscard]] std::string kept_text(double keeps_mm, LengthUnit unit);
-/// "20 mm or more", of one stretch.
+/// Returns "20 mm or more", of one stretch.
 [[nodiscard]] std::string thickness_text(const LeftStock& left, LengthUnit unit);
-/// "2 curves became 79 straight moves".
+/// Returns "2 curves became 79 straight moves".
 [[nodiscard]] std::string straightened_text(const CorrectionFacts& correction);
 
-/// "T1", else the quoted name, else "unnamed tool"; "no tool" for kNone.
+/// Returns "T1", else the quoted name, else "unnamed tool"; "no tool" for kNone.
 [[nodiscard]] std::string tool_label(const Toolpath& toolpath, std::size_t tool);
-/// For programs: the number, else the name, else nothing.
+/// Returns for programs: the number, else the name, else nothing.
 [[nodiscard]] std::string tool_key(const Toolpath& toolpath, std::size_t tool);
-/// Name of the mesh a witness lies on; empty when the model does not state.
+/// Returns the name of the mesh a witness lies on; empty when the model does not state it.
 [[nodiscard]] std::string mesh_name(const ReportModel& model, const Witness& witness);
-/// The clearance of the mesh of a witness; 0: none.
+/// Returns the clearance of the mesh of a witness; 0: none.
 [[nodiscard]] double mesh_clearance_mm(const ReportModel& model, const Witness& witness);
 [[nodiscard]] std::string operation_name(const Toolpath& toolpath, std::size_t operation);
-/// The bytes of a move's statement, line end included; empty where the path does not state.
+/// Returns the bytes of a move's statement, line end included; empty where the path does not state.
 [[nodiscard]] std::string_view statement_text(const Toolpath& toolpath, const Move& move);
 
-/// The statement of a move as its file has it, up to three lines of at most 200 bytes; what is more ends in " ...". None
-/// where the move has no statement or the file is no text.
+/// Returns the statement of a move as its file has it, up to three lines of at most 200 bytes. Longer text ends in "
+/// ...". None where the move has no statement or the file is not text.
 [[nodiscard]] std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t move);
 
-/// One finding without its location: "gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42".
+/// Returns one finding without its location: "gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42".
 [[nodiscard]] std::string event_text(const ReportModel& model, const Event& event);
-/// " (7 moves, 118-124)", or nothing when the event is one move.
+/// Returns " (7 moves, 118-124)", or nothing when the event is one move.
 [[nodiscard]] std::string span_text(const Event& event);
-/// One of group_reasons without its location: "not checked: <reason> (3 moves, the first is move 7)".
+/// Returns one of group_reasons without its location: "not checked: <reason> (3 moves, the first is move 7)".
 [[nodiscard]] std::string group_text(const ReasonGroup& group);
 
-/// For XML and HTML text and attributes. Bytes that are not UTF-8 become U+FFFD, control characters blanks.
+/// Returns for XML and HTML text and attributes. Bytes that are not UTF-8 become U+FFFD, control characters blanks.
 [[nodiscard]] std::string xml_escaped(std::string_view text);
 /// A file as a relative reference of RFC 3986, as the user named it; absolute paths become file URIs.
 [[nodiscard]] std::string uri_of(const std::string& file);

@@ -13,10 +13,10 @@ struct SignOff {
   std::string project, reviewer;  ///< as given; may be empty
 };
 
-/// Project, reviewer, date, program and command line, as HTML.
+/// Returns project, reviewer, date, program and command line, as HTML.
 [[nodiscard]] std::string sign_off_facts(const ReportModel& model);
 
-/// Lines to sign, as HTML.
+/// Returns lines to sign, as HTML.
 [[nodiscard]] std::string sign_off_lines(const ReportModel& model);
 
 }  // namespace gouge

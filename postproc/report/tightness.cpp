@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-/// How far two bounds are apart, and how far they may be.
+/// The distance of two bounds, and its requested maximum.
 struct Gap {
   double mm = 0, asked_mm = 0;
 };

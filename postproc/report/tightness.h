@@ -18,15 +18,17 @@ struct Gaps {
 [[nodiscard]] bool has_wide_depth(const ReportModel& model, const MoveVerdict& verdict);
 [[nodiscard]] Gaps depth_gaps(const ReportModel& model);
 [[nodiscard]] Gaps overcut_gaps(const ReportModel& model);
-/// Maximum overcut of all gouges; 0 without any.
+/// Returns the maximum overcut of all gouges; 0 without any.
 [[nodiscard]] double worst_overcut_upper_mm(const CheckResult& result);
 
-/// "the depth of 1 of 30 gouging moves is certified to 0.0206 mm only, not to the resolution of 0.001 mm: move 18, line
-/// 20, is between 4.0951 and 4.1156 mm deep". Empty when all are as close as requested.
+/// Reports gouges whose depth is not as close as requested: "the depth of 1 of 30 gouging moves is certified to 0.0206
+/// mm only, ...". It names the first: "... not to the resolution of 0.001 mm: move 18, line 20, is between 4.0951 and
+/// 4.1156 mm deep". Empty when there are none.
 [[nodiscard]] std::string depth_gaps_text(const ReportModel& model);
-/// "12.193 mm", "12.193 to 12.301 mm": the worst overcut of all, which lies between the two where they differ.
+/// Returns "12.193 mm", "12.193 to 12.301 mm": the worst overcut of all, which lies between the two where they differ.
 [[nodiscard]] std::string overcut_range_text(const ReportModel& model);
-/// "a lower bound in 22 of 30 gouging moves; the true one may be up to 0.31 mm larger (move 18)". Empty as above.
+/// Returns "a lower bound in 22 of 30 gouging moves; the true one may be up to 0.31 mm larger (move 18)". Empty as
+/// above.
 [[nodiscard]] std::string overcut_gaps_text(const ReportModel& model);
 
 }  // namespace gouge

@@ -21,8 +21,8 @@ struct StoredOptions {
   double tolerance_mm = 0, resolution_mm = 0, stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0;
   std::string rapid;
   std::vector<std::string> limits{};  ///< of single files, as typed: "vise.stl,clearance=1"; sorted
-  /// The law of motion: "machine=preset:NAME", "feed-law=axis", the checksum of a machine file; sorted. Empty: the great
-  /// circle.
+  /// The law of motion: "machine=preset:NAME", "feed-law=axis", the checksum of a machine file; sorted. Empty: the
+  /// great circle.
   std::vector<std::string> law{};
 
   bool operator==(const StoredOptions&) const = default;
@@ -35,22 +35,22 @@ struct StoredResult {
   StoredOptions options;
   std::vector<EventRecord> findings;  ///< gouges and buried tools, in the order of the path
 
-  /// None where that move is clean.
+  /// Returns none where that move is clean.
   [[nodiscard]] const MoveRecord* find_move(std::size_t move) const;
-  /// The moves of a finding, in order: those of its interval and state.
+  /// Returns the moves of a finding, in order: those of its interval and state.
   [[nodiscard]] std::vector<const MoveRecord*> moves_of(const EventRecord& finding) const;
   [[nodiscard]] const MoveRecord& worst_of(const EventRecord& finding) const { return *find_move(finding.worst_move); }
   /// Requires a move of the path.
   [[nodiscard]] const RunRecord& run_of(std::size_t move) const;
   /// Returns how many of the moves [first, end) are of the operation and tool of `run`.
   [[nodiscard]] std::size_t moves_like(const RunRecord& run, std::size_t first, std::size_t end) const;
-  /// The checksums of the files of a role, in order, a line each.
+  /// Returns the checksums of the files of a role, in order, a line each.
   [[nodiscard]] std::string contents_of(std::string_view role) const;
 };
 
-/// "T1", a quoted name, or "the unnamed tool", by its key.
+/// Returns "T1", a quoted name, or "the unnamed tool", by its key.
 [[nodiscard]] std::string stored_tool_label(const std::string& key);
-/// A finding without its location, in the unit of its result: "0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118".
+/// Returns a finding without its location, in the unit of its result: "0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118".
 [[nodiscard]] std::string stored_finding_text(const StoredResult& result, const EventRecord& finding);
 
 /// Reads the bytes of `file`.

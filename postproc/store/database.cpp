@@ -55,7 +55,7 @@ struct Database::State {
   static int bind(sqlite3_stmt* statement, int at, const Cell& cell) {
     if (const auto* whole = std::get_if<std::int64_t>(&cell)) return sqlite3_bind_int64(statement, at, *whole);
     if (const auto* number = std::get_if<double>(&cell)) return sqlite3_bind_double(statement, at, *number);
-    // SQLITE_STATIC: what is bound outlives the call.
+    // SQLITE_STATIC: bound data outlives the call.
     if (const auto* text = std::get_if<std::string_view>(&cell))
       return sqlite3_bind_text64(statement, at, text->data() == nullptr ? "" : text->data(), text->size(), nullptr,
                                  SQLITE_UTF8);
@@ -102,7 +102,7 @@ Result<Database> Database::open(const std::string& path) {
 
 void Database::begin_writing() {
   // One process alone, so that a write-ahead log needs no shared memory and works on network drives too. Synchronous:
-  // what is committed stands also after the power fails.
+  // committed data stands also after the power fails.
   for (const char* setting : {"PRAGMA journal_mode=WAL", "PRAGMA synchronous=FULL", "BEGIN EXCLUSIVE", "COMMIT"})
     run(setting);
 }

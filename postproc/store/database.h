@@ -18,7 +18,7 @@ namespace gouge {
 /// A value of a row. Text need not be UTF-8.
 using Cell = std::variant<std::nullptr_t, std::int64_t, double, std::string_view>;
 
-/// One row of an result. Columns count from 0; what is NULL is 0 or empty.
+/// One row of a result. Columns count from 0; NULL reads as 0 or empty.
 class Row {
  public:
   explicit Row(sqlite3_stmt* statement) : statement_(statement) {}
@@ -32,8 +32,8 @@ class Row {
   sqlite3_stmt* statement_;
 };
 
-/// An SQLite file of this process alone, in which a change stands on the disk once its transaction is committed, and
-/// of which a kill at any instant leaves the last committed state. The first error sticks: after it nothing is done.
+/// An SQLite file of this process alone. A change is on the disk once its transaction is committed. A kill at any
+/// instant leaves the last committed state. The first error sticks: after it nothing is done.
 class Database {
  public:
   /// Makes the file where there is none. Errors: store-busy (another process has it), store-unreadable,

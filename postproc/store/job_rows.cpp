@@ -141,7 +141,7 @@ void put_rows_beside(const PutRow& put, std::int64_t job, const JobResult& resul
   put_lists(put, job, result);
 }
 
-// As SQLite gives it back: it stores -0 as 0 and what is no number as NULL.
+// As SQLite gives it back: it stores -0 as 0 and a value that is not a number as NULL.
 std::string text_of(const Cell& cell) {
   if (const auto* number = std::get_if<std::int64_t>(&cell)) return "i" + std::to_string(*number);
   if (const auto* number = std::get_if<double>(&cell); number != nullptr && !std::isnan(*number))

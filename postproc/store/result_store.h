@@ -31,8 +31,8 @@ struct StoredJob {
 /// results.sqlite of a batch (docs/formats/batch_store.md): the results of its jobs, each committed when it is there.
 class ResultStore {
  public:
-  /// Makes an empty file where there is none; what is there stays as it is until begin. Errors: store-newer (of a later version of the program),
-  /// store-foreign (a database that is no store of a batch), those of Database.
+  /// Makes an empty file where there is none. An existing one stays as it is until begin. Errors: store-newer (of a
+  /// later version of the program), store-foreign (a database that is not a store of a batch), those of Database.
   [[nodiscard]] static Result<ResultStore> open(const std::string& path);
 
   /// Returns whether a batch was begun here and not ended, and how many of its jobs are done.
@@ -51,12 +51,12 @@ class ResultStore {
   [[nodiscard]] Outcome put(const std::vector<Numbered>& results);
   /// Reads anew which jobs are done.
   [[nodiscard]] Outcome refresh();
-  /// One for each job that is run here, in order; those that have not run have a name alone, and those whose rows
-  /// were altered since they were put (is_altered).
+  /// Returns one result for each job that is run here, in order. Those that have not run have a name alone. Those whose
+  /// rows were altered since they were put are marked (is_altered).
   [[nodiscard]] Result<std::vector<JobResult>> all();
   /// Returns the batch that began last; empty names where there is none.
   [[nodiscard]] Result<BatchIdentity> identity();
-  /// The batch is whole: every job that was to run has run, and its files stand.
+  /// Marks the batch as whole: every job that was to run has run, and its files stand.
   [[nodiscard]] Outcome end();
 
  private:

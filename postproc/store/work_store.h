@@ -36,7 +36,7 @@ class WorkStore : public CheckpointStore {
   bool is_opened_ = false;
 };
 
-/// Removes the file of a WorkStore that is closed, and what SQLite has beside it.
+/// Removes the file of a WorkStore that is closed, and the files of SQLite beside it.
 void remove_work_store(const std::string& path);
 
 }  // namespace gouge

@@ -29,8 +29,8 @@ double area_of(const ViewerMesh& mesh) {
   return area;
 }
 
-/// Points spread over the surface, about `apart_mm` from each other; one at least in the middle of each triangle that is
-/// not far smaller.
+/// Points spread over the surface, about `apart_mm` from each other; one at least in the middle of each triangle that
+/// is not far smaller.
 std::vector<SurfacePoint> spread_points(const ViewerMesh& mesh, double apart_mm) {
   std::vector<SurfacePoint> points;
   double skipped = 0;  // area of triangles without a point
@@ -89,7 +89,7 @@ class Cutter {
  private:
   static constexpr std::uint32_t kWhole = 0xFFFFFFFFU;
 
-  // The middle of an edge that is to be cut, else kWhole. Whether, is stated by where it is alone.
+  // Returns the middle of an edge that is to be cut, else kWhole. The position of the edge alone decides.
   std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
     const double length = (out_.positions[a] - out_.positions[b]).norm();
     if (length <= finest_mm_) return kWhole;

@@ -17,14 +17,15 @@ struct AskedValues {
   SurfaceQuantity quantity = SurfaceQuantity::pictured;
 };
 
-/// Those values at the vertices of a surface: one list for each that was queried, as long as the vertices.
+/// Those values at the vertices of a surface: one list for each of `asked`, as long as the vertices.
 using VertexValues = std::vector<std::vector<float>>;
 
-/// Cuts the triangles of `mesh` where one of `queried` is more than 0, as finely as a picture needs, and hands back each at
-/// all vertices, mm. A gouge in the middle of one large triangle touches no vertex of it.
+/// Cuts the triangles of `mesh` where one of `asked` is more than 0, as finely as a picture needs. Returns each of
+/// these values at all vertices, mm. A gouge in the middle of one large triangle touches no vertex of it.
 ///
-/// `points`: where the surface is known to be gouged, besides the points that are examined. `size_mm`: across the parts.
-/// Ensures  Edges are cut by where they are alone, so that neighbours agree and no gap opens. The same on every run.
+/// The `points` are places where the surface is known to be gouged, besides the points that are examined. The `size_mm`
+/// is across the parts.
+/// Ensures  An edge is cut by its own position alone, so that neighbours agree and no gap opens. The same on every run.
 /// Cost     About 60,000 points examined, and 150,000 triangles more at most.
 [[nodiscard]] VertexValues refine_surface(ViewerMesh& mesh, const std::vector<AskedValues>& asked,
                                           const std::vector<Vec3>& points, double size_mm);
@@ -36,7 +37,7 @@ class GougedCells {
 
   void add(const Vec3& point);
 
-  /// True where a point lies within `reach_mm` of `at`, and for some up to four times as far away.
+  /// Returns true where a point lies within `reach_mm` of `at`, and for some up to four times as far away.
   [[nodiscard]] bool is_near(const Vec3& at, double reach_mm) const;
 
  private:

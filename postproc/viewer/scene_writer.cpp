@@ -56,7 +56,7 @@ Json write_directions(Payload& payload, const Directions& directions, int bytes)
   return {payload.add_differences(parts[0], bytes), payload.add_differences(parts[1], bytes)};
 }
 
-// How far back the vertex of each corner is from the first that no triangle has named yet; 0: it is that one.
+// Returns how far back the vertex of each corner is from the first that no triangle has named yet; 0: it is that one.
 Json write_corners(Payload& payload, const ViewerMesh& mesh) {
   std::uint32_t next = 0;
   return payload.add(3 * mesh.triangles.size(), 4, [&](std::size_t i) {

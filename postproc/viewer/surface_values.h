@@ -24,7 +24,7 @@ class SurfaceValues {
 
   [[nodiscard]] bool is_overcut() const { return !path_.overcuts.is_empty(); }
   [[nodiscard]] bool is_empty() const { return path_.depths.is_empty(); }
-  /// mm; 0 where nothing gouges. Quick for any order of the points.
+  /// Returns values in mm; 0 where nothing gouges. Quick for any order of the points.
   [[nodiscard]] std::vector<float> at(const std::vector<SurfacePoint>& points,
                                       SurfaceQuantity quantity = SurfaceQuantity::pictured) const;
 

@@ -20,7 +20,8 @@ struct ViewerMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< sharp ones, of these vertices
 
-  /// Vertices are as in the meshes, in the order in which triangles first name them, once for each normal.
+  /// Makes the mesh of a scene. Vertices are as in the meshes, in the order in which triangles first name them, once
+  /// for each normal.
   [[nodiscard]] static ViewerMesh from(const PictureScene& scene);
 };
 
@@ -32,8 +33,9 @@ struct Station {
   bool is_start = false;  ///< no motion leads here: the first position, or one after a motion that is not known
 };
 
-/// Stations of a path: curves with chords `error_mm` from them. Of a path of more than `most` moves every so manieth, and
-/// the worst move of each finding with its neighbours, where the next but one would not be distinguished.
+/// Returns stations of a path: curves with chords `error_mm` from them. Of a path of more than `most` moves some are
+/// taken, at equal steps. The worst move of each finding is taken with its neighbours, where the next but one would not
+/// be distinguished.
 [[nodiscard]] std::vector<Station> stations_of(const CheckedToolpath& input, double error_mm, std::size_t most);
 
 }  // namespace gouge

@@ -12,7 +12,7 @@
 #include "tests/support/shapes.h"
 
 // Boxes of whole coordinates, some of them inside out, in one mesh: shells that nest, overlap, share faces and cross.
-// What is inside, and where that ends, is counted cell by cell, without a triangle. Header only.
+// The inside and its boundary are counted cell by cell, without a triangle. Header only.
 
 namespace gouge::test {
 

@@ -16,9 +16,9 @@
 #include "toolmodels/elements.h"
 #include "toolmodels/unite.h"
 
-// Random valid tools, the same for a seed on every run: assemblies of every shape of cutter, with and without
-// offset, and profiles drawn freely, with convex and concave arcs, fillets, undercuts, necks, hollow bottoms,
-// steps a millionth of the tool's size, and corners on a grid, where distances tie exactly.
+// Random valid tools, the same for a seed on every run. They are assemblies of every shape of cutter, with and without
+// offset, and profiles drawn freely. The profiles have convex and concave arcs, fillets, undercuts, necks, hollow
+// bottoms and steps a millionth of the tool's size. They also have corners on a grid, where distances tie exactly.
 
 namespace gouge::test {
 
@@ -27,8 +27,8 @@ struct RandomTool {
   Profile profile;
 };
 
-/// From p to q with solid on the left: straight for bulge 0, a convex arc of `4 atan(bulge)` for a positive
-/// one, a concave arc for a negative one.
+/// Returns an element from p to q with solid on the left. It is straight for bulge 0, a convex arc of `4 atan(bulge)`
+/// for a positive one, a concave arc for a negative one.
 inline ProfileElement bulged(const Vec2& p, const Vec2& q, double bulge, Body body = Body::cutter) {
   if (!(std::abs(bulge) > 0)) return make_segment(body, p, q);
   const double half = 2 * std::atan(std::abs(bulge));
@@ -229,7 +229,7 @@ inline Profile random_assembly_profile(Scatter& random) {
   }
 }
 
-// Offset undercuts may close and hollows fill; what is left is one contour all the same.
+// Offset undercuts may close and hollows fill, but one contour remains.
 inline Profile random_offset_profile(Scatter& random) {
   for (;;) {
     const bool is_free = random.next() % 2 == 0;

@@ -15,9 +15,9 @@
 #include "lib/tool/compiled_tool.h"
 #include "tests/support/reference_contour.h"
 
-// Depths by other means than the check's: the pose from the meaning of a move, the tool's distance from its
-// contour alone, the surface by many instants and the way a distance can change at most. Shares with the check no
-// formula, no tree, no plane. Header only.
+// Depths by other means than the check's. The pose follows from the meaning of a move, and the tool's distance from its
+// contour alone. The surface is sampled at many instants, with the maximum change of a distance between them. Shares
+// with the check no formula, no tree, no plane. Header only.
 
 namespace gouge::reference {
 
@@ -33,8 +33,8 @@ inline Pose pose_at(const Pose& from, const Pose& to, double t) {
   return pose;
 }
 
-/// The tool axis of a head of two rotary axes that run evenly: C about z, the shorter way round, and A about the x axis
-/// that C has turned.
+/// Returns the tool axis of a head of two rotary axes that run evenly. C turns about z, the shorter way round, and A
+/// about the x axis that C has turned.
 class Rotaries {
  public:
   Rotaries(const Vec3& from, const Vec3& to)
@@ -231,7 +231,7 @@ class Search {
     pieces_.push_back(piece);
   }
 
-  // How far a point can move against the tool between two instants `share` of the move apart.
+  // Returns how far a point can move against the tool between two instants `share` of the move apart.
   [[nodiscard]] double travel(const Vec3& p, double share) const {
     const bool is_straight = movement_.arc == nullptr && movement_.spline == nullptr;
     const double far = std::max((p - from_.tip).norm(), (p - to_.tip).norm()) + (is_straight ? 0 : length_);

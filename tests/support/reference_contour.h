@@ -26,7 +26,7 @@ class Contour {
     }
   }
 
-  /// How deep (r, z) is in the solid: distance to the boundary, negative outside.
+  /// Returns how deep (r, z) is in the solid: distance to the boundary, negative outside.
   [[nodiscard]] double depth(double r, double z) const {
     const Vec2 q(r, z);
     double nearest2 = 1e300;
@@ -98,8 +98,8 @@ class Contour {
     return std::sqrt(std::min((q - p.a).squaredNorm(), (q - p.b).squaredNorm()));
   }
 
-  // A stretch of the profile that is met once at every height from a to b: a line, or an arc no farther than to its
-  // highest or lowest point.
+  // A stretch of the profile that is met once at every height from a to b. It is a line, or an arc no farther than to
+  // its highest or lowest point.
   struct Side {
     Vec2 a, b, c;
     double radius = 0;

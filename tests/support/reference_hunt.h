@@ -10,9 +10,9 @@
 
 #include "tests/support/reference.h"
 
-// A hunt for the deepest point of a surface in a moving solid, for very many moves: best first over time and surface
-// at once, by how far a distance can change at most, then a climb from the best places. A lower bound of the truth that
-// costs about a millisecond. Header only.
+// A hunt for the deepest point of a surface in a moving solid, for very many moves. It is best first over time and
+// surface at once, by the maximum change of a distance. A climb from the best places follows. A lower bound of the
+// truth that costs about a millisecond. Header only.
 
 namespace gouge::reference {
 
@@ -43,9 +43,9 @@ class MovingTool {
   const Movement& movement_;
 };
 
-/// A head along a move: at every position it is turned from upright the shortest way; between two the axis takes it
-/// along, and what is then missing about the axis is spread evenly over the move (docs/method/guarantee.md). Rotary axes turn it
-/// as they do.
+/// A head along a move. At every position it is turned from upright the shortest way. Between two the axis takes it
+/// along, and the rest of the turn about the axis is spread evenly over the move (docs/method/guarantee.md). Rotary
+/// axes turn it as they do.
 class MovingHead {
  public:
   MovingHead(const IndexedMesh& head, const Movement& movement) : head_(head), movement_(movement) {
@@ -209,8 +209,8 @@ class Hunt {
     }
   }
 
-  // From a place to the top of its hill, over the triangle and over time, by steps of one length in every direction:
-  // along the coordinates, and a dozen at random since hills have ridges.
+  // Climbs from a place to the top of its hill, over the triangle and over time. Steps of one length go along the
+  // coordinates, and in a dozen random directions, since hills have ridges.
   [[nodiscard]] Place climb(Place best) const {
     constexpr double kShortest_mm = 1e-7;
     const auto& [a, b, c] = triangles_[best.triangle];

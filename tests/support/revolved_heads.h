@@ -32,8 +32,9 @@ inline IndexedMesh turned(const std::vector<Vec2>& contour, std::size_t sides) {
   return mesh;
 }
 
-/// Heads that fill much of what they turn through, from 5 mm above the tip on: a rounded cylinder, a spindle nose with a
-/// neck and a flange, a bumpy ball, a box about the axis, two drums with a gap between them, a ring around nothing.
+/// Heads that fill much of the space that they turn through, from 5 mm above the tip on. They are a rounded cylinder, a
+/// spindle nose with a neck and a flange, a bumpy ball and a box about the axis. Others are two drums with a gap
+/// between them, and a ring around nothing.
 inline std::vector<IndexedMesh> heads_around_the_axis() {
   std::vector<Vec2> rounded{{0, 5}};
   for (int i = 0; i <= 12; ++i) {

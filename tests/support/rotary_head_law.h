@@ -10,8 +10,8 @@
 
 namespace gouge::test {
 
-/// A head of two rotary axes: C turns about z, A about the x axis that C has turned. At 0 the tool is upright. Between two
-/// positions both run evenly from one angle to the other, C the shorter way round.
+/// A head of two rotary axes: C turns about z, A about the x axis that C has turned. At 0 the tool is upright. Between
+/// two positions both run evenly from one angle to the other, C the shorter way round.
 class RotaryHeadLaw : public AxisLaw {
  public:
   [[nodiscard]] std::shared_ptr<const AxisPath> between(const Vec3& from, const Vec3& to) const override {

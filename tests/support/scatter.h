@@ -8,8 +8,8 @@
 
 namespace gouge::test {
 
-/// Random numbers, points and directions for tests: the same for a seed on every machine and with every standard
-/// library, whose distributions differ (the generator is SplitMix64 by Steele, Lea and Flood).
+/// Random numbers, points and directions for tests. They are the same for a seed on every machine and with every
+/// standard library, whose distributions differ. The generator is SplitMix64 by Steele, Lea and Flood.
 class Scatter {
  public:
   explicit Scatter(std::uint64_t seed) : state_(seed) {}

@@ -73,7 +73,7 @@ inline IndexedMesh slotted_block(double wall = 1, double slot = 6, double height
 }
 
 /// Block [-half, half]^2 x [-height, 0] with a blind hole of `radius` and `depth` about z, of `corners` flat walls, a
-/// multiple of 8: its corners lie on the radius.
+/// multiple of 8. Its corners lie on the radius.
 inline IndexedMesh bored_block(double radius, double depth, double half = 50, double height = 30,
                                std::size_t corners = 64) {
   IndexedMesh mesh;

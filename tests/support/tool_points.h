@@ -27,8 +27,8 @@ inline Vec2 on_bisector(const CompiledTool& tool, Vec2 p, Vec2 q) {
   return p;
 }
 
-/// Around the tool, far away, on the axis, at every scale about the boundary and its corners, straight off
-/// the middle of an element (at a tiny step's far side too), and on bisectors.
+/// Points around the tool, far away, on the axis, and at every scale about the boundary and its corners. Also points
+/// straight off the middle of an element (at a tiny step's far side too), and on bisectors.
 inline Vec2 random_tool_point(Scatter& random, const CompiledTool& tool) {
   const double size = extent_mm(tool);
   const auto around = [&] {

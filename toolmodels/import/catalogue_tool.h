@@ -11,13 +11,13 @@
 #include "toolmodels/import/catalogue_cutter.h"
 #include "toolmodels/import/import_tools.h"
 
-// A tool as a catalogue or a CAM library describes it, and the assembly it makes:
+// A tool as a catalogue or a CAM library describes it, and the assembly it makes.
 //
-//   holder segments          from body_length up
-//   shank                    shank_diameter, from the shaft segments (or the shoulder) to body_length
-//   shaft segments           as the file lists them, from the tip side up
-//   shoulder                 shoulder_diameter, from the flutes to shoulder_length
-//   cutter                   tip to flute_length
+//   holder segments          From body_length up.
+//   shank                    Of shank_diameter, from the shaft segments (or the shoulder) to body_length.
+//   shaft segments           As the file lists them, from the tip side up.
+//   shoulder                 Of shoulder_diameter, from the flutes to shoulder_length.
+//   cutter                   From tip to flute_length.
 
 namespace gouge {
 

@@ -43,7 +43,7 @@ class Collector {
 /// Returns how messages call a tool of another program's file: its number and name as far as it has them.
 [[nodiscard]] std::string tool_label(const std::optional<int>& number, const std::string& name);
 
-/// A tool number this project can hold.
+/// Returns a tool number that this project can hold.
 [[nodiscard]] std::optional<int> tool_number(long long number);
 
 struct BesideFile {
@@ -54,8 +54,8 @@ struct BesideFile {
 /// Reads the file that a tool library names `name`: in the library's folder, else in the folder Bit beside that, where
 /// FreeCAD keeps them. Where none has exactly this name, upper and lower case count as equal.
 ///
-/// Errors   file-not-found with both places; import-beside where several files differ in case alone; those of
-///          read_file.
+/// Errors   (1) file-not-found with both places. (2) import-beside where several files differ in case alone. (3) Those
+///          of read_file.
 [[nodiscard]] Result<BesideFile> read_beside(const std::string& library_file, const std::string& name,
                                              std::uint64_t max_bytes);
 

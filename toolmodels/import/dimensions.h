@@ -50,12 +50,12 @@ class Dimensions {
   [[nodiscard]] const std::optional<Given>& operator[](Dimension dimension) const {
     return given_[static_cast<std::size_t>(dimension)];
   }
-  /// The value, or `otherwise` when the file states nothing.
+  /// Returns the value, or `otherwise` when the file states nothing.
   [[nodiscard]] double value_or(Dimension dimension, double otherwise) const {
     const std::optional<Given>& given = (*this)[dimension];
     return given ? given->value : otherwise;
   }
-  /// "LCF 20 mm". Requires the dimension to be given.
+  /// Returns "LCF 20 mm". Requires the dimension to be given.
   [[nodiscard]] std::string text(Dimension dimension) const;
 
  private:
@@ -67,7 +67,7 @@ class Dimensions {
 /// Symbols of ISO 13399 and those of Fusion, most of which are the same.
 [[nodiscard]] std::optional<Dimension> catalogue_dimension(std::string_view symbol);
 
-/// "12.5 mm", rounded to what a reader can use.
+/// Returns "12.5 mm", rounded to what a reader can use.
 [[nodiscard]] std::string mm_text(double value_mm);
 [[nodiscard]] std::string degrees_text(double value_deg);
 

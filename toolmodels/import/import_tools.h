@@ -11,9 +11,8 @@
 #include "lib/base/units.h"
 #include "toolmodels/tool_library.h"
 
-// Tool libraries of other programs, read into ours. Nothing is guessed in silence: what had to be assumed,
-// what contradicts itself and what was left out stands in `notes`, each with the tool's name. What each
-// format means by its fields: docs/formats/tool_import.md.
+// Tool libraries of other programs, read into ours. Nothing is guessed in silence. Each assumption, contradiction and
+// omission stands in `notes`, with the tool's name. The meaning of each format's fields: docs/formats/tool_import.md.
 
 namespace gouge {
 
@@ -29,34 +28,33 @@ struct ImportOptions {
 
 struct ImportedTools {
   ToolLibrary library;  ///< write_tool_library of it reads back as the same tools; may be empty
-  /// Errors: a tool that was left out because its numbers make no tool. Warnings: a shape that cannot be
-  /// imported, numbers that contradict each other (the message states which were believed). Notes: what was
-  /// assumed.
+  /// Errors: a tool that was left out because its numbers make no tool. Warnings: a shape that cannot be imported,
+  /// numbers that contradict each other (the message states which were believed). Notes: assumptions.
   Diagnostics notes;
 };
 
-/// Fusion library: JSON, or .tools, which is a zip of it.
-/// Errors   json-too-deep, json-too-long, import-syntax, import-duplicate-key, import-format, import-zip: the file as a
-///          whole cannot be read. What is wrong with one tool is in `notes`: import-field, import-shape,
-///          import-stickout, import-contradiction, import-number, import-guess, import-left-out, import-empty, and
-///          those of make_body_profiles.
+/// Imports a Fusion library: JSON, or .tools, which is a zip of it.
+/// Errors   The file as a whole cannot be read: json-too-deep, json-too-long, import-syntax, import-duplicate-key,
+///          import-format, import-zip. Errors of one tool are in `notes`: import-field, import-shape, import-stickout,
+///          import-contradiction, import-number, import-guess, import-left-out, import-empty, and those of
+///          make_body_profiles.
 [[nodiscard]] Result<ImportedTools> import_fusion(const std::string& file, std::string_view bytes,
                                                   const ImportOptions& options);
 
-/// One FreeCAD tool bit (.fctb), or a library (.fctl) whose bits are read with `read_beside`. Errors as
-/// above.
+/// Imports one FreeCAD tool bit (.fctb), or a library (.fctl) whose bits are read with `read_beside`. Errors as above.
 [[nodiscard]] Result<ImportedTools> import_freecad(const std::string& file, std::string_view bytes,
                                                    const ImportOptions& options);
 
-/// NX tool_database.dat, with the holders of the holder_database.dat beside it, or a holder_database.dat alone. Its unit is the option, or the folder metric or english in the file's name.
-/// Errors   as above, and import-unit.
+/// Imports an NX tool_database.dat, with the holders of the holder_database.dat beside it, or a holder_database.dat
+/// alone. Its unit is the option, or the folder metric or english in the file's name.
+/// Errors   As above, and import-unit.
 [[nodiscard]] Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes,
                                               const ImportOptions& options);
 
-/// By what the file holds, not by its name.
+/// Chooses the importer by the content of the file, not by its name.
 [[nodiscard]] std::optional<ImportFormat> recognise_format(std::string_view bytes);
 
-/// The importer of `format`, or of the format that is recognised. Errors: import-format, and those above.
+/// Returns the importer of `format`, or of the format that is recognised. Errors: import-format, and those above.
 [[nodiscard]] Result<ImportedTools> import_tools(const std::string& file, std::string_view bytes,
                                                  std::optional<ImportFormat> format, const ImportOptions& options);
 

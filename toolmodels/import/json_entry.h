@@ -16,19 +16,19 @@
 
 namespace gouge::detail {
 
-/// For a file to import, where `what` was expected: "a Fusion tool library".
+/// Returns the kind of JSON of a file to import, where `what` was expected: "a Fusion tool library".
 [[nodiscard]] JsonKind imported_kind(const std::string& what);
 
-/// The cleaned text of `key`; empty when there is none or it is no text.
+/// Returns the cleaned text of `key`; empty when there is none or it is not text.
 [[nodiscard]] std::string text_of(const nlohmann::json& object, const char* key);
 
-/// A number, or a text with a unit. A bare number is in mm_per(unit), or degrees when `angle`. Nothing for
+/// Returns a number, or a text with a unit. A bare number is in mm_per(unit), or degrees when `angle`. Nothing for
 /// null.
 /// Errors   import-field, naming `key`.
 [[nodiscard]] Result<std::optional<Quantity>> quantity_of(const nlohmann::json& value, const std::string& key,
                                                           LengthUnit unit, bool angle);
 
-/// The text of a file without byte order mark and without blanks around it.
+/// Returns the text of a file without byte order mark and without blanks around it.
 [[nodiscard]] std::string_view without_mark(std::string_view bytes);
 
 /// Returns whether the text of a file begins as JSON of an object or a list does.
@@ -40,7 +40,8 @@ namespace gouge::detail {
 /// Returns whether a JSON file is a FreeCAD library: a list "tools" that is empty or has an entry with a "path".
 [[nodiscard]] bool is_freecad_library(const nlohmann::json& root);
 
-/// Returns whether a JSON file is a Fusion library: a list "data" that is empty or has an entry with a "geometry" or "segments".
+/// Returns whether a JSON file is a Fusion library: a list "data" that is empty or has an entry with a "geometry" or
+/// "segments".
 [[nodiscard]] bool is_fusion_library(const nlohmann::json& root);
 
 }  // namespace gouge::detail

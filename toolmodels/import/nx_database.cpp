@@ -20,7 +20,7 @@ Fields split_blanks(std::string_view text) {
   return words;
 }
 
-// The bar that closes a row is no empty last field.
+// The bar that closes a row is not an empty last field.
 Fields split_bars(std::string_view text) {
   Fields fields;
   text = trim_blanks(text);

@@ -19,7 +19,7 @@ struct NxRow {
   std::map<std::string, std::string> values;
   std::size_t line = 0;
 
-  /// Empty where the row has no such field.
+  /// Returns a field; empty where the row has no such field.
   [[nodiscard]] std::string text(const std::string& field) const;
   /// Times `factor`; nothing for an empty field. Errors: import-field.
   [[nodiscard]] Result<std::optional<double>> number(const std::string& field, double factor) const;
@@ -29,8 +29,8 @@ class NxDatabaseReader {
  public:
   explicit NxDatabaseReader(Collector& collector) : collector_(collector) {}
 
-  /// A row may go on in lines that begin with a bar, a FORMAT in lines without a keyword. What is wrong with a row is
-  /// reported to the collector, and the row left out.
+  /// Reads the rows. A row may go on in lines that begin with a bar, a FORMAT in lines without a keyword. A row with an
+  /// error is reported to the collector and left out.
   std::vector<NxRow> read(std::string_view text);
 
   [[nodiscard]] bool has_class() const { return has_class_; }

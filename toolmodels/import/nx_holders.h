@@ -12,7 +12,7 @@ namespace gouge {
 /// Returns whether these are the rows of a holder_database.dat.
 [[nodiscard]] bool has_holders(const std::vector<NxRow>& rows);
 
-/// Adds the holders of a holder_database.dat to the library. What is wrong with one leaves it out, and is reported.
+/// Adds the holders of a holder_database.dat to the library. A holder with an error is left out and reported.
 void import_nx_holders(Collector& collector, const std::vector<NxRow>& rows, LengthUnit unit);
 
 /// The holders of the holder_database.dat beside a tool_database.dat, read when the first is requested.
@@ -20,7 +20,7 @@ class NxHolderSource {
  public:
   NxHolderSource(const ImportOptions& options, LengthUnit unit) : options_(options), unit_(unit) {}
 
-  /// Null where there is no such file or no such holder in it.
+  /// Returns null where there is no such file or no such holder in it.
   [[nodiscard]] const std::vector<ToolSegment>* called(const std::string& name);
 
  private:

@@ -16,13 +16,14 @@ struct Quantity {
   bool has_decimal_comma = false;
 };
 
-/// One comma and no point is a decimal comma; a text with both is refused, as no reading of it is certain.
+/// Parses a quantity. One comma and no point is a decimal comma; a text with both is refused, as no reading of it is
+/// certain.
 [[nodiscard]] std::optional<Quantity> parse_quantity(std::string_view text);
 
-/// Valid UTF-8 stays as it is, anything else is taken as Latin-1; control characters become blanks.
+/// Cleans a text. Valid UTF-8 stays as it is, anything else is taken as Latin-1; control characters become blanks.
 [[nodiscard]] std::string clean_text(std::string_view text);
 
-/// Lower case, letters and digits only: how names of shapes and classes are compared.
+/// Returns the text in lower case, letters and digits only, by which names of shapes and classes are compared.
 [[nodiscard]] std::string plain_word(std::string_view text);
 
 }  // namespace gouge

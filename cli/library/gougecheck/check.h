@@ -37,14 +37,16 @@ struct CheckOptions {
 
 /// Checks the whole motion of every move against the whole surface of every triangle.
 ///
-/// Ensures  no gouge deeper than tolerance + resolution is missed; every gouge has a witness; clean is proved, and no fact
-///          that it rests on is contradicted or unknown. Meshes that were read without a unit are taken in the path's.
-/// Throws   Error: a length that is negative or no number, a fact of another name; tool-ambiguous: one tool for a path
-///          that calls several; for a machine: those of its file, and machine-law, where nothing states a law.
+/// Ensures  No gouge deeper than tolerance + resolution is missed, and every gouge has a witness. Clean is proved, and
+///          no fact that it rests on is contradicted or unknown. Meshes that were read without a unit are taken in the
+///          path's.
+/// Throws   Error: a length that is negative or not a number, or a fact of another name. Code tool-ambiguous: one tool
+///          for a path that calls several. For a machine: those of its file, and machine-law, where nothing states a
+///          law.
 /// Thread safe, as everything here is.
 [[nodiscard]] GOUGECHECK_EXPORT Report check(const Path& path, const Scene& scene, const Tool& tool,
                                              const CheckOptions& options = {});
-/// The same with each of the path's tools from the library, by number or name, else by the path's own definition.
+/// Does the same with each of the path's tools from the library, by number or name, else by the path's own definition.
 [[nodiscard]] GOUGECHECK_EXPORT Report check(const Path& path, const Scene& scene, const ToolLibrary& tools,
                                              const CheckOptions& options = {});
 
@@ -65,8 +67,8 @@ class GOUGECHECK_EXPORT DepthQuery {
   /// `options`: tolerance, near_miss, rapids, machine, laws and threads mean nothing here. Throws as check.
   DepthQuery(const Scene& scene, const Tool& tool, const CheckOptions& options = {});
 
-  /// Queries one position; axis of any length but 0. Allocates little; microseconds to a millisecond. Throws Error for a
-  /// position or axis that is no number.
+  /// Queries one position; axis of any length but 0. Allocates little; microseconds to a millisecond. Throws Error for
+  /// a position or axis that is not a number.
   [[nodiscard]] Contact at(const Vec3& tip, const Vec3& axis) const;
   /// Queries many positions, on `threads` threads (0: all). Axes: as many as tips, or one for all.
   [[nodiscard]] std::vector<Contact> at(std::span<const Vec3> tips, std::span<const Vec3> axes,
@@ -110,8 +112,8 @@ struct Correction {
   std::vector<Uncorrected> uncorrected;
 };
 
-/// A path without the gouges of `path`, as far as the limits allow. No clean move becomes anything else, none becomes
-/// deeper. Throws as check.
+/// Returns a path without the gouges of `path`, as far as the limits allow. No clean move becomes anything else, none
+/// becomes deeper. Throws as check.
 [[nodiscard]] GOUGECHECK_EXPORT Correction correct(const Path& path, const Scene& scene, const Tool& tool,
                                                    const CheckOptions& options = {}, const CorrectOptions& how = {});
 [[nodiscard]] GOUGECHECK_EXPORT Correction correct(const Path& path, const Scene& scene, const ToolLibrary& tools,

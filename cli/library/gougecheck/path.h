@@ -11,18 +11,20 @@ namespace gougecheck {
 
 enum class MoveKind : std::uint8_t { feed, rapid, arc, cycle };
 
-/// A toolpath. Move 0 is the first position alone; each other move is the motion from the position before: the tip on
-/// the straight line, or the arc of its file, the axis on the great circle. Immutable.
+/// A toolpath. Move 0 is the first position alone. Each other move is the motion from the position before. The tip runs
+/// on the straight line, or the arc of its file, and the axis on the great circle. Immutable.
 class GOUGECHECK_EXPORT Path {
  public:
-  /// From memory. `tips`: where the tip is; `axes`: from tip to spindle, of any length but 0, as many as tips, or one
-  /// for all; `rapids`: which moves are rapid, one each, or none at all. The arrays are copied.
-  /// Throws   Error: no positions, numbers of them that differ, an axis without length, a coordinate that is no number
-  ///          or beyond 100 m.
+  /// Builds a path from memory. The `tips` are the positions of the tip. The `axes` point from tip to spindle, with any
+  /// length but 0, as many as tips, or one for all. The flags `rapids` mark rapid moves, one each, or none at all. The
+  /// arrays are copied.
+  /// Throws   Error: no positions, or numbers of them that differ. Also an axis without length, or a coordinate that is
+  ///          not a number or beyond 100 m.
   Path(std::span<const Vec3> tips, std::span<const Vec3> axes, std::span<const bool> rapids = {},
        std::string name = "path");
 
-  /// CL data of any dialect, recognised by its content. `unit`: mm or inch, of a file that states none; empty: not known.
+  /// Reads CL data of any dialect, recognised by its content. The `unit` is mm or inch, for a file that states none;
+  /// empty: not known.
   /// Throws   Error: the first error of the file (docs/formats/apt_cl.md), another unit than the file states.
   [[nodiscard]] static Path read(const std::string& file, const std::string& unit = "");
 
@@ -34,7 +36,7 @@ class GOUGECHECK_EXPORT Path {
   [[nodiscard]] std::span<const std::uint32_t> lines() const;  ///< of the file, from 1; of a path from memory the move
   [[nodiscard]] std::vector<Note> notes() const;               ///< notes of the reader
 
-  /// The bytes of its file; of a path from memory, APT that reads back as the same positions.
+  /// Returns the bytes of its file; of a path from memory, APT that reads back as the same positions.
   [[nodiscard]] std::string text() const;
 
   struct Content;

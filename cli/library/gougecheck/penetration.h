@@ -13,7 +13,7 @@ enum class ClashState : std::uint8_t {
   penetrating,    ///< a point in both is deeper than the tolerance, or one body is inside the other
   not_certified,  ///< neither could be proved
 };
-/// free, touching, penetrating, not-certified
+/// Returns free, touching, penetrating or not-certified.
 [[nodiscard]] GOUGECHECK_EXPORT const char* state_name(ClashState state);
 
 struct PenetrationOptions {
@@ -25,8 +25,8 @@ struct PenetrationOptions {
 /// Two bodies that stand still; coordinates of A.
 struct Penetration {
   ClashState state = ClashState::not_certified;
-  /// Largest distance of a point in both bodies to the surface of one of them; positive inside. depth <= true depth <=
-  /// depth_upper, which is infinite where a surface bounds no solid.
+  /// Largest distance of a point in both bodies to the surface of one of them; positive inside. Always depth <= true
+  /// depth <= depth_upper. The latter is infinite where a surface bounds no solid.
   double depth = 0, depth_upper = 0;
   double distance = 0;                                ///< of the surfaces; 0 where they meet
   Vec3 point_a = {0, 0, 0};                           ///< the closest points of both surfaces
@@ -39,7 +39,7 @@ struct Penetration {
 };
 
 /// Returns whether two bodies penetrate and how deep, B placed by `pose_b`.
-/// Ensures  free and touching are proved, for bodies whose inside is not known as well.
+/// Ensures  Free and touching are proved, for bodies whose inside is not known as well.
 /// Throws   Error: a rotation that is none, a number that is none, a body beyond 100 m.
 [[nodiscard]] GOUGECHECK_EXPORT Penetration penetration(const Mesh& a, const Mesh& b, const Transform& pose_b = {},
                                                         const PenetrationOptions& options = {});

@@ -17,13 +17,13 @@ enum class State : std::uint8_t {
   not_checked,    ///< could not be checked: see Report::reason
   not_certified,  ///< checked, and not proved within the budget
 };
-/// clean, near, gouge, buried, not-checked, not-certified
+/// Returns clean, near, gouge, buried, not-checked or not-certified.
 [[nodiscard]] GOUGECHECK_EXPORT const char* state_name(State state);
 
 enum class Body : std::uint8_t { cutter, shank, holder, head };
 
-/// Verdict of a whole path: gouges where a move gouges or is buried; clean where every move is clean or near and no fact that this
-/// rests on is open.
+/// Verdict of a whole path. It gouges where a move gouges or is buried. It is clean where every move is clean or near
+/// and no fact that this rests on is open.
 enum class Verdict : std::uint8_t { clean, gouges, not_fully_checked };
 
 /// Result of a check: one entry a move, in order, as a structure of arrays. For every move depth <= true depth <=
@@ -37,15 +37,17 @@ class GOUGECHECK_EXPORT Report {
   [[nodiscard]] double worst_depth() const;  ///< of all moves; 0 where none is deep
 
   [[nodiscard]] std::span<const State> state() const;
-  /// Returns how deep a point of the surface is in the tool, positive inside, 0 outside; NaN of buried and not checked moves.
+  /// Returns how deep a point of the surface is in the tool, positive inside, 0 outside; NaN of buried and not checked
+  /// moves.
   [[nodiscard]] std::span<const double> depth() const;
   [[nodiscard]] std::span<const double> depth_upper() const;
-  /// The witness of `depth`: instant of the move in [0, 1], point of the surface, unit direction in which the tool must
-  /// move away. NaN where there is none.
+  /// Returns the witness of `depth`: instant of the move in [0, 1], point of the surface, unit direction in which the
+  /// tool must move away. NaN where there is none.
   [[nodiscard]] std::span<const double> t() const;
   [[nodiscard]] std::span<const Vec3> point() const;
   [[nodiscard]] std::span<const Vec3> normal() const;
-  /// The witness: face of its mesh as given, index of the mesh, the body of the tool. -1 where there is none.
+  /// Returns of the witness the face of its mesh as given, the index of the mesh, and the body of the tool. Each is -1 where
+  /// there is none.
   [[nodiscard]] std::span<const std::int64_t> triangle() const;
   [[nodiscard]] std::span<const std::int32_t> mesh() const;
   [[nodiscard]] std::span<const std::int8_t> body() const;        ///< a Body
@@ -59,7 +61,7 @@ class GOUGECHECK_EXPORT Report {
   /// Exceptions to the verdict, and warnings about the inputs.
   [[nodiscard]] std::vector<Note> notes() const;
 
-  /// As the program prints it: one finding a line, then the summary.
+  /// Returns the report as the program prints it: one finding a line, then the summary.
   [[nodiscard]] std::string text() const;
   /// The report in the form of the file's extension: .json, .csv, .sarif, .xml (JUnit), .html (without pictures), .txt.
   /// The file appears whole or not at all.

@@ -23,15 +23,15 @@ class GOUGECHECK_EXPORT Tool {
   Tool(std::string_view shape, const std::map<std::string, double>& dimensions,
        const std::vector<ToolSegment>& shank = {}, const std::vector<ToolSegment>& holder = {});
 
-  /// From the JSON of one tool ({"units": "mm", "cutter": {...}, ...}) or of a library; `name`: which of its tools, a
-  /// name or number; empty: its only one.
+  /// Reads the JSON of one tool ({"units": "mm", "cutter": {...}, ...}) or of a library. There `name` states which of
+  /// its tools, by name or number; empty: its only one.
   /// Throws   Error: those of the tool library; library-which where it has several, or none of that name.
   [[nodiscard]] static Tool from_json(std::string_view json, std::string_view name = {});
 
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] bool has_holder() const;
   [[nodiscard]] double height() const;  ///< tip to top
-  /// As a tool library file that reads back as the same tool.
+  /// Returns a tool library file that reads back as the same tool.
   [[nodiscard]] std::string to_json() const;
 
   struct Content;
@@ -51,7 +51,7 @@ class GOUGECHECK_EXPORT ToolLibrary {
   [[nodiscard]] static ToolLibrary from_json(std::string_view json, const std::string& name = "tools");
 
   [[nodiscard]] std::vector<Tool> tools() const;
-  /// By name, or by number written 3 or T3. Throws Error, library-which, where there is none.
+  /// Returns a tool by name, or by number written 3 or T3. Throws Error, library-which, where there is none.
   [[nodiscard]] Tool tool(std::string_view name) const;
 
   struct Content;
@@ -62,7 +62,7 @@ class GOUGECHECK_EXPORT ToolLibrary {
   std::shared_ptr<const Content> content_;
 };
 
-/// Every word that Tool takes as a shape.
+/// Returns every word that Tool takes as a shape.
 [[nodiscard]] GOUGECHECK_EXPORT std::vector<std::string> tool_shapes();
 
 }  // namespace gougecheck

@@ -32,8 +32,8 @@ struct Note {
   std::string text;  ///< "file:line: warning: ... [code]"
 };
 
-/// A fact that a verdict rests on beside the motion and the surfaces, and how it is known. docs/guide/assumptions.md has
-/// the table of facts.
+/// A fact that a verdict rests on beside the motion and the surfaces, and how it is known. docs/guide/assumptions.md
+/// has the table of facts.
 struct Assumption {
   std::string fact;      ///< "path-unit", "tool", "placement", ...
   std::string object;    ///< which of several: "T3", "part.stl"; else empty
@@ -51,7 +51,7 @@ class GOUGECHECK_EXPORT Error : public std::runtime_error {
   Error(std::string code, const std::string& what, std::string file = {}, std::size_t line = 0);
   ~Error() override;
 
-  /// Stable and kebab-case, as in docs/errors.md.
+  /// Returns the code, stable and in kebab-case, as in docs/errors.md.
   [[nodiscard]] const std::string& code() const { return code_; }
   [[nodiscard]] const std::string& file() const { return file_; }  ///< empty: no file is concerned
   [[nodiscard]] std::size_t line() const { return line_; }         ///< counted from 1; 0: no line is

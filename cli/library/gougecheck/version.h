@@ -9,7 +9,8 @@
 
 namespace gougecheck {
 
-/// Version of the library that runs; the macros are those of the headers. Equal in major and minor number where they fit.
+/// Returns the version of the library that runs; the macros are those of the headers. Equal in major and minor number
+/// where they fit.
 [[nodiscard]] GOUGECHECK_EXPORT const char* version();
 
 }  // namespace gougecheck

@@ -40,7 +40,7 @@ void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& s
   if (is_understood && last_direction_) vote(arc, start.tip, *last_direction_);
   // Points that follow one another on a circle; where the shorter way is the rule, one alone as well.
   if (is_open && (position.points > 1 || runs_shorter_way)) arc.sense = shorter_path(arc, start.tip, move.end.tip);
-  // Where the vector has no sense, what other arcs show of it states nothing about this one.
+  // Where the vector has no sense, other arcs show nothing about this one.
   if (arc.sense == ArcSense::unknown && is_understood && !runs_shorter_way) {
     in_.make_room(open_);
     open_.push_back({in_.moves(), arc, other_uncertainty});
@@ -53,8 +53,8 @@ void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& s
   }
 }
 
-// Newer posts of Autodesk turn a clockwise arc's vector round; older ones leave it, so that its stated angle shows
-// how it runs unless that is half a turn, or a whole one of a helix. Of a flat full circle both ways are the same.
+// Newer posts of Autodesk turn a clockwise arc's vector round. Older ones leave it, so that its stated angle shows how
+// it runs. Half a turn, or a whole one of a helix, does not show it. Of a flat full circle both ways are the same.
 void ArcSenses::mark_sense_uncertain(ArcStatement& arc, const Pose& start, const Move& move) {
   constexpr double kOpposite = -0.999;
   const Vec3& end = move.end.tip;
@@ -99,8 +99,8 @@ void ArcSenses::fit(const ArcStatement& arc, const Vec3& start, Move& move) {
   in_.path.arcs.push_back(fit.arc);
 }
 
-// From the start to the end and once round: both ways round lie on it, and the full circle, where the tool keeps its
-// axis and the arc its plane and its radius.
+// Runs from the start to the end and once round. Both ways round lie on it. So does the full circle, where the tool
+// keeps its axis and the arc its plane and its radius.
 void ArcSenses::cover_by_circle(ArcStatement arc, const Vec3& start, Move& move) {
   constexpr double kFlat_mm = 5e-4;
   const Vec3 way = move.end.tip - start;

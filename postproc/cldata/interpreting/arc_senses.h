@@ -11,14 +11,14 @@
 
 namespace gouge {
 
-/// Senses of rotation of arcs. Where neither the dialect nor the statement states it, the lines that arcs touch do, once
-/// the whole file is read; arcs whose sense nothing shows are not checked.
+/// Senses of rotation of arcs. Where neither the dialect nor the statement states it, the lines that arcs touch do,
+/// once the whole file is read. Arcs whose sense nothing shows are not checked.
 class ArcSenses {
  public:
   explicit ArcSenses(StatementContext& in) : in_(in) {}
 
-  /// `arc`, in part coordinates, from `start` to the end of `move`, which is about to become the last one.
-  /// `other_uncertainty` is why the move is not checked whatever its sense; it may be empty.
+  /// Attaches `arc`, in part coordinates, from `start` to the end of `move`, which is about to become the last one. The
+  /// reason `other_uncertainty` is why the move is not checked whatever its sense; it may be empty.
   void attach(ArcStatement arc, const Position& position, const Pose& start, std::string_view other_uncertainty,
               Move& move);
   /// `move` is about to become the last one.

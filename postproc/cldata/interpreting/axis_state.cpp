@@ -144,8 +144,8 @@ bool AxisState::is_doubtful(const Position& position) {
     if (locked_axis_ && is_tilted(position.axis_local, *locked_axis_)) is_fixed_doubtful_ = true;
     last_axis_ = position.axis_local;
     is_lock_lost_ = false;
-    // A fixed axis, and another vector behind the position: its axis, or the normal of the surface. Of a line of NCI the
-    // code states which.
+    // A fixed axis, and another vector behind the position: its axis, or the normal of the surface. Of a line of NCI
+    // the code states which.
     if (has_tlaxis_ && !in_.statement().is_decoded && !is_multax_on() && is_tilted(position.axis_local, fixed_axis_))
       return true;
     is_last_tilted_ = is_tilted(position.axis_local, fixed_axis_);

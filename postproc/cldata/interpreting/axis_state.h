@@ -9,8 +9,8 @@
 
 namespace gouge {
 
-/// The tool axis: MULTAX, TLAXIS and what a position of three numbers means. A file that never states MULTAX is judged by
-/// what its dialect's writers do; one that never ends it keeps it.
+/// The tool axis: MULTAX, TLAXIS and what a position of three numbers means. A file that never states MULTAX is judged
+/// by what its dialect's writers do; one that never ends it keeps it.
 class AxisState {
  public:
   AxisState(StatementContext& in, Uncertainties& uncertainties) : in_(in), uncertainties_(uncertainties) {}
@@ -27,7 +27,7 @@ class AxisState {
   void note_frame(bool says_axis);
 
   [[nodiscard]] bool is_multax_on() const { return multax_.value_or(false); }
-  /// TLAXIS since the last position.
+  /// Returns whether a TLAXIS stands since the last position.
   [[nodiscard]] bool is_new() const { return is_tlaxis_new_; }
   /// Axis of a position that states none, in the block's frame.
   [[nodiscard]] Vec3 implied() const {
@@ -42,7 +42,7 @@ class AxisState {
   /// The numbers are a list of positions without axes: [first, last) of the moves whose axes may be positions as well.
   [[nodiscard]] std::pair<std::size_t, std::size_t> note_list(std::size_t numbers);
   [[nodiscard]] bool is_doubtful(const Position& position);
-  /// The unit vector at argument `first`; nothing after an error.
+  /// Returns the unit vector at argument `first`; nothing after an error.
   [[nodiscard]] std::optional<Vec3> read(std::size_t first);
 
   void write_length_note() const;
@@ -66,7 +66,7 @@ class AxisState {
   std::size_t first_axis_ = kNone;  // the first move with one in such a file
   bool is_tlaxis_ignored_ = false;
   bool is_last_tilted_ = false;
-  bool is_fixed_doubtful_ = false;  // what MULTAX/OFF leaves in force is not known
+  bool is_fixed_doubtful_ = false;  // the state after MULTAX/OFF is not known
   bool is_lock_lost_ = false;       // the last axis was in another frame
   Tally plain_after_tilt_;
   std::size_t renormalised_ = 0;

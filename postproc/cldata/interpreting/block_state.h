@@ -23,7 +23,7 @@ class BlockState {
   }
   void leave_between() { is_between_ = false; }
   void note_frame_between() { is_frame_between_ = true; }
-  /// True once, where a frame was stated between two blocks.
+  /// Returns true once, where a frame was stated between two blocks.
   [[nodiscard]] bool take_frame_between() { return std::exchange(is_frame_between_, false); }
   /// A frame is stated before move `move`. It is the block's if it stands before its positions, as files write it.
   void note_frame(std::size_t move) { has_frame_ = has_frame_ || begin_ == move; }

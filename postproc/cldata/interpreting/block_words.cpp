@@ -160,7 +160,7 @@ void take_free_text(States& s) {
     if (s.in.moves() > 0) {
       end_program(s);
     } else {
-      s.uncertainties.clear(Uncertainty::unknown);  // what stands before a program is no part of it
+      s.uncertainties.clear(Uncertainty::unknown);  // text before a program is not part of it
     }
   }
   if (equals_ignoring_case(major, "OPFEATEND")) s.setup.end_feature();
@@ -180,8 +180,8 @@ void take_pprint(States& s) {
   if (!s.in.dialect.names_operations) s.operation.name(name_text(s.in.first_piece()), s.in.line());
 }
 
-// PPWORD/word,code: a word of the post-processor and its number in the table of words. One that is read here must keep
-// its meaning: the numbers from 3150 are those of Creo's GPOST for words of its own, others those of IBM's table.
+// PPWORD/word,code: a word of the post-processor and its number in the table of words. A word that is read here must
+// keep its meaning. The numbers from 3150 are those of Creo's GPOST for words of its own, others those of IBM's table.
 void take_ppword(States& s) {
   constexpr double kFirstOfGpost = 3150, kLastOfGpost = 3199;
   const std::vector<Argument>& arguments = s.in.arguments;

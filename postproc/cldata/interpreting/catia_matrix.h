@@ -16,12 +16,12 @@ class CatiaMatrix {
   CatiaMatrix(StatementContext& in, FrameState& frame) : in_(in), frame_(frame) {}
 
   void begin();
-  /// A statement that is no comment, and whether it needs to know the frame.
+  /// A statement that is not a comment, and whether it needs to know the frame.
   void pass_statement(bool needs_frame);
   [[nodiscard]] bool expects_row() const { return row_ >= 0 || is_nameless_; }
-  /// The text of a comment that expects_row(). The frame after the last row; else nothing.
+  /// Takes the text of a comment that expects_row(). Returns the frame after the last row; else nothing.
   [[nodiscard]] std::optional<RigidTransform> take_row(std::string_view text);
-  /// Four numbers, which become the arguments of the statement.
+  /// Returns whether the text is four numbers, which become the arguments of the statement.
   [[nodiscard]] bool is_row(std::string_view text);
 
  private:

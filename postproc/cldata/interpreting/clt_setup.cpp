@@ -27,8 +27,8 @@ std::optional<CltSetup::TableTurn> CltSetup::turn_of(std::span<const Argument> a
   return TableTurn{*axis, is_clockwise ? -*arguments[0].number : *arguments[0].number};
 }
 
-// The axes of the setup in those of the model: the turns in force, one after another, each about an axis as it lies
-// after those before it.
+// Returns the axes of the setup in those of the model. They result from the turns in force, each about an axis as it
+// lies after the turns before it.
 Eigen::Matrix3d CltSetup::axes() const {
   Eigen::Matrix3d setup = Eigen::Matrix3d::Identity();
   for (const TableTurn& turn : turns_) {

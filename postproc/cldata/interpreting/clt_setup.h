@@ -10,18 +10,18 @@
 
 namespace gouge {
 
-/// The setups of CAMWorks CLT: ROTABL turns the table, TLAXIS names the setup's Z in model axes. Where a setup lies in
-/// the model no word states; so the first one of the file is the frame of its positions, those of other setups are not
-/// checked, and what the words state twice must agree. A setup that the file never ends holds to its end.
+/// The setups of CAMWorks CLT: ROTABL turns the table, TLAXIS names the setup's Z in model axes. No word states where a
+/// setup lies in the model. So the first setup of the file is the frame of its positions, and those of other setups are
+/// not checked. Facts that the words state twice must agree. A setup that the file never ends holds to its end.
 class CltSetup {
  public:
   CltSetup(StatementContext& in, Uncertainties& uncertainties) : in_(in), uncertainties_(uncertainties) {}
 
-  /// ROTABL/angle,AAXIS,TABLE,CCLW: turns are undone by the opposite ones, the last one first. False where another word
-  /// stands beside its four: then nothing was taken.
+  /// Takes ROTABL/angle,AAXIS,TABLE,CCLW. Turns are undone by the opposite ones, the last one first. Returns false
+  /// where another word stands beside its four: then nothing was taken.
   [[nodiscard]] bool take_turn();
   void take_axis();
-  /// A feature states its turns itself: what another one has left in force ends with it.
+  /// A feature states its turns itself. Turns that another one has left in force end with it.
   void end_feature();
   /// At a position: several statements before it make the setup.
   void choose_decimals();

@@ -12,8 +12,8 @@
 #include "postproc/cldata/parsing/cutter_statement.h"
 #include "postproc/cldata/parsing/machine_text.h"
 
-// Statements that carry text or codes for the machine's control, and choices of the setup: what of them may
-// move the tool or change where positions are.
+// Statements that carry text or codes for the machine's control, and choices of the setup. Some of them may move the
+// tool or change where positions are.
 
 namespace gouge {
 namespace {

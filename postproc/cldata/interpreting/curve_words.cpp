@@ -31,7 +31,7 @@ bool are_numbers_alone(const StatementContext& in, std::size_t count) {
 
 }  // namespace
 
-// ARC/center,axis,radius,end of VERICUT. Which way round it runs no page states.
+// ARC/center,axis,radius,end of VERICUT. No page states which way round it runs.
 void take_arc_record(States& s) {
   constexpr std::size_t kNumbers = 10, kEnd = 7;
   if (!are_numbers_alone(s.in, kNumbers) || !s.chain.last_pose() || s.chain.unknown_start() != nullptr)
@@ -77,8 +77,8 @@ void take_unread_curve(States& s) {
   s.curve.describe(unreadable_arc(s.in.because(Reasons::kCurve)));
 }
 
-// The curve is in words of one control, with numbers that begin no statement of CL data. What stands within it, and
-// behind one that never ends, is not checked.
+// The curve is in words of one control, with numbers that begin no statement of CL data. Moves within it, and behind
+// one that never ends, are not checked.
 bool take_control_nurbs(States& s) {
   const Statement& statement = s.in.statement();
   if (statement.is_decoded || statement.pieces.empty()) return false;

@@ -16,7 +16,7 @@ class CutterCompensation {
   explicit CutterCompensation(StatementContext& in) : in_(in) {}
 
   void begin();
-  /// Ensures  the result is true where compensation is off and the file had it on before. In a file that never had it
+  /// Ensures  The result is true where compensation is off and the file had it on before. In a file that never had it
   /// on, CUTCOM/OFF changes nothing.
   [[nodiscard]] bool end();
   /// The first move since it was last switched off, which it is now.
@@ -33,15 +33,15 @@ class CutterCompensation {
   [[nodiscard]] CutcomSide side() const { return side_; }
   /// Returns why the next motion is not checked; empty where CUTCOM does not keep it from being so.
   [[nodiscard]] std::string_view reason() const;
-  /// Deviation of the motion to `move`, which reason() keeps from being checked: the tip is beside it, across `plane_normal`, where
-  /// the control offsets it in that plane.
+  /// Returns the deviation of the motion to `move`, which reason() keeps from being checked. The tip is beside it,
+  /// across `plane_normal`, where the control offsets it in that plane.
   [[nodiscard]] Cover cover(const Move& move, const std::optional<Pose>& start, const Vec3& plane_normal) const;
   void note_position();
   void break_motion() { was_on_ = false; }
   void write_note() const;
 
  private:
-  /// On, and nothing states that positions are the cutter's centre.
+  /// Returns whether it is on, and nothing states that positions are the cutter's centre.
   [[nodiscard]] bool is_on() const { return is_contour_ || (side_ != CutcomSide::none && !is_centre_); }
 
   StatementContext& in_;

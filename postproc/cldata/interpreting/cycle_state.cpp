@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-// In NX ON takes a cycle up with other values for some of its words; CAMWorks CLT describes it in the statement after
+// In NX ON takes a cycle up with other values for some of its words. CAMWorks CLT describes it in the statement after
 // it, or behind it in the same one.
 void CycleState::begin(double mm_per_unit) {
   std::vector<Argument>& words = in_.arguments;
@@ -42,8 +42,8 @@ void CycleState::begin(double mm_per_unit) {
   if (drill_ && !drill_->is_retract_stated) without_retract_.add(in_.line());
 }
 
-// The arguments become those of the last cycle with the values that stand here; they stay as they are, and are then not
-// understood, where there is none, or words stand here that have no value.
+// Replaces the arguments by those of the last cycle with the values that stand here. They stay as they are, and are
+// then not understood, where there is none, or where words here have no value.
 void CycleState::take_changed_words() {
   if (words_.empty()) return;
   const std::optional<std::vector<Argument>> changed =

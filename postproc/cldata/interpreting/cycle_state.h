@@ -11,8 +11,8 @@
 
 namespace gouge {
 
-/// A drilling cycle, while which positions are holes. It ends by CYCLE/OFF; one that should have ended, as a later
-/// statement states, or that the file never ends, leaves all positions behind its first in doubt.
+/// A drilling cycle, while which positions are holes. It ends by CYCLE/OFF. A later statement may show that a cycle
+/// should have ended, or the file may never end it. Then all positions behind its first are in doubt.
 class CycleState {
  public:
   explicit CycleState(StatementContext& in) : in_(in) {}
@@ -21,7 +21,7 @@ class CycleState {
   void begin(double mm_per_unit);
   /// One begins of which nothing is understood.
   void begin_unknown();
-  /// Ensures  the result is true where none is in force that could end, and the file has had one before. In a file that
+  /// Ensures  The result is true where none is in force that could end, and the file has had one before. In a file that
   /// never has, CYCLE/OFF states what holds anyway.
   [[nodiscard]] bool end();
   /// Another tool: ON takes up no cycle of the one before.
@@ -29,7 +29,7 @@ class CycleState {
     if (!is_on_) drill_.reset();
   }
   void begin_block() { words_.clear(); }
-  /// A statement that no cycle holds. What follows could be a hole or a motion: reported at the next position, as
+  /// Takes a statement that no cycle holds. The next position could be a hole or a motion. It is reported there, as
   /// before it nothing is lost.
   void contradict();
   /// A statement that no cycle contains bounds the moves that could be holes of a cycle whose CYCLE is missing.
@@ -43,7 +43,8 @@ class CycleState {
   }
   void count_hole();
   void leave_hole() { last_hole_.reset(); }
-  /// [first, last) of the moves that are holes or motions of their own, the first time after begin(); else nothing.
+  /// Returns [first, last) of the moves that are holes or motions of their own, the first time after begin(); else
+  /// nothing.
   [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> uncertainty();
   /// The plane that the user states is below the clearance of this hole.
   void note_low_plane() { below_clearance_.add(in_.line()); }
@@ -54,13 +55,13 @@ class CycleState {
   [[nodiscard]] bool is_on() const { return is_on_; }
   [[nodiscard]] bool has_holes() const { return first_positions_ != kNone; }
   [[nodiscard]] bool is_doubtful() const { return is_on_ && is_contradicted_; }
-  /// The file ends within it, and moves are in doubt.
+  /// Returns whether the file ends within it, and moves are in doubt.
   [[nodiscard]] bool is_left_open() const { return is_on_ && certain_moves_ < in_.moves(); }
-  /// Nothing: its words are not understood, for why().
+  /// Returns the cycle; nothing where its words are not understood, for why().
   [[nodiscard]] const std::optional<DrillCycle>& drill() const { return drill_; }
   [[nodiscard]] const char* why() const { return why_; }
   [[nodiscard]] std::string_view uncertainty_reason() const { return reason_; }
-  /// Returns where the last position was a hole: what GODLTA goes on from, not where the tool is.
+  /// Returns the last position where that was a hole. GODLTA goes on from it, although the tool is elsewhere.
   [[nodiscard]] const std::optional<Pose>& last_hole() const { return last_hole_; }
   [[nodiscard]] std::size_t first_possible_hole() const { return first_possible_hole_; }
   void write_notes() const;

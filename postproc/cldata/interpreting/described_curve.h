@@ -16,7 +16,7 @@ class DescribedCurve {
  public:
   explicit DescribedCurve(StatementContext& in) : in_(in) {}
 
-  /// To the next position, in the block's frame.
+  /// Begins a curve to the next position, in the block's frame.
   void describe(ArcStatement arc) {
     arc_ = arc;
     statement_ = in_.index();
@@ -42,7 +42,7 @@ class DescribedCurve {
     has_tangent_ = false;
   }
   void end_arc() { arc_.reset(); }
-  /// Nor does the next statement go on along it.
+  /// Ends the curve, so that the next statement does not go on along it.
   void end_arcs() {
     arc_.reset();
     last_arc_.reset();
@@ -58,10 +58,10 @@ class DescribedCurve {
 
   [[nodiscard]] const std::optional<ArcStatement>& arc() const { return arc_; }
   [[nodiscard]] const std::optional<Vec3>& tangent() const { return tangent_; }
-  /// An INDIRV that no motion has used.
+  /// Returns whether there is an INDIRV that no motion has used.
   [[nodiscard]] bool has_tangent() const { return has_tangent_; }
   [[nodiscard]] bool is_open() const { return arc_ || has_tangent_; }
-  /// CIRCLE, MOVARC or INDIRV, or kNone.
+  /// Returns the statement of CIRCLE, MOVARC or INDIRV, or kNone.
   [[nodiscard]] std::size_t statement() const { return statement_; }
   // In NCL's text every position has a statement of its own; in its binary files those that follow a circle go on
   // along it.

@@ -8,7 +8,7 @@
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/interpreting/states.h"
 
-// Moves out of positions, and what a statement does to moves that were read before it.
+// Makes moves of positions, and applies the effects of a statement on moves before it.
 
 namespace gouge {
 
@@ -23,7 +23,8 @@ inline void emit_unread(States& s, const char* reason = Reasons::kUnread) { emit
 /// `reason`.
 void emit_other_way(States& s, const Position& position, const Pose& start, std::span<const Pose> ends,
                     const char* reason);
-/// A further reading of the positions that follow: along `curve` from where the tool stands, where it then still stands.
+/// A further reading of the positions that follow: along `curve` from where the tool stands, where it then still
+/// stands.
 void emit_curve_reading(States& s, const Move& curve);
 /// The last move, an arc, may run the other way round as well.
 void emit_turned_round(States& s);
@@ -32,8 +33,8 @@ void break_motion(States& s);
 
 /// Moves [begin, end) are not checked, unless they have another reason.
 void mark_moves_uncertain(States& s, std::size_t begin, std::size_t end, std::string_view reason);
-/// A word with an OFF of its own switches `doubt`, for `reason`. An OFF that ends nothing makes moves doubtful: what it
-/// should end may have begun anywhere since the last tool, operation or OFF.
+/// A word with an OFF of its own switches `doubt`, for `reason`. An OFF that ends nothing makes moves doubtful: the
+/// state it should end may have begun anywhere since the last tool, operation or OFF.
 void switch_uncertainty(States& s, Uncertainty uncertainty, bool is_on, const char* reason);
 void mark_run_uncertain(States& s, std::size_t begin);
 /// The cycle in force should have ended.

@@ -151,8 +151,8 @@ void emit_bounds(States& s, const Position& own, const DrillCycle& cycle) {
 
 }  // namespace
 
-// To a height above the next position before going down to it: at the height the tool has, or first up to the
-// clearance where that is higher. A tool that must turn goes there straight, turning.
+// Goes to a height above the next position before going down to it. It stays at the height of the tool, or first rises
+// to the clearance where that is higher. A tool that must turn goes there straight, turning.
 void emit_hole(States& s, const Position& own, const DrillCycle& cycle) {
   Position position = own;
   if (std::exchange(s.is_behind_skip, false) && position.uncertainty == nullptr) position.uncertainty = s.skip_reason;

@@ -8,8 +8,8 @@
 
 namespace gouge {
 
-/// The lines in which feeds are first stated by mm and by inches (IPM, IPR, FPM, FPR), before any statement of the unit:
-/// positions of a file without one are taken in the unit of its feeds. 0: in none.
+/// The lines in which feeds are first stated by mm and by inches (IPM, IPR, FPM, FPR), before any statement of the
+/// unit. Positions of a file without one are taken in the unit of its feeds. 0: in none.
 class FeedUnits {
  public:
   void note(std::span<const Argument> arguments, std::size_t line) {

@@ -55,8 +55,8 @@ std::optional<Vec3> FrameState::read_tip(std::size_t first) {
   return std::nullopt;
 }
 
-// Each component of a unit vector is off by `rounding`: its length by sqrt(3) of it, the product of two by twice that,
-// and what the cross product of both differs from a third by no more than six times `rounding`.
+// Each component of a unit vector is off by `rounding`: its length by sqrt(3) of it, the product of two by twice that.
+// The cross product of both differs from a third by no more than six times `rounding`.
 std::optional<RigidTransform> FrameState::make(const Vec3& origin, const Vec3& x, const Vec3& y,
                                                const std::optional<Vec3>& z, double rounding, const char* what) {
   constexpr double kOfLength = 1.74, kOfProduct = 3.48, kOfThird = 6;
@@ -256,7 +256,7 @@ void take_trntyp(States& s) {
   if (is_world && s.in.dialect.is_in_world) s.uncertainties.clear(Uncertainty::csys);
 }
 
-// TRANS and ORIGIN shift what a post-processor writes. Whether the part shifts with it no file shows. Zeros undo
+// TRANS and ORIGIN shift the output of a post-processor. No file shows whether the part shifts with it. Zeros undo
 // their own word's shift, unless another word states how they are meant.
 void take_trans(States& s) {
   if (s.in.arguments.empty()) return;

@@ -21,22 +21,22 @@ class FrameState {
   FrameState(StatementContext& in, double mm_per_unit) : in_(in), mm_per_unit_(mm_per_unit) {}
 
   [[nodiscard]] double mm_per_unit() const { return mm_per_unit_; }
-  /// True the first time.
+  /// States the unit of the file. Returns true the first time.
   [[nodiscard]] bool state_unit(double mm_per_unit);
   [[nodiscard]] const RigidTransform& to_part() const { return to_part_; }
   [[nodiscard]] Pose to_local(const Pose& pose) const { return to_part_.inverse().pose(pose); }
-  /// Ensures  the result shows whether that is another frame.
+  /// Ensures  The result shows whether that is another frame.
   bool set(const RigidTransform& to_part);
   void begin_block();
-  /// The line of the last frame that is not the part's own; 0: none.
+  /// Returns the line of the last frame that is not the part's own; 0: none.
   [[nodiscard]] std::size_t line() const { return line_; }
-  /// True where a frame of the file turns X, Y and Z.
+  /// Returns true where a frame of the file turns X, Y and Z.
   [[nodiscard]] bool has_turned() const { return has_turned_; }
 
-  /// A tip at argument `first`, in mm and in the frame; nothing after an error.
+  /// Returns a tip at argument `first`, in mm and in the frame; nothing after an error.
   [[nodiscard]] std::optional<Vec3> read_tip(std::size_t first);
-  /// Numbers at `origin`, `x` and `y`, and `z` where the file has it, as a frame; nothing after an error, which names
-  /// `what`. `rounding` is how far each component of an axis may be off.
+  /// Makes a frame of the numbers at `origin`, `x` and `y`, and `z` where the file has it. Returns nothing after an
+  /// error, which names `what`. Each component of an axis may be off by `rounding`.
   [[nodiscard]] std::optional<RigidTransform> make(const Vec3& origin, const Vec3& x, const Vec3& y,
                                                    const std::optional<Vec3>& z, double rounding, const char* what);
   /// Axes of the last make() were off unit length or right angles by more than rounding: positions may be scaled.
@@ -44,7 +44,7 @@ class FrameState {
   /// CSYS, which is not applied: Creo writes positions in the machine's coordinate system.
   void note_csys() { csys_.add(in_.line()); }
   void write_note() const;
-  /// The last of `frames`, which becomes the one in force.
+  /// Appends the frame in force to `frames` unless it is there, and returns it.
   [[nodiscard]] const MotionFrame* record(std::deque<MotionFrame>& frames);
 
  private:

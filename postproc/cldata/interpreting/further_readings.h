@@ -2,8 +2,8 @@
 
 #include "postproc/cldata/interpreting/states.h"
 
-// Further possible readings of the last move, as moves of their own: docs/formats/modal_states.md. Each is called behind the
-// move it is about, but settle_retract.
+// Further possible readings of the last move, as moves of their own: docs/formats/modal_states.md. Each is called
+// behind the move it is about, but settle_retract.
 
 namespace gouge {
 

@@ -3,14 +3,14 @@
 #include "postproc/cldata/interpreting/file_facts.h"
 #include "postproc/cldata/interpreting/states.h"
 
-// Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath; the writer runs it
-// again over the same bytes to know in which state (axis, frame, unit, rapid) each position was read.
+// Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath. The writer runs it again over
+// the same bytes to know in which state (axis, frame, unit, rapid) each position was read.
 
 namespace gouge {
 
 class Interpreter {
  public:
-  /// `path.source` holds the bytes. `records` may be null; else it gets one entry for each move.
+  /// Requires that `path.source` holds the bytes. The list `records` may be null; else it gets one entry for each move.
   Interpreter(Toolpath& path, const Dialect& dialect, LengthUnit unit, MotionRecords* records)
       : states_(path, dialect, unit, records) {}
 

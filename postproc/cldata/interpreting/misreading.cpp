@@ -194,7 +194,7 @@ namespace {
 
 // Words that begin something new: none of them is written while a cycle drills or before the end of an arc.
 constexpr WordSet kBeginsAnew = {Word::operation, Word::from, Word::gohome, Word::rapid};
-// The other words of that kind: what they state holds for more than the next motion.
+// The other words of that kind. Their states hold for more than the next motion.
 constexpr WordSet kSetsUp = {Word::tool_path, Word::end_of_path, Word::units, Word::mode,   Word::multax,
                              Word::tlaxis,    Word::cutcom,      Word::csys,  Word::mcs,    Word::mcsys,
                              Word::msys,      Word::rotabl,      Word::trans, Word::trntyp, Word::unread_frame};

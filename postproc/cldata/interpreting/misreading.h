@@ -16,24 +16,25 @@
 
 namespace gouge {
 
-/// "9.X1", "ANG1": what holds a digit may have been a number.
+/// Returns whether a word such as "9.X1" or "ANG1" holds a digit, so that it may have been a number.
 [[nodiscard]] bool may_be_number(const Argument& argument);
 
 /// Makes the states unknown that a statement of this word would have changed.
 void distrust(States& s, Word word);
-/// A feed rate with what may be its unit's number, and behind them what may be a position.
+/// Handles a feed rate with a possible number of its unit, and behind them a possible position.
 void distrust_numbers_of_feed(States& s);
-/// A statement that ends with a comma, has blanks within what may be one number, or a word alone that states nothing so.
+/// A statement that ends with a comma, has blanks within what may be one number, or a word alone that states nothing
+/// so.
 void distrust_cut_short(States& s);
 /// A statement at the end of a file that has no line end there: it may be the beginning of a longer one.
 void distrust_last_line(States& s);
 /// At the end of the file: its last position lacks the axis that those before it have.
 void distrust_last_axis(States& s);
-/// Effects of a statement that is not understood on those before it and on the word it was meant to be: a line of
-/// numbers, a word that something was glued to or that is misspelt. True where it can only be more positions of the
-/// statement before it, so that the next one is certain again.
+/// Applies the effects of a statement that is not understood, on those before it and on the word it was meant to be. It
+/// is a line of numbers, a word joined to other characters, or a misspelt word. True where it can only be more
+/// positions of the statement before it, so that the next one is certain again.
 [[nodiscard]] bool take_misread(States& s, std::string_view text);
-/// Nothing that the file stated before `statement`, whose word is `major`, is certain any more: see Uncertainty::unknown.
+/// Makes all facts stated before `statement`, whose word is `major`, uncertain: see Uncertainty::unknown.
 void mark_all_uncertain(States& s, std::string_view major, std::size_t statement);
 /// The statement being taken is not understood at all.
 void take_unknown_statement(States& s);
@@ -50,7 +51,7 @@ enum class ModalState : std::uint8_t {
   rapid,           ///< RAPID: the next position is reached at rapid
   cutter_centre,   ///< Creo's OUTPUT_ON_CENTER: positions under CUTCOM are the cutter's centre
   motion_run,      ///< always open: positions that one switched-on state could span
-  block_skip,      ///< OPSKIP/ON: what follows is run or not
+  block_skip,      ///< OPSKIP/ON: the control runs the rest or not
   between_blocks,  ///< after END-OF-PATH of NX: no TOOL PATH gives a frame, a tool and an axis
 };
 
@@ -58,15 +59,15 @@ enum class ModalState : std::uint8_t {
 enum class ModalEffect : std::uint8_t {
   none,
   ends,         ///< the state is no longer in force, as files write it
-  contradicts,  ///< the state should have ended or been used before: what follows has more than one reading
+  contradicts,  ///< the state should have ended or been used before: the rest has more than one reading
 };
 
 inline constexpr ModalState kModalStates[] = {
     ModalState::cycle,         ModalState::described_arc, ModalState::start_tangent, ModalState::rapid,
     ModalState::cutter_centre, ModalState::motion_run,    ModalState::block_skip,    ModalState::between_blocks};
 
-/// Returns the word that `statement` acts as: its own, or for comments that are statements the word of another dialect that does the
-/// same.
+/// Returns the word that `statement` acts as: its own, or for comments that are statements the word of another dialect
+/// that does the same.
 [[nodiscard]] Word acting_word(const Statement& statement, CommentForm comments);
 
 /// Returns the effect of `word` on `state`. `is_used`: a position has been read under the state.

@@ -11,7 +11,7 @@
 #include "postproc/cldata/language/statement.h"
 #include "postproc/program/cutcom.h"
 
-// In which state (axis, frame, unit, rapid) each position of a file was read: what a writer must know to change it.
+// State (axis, frame, unit, rapid) in which each position of a file was read. A writer needs it to change the position.
 
 namespace gouge {
 
@@ -31,7 +31,7 @@ struct MotionRecord {
   SmallIndex first_argument;           ///< of this position
   SmallIndex rapid_statement = kNone;  ///< the last RAPID before it
   SmallIndex block;                    ///< number of the TOOL PATH block; the modal axis does not cross blocks
-  SmallIndex curve_statement = kNone;  ///< of an arc: what describes it besides its own statement
+  SmallIndex curve_statement = kNone;  ///< of an arc: its description besides its own statement
   std::uint8_t numbers = 0;  ///< 3 or 6, of the hole for a step of a cycle; 0 where the form is godlta, curve or unread
   PositionForm form = PositionForm::go_to;
   bool is_rapid = false;  ///< by a RAPID before it
@@ -39,7 +39,7 @@ struct MotionRecord {
   bool is_tapping = false;                  ///< a step of a cycle whose spindle turns back
   bool is_multax_off = false;               ///< positions with an axis would be read as two, or not checked
   Vec3 axis_local = Vec3::UnitZ();          ///< axis of this position, in the block's frame
-  Vec3 implied_axis_local = Vec3::UnitZ();  ///< what a position of 3 numbers means here
+  Vec3 implied_axis_local = Vec3::UnitZ();  ///< meaning of a position of 3 numbers here
   const MotionFrame* frame = nullptr;       ///< one of MotionRecords::frames
 };
 
@@ -48,7 +48,7 @@ struct MotionRecords final : MoveOrigins {
   std::deque<MotionFrame> frames;     ///< a deque, because records point into it while it grows
 };
 
-/// The records of `path`'s moves: its origins where it has them; else its bytes are read once more.
+/// Returns the records of `path`'s moves: its origins where it has them. Else its bytes are read once more.
 [[nodiscard]] std::shared_ptr<const MotionRecords> read_motion_records(const Toolpath& path, OpenStatements open);
 
 /// A position of one statement, before it becomes a move: the file's numbers made mm, in the block's frame.

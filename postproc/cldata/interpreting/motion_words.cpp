@@ -114,8 +114,8 @@ void take_godlta(States& s) {
   s.curve.end_arcs();
 }
 
-// GOHOME / Z: these axes go home, at rapid. Where that is no file states, so the next position stands alone, as after
-// GOHOME without words.
+// GOHOME / Z: these axes go home, at rapid. No file states where that is, so the next position stands alone, as
+// after GOHOME without words.
 void take_gohome(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
   const bool names_axes = s.in.dialect.gohome_names_axes && std::ranges::all_of(arguments, is_axis_name);

@@ -18,7 +18,7 @@ class NurbsState {
   void begin();
   void take_knots();
   void take_control_point();
-  /// The position at the end of the curve; nothing after an error. Its move is that of statement(), in line().
+  /// Returns the position at the end of the curve; nothing after an error. Its move is that of statement(), in line().
   [[nodiscard]] std::optional<Position> end();
   [[nodiscard]] bool is_open() const { return statement_ != kNone; }
   [[nodiscard]] std::size_t statement() const { return statement_; }

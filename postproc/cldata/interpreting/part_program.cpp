@@ -12,7 +12,7 @@
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
 
-// INDEX and COPY of APT: positions that are run again, shifted.
+// INDEX and COPY of APT, which run positions again, shifted.
 
 namespace gouge {
 
@@ -30,7 +30,7 @@ bool is_assignment(std::string_view major) {
   return symbol.size() <= kLongestSymbol && std::ranges::all_of(symbol, is_symbol);
 }
 
-// The word of what an assignment gives to its symbol: PL1=PLANE/..
+// Returns whether an assignment gives its symbol a geometry word: PL1=PLANE/..
 bool is_geometry(std::string_view value) {
   constexpr std::array<std::string_view, 20> kGeometry = {
       "POINT",  "LINE",   "PLANE",  "CIRCLE", "CYLNDR", "CONE",   "SPHERE", "ELLIPS", "HYPERB", "GCONIC",
@@ -40,8 +40,8 @@ bool is_geometry(std::string_view value) {
 
 }  // namespace
 
-// Statements that define geometry are written in APT. A number given to a name is what logs hold as well: only beside a
-// position is it part of a program.
+// Statements that define geometry are written in APT. Logs also contain a number given to a name. It is part of a
+// program only beside a position.
 bool PartProgram::take_assignment() {
   const std::string_view major = in_.statement().major;
   if (!is_assignment(major)) return false;

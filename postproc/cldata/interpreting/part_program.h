@@ -12,7 +12,7 @@ class PartProgram {
  public:
   explicit PartProgram(StatementContext& in) : in_(in) {}
 
-  /// True where the statement gives a symbol a value: then it is taken.
+  /// Returns true where the statement gives a symbol a value: then it is taken.
   [[nodiscard]] bool take_assignment();
   /// At the end of the file.
   void refuse_assignments();

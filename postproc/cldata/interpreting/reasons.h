@@ -121,24 +121,24 @@ enum class ReasonKind : std::uint8_t {
 /// `reason` with or without the word and the line behind it.
 [[nodiscard]] ReasonKind kind_of(std::string_view reason);
 
-/// True where an unknown place the statement takes the tool.
+/// Returns true where a statement takes the tool to an unknown place.
 [[nodiscard]] inline bool is_unread(std::string_view reason) { return kind_of(reason) >= ReasonKind::unread; }
-/// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
+/// Returns true where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
 [[nodiscard]] inline bool is_motion_known(std::string_view reason) {
   return kind_of(reason) <= ReasonKind::compensated;
 }
 
-/// The word a statement begins with, as it is reported to the user: in capitals, cut to 24 letters; "(no word)" and
-/// "(line of numbers)" where it has none.
+/// Returns the word a statement begins with, as it is reported to the user: in capitals, cut to 24 letters. Where it
+/// has none, it is "(no word)" or "(line of numbers)".
 [[nodiscard]] std::string word_as_reported(std::string_view major);
 
 class NamedReasons {
  public:
-  /// Maximum number of lines named for each pair of reason and word; later texts name the word alone, so that
-  /// a file that repeats a statement has no list of all its lines.
+  /// Maximum number of lines named for each pair of reason and word. Later texts name the word alone, so that a file
+  /// that repeats a statement has no list of all its lines.
   static constexpr std::size_t kMaxLines = 20;
 
-  /// `reason` with the word and the line of its statement (0: the word alone). The text is never freed, as
+  /// Returns `reason` with the word and the line of its statement (0: the word alone). The text is never freed, as
   /// Move::not_checked_reason requires; equal texts are one text.
   [[nodiscard]] const char* name(std::string_view reason, std::string_view major, std::size_t line = 0);
 

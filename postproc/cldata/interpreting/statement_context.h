@@ -14,8 +14,8 @@
 
 namespace gouge {
 
-/// The statement being taken, the file it stands in, and what is wrong with either: what every state of the
-/// interpreter examines.
+/// The statement being taken, its file, and the errors of either: the data that every state of the interpreter
+/// examines.
 class StatementContext : public PathBuilder {
  public:
   StatementContext(Toolpath& path_read, const Dialect& of_file) : PathBuilder(path_read), dialect(of_file) {}
@@ -36,7 +36,7 @@ class StatementContext : public PathBuilder {
   /// True where all arguments are numbers; else an error, "`expected` in numbers", or a part program is refused.
   [[nodiscard]] bool check_all_numbers(std::string_view expected);
 
-  /// `reason` with the word and the line of the statement, or of another one.
+  /// Returns `reason` with the word and the line of the statement, or of another one.
   [[nodiscard]] const char* because(const char* reason) { return named(reason, statement_->major, line()); }
   [[nodiscard]] const char* named(const char* reason, std::string_view word, std::size_t line = 0) {
     return reasons_.name(reason, word, line);
@@ -47,7 +47,7 @@ class StatementContext : public PathBuilder {
   void count_declared() { declared_.add(line()); }
   [[nodiscard]] const Tally& declared() const { return declared_; }
   void fail(std::string code, std::string message);
-  /// The file is no CL data: of all errors this one is left, and reading further has no use.
+  /// The file is not CL data: of all errors this one is left, and reading further has no use.
   void refuse_part_program(std::string_view what) { refuse_part_program(what, line()); }
   void refuse_part_program(std::string_view what, std::size_t line);
   void give_up() { is_beyond_cutoff_ = true; }

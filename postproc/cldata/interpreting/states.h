@@ -34,7 +34,7 @@ class FeedState {
  public:
   explicit FeedState(StatementContext& in) : in_(in) {}
 
-  // One without a unit after one per revolution: of which kind it is no file states.
+  // One without a unit after one per revolution: no file states of which kind it is.
   void take_fedrat(double mm_per_unit) {
     if (switches_inverse_time(in_.arguments)) return;
     feed_ = read_feed(in_.arguments, mm_per_unit);
@@ -50,13 +50,13 @@ class FeedState {
 
   [[nodiscard]] const Feed& feed() const { return feed_; }
   [[nodiscard]] bool is_rapid() const { return is_rapid_; }
-  /// The last RAPID, or kNone.
+  /// Returns the last RAPID, or kNone.
   [[nodiscard]] std::size_t rapid_statement() const { return rapid_statement_; }
 
  private:
   StatementContext& in_;
   Feed feed_;
-  bool has_feed_per_turn_ = false;  // a FEDRAT stated one: what one without a unit means is then not known
+  bool has_feed_per_turn_ = false;  // a FEDRAT stated one: the unit of one without it is then not known
   bool is_rapid_ = false;
   std::size_t rapid_statement_ = kNone;
 };
@@ -85,7 +85,8 @@ struct MovnrbState {
   Vec3 end = Vec3::Zero();  ///< of it, in part coordinates
 };
 
-/// All that a statement may examine or change. Each state states in its own file what holds where the file never ends it.
+/// All that a statement may examine or change. Each state states in its own file what holds where the file never ends
+/// it.
 struct States {
   /// `motion_records` may be null; else it gets one entry for each move.
   States(Toolpath& path, const Dialect& dialect, LengthUnit unit, MotionRecords* motion_records)

@@ -14,7 +14,7 @@
 
 namespace gouge {
 
-/// The tool of the positions that follow: what CUTTER, TLDATA and their like define, and the number that is loaded. It
+/// The tool of the positions that follow, as CUTTER, TLDATA and their like define it, and the number that is loaded. It
 /// stays until the file names another one.
 class ToolState {
  public:
@@ -29,13 +29,13 @@ class ToolState {
   void take_name(std::string_view text);
   /// Text that may name the tool that is defined next.
   void take_insert(std::string_view text);
-  /// Ensures  a tool that was not described since the last motion is the one last seen under that number, or one the
-  ///          file states nothing about: never the one before it.
+  /// Ensures  A tool that was not described since the last motion is the one last seen under that number. Else it is
+  ///          one that the file states nothing about, never the one before it.
   void change_number(int number);
   /// The tool of that number is in the spindle: LOADTL, LOAD/TOOL.
   void note_load() { is_loaded_ = true, is_used_ = false; }
-  /// A number that is only made ready, or is that of another tool: behind the loading of one, while which positions were
-  /// read.
+  /// A number that is only made ready, or is that of another tool: behind the loading of one, while which positions
+  /// were read.
   [[nodiscard]] bool may_be_ready_only(int number) const { return is_loaded_ && tool_.number != number; }
   void begin_block(const std::string& name);
   /// It may be another cutter from here on.
@@ -44,9 +44,9 @@ class ToolState {
   [[nodiscard]] const std::optional<int>& number() const { return tool_.number; }
   /// Returns how deep the tip of a pointed tool is where its cone is `diameter_mm` wide; nothing of any other tool.
   [[nodiscard]] std::optional<double> countersink_depth(double diameter_mm) const;
-  /// At a motion: true where the tool is another one than before. index() is then its own.
+  /// Resolves the tool at a motion. Returns true where it is another one than before. index() is then its own.
   [[nodiscard]] bool resolve();
-  /// In Toolpath::tools; kNone: no tool named yet.
+  /// Returns the index in Toolpath::tools; kNone: no tool is named.
   [[nodiscard]] std::size_t index() const { return index_; }
   void write_note() const;
 
@@ -62,7 +62,7 @@ class ToolState {
     std::size_t line = 0;
     bool is_fresh = false;  // defined since the last motion
   };
-  struct Key {  // what makes two tools of the file the same
+  struct Key {  // properties that make two tools of the file the same
     std::optional<int> number;
     std::optional<std::array<double, 7>> cutter;
     double diameter_mm = 0;

@@ -23,7 +23,7 @@ enum class Uncertainty : std::uint8_t {
   control_curve,  ///< in words of one control
   unread_frame,
   mcs,
-  skew,  ///< the axes of the frame are no unit vectors at right angles
+  skew,  ///< the axes of the frame are not unit vectors at right angles
   csys,
   trans,
   origin,
@@ -41,8 +41,8 @@ enum class Uncertainty : std::uint8_t {
   count
 };
 
-/// The doubts in force: each with its reason, until the file states otherwise. One that the file never ends holds for all
-/// positions that follow.
+/// The doubts in force: each with its reason, until the file states otherwise. One that the file never ends holds for
+/// all positions that follow.
 class Uncertainties {
  public:
   /// A reason of null ends the doubt.
@@ -55,14 +55,14 @@ class Uncertainties {
   [[nodiscard]] bool has(Uncertainty uncertainty) const {
     return reasons_[static_cast<std::size_t>(uncertainty)] != nullptr;
   }
-  /// True where it is in force or was before.
+  /// Returns true where it is in force or was before.
   [[nodiscard]] bool was_on(Uncertainty uncertainty) const { return was_on_[static_cast<std::size_t>(uncertainty)]; }
-  /// True where that doubt is in force and no other.
+  /// Returns true where that doubt is in force and no other.
   [[nodiscard]] bool is_alone(Uncertainty uncertainty) const {
     return has(uncertainty) &&
            std::ranges::count_if(reasons_, [](const char* reason) { return reason != nullptr; }) == 1;
   }
-  /// The reason to report, or null.
+  /// Returns the reason to report, or null.
   [[nodiscard]] const char* reason() const {
     const auto* const first =
         std::find_if(reasons_.begin(), reasons_.end(), [](const char* reason) { return reason != nullptr; });

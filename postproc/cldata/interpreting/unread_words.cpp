@@ -10,8 +10,8 @@
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/parsing/known_arguments.h"
 
-// Words that are harmless, and all others: these may move the tool, change it, its axis or compensation, or shift what
-// follows, so that nothing which the file stated before them is certain any more.
+// Words that are harmless, and all others. The others may move the tool, change it, its axis or compensation, or shift
+// later positions. So nothing that the file stated before them is certain.
 
 namespace gouge {
 namespace {

@@ -76,7 +76,7 @@ struct Dialect {
       "the file ends within a statement that a $ continues; expected its next line: the file is cut short";
   /// The error of a file without a position; empty: that of text.
   std::string_view no_position = {};
-  bool is_fallback = false;  ///< what a file without the marks of any dialect is taken for
+  bool is_fallback = false;  ///< the dialect of a file without the marks of any
 
   // Positions.
   bool is_axis_modal = false;             ///< one without axis keeps the last one; else it means +Z or TLAXIS
@@ -85,7 +85,7 @@ struct Dialect {
   bool states_multax = false;             ///< MULTAX stands before the first axis
   bool has_axes_under_multax = false;     ///< every position has one under MULTAX, and none without it
   bool has_points_at_multax_off = false;  ///< six numbers under MULTAX/OFF are two positions, whatever they look like
-  bool has_points_without_axis = false;   ///< six numbers that are no position and unit axis are two positions
+  bool has_points_without_axis = false;   ///< six numbers that are not a position and unit axis are two positions
   bool lists_run_along_arc = false;       ///< all positions of a list behind a CIRCLE lie on it
   bool may_go_on_round = false;           ///< a position alone may go on along the circle of the one before it
 
@@ -118,18 +118,18 @@ struct Dialect {
   CutterForm cutter_form = CutterForm::whole;
 };
 
-/// All dialects, in the order they are listed for the user.
+/// Returns all dialects, in the order they are listed for the user.
 [[nodiscard]] std::span<const Dialect> all_dialects();
 
 [[nodiscard]] const Dialect& dialect_of(DialectKind kind);
 
-/// The dialect called `id`, upper or lower case, also without a leading "apt-"; nothing for other names.
+/// Returns the dialect called `id`, upper or lower case, also without a leading "apt-"; nothing for other names.
 [[nodiscard]] std::optional<Dialect> dialect_called(std::string_view id);
 
-/// The dialect called `id`; plain APT where there is no such dialect.
+/// Returns the dialect called `id`; plain APT where there is no such dialect.
 [[nodiscard]] Dialect dialect_or_apt(std::string_view id);
 
-/// "nx-clsf, apt-catia, ...": what `dialect_called` takes.
+/// Returns "nx-clsf, apt-catia, ...", the names that `dialect_called` takes.
 [[nodiscard]] std::string dialect_names();
 
 }  // namespace gouge

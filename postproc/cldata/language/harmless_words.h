@@ -31,16 +31,16 @@ struct HarmlessWord {
 
 inline constexpr std::size_t kMaxNames = 6;
 
-/// All of them, in alphabetical order.
+/// Returns all of them, in alphabetical order.
 [[nodiscard]] std::span<const HarmlessWord> harmless_words();
 
-/// The row of `word`, in any case, or null.
+/// Returns the row of `word`, in any case, or null.
 [[nodiscard]] const HarmlessWord* find_harmless_word(std::string_view word);
 
-/// True where `word`, in any case, stands in the table and `arguments` have a form that is known for it.
+/// Returns true where `word`, in any case, stands in the table and `arguments` have a form that is known for it.
 [[nodiscard]] bool is_harmless(std::string_view word, std::span<const Argument> arguments);
 
-/// True where an argument is the first word of a statement of its own: something was joined to the statement.
+/// Returns true where an argument is the first word of a statement of its own: something was joined to the statement.
 [[nodiscard]] bool hides_statement(std::span<const Argument> arguments);
 
 }  // namespace gouge

@@ -12,8 +12,8 @@
 
 namespace gouge {
 
-/// One argument of a statement: a number or a word. `text` is a view into the file's bytes, so that a writer
-/// knows which bytes to replace; it is empty where a comma follows a comma.
+/// One argument of a statement: a number or a word. Its `text` is a view into the file's bytes, so that a writer knows
+/// which bytes to replace. It is empty where a comma follows a comma.
 struct Argument {
   std::string_view text;
   std::optional<double> number;
@@ -55,7 +55,7 @@ class StatementSource {
   StatementSource& operator=(const StatementSource&) = delete;
   virtual ~StatementSource() = default;
 
-  /// The next statement into `statement` (whose memory is used again); false at the end.
+  /// Reads the next statement into `statement` (whose memory is used again); false at the end.
   [[nodiscard]] virtual bool next(Statement& statement) = 0;
 };
 

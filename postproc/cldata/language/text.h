@@ -22,8 +22,8 @@ namespace gouge {
 /// Byte order mark that some editors put before UTF-8 text; not part of it.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-/// `text` in UTF-8 without control characters, cut behind a letter that reaches `longest` bytes; bytes that are no UTF-8
-/// are taken as Latin-1.
+/// Returns `text` in UTF-8 without control characters, cut behind a letter that reaches `longest` bytes; bytes that are
+/// no UTF-8 are taken as Latin-1.
 [[nodiscard]] std::string shown_text(std::string_view text, std::size_t longest);
 
 [[nodiscard]] std::string_view trim(std::string_view text);
@@ -31,25 +31,27 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 /// Returns the number of spaces stand right before `bytes[at]`.
 [[nodiscard]] std::size_t blanks_before(std::string_view bytes, std::size_t at);
 
-/// Line end of the first line of `bytes`: "\r\n" or "\n".
+/// Returns the line end of the first line of `bytes`: "\\r\
+/// " or "\
+/// ".
 [[nodiscard]] std::string line_end_of(std::string_view bytes);
 
-/// < 0, 0, > 0 as `a` sorts before, equal to or after `b`, letters compared as capitals.
+/// Returns < 0, 0 or > 0 as `a` sorts before, equal to or after `b`, letters compared as capitals.
 [[nodiscard]] int compare_ignoring_case(std::string_view a, std::string_view b);
 [[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
-/// As equals_ignoring_case.
+/// Returns whether it is one of `words`, compared as equals_ignoring_case does.
 [[nodiscard]] bool is_one_of(std::string_view text, std::span<const std::string_view> words);
 [[nodiscard]] bool starts_with_ignoring_case(std::string_view text, std::string_view start);
 
-/// True where one character of one is missing, wrong or too many in the other, or two neighbours are in each other's
-/// place; letters compared as capitals. False for equal texts.
+/// Returns true where one character of one is missing, wrong or too many in the other, or two neighbours are swapped.
+/// Letters are compared as capitals. False for equal texts.
 [[nodiscard]] bool is_one_letter_off(std::string_view a, std::string_view b);
 
-/// `text` as a name for people and for JSON: trimmed, quotes around it and control characters dropped. Text
+/// Returns `text` as a name for people and for JSON: trimmed, quotes around it and control characters dropped. Text
 /// that is not UTF-8 is taken as Latin-1 (CATIA writes the code page of its user). At most 200 bytes.
 [[nodiscard]] std::string name_text(std::string_view text);
 
-/// `text` for use in a message: as name_text, cut to 40 bytes.
+/// Returns `text` for use in a message: as name_text, cut to 40 bytes.
 [[nodiscard]] std::string quoted_text(std::string_view text);
 
 }  // namespace gouge

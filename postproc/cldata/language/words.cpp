@@ -153,7 +153,7 @@ std::size_t tool_path_length(std::string_view line) {
   return at == line.size() || !is_major_character(line[at]) ? at : 0;
 }
 
-// "GOTO" before "GOTO(0" and "GODLTA" before "GODLTA-50.": what follows is no part of a longer word.
+// Finds "GOTO" before "GOTO(0" and "GODLTA" before "GODLTA-50.", where the rest is not part of a longer word.
 bool is_glued_to(std::string_view word, std::string_view major) {
   if (word.empty() || major.size() <= word.size() || !starts_with_ignoring_case(major, word)) return false;
   const char next = major[word.size()];

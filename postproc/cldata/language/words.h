@@ -101,34 +101,34 @@ class WordSet {
   std::array<std::uint64_t, 2> bits_{};
 };
 
-/// The word a statement begins with; upper or lower case.
+/// Finds the word a statement begins with, in upper or lower case.
 [[nodiscard]] Word find_word(std::string_view major);
 
-/// True of words that move the tool or change what motion means: what would be missed if it were overlooked.
+/// Returns true for words that move the tool or change the meaning of motion. An overlooked one would be missed.
 [[nodiscard]] bool changes_motion(Word word);
 
-/// For a statement with an unknown word: the known word that its beginning was meant to be, as far as that
-/// can be determined; else `unknown`. Either something stands at the word without a slash ("GOTO(0", "GODLTA-50.",
-/// "CUTTER=5"), or one character is missing, wrong or too many ("GODLT", "CUTTTER"), or two are in each
-/// other's place. Only words that change motion are found.
+/// Finds, for a statement with an unknown word, the known word that its beginning was meant to be, as far as possible.
+/// Else returns `unknown`. (1) Something stands at the word without a slash ("GOTO(0", "GODLTA-50.", "CUTTER=5"). (2)
+/// One character is missing, wrong or too many ("GODLT", "CUTTTER"). (3) Two are swapped. Only words that change motion
+/// are found.
 [[nodiscard]] Word find_intended_word(std::string_view major);
 
-/// The word that `token` ends with, of those that change motion and have four letters or more: CYCLE of
+/// Returns the word that `token` ends with, of those that change motion and have four letters or more: CYCLE of
 /// "OFFCYCLE".
 [[nodiscard]] Word find_word_at_end(std::string_view token);
 
-/// True of words that only go on in a statement whose beginning is missing: OFF, FEDTO, MMPM.
+/// Returns true of words that only go on in a statement whose beginning is missing: OFF, FEDTO, MMPM.
 [[nodiscard]] bool is_minor_word(std::string_view word);
 
-/// Words of `line` (without leading blanks) whose rest is text, whatever it holds: how many characters the
-/// word has, or 0 when it is no such word. PARTNO, PPRINT and their like need no delimiter after their six
-/// letters.
+/// Returns how many characters the free-text word of `line` (without leading blanks) has, or 0 when it has no such
+/// word. The rest of such a line is text, whatever it holds. PARTNO, PPRINT and their like need no delimiter after
+/// their six letters.
 [[nodiscard]] std::size_t free_text_word_length(std::string_view line);
 
-/// MM, MMS, MILLIMETERS, INCH, INCHES, IN; nothing for other words.
+/// Returns the unit of MM, MMS, MILLIMETERS, INCH, INCHES, IN; nothing for other words.
 [[nodiscard]] std::optional<LengthUnit> unit_of_word(std::string_view word);
 
-/// The length unit of a feed word (MMPM, MMPR, IPM, IPR, FPM, FPR); nothing for other words.
+/// Returns the length unit of a feed word (MMPM, MMPR, IPM, IPR, FPM, FPR); nothing for other words.
 [[nodiscard]] std::optional<LengthUnit> unit_of_feed_word(std::string_view word);
 
 }  // namespace gouge

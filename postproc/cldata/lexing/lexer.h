@@ -5,9 +5,9 @@
 
 #include "postproc/cldata/language/statement.h"
 
-// Bytes to logical statements. A `$` ends a line and continues the statement on the next one; `$$` begins a
+// Bytes to logical statements. A `$` ends a line and continues the statement on the next one. Two, `$$`, begin a
 // comment, except that the text of PPRINT and its like is taken as it stands. Sequence numbers and labels before a
-// word that is known are no part of it, nor are the numbers of points and of cards in columns 73 to 80. Bytes are not decoded.
+// known word do not belong to it. Nor do the numbers of points and of cards in columns 73 to 80. Bytes are not decoded.
 
 namespace gouge {
 
@@ -16,7 +16,7 @@ class Lexer final : public StatementSource {
   /// `bytes` must outlive the statements.
   explicit Lexer(std::string_view bytes, std::size_t first_byte = 0, std::size_t line = 1);
 
-  /// The next statement that is not blank, into `statement` (whose memory is used again); false at the end.
+  /// Reads the next statement that is not blank into `statement` (whose memory is used again); false at the end.
   [[nodiscard]] bool next(Statement& statement) override;
 
  private:
@@ -34,7 +34,7 @@ class Lexer final : public StatementSource {
   Word last_word_ = Word::unknown;
 };
 
-/// A Lexer of its own.
+/// Returns a Lexer of its own.
 [[nodiscard]] std::unique_ptr<StatementSource> open_text(std::string_view bytes, std::size_t first_byte,
                                                          std::size_t line);
 

@@ -9,10 +9,9 @@
 
 #include "lib/base/tolerance.h"
 
-// The container of binary NCCS (NCL, PostWorks) CL files: physical blocks of 35 words of 8 bytes and 8 bytes
-// of padding; in the words, ignoring the blocks, logical records. A record is a header word of four 16-bit
-// numbers, low byte first (words in the record with its header, class, subclass, sequence number), and its
-// data words.
+// The container of binary NCCS (NCL, PostWorks) CL files. Physical blocks have 35 words of 8 bytes and 8 bytes of
+// padding. The words hold logical records, which ignore the blocks. A record is a header word and its data words. The
+// header is four 16-bit numbers, low byte first: words in the record with its header, class, subclass, sequence number.
 
 namespace gouge {
 
@@ -41,8 +40,8 @@ inline constexpr double kSameNccsAxis = Tolerance::kExactDirection;
 /// Data words of each point in a record of expanded motion.
 inline constexpr std::size_t kNccsExpandedWords = 21;
 
-/// True where the first record is the header of a binary NCCS file; or, in one without that record, where the file
-/// begins with at least three records of known classes, one after another.
+/// Returns true where the first record is the header of a binary NCCS file. A file without that record must begin with
+/// at least three records of known classes, one after another.
 [[nodiscard]] bool is_nccs_binary(std::string_view bytes);
 
 /// The words of a file, without its padding. Requires `word` < words().
@@ -53,10 +52,10 @@ class NccsWords {
   [[nodiscard]] std::size_t words() const;
   /// Returns where the word begins in the file's bytes.
   [[nodiscard]] static std::size_t offset(std::size_t word);
-  /// The word that begins at `offset`.
+  /// Returns the word that begins at `offset`.
   [[nodiscard]] static std::size_t word_at(std::size_t offset);
   [[nodiscard]] std::string_view bytes(std::size_t word) const;
-  /// `count` bytes from the beginning of the word on.
+  /// Returns `count` bytes from the beginning of the word on.
   [[nodiscard]] std::string_view bytes(std::size_t word, std::size_t count) const;
   [[nodiscard]] double number(std::size_t word) const;
   [[nodiscard]] NccsHeader header(std::size_t word) const;
@@ -65,11 +64,11 @@ class NccsWords {
   std::string_view bytes_;
 };
 
-/// The 8 bytes of a header and of a number, low byte first.
+/// Returns the 8 bytes of a header and of a number, low byte first.
 [[nodiscard]] std::string nccs_word(const NccsHeader& header);
 [[nodiscard]] std::string nccs_word(double number);
 
-/// `words` (8 bytes each) in blocks, the last one filled with zeros.
+/// Returns `words` (8 bytes each) in blocks, the last one filled with zeros.
 [[nodiscard]] std::string nccs_blocks(std::string_view words);
 
 }  // namespace gouge

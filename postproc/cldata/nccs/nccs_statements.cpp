@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint16_t kMorePoints = 6, kFrom = 3, kStep = 4;
 constexpr std::uint16_t kCutter = 6, kInnerTolerance = 4, kOuterTolerance = 5;
 constexpr std::uint16_t kFirstText = 1043, kLastText = 1046, kOtherText = 1199;
-constexpr std::size_t kTextLetters = 66;  // what follows in the record is not part of the text
+constexpr std::size_t kTextLetters = 66;  // the rest of the record is not part of the text
 constexpr std::size_t kCircleNumbers = 7;
 // Before them five words that state which geometry it was.
 constexpr std::size_t kCircleWords = 12;

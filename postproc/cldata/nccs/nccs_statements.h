@@ -6,9 +6,9 @@
 #include "postproc/cldata/language/statement.h"
 #include "postproc/cldata/nccs/nccs_records.h"
 
-// The records of a binary NCCS file as statements: what each states in words of APT, with the arguments its ASCII
-// twin has, so that one interpreter reads both. Lines are record numbers, counted from 1. A record that is not
-// decoded but could matter for motion becomes one that states so.
+// The records of a binary NCCS file as statements. Each is stated in words of APT, with the arguments of its ASCII
+// twin, so that one interpreter reads both. Lines are record numbers, counted from 1. A record that is not decoded but
+// could matter for motion becomes a statement of that fact.
 
 namespace gouge {
 
@@ -17,8 +17,8 @@ class NccsStatements final : public StatementSource {
   /// `bytes` must outlive the statements.
   explicit NccsStatements(std::string_view bytes) : words_(bytes) {}
 
-  /// The next record; false after FINI or at the end. A record that does not fit in the file is a statement
-  /// that is unterminated.
+  /// Reads the next record; false after FINI or at the end. A record that does not fit in the file is a statement that
+  /// is unterminated.
   [[nodiscard]] bool next(Statement& statement) override;
 
  private:
@@ -39,7 +39,7 @@ class NccsStatements final : public StatementSource {
   bool is_multax_off_ = false;
 };
 
-/// From the first record on, whatever the line.
+/// Opens the statements from the first record on, whatever the line.
 [[nodiscard]] std::unique_ptr<StatementSource> open_nccs(std::string_view bytes, std::size_t first_byte,
                                                          std::size_t line);
 

@@ -20,10 +20,9 @@
 namespace gouge {
 namespace {
 
-// Motion pairs as one NCI file writes them: its pairs with other ends, and new ones that look like them. Ends
-// are in the file's unit. What a position inserted before a pair states besides its end: compensation 0 (no
-// change) and flags 0, as both are events of the pair's own position; the feed of the pair, which -1 and -2
-// keep right.
+// Motion pairs as one NCI file writes them: its pairs with other ends, and new ones that look like them. Ends are in
+// the file's unit. Besides its end a position inserted before a pair states compensation 0 (no change) and flags 0.
+// Both are events of the pair's own position. It also states the feed of the pair, which -1 and -2 keep right.
 
 struct NciMotionPair {
   NciPair lines;
@@ -39,10 +38,10 @@ class NciText {
   /// The pair of a move that has a position.
   [[nodiscard]] NciMotionPair pair_of(std::size_t move) const;
 
-  /// `pair` with another end. Numbers that stay the same at the file's decimals keep their bytes. The axis
-  /// counts for five axes alone; the second point stays as far above the tip as it is, in as many decimals as
-  /// the file has, or more where the axis read again would be off by more than the file's own last digit
-  /// makes it (at least 1e-6, at most 1e-5). Requires a line, of five axes or not.
+  /// `pair` with another end. Numbers that stay the same at the file's decimals keep their bytes. The axis counts for
+  /// five axes alone. The second point stays as far above the tip as it is, in as many decimals as the file has. It
+  /// gets more where the axis read again would be off by more than the file's own last digit makes it. That is at least
+  /// 1e-6 and at most 1e-5. Requires a line, of five axes or not.
   [[nodiscard]] std::string moved(const NciMotionPair& pair, const Pose& end) const;
   /// A position of the same form before `pair`. Requires a line, of five axes or not.
   [[nodiscard]] std::string inserted(const NciMotionPair& pair, const Pose& end) const;
@@ -63,7 +62,7 @@ class NciText {
 
   const Toolpath& path_;
   NumberStyle tips_, second_points_;
-  double min_axis_error_ = 0;  // what the decimals of the file's points leave open, times the length
+  double min_axis_error_ = 0;  // uncertainty by the decimals of the file's points, times the length
   std::string line_end_;
 };
 

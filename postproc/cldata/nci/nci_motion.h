@@ -12,8 +12,8 @@
 #include "postproc/cldata/language/statement.h"
 #include "postproc/cldata/language/text.h"
 
-// Content and location of a motion pair of a Mastercam NCI file: the reader makes statements of it, the writer
-// puts other numbers into its fields. Evidence for each field: docs/formats/mastercam_nci.md.
+// Content and location of a motion pair of a Mastercam NCI file. The reader makes statements of it, and the writer puts
+// other numbers into its fields. Evidence for each field: docs/formats/mastercam_nci.md.
 
 // The container of Mastercam NCI files: pairs of lines, first a code alone, then its parameters separated by
 // blanks.
@@ -97,7 +97,7 @@ class NciLines {
 /// here.
 void split_nci_fields(std::string_view parameters, std::vector<Argument>& fields);
 
-/// True where the first pairs of lines are codes and parameters, with a motion among them.
+/// Returns true where the first pairs of lines are codes and parameters, with a motion among them.
 [[nodiscard]] bool is_nci(std::string_view bytes);
 
 }  // namespace gouge

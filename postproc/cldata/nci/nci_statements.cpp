@@ -105,8 +105,8 @@ void NciStatements::take_motion() {
   for (Eigen::Index i = 0; i < 3; ++i) decoded().push_back(number(motion.axis[i]));
 }
 
-// The tool plane turns positions in a way that no public reference describes. The plane of the part states that lines of
-// three axes have the axis +Z, whatever stands before it.
+// The tool plane turns positions in a way that no public reference describes. The plane of the part states that lines
+// of three axes have the axis +Z, whatever stands before it.
 void NciStatements::take_plane() {
   if (!is_identity(read_fields())) return add(Word::unread_frame, "NCI 1014 (tool plane)");
   add(Word::tlaxis, "NCI 1014 (tool plane)");

@@ -10,9 +10,8 @@
 #include "postproc/cldata/nci/nci_motion.h"
 #include "postproc/program/cutcom.h"
 
-// The pairs of lines of a Mastercam NCI file as statements: what each states in words of APT. Lines, arcs and
-// five-axis lines are motion; drilling and tool planes become motion or frames that are not read.
-// docs/formats/mastercam_nci.md.
+// The pairs of lines of a Mastercam NCI file as statements in words of APT. Lines, arcs and five-axis lines are motion;
+// drilling and tool planes become motion or frames that are not read. docs/formats/mastercam_nci.md.
 
 namespace gouge {
 
@@ -21,8 +20,8 @@ class NciStatements final : public StatementSource {
   /// `bytes` must outlive the statements.
   NciStatements(std::string_view bytes, std::size_t first_byte, std::size_t line) : lines_(bytes, first_byte, line) {}
 
-  /// The next statement; a pair may state several, of which all but the last span no bytes. Of a motion the
-  /// last is its GOTO, whose numbers are those of the pair, but for the axis, which has no text.
+  /// Reads the next statement; a pair may state several, of which all but the last span no bytes. Of a motion the last
+  /// is its GOTO, whose numbers are those of the pair, but for the axis, which has no text.
   [[nodiscard]] bool next(Statement& statement) override;
 
  private:
@@ -35,7 +34,7 @@ class NciStatements final : public StatementSource {
   void add(Word word, std::string_view major);
   void add_circle(const NciMotion& motion);
   [[nodiscard]] std::vector<Argument>& decoded() { return queue_[queued_ - 1].decoded; }
-  /// The pair's parameters; valid until the next call.
+  /// Returns the pair's parameters; valid until the next call.
   [[nodiscard]] const std::vector<Argument>& read_fields();
 
   NciLines lines_;

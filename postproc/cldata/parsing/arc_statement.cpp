@@ -97,8 +97,8 @@ bool read_sense_word(std::span<const Argument> arguments, ArcStatement& statemen
   return !(is_right && is_left);
 }
 
-// Decimals of the centre, or of the radius where that has whole numbers; the vector has decimals of its own. Records hold
-// numbers of no known decimals.
+// Decimals of the centre, or of the radius where that has whole numbers; the vector has decimals of its own. Records
+// hold numbers of no known decimals.
 double rounding_of_circle(const Dialect& dialect, std::span<const Argument> arguments) {
   if (dialect.is_binary) return kEndsError_mm / kRadiusError;
   constexpr std::size_t kCenter = 3;
@@ -124,7 +124,8 @@ ArcStatement flat_arc(const Dialect& dialect, std::span<const Argument> argument
   return statement;
 }
 
-// Start and end differ by no more than coordinates are rounded, and the stated radius from both by no more than they do.
+// Start and end differ by no more than coordinates are rounded, and the stated radius from both by no more than they
+// do.
 bool fits_radius(const ArcStatement& statement, double start_mm, double end_mm) {
   const double rounding_mm = std::clamp(kRadiusError * statement.rounding_mm, Tolerance::kFilePoint_mm, kEndsError_mm);
   const double ends_mm = std::abs(start_mm - end_mm);

@@ -46,10 +46,10 @@ struct ArcStatement {
   std::string_view problem;  ///< one of ArcProblems: then the rest states nothing; empty: none
 };
 
-/// One of which nothing is known but `problem`.
+/// Returns an arc of which only `problem` is known.
 [[nodiscard]] ArcStatement unreadable_arc(std::string_view problem);
 
-/// CIRCLE/ or MOVARC/ in the sense of `dialect`.
+/// Reads CIRCLE/ or MOVARC/ in the sense of `dialect`.
 [[nodiscard]] ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> arguments, double mm_per_unit);
 
 /// CATIA: TLON,GOFWD/(CIRCLE/center,r),ON[,2,INTOF],(LINE/center,end). The circle lies in the plane of `tangent`
@@ -61,10 +61,10 @@ struct TlonStatement {
   bool is_beyond_half = false;  ///< ON,2,INTOF: the second crossing of the line
 };
 
-/// True where circle and line are numbers, whatever words stand beside them: no part program.
+/// Returns true where circle and line are numbers, whatever words stand beside them: no part program.
 [[nodiscard]] bool is_tlon_of_numbers(std::span<const Argument> arguments);
 
-/// Nothing for a TLON of another form.
+/// Reads a TLON; nothing for one of another form.
 [[nodiscard]] std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, double mm_per_unit);
 
 [[nodiscard]] ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start,
@@ -77,17 +77,19 @@ struct ArcFit {
   double radius_error_mm = 0;  ///< how far start, end and the stated radius disagree
 };
 
-/// Ensures  the sweep ends at `end` exactly; start = end is a full circle.
-/// Errors   problem: kForm and its like from the statement; kRadius where start and end differ by more than 0.008 mm, or the stated radius from them by more than they do
-///          and 0.001 mm, or six times the rounding of the numbers, kPoint, kTiny, kAngle,
-///          kTimes, and kSense when the sense is unknown.
+/// Fits the arc of a statement between two tips.
+/// Ensures  The sweep ends at `end` exactly; start = end is a full circle.
+/// Errors   Each is a `problem`. (1) kForm and its like from the statement. (2) kRadius: the distances of start and end
+///          from the axis differ by more than 0.008 mm. Or the stated radius differs from one of them too much: by more
+///          than twice that difference and six times the rounding of the numbers. The latter is taken as at least 0.001
+///          mm and at most 0.008 mm. (3) kPoint, kTiny, kAngle, kTimes, and kSense when the sense is unknown.
 [[nodiscard]] ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end);
 
-/// True where the arc fits between both tips whichever way round it runs, so that only its sense decides: a stated half
-/// turn, a whole turn of a helix, any arc that states no sweep.
+/// Returns true where the arc fits between both tips whichever way round it runs, so that only its sense decides. That
+/// is a stated half turn, a whole turn of a helix, or any arc that states no sweep.
 [[nodiscard]] bool fits_both_ways(ArcStatement statement, const Vec3& start, const Vec3& end);
 
-/// Unit direction in which a right-handed arc passes `tip`.
+/// Returns the unit direction in which a right-handed arc passes `tip`.
 [[nodiscard]] Vec3 arc_tangent(const ArcStatement& statement, const Vec3& tip);
 
 }  // namespace gouge

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-// Meanings of the words of a machine's control, each with the control and the document that state so. Text is harmless only
-// if every one of its words is here: a word that is in no row may do anything. Where controls disagree, a word has all
-// of its meanings, as a CL file does not state for which control it is.
+// Meanings of the words of a machine's control, each with the control and the document that state so. Text is harmless
+// only if every one of its words is here: a word that is in no row may do anything. Where controls disagree, a word has
+// all of its meanings, as a CL file does not state for which control it is.
 
 namespace gouge {
 
@@ -37,7 +37,7 @@ struct ControlCode {
   std::string_view source;
 };
 
-/// The rows of G or M `number`: none where it is not known.
+/// Returns the rows of G or M `number`: none where it is not known.
 [[nodiscard]] std::vector<const ControlCode*> find_control_code(char letter, double number);
 
 /// Arguments that a word of a control may have.
@@ -54,7 +54,7 @@ struct ControlWord {
   std::string_view source;
 };
 
-/// A word that does nothing in the form of its row, or null.
+/// Returns a word that does nothing in the form of its row, or null.
 [[nodiscard]] const ControlWord* find_control_word(std::string_view word);
 
 /// A whole block of a Heidenhain control.
@@ -68,7 +68,7 @@ struct ControlPhrase {
 };
 [[nodiscard]] std::span<const ControlPhrase> control_phrases();
 
-/// True where `words`, separated by blanks, have `word`, in any case.
+/// Returns true where `words`, separated by blanks, have `word`, in any case.
 [[nodiscard]] bool is_among_words(std::string_view word, std::string_view words);
 
 }  // namespace gouge

@@ -33,7 +33,7 @@ void find_corner_centre(CutterStatement& cutter) {
 
 bool is_zero(double x) { return !(x < 0) && !(x > 0); }
 
-// Two zeros are no centre: a corner circle about the tip would reach below it.
+// Two zeros are not a centre: a corner circle about the tip would reach below it.
 bool is_corner_elsewhere(const CutterStatement& cutter, double r_mm, double z_mm, double mm_per_unit) {
   if (is_zero(r_mm) && is_zero(z_mm)) return false;
   const double allowed = 2 * kRadiusRounding * mm_per_unit;
@@ -46,7 +46,7 @@ std::string check_numbers(std::span<const Argument> arguments) {
   return quoted_text(word->text) + " is not a finite number";
 }
 
-// Sizes every form shares, in file units. Returns what is wrong with them.
+// Sizes every form shares, in file units. Returns the error, or an empty text.
 std::string check_sizes(double d, double r, double h, double alpha_deg, double beta_deg) {
   if (d < 0) return "diameter " + exact_text(d) + " is negative";
   if (r < 0) return "corner radius " + exact_text(r) + " is negative";
@@ -61,8 +61,8 @@ std::string check_radius(double d, double r) {
   return "corner radius " + exact_text(r) + " is larger than half the diameter " + exact_text(d);
 }
 
-// A corner circle about `e` would reach out farther than the diameter has the cutter; where e may be the diameter of the
-// tip, that is no contradiction.
+// Returns whether a corner circle about `e` would reach farther out than the diameter of the cutter. Where e may be the
+// diameter of the tip, that is not a contradiction.
 bool reaches_beyond(double d, double r, double e, bool has_tip_diameter) {
   const bool is_tip_diameter = has_tip_diameter && std::abs(e - (d - 2 * r)) <= 2 * kRadiusRounding;
   return !is_tip_diameter && e + r > d / 2 + 2 * kRadiusRounding;
@@ -166,7 +166,7 @@ namespace {
 
 constexpr std::string_view kOfMacros = "#=<>;";
 
-// Kinds of tools and what is stated of them, as CAM systems and catalogues write them.
+// Kinds of tools and their properties, as CAM systems and catalogues write them.
 constexpr std::string_view kToolWords =
     "MILL EM CRB CARBIDE HSS HSSE COBALT DRILL CENTERDRILL CENTREDRILL JOBBER SPOT SPOTDRILL REAMER REAM TAP TAPER BALL BALLNOSE "
     "BULL BULLNOSE HOG HOGNOSE FLAT ENDMILL FACEMILL SLOTMILL CHAMFER CSINK COUNTERSINK CBORE COUNTERBORE BORING BORE "

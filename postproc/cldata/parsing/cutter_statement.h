@@ -12,8 +12,8 @@
 
 namespace gouge {
 
-/// A cutter; or why the numbers are wrong; or nothing, where they are not wrong but define no cutter that
-/// CUTTER/ can express (diameter 0, an upper corner radius): `note` states which.
+/// A cutter; or why the numbers are wrong; or nothing. It is nothing where the numbers are not wrong but define no
+/// cutter that CUTTER/ can express (diameter 0, an upper corner radius). The `note` states which.
 struct CutterOutcome {
   std::optional<CutterStatement> cutter;
   double flute_length_mm = 0;
@@ -22,10 +22,10 @@ struct CutterOutcome {
   bool is_recomputed = false;  ///< e and f differ from those the file has
 };
 
-/// CUTTER/d | d,r | d,r,e,f,alpha,beta,h. Where alpha = beta = 0, e and f follow from d and r, because CAM
-/// systems disagree about what they write there; an e whose corner circle would reach beyond d/2 contradicts d and r;
-/// with `has_tip_diameter` (Dialect) also where they are not, because e is then the diameter of the tip. A corner
-/// radius beyond d/2 by rounding only is taken as d/2.
+/// Makes the cutter of CUTTER/d | d,r | d,r,e,f,alpha,beta,h. Where alpha = beta = 0, e and f follow from d and r,
+/// because CAM systems disagree about what they write there. An e whose corner circle would reach beyond d/2
+/// contradicts d and r. With `has_tip_diameter` (Dialect) that is so for other angles too, because e is then the
+/// diameter of the tip. A corner radius beyond d/2 by rounding only is taken as d/2.
 [[nodiscard]] CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_unit,
                                         bool has_tip_diameter = false);
 
@@ -33,12 +33,12 @@ struct CutterOutcome {
 /// `arguments` without the first word; `is_drill` shows which form.
 [[nodiscard]] CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_drill, double mm_per_unit);
 
-/// True of the text that SolidWorks CAM writes before a CUTTER: it has a dimension with its unit, or a word for a kind
-/// of tool, and nothing of a macro outside of square brackets.
+/// Returns true of the text that SolidWorks CAM writes before a CUTTER. It has a dimension with its unit, or a word for
+/// a kind of tool. It has nothing of a macro outside of square brackets.
 [[nodiscard]] bool is_tool_name(std::string_view text);
 
-/// True of the two other texts that SolidWorks CAM writes by itself: "Stock Size X95. Y95. Z10." and "STOP" with a
-/// message for the operator.
+/// Returns true of the two other texts that SolidWorks CAM writes by itself: "Stock Size X95. Y95. Z10." and "STOP"
+/// with a message for the operator.
 [[nodiscard]] bool is_setup_text(std::string_view text);
 
 }  // namespace gouge

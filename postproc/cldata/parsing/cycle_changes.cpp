@@ -23,7 +23,7 @@ bool is_feed_unit(std::string_view word) {
   return is_one_of(word, std::array<std::string_view, 5>{"MMPM", "MMPR", "IPM", "IPR", "TPI"});
 }
 
-// Which of two words stands in the other's place.
+// Returns which of two words stands in the other's place.
 bool replaces(std::string_view word, std::string_view other) {
   return equals_ignoring_case(word, other) || (is_height_above(word) && is_height_above(other)) ||
          (is_feed_unit(word) && is_feed_unit(other));

@@ -91,8 +91,8 @@ bool is_pecking(Arguments arguments) {
   return is_one_of(arguments.front().text, std::array<std::string_view, 2>{"DEEP", "BRKCHP"}) && arguments.size() == 4;
 }
 
-// IBM's and Creo's fixed form: kind, depth, feed and its unit in either order, and the clearance; for a tap the pitch
-// before it, for pecks their depth behind it.
+// Reads IBM's and Creo's fixed form: kind, depth, feed and its unit in either order, and the clearance. For a tap the
+// pitch stands before it, for pecks their depth behind it.
 bool is_fixed_form(Arguments arguments) {
   constexpr std::size_t kFewest = 5;
   if (arguments.size() < kFewest || arguments.size() > kFewest + 1 || !arguments[1].number) return false;
@@ -104,7 +104,7 @@ bool is_fixed_form(Arguments arguments) {
   return is_numbers_alone(arguments.subspan(4)) && (arguments.size() == kFewest || has_more);
 }
 
-// A height's word with a letter wrong, or its number run into it: what it stated is lost.
+// A height's word with a letter wrong, or its number run into it. Its height is lost.
 bool is_damaged_height(const Argument& argument) {
   if (argument.number || argument.text.empty()) return false;
   std::string letters;
@@ -144,7 +144,7 @@ struct CycleWord {
   std::size_t least, most;
 };
 
-// Words that state no more than is read of them, or how the feed, the pecks and the dwell are: nothing of where the tool
+// Words that state only facts that are read, or details of feed, pecks and dwell. They do not change where the tool
 // goes. THRU, TIP, TOP or OFFSET of other post-processors would move the bottom or the tool.
 constexpr auto kCycleWords = std::to_array<CycleWord>(
     {{"FEDTO", 1, 1}, {"DEPTH", 1, 1}, {"RAPTO", 1, 1},   {"CLEAR", 1, 1},  {"RTRCTO", 0, 1},  {"RETURN", 0, 1},
@@ -180,7 +180,7 @@ std::span<const CycleWord> cycle_words(CycleForm form) {
   return kCycleWords;
 }
 
-// How many numbers follow the word at `at`.
+// Returns how many numbers follow the word at `at`.
 std::size_t numbers_after(Arguments arguments, std::size_t at) {
   std::size_t count = 0;
   while (at + 1 + count < arguments.size() && arguments[at + 1 + count].number) ++count;
@@ -248,7 +248,7 @@ std::optional<DrillCycle> read_nx(Arguments arguments) {
   return cycle;
 }
 
-// FEDTO is a depth below the position; CAMplete leaves a RAPTO of 0 out, and its CLEAR is no height above it.
+// FEDTO is a depth below the position; CAMplete leaves a RAPTO of 0 out, and its CLEAR is not a height above it.
 std::optional<DrillCycle> read_depth_words(Arguments arguments, bool is_clearance_optional) {
   const std::optional<double> depth = number_after(arguments, "FEDTO");
   std::optional<double> clearance = number_after(arguments, "RAPTO");

@@ -8,8 +8,8 @@
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/dialect.h"
 
-// The canned drilling cycles: what CYCLE/ states of the path up and down at each of its positions. The words of
-// each dialect and their evidence: docs/formats/cycles.md.
+// The canned drilling cycles. CYCLE/ states the path up and down at each of its positions. The words of each dialect
+// and their evidence: docs/formats/cycles.md.
 
 namespace gouge {
 
@@ -24,8 +24,8 @@ struct DrillCycle {
   bool is_tapping = false;        ///< the spindle turns back on the path up
   bool is_retract_stated = true;  ///< false: taken as the clearance, because the statement states nothing about it
   double csink_mm = 0;            ///< NX: the diameter at which a pointed tool stops, in place of the bottom; else 0
-  /// The position is the top of the hole or its bottom, and the clearance a height above it or a plane of the frame: what
-  /// is read are the bottom of the one and the top of the other.
+  /// The position is the top of the hole or its bottom, and the clearance a height above it or a plane of the frame.
+  /// The bottom of the one and the top of the other are read.
   bool is_bounding = false;
   std::vector<double>
       levels_mm;  ///< where is_bounding: heights above the position at which the tool may be between holes
@@ -34,14 +34,14 @@ struct DrillCycle {
   bool is_retract_left_open = false;  ///< is_retract_known is false, and no number stands with any word of a retract
 };
 
-/// NX's CYCLE/ON,word,value,..: the last cycle taken up with these values in place of its own. `cycle` are the
-/// arguments of that one, `changes` what follows ON. Nothing where a word is not one with a value.
+/// Returns NX's CYCLE/ON,word,value,..: the last cycle taken up with these values in place of its own. The arguments of
+/// that one are `cycle`, and those after ON are `changes`. Nothing where a word is not one with a value.
 [[nodiscard]] std::optional<std::vector<Argument>> changed_cycle(std::span<const Argument> cycle,
                                                                  std::span<const Argument> changes);
 
-/// The cycle a CYCLE statement begins; nothing where its words are not understood: other cycles than drilling,
-/// reaming, tapping and straight boring, heights that are missing, and Autodesk ISO 4343, whose positions may be
-/// the top or the bottom of the hole.
+/// Reads the cycle a CYCLE statement begins. Returns nothing where its words are not understood. That is so for other
+/// cycles than drilling, reaming, tapping and straight boring, and for heights that are missing. It is also so for
+/// Autodesk ISO 4343, whose positions may be the top or the bottom of the hole.
 [[nodiscard]] std::optional<DrillCycle> read_cycle(CycleForm form, std::span<const Argument> arguments,
                                                    double mm_per_unit);
 

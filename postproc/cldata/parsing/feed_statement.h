@@ -9,17 +9,17 @@
 
 namespace gouge {
 
-/// FEDRAT/..: its one number and the unit beside it, in either order; without a unit it is per minute, in the file's
-/// unit of length. not_understood: another number of numbers, one that is not above 0, two units, INVERS.
+/// Reads FEDRAT/..: its one number and the unit beside it, in either order. Without a unit it is per minute, in the
+/// file's unit of length. Not understood are another number of numbers, one that is not above 0, two units, and INVERS.
 [[nodiscard]] Feed read_feed(std::span<const Argument> arguments, double mm_per_unit);
 
-/// True where FEDRAT only switches how the control gets its feeds (INVERS,AUTO and INVERS,OFF), and where it states
-/// no unit.
+/// Returns true where FEDRAT only switches how the control gets its feeds (INVERS,AUTO and INVERS,OFF), and where it
+/// states no unit.
 [[nodiscard]] bool switches_inverse_time(std::span<const Argument> arguments);
 [[nodiscard]] bool has_feed_unit(std::span<const Argument> arguments);
 
-/// The feed of the plunge in CYCLE/..: the number after its unit. not_stated: it has neither; not_understood: a unit
-/// without a number, two units, TPI, or FEDRAT without a unit.
+/// Reads the feed of the plunge in CYCLE/..: the number after its unit. It is not_stated where there is neither. It is
+/// not_understood for a unit without a number, two units, TPI, or FEDRAT without a unit.
 [[nodiscard]] Feed read_cycle_feed(std::span<const Argument> arguments, double mm_per_unit);
 
 }  // namespace gouge

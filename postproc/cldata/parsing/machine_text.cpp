@@ -102,7 +102,7 @@ bool has_meaning(Tokens codes, std::initializer_list<ControlMeaning> meanings) {
   });
 }
 
-// The numbers of axes beside these are no position to go to.
+// The numbers of axes beside these are not a position to go to.
 bool takes_axes(Tokens codes) { return has_meaning(codes, {ControlMeaning::shifts, ControlMeaning::shifts_with_axes}); }
 
 // Counts the tokens beside it that belong to the code.

@@ -18,7 +18,7 @@ struct MachineEffect {
   bool shifts = false;             ///< shifts, turns, scales, mirrors or compensates what follows
   bool begins_cycle = false;       ///< every position that follows runs a cycle (G81, MCALL CYCLE81)
   bool ends_cycle = false;         ///< G80, MCALL alone
-  bool begins_steps = false;       ///< what follows are steps (G91)
+  bool begins_steps = false;       ///< later numbers are steps (G91)
   bool ends_steps = false;         ///< G90, after any G91 of the text
   bool changes_tool = false;       ///< M6, TOOL CALL
   bool changes_length = false;     ///< of the tool, in the control: G43, G44, G49
@@ -28,8 +28,8 @@ struct MachineEffect {
   std::optional<LengthUnit> unit;  ///< of the numbers that follow (G20, G21, G70, G71)
 };
 
-/// Reads one block. Block numbers, program names and comments do nothing: those in brackets but for the functions of an
-/// Osai control, and those behind a semicolon that are no block.
+/// Reads one block. Block numbers, program names and comments do nothing. Comments are in brackets, except for the
+/// functions of an Osai control, or behind a semicolon where they are not a block.
 [[nodiscard]] MachineEffect read_machine_text(std::string_view text);
 
 }  // namespace gouge

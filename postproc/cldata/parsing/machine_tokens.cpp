@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-// How much of `text` is a number, whose point may be a comma; 0 where it does not begin with one.
+// Returns how much of `text` is a number, whose point may be a comma; 0 where it does not begin with one.
 std::size_t take_number(std::string_view text, std::optional<double>& number) {
   std::string digits;
   std::size_t length = 0;

@@ -19,7 +19,7 @@ struct MachineToken {
   char other = '\0';
 };
 
-/// The tokens of one block, without comments, blanks and quoted names.
+/// Returns the tokens of one block, without comments, blanks and quoted names.
 [[nodiscard]] std::vector<MachineToken> machine_tokens(std::string_view text);
 
 }  // namespace gouge

@@ -112,7 +112,7 @@ std::optional<std::string> describe_lines(std::string_view bytes) {
     } else if (is_row_of_numbers(line)) {
       ++rows;
     } else {
-      // Statements of CL data are no heading of their own continuations.
+      // Statements of CL data are not headings of their own continuations.
       const bool may_head =
           rows + blocks == 0 && heading < kLongestHeading && line.find_first_of("/$") == std::string_view::npos;
       ++(may_head ? heading : others);

@@ -63,8 +63,8 @@ bool has_break(std::string_view section, char next) {
   return has != 0;
 }
 
-// Where a carriage return alone, a page break or an end of file stands between two texts of one line, or the end:
-// who reads on there, and who begins another line? A stretch at a time, as above.
+// Finds a carriage return alone, a page break or an end of file between two texts of one line, or the end. Readers
+// differ there: some read on, others begin a new line. A stretch at a time, as above.
 std::size_t find_break(std::string_view bytes) {
   constexpr std::size_t kStretch = 4096;
   const auto skip_blanks = [&](std::size_t at) {

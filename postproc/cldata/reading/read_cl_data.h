@@ -32,7 +32,7 @@ struct ReadOutcome {
   Diagnostics errors;
 };
 
-/// read_toolpath of a file of that dialect, whose statements `open` finds.
+/// Does read_toolpath for a file of that dialect, whose statements `open` finds.
 [[nodiscard]] ReadOutcome read_cl_data(const std::string& file_name, SourceText bytes, const Dialect& dialect,
                                        OpenStatements open, const ReadOptions& options, const ProgressCall& progress);
 

@@ -25,27 +25,27 @@ class ArcText {
   /// Learns from the first arcs of the file. `records` as read_motion_records gives them.
   ArcText(const Toolpath& path, const MotionRecords& records);
 
-  /// True where the statements of the arc that is move `move` can state another one: those of a dialect of
-  /// text, which describe this arc alone, of one turn at most.
+  /// Returns true where the statements of the arc that is move `move` can state another one. These are statements of a
+  /// dialect of text that describe this arc alone, of one turn at most.
   [[nodiscard]] bool is_writable(std::size_t move) const;
 
-  /// The arc of move `move` as the file has it. Requires is_writable(move).
+  /// Returns the arc of move `move` as the file has it. Requires is_writable(move).
   [[nodiscard]] WrittenArc as_read(std::size_t move) const;
 
-  /// The first of the statements that describe the arc: what is put before them is before the arc. Requires
+  /// Returns the first of the statements that describe the arc. Text put before them is before the arc. Requires
   /// is_writable(move).
   [[nodiscard]] std::size_t first_statement(std::size_t move) const;
 
-  /// The bytes of CIRCLE, MOVARC or INDIRV, which stand before the position. Requires is_writable(move).
+  /// Returns the bytes of CIRCLE, MOVARC or INDIRV, which stand before the position. Requires is_writable(move).
   /// Errors   write-arc: what would be written does not read as this arc.
   [[nodiscard]] Result<std::string> description(std::size_t move, const WrittenArc& arc) const;
 
-  /// The bytes of the TLON that is the move itself. Requires is_writable(move) and the form `curve`.
+  /// Returns the bytes of the TLON that is the move itself. Requires is_writable(move) and the form `curve`.
   /// Errors   write-arc: the arc would cross half a turn, which takes other words, or not read as this one.
   [[nodiscard]] Result<std::string> tlon(std::size_t move, const WrittenArc& arc) const;
 
  private:
-  struct Field {  // an argument of a statement and what it is to be
+  struct Field {  // an argument of a statement and its new value
     std::size_t argument = 0;
     const NumberStyle* style = nullptr;
     double value = 0;

@@ -20,12 +20,12 @@ class ChangeTable {
     for (const PathChange& change : changes) of_move_[change.move] = &change;
   }
 
-  /// Null: none.
+  /// Returns the change of a move; null: none.
   [[nodiscard]] const PathChange* operator[](std::size_t move) const { return of_move_[move]; }
   [[nodiscard]] bool is_changed(std::size_t move) const {
     return has_new_end(move) || has_insertion(move) || is_straightened(move) || has_new_arc(move) || is_rewritten(move);
   }
-  /// An arc or a hole is to be described anew.
+  /// Returns whether an arc or a hole is to be described anew.
   [[nodiscard]] bool is_rewritten(std::size_t move) const {
     return of_move_[move] != nullptr && (of_move_[move]->has_arc() || of_move_[move]->hole_shift_mm);
   }
@@ -46,19 +46,20 @@ class ChangeTable {
   std::vector<const PathChange*> of_move_;
 };
 
-/// The statements of a file and what some of them become that have no position of their own: nothing, where they
-/// describe what is straightened; or what describes an arc, with the positions before it.
+/// The statements of a file without a position of their own, and their replacements. A statement that describes a
+/// straightened curve becomes nothing. One that describes an arc becomes its new description, with the positions before
+/// it.
 class ReplacedStatements {
  public:
   /// `path` must outlive the object.
   explicit ReplacedStatements(const Toolpath& path) : path_(path) {}
 
-  /// Replacement of `statement`; empty at first.
+  /// Returns the replacement of `statement`; empty at first.
   [[nodiscard]] std::string& operator[](std::size_t statement) { return text_of_[statement]; }
 
-  /// As the file has it.
+  /// Returns a statement as the file has it.
   [[nodiscard]] std::string_view bytes_of(std::size_t statement) const;
-  /// False where a sequence number or label, which belongs to its statement alone, stands before the word.
+  /// Returns false where a sequence number or label, which belongs to its statement alone, stands before the word.
   [[nodiscard]] bool begins_with(std::size_t statement, std::string_view word) const;
 
   /// Appends the edits of the statements that begin in the bytes [from, to) of the file.

@@ -30,7 +30,7 @@ class NumberStyle {
   /// learned.
   void choose_decimals(int min_decimals, int usual_decimals);
 
-  /// `value` as the file would write it.
+  /// Returns `value` as the file would write it.
   [[nodiscard]] std::string text(double value) const;
   /// Blanks to put before `token`, where `blanks` stood before the one it replaces.
   [[nodiscard]] std::string padding(std::string_view token, std::size_t blanks) const;
@@ -69,26 +69,26 @@ class GotoText {
   /// Learns from the first GOTO statements of the file. `records` as read_motion_records gives them.
   GotoText(const Toolpath& path, const MotionRecords& records, OpenStatements open = &open_text);
 
-  /// The bytes of statement `index` with positions put in: `positions[k]` replaces the k-th where it has a
-  /// value. Numbers that stay the same at the file's decimals keep their bytes. Requires a statement with
-  /// number arguments, all positions of which have `numbers` numbers.
+  /// Returns the bytes of statement `index` with positions put in: `positions[k]` replaces the k-th where it has a
+  /// value. Numbers that stay the same at the file's decimals keep their bytes. Requires a statement with number
+  /// arguments, all positions of which have `numbers` numbers.
   [[nodiscard]] std::string replaced(std::size_t index, std::size_t numbers,
                                      const std::vector<std::optional<WrittenPosition>>& positions) const;
 
-  /// The bytes of statement `index` with `shifts[k]`, in the statement's own frame and unit, added to its
-  /// k-th position. Requires and ensures as `replaced`; axes keep their bytes.
+  /// Returns the bytes of statement `index` with `shifts[k]`, in the statement's own frame and unit, added to its k-th
+  /// position. Requires and ensures as `replaced`; axes keep their bytes.
   [[nodiscard]] std::string shifted(std::size_t index, std::size_t numbers, const std::vector<Vec3>& shifts) const;
 
-  /// A GOTO statement of its own, line end included.
+  /// Returns a GOTO statement of its own, line end included.
   [[nodiscard]] std::string fresh(const WrittenPosition& position) const;
 
-  /// `text` with the file's line end, if it has none.
+  /// Returns `text` with the file's line end, if it has none.
   [[nodiscard]] std::string with_line_end(std::string text) const;
 
   [[nodiscard]] int coordinate_decimals() const { return coordinates_.decimals(); }
   [[nodiscard]] int axis_decimals() const { return components_.decimals(); }
 
-  /// True where both axes are written with the same digits.
+  /// Returns true where both axes are written with the same digits.
   [[nodiscard]] bool is_same_axis(const Vec3& a, const Vec3& b) const;
 
  private:

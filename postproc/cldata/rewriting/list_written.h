@@ -20,8 +20,8 @@ struct WrittenStatement {
   std::size_t before = kNone, after = kNone;  ///< the statement of each file; kNone: it has none there, or it is binary
 };
 
-/// Every statement by whose bytes the two files differ, in order; all others are the same to the byte and in the same
-/// order.
+/// Returns every statement by whose bytes the two files differ, in order; all others are the same to the byte and in
+/// the same order.
 ///
 /// Requires `after` as read from what write_corrected made of `before` and `changes`. In binary NCCS files, whose
 /// records break at other points once one is added, these are the records of the changed moves.
@@ -29,21 +29,22 @@ struct WrittenStatement {
 [[nodiscard]] std::vector<WrittenStatement> list_written(const Toolpath& before, const std::vector<PathChange>& changes,
                                                          const Toolpath& after);
 
-/// The bytes that changed moves have in the file as it was and in the corrected one: the statement of the position, and
-/// with it what was changed, added or removed right beside it (RAPID and MULTAX before an inserted position, the CIRCLE
-/// of an arc that became straight).
+/// The bytes that changed moves have in the file as it was and in the corrected one. They are the statement of the
+/// position, and beside it every statement that was changed, added or removed. Examples are RAPID and MULTAX before an
+/// inserted position, and the CIRCLE of an arc that became straight.
 class RecordTexts {
  public:
   /// `written` as list_written gives it for these. All must outlive the object and the views it gives.
   RecordTexts(const Toolpath& before, const std::vector<PathChange>& changes, const Toolpath& after,
               const std::vector<WrittenStatement>& written);
 
-  /// Text of a move as it was. Nothing for binary records (NCCS), whose bytes are no text, and for moves without a
-  /// statement.
+  /// Returns the text of a move as it was. Nothing for binary records (NCCS), whose bytes are not text, and for moves
+  /// without a statement.
   [[nodiscard]] std::optional<std::string_view> before(std::size_t move) const;
-  /// Text of the k-th position inserted before the end of `move`; the end itself stands behind the last of them.
+  /// Returns the text of the k-th position inserted before the end of `move`; the end itself stands behind the last of
+  /// them.
   [[nodiscard]] std::optional<std::string_view> after(std::size_t move, std::size_t k) const;
-  /// Text of all that the move became.
+  /// Returns the text of all that the move became.
   [[nodiscard]] std::optional<std::string_view> after(std::size_t move) const;
 
  private:
@@ -51,7 +52,7 @@ class RecordTexts {
     const Toolpath* path = nullptr;
     std::vector<bool> is_written;  // by statement
   };
-  /// Text of moves [first, last) of a file.
+  /// Returns the text of moves [first, last) of a file.
   [[nodiscard]] std::optional<std::string_view> text_of(const File& file, std::size_t first, std::size_t last) const;
 
   File before_, after_;

@@ -193,8 +193,8 @@ WrittenPosition CorrectedWriter::written(const MotionRecord& record, const Pose&
   return position;
 }
 
-// Under MULTAX/OFF six numbers are two positions, so a position with an axis switches it on for itself; so it does in a
-// file without axes, where a position of three numbers behind it would be in doubt.
+// Under MULTAX/OFF six numbers are two positions, so a position with an axis switches it on for itself. It also does in
+// a file without axes, where a position of three numbers behind it would be in doubt.
 std::string CorrectedWriter::framed(const MotionRecord& record, const WrittenPosition& position,
                                     std::string text) const {
   if (!(record.is_multax_off || has_no_axes_) || !position.axis || record.numbers == 6) return text;
@@ -207,8 +207,8 @@ std::string CorrectedWriter::rapid_line(const MotionRecord& record) const {
   return goto_text_.with_line_end(is_template ? std::string(replaced_.bytes_of(record.rapid_statement)) : "RAPID");
 }
 
-// The positions to visit before `move`, and, as RAPID holds for one motion only, a RAPID for each further
-// one, and for the move itself where it becomes one.
+// The positions to visit before `move`, and, as RAPID holds for one motion only, a RAPID for each further one. The move
+// itself gets one where it becomes a rapid.
 std::string CorrectedWriter::insertions(std::size_t move) {
   const MotionRecord& record = records_[move];
   const bool is_rapid = path_.moves[move].kind == MoveKind::rapid;
@@ -264,7 +264,7 @@ void CorrectedWriter::begin_statement(const MotionRecord& record, bool is_new_bl
   if (is_new_block || goto_text_.is_same_axis(axis_written_, axis_read_)) axis_written_ = record.implied_axis_local;
 }
 
-// Arcs and cycles that stay what they are, where what they follow changes.
+// Arcs and cycles that stay as they are, where the position before them changes.
 std::optional<Diagnostic> CorrectedWriter::find_stuck(std::size_t first, std::size_t last) const {
   const MotionRecord& record = records_[first];
   if (has_curve_left(first, last)) {

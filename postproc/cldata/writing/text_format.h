@@ -6,7 +6,7 @@
 #include "lib/geom/pose.h"
 #include "postproc/cldata/language/dialect.h"
 
-// Writing of each dialect: one row of words, columns, digits and line ends, those of its CAM system, or more
+// Writing of each dialect: one row of words, columns, digits and line ends. They are those of its CAM system, or more
 // digits where the source file has more.
 
 namespace gouge {
@@ -48,7 +48,7 @@ struct TextFormat {
 
   [[nodiscard]] std::string number_text(double value, int decimals) const;
   [[nodiscard]] std::string coordinate(double value) const { return number_text(value, decimals); }
-  /// Three numbers, separated.
+  /// Returns three numbers, separated.
   [[nodiscard]] std::string point(const Vec3& value) const;
   [[nodiscard]] std::string direction(const Vec3& value) const;
 };
