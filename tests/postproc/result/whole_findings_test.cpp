@@ -4,7 +4,6 @@
 
 #include "lib/path/motion_key.h"
 #include "postproc/record/result_digest.h"
-#include "postproc/report/motion_list.h"
 #include "postproc/result/stored_result.h"
 
 namespace gouge {
