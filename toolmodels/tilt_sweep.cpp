@@ -28,16 +28,16 @@ Vec2 at_angle(double distance_mm, double angle_rad) {
 }
 
 /// Returns the point turned about the tip, away from the axis for a positive angle.
-Vec2 turned(const Vec2& point, double angle_rad) {
+Vec2 swung(const Vec2& point, double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   return {point.x() * c + point.y() * s, point.y() * c - point.x() * s};
 }
 
-ProfileElement turned(const ProfileElement& element, double angle_rad) {
+ProfileElement swung(const ProfileElement& element, double angle_rad) {
   ProfileElement moved = element;
-  moved.a = turned(element.a, angle_rad);
-  moved.b = turned(element.b, angle_rad);
-  moved.center = turned(element.center, angle_rad);
+  moved.a = swung(element.a, angle_rad);
+  moved.b = swung(element.b, angle_rad);
+  moved.center = swung(element.center, angle_rad);
   return moved;
 }
 
@@ -105,7 +105,7 @@ class SweptCurves {
   std::vector<ProfileElement> collect() {
     for (std::size_t k = 0; k < stretches_.size(); ++k) {
       const Stretch& stretch = stretches_[k];
-      if (stretch.growth != 0) curves_.push_back(turned(stretch.element, stretch.growth * tilt_rad_));
+      if (stretch.growth != 0) curves_.push_back(swung(stretch.element, stretch.growth * tilt_rad_));
       if (k == 0) add_start(stretch);
       if (k + 1 == stretches_.size()) add_end(stretch);
       if (k > 0) add_joint(stretches_[k - 1], stretch);
