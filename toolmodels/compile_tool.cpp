@@ -73,6 +73,7 @@ void set_core(CompiledTool& tool) {
 struct Growth {
   double stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0;
   double every_body_mm = 0;  ///< beside these
+  bool is_swept = false;     ///< the bodies are swept over tilts
 };
 
 Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& bodies, const Growth& growth) {
@@ -81,7 +82,7 @@ Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& b
   std::optional<Diagnostic> error;
   const auto compiled = [&](const std::vector<OffsetBody>& offset) {
     const Result<Profile> united = unite(offset);
-    if (united) return compile_tool(label(tool), *united);
+    if (united) return compile_tool(label(tool), growth.is_swept ? cut_at_turns(*united) : *united);
     error = united.error();
     return CompiledTool{};
   };
@@ -162,7 +163,7 @@ Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_t
                                         double holder_clearance_mm, bool has_wide, const MotionTube& tube) {
   Result<BodyProfiles> bodies = swept_profiles(tool, tube);
   if (!bodies) return bodies.error();
-  const Growth growth{stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm, tube.tip_mm};
+  const Growth growth{stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm, tube.tip_mm, tube.axis_rad > 0};
   Result<ToolVariants> variants = variants_of(tool, *bodies, growth);
   if (!variants || !has_wide || bodies->front().elements.empty()) return variants;
   const double farther_mm = 2 * variants->cutting.r_max_mm;
@@ -178,7 +179,7 @@ Result<ToolVariants> make_non_cutting_variants(const ToolAssembly& tool, double 
   Result<BodyProfiles> bodies = swept_profiles(tool, tube);
   if (!bodies) return bodies.error();
   bodies->at(static_cast<std::size_t>(Body::cutter)) = {};
-  return variants_of(tool, *bodies, {0, shank_clearance_mm, holder_clearance_mm, tube.tip_mm});
+  return variants_of(tool, *bodies, {0, shank_clearance_mm, holder_clearance_mm, tube.tip_mm, tube.axis_rad > 0});
 }
 
 }  // namespace gouge

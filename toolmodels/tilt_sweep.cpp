@@ -207,10 +207,37 @@ class ReachedPoints {
   CompiledTool solid_;
 };
 
-Profile merged(const std::vector<ProfileElement>& contour) {
-  Profile profile;
-  for (const ProfileElement& e : contour) profile.elements.push_back(e);
-  return profile;
+/// Returns the lowest point of an element: an end, or the lowest point of its circle.
+Vec2 lowest_point(const ProfileElement& e, double slack) {
+  const Vec2 end = e.b.y() < e.a.y() ? e.b : e.a, pole = e.center - Vec2(0, e.radius_mm);
+  return e.is_arc && pole.y() < end.y() && detail::passes(e, pole, slack) ? pole : end;
+}
+
+/// Fills the hollow that tilts leave in the underside, level with its rim. Without it no plane would bound the depth near
+/// the underside. Returns the contour as it is where there is none.
+Profile with_filled_underside_of(const std::vector<ProfileElement>& contour, double slack) {
+  std::size_t lowest = 0;
+  for (std::size_t k = 1; k < contour.size(); ++k) {
+    if (lowest_point(contour[k], slack).y() < lowest_point(contour[lowest], slack).y()) lowest = k;
+  }
+  const Vec2 rim = lowest_point(contour[lowest], slack);
+  if (!(rim.y() < contour.front().a.y() - slack)) return {contour};
+  Profile filled;
+  filled.elements.push_back(make_segment(contour.front().body, {0, rim.y()}, rim));
+  if ((rim - contour[lowest].b).norm() > slack) {
+    filled.elements.push_back(contour[lowest]);
+    filled.elements.back().a = rim;
+  }
+  filled.elements.insert(filled.elements.end(), contour.begin() + static_cast<std::ptrdiff_t>(lowest) + 1,
+                         contour.end());
+  return filled;
+}
+
+/// Returns whether no point of the body is lower than its beginning on the axis.
+bool begins_lowest(const Profile& profile, double slack) {
+  const double start = profile.elements.front().a.y();
+  return std::ranges::all_of(profile.elements,
+                             [&](const ProfileElement& e) { return lowest_point(e, slack).y() >= start - slack; });
 }
 
 std::optional<Profile> try_sweep(const Profile& profile, double tilt_rad, double size) {
@@ -222,7 +249,7 @@ std::optional<Profile> try_sweep(const Profile& profile, double tilt_rad, double
                 [&](const detail::CurvePiece& piece) { return reached.is_inside(detail::middle(piece.curve)); });
   const auto contour = detail::outer_contour(arrangement);
   if (!contour) return std::nullopt;
-  return merged(*contour);
+  return begins_lowest(profile, slack) ? with_filled_underside_of(*contour, slack) : Profile{*contour};
 }
 
 }  // namespace
@@ -236,6 +263,65 @@ Result<Profile> sweep_tilts(const Profile& profile, double max_tilt_rad) {
   }
   return make_error("tool-not-closed",
                     "tilted by the axis tolerance, its contour does not join from the tip to the top");
+}
+
+namespace {
+
+/// Returns the points of an element at a height, but for its ends.
+std::vector<Vec2> points_at(const ProfileElement& e, double height_mm, double slack) {
+  std::vector<Vec2> found;
+  if (e.is_arc) {
+    const double rise = height_mm - e.center.y(), half2 = (e.radius_mm - rise) * (e.radius_mm + rise);
+    if (!(half2 > 0)) return {};
+    for (const double side : {-std::sqrt(half2), std::sqrt(half2)}) found.emplace_back(e.center.x() + side, height_mm);
+  } else if (std::abs(e.b.y() - e.a.y()) > slack) {
+    found.emplace_back(e.a + (height_mm - e.a.y()) / (e.b.y() - e.a.y()) * (e.b - e.a));
+  }
+  std::erase_if(found, [&](const Vec2& p) {
+    return (p - e.a).norm() <= slack || (p - e.b).norm() <= slack || !detail::passes(e, p, slack);
+  });
+  return found;
+}
+
+/// Returns the heights at which a contour turns from going up to going down, or back.
+std::vector<double> turning_heights(const Profile& profile, double slack) {
+  std::vector<double> heights;
+  for (std::size_t k = 0; k < profile.elements.size(); ++k) {
+    const ProfileElement& e = profile.elements[k];
+    if (k > 0 && end_direction(profile.elements[k - 1]).y() * start_direction(e).y() < 0) heights.push_back(e.a.y());
+    if (!e.is_arc) continue;
+    for (const double side : {-1.0, 1.0}) {
+      const Vec2 pole = e.center + Vec2(0, side * e.radius_mm);
+      if (detail::passes(e, pole, slack)) heights.push_back(pole.y());
+    }
+  }
+  return heights;
+}
+
+}  // namespace
+
+Profile cut_at_turns(const Profile& profile) {
+  const double slack = 1e3 * Tolerance::kConstruction * size_of(profile);
+  const std::vector<double> heights = turning_heights(profile, slack);
+  Profile cut;
+  for (const ProfileElement& element : profile.elements) {
+    std::vector<Vec2> ends;
+    for (const double height : heights) {
+      for (const Vec2& point : points_at(element, height, slack)) {
+        if (std::ranges::none_of(ends, [&](const Vec2& end) { return (end - point).norm() <= slack; }))
+          ends.push_back(point);
+      }
+    }
+    std::ranges::sort(ends, {}, [&](const Vec2& point) { return detail::length_along(element, point); });
+    ends.push_back(element.b);
+    ProfileElement part = element;
+    for (const Vec2& end : ends) {
+      part.b = end;
+      cut.elements.push_back(part);
+      part.a = end;
+    }
+  }
+  return cut;
 }
 
 }  // namespace gouge

@@ -12,11 +12,17 @@ namespace gouge {
 ///
 /// Requires  The result of verify_profile is empty, or the profile has no elements; 0 <= max_tilt_rad < pi / 4.
 /// Ensures   (1) The result of verify_profile is empty, unless there are no elements. (2) The contour lies within 1e-9 of
-///           the body's size of the true union; a hollow that no tilt leaves open is solid. (3) A tilt of 0 returns the
-///           profile.
+///           the body's size of the true union, but for two fills, which make the body larger. A hollow that no tilt
+///           leaves open is solid. So is the hollow that tilts leave in the underside of a body that begins at its lowest
+///           point: at most r sin(max_tilt_rad) high, r the radius of its rim. (3) A tilt of 0 returns the profile.
 /// Errors    Code tool-not-closed: the union has no contour from the axis to the axis.
 /// Cost      Quadratic in the number of elements.
 /// Proof     docs/method/machine.md, section "Tolerance tube".
 [[nodiscard]] Result<Profile> sweep_tilts(const Profile& profile, double max_tilt_rad);
+
+/// Returns the same contour with its elements cut at every height at which the contour turns back. A swept contour leans
+/// over itself by a little at each step. Below the cut an element then has a support range of its own, and is bounded by
+/// its plane. Cost: quadratic in the number of elements.
+[[nodiscard]] Profile cut_at_turns(const Profile& profile);
 
 }  // namespace gouge

@@ -6,6 +6,7 @@
 
 #include "lib/base/tolerance.h"
 #include "lib/geom/vec.h"
+#include "lib/tool/rising_contour.h"
 
 namespace gouge {
 namespace {
@@ -15,7 +16,8 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 // A contour of more lines and arcs than the first is covered by chords of it. There are at most as many as the second
 // if chords over kMaxHeld elements allow it.
 constexpr std::size_t kMaxExact = 64, kMaxChords = 256, kMaxHeld = 64;
-constexpr double kFinest = 1e-5;  // of the tool's size: how far the contour may lie off its chords, doubled as needed
+constexpr double kMaxFill = 0.02;  // of the tool's size: the height of an overhang that is filled
+constexpr double kFinest = 1e-5;   // of the tool's size: how far the contour may lie off its chords, doubled as needed
 
 Vec2 direction_at(const BoundaryElement& e, const Vec2& point) {
   if (e.kind == ElementKind::segment) return (e.b - e.a).normalized();
@@ -110,7 +112,8 @@ class CoverMaker {
   }
 
   ConvexCover make() {
-    const bool is_stack = std::all_of(curves_.begin(), curves_.end(), [](const auto* e) { return is_rising(*e); });
+    bool is_stack = std::all_of(curves_.begin(), curves_.end(), [](const auto* e) { return is_rising(*e); });
+    if (!is_stack) is_stack = take_filled();
     if (curves_.size() > kMaxExact) take_chords();
     if (is_stack) {
       add_runs();
@@ -130,6 +133,16 @@ class CoverMaker {
  private:
   [[nodiscard]] bool is_level(const Vec2& a, const Vec2& b) const {
     return b.y() - a.y() <= Tolerance::kFewRoundings * cover_.size_mm;
+  }
+
+  // Takes the contour with its low overhangs filled. The bounds of a cover hold for every solid within it.
+  bool take_filled() {
+    std::optional<std::vector<BoundaryElement>> filled = fill_overhangs(tool_.elements, kMaxFill * cover_.size_mm);
+    if (!filled || !std::ranges::all_of(*filled, [](const BoundaryElement& e) { return is_rising(e); })) return false;
+    filled_ = std::move(*filled);
+    curves_.clear();
+    for (const BoundaryElement& e : filled_) curves_.push_back(&e);
+    return true;
   }
 
   // A bound for the chord holds for points within its radius too: distances change no faster.
@@ -278,6 +291,7 @@ class CoverMaker {
   const CompiledTool& tool_;
   std::vector<const BoundaryElement*> curves_;
   std::vector<BoundaryElement> chords_;  // in place of the tool's elements, if those are many
+  std::vector<BoundaryElement> filled_;  // in place of the tool's elements, if those turn back by little
   std::vector<double> start_radius_, end_radius_;
   std::vector<bool> is_closed_;
   ConvexCover cover_;
