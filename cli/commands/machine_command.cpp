@@ -193,7 +193,7 @@ void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments)
       ->type_name("LENGTH");
   command.footer(
       std::string("Example:\n"
-                  "  gougecheck path joints finish.apt --machine preset:haas-umc750 --csv joints.csv\n\n"
+                  "  gougecheck path joints op10.apt --machine preset:haas-umc750 --csv joints.csv\n\n"
                   "Joints are chosen in the way of a post-processor: the nearest solution within the limits. "
                   "Exceeded limits, flips and turns back are reported as warnings.\n\n") +
       kExits);

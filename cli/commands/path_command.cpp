@@ -249,7 +249,7 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
   info.footer(
       "Example:\n"
       "  gougecheck path info finish.apt --json -\n\n"
-      "Lengths are in the unit of the file. " +
+      "Lengths in the output are in the unit of the file.\n\n" +
       std::string(kStatus));
   info.callback([&] { arguments.is_info = true; });
 
