@@ -40,7 +40,7 @@ TEST(ParseErrors, AnUnknownOptionIsNamedWithTheOneThatWasMeant) {
 
 TEST(ParseErrors, AnUnknownCommandIsNamedWithTheCommandsThereAre) {
   const std::string expected =
-      "; expected check, correct, batch, clash, compare, accept, merge, machine, mesh, path, tool, verify, config, init, help, man or completion";
+      "; expected check, correct, batch, clash, compare, accept, merge, machine, mesh, path, tool, verify, config, init, help, man, completion or schema";
   EXPECT_EQ(said({"chekc", "x"}), "'chekc' is no command of gougecheck" + expected + "; did you mean check?");
   EXPECT_EQ(said({"simulate"}), "'simulate' is no command of gougecheck" + expected);
   EXPECT_EQ(said({}), "no command after gougecheck" + expected);
