@@ -11,6 +11,7 @@
 #include "lib/tool/evaluate.h"
 #include "toolmodels/bsp.h"
 #include "toolmodels/elements.h"
+#include "toolmodels/tilt_sweep.h"
 #include "toolmodels/trace_regions.h"
 #include "toolmodels/unite.h"
 
@@ -68,8 +69,13 @@ void set_core(CompiledTool& tool) {
   tool.core_depth_mm = depth_on_axis(tool, best);
 }
 
-Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& bodies, double stock_to_leave_mm,
-                                 double shank_clearance_mm, double holder_clearance_mm) {
+/// Lengths by which bodies grow, mm.
+struct Growth {
+  double stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0;
+  double every_body_mm = 0;  ///< beside these
+};
+
+Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& bodies, const Growth& growth) {
   const auto& [cutter, shank, holder] = bodies;
   const Profile none;
   std::optional<Diagnostic> error;
@@ -79,18 +85,21 @@ Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& b
     error = united.error();
     return CompiledTool{};
   };
-  const OffsetBody offset_shank{&shank, shank_clearance_mm};
-  const OffsetBody offset_holder{&holder, holder_clearance_mm};
-  const bool has_growth = shank_clearance_mm > 0 || holder_clearance_mm > 0;
+  const double every_mm = growth.every_body_mm;
+  const bool has_shank = growth.shank_clearance_mm > 0, has_holder = growth.holder_clearance_mm > 0;
+  const OffsetBody bare_cutter{&cutter, every_mm}, cutter_with_stock{&cutter, growth.stock_to_leave_mm + every_mm};
+  const OffsetBody offset_shank{&shank, growth.shank_clearance_mm + every_mm};
+  const OffsetBody offset_holder{&holder, growth.holder_clearance_mm + every_mm};
   ToolVariants variants;
-  variants.bare = compiled({{&cutter, 0}, {&shank, 0}, {&holder, 0}});
-  variants.against_fixture = has_growth ? compiled({{&cutter, 0}, offset_shank, offset_holder}) : variants.bare;
-  variants.against_part = stock_to_leave_mm > 0 ? compiled({{&cutter, stock_to_leave_mm}, offset_shank, offset_holder})
-                                                : variants.against_fixture;
-  variants.with_clearance = compiled({{shank_clearance_mm > 0 ? &shank : &none, shank_clearance_mm},
-                                      {holder_clearance_mm > 0 ? &holder : &none, holder_clearance_mm}});
+  variants.bare = compiled({bare_cutter, {&shank, every_mm}, {&holder, every_mm}});
+  variants.against_fixture =
+      has_shank || has_holder ? compiled({bare_cutter, offset_shank, offset_holder}) : variants.bare;
+  variants.against_part = growth.stock_to_leave_mm > 0 ? compiled({cutter_with_stock, offset_shank, offset_holder})
+                                                       : variants.against_fixture;
+  variants.with_clearance =
+      compiled({has_shank ? offset_shank : OffsetBody{&none, 0}, has_holder ? offset_holder : OffsetBody{&none, 0}});
   const bool is_alone = shank.elements.empty() && holder.elements.empty();
-  variants.cutting = is_alone ? variants.against_part : compiled({{&cutter, stock_to_leave_mm}});
+  variants.cutting = is_alone ? variants.against_part : compiled({cutter_with_stock});
   variants.non_cutting = compiled({offset_shank, offset_holder});
   if (error) {
     error->message = "tool " + label(tool) + ": " + error->message;
@@ -133,27 +142,43 @@ CompiledTool compile_tool(const std::string& name, const Profile& profile) {
   return tool;
 }
 
-Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm, double shank_clearance_mm,
-                                        double holder_clearance_mm, bool has_wide) {
+namespace {
+
+/// Returns the contours of all bodies, swept over the tilts of a tube.
+Result<BodyProfiles> swept_profiles(const ToolAssembly& tool, const MotionTube& tube) {
   Result<BodyProfiles> bodies = make_body_profiles(tool);
+  if (!bodies) return bodies;
+  for (Profile& body : *bodies) {
+    Result<Profile> swept = sweep_tilts(body, tube.axis_rad);
+    if (!swept) return make_error(swept.error().code, "tool " + label(tool) + ": " + swept.error().message);
+    body = *std::move(swept);
+  }
+  return bodies;
+}
+
+}  // namespace
+
+Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm, double shank_clearance_mm,
+                                        double holder_clearance_mm, bool has_wide, const MotionTube& tube) {
+  Result<BodyProfiles> bodies = swept_profiles(tool, tube);
   if (!bodies) return bodies.error();
-  Result<ToolVariants> variants =
-      variants_of(tool, *bodies, stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm);
+  const Growth growth{stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm, tube.tip_mm};
+  Result<ToolVariants> variants = variants_of(tool, *bodies, growth);
   if (!variants || !has_wide || bodies->front().elements.empty()) return variants;
   const double farther_mm = 2 * variants->cutting.r_max_mm;
   for (Profile& body : *bodies) body = moved_out(body, farther_mm);
-  Result<ToolVariants> wide = variants_of(tool, *bodies, stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm);
+  Result<ToolVariants> wide = variants_of(tool, *bodies, growth);
   if (!wide) return wide.error();
   variants->wide = std::make_shared<const ToolVariants>(std::move(*wide));
   return variants;
 }
 
 Result<ToolVariants> make_non_cutting_variants(const ToolAssembly& tool, double shank_clearance_mm,
-                                               double holder_clearance_mm) {
-  Result<BodyProfiles> bodies = make_body_profiles(tool);
+                                               double holder_clearance_mm, const MotionTube& tube) {
+  Result<BodyProfiles> bodies = swept_profiles(tool, tube);
   if (!bodies) return bodies.error();
   bodies->at(static_cast<std::size_t>(Body::cutter)) = {};
-  return variants_of(tool, *bodies, 0, shank_clearance_mm, holder_clearance_mm);
+  return variants_of(tool, *bodies, {0, shank_clearance_mm, holder_clearance_mm, tube.tip_mm});
 }
 
 }  // namespace gouge

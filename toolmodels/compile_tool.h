@@ -5,6 +5,7 @@
 
 #include "lib/base/result.h"
 #include "lib/tool/compiled_tool.h"
+#include "lib/tool/motion_tube.h"
 #include "lib/tool/tool_variants.h"
 #include "toolmodels/assembly.h"
 #include "toolmodels/profile.h"
@@ -21,19 +22,20 @@ namespace gouge {
 /// Source    Ho 1999, thesis 2.4.18, appendix C; docs/method/tool_voronoi.md
 [[nodiscard]] CompiledTool compile_tool(const std::string& name, const Profile& profile);
 
-/// Makes all variants a check needs. Growth is rounded: the body's solid of revolution plus a ball.
+/// Makes all variants a check needs. Growth is rounded: the body's solid of revolution plus a ball. With a tube every
+/// variant is the union of all places that the tool takes within it.
 ///
 /// Ensures   With `has_wide` also ToolVariants::wide. It is, for every body, the solid of revolution of its contour
 ///           moved out by the diameter of the cutter. That holds every place the body takes that far beside the axis.
 /// Requires  The three lengths are finite and >= 0.
-/// Errors    Those of make_body_profiles, and of unite.
+/// Errors    Those of make_body_profiles, of sweep_tilts and of unite.
 [[nodiscard]] Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm,
                                                       double shank_clearance_mm, double holder_clearance_mm,
-                                                      bool has_wide = false);
+                                                      bool has_wide = false, const MotionTube& tube = {});
 
 /// Returns the same of shank and holder alone, as if the tool had no cutter: no elements where it has neither.
 /// Errors    As make_tool_variants.
 [[nodiscard]] Result<ToolVariants> make_non_cutting_variants(const ToolAssembly& tool, double shank_clearance_mm,
-                                                             double holder_clearance_mm);
+                                                             double holder_clearance_mm, const MotionTube& tube = {});
 
 }  // namespace gouge

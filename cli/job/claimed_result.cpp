@@ -233,10 +233,11 @@ Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_v
   JsonErrors errors{file, "result-field", &read->json.lines};
   ClaimedResult result = ClaimTaker(file, JsonField(read->json.root, errors), read->record).take();
   if (errors.first) return *errors.first;
-  const CheckOptions check = result.options.check;
+  CheckOptions check = result.options.check;
   const std::vector<MeshLimit> limits = result.options.limits;
   const Result<JobOptions> understood = understand(result.arguments);
   if (!understood) return invalid(file, "an option in it cannot be (" + understood.error().message + ")");
+  check.tube = understood->check.tube;
   result.options = *understood;
   result.options.check = check;
   result.options.limits = limits;

@@ -164,9 +164,10 @@ class JobLoader {
       job_.variants.emplace_back();
       if (!assembly) continue;
       const CheckOptions& c = job_.options.check;
-      Result<ToolVariants> variants = make_tool_variants(
-          arguments_.is_extended_up ? job_.without_end(*assembly) : *assembly, c.stock_to_leave_mm,
-          c.shank_clearance_mm, c.holder_clearance_mm, needs_wide_tool(job_.toolpath, job_.variants.size() - 1));
+      Result<ToolVariants> variants =
+          make_tool_variants(arguments_.is_extended_up ? job_.without_end(*assembly) : *assembly, c.stock_to_leave_mm,
+                             c.shank_clearance_mm, c.holder_clearance_mm,
+                             needs_wide_tool(job_.toolpath, job_.variants.size() - 1), c.tube);
       if (!variants) return errors_.push_back(variants.error());
       job_.variants.back() = std::move(*variants);
     }

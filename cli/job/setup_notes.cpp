@@ -61,8 +61,9 @@ Result<std::vector<StickoutFacts>> find_stickouts_of(const Job& job, const Prepa
   const CheckOptions& check = job.options.check;
   const MakeLongerTool make = [&](std::size_t tool, double longer_mm) -> Result<LongerTool> {
     const ToolAssembly longer = with_longer_stickout(*job.assemblies[tool], longer_mm);
-    Result<ToolVariants> bodies = make_non_cutting_variants(is_extended_up ? job.without_end(longer) : longer,
-                                                            check.shank_clearance_mm, check.holder_clearance_mm);
+    Result<ToolVariants> bodies =
+        make_non_cutting_variants(is_extended_up ? job.without_end(longer) : longer, check.shank_clearance_mm,
+                                  check.holder_clearance_mm, check.tube);
     if (!bodies) return bodies.error();
     Result<std::vector<HeadBody>> heads = moved_up(job.heads(), longer_mm);
     if (!heads) return heads.error();

@@ -148,7 +148,7 @@ gouge::CheckOptions to_check_options(const CheckOptions& options) {
 
 gouge::ToolVariants compile(const gouge::ToolAssembly& tool, const gouge::CheckOptions& options, bool has_wide) {
   return value_or_raise(gouge::make_tool_variants(tool, options.stock_to_leave_mm, options.shank_clearance_mm,
-                                                  options.holder_clearance_mm, has_wide));
+                                                  options.holder_clearance_mm, has_wide, options.tube));
 }
 
 CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, const CheckOptions& options) {

@@ -9,6 +9,7 @@
 
 #include "cli/machine/machine_choice.h"
 #include "cli/options/length_rule.h"
+#include "cli/options/tube_options.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/number_text.h"
 #include "lib/base/parallel.h"
@@ -155,6 +156,19 @@ OptionRows<JobArguments> check_rows() {
            .scope = Scope::project,
            .recorded = Recorded::repeated,
            .choices = {kTurnLawNames.begin(), kTurnLawNames.end()}},
+          {.name = "--tip-tolerance",
+           .field = &A::tip_tolerance,
+           .type = "LENGTH",
+           .help = "Largest distance of the tool tip from its path, as the control smooths it (CYCLE832, G64 P)",
+           .scope = Scope::project,
+           .recorded = Recorded::repeated,
+           .result_text = with_units},
+          {.name = "--axis-tolerance",
+           .field = &A::axis_tolerance,
+           .type = "DEG",
+           .help = "Largest angle between the tool axis and its direction by the law of motion (OTOL, TA)",
+           .scope = Scope::project,
+           .recorded = Recorded::repeated},
           {.name = "--assume",
            .field = &A::assumed,
            .type = "FACT[=OBJECT]",
@@ -337,6 +351,9 @@ Result<JobOptions> understand(const JobArguments& a) {
     if (!place) return place.error();
     options.place = *place;
   }
+  const Result<MotionTube> tube = understand_tube(a.tip_tolerance, a.axis_tolerance, !a.heads.empty());
+  if (!tube) return tube.error();
+  options.check.tube = *tube;
   options.check.law = rapid_called(a.rapid).value_or(RapidMode::straight);
   options.check.threads = static_cast<unsigned>(std::min<std::uint64_t>(a.threads, kMaxThreads));
   options.progress = understand_progress(a.progress);

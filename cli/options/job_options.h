@@ -52,7 +52,8 @@ struct JobArguments : Verbosity {
   bool is_forced = false;
   bool is_extended_up = false;
   std::string machine, feed_law, rapid_law;
-  std::vector<std::string> assumed;  ///< --assume
+  std::string tip_tolerance, axis_tolerance;  ///< empty: 0
+  std::vector<std::string> assumed;           ///< --assume
   bool is_strict = false;
   bool has_warnings_as_errors = false;
   std::string project, reviewer;           ///< of the head of the report

@@ -6,6 +6,7 @@
 
 #include "lib/check/prepared_scene.h"
 #include "lib/motion/motion_law.h"
+#include "lib/tool/motion_tube.h"
 
 namespace gouge {
 
@@ -20,6 +21,7 @@ struct CheckOptions {
   double near_miss_mm = 0;                    ///< 0: not requested
   bool is_depth_alone = false;                ///< how far thin and pointed features reach into a solid is not requested
   MotionLaw law;                              ///< how the tool moves between positions
+  MotionTube tube;                            ///< how far the tool may depart from that
   unsigned threads = 0;                       ///< 0: all
   std::uint64_t budget_per_move = 2'000'000;  ///< bounds computed before a move is "not certified"
 };

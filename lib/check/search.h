@@ -69,8 +69,8 @@ struct SearchResult {
 };
 
 /// Requires motion.is_defined(), resolution and gap > 0. Tools without elements are passed over.
-/// Ensures  value <= true value <= value_upper; when decided, value_upper <= tolerance + resolution, or <= value + gap
-///          when the value is above the tolerance.
+/// Ensures  The true value lies in [value, value_upper]. When decided, value_upper is at most tolerance + resolution, or,
+///          with a value above the tolerance, at most the larger of value + gap and tolerance + resolution.
 /// Cost     A few hundred bounds for a clean move near the surface, no allocation that outlives the call.
 [[nodiscard]] SearchResult search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
                                        const SearchQuery& query, const SearchStart& start);

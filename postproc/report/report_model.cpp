@@ -72,12 +72,25 @@ ExitCode exit_status(OverallVerdict verdict) {
   return kStatus[static_cast<std::size_t>(verdict)];
 }
 
+namespace {
+
+/// Describes the motions beside the nominal one that a check covers; empty where there are none.
+std::string tube_text(const MotionTube& tube, LengthUnit unit) {
+  if (tube.is_empty()) return {};
+  const std::string tip = tube.tip_mm > 0 ? length_text(tube.tip_mm, unit) + " at the tip" : "";
+  const std::string axis = tube.axis_rad > 0 ? angle_text(tube.axis_rad, DegreeSign::word) + " of the tool axis" : "";
+  return ", also where the control departs from its law by up to " + tip +
+         (tip.empty() || axis.empty() ? "" : " and ") + axis;
+}
+
+}  // namespace
+
 std::string guarantee_text(const ReportModel& model) {
   const LengthUnit unit = model.toolpath->unit;
   const CheckOptions& options = model.options;
   const double limit_mm = options.tolerance_mm + options.resolution_mm;
   const std::string limit = "no gouge deeper than tolerance + resolution = " + length_text(limit_mm, unit) +
-                            " is missed" + clearances_text(model) +
+                            " is missed" + tube_text(options.tube, unit) + clearances_text(model) +
                             ", and where none is reported the tool reaches at most 3 times that into a solid";
   const StateCounts& n = model.result->counts;
   const std::size_t left_out = n.not_checked + n.not_certified;

@@ -14,7 +14,8 @@
 namespace gouge {
 
 /// Keys of `options.more` that name the law of motion.
-inline constexpr std::array<const char*, 3> kLawOptions = {"machine", "feed-law", "rapid-law"};
+inline constexpr std::array<const char*, 5> kLawOptions = {"machine", "feed-law", "rapid-law", "tip-tolerance",
+                                                           "axis-tolerance"};
 
 /// Options of the check that affect which gouges there are.
 struct StoredOptions {

@@ -28,12 +28,10 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 
-/// Returns the number of spaces stand right before `bytes[at]`.
+/// Returns the number of spaces right before `bytes[at]`.
 [[nodiscard]] std::size_t blanks_before(std::string_view bytes, std::size_t at);
 
-/// Returns the line end of the first line of `bytes`: "\\r\
-/// " or "\
-/// ".
+/// Returns the line end of the first line of `bytes`: CR LF, or LF.
 [[nodiscard]] std::string line_end_of(std::string_view bytes);
 
 /// Returns < 0, 0 or > 0 as `a` sorts before, equal to or after `b`, letters compared as capitals.

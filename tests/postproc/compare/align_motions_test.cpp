@@ -7,9 +7,10 @@
 namespace gouge {
 namespace {
 
-std::vector<std::string> motions(const std::string& letters) {
-  std::vector<std::string> all;
-  for (const char letter : letters) all.emplace_back(1, letter);
+/// Views of the letters, which must outlive them.
+std::vector<std::string_view> motions(const std::string& letters) {
+  std::vector<std::string_view> all;
+  for (std::size_t k = 0; k < letters.size(); ++k) all.push_back(std::string_view(letters).substr(k, 1));
   return all;
 }
 

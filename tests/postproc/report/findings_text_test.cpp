@@ -16,7 +16,7 @@ namespace {
 TEST(FindingsText, CountsTheRecordsWrittenAndThoseChangedButNotFreed) {
   SmallReport report;
   report.add_correction();
-  report.model.correction.written = {{"changed", 4}, {"changed", 5}, {"added", 6}};
+  report.model.correction.written = {{WrittenKind::changed, 4}, {WrittenKind::changed, 5}, {WrittenKind::added, 6}};
   report.model.correction.uncorrected = {{4, 14, 0.2, "no way out"}, {5, 15, 0.1, "no way out", true}};
   const std::string text = findings_text(report.model);
   EXPECT_NE(text.find("records: 2 changed, 1 added, 0 removed; every other one is the same to the byte\n"),

@@ -1,10 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "lib/path/motion_key.h"
 #include "postproc/record/result_digest.h"
-#include "postproc/report/motion_list.h"
+#include "postproc/record/write_record.h"
 #include "postproc/result/stored_result.h"
 
 namespace gouge {
@@ -12,49 +13,64 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json gouging(std::size_t move) {
-  return {
-      {"move", move},
-      {"line", move + 10},
-      {"state", "gouge"},
-      {"kind", "feed"},
-      {"tool", "1"},
-      {"operation", ""},
-      {"statement", ""},
-      {"motion", std::string(kMotionDigits, 'a')},
-      {"depth", 0.2},
-      {"depth_upper", 0.2},
-      {"overcut", nullptr},
-      {"overcut_upper", nullptr},
-      {"reason", ""},
-      {"witness", {{"t", 0.5}, {"body", "cutter"}, {"against", "part"}, {"mesh", "part.stl"}, {"point", {1, 2, 3}}}}};
+MoveRecord gouging(std::size_t move) {
+  MoveRecord record;
+  record.move = move;
+  record.line = move + 10;
+  record.tool = "1";
+  record.motion = std::string(kMotionDigits, 'a');
+  record.depth_mm = record.depth_upper_mm = 0.2;
+  record.witness = WitnessRecord{0.5, {1, 2, 3}, {0, 0, 1}, Body::cutter, Against::part, "part.stl", 0};
+  return record;
+}
+
+EventRecord event_of(std::size_t number, std::size_t first, std::size_t last) {
+  EventRecord record;
+  record.number = number;
+  record.first_move = record.worst_move = first;
+  record.last_move = last;
+  record.moves = last - first + 1;
+  record.line = first + 10;
+  record.tool = "1";
+  record.tool_index = 0;
+  return record;
+}
+
+Json parsed(const ResultRecord& record) {
+  Json json = Json::parse(write_record(record));
+  json.erase("digest");
+  return json;
 }
 
 Json event(std::size_t number, std::size_t first, std::size_t last) {
-  return {{"number", number},    {"state", "gouge"},          {"first_move", first}, {"last_move", last},
-          {"worst_move", first}, {"moves", last - first + 1}, {"line", first + 10},  {"tool", "1"},
-          {"tool_index", 0},     {"body", "cutter"},          {"against", "part"}};
+  ResultRecord record;
+  record.events = {event_of(number, first, last)};
+  return parsed(record)["events"][0];
+}
+
+/// Returns a result of so many moves. Those listed gouge.
+ResultRecord record_of_moves(std::size_t count, const std::vector<std::size_t>& gouges) {
+  ResultRecord record;
+  record.verdict = "gouges";
+  record.options.rapid = "straight";
+  record.toolpath.moves = count;
+  ToolRecord tool;
+  tool.key = "1";
+  tool.identity = "x";
+  tool.bodies = {Body::cutter};
+  record.tools = {tool};
+  for (std::size_t first = 0; first < count; first += kMotionsOfText)
+    record.motions.emplace_back(std::min(kMotionsOfText, count - first) * kListedDigits, 'a');
+  record.runs = {{0, "", "1"}};
+  for (const std::size_t move : gouges) record.moves.push_back(gouging(move));
+  return record;
 }
 
 /// Four moves, of which 0, 1 and 3 gouge.
 Json result() {
-  const Json options = {{"tolerance", 0.01},    {"resolution", 0.001},   {"stock_to_leave", 0},
-                        {"shank_clearance", 0}, {"holder_clearance", 0}, {"rapid", "straight"}};
-  return {{"format", "gougecheck-report"},
-          {"format_version", 1},
-          {"program", Json{{"version", "1"}}},
-          {"verdict", "gouges"},
-          {"unit", "mm"},
-          {"placement", ""},
-          {"toolpath", {{"file", "a.apt"}, {"moves", 4}}},
-          {"totals", Json{{"left_out_as_asked", 0}}},
-          {"options", options},
-          {"inputs", Json::array()},
-          {"tools", Json::array({Json{{"key", "1"}, {"identity", "x"}, {"bodies", Json::array({"cutter"})}}})},
-          {"motions", Json::array({std::string(4 * kListedDigits, 'a')})},
-          {"runs", Json::array({Json{{"first_move", 0}, {"operation", ""}, {"tool", "1"}}})},
-          {"moves", Json::array({gouging(0), gouging(1), gouging(3)})},
-          {"events", Json::array({event(1, 0, 1), event(2, 3, 3)})}};
+  ResultRecord record = record_of_moves(4, {0, 1, 3});
+  record.events = {event_of(1, 0, 1), event_of(2, 3, 3)};
+  return parsed(record);
 }
 
 std::string error_of(const Json& json) {
