@@ -159,14 +159,16 @@ OptionRows<JobArguments> check_rows() {
           {.name = "--tip-tolerance",
            .field = &A::tip_tolerance,
            .type = "LENGTH",
-           .help = "Largest distance of the tool tip from its path, as the control smooths it (CYCLE832, G64 P)",
+           .help = "Maximum distance of the tool tip from its path, by the smoothing of the control (CYCLE832, G64 "
+                   "P; default: 0)",
            .scope = Scope::project,
            .recorded = Recorded::repeated,
            .result_text = with_units},
           {.name = "--axis-tolerance",
            .field = &A::axis_tolerance,
            .type = "DEG",
-           .help = "Largest angle between the tool axis and its direction by the law of motion (OTOL, TA)",
+           .help = "Maximum angle between the tool axis and its direction by the law of motion, by the smoothing of "
+                   "the control (OTOL, TA; default: 0)",
            .scope = Scope::project,
            .recorded = Recorded::repeated},
           {.name = "--assume",
