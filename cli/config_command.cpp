@@ -52,23 +52,23 @@ std::string table_text(const std::vector<ConfigRow>& rows) {
 
 void add_config_commands(CLI::App& app) {
   CLI::App* config = app.add_subcommand(
-      "config", "Show which options hold in this folder, and where each comes from; [check|correct] [OPTIONS]");
+      "config", "Show the options in force in this folder and the origin of each, for [check|correct] [OPTIONS]");
   config->prefix_command();
   config->footer(
       "Examples:\n"
       "  gougecheck config\n"
       "  gougecheck config correct --tolerance 0.02\n\n"
-      "The project file is gougecheck.json in the working directory or above it, up to the root of its repository. The "
-      "command line goes before the file, the file before the default.");
-  CLI::App* init =
-      app.add_subcommand("init", "Write gougecheck.json from what lies in this folder, or from [OPTIONS] of check");
+      "The project file is gougecheck.json in the working directory or in a folder above it, up to the root of "
+      "its repository. The command line overrides the file, and the file overrides the default.");
+  CLI::App* init = app.add_subcommand(
+      "init", "Write gougecheck.json from the files in this folder, or from the given options of check");
   init->prefix_command();
   init->footer(
       "Examples:\n"
       "  gougecheck init\n"
       "  gougecheck init --part part.stl --tolerance 0.02\n\n"
-      "Part, fixtures, heads and tool library are found by the names of their files. A file that exists is never "
-      "replaced, and where nothing is found and no option is given none is written (exit status 3).");
+      "Part, fixtures, heads and tool library are recognized by the names of their files. An existing file is "
+      "never replaced. If nothing is found and no option is given, no file is written (exit status 3).");
 }
 
 int run_config(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {

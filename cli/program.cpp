@@ -15,16 +15,17 @@ void describe_program(CLI::App& app) {
   app.formatter(make_help_formatter());
   app.description(
       "Certified gouge check and correction of 5-axis toolpaths.\n"
-      "Reads the CL data of NX, CATIA, Creo, SolidWorks CAM, Fusion, NCCS, Mastercam (NCI) and plain APT, checks "
-      "cutter, shank and holder over the whole motion of every move against STL parts and fixtures, corrects what "
-      "gouges, and reports with evidence for every finding.");
+      "The program reads the CL data of NX, CATIA, Creo, SolidWorks CAM, Fusion, NCCS, Mastercam (NCI) and plain "
+      "APT. It checks cutter, shank and holder against STL parts and fixtures, over the whole motion of every "
+      "move. It corrects moves that gouge, and reports every finding with evidence.");
   const std::string name = std::string(kProgramName) + " " + kProgramVersion;
   app.add_flag_callback(
-      "-V", [name] { throw CLI::CallForVersion(name, 0); }, "Print the version alone, in one line");
+      "-V", [name] { throw CLI::CallForVersion(name, 0); }, "Print only the version, in one line");
   app.set_version_flag(
-      "--version", [name] { return name + "\n" + build_facts_text(); }, "Print the version and how it was built");
+      "--version", [name] { return name + "\n" + build_facts_text(); },
+      "Print the version and the details of the build");
   app.require_subcommand(1);
-  app.footer("Every command explains itself: gougecheck help check");
+  app.footer("Help of a command: gougecheck help check");
 }
 
 // For every command that runs: those that only group others print nothing.
@@ -40,19 +41,22 @@ void add_colour_below(CLI::App& app, std::string& colour) {
 Program::Program() {
   Arguments& a = arguments;
   describe_program(app);
-  add_check_options(*app.add_subcommand("check", "Find gouges; report"), a.check);
+  add_check_options(*app.add_subcommand("check", "Check a toolpath for gouges and report them"), a.check);
   add_correct_options(*app.add_subcommand("correct", "Write a corrected toolpath and check it again"), a.correct);
-  add_batch_options(*app.add_subcommand("batch", "Check or correct many toolpaths; resumed where it stopped"), a.batch);
-  add_clash_options(*app.add_subcommand("clash", "Find out whether two bodies of a set-up penetrate, and how deep"),
+  add_batch_options(
+      *app.add_subcommand("batch", "Check or correct many toolpaths; an interrupted batch can be resumed"), a.batch);
+  add_clash_options(*app.add_subcommand("clash", "Test whether two bodies of a set-up penetrate, and how deep"),
                     a.clash);
-  add_compare_options(*app.add_subcommand("compare", "Say what changed from one result to another"), a.compare);
+  add_compare_options(*app.add_subcommand("compare", "Compare two results and state the changes"), a.compare);
   add_accept_options(
-      *app.add_subcommand("accept", "Accept findings, so that a check with --baseline counts them apart"), a.accept);
+      *app.add_subcommand("accept", "Accept findings, so that a check with --baseline lists them separately"),
+      a.accept);
   add_merge_options(*app.add_subcommand("merge", "Join the results of the shards of a batch"), a.merge);
   add_machine_commands(*app.add_subcommand("machine", "List and show machines"), a.machine);
   add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), a.mesh);
-  add_path_options(*app.add_subcommand("path", "Show what is in a toolpath file"), a.path);
-  add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"), a.tool);
+  add_path_options(*app.add_subcommand("path", "Describe, convert and draw toolpath files"), a.path);
+  add_tool_options(*app.add_subcommand("tool", "List, show and draw the tools of a library, and import libraries"),
+                   a.tool);
   add_verify_options(*app.add_subcommand("verify", "Verify the result of a check by independent means"), a.verify);
   for (const char* command : {"check", "correct"})
     add_no_config_option(*app.get_subcommand(command), a.is_without_project);

@@ -19,7 +19,7 @@ namespace gouge {
 namespace {
 
 void add_words(CLI::App& command, SelfArguments& arguments) {
-  command.add_option("COMMAND", arguments.command, "The command: check, or two words: tool import")
+  command.add_option("COMMAND", arguments.command, "Command, in one word or two: check, tool import")
       ->type_name("COMMAND");
 }
 
@@ -53,8 +53,8 @@ void add_self_commands(CLI::App& app, SelfArguments& arguments) {
   CLI::App* man = app.add_subcommand("man", "Print the manual page of a command, for man -l -");
   add_words(*man, arguments);
   man->footer("Example:\n  gougecheck man check | man -l -");
-  CLI::App* completion = app.add_subcommand("completion", "Print what completes command lines in a shell");
-  completion->add_option("SHELL", arguments.shell, "The shell: bash, zsh or fish")
+  CLI::App* completion = app.add_subcommand("completion", "Print the completion script of a shell");
+  completion->add_option("SHELL", arguments.shell, "Name of the shell: bash, zsh or fish")
       ->check(CLI::IsMember({"bash", "zsh", "fish"}))
       ->required();
   completion->footer(
@@ -62,11 +62,12 @@ void add_self_commands(CLI::App& app, SelfArguments& arguments) {
       "  source <(gougecheck completion bash)\n"
       "  gougecheck completion zsh > ~/.zfunc/_gougecheck\n"
       "  gougecheck completion fish > ~/.config/fish/completions/gougecheck.fish\n\n"
-      "An installed gougecheck has brought them along.");
+      "The installation of gougecheck includes these scripts.");
   CLI::App* schema = app.add_subcommand("schema", "Print the JSON Schema of a file that the program reads or writes");
   schema
       ->add_option("FILE", arguments.file_kind,
-                   "The file: result, what --json writes; project, gougecheck.json; jobs, the list of a batch")
+                   "Kind of file: result, the output of --json; project, gougecheck.json; jobs, the job list of a "
+                   "batch")
       ->check(CLI::IsMember({"result", "project", "jobs"}))
       ->required();
   schema->footer("Example:\n  gougecheck schema project > gougecheck.schema.json");

@@ -214,18 +214,19 @@ class Merge {
 }  // namespace
 
 void add_merge_options(CLI::App& command, MergeArguments& a) {
-  command.add_option("DIR", a.shards, "Folders of 'gougecheck batch --shard', one of each share")
+  command.add_option("DIR", a.shards, "Folders written by 'gougecheck batch --shard', one for each share")
       ->type_name("FOLDER")
       ->required();
   command.add_option("-o,--output", a.folder, "Folder for the joined results")->type_name("FOLDER")->required();
-  command.add_flag("--force", a.is_forced, "Let the result replace another batch, and files no batch wrote");
-  add_verbosity(command, a, "As without");
+  command.add_flag("--force", a.is_forced,
+                   "Replace the results of another batch, and files that were not written by a batch");
+  add_verbosity(command, a, "No effect in this command");
   command.footer(
       "Example:\n"
       "  gougecheck batch jobs.json --shard 1/2 -o s1\n"
       "  gougecheck batch jobs.json --shard 2/2 -o s2\n"
       "  gougecheck merge s1 s2 -o night\n\n"
-      "The result is that of one run of the whole list. Exit status: that of the worst job.");
+      "The result equals that of a single run of the whole list. The exit status is that of the worst job.");
 }
 
 int run_merge(const MergeArguments& arguments, std::ostream& out, std::ostream& err) {

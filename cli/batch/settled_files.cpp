@@ -88,8 +88,8 @@ std::optional<Diagnostic> find_foreign_output(const std::vector<std::string>& fi
     return make_error(
         "report-foreign",
         "would replace " + printable(file) +
-            ", which no batch wrote or which was changed since; expected a folder without it: name another "
-            "one, move it away, or let --force replace it",
+            ", which was not written by a batch, or was changed since; expected a folder without this file: name "
+            "another folder, move the file away, or give --force to replace it",
         folder);
   }
   return std::nullopt;

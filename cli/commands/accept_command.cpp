@@ -111,25 +111,30 @@ Result<std::vector<Acceptance>> read_existing(const std::string& file, const Inp
 void add_accept_options(CLI::App& command, AcceptArguments& arguments) {
   command
       .add_option("RESULT", arguments.result,
-                  "Result that has the findings (what --json wrote, or result.json of a report)")
+                  "Result with the findings (the output of --json, or result.json of a report)")
       ->type_name("FILE")
       ->required();
   command
-      .add_option("--finding", arguments.findings, "Number of a finding to accept (repeatable); none: list them all")
+      .add_option("--finding", arguments.findings,
+                  "Number of a finding to accept (repeatable; default: list all findings)")
       ->type_name("UINT")
       ->allow_extra_args(false);
-  command.add_option("--reason", arguments.reason, "Why it may stay")->type_name("TEXT");
-  command.add_option("--by", arguments.by, "Who accepts it")->type_name("NAME");
-  command.add_option("--date", arguments.date, "When, as 2026-11-23 (default: today, UTC)")->type_name("DAY");
-  command.add_option("-o,--output", arguments.output, "File of accepted findings; those it has already stay")
+  command.add_option("--reason", arguments.reason, "Reason why the finding is accepted")->type_name("TEXT");
+  command.add_option("--by", arguments.by, "Name of the person who accepts the finding")->type_name("NAME");
+  command.add_option("--date", arguments.date, "Date of the acceptance, such as 2026-11-23 (default: today, UTC)")
+      ->type_name("DAY");
+  command.add_option("-o,--output", arguments.output, "File of accepted findings; existing entries stay")
       ->type_name("FILE");
   add_input_limit(command, arguments.input);
   command.footer(
-      "Examples:\n  gougecheck accept report/result.json\n  gougecheck accept report/result.json --finding 3 --reason "
-      "\"stock allowance\" --by \"R. Miller\" -o accepted.json\n  gougecheck check part.apt --part part.stl --baseline "
-      "accepted.json\n\n"
-      "An acceptance holds for these motions, with this tool, part, place, tolerance and clearances, and up to this depth; "
-      "any change voids it. A buried tool, and what was not checked or certified, cannot be accepted.");
+      "Examples:\n"
+      "  gougecheck accept report/result.json\n"
+      "  gougecheck accept report/result.json --finding 3 --reason \"stock allowance\" \\\n"
+      "      --by \"R. Miller\" -o accepted.json\n"
+      "  gougecheck check part.apt --part part.stl --baseline accepted.json\n\n"
+      "An acceptance holds for these motions up to this depth, with this tool, part, place, tolerance and "
+      "clearances. If one of them changes, the acceptance is no longer valid. A buried tool cannot be accepted, "
+      "nor can a move that was not checked or not certified.");
 }
 
 int run_accept(const AcceptArguments& arguments, std::ostream& out, std::ostream& err) {

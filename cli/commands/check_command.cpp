@@ -37,22 +37,22 @@ const OptionRows<CheckArguments>& check_options() {
       {.name = "--find-cures",
        .field = &A::finds_cures,
        .group = "Check",
-       .help = "Find for every gouge of shank, holder or head the tilt and the least lift that free it",
+       .help = "For every gouge of shank, holder or head, find the tilt and the minimum lift that free it",
        .scope = Scope::project},
       {.name = "--find-stickout",
        .field = &A::finds_stickout,
-       .help = "Find for every tool the minimum stick-out at which shank, holder and heads gouge no more",
+       .help = "For every tool, find the minimum stick-out at which shank, holder and heads do not gouge",
        .scope = Scope::project},
       {.name = "--stickout-step",
        .field = &A::stickout_step,
        .type = "LENGTH",
-       .help = "Stick-outs to try are multiples of this",
+       .help = "Step of the search: the stick-outs that are tried are multiples of this length",
        .scope = Scope::project,
        .needs = "--find-stickout"},
       {.name = "--stickout-limit",
        .field = &A::stickout_limit,
        .type = "LENGTH",
-       .help = "Maximum by which a stick-out may be longer",
+       .help = "Maximum length that the search may add to a stick-out",
        .scope = Scope::project,
        .needs = "--find-stickout"},
       {.name = "--certificate",
@@ -61,15 +61,15 @@ const OptionRows<CheckArguments>& check_options() {
              command
                  .add_option(
                      "--certificate", a.job.certificate_file,
-                     "Write proofs that 'gougecheck verify RESULT.json --certificate FILE' verifies (- for standard "
-                     "output)")
+                     "Write the proofs for 'gougecheck verify RESULT.json --certificate FILE' (- for standard output)")
                  ->type_name("FILE");
            },
        .group = kOutputGroup},
       {.name = "--force", .field = +[](CLI::App& command, A& a) {
-         command.add_flag("--force", a.job.is_forced,
-                          "Let --report replace and remove files of a report's names that no report wrote, never an "
-                          "input");
+         command.add_flag(
+             "--force", a.job.is_forced,
+             "Let --report replace and remove files that have names of a report but were not written by one, "
+             "except inputs");
        }}};
   return rows;
 }
@@ -81,8 +81,9 @@ void add_check_options(CLI::App& command, CheckArguments& check) {
   command.footer(
       "Example:\n"
       "  gougecheck check finish.apt --part part.stl --tools tools.json --report out\n\n"
-      "Lengths are in mm, at most 100000; a unit may be given: 0.0005in. Exit status: 0 checked and clean, 1 gouges, 2 "
-      "wrong command line, 3 input invalid, 4 not fully checked, 5 internal or resource failure.");
+      "Lengths in options are at most 100000 mm.\n\n"
+      "Exit status: 0 checked and clean, 1 gouges, 2 wrong command line, 3 input unreadable or invalid, 4 not "
+      "fully checked, 5 internal or resource failure.");
 }
 
 std::optional<Diagnostic> find_wrong_value(const CheckArguments& arguments) {

@@ -49,36 +49,39 @@ int clash_status(ClashState state) {
 }  // namespace
 
 void add_clash_options(CLI::App& command, ClashArguments& arguments) {
-  command.add_option("A", arguments.a, "STL file that stays where it is")->type_name("FILE")->required();
-  command.add_option("B", arguments.b, "STL file of the other body, which would move away")
+  command.add_option("A", arguments.a, "STL file of the body that stays in place")->type_name("FILE")->required();
+  command.add_option("B", arguments.b, "STL file of the body that a shift would move away from A")
       ->type_name("FILE")
       ->required();
   command
       .add_option("--place-b", arguments.place_b,
-                  "Place B in the coordinates of A: x,y,z[,rx,ry,rz], mm or with a unit (0.5in), then degrees about "
-                  "fixed X, Y, Z")
+                  "Placement of B in the coordinates of A, x,y,z[,rx,ry,rz]: lengths in mm or with a unit (0.5in), "
+                  "then angles in degrees about the fixed axes X, Y, Z")
       ->type_name("X,Y,Z");
-  command.add_option("--stl-units", arguments.stl_units, "Unit of the STL files' numbers")
+  command.add_option("--stl-units", arguments.stl_units, "Unit of the coordinates in the STL files")
       ->check(CLI::IsMember(unit_words()))
       ->capture_default_str();
-  command.add_option("--tolerance", arguments.tolerance, "Depth that still counts as touching")
+  command.add_option("--tolerance", arguments.tolerance, "Maximum depth of bodies that touch without penetration")
       ->type_name("LENGTH")
       ->capture_default_str();
-  command.add_option("--resolution", arguments.resolution, "Certified gap of the depth")
+  command.add_option("--resolution", arguments.resolution, "Certified gap between the depth and its upper bound")
       ->type_name("LENGTH")
       ->capture_default_str();
-  command.add_option("--json", arguments.json_file, "Write the result as JSON (- for standard output alone)")
+  command
+      .add_option("--json", arguments.json_file, "Write the result as JSON (- for standard output, without other text)")
       ->type_name("FILE");
   add_input_limit(command, arguments.input);
-  add_verbosity(command, arguments, "Print notes of both files and what the search took");
+  add_verbosity(command, arguments, "Print notes of both files and the effort of the search");
   command.footer(
-      "Examples:\n  gougecheck clash part.stl jaw.stl\n  gougecheck clash vise.stl part.stl --place-b 0,0,12.5,0,0,90 "
-      "--json clash.json\n\n"
-      "The depth of two bodies is the largest distance of a point that is in both to the surface of A or of B: over "
-      "all of the volume they share, not at vertices alone. Nothing in both means free; a body wholly inside the other "
-      "is never free. The shift is proved to take B out; it is not the shortest of all. Exit status: 0 proved free, or "
-      "touching within tolerance + resolution, 1 they penetrate, 2 wrong command line, 3 unreadable, 4 not certified "
-      "(open mesh, or the search ran out of its budget), 5 internal failure or output unwritable.");
+      "Examples:\n"
+      "  gougecheck clash part.stl jaw.stl\n"
+      "  gougecheck clash vise.stl part.stl --place-b 0,0,12.5,0,0,90 --json clash.json\n\n"
+      "The depth is the largest distance to the surface of A or of B, over all points that lie in both bodies, "
+      "not only vertices. Bodies without a common point are free. A body wholly inside the other is never free. "
+      "The reported shift is proved to free B. A shorter shift may exist.\n\n"
+      "Exit status: 0 proved free, or touching within tolerance + resolution; 1 the bodies penetrate; 2 wrong "
+      "command line; 3 input unreadable; 4 not certified (a mesh is open, or the search reached its budget); 5 "
+      "internal failure or output unwritable.");
 }
 
 int run_clash(const ClashArguments& arguments, std::ostream& out, std::ostream& err) {

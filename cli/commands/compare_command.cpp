@@ -22,27 +22,37 @@ Result<StoredResult> load_result(const std::string& file, const InputLimit& limi
 }  // namespace
 
 void add_compare_options(CLI::App& command, CompareArguments& arguments) {
-  command.add_option("OLD", arguments.before, "Result of the old run (what --json wrote, or result.json of a report)")
+  command
+      .add_option("OLD", arguments.before, "Result of the old run (the output of --json, or result.json of a report)")
       ->type_name("FILE")
       ->required();
   command.add_option("NEW", arguments.after, "Result of the new run")->type_name("FILE")->required();
   command
       .add_option("--same-within", arguments.same_within,
-                  "Depths that differ by no more are the same; of a part that was tessellated again, its chord error")
+                  "Maximum difference of depths that count as equal. For a part that was tessellated again, give "
+                  "its chord error")
       ->type_name("LENGTH")
       ->capture_default_str();
-  command.add_option("--html", arguments.html_file, "Write the comparison as a page (- for standard output alone)")
+  command
+      .add_option("--html", arguments.html_file,
+                  "Write the comparison as HTML (- for standard output, without other text)")
       ->type_name("FILE");
-  command.add_option("--json", arguments.json_file, "Write the comparison as JSON (- for standard output alone)")
+  command
+      .add_option("--json", arguments.json_file,
+                  "Write the comparison as JSON (- for standard output, without other text)")
       ->type_name("FILE");
   add_input_limit(command, arguments.input);
-  add_verbosity(command, arguments, "List the findings that are the same as well (not with -q)");
+  add_verbosity(command, arguments, "List the unchanged findings too (not with -q)");
   command.footer(
-      "Example:\n  gougecheck compare monday/result.json today/result.json --html changes.html\n\n"
-      "A finding is the same one where the same motions gouge, with the same tool and body; where the path has other "
-      "motions, where statement and place on the part, or the place alone, are the same. It is gone only where the new "
-      "run checked what it was found in. Exit status: 0 nothing is new or deeper, 1 something is, 2 wrong command line, "
-      "3 unreadable, 4 something is not checked any more, 5 internal failure or output unwritable.");
+      "Example:\n"
+      "  gougecheck compare monday/result.json today/result.json --html changes.html\n\n"
+      "Two findings are the same if the same motions gouge, with the same tool and body. If the other path does "
+      "not have these motions, the statement and the place on the part are compared, or the place alone. A "
+      "finding is gone only if the new run checked the motions of this finding, or the moves that replace "
+      "them.\n\n"
+      "Exit status: 0 no finding is new or deeper; 1 a finding is new or deeper; 2 wrong command line; 3 input "
+      "unreadable; 4 a finding is not checked any more, or the new run has moves that are not checked or not "
+      "certified; 5 internal failure or output unwritable.");
 }
 
 int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostream& err) {

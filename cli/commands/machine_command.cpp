@@ -146,7 +146,7 @@ void add_common(CLI::App& command, PathMachineArguments& arguments) {
 void add_machine_commands(CLI::App& command, MachineArguments& arguments) {
   command.require_subcommand(1);
   command.footer("Example:\n  gougecheck machine show preset:linuxcnc-xyzac-trt");
-  CLI::App* list = command.add_subcommand("list", "List the machines that the program knows");
+  CLI::App* list = command.add_subcommand("list", "List the built-in machines");
   list->footer(std::string("Example:\n  gougecheck machine list\n\n") + kExits);
   list->callback([&] { arguments.action = MachineArguments::Action::list; });
   CLI::App* show = command.add_subcommand("show", "Show joints, limits and laws of a machine, each with its source");
@@ -170,28 +170,32 @@ int run_machine(const MachineArguments& arguments, std::ostream& out, std::ostre
 
 void add_path_laws_options(CLI::App& command, PathMachineArguments& arguments) {
   add_common(command, arguments);
-  command.add_option("--height", arguments.height, "Height above the tip at which gaps are stated in mm")
+  command.add_option("--height", arguments.height, "Distance above the tip at which the gap is given as a length")
       ->type_name("LENGTH")
       ->capture_default_str();
   command.footer(
-      std::string("Example:\n  gougecheck path laws finish.apt --machine preset:haas-umc750\n\n"
-                  "The gap of a move is the largest angle between the tool axis on the great circle and with "
-                  "both rotary joints running evenly.\n\n") +
+      std::string("Example:\n"
+                  "  gougecheck path laws finish.apt --machine preset:haas-umc750\n\n"
+                  "The gap of a move is the largest angle between two tool axes: one turns on the great circle, "
+                  "the other results from rotary joints that run at constant rates.\n\n") +
       kExits);
 }
 
 void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments) {
   add_common(command, arguments);
-  command.add_option("--csv", arguments.csv_file, "Write the joints of every record; - for standard output")
+  command
+      .add_option("--csv", arguments.csv_file, "Write the joint values of every record as CSV; - for standard output")
       ->type_name("FILE")
       ->required();
   command
-      .add_option("--tool-length", arguments.tool_length, "From the gauge point to the tip; needed with a rotary head")
+      .add_option("--tool-length", arguments.tool_length,
+                  "Length from the gauge point to the tip; required for a machine with a rotary head")
       ->type_name("LENGTH");
   command.footer(
-      std::string("Example:\n  gougecheck path joints finish.apt --machine preset:haas-umc750 --csv joints.csv\n\n"
-                  "Joints are chosen as a post-processor does: the nearest solution within the limits. Limits that are "
-                  "exceeded, flips and turns back are warnings.\n\n") +
+      std::string("Example:\n"
+                  "  gougecheck path joints op10.apt --machine preset:haas-umc750 --csv joints.csv\n\n"
+                  "Joints are chosen in the way of a post-processor: the nearest solution within the limits. "
+                  "Exceeded limits, flips and turns back are reported as warnings.\n\n") +
       kExits);
 }
 

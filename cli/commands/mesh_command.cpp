@@ -61,30 +61,33 @@ bool deliver(const MeshArguments& arguments, const MeshInfo& info, PendingOutput
 
 void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
   command.add_option("PART", arguments.file, "STL file, binary or ASCII")->type_name("FILE")->required();
-  command.add_option("--stl-units", arguments.stl_units, "Unit of the STL's numbers")
+  command.add_option("--stl-units", arguments.stl_units, "Unit of the coordinates in the STL file")
       ->check(CLI::IsMember(unit_words()))
       ->capture_default_str();
   command
       .add_option("--weld", arguments.weld,
-                  "Join vertices no farther apart than this (no vertex moves farther) and judge the result; with "
-                  "--repair it is what is repaired and written")
+                  "Join vertices at most this far apart, and validate the result. No vertex moves farther than "
+                  "that. With --repair the joined mesh is repaired and written")
       ->type_name("LENGTH");
-  CLI::Option* repair =
-      command
-          .add_option("--repair", arguments.repair_file, "Write a repaired binary STL here, if it has fewer defects")
-          ->type_name("FILE");
-  command.add_flag("--fill-holes", arguments.fills_holes, "Let the repair add triangles where surface is missing")
-      ->needs(repair);
-  command.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")->type_name("FILE");
+  CLI::Option* repair = command
+                            .add_option("--repair", arguments.repair_file,
+                                        "File for the repaired mesh (binary STL), written only if it has fewer defects")
+                            ->type_name("FILE");
+  command.add_flag("--fill-holes", arguments.fills_holes, "Fill holes of the surface with triangles")->needs(repair);
+  command.add_option("--json", arguments.json_file, "Write the result as JSON; - for standard output")
+      ->type_name("FILE");
   add_threads_option(command, arguments.threads);
   add_progress_option(command, arguments.progress);
   add_input_limit(command, arguments.input);
   command.footer(
-      "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair repaired.stl --fill-holes\n"
+      "Examples:\n"
+      "  gougecheck mesh part.stl\n"
+      "  gougecheck mesh part.stl --repair repaired.stl --fill-holes\n"
       "  gougecheck mesh part.stl --weld 0.002 --repair welded.stl\n\n"
-      "A repair moves no vertex but those --weld joins (what is written has single precision, as binary STL has) and "
-      "resolves no self-intersection. Exit status: 0 the mesh (where one was written: that one) is sound, 1 it has "
-      "defects, 2 wrong command line, 3 unreadable, 4 not wholly decided, 5 output unwritable.");
+      "A repair moves only the vertices that --weld joins. It resolves no self-intersection. The written file "
+      "has the single precision of binary STL.\n\n"
+      "Exit status: 0 the mesh is sound, 1 it has defects, 2 wrong command line, 3 input unreadable, 4 not fully "
+      "decided, 5 output unwritable. If a mesh was written, the status is that of the written mesh.");
 }
 
 int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& err) {

@@ -64,7 +64,7 @@ std::string size_rows(const MeshInfo& info, const Lengths& lengths) {
                                     count_text(found.vertices, "vertex", "vertices") + ")");
   text +=
       mesh_row("pieces", std::to_string(found.components) + handles +
-                             (found.cavities > 0 ? ", of them inner shells: " + std::to_string(found.cavities) : ""));
+                             (found.cavities > 0 ? ", including " + count_text(found.cavities, "inner shell") : ""));
   text += mesh_row("size", lengths.vector(found.box_mm.sizes(), " x ") + " " + unit_name(info.unit) + ", from (" +
                                lengths.vector(found.box_mm.min(), ", ") + ")");
   text += mesh_row("area", lengths.power(found.area_mm2, 2));

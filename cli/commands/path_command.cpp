@@ -2,11 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
 
 #include "cli/job/scene_files.h"
+#include "cli/options/command_doc.h"
 #include "cli/options/job_options.h"
 #include "cli/output/json_text.h"
 #include "cli/output/output_file.h"
@@ -24,7 +26,7 @@
 namespace gouge {
 namespace {
 
-// Content of `path info`, as text for people and as JSON. Lengths in the file's unit.
+// Functions for the output of `path info`, as text and as JSON. Lengths are in the unit of the file.
 
 constexpr std::size_t kPathLabelWidth = 22;
 constexpr int kShownDecimals = 4;
@@ -44,7 +46,7 @@ std::string tool_title(const PathTool& tool) {
 }
 
 std::string cutter_text(const PathTool& tool, double mm_per_unit) {
-  if (!tool.cutter) return "cutter not given: it needs a tool library";
+  if (!tool.cutter) return "cutter not stated: give a tool library";
   const CutterStatement& cutter = *tool.cutter;
   std::string text = "D " + shown(cutter.d_mm / mm_per_unit) + "  R " + shown(cutter.r_mm / mm_per_unit);
   const bool is_plain = std::max(cutter.alpha_deg, std::max(cutter.beta_deg, -cutter.beta_deg)) <= 0;
@@ -119,7 +121,7 @@ std::string path_info_text(const Toolpath& path, const PathInfo& info, const std
   text += path_row("dialect", path.dialect + " (" + dialect_title + ")");
   text += path_row("unit", unit + (path.is_unit_stated ? " (stated)" : " (not stated)"));
   text += path_row("moves", std::to_string(path.moves.size()) + ": " + moves_text(info));
-  text += path_row("positions alone", std::to_string(info.alone) + " (nothing known leads to them)");
+  text += path_row("positions alone", std::to_string(info.alone) + " (no known motion leads to them)");
   if (!info.box.isEmpty()) {
     text += path_row("box from", shown(info.box.min(), mm_per_unit) + " " + unit);
     text += path_row("box to", shown(info.box.max(), mm_per_unit) + " " + unit);
@@ -212,6 +214,14 @@ int run_plot(const PathArguments& arguments, const RigidTransform& place, const 
 constexpr const char* kStatus =
     "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid, 5 output unwritable.";
 
+/// Returns the error of a name for --to, or an empty text.
+std::string why_not_writable(const std::string& name) {
+  const std::optional<Dialect> dialect = dialect_called(name);
+  if (dialect && dialect->is_written) return {};
+  return "expected one of " + writable_dialect_names() +
+         (dialect ? "; " + std::string(dialect->id) + " can be read but not written" : "");
+}
+
 CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* name, const char* what) {
   CLI::App* added = command.add_subcommand(name, what);
   added->add_option("PATH", arguments.path, "Toolpath: CL data of any dialect, recognized by its content")
@@ -226,44 +236,53 @@ CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* n
 
 void add_path_options(CLI::App& command, PathArguments& arguments) {
   command.require_subcommand(1);
-  command.footer("Example:\n  gougecheck path info finish.apt\n\nDialects: " + dialect_names());
+  command.footer(
+      "Example:\n"
+      "  gougecheck path info finish.apt\n\n"
+      "Dialects that can be read: " +
+      dialect_names());
   CLI::App& info =
       add_command(command, arguments, "info",
-                  "Show dialect, unit, tools, operations, moves, box, orientations and what is not understood");
-  info.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")->type_name("FILE");
-  info.footer("Example:\n  gougecheck path info finish.apt --json -\n\nLengths are in the file's unit. " +
-              std::string(kStatus));
+                  "Show dialect, unit, tools, operations, moves, box, orientations, unknown words and moves that "
+                  "cannot be checked");
+  info.add_option("--json", arguments.json_file, "Write the result as JSON; - for standard output")->type_name("FILE");
+  info.footer(
+      "Example:\n"
+      "  gougecheck path info finish.apt --json -\n\n"
+      "Lengths in the output are in the unit of the file.\n\n" +
+      std::string(kStatus));
   info.callback([&] { arguments.is_info = true; });
 
   CLI::App& convert =
-      add_command(command, arguments, "convert", "Write the toolpath in another dialect, and report what is lost");
-  convert.add_option("-o,--output", arguments.output, "The file to write; - for standard output")
+      add_command(command, arguments, "convert", "Write the toolpath in another dialect, and report all losses");
+  convert.add_option("-o,--output", arguments.output, "Output file; - for standard output")
       ->type_name("FILE")
       ->required();
   convert
-      .add_option("--to", arguments.to, "Dialect to write (default: the file's own, byte for byte): " + dialect_names())
-      ->type_name("DIALECT")
-      ->check([](const std::string& id) {
-        return dialect_called(id) ? std::string() : "expected one of " + dialect_names();
-      });
+      .add_option("--to", arguments.to,
+                  "Dialect to write (default: a copy of the file, byte for byte): " + writable_dialect_names())
+      ->type_name(kWritableDialect)
+      ->check(why_not_writable);
   convert.footer(
-      "Example:\n  gougecheck path convert finish.cls -o finish.apt --to apt-creo\n\n"
-      "Motions, tools, feeds, CUTCOM and names of operations are carried over; spindle, coolant and comments are not. "
-      "mastercam-nci is only read. Positions are written in part coordinates.\n\n" +
+      "Example:\n"
+      "  gougecheck path convert finish.cls -o finish.apt --to apt-creo\n\n"
+      "Motions, tools, feeds, CUTCOM and names of operations are written. Spindle, coolant and comments are not. "
+      "Positions are written in part coordinates. mastercam-nci can be read but not written.\n\n" +
       std::string(kStatus));
   convert.callback([&] { arguments.is_convert = true; });
 
-  CLI::App& plot = add_command(command, arguments, "plot", "Draw the toolpath from the front, from above and askew");
-  plot.add_option("-o,--output", arguments.output, "The picture: .png or .svg")->type_name("FILE")->required();
-  plot.add_option("--part", arguments.parts, "Draw this part behind the path (STL; repeatable)")
+  CLI::App& plot =
+      add_command(command, arguments, "plot", "Draw the toolpath in front view, top view and isometric view");
+  plot.add_option("-o,--output", arguments.output, "Picture file, .png or .svg")->type_name("FILE")->required();
+  plot.add_option("--part", arguments.parts, "Part that is drawn behind the path (STL; repeatable)")
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_placement_options(plot, arguments.place, arguments.stl_units);
   plot.footer("Example:\n  gougecheck path plot finish.apt --part part.stl -o finish.png\n\n" + std::string(kStatus));
 
-  CLI::App* laws = command.add_subcommand("laws", "Measure how far the laws of motion of a machine are apart");
+  CLI::App* laws = command.add_subcommand("laws", "Measure the difference between the laws of motion of a machine");
   add_path_laws_options(*laws, arguments.machine);
-  CLI::App* joints = command.add_subcommand("joints", "Write the joints of a machine for every record");
+  CLI::App* joints = command.add_subcommand("joints", "Write the joint values of a machine for every record");
   add_path_joints_options(*joints, arguments.machine);
   for (CLI::App* one : {laws, joints}) {
     one->callback([&, one, joints] {

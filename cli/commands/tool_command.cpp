@@ -56,13 +56,15 @@ int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostr
 }
 
 void add_library_option(CLI::App& command, ToolArguments& arguments, ToolAction action) {
-  command.add_option("--tools", arguments.tools_file, "Tool library (JSON)")->type_name("FILE")->required();
+  command.add_option("--tools", arguments.tools_file, "Tool library: JSON, or a library of Fusion, FreeCAD or NX")
+      ->type_name("FILE")
+      ->required();
   add_input_limit(command, arguments.input);
   command.callback([&arguments, action] { arguments.action = action; });
 }
 
 void add_tool_option(CLI::App& command, ToolArguments& arguments) {
-  command.add_option("--tool", arguments.tool, "Number or name; without it, every tool")->type_name("NAME");
+  command.add_option("--tool", arguments.tool, "Number or name of the tool (default: all tools)")->type_name("NAME");
 }
 
 constexpr const char* kExitText =
@@ -76,20 +78,22 @@ void add_tool_options(CLI::App& command, ToolArguments& arguments) {
   CLI::App* list = command.add_subcommand("list", "List the tools of a library");
   add_library_option(*list, arguments, ToolAction::list);
   list->footer(std::string("Example:\n  gougecheck tool list --tools shop.json\n") + kExitText);
-  CLI::App* show = command.add_subcommand("show", "Show every dimension of a tool, and the contour it makes");
+  CLI::App* show = command.add_subcommand("show", "Show all dimensions of a tool and its contour");
   add_library_option(*show, arguments, ToolAction::show);
   add_tool_option(*show, arguments);
   show->footer(std::string("Example:\n  gougecheck tool show --tools shop.json --tool 3\n") + kExitText);
-  CLI::App* picture = command.add_subcommand("draw",
-                                             "Draw a tool: profile, bodies, dimensions, Voronoi regions and correction "
-                                             "directions. Without --tool, a sheet of the whole library");
+  CLI::App* picture = command.add_subcommand(
+      "draw",
+      "Draw a tool: profile, bodies, dimensions, Voronoi regions and correction directions. Without "
+      "--tool, draw a sheet of the whole library");
   add_library_option(*picture, arguments, ToolAction::draw);
   add_tool_option(*picture, arguments);
-  picture->add_option("-o,--output", arguments.output, "Picture to write: .png or .svg")->type_name("FILE")->required();
+  picture->add_option("-o,--output", arguments.output, "Picture file, .png or .svg")->type_name("FILE")->required();
   picture->footer(std::string("Example:\n  gougecheck tool draw --tools shop.json --tool 3 -o t3.svg\n"
                               "  gougecheck tool draw --tools shop.json -o library.png\n") +
                   kExitText);
-  CLI::App* import = command.add_subcommand("import", "Turn a tool library of another program into ours");
+  CLI::App* import =
+      command.add_subcommand("import", "Convert a tool library of another program to the format of gougecheck");
   add_tool_import_options(*import, arguments.import, arguments.output);
   import->callback([&arguments] { arguments.action = ToolAction::import;
 });

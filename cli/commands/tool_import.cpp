@@ -65,20 +65,22 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
   command.add_option("-o,--output", output, "Tool library to write (JSON); - for standard output")
       ->type_name("FILE")
       ->required();
-  command.add_option("--format", arguments.format, "auto (by what the file holds), fusion, freecad or nx")
+  command.add_option("--format", arguments.format, "Format of the file (auto: recognized by its content)")
       ->check(CLI::IsMember({"auto", "fusion", "freecad", "nx"}));
-  command.add_option("--holder", arguments.holder, "Holder for tools that have none; a name in --tools")
+  command.add_option("--holder", arguments.holder, "Holder for tools without one: its name in the library of --tools")
       ->type_name("NAME");
-  command.add_option("--tools", arguments.tools_file, "Tool library (JSON) with that holder")->type_name("FILE");
-  command.add_option("--stickout", arguments.stickout, "From tip to holder, where the file does not say")
+  command.add_option("--tools", arguments.tools_file, "Tool library with the holder of --holder")->type_name("FILE");
+  command
+      .add_option("--stickout", arguments.stickout, "Length from the tip to the holder, if the file does not state it")
       ->type_name("LENGTH");
-  command.add_option("--unit", arguments.unit, "Unit of a file that does not say its own (NX)")
+  command.add_option("--unit", arguments.unit, "Unit of a file that does not state its unit (NX)")
       ->check(CLI::IsMember({"mm", "inch"}));
   add_input_limit(command, arguments.input);
   command.footer(
-      "Example:\n  gougecheck tool import shop.tools -o shop.json\n\nExit status: 0 done, also with warnings; 2 wrong "
-      "command line; 3 file unreadable, or a tool was left out because its numbers make no tool (the others are "
-      "written); 5 output unwritable.");
+      "Example:\n"
+      "  gougecheck tool import shop.tools -o shop.json\n\n"
+      "Exit status: 0 done, also with warnings; 2 wrong command line; 3 file unreadable, or a tool was left out "
+      "because its dimensions are impossible (the others are written); 5 output unwritable.");
 }
 
 int run_tool_import(const ToolImportArguments& arguments, const std::string& output, std::ostream& out,

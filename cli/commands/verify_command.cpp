@@ -137,15 +137,15 @@ int finish(const VerifyArguments& arguments, const Verification& verification, c
 }  // namespace
 
 void add_verify_options(CLI::App& command, VerifyArguments& a) {
-  command.add_option("RESULT", a.result_file, "Result of a check: --json, or result.json of a report's folder")
+  command.add_option("RESULT", a.result_file, "Result of a check (the output of --json, or result.json of a report)")
       ->type_name("FILE")
       ->required();
-  command.add_option("--certificate", a.certificate_file, "Proofs of the same check (check --certificate)")
+  command
+      .add_option("--certificate", a.certificate_file, "Proofs of the same check (the output of check --certificate)")
       ->type_name("FILE");
   command
-      .add_option(
-          "--seconds", a.seconds,
-          "Attack by sampling for so long (default: the end of every move without a proof and 4000 instants more)")
+      .add_option("--seconds", a.seconds,
+                  "Duration of sampling (default: the end of every move without a proof, and 4000 instants more)")
       ->type_name("SECONDS");
   add_input_limit(command, a.input);
   add_threads_option(command, a.threads);
@@ -153,12 +153,15 @@ void add_verify_options(CLI::App& command, VerifyArguments& a) {
   add_verbosity(command, a, "Print notes of all inputs and the peak memory (not with -q)");
   command.footer(
       "Example:\n"
-      "  gougecheck check part.apt --part part.stl --tools tools.json --json result.json --certificate proofs.gcp\n"
+      "  gougecheck check part.apt --part part.stl --tools tools.json \\\n"
+      "      --json result.json --certificate proofs.gcp\n"
       "  gougecheck verify result.json --certificate proofs.gcp\n\n"
-      "Reads the inputs that the result names (here, or beside it), recomputes every witness, follows every proof in "
-      "interval arithmetic and looks for counterexamples, by code that shares nothing with the check but the readers of "
-      "files. Exit status: 0 verified, 1 refuted, 2 wrong command line, 3 unreadable, 4 not everything is covered, 5 "
-      "internal or resource failure. docs/method/verify.md explains it with an example by hand.");
+      "The command reads the inputs that the result names, from their paths or relative to the result. It "
+      "recomputes every witness, tests every proof in interval arithmetic and looks for counterexamples. It "
+      "shares no code with the check except the readers of files. docs/method/verify.md explains the method and "
+      "has an example that is computed by hand.\n\n"
+      "Exit status: 0 verified, 1 refuted, 2 wrong command line, 3 input unreadable, 4 not everything is "
+      "covered, 5 internal or resource failure.");
 }
 
 int run_verify(const VerifyArguments& a, std::ostream& out, std::ostream& err) {

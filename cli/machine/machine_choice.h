@@ -16,7 +16,8 @@ inline constexpr std::string_view kMachinePreset = "preset:";
 
 /// Help of --machine.
 inline constexpr const char* kMachineHelp =
-    "Machine file, configuration of LinuxCNC (INI), or preset:NAME ('gougecheck machine list'): its rotary joints and the laws of its control";
+    "Machine with its rotary joints and control laws: a machine file, a LinuxCNC configuration (INI), or "
+    "preset:NAME (see 'gougecheck machine list')";
 
 /// Names of options in messages: those of the command line, or others.
 struct MachineOptionNames {

@@ -10,8 +10,8 @@ namespace gouge {
 void add_baseline_option(CLI::App& command, std::string& file) {
   command
       .add_option("--baseline", file,
-                  "Findings that were accepted ('gougecheck accept'): counted and listed apart, as long as nothing has "
-                  "changed")
+                  "File of accepted findings ('gougecheck accept'). They are counted and listed separately as long "
+                  "as nothing has changed")
       ->type_name("FILE");
 }
 

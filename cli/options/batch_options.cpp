@@ -24,8 +24,8 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
   command
       .add_option(
           "JOBS", a.files,
-          "A job list (JOBS.json, docs/formats/batch.md), or toolpaths that are all checked with the options of "
-          "check given here")
+          "Job list (JOBS.json, docs/formats/batch.md), or toolpaths that are checked with the options of check "
+          "on this command line")
       ->type_name("FILE");
   command
       .add_option("-o,--output", a.folder,
@@ -33,40 +33,48 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
                   "results.sqlite, reports/, corrected/")
       ->type_name("FOLDER")
       ->required();
-  command.add_option("--jobs", a.jobs, "Jobs to run at once at most (0: as many as threads)")->capture_default_str();
-  command.add_flag("--resume", a.is_resumed, "Go on with a batch that was interrupted; what is done stays");
-  command.add_flag("--fresh", a.is_fresh, "Run every job again, also those whose inputs and options have not changed");
-  command.add_flag("--dry-run", a.is_rehearsal, "List the jobs and their options; write nothing");
-  command.add_flag("--no-reports", a.is_without_reports, "Write no report of any job, only the summary of all");
-  command.add_option("--stop-on", a.stop_on, "Begin no more jobs after one that failed, or also after one that gouges")
+  command.add_option("--jobs", a.jobs, "Maximum number of jobs that run at once (0: as many as threads)")
+      ->capture_default_str();
+  command.add_flag("--resume", a.is_resumed, "Continue an interrupted batch. Finished jobs are kept");
+  command.add_flag("--fresh", a.is_fresh, "Run every job again, even if its inputs and options have not changed");
+  command.add_flag("--dry-run", a.is_rehearsal, "List the jobs and their options, and write nothing");
+  command.add_flag("--no-reports", a.is_without_reports,
+                   "Write only the summary of all jobs, without the reports of the jobs");
+  command
+      .add_option("--stop-on", a.stop_on,
+                  "Start no more jobs after a job that failed (error), or also after a job with gouges (gouge)")
       ->check(CLI::IsMember({"error", "gouge"}));
   command
-      .add_option("--memory", a.memory_gb, "Memory in GB that jobs may need together (default: 3/4 of the machine's)")
+      .add_option("--memory", a.memory_gb,
+                  "Maximum memory in GB of the jobs that run at once, as estimated (default: 3/4 of the memory of "
+                  "the machine)")
       ->check(CLI::PositiveNumber);
   command
       .add_option("--chunk", a.chunk,
-                  "Moves of a long check after which what is done of it is kept, for --resume; rounded up to 256")
+                  "Number of moves after which a long check stores its progress for --resume, rounded up to a "
+                  "multiple of 256")
       ->capture_default_str()
       ->check(CLI::PositiveNumber)
       ->type_name("MOVES");
-  command.add_option("--shard", a.shard, "Run share I of N of the jobs alone; 'gougecheck merge' joins the folders")
+  command.add_option("--shard", a.shard, "Run only share I of N of the jobs. 'gougecheck merge' joins the folders")
       ->type_name("I/N");
   command
       .add_option("--watch", a.watch,
-                  "Check the toolpaths of a folder (or like 'hot/*.apt') now, and each that is written there, until "
-                  "ctrl-C")
+                  "Check the toolpaths of a folder or pattern ('hot/*.apt'), and each toolpath that is written "
+                  "there later, until ctrl-C")
       ->type_name("FOLDER");
   command
       .add_option("--scratch", a.scratch,
-                  "A folder on a disk of this machine, where meshes are copied, once for all processes here, and read "
-                  "from: for meshes on a slow file system that many share")
+                  "Folder on a local disk for copies of meshes from a slow shared file system. Each mesh is copied "
+                  "once for all processes of this machine")
       ->type_name("FOLDER");
   command.add_flag("--force", a.is_forced,
-                   "Let outputs replace files of their names that no batch or report wrote, never an input");
+                   "Let outputs replace files of the same name that were not written by a batch or report, except "
+                   "inputs");
   add_common_job_options(command, a.job, false);
   add_baseline_option(command, a.job.baseline_file);
   add_progress_option(command, a.progress);
-  add_verbosity(command, a, "Print notes as well (not with -q)");
+  add_verbosity(command, a, "Print notes too (not with -q)");
   command.footer(
       "Examples:\n"
       "  gougecheck batch ops/*.apt --part part.stl --tools tools.json -o night\n"
@@ -75,7 +83,8 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
       "  {\"defaults\": {\"part\": \"part.stl\", \"tools\": \"tools.json\"},\n"
       "   \"jobs\": [{\"name\": \"op10\", \"path\": \"op10.apt\"},\n"
       "            {\"path\": \"finish/*.apt\", \"command\": \"correct\"}]}\n\n"
-      "Exit status: that of the worst job, in the order 5, 2, 3, 1, 4, 0; see 'gougecheck check --help'.");
+      "The exit status is that of the worst job. The order from worst to best is 5, 2, 3, 1, 4, 0. 'gougecheck "
+      "check --help' explains the statuses.");
 }
 
 void take_words(const CLI::App& command, BatchArguments& arguments) {

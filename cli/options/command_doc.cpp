@@ -11,8 +11,9 @@ namespace gouge {
 namespace {
 
 std::vector<std::string> choices_of(const std::string& type) {
-  if (type != "DIALECT") return choices_in(type);
-  std::vector<std::string> names = CLI::detail::split(dialect_names(), ',');
+  if (type != "DIALECT" && type != kWritableDialect) return choices_in(type);
+  std::vector<std::string> names =
+      CLI::detail::split(type == "DIALECT" ? dialect_names() : writable_dialect_names(), ',');
   for (std::string& name : names) CLI::detail::trim(name);
   return names;
 }
@@ -29,7 +30,8 @@ std::string value_of(const std::string& type, const std::vector<std::string>& ch
     return value;
   }
   if (type == "UINT") return "N";
-  return type.starts_with("FLOAT") ? "NUMBER" : type;
+  if (type == kWritableDialect) return "DIALECT";
+  return type.starts_with("FLOAT") ? "NUMBER" : type.substr(0, type.find(':'));
 }
 
 }  // namespace

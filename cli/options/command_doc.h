@@ -12,6 +12,9 @@ class Option;
 
 namespace gouge {
 
+/// Type of an option that takes a dialect which can be written; "DIALECT" takes any. Help shows both as DIALECT.
+inline constexpr const char* kWritableDialect = "WRITABLE-DIALECT";
+
 /// Returns the choices of "TEXT:{straight,dogleg,skip}", as the parser names a text of few values; empty for anything
 /// else.
 [[nodiscard]] std::vector<std::string> choices_in(const std::string& text);

@@ -169,38 +169,39 @@ namespace {
 
 OptionRows<CorrectArguments> shift_rows() {
   using A = CorrectArguments;
-  return {
-      {.name = "-o,--output",
-       .field = &A::output,
-       .type = "FILE",
-       .group = kOutputGroup,
-       .help = "The corrected toolpath, in the same dialect (- for standard output alone)",
-       .is_required = true},
-      {.name = "--strategy",
-       .field = &A::strategies,
-       .type = "[BODY=]NAME",
-       .group = "Correction",
-       .help = "auto: shift the cutter along the part's normal, tilt shank, holder and heads away, else lift along "
-               "the axis; tilt; normal: shift along the normal of the deepest contact; weighted: shift by the "
-               "contacts' weighted mean; both else along the axis; axis: lift alone; trim: leave the gouging "
-               "stretch out (retract, cross, come down again); or for one body: holder=tilt. May be repeated "
-               "(default: auto)",
-       .scope = Scope::project},
-      {.name = "--max-shift",
-       .field = &A::max_shift,
-       .type = "LENGTH",
-       .help = "Maximum distance by which a position may be moved",
-       .scope = Scope::project},
-      {.name = "--max-side-shift",
-       .field = &A::max_side_shift,
-       .type = "LENGTH",
-       .help = "Maximum distance by which a position may be moved across its tool axis (default: its depth times 2)",
-       .scope = Scope::project},
-      {.name = "--rapid-clearance",
-       .field = &A::rapid_clearance,
-       .type = "LENGTH",
-       .help = "Clearance of rerouted rapids and of crossings above trimmed stretches, where --max-shift leaves room",
-       .scope = Scope::project}};
+  return {{.name = "-o,--output",
+           .field = &A::output,
+           .type = "FILE",
+           .group = kOutputGroup,
+           .help = "Corrected toolpath, in the dialect of the input (- for standard output, without other text)",
+           .is_required = true},
+          {.name = "--strategy",
+           .field = &A::strategies,
+           .type = "[BODY=]NAME",
+           .group = "Correction",
+           .help = "Strategy for all bodies, or for one body: holder=tilt (repeatable; default: auto). auto: normal "
+                   "for the cutter, tilt for shank, holder and heads. tilt: tilt the tool about the contact. normal: "
+                   "shift along the normal of the deepest contact. weighted: shift by the weighted mean of the "
+                   "contacts. direction=I,J,K: shift along this direction. If one of these fails, the tool is lifted "
+                   "along its axis. axis: only lift along the tool axis. trim: leave out the gouging stretch "
+                   "(retract, cross, plunge)",
+           .scope = Scope::project},
+          {.name = "--max-shift",
+           .field = &A::max_shift,
+           .type = "LENGTH",
+           .help = "Maximum distance by which a position may be moved",
+           .scope = Scope::project},
+          {.name = "--max-side-shift",
+           .field = &A::max_side_shift,
+           .type = "LENGTH",
+           .help = "Maximum distance by which a position may be moved across its tool axis (default: twice its depth)",
+           .scope = Scope::project},
+          {.name = "--rapid-clearance",
+           .field = &A::rapid_clearance,
+           .type = "LENGTH",
+           .help = "Clearance of rerouted rapid moves and of crossings above trimmed stretches, if a shift within "
+                   "--max-shift gives it",
+           .scope = Scope::project}};
 }
 
 OptionRows<CorrectArguments> tilt_rows() {
@@ -213,51 +214,53 @@ OptionRows<CorrectArguments> tilt_rows() {
            .recorded = Recorded::shown},
           {.name = "--tilt",
            .field = &A::tilt,
-           .help = "Direction of tilts: lead, forward and back in the feed direction; side, to its sides; both",
+           .help = "Direction of tilts: lead, forward and backward in the feed direction; side, to the sides of it; "
+                   "both",
            .scope = Scope::project,
            .recorded = Recorded::shown,
            .choices = {"lead", "side", "both"}},
           {.name = "--axis-cone",
            .field = &A::axis_cone,
            .type = "I,J,K,DEG",
-           .help = "Keep tilted tool axes within DEG of the direction I,J,K, as the machine can reach",
+           .help = "Keep tilted tool axes within DEG of the direction I,J,K, such as the range of the machine",
            .scope = Scope::project,
            .recorded = Recorded::shown},
           {.name = "--max-turn",
            .field = &A::max_turn,
            .type = "DEG/MM",
-           .help = "Maximum turn of the tool axis per length, unless programmed to turn faster",
+           .help = "Maximum turn of the tool axis per mm, except where the programmed turn is faster",
            .scope = Scope::project,
            .recorded = Recorded::shown},
           {.name = "--max-turn-step",
            .field = &A::max_turn_step,
            .type = "DEG",
-           .help = "Maximum turn of the tool axis in one record",
+           .help = "Maximum turn of the tool axis in one record, in degrees",
            .scope = Scope::project,
            .recorded = Recorded::shown},
           {.name = "--blend",
            .field = &A::blend,
            .type = "LENGTH",
-           .help = "Arc length of the tip over which a tilt begins and ends, where the path has it",
+           .help = "Arc length over which a tilt begins and ends, if the path is long enough",
            .scope = Scope::project,
            .recorded = Recorded::shown,
            .result_text = with_units},
           {.name = "--allow-stock",
            .field = &A::max_stock,
            .type = "LENGTH",
-           .help = "Stock above the tolerance that a tilt may leave where the programmed path finished the part; more "
-                   "stock left by any change is reported",
+           .help = "Maximum stock above the tolerance that a tilt may leave where the programmed path finished the "
+                   "part. If any change leaves more stock, the stock is reported",
            .recorded = Recorded::shown,
            .result_text = with_units},
           {.name = "--allow-multax",
            .field = &A::may_add_axes,
-           .help = "Tilt also in a file that states no tool axes; the file then needs five axes",
+           .help = "Permit tilts in a file that states no tool axes. The corrected file then needs five axes",
            .scope = Scope::project,
            .recorded = Recorded::shown},
           {.name = "--max-rotary-speed",
            .field = &A::max_rotary_speed,
            .type = "DEG/MIN",
-           .help = "Report the feed time also for an axis that turns no faster; it changes no correction",
+           .help = "Maximum turning speed of the tool axis: the report also states the feed time within this limit. "
+                   "It changes no correction",
            .scope = Scope::project,
            .recorded = Recorded::shown},
           {.name = "--force",
@@ -265,9 +268,9 @@ OptionRows<CorrectArguments> tilt_rows() {
                +[](CLI::App& command, A& a) {
                  command.add_flag(
                      "--force", a.job.is_forced,
-                     "Correct also a path that plainly does not fit the part (units, placement, axis sign); "
-                     "let --report replace and remove files of a report's names that no report wrote, never "
-                     "an input");
+                     "Correct a path even if it clearly does not fit the part (units, placement, axis sign). Let "
+                     "--report replace and remove files that have names of a report but were not written by one, "
+                     "except inputs");
                },
            .group = kOutputGroup}};
 }
@@ -289,10 +292,11 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
   command.footer(
       "Example:\n"
       "  gougecheck correct finish.apt --part part.stl --tools tools.json -o out.apt\n\n"
-      "The corrected file is read and checked again like any other; records that need no change stay byte for byte.\n"
-      "No move that was clean becomes anything else, none becomes deeper or buried.\n"
-      "Exit status 1: gouges remain, listed with the reason; or the path does not fit the part, and nothing was "
-      "written.");
+      "The corrected file is read again and checked like any other toolpath. Records that need no change stay "
+      "byte for byte. A clean move stays clean. No move becomes deeper or buried.\n\n"
+      "Exit status: 0 the corrected path is clean; 1 gouges remain and are listed with the reason, or the path "
+      "does not fit the part and nothing was written; 2 wrong command line; 3 input unreadable or invalid; 4 not "
+      "fully checked; 5 internal or resource failure.");
 }
 
 }  // namespace gouge

@@ -20,8 +20,9 @@ namespace gouge {
 namespace {
 
 constexpr const char* kPlaceHelp =
-    "Place the STL files: x,y,z[,rx,ry,rz], mm or with a unit (0.5in), then degrees about fixed X, Y, Z";
-constexpr const char* kStlUnitsHelp = "Unit of the STL files (default: the toolpath's)";
+    "Placement of the STL files, x,y,z[,rx,ry,rz]: lengths in mm or with a unit (0.5in), then angles in degrees "
+    "about the fixed axes X, Y, Z";
+constexpr const char* kStlUnitsHelp = "Unit of the STL files (default: the unit of the toolpath)";
 
 void add_path(CLI::App& command, JobArguments& a) {
   command.add_option("PATH", a.path, "Toolpath: CL data of any dialect, recognized by its content")
@@ -32,72 +33,74 @@ void add_path(CLI::App& command, JobArguments& a) {
 OptionRows<JobArguments> input_rows() {
   using A = JobArguments;
   using Texts = std::vector<std::string>;
-  return {
-      {.name = "--part",
-       .field = +[](A& a, const Texts& typed) { split_limits(typed, a.parts, a.part_limits); },
-       .type = "FILE",
-       .help = "Finished part that must not be cut into (STL; repeatable); with a tolerance of its own: "
-               "part.stl,tolerance=0.002",
-       .scope = Scope::project},
-      {.name = "--fixture",
-       .field = +[](A& a, const Texts& typed) { split_limits(typed, a.fixtures, a.fixture_limits); },
-       .type = "FILE",
-       .help = "Fixture that must not be touched (STL; repeatable); with a distance to keep, or a tolerance of its "
-               "own: vise.stl,clearance=1",
-       .scope = Scope::project},
-      {.name = "--allow-overlap",
-       .field = &A::allowed_overlaps,
-       .type = "FIXTURE",
-       .help = "Do not warn that this fixture penetrates a part, as it is meant to (repeatable)",
-       .scope = Scope::project,
-       .recorded = Recorded::shown},
-      {.name = "--head",
-       .field = &A::heads,
-       .type = "FILE",
-       .help = "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
-               "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)",
-       .scope = Scope::project,
-       .recorded = Recorded::shown},
-      {.name = "--place",
-       .field = &A::place,
-       .type = "X,Y,Z",
-       .help = kPlaceHelp,
-       .scope = Scope::project,
-       .recorded = Recorded::repeated,
-       .result_text = with_units},
-      {.name = "--stl-units",
-       .field = &A::stl_units,
-       .help = kStlUnitsHelp,
-       .scope = Scope::project,
-       .recorded = Recorded::repeated,
-       .choices = unit_words()},
-      {.name = "--tools",
-       .field = &A::tools_file,
-       .type = "FILE",
-       .help = "Tool library (JSON), or one of Fusion, FreeCAD or NX; tools it lacks come from CUTTER or TLDATA",
-       .scope = Scope::project},
-      {.name = "--tool",
-       .field = &A::tool_names,
-       .type = "N=NAME",
-       .help = "N=NAME: tool number N of the toolpath is NAME of the library, a name or a number (repeatable); NAME "
-               "alone: the tool of moves for which the toolpath names none",
-       .scope = Scope::project,
-       .recorded = Recorded::repeated},
-      {.name = "--holder",
-       .field = &A::holder,
-       .type = "NAME",
-       .help = "Holder of the library for tools that have none",
-       .scope = Scope::project,
-       .recorded = Recorded::repeated},
-      {.name = "--max-input",
-       .field = +[](CLI::App& command, A& a) { add_input_limit(command, a.input); },
-       .type = "SIZE",
-       .scope = Scope::project},
-      {.name = "--extend-up",
-       .field = &A::is_extended_up,
-       .help = "Extend the top body of every tool upwards without limit, so that nothing hides above it",
-       .scope = Scope::project,
-       .recorded = Recorded::repeated}};
+  return {{.name = "--part",
+           .field = +[](A& a, const Texts& typed) { split_limits(typed, a.parts, a.part_limits); },
+           .type = "FILE",
+           .help = "Finished part that must not be cut into (STL; repeatable). A tolerance for this file is "
+                   "appended: part.stl,tolerance=0.002",
+           .scope = Scope::project},
+          {.name = "--fixture",
+           .field = +[](A& a, const Texts& typed) { split_limits(typed, a.fixtures, a.fixture_limits); },
+           .type = "FILE",
+           .help = "Fixture that must not be touched (STL; repeatable). A clearance or tolerance for this file is "
+                   "appended: vise.stl,clearance=1",
+           .scope = Scope::project},
+          {.name = "--allow-overlap",
+           .field = &A::allowed_overlaps,
+           .type = "FIXTURE",
+           .help = "Do not warn that this fixture penetrates a part: the overlap is intended (repeatable)",
+           .scope = Scope::project,
+           .recorded = Recorded::shown},
+          {.name = "--head",
+           .field = &A::heads,
+           .type = "FILE",
+           .help = "Body that moves with the tool but is not in its profile: machine head, angle head, clamp (closed "
+                   "STL in the frame of the tool: tip at 0,0,0, z towards the spindle; repeatable)",
+           .scope = Scope::project,
+           .recorded = Recorded::shown},
+          {.name = "--place",
+           .field = &A::place,
+           .type = "X,Y,Z",
+           .help = kPlaceHelp,
+           .scope = Scope::project,
+           .recorded = Recorded::repeated,
+           .result_text = with_units},
+          {.name = "--stl-units",
+           .field = &A::stl_units,
+           .help = kStlUnitsHelp,
+           .scope = Scope::project,
+           .recorded = Recorded::repeated,
+           .choices = unit_words()},
+          {.name = "--tools",
+           .field = &A::tools_file,
+           .type = "FILE",
+           .help = "Tool library: JSON, or a library of Fusion, FreeCAD or NX. Tools that are not in it are read "
+                   "from CUTTER or TLDATA of the toolpath",
+           .scope = Scope::project},
+          {.name = "--tool",
+           .field = &A::tool_names,
+           .type = "N=NAME",
+           .help = "Assignment of tools (repeatable). N=NAME: tool number N of the toolpath is the tool NAME of the "
+                   "library, a name or a number. NAME alone: the tool of all moves for which the toolpath names no "
+                   "tool",
+           .scope = Scope::project,
+           .recorded = Recorded::repeated},
+          {.name = "--holder",
+           .field = &A::holder,
+           .type = "NAME",
+           .help = "Holder for tools without one: its name in the library",
+           .scope = Scope::project,
+           .recorded = Recorded::repeated},
+          {.name = "--max-input",
+           .field = +[](CLI::App& command, A& a) { add_input_limit(command, a.input); },
+           .type = "SIZE",
+           .scope = Scope::project},
+          {.name = "--extend-up",
+           .field = &A::is_extended_up,
+           .help = "Extend the top body of every tool upwards without limit, so that the space above the described "
+                   "tool is checked too",
+           .scope = Scope::project,
+           .recorded = Recorded::repeated}};
 }
 
 OptionRows<JobArguments> check_rows() {
@@ -106,31 +109,32 @@ OptionRows<JobArguments> check_rows() {
            .field = &A::tolerance,
            .type = "LENGTH",
            .group = "Check",
-           .help = "Depth a move may have, against parts and fixtures alike",
+           .help = "Maximum depth that a move may have in parts and fixtures",
            .scope = Scope::project},
           {.name = "--stock-to-leave",
            .field = &A::stock_to_leave,
            .type = "LENGTH",
-           .help = "Grow the cutter by this against the part",
+           .help = "Thickness by which the cutter grows against the part",
            .scope = Scope::project},
           {.name = "--clearance",
            .field = &A::clearance,
            .type = "BODY=LENGTH",
-           .help = "Keep bodies away from everything: shank=0.5,holder=1 (mm, or with a unit: holder=0.04in)",
+           .help = "Distance that shank and holder must keep from parts and fixtures: shank=0.5,holder=1 (in mm, or "
+                   "with a unit: holder=0.04in)",
            .scope = Scope::project},
           {.name = "--near-miss",
            .field = &A::near_miss,
            .type = "LENGTH",
-           .help = "Report moves that come closer than this (0: do not)",
+           .help = "Report moves that come closer than this (0: off)",
            .scope = Scope::project},
           {.name = "--resolution",
            .field = &A::resolution,
            .type = "LENGTH",
-           .help = "Certified gap: the largest depth that may be missed",
+           .help = "Maximum depth above the tolerance that the check may miss (certified gap)",
            .scope = Scope::project},
           {.name = "--rapid",
            .field = &A::rapid,
-           .help = "How rapid moves run",
+           .help = "Path of rapid moves (skip: rapid moves are not checked)",
            .scope = Scope::project,
            .choices = {kRapidWords.begin(), kRapidWords.end()}},
           {.name = "--machine",
@@ -141,45 +145,48 @@ OptionRows<JobArguments> check_rows() {
            .recorded = Recorded::repeated},
           {.name = "--feed-law",
            .field = &A::feed_law,
-           .help = "How the tool axis turns in feeds: vector, on the great circle; axis, both rotary joints evenly "
-                   "(default: as the control of --machine does)",
+           .help = "Law of motion of the tool axis in feed moves. vector: it turns on the great circle. axis: both "
+                   "rotary joints run at constant rates (default: the law of the control of --machine)",
            .scope = Scope::project,
            .recorded = Recorded::repeated,
            .choices = {kTurnLawNames.begin(), kTurnLawNames.end()}},
           {.name = "--rapid-law",
            .field = &A::rapid_law,
-           .help = "The same for rapids",
+           .help = "Law of motion of the tool axis in rapid moves, with the same values and default",
            .scope = Scope::project,
            .recorded = Recorded::repeated,
            .choices = {kTurnLawNames.begin(), kTurnLawNames.end()}},
           {.name = "--tip-tolerance",
            .field = &A::tip_tolerance,
            .type = "LENGTH",
-           .help = "Largest distance of the tool tip from its path, as the control smooths it (CYCLE832, G64 P)",
+           .help = "Maximum distance of the tool tip from its path, by the smoothing of the control (CYCLE832, G64 "
+                   "P; default: 0)",
            .scope = Scope::project,
            .recorded = Recorded::repeated,
            .result_text = with_units},
           {.name = "--axis-tolerance",
            .field = &A::axis_tolerance,
            .type = "DEG",
-           .help = "Largest angle between the tool axis and its direction by the law of motion (OTOL, TA)",
+           .help = "Maximum angle between the tool axis and its direction by the law of motion, by the smoothing of "
+                   "the control (OTOL, TA; default: 0)",
            .scope = Scope::project,
            .recorded = Recorded::repeated},
           {.name = "--assume",
            .field = &A::assumed,
            .type = "FACT[=OBJECT]",
-           .help = "State a fact that the inputs leave open (repeatable): " + subject_names() +
-                   "; tool=T3 for one of several",
+           .help = "State a fact that the inputs do not establish (repeatable): " + subject_names() +
+                   "; tool=T3 states it for one of several objects",
            .scope = Scope::project,
            .recorded = Recorded::shown},
           {.name = "--strict",
            .field = &A::is_strict,
-           .help = "Allow no defaults: call a path clean only where every fact is established",
+           .help = "Allow no defaults: a path is clean only if every fact is established",
            .scope = Scope::project,
            .recorded = Recorded::shown},
           {.name = "--warnings-as-errors",
            .field = &A::has_warnings_as_errors,
-           .help = "Call a path clean only where the result has no warning: with one the exit status is 4",
+           .help = "Allow no warnings: a path is clean only if the result has no warning, and otherwise the exit "
+                   "status is 4 instead of 0",
            .scope = Scope::project,
            .recorded = Recorded::repeated},
           {.name = "--threads", .field = +[](CLI::App& command, A& a) { add_threads_option(command, a.threads); }},
@@ -191,7 +198,7 @@ OptionRows<JobArguments> check_rows() {
           {.name = "--reviewer",
            .field = &A::reviewer,
            .type = "NAME",
-           .help = "Who reviews, for the head of the report and its line to sign",
+           .help = "Name of the reviewer, for the head and the signature line of the report",
            .scope = Scope::project}};
 }
 
@@ -202,23 +209,24 @@ OptionRows<JobArguments> output_rows() {
        .field = &A::report_folder,
        .type = "FOLDER",
        .group = kOutputGroup,
-       .help = "Folder for the report: report.html, pictures, JSON and CSV; an older report there is replaced, "
-               "nothing else is"},
+       .help = "Folder for the report: report.html, pictures, JSON and CSV. Only files of an older report are "
+               "replaced"},
       {.name = "--json",
        .field = &A::json_file,
        .type = "FILE",
-       .help = "Write the result as JSON (- for standard output alone)"},
+       .help = "Write the result as JSON (- for standard output, without other text)"},
       {.name = "--csv",
        .field = &A::csv_file,
        .type = "FILE",
-       .help = "Write one row for every move (- for standard output alone)"},
+       .help = "Write one row of CSV for every move (- for standard output, without other text)"},
       {.name = "--sarif", .field = &A::sarif_file, .type = "FILE", .help = "Write SARIF 2.1.0 for code review tools"},
       {.name = "--junit", .field = &A::junit_file, .type = "FILE", .help = "Write JUnit XML for build servers"},
       {.name = "--export",
        .field = &A::export_files,
        .type = "FILE",
-       .help = "Write the part with depth and overcut at its vertices, path and tool for other 3D programs, by the "
-               "ending: .glb (Blender), .vtp (ParaView), .ply (MeshLab); repeatable"}};
+       .help = "Write the part with depth and overcut at its vertices, the path and the tool for other 3D "
+               "programs (repeatable). The ending selects the format: .glb (Blender), .vtp (ParaView), .ply "
+               "(MeshLab)"}};
 }
 
 void add_output_options(CLI::App& command, JobArguments& a) {
@@ -227,8 +235,8 @@ void add_output_options(CLI::App& command, JobArguments& a) {
   add_listing_options(command, a.listing);
   add_progress_option(command, a.progress);
   add_verbosity(command, a,
-                "Print under each finding its statement, notes of all inputs, what the check spent and its peak memory "
-                "(not with -q)");
+                "Print under each finding its statement, and print notes of all inputs, effort and peak memory "
+                "of the check (not with -q)");
 }
 
 }  // namespace
@@ -239,12 +247,14 @@ void add_placement_options(CLI::App& command, std::string& place, std::string& s
 }
 
 void add_threads_option(CLI::App& command, std::uint32_t& threads) {
-  command.add_option("--threads", threads, "Threads to use at most, up to 1024 (0: all; 1: none is started)")
+  command
+      .add_option("--threads", threads,
+                  "Maximum number of threads, up to 1024 (0: as many as the machine has; 1: no additional thread)")
       ->capture_default_str();
 }
 
 void add_progress_option(CLI::App& command, std::string& progress) {
-  command.add_option("--progress", progress, "Show progress on standard error")
+  command.add_option("--progress", progress, "Show progress on standard error (auto: if it is a terminal)")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str()
       ->group(kTerminalGroup);

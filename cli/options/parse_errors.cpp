@@ -147,6 +147,7 @@ class Command {
                                                                    {"UINT", "a whole number of 0 or more"},
                                                                    {"FLOAT", "a number"},
                                                                    {"FLOAT:POSITIVE", "a number above 0"},
+                                                                   {kWritableDialect, "a dialect that can be written"},
                                                                    {"DEG/MIN", "degrees a minute"}};
     for (const auto& [name, kind] : kKinds) {
       if (type == name) return kind;

@@ -32,35 +32,35 @@ const OptionRows<ReadingArguments>& reading_options() {
       {.name = "--dialect",
        .field = &A::dialect,
        .type = "DIALECT",
-       .help = "Read the toolpath as this dialect (default: recognized by its content): " + dialect_names(),
+       .help = "Dialect of the toolpath (default: recognized by its content): " + dialect_names(),
        .scope = Scope::project,
        .recorded = Recorded::repeated},
       {.name = "--path-units",
        .field = &A::units,
-       .help = "Unit of a toolpath that states none",
+       .help = "Unit of a toolpath that states no unit",
        .scope = Scope::project,
        .recorded = Recorded::repeated,
        .choices = {"mm", "inch"},
        .result_key = "toolpath-units"},
       {.name = "--cutcom",
        .field = &A::cutcom,
-       .help = "centre: positions under CUTCOM are the cutter centre, with no offset dialled in (default: these moves "
-               "are not checked)",
+       .help = "Meaning of positions under CUTCOM. centre: they are those of the cutter centre, and the offset "
+               "in the control is 0 (default: these moves are not checked)",
        .scope = Scope::project,
        .recorded = Recorded::repeated,
        .choices = {"centre"}},
       {.name = "--retract-plane",
        .field = &A::retract_plane,
        .type = "LENGTH",
-       .help =
-           "Z of the plane to which a drilling cycle retracts where it states no height (RTRCTO,AUTO of NX), in the "
-           "coordinates of the positions and no lower than the clearance (default: these paths up are not checked)",
+       .help = "Z of the plane to which a drilling cycle retracts if it states no height (RTRCTO,AUTO of NX). Z is "
+               "in the coordinates of the positions and not below the clearance of the cycle (default: these "
+               "retracts are not checked)",
        .scope = Scope::project,
        .recorded = Recorded::repeated},
       {.name = "--harmless-word",
        .field = &A::harmless_words,
        .type = "WORD",
-       .help = "Word of your own that moves and changes nothing: statements that begin with it are passed over "
+       .help = "Your own word that causes no motion and no change: statements that begin with it are ignored "
                "(repeatable)",
        .scope = Scope::project,
        .recorded = Recorded::repeated}};
@@ -92,7 +92,7 @@ void add_input_limit(CLI::App& command, InputLimit& limit) {
       .add_option_function<std::string>(
           "--max-input",
           [&limit](const std::string& size) { limit.max_bytes = parse_byte_size(size).value_or(kMaxInputBytes); },
-          "Most that a file or pipe may hold that is read (B, kB, MB, GB, TB, KiB, MiB, GiB, TiB)")
+          "Maximum size of an input file or pipe (B, kB, MB, GB, TB, KiB, MiB, GiB, TiB)")
       ->type_name("SIZE")
       ->default_str("8GB")
       ->check([](const std::string& size) {

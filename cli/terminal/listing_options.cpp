@@ -9,26 +9,29 @@
 namespace gouge {
 
 void add_listing_options(CLI::App& command, ListingArguments& arguments) {
-  command.add_option("--sort", arguments.sort, "Order of the findings that are printed: by the path, or deepest first")
+  command
+      .add_option("--sort", arguments.sort,
+                  "Order of the printed findings: by the path, or by depth with the deepest first")
       ->check(CLI::IsMember({"path", "depth"}))
       ->capture_default_str()
       ->group(kTerminalGroup);
   command
       .add_option("--min-depth", arguments.min_depth,
-                  "Print only findings that may be so deep; verdict, counts and files have all")
+                  "Print only findings whose depth may reach this. Verdict, counts and files include all findings")
       ->type_name("LENGTH")
       ->capture_default_str()
       ->group(kTerminalGroup);
   command
       .add_option("--max-findings", arguments.most,
-                  "Print the N deepest findings, and count the rest (auto: 50 on a terminal, else all)")
+                  "Print the N deepest findings and the number of the others (auto: 50 on a terminal, otherwise "
+                  "all)")
       ->type_name("N|auto|all")
       ->capture_default_str()
       ->group(kTerminalGroup);
 }
 
 void add_colour_option(CLI::App& command, std::string& colour) {
-  command.add_option("--color", colour, "Colour what is printed (auto: on a terminal, where NO_COLOR is not set)")
+  command.add_option("--color", colour, "Colour the output (auto: on a terminal, unless NO_COLOR is set)")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->default_str("auto")
       ->group(kTerminalGroup);

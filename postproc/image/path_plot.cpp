@@ -116,13 +116,14 @@ Drawing draw_path(const Toolpath& path, const std::vector<IndexedMesh>& parts) {
   draw_path_legend(path, drawing);
   const double half = (kWidth - 3 * kMargin) / 2, tall = kHeight - kTitle - kMargin;
   const double low = (tall - kMargin) / 2;
-  const Vec3 askew_right = Vec3(1, 1, 0).normalized();
-  const Vec3 askew_up = Vec3(-1, 1, 2).normalized();
+  const Vec3 isometric_right = Vec3(1, 1, 0).normalized();
+  const Vec3 isometric_up = Vec3(-1, 1, 2).normalized();
   PlotPanel top{kMargin, kTitle, half, low, "from above: x right, y up", Vec3::UnitX(), Vec3::UnitY()};
   PlotPanel front{kMargin,       kTitle + low + kMargin, half, low, "from the front: x right, z up",
                   Vec3::UnitX(), Vec3::UnitZ()};
-  PlotPanel askew{2 * kMargin + half, kTitle, half, tall, "askew, from -y and +x: z up", askew_right, askew_up};
-  for (PlotPanel panel : {top, front, askew}) {
+  PlotPanel isometric{2 * kMargin + half, kTitle,      half, tall, "isometric, from -y and +x: z up",
+                      isometric_right,    isometric_up};
+  for (PlotPanel panel : {top, front, isometric}) {
     panel.fit(box);
     draw_parts(panel, parts, drawing);
     draw_panel(path, panel, axis_length, drawing);

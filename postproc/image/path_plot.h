@@ -14,7 +14,7 @@
 
 namespace gouge {
 
-/// Draws the path of the tool's tip seen from above, from the front and askew, each kind of move in its colour. It
+/// Draws the path of the tip in top view, front view and isometric view, each kind of move in its colour. The drawing
 /// shows the tool axis at some positions, the parts shaded behind it, coordinates along the edges and a scale. Arcs are
 /// drawn round. A move without a start is not joined. Lines of a dense path that cannot be seen are left out
 /// (thin_lines.h), so that a million moves make a few megabytes. The list `parts` may be empty.

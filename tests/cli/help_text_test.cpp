@@ -32,7 +32,17 @@ TEST(HelpText, EveryHelpFitsIntoEightyColumns) {
                                                           {"path", "info"},
                                                           {"path", "convert"},
                                                           {"path", "plot"},
+                                                          {"path", "laws"},
+                                                          {"path", "joints"},
                                                           {"batch"},
+                                                          {"merge"},
+                                                          {"machine"},
+                                                          {"machine", "list"},
+                                                          {"machine", "show"},
+                                                          {"accept"},
+                                                          {"clash"},
+                                                          {"compare"},
+                                                          {"verify"},
                                                           {"config"},
                                                           {"init"},
                                                           {"help"},
@@ -62,6 +72,27 @@ TEST(HelpText, TypesChoicesDefaultsAndNeedsAreNamed) {
     EXPECT_NE(out.str().find(text), std::string::npos) << text << out.str();
   for (const char* text : {"TEXT", "UINT", "FLOAT", "REQUIRED"})
     EXPECT_EQ(out.str().find(text), std::string::npos) << text;
+}
+
+TEST(HelpText, ConvertOffersOnlyDialectsThatCanBeWritten) {
+  const char* argv[] = {"gougecheck", "completion", "fish"};
+  std::ostringstream out, err;
+  EXPECT_EQ(run(3, argv, out, err), 0);
+  std::istringstream lines(out.str());
+  std::size_t read = 0, written = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const bool has_nci = line.find("nx-clsf") != std::string::npos && line.find("mastercam-nci") != std::string::npos;
+    if (line.find(" -l dialect ") != std::string::npos) {
+      EXPECT_TRUE(has_nci) << line;
+      ++read;
+    } else if (line.find(" -l to ") != std::string::npos) {
+      EXPECT_NE(line.find("nx-clsf"), std::string::npos) << line;
+      EXPECT_FALSE(has_nci) << line;
+      ++written;
+    }
+  }
+  EXPECT_GT(read, 1U);
+  EXPECT_EQ(written, 1U);
 }
 
 }  // namespace

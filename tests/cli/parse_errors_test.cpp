@@ -40,7 +40,7 @@ TEST(ParseErrors, AnUnknownOptionIsNamedWithTheOneThatWasMeant) {
 
 TEST(ParseErrors, AnUnknownCommandIsNamedWithTheCommandsThereAre) {
   const std::string expected =
-      "; expected check, correct, batch, clash, compare, accept, merge, machine, mesh, path, tool, verify, config, init, help, man or completion";
+      "; expected check, correct, batch, clash, compare, accept, merge, machine, mesh, path, tool, verify, config, init, help, man, completion or schema";
   EXPECT_EQ(said({"chekc", "x"}), "'chekc' is no command of gougecheck" + expected + "; did you mean check?");
   EXPECT_EQ(said({"simulate"}), "'simulate' is no command of gougecheck" + expected);
   EXPECT_EQ(said({}), "no command after gougecheck" + expected);
@@ -118,13 +118,20 @@ TEST(ParseErrors, AValueThatCannotBeIsReportedWithWhatCan) {
   EXPECT_TRUE(corrects("--blend", "0").starts_with("--blend '0': expected "));
   EXPECT_TRUE(said({"path", "convert", "a.apt", "-o", "b", "--to", "fanuc"})
                   .starts_with("--to 'fanuc': expected one of nx-clsf, "));
+  for (const char* name : {"mastercam-nci", "MASTERCAM-NCI"}) {
+    EXPECT_EQ(said({"path", "convert", "a.apt", "-o", "b", "--to", name}),
+              "--to '" + std::string(name) +
+                  "': expected one of nx-clsf, apt-catia, apt-creo, apt-solidworks-cam, camworks-clt, apt-autodesk, "
+                  "apt-camplete, apt-mori, apt-nccs, nccs-binary, goto-list, apt; mastercam-nci can be read but not "
+                  "written");
+  }
 }
 
 TEST(ParseErrors, WhatIsMissingTwiceOrTooMuchIsReported) {
   EXPECT_EQ(said({"check"}), "gougecheck check needs PATH and --part; see gougecheck check --help");
   EXPECT_EQ(said({"check", "a.apt"}), "gougecheck check needs --part; see gougecheck check --help");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--tolerance"}),
-            "--tolerance has no value; expected: Depth a move may have, against parts and fixtures alike; see "
+            "--tolerance has no value; expected: Maximum depth that a move may have in parts and fixtures; see "
             "gougecheck check --help");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--tolerance", "1", "--tolerance", "2"}),
             "--tolerance is given 2 times; expected once; see gougecheck check --help");

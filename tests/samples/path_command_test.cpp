@@ -93,6 +93,10 @@ TEST(PathCommand, RefusesToWriteOverItsInputAndUnknownDialects) {
   EXPECT_NE(over.err.find("is the toolpath itself"), std::string::npos) << over.err;
   EXPECT_EQ(run_gougecheck(sample.path, {"path", "convert", sample.toolpath(), "-o", "a", "--to", "fanuc"}).exit_status,
             2);
+  const Outcome nci =
+      run_gougecheck(sample.path, {"path", "convert", sample.toolpath(), "-o", "a", "--to", "mastercam-nci"});
+  EXPECT_EQ(nci.exit_status, 2);
+  EXPECT_NE(nci.err.find("mastercam-nci can be read but not written"), std::string::npos) << nci.err;
   EXPECT_EQ(run_gougecheck(sample.path, {"path", "info", sample.toolpath(), "--dialect", "fanuc"}).exit_status, 2);
   EXPECT_FALSE(fs::exists(sample.path + "/a"));
 }

@@ -167,10 +167,20 @@ std::optional<Dialect> dialect_called(std::string_view id) {
 
 Dialect dialect_or_apt(std::string_view id) { return dialect_called(id).value_or(Dialect{}); }
 
-std::string dialect_names() {
+namespace {
+
+std::string names_of(bool is_written_only) {
   std::string names;
-  for (const Dialect& dialect : kDialects) names += (names.empty() ? "" : ", ") + std::string(dialect.id);
+  for (const Dialect& dialect : kDialects) {
+    if (dialect.is_written || !is_written_only) names += (names.empty() ? "" : ", ") + std::string(dialect.id);
+  }
   return names;
 }
+
+}  // namespace
+
+std::string dialect_names() { return names_of(false); }
+
+std::string writable_dialect_names() { return names_of(true); }
 
 }  // namespace gouge

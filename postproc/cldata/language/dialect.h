@@ -132,4 +132,7 @@ struct Dialect {
 /// Returns "nx-clsf, apt-catia, ...", the names that `dialect_called` takes.
 [[nodiscard]] std::string dialect_names();
 
+/// Returns "nx-clsf, apt-catia, ...", the names of the dialects that can be written.
+[[nodiscard]] std::string writable_dialect_names();
+
 }  // namespace gouge
