@@ -8,8 +8,8 @@
 namespace gouge {
 namespace {
 
-// Inward normals this far along the direction lead away from a facet, and from an edge between two such
-// facets ...
+// Cosine between a direction and the inward normals of facets, from which on the direction leads away from a facet, and
+// from an edge between two such facets ...
 constexpr double kMinCosine = 0.02;
 // ... and from a vertex whose facets all are within 45 degrees of it.
 constexpr double kVertexCosine = 0.7072;
