@@ -92,7 +92,7 @@ class ArcShift {
       const double shift = (to.tip - from.tip).norm();
       too_deep += depth > kTooDeepShare * tolerance ? 1 : 0;
       is_forced = is_forced && shift <= tolerance + kSideShiftsPerDepth * depth;
-      // Between two clean positions so near to each other the arc, which is checked whole, states enough.
+      // Between two clean positions so near to each other, the arc itself suffices, because it is checked completely.
       if (depth <= kMotionAimShare * tolerance && shift <= tolerance) continue;
       if (why_not_shift(from, {to.tip, from.axis}, task_.kind, *task_.tool, checker_) != nullptr) return false;
     }
