@@ -61,8 +61,8 @@ class Enclosure {
 /// Test for cavities that can be proved: a shell that faces inward and stands alone in solid material.
 class Cavities {
  public:
-  /// `file_of`: per triangle, the file it comes from; empty: all from one.
-  /// Requires that every edge of the mesh runs equally often both ways; the mesh must outlive it. Cost O(n).
+  /// Prepares the test. `file_of` has, for each triangle, the index of its file; empty: all are from one file.
+  /// Requires that every edge of the mesh runs equally often both ways. The mesh must outlive the object. Cost O(n).
   explicit Cavities(const IndexedMesh& mesh, std::span<const std::uint32_t> file_of = {});
 
   /// Returns whether the point is in a cavity, so that the shell is cut out of material. It is true only if all of
