@@ -43,9 +43,9 @@ struct AxisTilts {
 /// consecutive. The last of them ends where the original move ends, apart from the correction.
 ///
 /// The programmed axis at the end of a move is that of the same move. For an inserted position it is that of the
-/// programmed motion at a near place. The search uses places within twice the smallest distance and 0.01 mm. Of these,
-/// it takes the one whose axis is nearest to the position's axis. So an inserted position that was shifted but not
-/// tilted gets the axis from which it came. Moves that are at most 2 mm of the path apart form one run.
+/// programmed motion at a near place. The search uses places whose distance is at most twice the smallest distance plus
+/// 0.01 mm. Of these, it takes the one whose axis is nearest to the position's axis. So an inserted position that was
+/// shifted but not tilted gets the axis from which it came. Moves that are at most 2 mm of the path apart form one run.
 ///
 /// Requires as many origins as moves, or none; without origins nothing is tilted.
 /// Cost     One pass over the moves; chords to 0.01 mm for programmed curves into which positions were inserted.
