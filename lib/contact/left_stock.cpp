@@ -227,7 +227,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
   std::size_t work_ = 0, work_until_left_ = 0;
 };
 
-/// Passes pieces of all triangles that cutters of `before` may finish to a search.
+/// A source of pieces for a search: the pieces of all triangles that cutters of `before` may finish.
 class Gatherer {
  public:
   Gatherer(const BlockTree& tree, Finder& finder, bool are_solids)

@@ -10,10 +10,10 @@
 
 namespace gouge {
 
-/// Proposes positions for a path of straight moves, and of arcs and splines that stay.
+/// A search for positions of a path of straight moves, and of unchanged arcs and splines.
 ///
-/// A change affects the motions on both sides of its position. A change that would make one of them worse is taken
-/// back, together with the changes that rely on it. This is repeated until no move is worse.
+/// A change affects the motions on both sides of its position. A change that would make one of them worse is withdrawn,
+/// together with the changes that rely on it. This is repeated until no move is worse.
 class PathCorrector {
  public:
   /// Prepares the corrector. All objects must outlive it. `tools` has the meaning of check_path.

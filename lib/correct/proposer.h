@@ -15,9 +15,9 @@
 
 namespace gouge {
 
-/// Proposes changes of a path, one kind after the other. Curves that must change become chords. Runs are tilted, and
-/// stretches are left out. Positions that still gouge are shifted. Chords become arcs again if possible, and holes are
-/// lifted.
+/// The steps that propose changes of a path, in their order. Curves that must change become chords. Runs are tilted,
+/// and stretches are left out. Positions that still gouge are shifted. Chords become arcs again if possible, and holes
+/// are lifted.
 class Proposer {
  public:
   /// Plans the tilts and the stretches to leave out. All objects must outlive it.

@@ -11,7 +11,7 @@
 
 namespace gouge {
 
-/// Collects the first error of a file that is read field by field.
+/// The first error of a file that is read field by field.
 struct JsonErrors {
   std::string file;                      ///< as the user named it
   std::string code;                      ///< code of the errors of a field

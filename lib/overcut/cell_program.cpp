@@ -22,8 +22,8 @@ constexpr double kViolated_mm = 1e-8;
 constexpr int kMaxPivots = 30;
 constexpr double kLevel = 1e-4;  // minimum slope of a limit whose end is computed
 
-/// Finds the largest v in a box of y with v <= limit(y) for all limits and plane(y) >= 0 for all planes. Its rows are n
-/// . (y, v) <= b.
+/// A linear program: the largest v in a box of y with v <= limit(y) for all limits and plane(y) >= 0 for all planes.
+/// Its rows are n . (y, v) <= b.
 class DualSimplex {
  public:
   explicit DualSimplex(const Vec4& half) {

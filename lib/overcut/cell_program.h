@@ -45,8 +45,8 @@ class CellProgram {
     Affine least;  ///< the blend: at least the minimum over the limits at each point behind all planes
   };
   /// Bounds the program. Requires a limit.
-  /// Ensures  The result is an upper bound of the program's value, in spite of any rounding except that of sums,
-  ///          because it is a value of its dual. Apart from rounding it is the program's own value.
+  /// Ensures  The result is an upper bound of the program's value, because it is a value of its dual. This holds for
+  ///          any rounding except that of sums. Apart from rounding it is the program's own value.
   /// Cost     Below a microsecond.
   [[nodiscard]] Bound bound() const;
 

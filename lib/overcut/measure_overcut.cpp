@@ -71,7 +71,7 @@ std::optional<KnownOvercut> DepthBound::at(double depth_upper_mm, const Motion& 
   return KnownOvercut{depth_upper_mm + kSlack_mm, balls_.sharp_zones(deeper)};
 }
 
-/// Measures the overcuts of the gouging moves of one path.
+/// The measurement of the overcuts of one path's gouging moves.
 class Measuring {
  public:
   Measuring(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,

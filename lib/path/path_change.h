@@ -17,7 +17,7 @@ struct PathChange {
   std::size_t move = 0;
   std::optional<Pose> new_end;
   std::vector<Pose> inserted_before;  ///< positions to visit, in this order, before the move's end
-  /// Whether an arc or spline becomes straight moves through `inserted_before` to the end.
+  /// True if an arc or spline becomes straight moves through `inserted_before` to the end.
   bool is_straightened = false;
   /// The arc stays an arc, about another axis line, to the move's (new) end. It begins at the last of
   /// `inserted_before`, which straight lines reach. Without inserted positions it begins at the end of the move before,

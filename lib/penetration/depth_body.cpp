@@ -173,7 +173,7 @@ double largest_coordinate(const IndexedMesh& mesh) {
   return largest;
 }
 
-/// Computes the intervals of a facet and its offset facet; with complete coverage, of everything within the depth.
+/// The intervals of a facet and its offset facet; with complete coverage, of all points within the depth.
 class FacetBounds {
  public:
   FacetBounds(const DepthBody& body, const InnerReach& reach, double slack)

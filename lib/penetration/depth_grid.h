@@ -14,10 +14,10 @@ struct DepthBody;
 /// Cells over a solid. They give the side of most points at once, and show where no point can be deeper than the depth
 /// of its volumes.
 ///
-/// If the centre of a cell is within half its diagonal of the surface, no point of the cell is farther from the surface
-/// than the diagonal. While the diagonal is at most the depth, no point in the cell is deeper. Any other cell contains
-/// no surface and is completely inside or outside. Cells that share a face with it, and contain no surface either, are
-/// on the same side.
+/// Let the centre of a cell be at most half its diagonal from the surface. Then no point of the cell is farther from
+/// the surface than the diagonal. While the diagonal is at most the depth, no point in the cell is deeper. Any other
+/// cell contains no surface and is completely inside or outside. Cells that share a face with it, and contain no
+/// surface either, are on the same side.
 class DepthGrid {
  public:
   enum class Cover : std::uint8_t {

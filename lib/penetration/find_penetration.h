@@ -31,7 +31,7 @@ struct PenetrationResult {
   PenetrationCounters counters;
 };
 
-/// Finds the points of a moving body inside a stationary one, each with its depth and its way out.
+/// A finder of the points of a moving body inside a stationary one, each with its depth and its exit direction.
 ///
 /// Keeps its working memory, and the turned volumes as long as the rotation stays the same: then a pose costs only a
 /// shift of them (thesis 6.1.4.2). A finder serves one thread; bodies may be shared.

@@ -31,7 +31,7 @@ struct NarrowResult {
   std::uint32_t triangle = 0;  ///< index in body.mesh()
 };
 
-/// Tests points of one leaf against the facets of the leaves that it met (thesis 5.2.2).
+/// A test of the points of one leaf against the facets of the leaves that it met (thesis 5.2.2).
 ///
 /// Finds the nearest of the given facets. With complete coverage these include every facet within the depth of the
 /// point. So it is the nearest of all, and the side it gives is the true one: docs/method/shallow_penetration.md,

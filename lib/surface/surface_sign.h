@@ -10,9 +10,9 @@
 
 namespace gouge {
 
-/// Decides on which side of a closed surface a point is, from the surface's closest point. It uses the normal of the
-/// face, the mean of both faces at an edge, or the angle-weighted mean at a vertex. Normals are computed when they are
-/// requested.
+/// The side of a closed surface on which a point lies, determined at the surface's closest point. The normal of the
+/// face decides; at an edge the mean normal of both faces, at a vertex the angle-weighted mean. Normals are computed
+/// when they are requested.
 ///
 /// Source  J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal, IEEE Trans.
 ///         Vis. Comput. Graph. 11 (2005): exact for a closed orientable 2-manifold.

@@ -19,8 +19,8 @@ struct Seam {
 /// moves with `is_named` count.
 [[nodiscard]] std::vector<Seam> find_seams(const Toolpath& path, const std::vector<bool>& is_named);
 
-/// Keeps closed contours closed while runs of a path are tilted. After tilting, too, the tool has the same pose at both
-/// ends of a contour.
+/// The closed contours of a path, which stay closed while runs are tilted. After tilting, too, the tool has the same
+/// pose at both ends of a contour.
 class ClosedContours {
  public:
   /// The objects that `job` refers to must outlive it.

@@ -23,8 +23,8 @@ class TiltRows {
   std::vector<double> columns_;         // the x of each column
 };
 
-/// Finds, for each tilt `to`, the tilt `from` with the minimum height(from) + steepness * |to - from|^2. Of equal ones
-/// at one place, it takes the first.
+/// A search for each tilt `to`: the tilt `from` with the minimum height(from) + steepness * |to - from|^2. Of equal
+/// ones at one place, it takes the first.
 ///
 /// Two passes compute lower envelopes of parabolas: along the rows of `from`, and then along the columns of `to`.
 /// Cost     Linear in the tilts and in rows times columns.

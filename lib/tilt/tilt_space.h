@@ -51,8 +51,8 @@ struct TiltTask {
 /// which is a fast test. The points do not change the result.
 using RefusingPoints = std::vector<Witness>;
 
-/// Tests for free tilts at the positions of a run and for free motions between them. Any thread may call it; the
-/// results are always the same.
+/// The free tilts at the positions of a run and the free motions between them. Any thread may call it; the results are
+/// always the same.
 class TiltSpace {
  public:
   /// The objects that `task` refers to must outlive it.

@@ -36,7 +36,7 @@ struct FreeRegions {
   [[nodiscard]] Body uncovered() const;
 };
 
-/// Finds the regions of a tool for any depth.
+/// A finder of the regions of a tool for any depth.
 class RegionFinder {
  public:
   /// Cost: a few thousand evaluations. The tool must outlive the object.

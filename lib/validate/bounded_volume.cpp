@@ -67,7 +67,7 @@ bool has_box_in_another(std::vector<MeasuredPiece> pieces) {
   return false;
 }
 
-/// Counts the pieces that contain a given piece.
+/// A counter of the pieces that contain a given piece.
 class Nesting {
  public:
   Nesting(const IndexedMesh& mesh, const std::vector<std::uint32_t>& lowest)

@@ -41,7 +41,7 @@ using Polygon = std::array<std::size_t, 3>;
 // minutes.
 constexpr std::size_t kLongestCubicHole = 300;
 
-// Prevents CGAL from printing and aborting during its lifetime.
+// A guard: during its lifetime CGAL neither prints nor aborts.
 class QuietCgal {
  public:
   QuietCgal()

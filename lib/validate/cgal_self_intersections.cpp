@@ -19,7 +19,7 @@ using Triangle = Kernel::Triangle_3;
 
 Point to_point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-// Tests whether two triangles of a mesh have more in common than their shared corners.
+// Exact tests of whether two triangles of a mesh have more in common than their shared corners.
 class TrianglePairs {
  public:
   explicit TrianglePairs(const IndexedMesh& mesh) : mesh_(mesh) {}

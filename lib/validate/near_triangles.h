@@ -11,8 +11,8 @@ namespace gouge::detail {
 
 [[nodiscard]] std::vector<std::uint32_t> all_triangles(const IndexedMesh& mesh);
 
-/// Finds triangles of a mesh whose boxes intersect. It traverses a binary tree of boxes, with eight triangles per leaf,
-/// against itself. Boxes are exact, so that far corners do not make the boxes of near triangles intersect.
+/// An index of a mesh's triangles whose boxes intersect. It traverses a binary tree of boxes, with eight triangles per
+/// leaf, against itself. Boxes are exact, so that far corners do not make the boxes of near triangles intersect.
 class NearTriangles {
  public:
   /// Builds the tree. Requires finite coordinates. Cost O(n log n); 70 bytes a triangle, and 32 more during the

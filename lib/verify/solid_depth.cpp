@@ -18,7 +18,7 @@ namespace {
 constexpr double kBeside_mm = 1e-7;  // distance from a triangle at which both of its sides are tested
 constexpr double kAround_mm = 1e-5;  // distance from a point on a triangle at which the parts that meet there are
                                      // tested
-constexpr double kOn_mm = 1e-9;      // a point this near to a triangle lies on it
+constexpr double kOn_mm = 1e-9;      // a point this near to a triangle counts as on it
 constexpr int kDirections = 24;
 
 using Triangle = std::array<Vec3, 3>;
