@@ -6,56 +6,56 @@
 
 namespace gouge {
 
-/// A gap that leaves a value open: that it is above the tolerance is all that is wanted.
+/// A gap that leaves the value open: the search ends as soon as the value is proved to be above the tolerance.
 inline constexpr double kAnyGap_mm = 1e6;
 
 /// Conditions on which a search for a largest value stops.
 struct SearchGoal {
-  double tolerance_mm = 0;   ///< enough is a proof that the value is at most this ...
-  double resolution_mm = 0;  ///< ... plus this;
-  double gap_mm = 0;         ///< above the tolerance the value itself is wanted, to this gap (kAnyGap_mm: it is not)
-  std::uint64_t budget = 0;  ///< bounds to compute before giving up
+  double tolerance_mm = 0;   ///< a proof that the value is at most this ...
+  double resolution_mm = 0;  ///< ... plus this ends the search
+  double gap_mm = 0;         ///< accuracy of a value above the tolerance (kAnyGap_mm: the value is not needed)
+  std::uint64_t budget = 0;  ///< number of bounds that may be computed
 
-  /// Candidates whose upper bound is no larger need no further look once `value_mm` was measured.
+  /// Returns the upper bound up to which a candidate can be ignored, once `value_mm` was measured.
   [[nodiscard]] double pruning_threshold_mm(double value_mm) const {
     return value_mm > tolerance_mm ? value_mm + gap_mm : tolerance_mm + resolution_mm;
   }
-  /// Returns whether nothing more is wanted once `value_mm` was measured.
+  /// Returns whether a measured `value_mm` ends the search.
   [[nodiscard]] bool is_met_by(double value_mm) const { return gap_mm >= kAnyGap_mm && value_mm > tolerance_mm; }
 };
 
 /// Base of the candidates of all searches.
 struct SearchCandidate {
-  double upper_mm = 0;       ///< nowhere in it is the value larger
-  std::uint32_t serial = 0;  ///< of equal bounds the one offered first is taken first
+  double upper_mm = 0;       ///< upper bound of the value in the candidate
+  std::uint32_t serial = 0;  ///< order of the offers; among equal bounds the lower number is split first
 };
 
-/// Certified best-first branch and bound for a largest value, the one loop of all such searches.
+/// Certified best-first branch and bound for a largest value. All such searches share this loop.
 ///
 /// `Problem` derives from it. It offers the first candidates, which must cover the domain, before it calls `run`. It
 /// has these public members.
-///   double threshold_mm() const            By the largest value measured so far.
-///   bool is_exhausted() const              True once the budget has run out.
+///   double threshold_mm() const            Returns the threshold that follows from the largest measured value.
+///   bool is_exhausted() const              Returns true once the budget is spent.
 ///   void split(const Candidate&)           Bounds the parts of a candidate, measures the value at points of them,
 ///                                          and offers them.
-///   static constexpr bool kDescends        True to go from a candidate straight down to where its best part is
-///                                          decided. A value close to the bound is then measured early, even where
+///   static constexpr bool kDescends        True: after a candidate its best part is split next, down to a part that
+///                                          is decided. A value close to the bound is then measured early, even if
 ///                                          many candidates have the same bound.
 ///
-/// Ensures  The same order on every machine. Every candidate was split or its bound is in what `run` returns.
+/// Ensures  The order is the same on every machine. Each candidate is split, or its bound enters the result of `run`.
 /// Source   A. H. Land, A. G. Doig, An automatic method of solving discrete programming problems (1960).
 template <typename Problem, typename Candidate>
 class BestFirstSearch {
  protected:
-  /// A candidate not above the threshold is given up at once.
+  /// Keeps a candidate for later. A candidate whose bound is not above the threshold is discarded at once.
   void offer(const Candidate& candidate) {
     if (is_pruned(candidate)) return;
     offered_.push_back(candidate);
     offered_.back().serial = serial_++;
   }
 
-  /// The largest bound of all candidates that were not split: with the largest value measured the upper bound of the
-  /// value, at any budget.
+  /// Runs the search. Returns the largest bound of all candidates that were not split. The larger of it and the largest
+  /// measured value is an upper bound of the value, at any budget.
   double run() {
     for (const Candidate& candidate : offered_) keep(candidate);
     while (!open_.empty() && open_.front().upper_mm > threshold_mm()) {
@@ -69,16 +69,16 @@ class BestFirstSearch {
     return open_.empty() ? pruned_mm_ : std::max(pruned_mm_, open_.front().upper_mm);
   }
 
-  /// Returns after `run` the candidate with the largest bound of those above the threshold that were not split; null:
-  /// none.
+  /// Returns, after `run`, the candidate with the largest bound among those that are above the threshold and were not
+  /// split. Returns null if there is none.
   [[nodiscard]] const Candidate* undecided() const {
     return open_.empty() || !(open_.front().upper_mm > threshold_mm()) ? nullptr : &open_.front();
   }
 
-  /// Returns false where the budget ran out first.
+  /// Returns false if the budget ran out first.
   [[nodiscard]] bool is_decided() const { return is_decided_; }
 
-  /// Counts bounds that were proved before as those of pruned candidates.
+  /// Treats `upper_mm`, a bound that was proved before, as the bound of a pruned candidate.
   void prune(double upper_mm) { pruned_mm_ = std::max(pruned_mm_, upper_mm); }
 
  private:

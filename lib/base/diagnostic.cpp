@@ -18,7 +18,7 @@ const char* word(Severity severity) {
   return kNames[static_cast<std::size_t>(severity)];
 }
 
-// A file may hold a name of a million letters. The expected value stands at the end of a message.
+// Shortens long names: a name in a file may have a million letters, and the expected value is at the end of a message.
 std::string shortened(std::string text) {
   constexpr std::size_t kMost = 3000, kBegin = 1500, kEnd = 1000;
   if (text.size() <= kMost) return text;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-// A message about input: one sentence with the location, what was found, what was expected
-// and what to do. The input being wrong is data (a Diagnostic); the program being wrong is an assert.
+// A message about input is one sentence. It states the location, what was found, what was expected and what to do.
+// Wrong input gives data (a Diagnostic); an error of the program gives a failed assert.
 
 namespace gouge {
 
@@ -28,8 +28,8 @@ using Diagnostics = std::vector<Diagnostic>;
 
 [[nodiscard]] bool has_error(const Diagnostics& diagnostics);
 
-/// Returns "file:line: error: message [code]", the form that compilers use, as one line without its end. The characters
-/// of the file name and the message are made printable (printable_text.h).
+/// Returns "file:line: error: message [code]", the form that compilers use, as one line without a line end. The
+/// characters of the file name and of the message are made printable (printable_text.h).
 [[nodiscard]] std::string to_text(const Diagnostic& diagnostic);
 
 }  // namespace gouge

@@ -33,7 +33,8 @@ Diagnostic changed(const std::string& path) {
       "changed while it was read; expected a file that is complete; run again when what writes it is done", path);
 }
 
-// Typed input ends; other devices, a disk or /dev/zero, need not.
+// Returns whether the input is the terminal of this program: typed input ends. Other devices, such as a disk or
+// /dev/zero, may never end.
 bool is_own_terminal(const struct stat& info) {
   struct stat input {};
   return ::fstat(STDIN_FILENO, &input) == 0 && S_ISCHR(input.st_mode) && input.st_rdev == info.st_rdev &&
@@ -85,7 +86,7 @@ InputReader::~InputReader() {
 
 Result<InputReader> InputReader::open(const std::string& path, std::uint64_t max_bytes) {
   struct stat info {};
-  // Before it is opened: that alone rewinds a tape.
+  // The status is read before the file is opened, because opening a tape rewinds it.
   if (::stat(path.c_str(), &info) != 0) {
     if (errno == ENOENT) return make_error("file-not-found", "no such file", path);
     return unreadable(path, errno);
@@ -130,7 +131,7 @@ Result<FileView> view_file(const std::string& path, std::uint64_t max_bytes) {
     const auto kept = std::make_shared<const std::string>(std::move(*read));
     return FileView{*kept, kept};
   }
-  const std::shared_ptr<char[]> bytes(new char[size]);  // not filled with zeros first
+  const std::shared_ptr<char[]> bytes(new char[size]);  // without an initial fill with zeros
   ask_for_large_pages(bytes.get(), size);
   for (std::size_t at = 0;;) {
     char beyond = 0;

@@ -10,12 +10,12 @@
 
 namespace gouge {
 
-/// A file that is read once from its begin to its end, with a limit on how much that may be. Endless input is refused:
-/// devices before they are opened, pipes at the limit. A file that changes while it is read is refused too, as its
-/// bytes would be half old and half new.
+/// Reader of a file, once from its beginning to its end, with a maximum number of bytes. Endless input is rejected:
+/// devices before they are opened, pipes at the maximum. A file that changes while it is read is rejected too: its
+/// bytes would be partly old and partly new.
 class InputReader {
  public:
-  /// A terminal is read where it is this program's standard input. Opening a pipe waits for its writer.
+  /// Opens a file. A terminal is accepted only as this program's standard input. Opening a pipe waits for its writer.
   /// Errors: file-not-found, file-is-folder, file-unreadable, input-is-device, input-too-large (a file of more than
   /// `max_bytes`).
   [[nodiscard]] static Result<InputReader> open(const std::string& path, std::uint64_t max_bytes);
@@ -24,10 +24,10 @@ class InputReader {
   InputReader& operator=(InputReader&&) = delete;
   ~InputReader();
 
-  /// Returns the expected number of bytes; 0 where only reading shows it.
+  /// Returns the expected number of bytes; 0 if it is known only after reading.
   [[nodiscard]] std::size_t expected_bytes() const;
 
-  /// Reads the next bytes, at most `room`, to `to`, and returns their number; 0 at the end. Requires room > 0.
+  /// Reads the next bytes, at most `room`, into `to`, and returns their number; 0 at the end. Requires room > 0.
   /// Errors: file-unreadable, input-too-large, input-changed.
   [[nodiscard]] Result<std::size_t> read(char* to, std::size_t room);
 

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <span>
 
-// Code that is compiled for several instruction sets from one source. The arithmetic must be the same in each, bit for
-// bit: nothing fused (-ffp-contract=off), no sum reordered.
+// Support for code that is compiled for several instruction sets from one source. The arithmetic must be the same in
+// each, bit for bit. So no operations are fused (-ffp-contract=off) and no sum is reordered.
 
-/// Before a function: one copy for each instruction set, chosen when the program starts. Nothing where the compiler or
-/// a sanitizer does not have it.
+/// Compiles the function that follows once for each instruction set; one copy is selected when the program starts. Has
+/// no effect if the compiler or a sanitizer does not support it.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define GOUGE_WIDE [[gnu::target_clones("avx512f", "avx2", "default")]]
@@ -19,7 +19,8 @@
 
 namespace gouge {
 
-/// Returns how many of plain, AVX2 and AVX-512 (F, VL and DQ) this processor runs, in that order: at least 1.
+/// Returns how many of the sets plain, AVX2 and AVX-512 (F, VL and DQ), in that order, this processor supports: at
+/// least 1.
 [[nodiscard]] inline std::size_t instruction_sets() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
@@ -29,7 +30,8 @@ namespace gouge {
   return 1;
 }
 
-/// Returns the kernels, one for each instruction set in that order, that this processor runs: the fastest last.
+/// Returns the kernels that this processor can run, the fastest last. `kernels` has one for each instruction set, in
+/// the order of instruction_sets().
 template <typename Kernel, std::size_t count>
 [[nodiscard]] std::span<const Kernel* const> runnable(const std::array<const Kernel*, count>& kernels) {
   return std::span(kernels).first(std::min(count, instruction_sets()));

@@ -8,19 +8,19 @@
 
 namespace gouge {
 
-/// Requests that the system back this memory by large pages, which are quicker to get and to look up. Only a hint, and
-/// only of use before the memory is first written.
+/// Requests that the system use large pages for this memory; they are faster to allocate and to access. It is only a
+/// hint, and helps only before the memory is first written.
 void ask_for_large_pages(void* start, std::size_t bytes);
 
-/// Memory for `count` items of an empty vector, in large pages where the system has them.
+/// Reserves memory for `count` items of an empty vector, in large pages if the system has them.
 template <typename Item>
 void reserve_large(std::vector<Item>& items, std::size_t count) {
   items.reserve(count);
   ask_for_large_pages(items.data(), count * sizeof(Item));
 }
 
-/// Gives a vector large pages, where the system has them. Items that are added without a value are not set. It is for
-/// callers that set all items, and would have to fetch each of them twice.
+/// Allocator for vectors in large pages, if the system has them. Items that are added without a value stay
+/// uninitialized. It is for callers that set all items anyway and would otherwise touch each of them twice.
 template <typename Item>
 struct LargePageAllocator {
   using value_type = Item;

@@ -15,17 +15,17 @@ namespace {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// std::from_chars takes "nan", "inf" and hexadecimal words too; a number starts with a digit or a point.
+// std::from_chars also accepts "nan", "inf" and hexadecimal words; a number starts with a digit or a point.
 bool looks_like_number(std::string_view text) {
   std::size_t i = (!text.empty() && (text[0] == '-')) ? 1 : 0;
   return i < text.size() && (is_digit(text[i]) || text[i] == '.');
 }
 
-// Reads a decimal without exponent and of few digits, as nearly all in a toolpath are. Its digits as one integer and
-// the power of ten are doubles exactly. So their quotient is the nearest double (Clinger, How to read floating point
-// numbers accurately, 1990). Nothing where that does not hold or the text is no such number.
+// Reads a decimal with few digits and without an exponent, like nearly all numbers in a toolpath. The digits as one
+// integer and the power of ten are both exact doubles. So their quotient is the nearest double (Clinger, How to read
+// floating point numbers accurately, 1990). Returns nothing if this does not hold, or if the text is no such number.
 std::optional<double> few_digits(std::string_view text) {
-  constexpr std::size_t kLongest = 18;  // below it the integer does not overflow
+  constexpr std::size_t kLongest = 18;  // an integer of fewer digits does not overflow
   constexpr std::uint64_t kLargestExact = std::uint64_t{1} << 53U;
   constexpr std::array<double, kLongest + 1> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
                                                              1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
@@ -76,7 +76,8 @@ std::optional<double> parse_number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (end != text.data() + text.size()) return std::nullopt;
-  // Out of range leaves `value` alone; a number too small to show from zero is zero, one too large is none.
+  // std::from_chars leaves `value` alone if the number is out of range. A number too close to zero is zero; one too
+  // large is invalid.
   if (error == std::errc::result_out_of_range && has_negative_exponent(text)) return 0.0;
   if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
   return value;

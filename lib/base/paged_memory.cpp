@@ -22,7 +22,7 @@ namespace {
 
 constexpr PagedLimits kUsual{std::size_t{64} << 20U, std::size_t{512} << 20U};
 
-// A file without a name: it is gone with the process, however that ends.
+// Opens a file without a name. It disappears with the process, in whatever way the process ends.
 int open_nameless() {
   const char* const wanted = std::getenv("TMPDIR");
   const std::string folder = wanted != nullptr && *wanted != '\0' ? wanted : "/var/tmp";
@@ -34,7 +34,7 @@ int open_nameless() {
   return named;
 }
 
-// The room is taken at once: a full disk would else end the process where it writes to memory.
+// The disk space is allocated at once: otherwise a full disk would end the process when it writes to the memory.
 void* map_file(std::size_t bytes) {
   const int handle = open_nameless();
   if (handle < 0) return nullptr;
@@ -45,7 +45,8 @@ void* map_file(std::size_t bytes) {
   return start == MAP_FAILED ? nullptr : start;
 }
 
-/// Pages of files that the process holds, those of its own program among them; none where the system does not state.
+/// Returns the size of the file pages that the process holds, including its own program; nothing if the system does not
+/// report it.
 std::optional<std::size_t> resident_file_bytes() {
   std::array<char, 128> text{};
   const int handle = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
@@ -54,15 +55,15 @@ std::optional<std::size_t> resident_file_bytes() {
   ::close(handle);
   if (count <= 0) return std::nullopt;
   char* at = text.data();
-  static_cast<void>(std::strtoull(at, &at, 10));  // of the address space
-  static_cast<void>(std::strtoull(at, &at, 10));  // all that is resident
+  static_cast<void>(std::strtoull(at, &at, 10));  // size of the address space
+  static_cast<void>(std::strtoull(at, &at, 10));  // all resident memory
   return static_cast<std::size_t>(std::strtoull(at, &at, 10)) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// All arrays in files, and the thread that lets their pages go while there are any.
+/// All arrays in files, and the thread that releases their pages while there are arrays.
 class Pages {
  public:
-  // For tests of the program (docs/develop/testing.md): all from this size on, and none of their pages kept.
+  // Tests of the program (docs/develop/testing.md) set a size: all arrays from it on are in files, and no page is kept.
   Pages() {
     if (const char* const asked = std::getenv("GOUGE_PAGED_BYTES"); asked != nullptr)
       set({static_cast<std::size_t>(std::strtoull(asked, nullptr, 10)), 0});
@@ -111,7 +112,7 @@ class Pages {
   }
 
  private:
-  // Without a thread the system lets pages follow itself, once it needs the memory.
+  // If no thread can be started, the system itself releases pages, once it needs the memory.
   void begin() {
     if (trimmer_.joinable()) return news_.notify_all();
     try {
@@ -142,7 +143,7 @@ class Pages {
     }
   }
 
-  // Written data stays: the pages of a shared file are dropped from the process, not from the file.
+  // Releases pages. Written data stays: the pages of a shared file are removed from the process, not from the file.
   void trim() {
     const std::optional<std::size_t> resident = resident_file_bytes();
     if (!resident || *resident < resident_bytes_) return;
@@ -150,8 +151,8 @@ class Pages {
   }
 
   std::atomic<std::size_t> min_file_bytes_ = kUsual.min_file_bytes;
-  std::atomic<std::size_t> smallest_ = static_cast<std::size_t>(-1);  // that ever stood in a file
-  std::mutex guard_;                                                  // of all that follows
+  std::atomic<std::size_t> smallest_ = static_cast<std::size_t>(-1);  // the smallest array that was ever in a file
+  std::mutex guard_;                                                  // protects all members that follow
   std::condition_variable news_;
   std::size_t resident_bytes_ = kUsual.resident_bytes;
   std::map<void*, std::size_t> arrays_;

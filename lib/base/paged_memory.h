@@ -3,26 +3,27 @@
 #include <cstddef>
 #include <vector>
 
-// Arrays as long as a toolpath, which need not stay in memory. Above a certain size they are in a temporary file
-// without a name (in $TMPDIR, else /var/tmp) that the program sees as memory. The system writes out what is not in use.
-// Pages beyond a limit are released, so that the memory of the process does not grow with the path.
+// Arrays as long as a toolpath, which need not stay in memory. An array above a certain size is a temporary file
+// without a name (in $TMPDIR, else /var/tmp), mapped into memory. The system writes unused pages to the file. Pages
+// beyond a limit are released, so that the memory of the process does not grow with the path.
 
 namespace gouge {
 
 struct PagedLimits {
-  std::size_t min_file_bytes = 0;  ///< smaller arrays are plain memory
-  std::size_t resident_bytes = 0;  ///< of files the process may hold at once, about
+  std::size_t min_file_bytes = 0;  ///< arrays below this size are in plain memory
+  std::size_t resident_bytes = 0;  ///< approximate maximum size of file pages that the process holds at once
 };
 
-/// Sets the limits for later allocations, instead of 64 MB and 512 MB. Allocated memory stays where it is. Returns the
-/// limits before.
+/// Sets the limits for later allocations; initially they are 64 MB and 512 MB. Existing allocations stay where they
+/// are. Returns the previous limits.
 PagedLimits set_paged_limits(const PagedLimits& limits);
 
-/// Zeros, or anything. Where no file can be had (no room, no such file system) it is plain memory. Throws bad_alloc.
+/// Allocates memory whose content is zeros or arbitrary. Uses plain memory if no file can be created (no space, no such
+/// file system). Throws bad_alloc.
 [[nodiscard]] void* allocate_paged(std::size_t bytes);
 void free_paged(void* start, std::size_t bytes) noexcept;
 
-/// Returns the number of arrays stand in files now.
+/// Returns the number of arrays that are in files now.
 [[nodiscard]] std::size_t paged_arrays();
 
 template <class Item>
@@ -42,7 +43,7 @@ struct PagedAllocator {
   }
 };
 
-/// A vector whose items stand in such memory. Several threads may read and write different items, as usual.
+/// A vector whose items are in paged memory. Several threads may read and write different items, as in std::vector.
 template <class Item>
 using PagedVector = std::vector<Item, PagedAllocator<Item>>;
 

@@ -10,11 +10,11 @@ namespace gouge {
 /// The role of a stretch of text on a terminal, which selects its colour.
 enum class Paint { place, error, warning, note, clean, faint };
 
-/// Returns `text` between escape sequences that a terminal shows as colour or weight (ECMA-48, SGR). The text stays as
-/// it is where `is_on` is false or it is empty. To be called after printable(), which would spell the sequences out.
+/// Returns `text` between escape sequences that a terminal shows as colour or weight (ECMA-48, SGR). Returns the text
+/// unchanged if `is_on` is false or the text is empty. Call it after printable(), which would escape the sequences.
 [[nodiscard]] std::string painted(std::string_view text, Paint paint, bool is_on);
 
-/// Returns to_text of a diagnostic, with its place, its severity and its code in colour.
+/// Returns to_text of a diagnostic, with its place, severity and code in colour.
 [[nodiscard]] std::string painted_text(const Diagnostic& diagnostic);
 
 }  // namespace gouge

@@ -14,7 +14,7 @@ using Run = std::function<void(std::size_t)>;
 
 std::atomic<unsigned> default_threads{0};
 
-// A thread that works at a chunk does nested work by itself.
+// True in a thread that works on a chunk: it does nested work alone.
 thread_local bool is_at_work = false;
 
 unsigned threads_for(unsigned wanted) {
@@ -22,13 +22,13 @@ unsigned threads_for(unsigned wanted) {
   return wanted == 0 ? std::max(1U, std::thread::hardware_concurrency()) : wanted;
 }
 
-// The chunks of one call and who works at them. The counter orders nothing between the threads, so that the
-// thread sanitizer can see every race that is there.
+// The chunks of one call and the threads that work on them. The counter orders nothing between the threads, so the
+// thread sanitizer can see every race.
 class Crew {
  public:
   Crew(std::size_t chunks, const Run& run) : chunks_(chunks), run_(run) {}
 
-  // Where the system lets no more threads begin, those there are do all of the work: the result is the same.
+  // If the system refuses more threads, the existing ones do all of the work: the result is the same.
   void work(std::size_t threads) {
     {
       std::vector<std::jthread> others;

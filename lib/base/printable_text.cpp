@@ -13,8 +13,8 @@ struct Range {
   char32_t first, last;
 };
 
-// Characters that are invisible or change the direction of text. In Unicode 15 these are Cc, Cf without the signs of
-// numbers, Zl, Zp, Default_Ignorable_Code_Point without variation selectors, and noncharacters of the first plane.
+// Characters that are invisible or change the direction of text. In Unicode 15 they are Cc, Cf without the signs of
+// numbers, Zl, Zp, Default_Ignorable_Code_Point without variation selectors, and the noncharacters of the first plane.
 constexpr std::array<Range, 20> kUnseen = {
     {{0x00, 0x1F},     {0x7F, 0x9F},     {0xAD, 0xAD},       {0x34F, 0x34F},     {0x61C, 0x61C},
      {0x115F, 0x1160}, {0x17B4, 0x17B5}, {0x180B, 0x180F},   {0x200B, 0x200F},   {0x2028, 0x202E},
@@ -44,7 +44,7 @@ std::string escaped(char32_t c) {
   return c < 0x10000 ? hexadecimal("\\u", c, 4) : hexadecimal("\\U", c, 8);
 }
 
-// The C library's table of widths, by a locale of our own: the caller's may know ASCII only.
+// Returns the width from the C library's table, in a locale of our own: the caller's locale may know only ASCII.
 int width_of(char32_t c) {
   static const locale_t utf8 = ::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
   if (c < 0x7F || utf8 == nullptr) return 1;

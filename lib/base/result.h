@@ -5,8 +5,8 @@
 
 #include "lib/base/diagnostic.h"
 
-// A value, or the one error that states why there is none. Member names are those of std::expected,
-// which this becomes an alias of once the project moves to C++23.
+// A value, or the error that states why there is no value. Its members have the names of std::expected. It becomes an
+// alias of std::expected once the project uses C++23.
 
 namespace gouge {
 
@@ -19,7 +19,8 @@ class [[nodiscard]] Result {
   [[nodiscard]] bool has_value() const { return content_.index() == 0; }
   explicit operator bool() const { return has_value(); }
 
-  /// Requires has_value(); std::bad_variant_access otherwise, which is a bug of the caller.
+  /// Returns the value. Requires has_value(); otherwise it throws std::bad_variant_access, which is an error of the
+  /// caller.
   T& value() & { return std::get<0>(content_); }
   const T& value() const& { return std::get<0>(content_); }
   T&& value() && { return std::get<0>(std::move(content_)); }
@@ -28,7 +29,7 @@ class [[nodiscard]] Result {
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
 
-  /// Requires !has_value().
+  /// Returns the error. Requires !has_value().
   [[nodiscard]] const Diagnostic& error() const { return std::get<1>(content_); }
 
  private:
@@ -36,7 +37,7 @@ class [[nodiscard]] Result {
 };
 
 struct Done {};
-/// Result of an action that has nothing to hand back but whether it worked.
+/// Result of an action that returns nothing except its success.
 using Outcome = Result<Done>;
 
 }  // namespace gouge

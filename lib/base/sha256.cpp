@@ -1,4 +1,5 @@
-// The functions for this one hash, not the newer ones for any (EVP): those allocate, read a configuration and can fail.
+// Uses the functions of this one hash, not the newer general ones (EVP), which allocate, read a configuration and can
+// fail.
 #define OPENSSL_SUPPRESS_DEPRECATED
 #include "lib/base/sha256.h"
 

@@ -6,14 +6,15 @@
 
 namespace gouge {
 
-/// SHA-256 (FIPS 180-4) of bytes that come piece by piece: two files of one hash are the same file, and `sha256sum`
-/// prints the same digits. By libcrypto, with the instructions of the processor where it has them (about 2 GB/s).
+/// SHA-256 (FIPS 180-4) of bytes that are added piece by piece. Two files with the same hash are the same file, and
+/// `sha256sum` prints the same digits. It uses libcrypto, with the processor's SHA instructions if available (about 2
+/// GB/s).
 class Sha256 {
  public:
   Sha256();
   ~Sha256();
   void add(std::string_view bytes);
-  /// Returns 64 hexadecimal digits of all that was added; nothing may be added after it.
+  /// Returns 64 hexadecimal digits for all added bytes; nothing may be added after it.
   [[nodiscard]] std::string finish();
 
  private:

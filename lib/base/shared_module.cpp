@@ -6,8 +6,8 @@
 namespace gouge {
 namespace {
 
-// Memory that OpenCV, MPI and the libraries behind them request while they are loaded. Some of those (OpenBLAS) retry
-// again forever for memory they are refused, so it is requested before they are.
+// Memory that OpenCV, MPI and their libraries request while they are loaded. Some of the libraries (OpenBLAS) retry
+// forever if memory is refused, so the program requests this memory before it loads them.
 constexpr std::size_t kAddressSpaceToLoad = 512'000'000;
 
 bool has_address_space_to_load() {
@@ -15,7 +15,8 @@ bool has_address_space_to_load() {
   return start != MAP_FAILED && ::munmap(start, kAddressSpaceToLoad) == 0;
 }
 
-// A segment that cannot be mapped is one of a folder mounted without leave to execute, or there is no memory for it.
+// Returns whether the message is about memory. A segment that cannot be mapped has two possible causes: its folder is
+// mounted without permission to execute, or there is no memory for it.
 bool tells_of_memory(const std::string& why) {
   const auto says = [&](const char* words) { return why.find(words) != std::string::npos; };
   return says("cannot allocate") || says("Cannot allocate") || says("out of memory") ||

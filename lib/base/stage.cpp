@@ -22,7 +22,7 @@ void Stage::count(std::size_t work) {
   const std::size_t done = std::min(done_.fetch_add(work, std::memory_order_relaxed) + work, work_);
   const std::size_t step = share(kReports, done, work_);
   const std::scoped_lock lock(guard_);
-  if (step <= reported_) return;  // another thread may have been here first
+  if (step <= reported_) return;  // another thread may have reported this step first
   reported_ = step;
   progress_(name_, share(items_, done, work_), items_);
 }

@@ -42,7 +42,7 @@ bool write_all(int handle, std::string_view bytes) {
   return true;
 }
 
-// Some file systems cannot, and report that. Their data is then as safe as they make it.
+// Some file systems cannot synchronise, and report that. Their data is then as safe as they make it.
 bool synchronise(int handle) { return ::fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS; }
 
 Outcome write_at_position(const std::string& path, std::string_view bytes) {
@@ -55,7 +55,7 @@ Outcome write_at_position(const std::string& path, std::string_view bytes) {
   return Done{};
 }
 
-// A file without a name gets one.
+// Gives a name to a file that has none.
 bool link_as(int handle, const std::string& name) {
   const std::string own = "/proc/self/fd/" + std::to_string(handle);
   return ::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
@@ -64,7 +64,7 @@ bool link_as(int handle, const std::string& name) {
 }  // namespace
 
 Result<std::string> follow_links(const std::string& path) {
-  constexpr int kMaxLinks = 40;  // as the kernel
+  constexpr int kMaxLinks = 40;  // the same limit as the kernel's
   fs::path at = path;
   for (int links = 0; links < kMaxLinks; ++links) {
     std::error_code error;
@@ -106,7 +106,7 @@ bool StagedFile::open_beside() {
   if (::access("/proc/self/fd", X_OK) == 0)
     handle_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
   if (handle_ < 0) {
-    // The file system has no files without a name.
+    // This branch is for a file system that has no files without a name.
     TemporaryName name = name_beside();
     handle_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (handle_ < 0) {
@@ -128,7 +128,7 @@ bool StagedFile::fill(const TextWriter& write) {
     if (is_other && ::fchown(handle_, old.st_uid, old.st_gid) != 0) return false;
     if (::fchmod(handle_, old.st_mode & 0777) != 0) return false;
   }
-  int error = 0;  // the first: what follows it is without success
+  int error = 0;  // the first error: after an error nothing else succeeds
   write([&](std::string_view bytes) {
     if (error == 0 && !write_all(handle_, bytes)) error = errno;
   });
@@ -216,7 +216,7 @@ std::string random_name(const std::string& prefix) {
 }
 
 void keep_from_removal(int handle) {
-  // Where a file system has no locks, remove_abandoned gets none either and leaves everything.
+  // If a file system has no locks, remove_abandoned gets no lock either, and removes nothing.
   static_cast<void>(::flock(handle, LOCK_EX | LOCK_NB));
 }
 

@@ -11,10 +11,10 @@
 namespace gouge {
 namespace {
 
-// State that a signal handler may read: nothing allocated.
+// State that a signal handler may read: it allocates nothing.
 struct Slot {
   std::atomic<bool> is_taken;  // by a TemporaryName
-  std::atomic<bool> is_named;  // its name is whole
+  std::atomic<bool> is_named;  // the name is complete
   char name[PATH_MAX];
 };
 static_assert(std::atomic<bool>::is_always_lock_free);

@@ -5,9 +5,9 @@
 
 namespace gouge {
 
-/// Takes the next part of a text.
+/// A function that receives the next part of a text.
 using PutText = std::function<void(std::string_view)>;
-/// Gives a text from its beginning to its end, part by part: it may be longer than memory.
+/// A function that produces a text from its beginning to its end, part by part: the text may be longer than memory.
 using TextWriter = std::function<void(const PutText&)>;
 
 }  // namespace gouge

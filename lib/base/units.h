@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
-// Inside the project every length is in millimetres (suffix _mm) and every point in part coordinates
-// unless its name states otherwise. Toolpaths are in millimetres or inches; STL files state no unit and come in any of
-// these.
+// Inside the project every length is in millimetres (suffix _mm) and every point in part coordinates, unless its name
+// states otherwise. Toolpaths are in millimetres or inches. STL files state no unit; they may have any unit of this
+// list.
 
 namespace gouge {
 
@@ -17,13 +17,13 @@ enum class LengthUnit { mm, inch, um, cm, m };
 
 struct UnitFacts {
   LengthUnit unit = LengthUnit::mm;
-  std::string_view option;  ///< on command lines
-  const char* name = "";    ///< in reports
-  double mm = 1;            ///< the inch by definition
-  int decimals = 3;         ///< of lengths for people: about a micrometre
+  std::string_view option;  ///< name on command lines
+  const char* name = "";    ///< name in reports
+  double mm = 1;            ///< length in mm; that of the inch by definition
+  int decimals = 3;         ///< decimals of lengths for people: about a micrometre
 };
 
-/// From the smallest to the largest.
+/// All units, from the smallest to the largest.
 inline constexpr std::array<UnitFacts, 5> kUnits{{{LengthUnit::um, "um", "um", 0.001, 0},
                                                   {LengthUnit::mm, "mm", "mm", 1, 3},
                                                   {LengthUnit::cm, "cm", "cm", 10, 4},
@@ -39,7 +39,7 @@ inline constexpr std::array<UnitFacts, 5> kUnits{{{LengthUnit::um, "um", "um", 0
 
 [[nodiscard]] constexpr double mm_per(LengthUnit unit) { return facts_of(unit).mm; }
 [[nodiscard]] constexpr const char* unit_name(LengthUnit unit) { return facts_of(unit).name; }
-/// Returns the unit of that name on a command line; none for other words.
+/// Returns the unit with that name on a command line; none for other words.
 [[nodiscard]] constexpr std::optional<LengthUnit> unit_called(std::string_view option) {
   for (const UnitFacts& facts : kUnits) {
     if (facts.option == option) return facts.unit;

@@ -10,8 +10,8 @@
 namespace gouge {
 
 namespace {
-// A motion that only holds what its statement may mean proves nothing where it meets something, and nothing of bodies
-// that were not made wider.
+// Settles the verdicts of covering motions, which contain every motion that an ambiguous statement may mean. If such a
+// motion meets an obstacle, it proves nothing. It also proves nothing about bodies that were not widened.
 void settle_covers(const Toolpath& path, bool has_heads, CheckResult& result) {
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
@@ -34,7 +34,7 @@ CheckResult check_moves(const Toolpath& path, const CheckSetup& setup, const Pro
   CheckResult result = check_path(path, setup.tools, setup.scene, setup.options, progress, setup.kept);
   check_heads(path, setup.heads, setup.scene, setup.options, result, progress, setup.kept);
   settle_covers(path, !setup.heads.empty(), result);
-  summarise(path, result);  // the overcut needs the worst move of each event
+  summarise(path, result);  // measure_overcuts needs the worst move of each event
   measure_overcuts(path, setup.tools, setup.scene, setup.options, result, setup.heads, progress, setup.kept);
   return result;
 }

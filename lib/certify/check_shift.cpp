@@ -8,8 +8,8 @@
 namespace gouge {
 namespace {
 
-constexpr double kHeadShare = 0.02;      // of the depth at the start: how exactly that of a head on the way is known
-constexpr double kMinStretch_mm = 1e-4;  // of a shift, below which "not buried" is given up
+constexpr double kHeadShare = 0.02;      // share of the depth at the start to which a head's depth is known on the way
+constexpr double kMinStretch_mm = 1e-4;  // length of a shift below which the proof of "not buried" fails
 
 bool is_open(const MoveVerdict& verdict) {
   return verdict.state == MoveState::not_certified || verdict.state == MoveState::not_checked;
@@ -36,7 +36,7 @@ class ShiftCheck {
     const MoveVerdict start = checker_.measure(from_, kind_, tool_);
     if (is_open(start)) return ShiftHazard::undecided;
     if (start.state == MoveState::buried) return ShiftHazard::into_solid;
-    // A check below decides whether the tool is inside, also where the surface reaches its middle.
+    // A later test decides whether the tool is inside, even if the surface reaches its middle.
     CheckOptions options = options_;
     options.tolerance_mm = start.depth_mm;
     options.gouge_gap_mm = resolution;
@@ -50,7 +50,7 @@ class ShiftCheck {
   }
 
  private:
-  // The search for heads does not close the depth of a long motion to the resolution.
+  // Checks the heads. Their search does not resolve the depth of a long motion to the resolution.
   [[nodiscard]] ShiftHazard of_heads(double depth_mm) const {
     if (!checker_.heads_) return ShiftHazard::none;
     CheckOptions options = checker_.options();
@@ -68,8 +68,8 @@ class ShiftCheck {
     return checker_.side_of(pose, tool_) == Side::inside ? ShiftHazard::into_solid : ShiftHazard::none;
   }
 
-  /// Proves "never buried" along a shift, stretch by stretch. Either a surface stays inside the tool, which is then not
-  /// buried but a gouge. Or none reaches the middle of the cutter, which then stays on one side.
+  /// Proves "never buried" along a shift, stretch by stretch. If a surface stays inside the tool, the tool is not
+  /// buried but gouges. If no surface reaches the middle of the cutter, the cutter stays on one side.
   [[nodiscard]] ShiftHazard of_sides(double t0, double t1) const {
     const double half = 0.5 * (t1 - t0) * length_, t = 0.5 * (t0 + t1);
     const Pose middle{from_.tip + t * (to_.tip - from_.tip), from_.axis};

@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-/// A motion whose heads and sides were not checked is not clean.
+/// Makes a clean verdict uncertain: a motion whose heads and sides were not checked is not clean.
 MoveVerdict uncertain_if_clean(MoveVerdict verdict, std::uint64_t budget) {
   if (verdict.state != MoveState::clean && verdict.state != MoveState::near_miss) return verdict;
   verdict.state = MoveState::not_certified;

@@ -10,8 +10,8 @@
 
 namespace gouge {
 
-/// Number of bounds one step of a correction may compute. Bounds are counted, not time, so that a step ends alike on
-/// every machine and at any number of threads. Of one thread.
+/// Number of bounds that one step of a correction may compute. Bounds are counted, not time, so that a step ends in the
+/// same way on every machine and at any number of threads. A budget belongs to one thread.
 class WorkBudget {
  public:
   explicit WorkBudget(std::uint64_t most) : max_(most) {}
@@ -27,56 +27,57 @@ class WorkBudget {
 
 class HeadChecker;
 
-/// Every check of a single motion, at once. It covers cutter, shank, holder and the bodies that move with the tool,
+/// Every check of a single motion, combined. It covers cutter, shank, holder and the bodies that move with the tool,
 /// against parts and fixtures. It also decides whether tool or head lies inside a solid. No step of a correction checks
 /// less.
 ///
-/// It examines one motion, not the path that leads to it. With an open mesh only that path can show inside from
+/// It examines one motion, not the path that leads to it. With an open mesh, only that path can distinguish inside from
 /// outside. There a motion that meets no surface passes here, and the check of the whole written path decides.
 class MotionChecker {
  public:
-  /// The objects that `setup` refers to must outlive it.
+  /// Prepares the checks. The objects that `setup` refers to must outlive the checker.
   explicit MotionChecker(const CheckSetup& setup);
   ~MotionChecker();
 
   /// Returns the same checker for one step of a correction. Its work is charged to `budget`, which must outlive it.
-  /// Once the budget is spent nothing more is certified: check and measure give not_certified, head_excess gives
+  /// Once the budget is spent, nothing more is certified: check and measure return not_certified, head_excess returns
   /// infinity.
   [[nodiscard]] MotionChecker within(WorkBudget& budget) const;
   [[nodiscard]] bool is_out_of_budget() const { return budget_ != nullptr && budget_->is_spent(); }
-  /// For bounds that a step computes elsewhere.
+  /// Charges bounds that a step computes elsewhere to the budget.
   void charge(std::uint64_t bounds) const;
 
-  /// Requires motion.is_defined(). The flag `is_start_outside` is set where the caller knows that, which saves a test.
+  /// Checks one motion. Requires motion.is_defined(). The caller sets `is_start_outside` if it knows that the start is
+  /// outside, which saves a test.
   [[nodiscard]] MoveVerdict check(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                                   const CheckOptions& options, bool is_start_outside = false) const;
   [[nodiscard]] bool is_clean(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                               const CheckOptions& options, bool is_start_outside = false) const;
 
-  /// Measures the true depth, with tolerance 0. Does not test whether the tool is inside a solid.
+  /// Measures the true depth, with tolerance 0. It does not test whether the tool is inside a solid.
   [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;
 
-  /// Returns how much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are
-  /// none.
+  /// Returns how much deeper than `allowed_mm` the heads are at a pose, computed by HeadChecker::excess_at; 0 without
+  /// heads.
   [[nodiscard]] double head_excess(const Pose& pose, double allowed_mm, double accuracy_mm) const;
 
-  /// Returns where the middle of the cutter is.
+  /// Returns the side on which the middle of the cutter lies.
   [[nodiscard]] Side side_of(const Pose& pose, const ToolVariants& tool) const;
 
   [[nodiscard]] const PreparedScene& scene() const { return scene_; }
-  [[nodiscard]] const CheckOptions& options() const { return options_; }  ///< as the path is checked
+  [[nodiscard]] const CheckOptions& options() const { return options_; }  ///< the options of the path's check
 
  private:
   friend class ShiftCheck;
 
-  /// Does check_move, charged to the budget and within its rest.
+  /// Runs check_move within the rest of the budget, and charges it to the budget.
   [[nodiscard]] MoveVerdict check_tool(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                                        const CheckOptions& options) const;
 
   const PreparedScene& scene_;
   const CheckOptions& options_;
   std::shared_ptr<const HeadChecker> heads_;  // null: there are no heads
-  WorkBudget* budget_ = nullptr;              // null: as much as the options allow
+  WorkBudget* budget_ = nullptr;              // null: the work is limited only by the options
 };
 
 }  // namespace gouge

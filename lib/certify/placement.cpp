@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-// Units that would make the part about as large as the path; nothing where none does.
+// Returns a text about units with which the part would be about as large as the path; empty if there is no such unit.
 std::string unit_hint(double times_smaller, LengthUnit unit) {
   std::string words;
   for (const UnitFacts* fitting : units_that_fit(times_smaller, unit))
@@ -73,10 +73,10 @@ std::optional<std::string> find_other_size(const Toolpath& path, const Scene& sc
 
 std::optional<std::string> find_apart(const ClosestApproach& closest_approach) {
   constexpr std::size_t kMinPositions = 10;
-  constexpr double kApart_mm = 2;  // beyond the stock to leave
+  constexpr double kApart_mm = 2;  // distance beyond the stock to leave
   const double nearest_mm = closest_approach.nearest_mm.value_or(ClosestApproach::kFar_mm);
   if (closest_approach.positions < kMinPositions || nearest_mm <= kApart_mm) return std::nullopt;
-  // Rounded down: it must hold for each of them.
+  // The distance is rounded down, because it must hold for each position.
   return "at none of " + positions_examined(closest_approach) + " is the tool nearer than " +
          fixed_text(std::floor(closest_approach.apart_mm * 10) / 10, 1) + " mm to the part";
 }

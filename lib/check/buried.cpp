@@ -14,13 +14,14 @@
 namespace gouge {
 namespace {
 
-/// The regions of one tool, for depths that moves share.
+/// The regions of one tool, for depths that several moves share.
 class ToolRegions {
  public:
   ToolRegions(const CompiledTool& tool, double usual_mm, int halvings)
       : finder_(tool), usual_mm_(usual_mm), finest_(std::min(kFinest, -halvings)) {}
 
-  /// For a depth that is at least `depth_mm`; that depth itself where a body would else have no point. Stays valid.
+  /// Returns the regions for a depth of at least `depth_mm`; for exactly `depth_mm` if a body would have no point at
+  /// the larger depth. The result stays valid.
   const FreeRegions& at(double depth_mm) {
     const FreeRegions& rounded = stored(rounded_up(depth_mm));
     return rounded.covers_all() || depth_mm > usual_mm_ ? rounded : stored(depth_mm);
@@ -43,7 +44,7 @@ class ToolRegions {
 
   RegionFinder finder_;
   double usual_mm_;
-  int finest_;  // a tool with less certified depth has regions of that depth
+  int finest_;  // exponent of the finest shared depth; a tool with less certified depth has regions of that depth
   std::map<double, std::unique_ptr<FreeRegions>> stored_;
 };
 
@@ -90,7 +91,7 @@ class BuriedMarker {
     }
   }
 
-  // The pose in which a move ends is the one in which the next begins.
+  // The final pose of a move is the first pose of the next move.
   void join(std::size_t i, FreeChains& chains) const {
     if (regions_[i] == nullptr) return;
     const std::vector<FreeRegion>& own = regions_[i]->regions;
@@ -111,7 +112,7 @@ class BuriedMarker {
     }
   }
 
-  /// Points of a region at a pose: the deepest, and both ends of a stretch or four of a ring.
+  /// Returns points of a region at a pose: the deepest point, and both ends of a stretch or four points of a ring.
   static std::vector<Vec3> points_at(const Pose& pose, const FreeRegion& region) {
     const Vec3 middle = pose.tip + region.deepest.y() * pose.axis;
     if (region.ring == FreeRegion::kNoRing) {
@@ -141,7 +142,7 @@ class BuriedMarker {
       const SideResult& outcome = chains.result(first_[i] + k);
       if (outcome.side == Side::outside) continue;
       const Body body = body_of(i, region);
-      // Where the tolerance lets the surface come far into the tool it is neither buried nor clean.
+      // If the tolerance lets the surface come far into the tool, the move is neither buried nor clean.
       if (outcome.side == Side::inside && 2 * verdict.depth_upper_mm <= region.depth_mm) {
         verdict.state = MoveState::buried;
         verdict.reason = {Reason::Kind::buried, body};
@@ -157,7 +158,7 @@ class BuriedMarker {
     verdict.clearance_mm.reset();
   }
 
-  /// The cutter where the region reaches down to it, else the lowest body.
+  /// Returns the cutter if the region reaches down to it; else the lowest body in the region.
   [[nodiscard]] Body body_of(std::size_t i, const FreeRegion& region) const {
     Body lowest = Body::holder;
     for (const BoundaryElement& e : tools_[toolpath_.moves[i].tool]->bare.elements) {
@@ -173,8 +174,8 @@ class BuriedMarker {
   const CheckOptions& options_;
   MoveVerdicts& verdicts_;
   std::vector<std::unique_ptr<ToolRegions>> own_regions_;
-  PagedVector<const FreeRegions*> regions_;  // per move; null without a proof
-  PagedVector<std::size_t> first_;           // per move: the number of its first region
+  PagedVector<const FreeRegions*> regions_;  // for each move; null without a proof
+  PagedVector<std::size_t> first_;           // for each move: the number of its first region
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 using Targets = std::vector<SearchTarget>;
 
-/// One for each obstacle; `form_of(rule)` is compared with it.
+/// Returns one target for each obstacle, which is compared with the tool form `form_of(rule)`.
 template <typename FormOf>
 Targets targets_of(const ToolVariants& tool, const PreparedScene& scene, const FormOf& form_of) {
   Targets targets;
@@ -34,7 +34,7 @@ Targets whole_tool(const ToolVariants& tool, const PreparedScene& scene) {
 struct StrictLimit {
   Targets targets;
   double tolerance_mm = 0;
-  const MeshLimit* of_mesh = nullptr;  ///< null: the clearances of bodies
+  const MeshLimit* of_mesh = nullptr;  ///< null: the limit is the clearances of bodies
 };
 
 SearchTarget limited_target(const ToolVariants& tool, const LimitedMesh& mesh) {
@@ -67,10 +67,10 @@ SearchQuery query(const CheckOptions& options, double reach, double tolerance) {
   return {{tolerance, options.resolution_mm, gap, options.budget_per_move}, reach};
 }
 
-/// Result of the wide sweep for one move: one for each query, null where it was not run.
+/// Results of the wide sweep for one move, one for each query; null if the query was not run.
 struct Swept {
   const SweptMove* depth = nullptr;
-  std::vector<const SweptMove*> limits{};  ///< one a strict limit, or empty
+  std::vector<const SweptMove*> limits{};  ///< one for each strict limit, or empty
   const SweptMove* near_miss = nullptr;
 };
 
@@ -83,7 +83,7 @@ class MoveChecker {
   MoveVerdict run() {
     const SearchResult depth = finish(whole(), 0, options_.tolerance_mm, swept_.depth);
     set_depth(depth, whole());
-    // By the witness, as anyone would compute it: the search may differ from it in the last digits.
+    // The witness decides, computed as any reader of the file would: the search may differ from it in the last digits.
     const bool is_deep = verdict_.depth_mm > options_.tolerance_mm;
     if (!is_deep && verdict_.depth_upper_mm > options_.tolerance_mm + options_.resolution_mm) is_decided_ = false;
     if (is_deep) {
@@ -135,14 +135,14 @@ class MoveChecker {
       verdict_.reason = {Reason::Kind::mesh_clearance_entered, verdict_.witness->body, verdict_.depth_mm};
   }
 
-  /// A surface point as the pose sees it.
+  /// A surface point, in the coordinates of the tool at a pose.
   struct ToolPoint {
     Pose pose;
-    Vec3 out;  ///< from the tool axis to the point, unit
+    Vec3 out;  ///< unit direction from the tool axis to the point
     double r = 0, z = 0;
   };
 
-  // By the pose as anyone would compute it from the file, so that the evidence can be checked by hand.
+  // Uses the pose that any reader would compute from the file, so that the evidence can be checked by hand.
   [[nodiscard]] ToolPoint locate(const SearchResult& outcome) const {
     ToolPoint position;
     position.pose = motion_.at(outcome.t);
@@ -167,7 +167,7 @@ class MoveChecker {
     return result;
   }
 
-  // Depth beyond a strict limit is a gouge, so the whole depth is then wanted to the resolution.
+  // A depth beyond a strict limit is a gouge, so the whole depth is then computed to the resolution.
   void check_limit(std::size_t index, const SearchResult& depth) {
     const StrictLimit& limit = limits_[index];
     const SweptMove* swept = swept_.limits.empty() ? nullptr : swept_.limits[index];
@@ -177,7 +177,7 @@ class MoveChecker {
     const ToolPoint position = locate(entered);
     const double depth_mm = target.reach_mm - signed_distance_mm(*target.tool, position.r, position.z);
     if (!(depth_mm > limit.tolerance_mm)) {
-      // It touches, and no point is beyond the limit but for rounding.
+      // The tool touches, and apart from rounding no point is beyond the limit.
       if (entered.value_upper_mm > limit.tolerance_mm + options_.resolution_mm) is_decided_ = false;
       return;
     }
@@ -188,7 +188,8 @@ class MoveChecker {
     show_limit(limit, entered);
   }
 
-  // The body beyond its limit is better evidence than a cutter's lawful contact, as long as it realises the depth.
+  // A body beyond its limit is better evidence than the permitted contact of a cutter, as long as its point has the
+  // full depth.
   void show_limit(const StrictLimit& limit, const SearchResult& entered) {
     const SearchTarget& target = limit.targets[entered.at.target];
     const ToolPoint position = locate(entered);
@@ -196,7 +197,8 @@ class MoveChecker {
     const CompiledTool& whole_form = limit.of_mesh == nullptr ? tool_.*rule_of(target.against).form : *target.tool;
     const double depth = target.reach_mm - signed_distance_mm(whole_form, position.r, position.z);
     verdict_.reason = {reason_of(limit), target.tool->elements[at.element].body, entered.value_mm};
-    // A point that is deeper elsewhere, within the tolerance there, is not evidence against a mesh.
+    // For a body's limit, a point is no evidence if another point of the tool is deeper within the tolerance there. For
+    // a mesh's limit this does not matter.
     const bool is_evidence = limit.of_mesh != nullptr || verdict_.depth_upper_mm - depth <= options_.resolution_mm;
     if (!(depth > 0) || !is_evidence) return;
     verdict_.depth_mm = depth;
@@ -209,8 +211,8 @@ class MoveChecker {
                                            : Reason::Kind::mesh_tolerance_exceeded;
   }
 
-  // Within the tolerance a blade or a point may still reach far into a solid. For a tool with one, less depth must be
-  // proved (docs/method/inside_outside.md, section 4).
+  // Within the tolerance, a blade or a pointed tool may still reach far into a solid. For such a tool a smaller depth
+  // must be proved (docs/method/inside_outside.md, section 4).
   void check_reach() {
     const CertifiedDepth sure = certified_depth(tool_, scene_, options_);
     if (verdict_.depth_upper_mm <= sure.depth_mm) return;
@@ -218,7 +220,7 @@ class MoveChecker {
     SearchQuery less = query(options_, 0, share * options_.tolerance_mm);
     less.resolution_mm *= share;
     less.gap_mm = kAnyGap_mm;
-    // Where no depth is sure the surface must be proved to keep clear.
+    // If no depth is certain, the surface must be proved to keep clear of the tool.
     if (!(sure.depth_mm > 0))
       less = {{0, 0.5 * options_.resolution_mm, kAnyGap_mm, less.budget}, options_.resolution_mm};
     const SearchResult outcome = sweep_and_search(motion_, whole(), less);
@@ -255,7 +257,7 @@ class MoveChecker {
     verdict_.clearance_mm = std::max(0.0, options_.near_miss_mm - outcome.value_mm);
     if (verdict_.witness) return;
     const ToolPoint position = locate(outcome);
-    // The surface may be in the tool, no deeper than the tolerance, where the check for gouges did not look on.
+    // The surface may be in the tool, but no deeper than the tolerance: there the check for gouges stopped.
     const SearchTarget all = whole()[outcome.at.target];
     const ToolDistance in_all = evaluate(*all.tool, position.r, position.z);
     const SearchTarget& target = in_all.signed_distance_mm < 0 ? all : watched[outcome.at.target];
@@ -276,7 +278,7 @@ class MoveChecker {
   std::uint64_t bounds_ = 0;
 };
 
-// Returns why the motion cannot be checked in this scene with these options; none where it can.
+// Returns why the motion cannot be checked in this scene with these options; Kind::none if it can.
 Reason::Kind why_not(const Motion& motion, const ToolVariants& tool, const PreparedScene& scene,
                      const CheckOptions& options) {
   if (!scene.is_within_reach) return Reason::Kind::out_of_reach;
@@ -285,8 +287,7 @@ Reason::Kind why_not(const Motion& motion, const ToolVariants& tool, const Prepa
   return unfit == Reason::Kind::none ? why_unfit(motion) : unfit;
 }
 
-// A motion that is refused would spoil the bounds it shares with its neighbours, so those are swept without
-// it.
+// Sweeps the other motions without those that cannot be checked, which would spoil the bounds they share.
 void check_fit_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolVariants& tool,
                      const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
                      std::span<std::uint64_t> bounds) {
@@ -331,11 +332,11 @@ void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kind
                                    [](const Motion& motion) { return why_unfit(motion) == Reason::Kind::none; });
   if (!are_fit) return check_fit_moves(motions, kinds, tool, scene, options, verdicts, bounds);
   const std::vector<StrictLimit> limits = strict_limits(tool, scene, options);
-  std::vector<std::vector<SweptMove>> beyond;  // one a limit
+  std::vector<std::vector<SweptMove>> beyond;  // one for each limit
   std::vector<SweptMove> near_feed, near_rapid;
   const SearchQuery deep = query(options, 0, options.tolerance_mm);
   const std::vector<SweptMove> depth = sweep_moves(motions, whole_tool(tool, scene), deep);
-  // Where all gouge, no further result is needed.
+  // If all motions gouge, no further result is needed.
   const bool is_verdict_final =
       std::ranges::all_of(depth, [&](const SweptMove& swept) { return deep.is_met_by(swept.start.value_mm); });
   for (std::size_t k = 0; k < limits.size() && !is_verdict_final; ++k)

@@ -12,25 +12,26 @@ namespace gouge {
 
 /// Options of the check. Lengths in mm.
 struct CheckOptions {
-  double tolerance_mm = 0.01;                 ///< depth a move may have (bodies with a clearance: 0)
-  double resolution_mm = 0.001;               ///< certified gap
-  double gouge_gap_mm = 0;                    ///< gap to which the depth of a gouge is closed; 0: the resolution
-  double stock_to_leave_mm = 0;               ///< grows the cutter against the part
-  double shank_clearance_mm = 0;              ///< grows the shank
-  double holder_clearance_mm = 0;             ///< grows the holder
+  double tolerance_mm = 0.01;                 ///< maximum depth of a move that is not a gouge (bodies with a clearance:
+                                              ///< 0)
+  double resolution_mm = 0.001;               ///< certified gap between the bounds of a depth
+  double gouge_gap_mm = 0;                    ///< maximum gap between the bounds of a gouge's depth; 0: the resolution
+  double stock_to_leave_mm = 0;               ///< offset of the cutter against the part
+  double shank_clearance_mm = 0;              ///< offset of the shank
+  double holder_clearance_mm = 0;             ///< offset of the holder
   double near_miss_mm = 0;                    ///< 0: not requested
-  bool is_depth_alone = false;                ///< how far thin and pointed features reach into a solid is not requested
-  MotionLaw law;                              ///< how the tool moves between positions
-  MotionTube tube;                            ///< how far the tool may depart from that
-  unsigned threads = 0;                       ///< 0: all
-  std::uint64_t budget_per_move = 2'000'000;  ///< bounds computed before a move is "not certified"
+  bool is_depth_alone = false;                ///< do not check how far thin and pointed features reach into a solid
+  MotionLaw law;                              ///< motion of the tool between positions
+  MotionTube tube;                            ///< largest departure of the tool from that motion
+  unsigned threads = 0;                       ///< number of threads; 0: all
+  std::uint64_t budget_per_move = 2'000'000;  ///< number of bounds after which a move is "not certified"
 };
 
-/// The least resolution of a depth that may be requested, beyond which the search would work on rounding alone.
+/// Minimum resolution of a depth. Below it the search would only resolve rounding.
 inline constexpr double kFinestResolution_mm = 1e-6;
 
-/// Returns how deep a surface may be in a tool without that the tool reaches farther into the solid than kReachPerDepth
-/// times tolerance + resolution.
+/// Returns the maximum depth of a surface in a tool with a guarantee: the tool reaches no farther into the solid than
+/// kReachPerDepth times (tolerance + resolution).
 [[nodiscard]] inline CertifiedDepth certified_depth(const ToolVariants& tool, const PreparedScene& scene,
                                                     const CheckOptions& options) {
   std::vector<ToolVariants::CertifiedForm> forms;

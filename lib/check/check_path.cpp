@@ -14,7 +14,7 @@
 namespace gouge {
 namespace {
 
-// Moves that share bounds. Fixed, so that the result does not depend on the number of threads.
+// Number of moves that share bounds. It is fixed, so that the result does not depend on the number of threads.
 constexpr std::size_t kMovesPerChunk = 256;
 
 class PathChecker {
@@ -23,7 +23,7 @@ class PathChecker {
               const CheckOptions& options)
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options) {}
 
-  /// Moves [first, last): those of one tool together.
+  /// Checks the moves [first, last). Neighbouring moves of one tool are checked together.
   void check(std::size_t first, std::size_t last, MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) const {
     Batch batch;
     batch.moves.reserve(last - first);
@@ -51,7 +51,7 @@ class PathChecker {
   }
 
  private:
-  /// Moves of one tool, in path order.
+  /// Moves with one tool, in path order.
   struct Batch {
     std::vector<std::size_t> moves;
     std::vector<Motion> motions;
@@ -76,7 +76,7 @@ class PathChecker {
     return first.tool == second.tool && first.needs_wide_tool() == second.needs_wide_tool();
   }
 
-  // Requires why_not(index) to be none.
+  // Returns the tool form of a move. Requires why_not(index) to be none.
   [[nodiscard]] const ToolVariants& tool_of(std::size_t index) const {
     const Move& move = toolpath_.moves[index];
     const ToolVariants& tool = *tools_[move.tool];
@@ -116,7 +116,8 @@ class PathChecker {
     if (!is_clean) verdict = not_checked(link_reason(toolpath_, index));
   }
 
-  // Where the tolerance lets the surface come far into the tool, "buried" needs a bound of the move's own.
+  // If the tolerance lets the surface come far into the tool, the test for "buried" needs a smaller upper bound.
+  // Computes it for this move.
   void tighten(const Motion& motion, MoveKind kind, const ToolVariants& tool, MoveVerdict& verdict,
                std::uint64_t& spent) const {
     const double core = tool.bare.core_depth_mm;
@@ -137,7 +138,7 @@ class PathChecker {
   const CheckOptions& options_;
 };
 
-// The sum of the bounds is stored with the first move.
+// Returns the stored form of verdicts. The sum of the bounds is stored with the first move.
 CheckpointForm form_of(const Scene& scene, MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) {
   CheckpointForm form;
   form.write = [&](std::size_t first, std::size_t last) {

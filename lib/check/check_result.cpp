@@ -51,7 +51,7 @@ std::vector<Event> gather_events(const Toolpath& toolpath, const MoveVerdicts& v
 }
 
 void count_states(CheckResult& result) {
-  // By MoveState.
+  // The counts in the order of MoveState.
   static constexpr std::array<std::size_t StateCounts::*, 6> kCountOf = {
       &StateCounts::clean,  &StateCounts::near_miss,   &StateCounts::gouge,
       &StateCounts::buried, &StateCounts::not_checked, &StateCounts::not_certified};

@@ -13,25 +13,26 @@
 
 namespace gouge {
 
-/// The verdict on a whole path. verdicts.size() == toolpath.moves.size(); every move has one state.
+/// The result for a whole path. verdicts.size() == toolpath.moves.size(); every move has exactly one state.
 struct CheckResult {
   MoveVerdicts verdicts;
   std::vector<Event> events;  ///< in path order
   StateCounts counts;
   double worst_depth_mm = 0;
   std::size_t worst_move = static_cast<std::size_t>(-1);
-  double worst_overcut_mm = 0;                      ///< largest overcut of a gouge; 0 where none was measured
+  double worst_overcut_mm = 0;                      ///< largest overcut of a gouge; 0 if none was measured
   double largest_gap_mm = 0;                        ///< largest depth_upper - depth over gouging moves
-  std::uint64_t evaluations = 0;                    ///< bounds computed; the same on every run
-  Assumptions assumptions;                          ///< on which the verdict rests; empty where only moves were checked
+  std::uint64_t evaluations = 0;                    ///< number of computed bounds; the same on every run
+  Assumptions assumptions;                          ///< facts on which the verdict rests; empty if only moves were
+                                                    ///< checked
   std::optional<ClosestApproach> closest_approach;  ///< none: not measured, or nothing to measure
-  PathFit fit;                                      ///< fits where it was not requested
+  PathFit fit;                                      ///< Kind::fits if it was not requested
 };
 
-/// Fills the events, the counts and the worst move of a result from its verdicts, anew.
+/// Computes the events, the counts and the worst move of a result anew from its verdicts.
 ///
-/// Neighbouring moves of one state, tool, operation, body and counterpart are one event, in path order; buried ones
-/// only with the same reason. Clean and not-checked moves are not in events.
+/// Neighbouring moves with the same state, tool, operation, body and counterpart form one event; events are in path
+/// order. Buried moves form one event only if they have the same reason. Clean and not-checked moves are in no event.
 void summarise(const Toolpath& toolpath, CheckResult& result);
 
 }  // namespace gouge

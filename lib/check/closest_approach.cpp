@@ -27,8 +27,8 @@ std::uint64_t mixed(std::uint64_t k) {
   return k ^ (k >> 31U);
 }
 
-// Picks one of `count` cuts out of each equal share, by hash. Paths repeat a pattern over and over, and equal steps
-// would meet the same point of it every time.
+// Divides the cuts into equal shares and picks one cut of each share by a hash. Paths repeat a pattern many times, and
+// equal steps would always pick the same point of it.
 std::vector<std::size_t> spread(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                 std::size_t count) {
   const std::size_t wanted = std::min(count, kMaxPositions);
@@ -44,8 +44,8 @@ std::vector<std::size_t> spread(const Toolpath& toolpath, const std::vector<cons
 }
 
 struct Distance {
-  double seen_mm = 0;  ///< of a point of the surface; infinite where none was met
-  double min_mm = 0;   ///< proved
+  double seen_mm = 0;  ///< distance of a surface point that was found; infinite if none was found
+  double min_mm = 0;   ///< proved lower bound
 };
 
 Distance distance_from_part(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
@@ -57,7 +57,8 @@ Distance distance_from_part(const Pose& pose, const ToolVariants& tool, const Pr
   return {std::max(0.0, seen), std::max(0.0, ClosestApproach::kFar_mm - result.value_upper_mm)};
 }
 
-// Results of the check about cuts: a surface point of a part in the tool, or as near as it was seen.
+// Returns the smallest distance of a part in cuts that the verdicts of the check contain: 0 if a surface point is in
+// the tool.
 double seen_by_check_mm(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                         const MoveVerdicts& verdicts) {
   double nearest = std::numeric_limits<double>::infinity();

@@ -12,26 +12,28 @@
 namespace gouge {
 
 /// Observed closest approach of the tool to the parts in cuts. A path that belongs to a part cuts along it, so this
-/// shows at a glance whether part and path coincide. Both distances are bounds from above: the tool comes as near, and
-/// may be closer between the sampled positions.
+/// shows at a glance whether path and part coincide. Both distances are upper bounds: the tool reaches them, and may
+/// come closer between the sampled positions.
 struct ClosestApproach {
   static constexpr double kFar_mm = 20;  ///< greater distances are not measured
 
-  std::size_t cuts = 0;       ///< moves with a tool that are neither rapid nor left unchecked
-  std::size_t positions = 0;  ///< how many of their ends were examined: one out of each of as many equal shares
-  /// The minimum distance of the tool, with its stock to leave, from the parts. It is taken at these positions, and in
-  /// moves that the check found to touch or to be near. 0 where the tool touches; none where no distance is within
-  /// kFar_mm.
+  std::size_t cuts = 0;       ///< number of moves with a tool that are neither rapid nor unchecked
+  std::size_t positions = 0;  ///< number of cuts whose ends were examined: one from each of as many equal shares
+  /// Minimum distance of the tool, including its stock to leave, from the parts. It covers the examined positions, and
+  /// moves that the check found to touch or to be near. 0 if the tool touches; none if no distance is within kFar_mm.
   std::optional<double> nearest_mm;
-  std::optional<double> median_mm;  ///< half of the positions are as near
-  double apart_mm = 0;  ///< proved: at none of the positions examined is the tool nearer; nothing of the others
+  std::optional<double> median_mm;  ///< at half of the positions the distance is at most this
+  double apart_mm = 0;  ///< proved minimum distance at the examined positions; the other positions may be closer
 };
 
-/// Returns "37 cutting positions" or "400 cutting positions examined (of 2425)".
+/// Returns a text such as "37 cutting positions" or "400 cutting positions examined (of 2425)".
 [[nodiscard]] std::string positions_examined(const ClosestApproach& closest_approach);
 
-/// Shape    As check_path, `verdicts` its result on the same path. Nothing where there is no part or no cut.
-/// Ensures  The same result at any number of threads; distances to a hundredth of a millimetre.
+/// Measures the closest approach of the tool to the parts.
+///
+/// Shape    The same as check_path; `verdicts` is its result on the same path. Returns nothing if there is no part or
+///          no cut.
+/// Ensures  The result is the same at any number of threads. Distances are accurate to a hundredth of a millimetre.
 /// Cost     A search at 400 positions at most.
 [[nodiscard]] std::optional<ClosestApproach> measure_closest_approach(const Toolpath& toolpath,
                                                                       const std::vector<const ToolVariants*>& tools,

@@ -7,25 +7,25 @@
 #include "lib/check/scene.h"
 #include "lib/tool/tool_variants.h"
 
-// The contact table, which states the parts of a tool that may touch an obstacle. All that examines a scene follows it;
-// nothing else names the kinds of obstacles.
+// The contact table states the parts of a tool that may touch an obstacle. All code that examines a scene follows it.
+// The kinds of obstacles are named only here.
 
 namespace gouge {
 
-/// A form of the tool, offset for the obstacle that it is compared with.
+/// A form of the tool, with the offset for the obstacle that it is compared with.
 using ToolForm = CompiledTool ToolVariants::*;
 
 /// Contact that an obstacle permits.
 struct ContactRule {
   Against against;
-  const char* name;                                 ///< of messages and results
-  ToolForm form;                                    ///< the obstacle enters it at most by the tolerance
-  ToolForm form_beside_cuts;                        ///< keeps the near-miss distance while the tool cuts
-  CertifiedDepths ToolVariants::*certified_depths;  ///< of `form`
-  bool is_workpiece;  ///< the cutter makes its surface: positions fit it, contact with it is wanted
+  const char* name;                                 ///< name in messages and results
+  ToolForm form;                                    ///< form that the obstacle may enter at most by the tolerance
+  ToolForm form_beside_cuts;                        ///< form that keeps the near-miss distance while the tool cuts
+  CertifiedDepths ToolVariants::*certified_depths;  ///< certified depths of `form`
+  bool is_workpiece;  ///< true: the cutter makes its surface, so positions fit it and contact with it is intended
 };
 
-/// In the order of Against.
+/// The contact rules, in the order of Against.
 inline constexpr std::array<ContactRule, 2> kContactRules{{
     {Against::part, "part", &ToolVariants::against_part, &ToolVariants::non_cutting, &ToolVariants::part_depths, true},
     {Against::fixture, "fixture", &ToolVariants::against_fixture, &ToolVariants::against_fixture,
@@ -38,7 +38,7 @@ inline constexpr std::array<ContactRule, 2> kContactRules{{
 
 [[nodiscard]] inline const char* against_name(Against against) { return rule_of(against).name; }
 
-/// The meshes of a scene that have one rule.
+/// The meshes of a scene that follow the same rule.
 struct ObstacleMeshes {
   const ContactRule& rule;
   const std::vector<IndexedMesh>& meshes;
@@ -57,7 +57,7 @@ struct ObstacleMeshes {
   return all;
 }
 
-/// Returns the clearance of each mesh, counted through all obstacles; 0: none.
+/// Returns the clearance of each mesh, counted through all obstacles; 0 if it has none.
 [[nodiscard]] inline std::vector<double> clearance_of_meshes(const Scene& scene) {
   std::vector<double> all;
   for (const ObstacleMeshes& obstacle : obstacles_of(scene)) {

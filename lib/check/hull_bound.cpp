@@ -9,17 +9,18 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kCorners = 6;
-using Hull = std::array<Vec3, kCorners>;          // three corners at the start, the same three at the end
-using HullDepths = std::array<double, kCorners>;  // behind a plane
+using Hull = std::array<Vec3, kCorners>;          // three corners at the start, then the same three at the end
+using HullDepths = std::array<double, kCorners>;  // depths of the corners behind a plane
 
-// The planes of the tool's two ends bound everything, everywhere, for nothing: a flat bottom sliding on its
-// floor needs no more.
+// Returns the bound that the planes of the tool's two ends give. They bound every point at no cost; a flat bottom that
+// slides on its floor needs no other bound.
 double end_limit(const CompiledTool& tool, double z_lo, double z_hi, double reach) {
   return std::max(0.0, reach + std::min(z_hi - tool.z_min_mm, tool.z_max_mm - z_lo));
 }
 
-// The hull lies on the far side of the line through its closest corner square to that corner's direction, if all
-// corners do. Otherwise it may reach the axis.
+// Returns a lower bound of the hull's distance from the axis. Consider the line through the closest corner, square to
+// the direction from the axis to that corner. If all corners lie on its far side, so does the hull. Otherwise the hull
+// may reach the axis.
 double smallest_r(const Hull& hull) {
   std::size_t closest = 0;
   for (std::size_t i = 1; i < kCorners; ++i) {
@@ -33,10 +34,10 @@ double smallest_r(const Hull& hull) {
   return std::max(0.0, least);
 }
 
-/// An upper bound of the depth, convex over the hull, by its values at the corners.
+/// An upper bound of the depth that is convex over the hull, given by its values at the corners.
 struct HullLimit {
   HullDepths depths{};
-  double largest_mm = 0;  ///< with the bulge
+  double largest_mm = 0;  ///< largest value, including the bulge
   std::size_t deepest = 0;
 };
 
@@ -93,8 +94,8 @@ class PieceBounder {
     bound.upper_mm = std::min(bound.upper_mm, std::max(0.0, reach_mm_ + depth_mm));
   }
 
-  // A hull about the tool axis falls behind every plane on one side and comes before it on the other. With its mirror
-  // image in the axis the plane bounds both sides.
+  // If a hull contains the tool axis, a plane bounds its depth on one side of the axis only. The plane and its mirror
+  // image in the axis bound both sides.
   [[nodiscard]] bool is_about_axis() const {
     return center_.head<2>().squaredNorm() <= (radius_ + bulge_) * (radius_ + bulge_);
   }
@@ -123,8 +124,8 @@ class PieceBounder {
     return is_valid ? result : around(plane.foot);
   }
 
-  // Where no plane supports the tool, at reflex corners, a point is at most as deep as its distance from the boundary
-  // point itself. A distance is convex, so over the hull it is largest at a corner.
+  // At reflex corners no plane supports the tool. There the depth of a point is at most its distance from the boundary
+  // point. A distance is convex, so its largest value over the hull is at a corner.
   [[nodiscard]] HullLimit around(const Vec3& foot) const {
     HullLimit result;
     result.largest_mm = -1e300;
@@ -139,8 +140,8 @@ class PieceBounder {
     return result;
   }
 
-  // Behind two planes at once nothing is deeper than behind any blend of them; the best blend is where two
-  // corners balance.
+  // Returns the smallest maximum over all blends of two planes. A point behind both planes is no deeper than behind any
+  // blend of them. The best blend has equal depths at two corners.
   static double blended(const HullDepths& a, const HullDepths& b) {
     double best = 1e300;
     const auto try_blend = [&](double share) {
@@ -159,14 +160,15 @@ class PieceBounder {
     return best;
   }
 
-  /// A point of an edge of the hull: corner i to corner j, at `share` of it.
+  /// A point on the edge of the hull from corner i to corner j, at `share` of the edge.
   struct Meeting {
     std::size_t i = 0, j = 0;
     double share = 0;
     double height_mm = -1e300;
   };
 
-  // The best first guess at the deepest point: for a flank it is the deepest point.
+  // Returns the point of the edges that is closest to the axis. It is the best first guess at the deepest point; for a
+  // flank it is the deepest point.
   [[nodiscard]] Meeting closest_to_axis() const {
     Meeting best;
     for (std::size_t i = 0; i < kCorners; ++i) {
@@ -182,8 +184,9 @@ class PieceBounder {
     return best;
   }
 
-  // Where all limits so far together leave the most: at a corner, or where two of them meet on an edge. The tool's
-  // distance there is the next limit; this is the cutting-plane method of convex programming, on the edges alone.
+  // Returns the point of an edge at which the smallest of all limits is largest: a corner, or a crossing of two limits.
+  // The tool's distance there gives the next limit. This is the cutting-plane method of convex programming, restricted
+  // to the edges.
   static Meeting highest(const HullLimit* limits, std::size_t count) {
     Meeting top;
     const auto look = [&](std::size_t i, std::size_t j, double share) {
@@ -216,8 +219,9 @@ class PieceBounder {
     bound.is_at_end = corner >= 3;
   }
 
-  // Returns which of the two makes the plane bound slack: its variation along the chords or across the piece. Plain
-  // lengths count a little, for tools that curve away. The bulge belongs to time alone.
+  // Returns whether the plane bound is slack rather because of time than because of the piece's size. Compares the
+  // variation of the plane along the chords with that across the piece. Plain lengths have a small weight, for tools
+  // that curve away. The bulge counts for time only.
   bool is_time_worse(const HullLimit& plane) const {
     double along = 0, across = 0, chord = 0, edge = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -240,7 +244,7 @@ class PieceBounder {
   Hull hull_;
   Vec3 center_ = Vec3::Zero();
   double radius_ = 0, bulge_ = 0, z_lo_ = 0, z_hi_ = 0;
-  mutable double smallest_r_ = -1;  // of the hull; negative: not requested yet
+  mutable double smallest_r_ = -1;  // of the hull; negative: not computed yet
 };
 
 }  // namespace

@@ -4,7 +4,8 @@
 
 namespace gouge {
 
-/// Overcuts are searched until their two bounds are no farther apart than the larger of these.
+/// The search for an overcut ends once its two bounds differ by no more than the larger of the absolute and the
+/// relative gap.
 inline constexpr double kOvercutGap_mm = 0.002, kOvercutRelativeGap = 0.01;
 
 [[nodiscard]] inline double overcut_gap_mm(double overcut_mm) {

@@ -19,15 +19,16 @@ constexpr std::size_t kFewestPositions = 10, kFewestChanged = 20;
 constexpr std::size_t kMaxSamples = 128, kFirstSamples = 16;
 constexpr double kGoldenRatio = 0.6180339887498949;
 constexpr std::uint64_t kFitBudget = 20'000;
-constexpr double kAccuracy = 0.2;  // of what counts as touching
-constexpr double kDeep = 0.9;      // of the cutter's radius, as a ball sunk in to its centre is where it is inclined
+constexpr double kAccuracy = 0.2;  // share of the touching distance to which contact is computed
+constexpr double kDeep = 0.9;      // share of the cutter's radius: an inclined ball is as deep as that when it is sunk
+                                   // in to its centre
 constexpr double kMost = 0.5;
-constexpr double kSuspicious = 0.1;  // of the positions gouge: more is suspicious
-constexpr double kOften = 0.2;       // of the positions that a mistake changes gouge with it ...
-constexpr double kFewLeft = 0.2;     // ... and so few of these without it
-constexpr double kApart = 0.1;       // of the positions touch at most
+constexpr double kSuspicious = 0.1;  // share of the positions; if more gouge, the path is suspicious
+constexpr double kOften = 0.2;       // share of the positions changed by a mistake that must gouge with it ...
+constexpr double kFewLeft = 0.2;     // ... and share of these that may still gouge without it
+constexpr double kApart = 0.1;       // maximum share of the positions that touch
 constexpr double kExplained = 0.75, kHopeful = 0.6, kStillGouging = 0.1;
-constexpr double kMinRise_mm = 1;  // a shift along the axis that stock to leave does not explain
+constexpr double kMinRise_mm = 1;  // minimum shift along the axis that stock to leave does not explain
 constexpr double kSameAxis = 1e-3;
 constexpr std::size_t kInsideLooks = 16;
 
@@ -39,14 +40,14 @@ struct Sample {
 
 enum class Contact { apart, touching, gouging };
 
-/// Returns whether a verdict is about the cutter in the part. Of a move where something else is deeper, or a head is
-/// buried, it does not show how deep the cutter is.
+/// Returns whether a verdict states how deep the cutter is in the part. It does not if another body is deeper or a head
+/// is buried.
 bool is_of_cutter(const MoveVerdict& verdict) {
   if (verdict.state == MoveState::buried) return verdict.reason.body != Body::head;
   return !verdict.witness || (verdict.witness->body == Body::cutter && rule_of(verdict.witness->against).is_workpiece);
 }
 
-// The radius of the corner next to the tip, of a ball its own; 0: none.
+// Returns the radius of the corner next to the tip; for a ball this is the radius of the ball; 0: no rounded corner.
 double corner_radius_mm(const CompiledTool& tool) {
   const auto corner = std::find_if(tool.elements.begin(), tool.elements.end(), [](const BoundaryElement& e) {
     return e.kind == ElementKind::arc && e.body == Body::cutter && !e.is_reflex;
@@ -54,7 +55,7 @@ double corner_radius_mm(const CompiledTool& tool) {
   return corner == tool.elements.end() ? 0 : corner->radius_mm;
 }
 
-/// For the cutter alone: bodies above it may collide on a path that fits.
+/// Returns the contact of the cutter alone: bodies above it may collide on a path that fits.
 Contact contact_of(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
   const double touch = touch_mm(tool);
   const SearchTarget part = target_on(tool.cutting, scene.workpiece());
@@ -104,7 +105,7 @@ class FitFinder {
   };
 
   void gather() {
-    std::vector<std::size_t> hidden;  // moves whose verdict is about something else than the cutter in the part
+    std::vector<std::size_t> hidden;  // moves whose verdict does not state how deep the cutter is in the part
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       const Move& move = path_.moves[i];
       const MoveVerdict& verdict = verdicts_[i];
@@ -130,7 +131,7 @@ class FitFinder {
     operations_[path_.moves[move].operation].second += is_deep ? 1U : 0U;
   }
 
-  /// Measures the cutter at some of these moves, each for those before it too.
+  /// Measures the cutter at some of these moves. Each result also counts for the moves since the previous one.
   void measure_hidden(const std::vector<std::size_t>& hidden) {
     const std::size_t stride = 1 + hidden.size() / kMaxSamples;
     for (std::size_t first = 0; first < hidden.size(); first += stride) {
@@ -141,7 +142,7 @@ class FitFinder {
     }
   }
 
-  /// For a verdict about the cutter.
+  /// Returns whether the cutter is deep. Requires is_of_cutter.
   [[nodiscard]] bool is_deep(std::size_t move) const {
     const MoveVerdict& verdict = verdicts_[move];
     return verdict.state == MoveState::buried ||
@@ -151,7 +152,7 @@ class FitFinder {
   [[nodiscard]] bool is_cutter_deep(std::size_t move) const {
     const Pose& pose = path_.moves[move].end;
     const ToolVariants& tool = *tools_[path_.moves[move].tool];
-    // With no surface near it the cutter may be deep inside.
+    // If no surface is near, the cutter may be deep inside.
     if (contact_of(pose, tool, scene_) == Contact::apart) return is_core_inside(pose, tool, *scene_.scene);
     const double deep = kDeep * tool.bare.core_depth_mm, gap = kAccuracy * deep;
     const SearchTarget part = target_on(tool.cutting, scene_.workpiece());
@@ -162,7 +163,7 @@ class FitFinder {
     return contact_of(path_.moves[move].end, *tools_[path_.moves[move].tool], scene_) == Contact::gouging;
   }
 
-  /// For a verdict about the cutter.
+  /// Returns whether the cutter gouges. Requires is_of_cutter.
   [[nodiscard]] bool is_gouging(std::size_t move) const {
     const MoveVerdict& verdict = verdicts_[move];
     return verdict.state == MoveState::buried || verdict.depth_mm > touch_mm(*tools_[path_.moves[move].tool]);
@@ -210,7 +211,8 @@ class FitFinder {
 
   [[nodiscard]] std::optional<Attempt> attempt(const UndoneMistake& mistake, bool is_apart) const {
     const bool is_rise = std::abs(mistake.corner_radii) > 0;
-    const bool is_fitting_else = fit_.kind == PathFit::Kind::fits && !is_apart;  // else it may be a shallow undercut
+    const bool is_fitting_else = fit_.kind == PathFit::Kind::fits && !is_apart;  // otherwise the path may be a shallow
+                                                                                 // undercut
     std::vector<Sample> changed;
     std::size_t gouging = 0;
     for (const Sample& sample : samples_) {
@@ -238,8 +240,8 @@ class FitFinder {
     return try_at(changed, allowed, is_of_all, prepare_scene(other, 1));
   }
 
-  // Parts are about as large as what is cut of them. Positions drawn together touch whatever one of them
-  // touches.
+  // Returns whether the sizes of path and part agree better without the mistake; a part is about as large as the region
+  // that is cut. The test is necessary because positions drawn together touch everything that one of them touches.
   [[nodiscard]] bool is_size_better(const UndoneMistake& mistake) const {
     const double scale = std::cbrt(std::abs(mistake.tip.determinant())) / mistake.part_scale;
     if (std::abs(scale - 1) < Tolerance::kRounding) return true;
@@ -249,7 +251,8 @@ class FitFinder {
     return ratio > 0 && std::abs(std::log(ratio * scale)) < std::abs(std::log(ratio));
   }
 
-  // Before a tree is built over a part of another size.
+  // Returns whether enough tips are near the scaled part. This quick test comes before a tree of the scaled part is
+  // built.
   [[nodiscard]] bool is_hopeful(const std::vector<Sample>& samples, double part_scale) const {
     const Box3 box = box_of(scene_.workpiece().meshes);
     const Box3 scaled_box(Vec3(part_scale * box.min()), Vec3(part_scale * box.max()));
@@ -294,7 +297,8 @@ class FitFinder {
   unsigned threads_;
   PathFit fit_;
   PagedVector<std::size_t> cuts_;
-  std::map<std::size_t, std::pair<std::size_t, std::size_t>> operations_;  // cuts, and how many of them are too deep
+  std::map<std::size_t, std::pair<std::size_t, std::size_t>> operations_;  // number of cuts, and number of cuts that
+                                                                           // are too deep
   std::vector<Sample> samples_;
 };
 

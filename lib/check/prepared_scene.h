@@ -12,28 +12,28 @@
 
 namespace gouge {
 
-/// An obstacle with its index and its surfaces.
+/// An obstacle with its contact rule and the indices of its meshes.
 struct PreparedObstacle {
   ContactRule rule;
   std::span<const IndexedMesh> meshes;
-  BlockTree tree;                 ///< of all meshes, for the sweep
-  std::vector<Surface> surfaces;  ///< one a mesh
+  BlockTree tree;                 ///< tree of all meshes, for the sweep
+  std::vector<Surface> surfaces;  ///< one for each mesh
 };
 
-/// A mesh with limits of its own.
+/// A mesh with its own limits.
 struct LimitedMesh {
   MeshLimit limit;
   const PreparedObstacle* obstacle;
-  const BlockTree* tree;  ///< of this mesh alone
+  const BlockTree* tree;  ///< tree of this mesh alone
 };
 
-/// The scene with each index of its meshes. The trees of the sweep are built at once. Every other index is built when
-/// it is first requested, once, from any thread.
+/// The scene with all indices of its meshes. The trees of the sweep are built at once. Every other index is built once,
+/// when it is first requested; any thread may request it.
 class PreparedScene {
  public:
-  /// Requires that the scene outlives it. `threads` as in for_each_chunk.
+  /// Builds the trees of the sweep. The scene must outlive the object. `threads` has the meaning of for_each_chunk.
   explicit PreparedScene(const Scene& scene, unsigned threads = 0, const ProgressCall& progress = {});
-  /// Stays where it is: its surfaces point into its trees.
+  /// The object cannot be copied: its surfaces point into its trees.
   PreparedScene(const PreparedScene&) = delete;
   PreparedScene& operator=(const PreparedScene&) = delete;
 
@@ -47,19 +47,19 @@ class PreparedScene {
 
   [[nodiscard]] const BlockTree& workpiece_tree() const { return workpiece().tree; }
 
-  /// Returns the meshes with limits of their own, in the order of Scene::limits.
+  /// Returns the meshes with their own limits, in the order of Scene::limits.
   [[nodiscard]] std::span<const LimitedMesh> limited_meshes() const { return limited_; }
 
-  /// Distances from a mesh. Its index is that of the sweep where the obstacle has no other mesh. Requires
-  /// is_within_reach. Cost of the first call for a mesh: else its tree.
+  /// Returns the surface of a mesh, for distances from it. It uses the tree of the sweep if the obstacle has no other
+  /// mesh. Otherwise the first call for a mesh builds its tree. Requires is_within_reach.
   [[nodiscard]] const Surface& surface(Against against, std::size_t mesh) const {
     return obstacle(against).surfaces[mesh];
   }
 
-  /// Returns whether every mesh of the workpiece is closed, oriented and outward. Cost of the first call O(n).
+  /// Returns whether every mesh of the workpiece is closed, oriented and outward. The first call costs O(n).
   [[nodiscard]] bool is_workpiece_solid() const;
 
-  /// Returns inside and outside of all obstacles.
+  /// Returns the object that decides inside and outside of all obstacles.
   [[nodiscard]] const SceneSides& sides() const { return sides_; }
 
   const Scene* scene;
@@ -69,7 +69,7 @@ class PreparedScene {
   void prepare_limits(unsigned threads, const ProgressCall& progress);
 
   std::vector<PreparedObstacle> obstacles_;
-  std::deque<BlockTree> trees_of_limited_;  // where a mesh is not alone in its obstacle
+  std::deque<BlockTree> trees_of_limited_;  // trees of meshes with limits that are not alone in their obstacle
   std::vector<LimitedMesh> limited_;
   SceneSides sides_;
 };

@@ -14,8 +14,9 @@ struct Text {
   std::string_view text;
 };
 
-// {body}, {detail}; {count} and {mm}: the amount as a whole number and as a length; {reach}: as thin_feature has it;
-// {whole}: the body, or the whole tool for its cutter.
+// Texts with placeholders. {body} and {detail} are members of the reason. {count} is the amount as a whole number, {mm}
+// the amount as a length. {reach} is the length of thin_feature. {whole} is the body; for the cutter it is the whole
+// tool.
 constexpr std::array kTexts{
     Text{Reason::Kind::of_path, "{detail}"},
     Text{Reason::Kind::rapid_skipped, "rapid moves are skipped as asked"},
@@ -50,7 +51,7 @@ constexpr std::array kTexts{
     Text{Reason::Kind::mesh_tolerance_exceeded, "the {body} is {mm} mm deep, beyond the tolerance of this mesh"},
 };
 
-// Two digits, rounded up.
+// Returns a length with two digits, rounded up.
 std::string reach_text(double reach_mm) {
   if (!std::isfinite(reach_mm)) return "any amount";
   const double unit = std::pow(10.0, std::floor(std::log10(reach_mm)) - 1);
@@ -63,7 +64,7 @@ std::string value_of(std::string_view name, const Reason& reason) {
   if (name == "count") return std::to_string(static_cast<std::uint64_t>(reason.amount));
   if (name == "mm") return exact_text(reason.amount);
   if (name == "reach") return reach_text(reason.amount);
-  // The cutter's is as old as the report.
+  // For the cutter the word "tool" stays, because reports have always used it.
   return name == "whole" && reason.body == Body::cutter ? "tool" : body_name(reason.body);
 }
 

@@ -7,31 +7,31 @@
 
 namespace gouge {
 
-/// Reason for the state of a move, as a value: code follows `kind`, people get reason_text.
+/// Reason for the state of a move, as a value. Code uses `kind`; people read reason_text.
 struct Reason {
   enum class Kind : std::uint8_t {
     none,
-    of_path,  ///< the reader's own: `detail`
+    of_path,  ///< the reason that the reader of the file gives: `detail`
     rapid_skipped,
     no_tool,
     tool_undefined,
     no_start,
     no_curve,
     axis_reversed,
-    link_gouges,  ///< from line `amount`
+    link_gouges,  ///< the link from line `amount` gouges
     out_of_reach,
     axis_not_unit,
     options_invalid,
-    buried,         ///< `body`
-    side_unknown,   ///< of `body`, for the meshes' sake: `detail`
-    body_too_thin,  ///< `body`
+    buried,         ///< `body` is inside a solid
+    side_unknown,   ///< the side of `body` is unknown because of the meshes: `detail`
+    body_too_thin,  ///< `body` is too thin for a test of its side
     head_too_thin,
-    thin_feature,   ///< may reach `amount` mm into the solid (rounded up; infinite: any amount)
-    out_of_budget,  ///< of `amount` bounds
+    thin_feature,   ///< a thin feature may reach `amount` mm into the solid (rounded up; infinite: any length)
+    out_of_budget,  ///< the budget of `amount` bounds ran out
     head_out_of_budget,
-    clearance_entered,        ///< of `body`, by `amount` mm
-    mesh_clearance_entered,   ///< of the witness's mesh, by `body` and `amount` mm
-    mesh_tolerance_exceeded,  ///< of the witness's mesh: `body` is `amount` mm deep
+    clearance_entered,        ///< the clearance of `body` is entered by `amount` mm
+    mesh_clearance_entered,   ///< the clearance of the witness's mesh is entered by `body`, by `amount` mm
+    mesh_tolerance_exceeded,  ///< the tolerance of the witness's mesh is exceeded: `body` is `amount` mm deep
   };
 
   Kind kind = Kind::none;
@@ -40,7 +40,7 @@ struct Reason {
   std::string detail{};
 
   [[nodiscard]] bool is(Kind of) const { return kind == of; }
-  /// States which limit a gouge passed, and leaves nothing open.
+  /// Returns whether the reason is a limit that a gouge exceeded; such a reason leaves nothing undecided.
   [[nodiscard]] bool names_limit() const { return kind >= Kind::clearance_entered; }
   [[nodiscard]] bool is_same(const Reason& other) const {
     return kind == other.kind && body == other.body && !(amount < other.amount) && !(other.amount < amount) &&
@@ -48,7 +48,7 @@ struct Reason {
   }
 };
 
-/// Returns the sentence for people; empty where there is no reason.
+/// Returns the sentence for people; empty if there is no reason.
 [[nodiscard]] std::string reason_text(const Reason& reason);
 
 }  // namespace gouge

@@ -9,25 +9,26 @@
 
 namespace gouge {
 
-/// An obstacle of a scene: its row of the contact table.
+/// The obstacles of a scene, each a row of the contact table.
 enum class Against : std::uint8_t { part, fixture };
 
-/// Limits of one mesh, stricter than those of the check.
+/// Limits of one mesh that are stricter than those of the check.
 struct MeshLimit {
   Against against = Against::fixture;
   std::size_t mesh = 0;  ///< index into the meshes of that obstacle
-  /// Minimum distance of the bare tool and of the heads, mm. Requires 0 on a workpiece, which cutters touch.
+  /// Minimum distance of the mesh from the tool without offsets and from the heads, mm. Requires 0 on a workpiece,
+  /// which cutters touch.
   double clearance_mm = 0;
-  /// Maximum depth in the tool, or, where there is a clearance, of the surface within it, mm. A larger tolerance than
-  /// that of the check changes nothing.
+  /// Maximum depth of the mesh in the tool, mm; with a clearance, maximum depth within the clearance. A tolerance above
+  /// that of the check has no effect.
   double tolerance_mm = 0;
 };
 
-/// The stationary objects: parts and fixtures, in mm and part coordinates.
+/// The stationary objects, parts and fixtures, in mm and part coordinates.
 struct Scene {
   std::vector<IndexedMesh> parts;
   std::vector<IndexedMesh> fixtures;
-  std::vector<MeshLimit> limits{};  ///< of some of the meshes, at most one a mesh
+  std::vector<MeshLimit> limits{};  ///< limits of some meshes, at most one for each mesh
 };
 
 }  // namespace gouge

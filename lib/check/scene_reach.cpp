@@ -17,7 +17,8 @@ double from_axis(const PathArc& arc, const Vec3& point) {
   return (away - away.dot(arc.axis) * arc.axis).norm();
 }
 
-// An arc's tip is never farther from its axis than the farther of its ends, nor higher or lower than both.
+// Extends the box by an arc. The tip of an arc is never farther from the arc's axis than the farther end, and never
+// higher or lower than both ends.
 void add_arc(Box3& box, const PathArc& arc, const Vec3& start, const Vec3& end) {
   const double across = 2 * std::max(from_axis(arc, start), from_axis(arc, end));
   for (const Vec3& point : {start, end}) {
@@ -40,7 +41,7 @@ Box3 box_of_tips(const Toolpath& path) {
   return box;
 }
 
-// Without rapids, which may come from far away.
+// Returns the box of the cuts. Rapids are left out, because they may come from far away.
 Box3 box_of_cuts(const Toolpath& path) {
   Box3 box;
   for (const Move& move : path.moves) {
@@ -69,7 +70,7 @@ std::optional<PartsBesidePath> compare_parts(const Toolpath& path, const Scene& 
 }
 
 std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit stl_unit) {
-  constexpr double kAbout = 2.5;  // times
+  constexpr double kAbout = 2.5;  // maximum ratio of two sizes that count as about equal
   std::vector<std::pair<double, const UnitFacts*>> fitting;
   for (const UnitFacts& unit : kUnits) {
     const double left = times_smaller * mm_per(stl_unit) / unit.mm;

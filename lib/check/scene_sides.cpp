@@ -46,7 +46,8 @@ void FreeChains::decide(unsigned threads, const std::function<ConnectedPoints(st
     open.push_back({i, last[i]});
     result_of_[i] = static_cast<std::uint32_t>(open.size());
   }
-  results_.assign(open.size() + 1, SideResult{Side::outside, {}});  // the first: seen beyond everything
+  results_.assign(open.size() + 1, SideResult{Side::outside, {}});  // the first result is for chains seen beyond all
+                                                                    // meshes
   for_each_chunk(open.size(), 1, threads, [&](std::size_t first, std::size_t end) {
     for (std::size_t k = first; k < end; ++k) {
       ConnectedPoints joined = points_of(open[k].first);

@@ -12,9 +12,7 @@
 namespace gouge {
 namespace {
 
-// Covers the rounding of coordinates up to 1e5 mm in all bounds together.
-
-/// A piece of a triangle, over a time interval.
+/// A part of a triangle during a time interval.
 struct Candidate : SearchCandidate {
   std::uint32_t interval = 0;
   SearchSeed seed;
@@ -75,7 +73,7 @@ class MoveSearch : public BestFirstSearch<MoveSearch, Candidate> {
     offer(c);
   }
 
-  /// The middle of the piece at mid interval: where a tool that dips in and out again is met.
+  /// Measures at the middle of the piece at mid interval, where a tool that dips in and out again has contact.
   void try_middle(const Candidate& c) {
     const ToolInterval& interval = intervals_[c.interval];
     const double t = interval.middle();

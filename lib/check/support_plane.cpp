@@ -8,15 +8,15 @@
 namespace gouge {
 namespace {
 
-// Radial unit vector at q; on the axis every direction serves, x is taken.
+// Returns the radial unit vector at q. On the axis every direction is possible; there it is x.
 Vec3 radial(const Vec3& q, double r) { return r > 0 ? Vec3(q.x() / r, q.y() / r, 0) : Vec3::UnitX(); }
 
 double radius(const Vec3& q) { return std::sqrt(q.x() * q.x() + q.y() * q.y()); }
 
-// A direction that points to the axis by no more does so by rounding.
-constexpr std::size_t kMaxBesideFace = 256;  // elements of a tool that are worth examining all
+constexpr std::size_t kMaxBesideFace = 256;  // maximum number of elements for which all are examined
 
-/// The widest radius of an element within the heights [z_lo, z_hi], which it reaches into; of an arc, of all of it.
+/// Returns the largest radius of an element within the heights [z_lo, z_hi], which the element must reach; for an arc,
+/// of the whole arc.
 double widest_within(const BoundaryElement& e, double z_lo, double z_hi) {
   const double ends = std::max(e.a.x(), e.b.x());
   if (e.kind == ElementKind::arc) return e.is_reflex ? ends : std::max(ends, e.center.x() + e.radius_mm);
@@ -28,20 +28,20 @@ double widest_within(const BoundaryElement& e, double z_lo, double z_hi) {
   return std::max(radius_at(z_lo), radius_at(z_hi));
 }
 
-/// A horizontal face of the tool: all its feet have one height.
+/// Returns whether an element is a horizontal face of the tool: all its closest points have the same height.
 bool is_face(const BoundaryElement& e) {
   return e.kind == ElementKind::segment && !(e.a.y() < e.b.y()) && !(e.b.y() < e.a.y());
 }
 
-/// Returns whether a set that reaches from z_lo to z_hi keeps outside of the tool's radius on the free side of a face.
-/// That is so if, at every height from the face to the set's end on that side, the tool is no wider than `r`.
+/// Returns whether a set from z_lo to z_hi stays outside of the tool's radius on the free side of a face. That holds if
+/// the tool is at most `r` wide at every height from the face to the end of the set on that side.
 bool is_free_of(const CompiledTool& tool, const BoundaryElement& face, double z_lo, double z_hi, double r) {
   if (tool.elements.size() > kMaxBesideFace) return false;
   const double z = face.a.y();
   const bool is_below = face.normal.y() < 0;
   const double low = is_below ? std::min(z_lo, z) : z, high = is_below ? z : std::max(z_hi, z);
   return std::ranges::all_of(tool.elements, [&](const BoundaryElement& e) {
-    // An arc may reach over its ends only where it has a pole.
+    // An arc reaches higher or lower than its ends only if it has a pole.
     const bool has_pole = e.kind == ElementKind::arc && (e.a.x() < e.center.x()) != (e.b.x() < e.center.x());
     const double bottom = has_pole ? e.center.y() - e.radius_mm : std::min(e.a.y(), e.b.y());
     const double top = has_pole ? e.center.y() + e.radius_mm : std::max(e.a.y(), e.b.y());
@@ -64,6 +64,7 @@ SupportPlane support_plane(const CompiledTool& tool, const ToolSample& sample) {
   plane.foot = nearest.foot.x() * out + nearest.foot.y() * Vec3::UnitZ();
   plane.offset_mm = plane.normal.dot(plane.foot);
   plane.element = nearest.element;
+  // A direction that points to the axis by no more than kExactDirection does so by rounding.
   if (nearest.normal.x() >= -Tolerance::kExactDirection) plane.range = tool.elements[nearest.element].support;
   return plane;
 }

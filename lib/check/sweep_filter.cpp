@@ -16,28 +16,29 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one level up
-// A node is opened for a whole group only if it is this much larger than half the path length of the group: space
-// first. Smaller ones are left to the parts of the group: time first.
+constexpr std::size_t kGroup = 4;  // number of steps or groups that share a frame one level up
+// A node is opened for a whole group only if it is larger than half the group's path length by this factor: space is
+// divided first. Smaller nodes are left to the parts of the group: time is divided first.
 constexpr float kSpaceFirst = 12.0F;
-// Limits of the sweep: how often triangles and time are cut, and how many parts are examined, before the exact search
-// takes over.
+// Limits of the sweep, after which the exact search takes over: how often triangles and time are divided, and the
+// number of examined parts.
 constexpr std::size_t kCuts = 10;
 constexpr std::uint32_t kMaxParts = 1200;
 constexpr std::size_t kMaxBlocks = 200;
 constexpr float kProgress = 0.95F;
 constexpr int kFailures = 1;
-// Where nothing moves, bounds of whole triangles fail mostly at edges of the tool. Smaller triangles do not help there.
+// Limit for a standing tool. There, bounds of whole triangles fail mostly at edges of the tool, where smaller triangles
+// do not help.
 constexpr std::uint32_t kMaxStandingParts = 10;
-// A point is measured where it may exceed the deepest known one by this share of the gap.
+// A point is measured if it may exceed the deepest known one by this share of the gap.
 constexpr float kWorthMeasuring = 0.75F;
-// The swing of a triangle's corners that is not worth smaller triangles.
+// Maximum swing of a triangle's corners for which smaller triangles do not pay.
 constexpr float kSmallSwing_mm = 0.01F;
 
 /// Bounds of one move so far.
 struct MoveWork {
-  float min_pruned = std::numeric_limits<float>::max();         ///< of the target at hand
-  double certified_mm = std::numeric_limits<double>::lowest();  ///< the value of what was pruned is no larger
+  float min_pruned = std::numeric_limits<float>::max();         ///< smallest pruned bound of the current target
+  double certified_mm = std::numeric_limits<double>::lowest();  ///< upper bound of the value in all pruned parts
   std::vector<SearchSeed> open;                                 ///< parts that no bound has pruned
 };
 
@@ -80,13 +81,14 @@ class Sweep {
   }
 
  private:
-  // Targets may differ in their reach, so their certified bounds are joined by value, not by distance.
+  // Targets may differ in their reach, so their certified bounds are combined as values, not as distances.
   void close_target(MoveWork& work) const {
     const float least = std::exchange(work.min_pruned, std::numeric_limits<float>::max());
     work.certified_mm = std::max(work.certified_mm, reach_mm_ - static_cast<double>(least));
   }
 
-  // Most are never needed: the parts of a pruned group need no frames.
+  // Discards all frames; they are built again when needed. Most are never needed: the parts of a pruned group have no
+  // frames.
   void forget_frames() {
     frames_.clear();
     for (std::size_t size = 1;; size *= kGroup) {
@@ -106,12 +108,12 @@ class Sweep {
     return *frame;
   }
 
-  // Rounding of the corners in the tree, and of the middles of edges each time a triangle is quartered.
+  // Returns the rounding of the corners in the tree, plus that of the middles of edges for each division of a triangle.
   [[nodiscard]] double rounding_mm() const { return static_cast<double>(kCuts + 2) * tree_->rounding_mm; }
 
-  /// The signed distance to prove for a move, given the deepest point met on it.
+  /// Returns the signed distance to prove for a move, given the largest value found on it.
   [[nodiscard]] float need(double value_mm) const {
-    // Any bound meets this, also that of a part that no piece bounds.
+    // Any bound reaches this distance, even that of a part that no piece bounds.
     if (query_.is_met_by(value_mm)) return std::numeric_limits<float>::lowest();
     const double distance = reach_mm_ - query_.pruning_threshold_mm(value_mm);
     return std::nextafter(static_cast<float>(distance), std::numeric_limits<float>::max());
@@ -130,7 +132,7 @@ class Sweep {
     for (const TriangleBlock* block : work.blocks) gather(*block, frame, rest);
     for (const std::uint32_t node : work.nodes) visit_node_for_group(node, frame, rest);
     const float now = min_;
-    // Bounds computed for the whole group count for its first move.
+    // Bounds that are computed for the whole group count for its first move.
     swept_[steps_[index * steps_below(level)].move].bounds += std::exchange(bounds_, 0);
     const std::size_t first = index * kGroup;
     const std::size_t last = std::min(first + kGroup, frames_[level - 1].size());
@@ -204,7 +206,7 @@ class Sweep {
     for (const std::uint32_t node : work.nodes) visit_node(node);
     parts_ = 0;
     if (tool_ == nullptr) {
-      give_up(waiting_[0]);  // what is measured otherwise is searched otherwise
+      give_up(waiting_[0]);  // without measured points, dividing the triangles further is left to the caller's search
     } else {
       refine(*step_, *frame_, 0, short_of_, 0);
     }
@@ -219,7 +221,7 @@ class Sweep {
     kernel_.nodes(node, *frame_, piece_, asked, result);
     ++bounds_;
     min_ = std::min(min_, result.min_pruned);
-    // The deepest first: its result prunes most of the others.
+    // The deepest child comes first: its result prunes most of the others.
     std::array<std::uint8_t, kBlockLanes> order;
     std::size_t count = 0;
     for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
@@ -231,7 +233,8 @@ class Sweep {
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t lane = order[k];
       if (need_ < asked) {
-        // A bound below the requested one is not proven: the distance of its feet was not examined.
+        // A bound below the requested distance is not proved, because the distance of its closest points was not
+        // tested.
         asked = need_;
         kernel_.nodes(node, *frame_, piece_, asked, result);
         ++bounds_;
@@ -248,7 +251,7 @@ class Sweep {
 
   void visit_triangles(const TriangleBlock& block) { look(block, *step_, *frame_, waiting_[0]); }
 
-  /// Triangles during a part of a move; those left open join `waiting`.
+  /// Examines triangles during a part of a move. Those that stay open are added to `waiting`.
   void look(const TriangleBlock& block, const SweepInterval& step, const SweepFrame& frame,
             std::vector<TriangleBlock>& waiting) {
     KernelResult result;
@@ -259,7 +262,7 @@ class Sweep {
       if (result.open == 0 || std::exchange(is_measured, true)) break;
       const float asked = need_;
       measure_deepest(block, result, step, frame);
-      // A deeper point leaves less to be proven.
+      // A deeper point lowers the distance to prove.
       if (need_ >= asked) break;
     }
     min_ = std::min(min_, result.min_pruned);
@@ -278,14 +281,15 @@ class Sweep {
       const auto lane = static_cast<std::size_t>(std::countr_zero(open));
       if (result.distance[lane] < result.distance[deepest]) deepest = lane;
     }
-    // A deeper point leaves less to be pruned, even if this one alone would not do.
+    // A point that is deeper prunes more, even if it is not a gouge by itself.
     if (!(result.distance[deepest] < need_ + kWorthMeasuring * static_cast<float>(query_.gap_mm))) return;
     const Vec3 from_tip(result.point[0][deepest], result.point[1][deepest], result.point[2][deepest]);
     measure(step, block.triangle[deepest], from_tip + Vec3(frame.tip[0], frame.tip[1], frame.tip[2]) + tree_->origin);
   }
 
-  // Where a triangle is examined from its nearest point, time makes the bound slack. It adds the motion of the nearest
-  // point, and the swing of the triangle's corners about it. Smaller triangles swing less.
+  // Divides triangles or time. If a triangle is examined from its nearest point, time makes the bound slack. The bound
+  // includes the motion of the nearest point and the swing of the triangle's corners about it. Smaller triangles swing
+  // less.
   void refine(const SweepInterval& step, const SweepFrame& frame, std::size_t depth, float short_of, int failures) {
     if (waiting_[depth].empty()) return;
     const bool is_standing = !(step.t1 > step.t0);
@@ -305,8 +309,8 @@ class Sweep {
       const SweepFrame half_frame = sweep_frame({&half, 1}, tree_->origin, rounding_mm());
       begin(depth + 1);
       for (const TriangleBlock& block : waiting_[depth]) look(block, half, half_frame, waiting_[depth + 1]);
-      // Half the time should halve what is missing. Where it does not, at edges of the tool and where the cover is
-      // not tight, the exact search is better.
+      // Half the time should halve the missing distance. It does not at edges of the tool and where the cover is not
+      // tight; there the exact search is better.
       const int failed = short_of_ > kProgress * short_of && need_ >= needed ? failures + 1 : 0;
       if (failed > kFailures) {
         give_up(waiting_[depth + 1]);
@@ -321,7 +325,7 @@ class Sweep {
     short_of_ = 0;
   }
 
-  /// Cuts triangles with an edge longer than `edge_mm` in four; the others wait on.
+  /// Divides triangles with an edge longer than `edge_mm` into four; the other triangles stay in `waiting`.
   void look_at_quarters(const TriangleBlock& block, const SweepInterval& step, const SweepFrame& frame, float edge_mm,
                         std::vector<TriangleBlock>& waiting) {
     TriangleBlock quarters;
@@ -346,7 +350,7 @@ class Sweep {
     }
   }
 
-  /// The value at the point of the triangle nearest to `about`, at three instants of the step.
+  /// Measures the value at the point of the triangle nearest to `about`, at three instants of the step.
   void measure(const SweepInterval& step, std::uint32_t triangle, const Vec3& about) {
     SearchStart& swept = swept_[step.move].start;
     const Vec3 p = closest_on_triangle(about, tree_->corners(triangle)).point;
@@ -361,7 +365,7 @@ class Sweep {
     need_ = need(swept.value_mm);
   }
 
-  // A triangle may have come up for several pieces or steps.
+  // Stores the result of a move. A triangle may have stayed open for several pieces or steps; it is listed once.
   void finish(std::size_t m) {
     std::vector<SearchSeed>& open = work_[m].open;
     const auto key = [](const SearchSeed& seed) { return std::pair(seed.target, seed.triangle); };
@@ -380,21 +384,21 @@ class Sweep {
   std::vector<MoveWork> work_;
   std::vector<SweptMove> swept_;
 
-  // For the current target and piece.
+  // Members for the current target and piece.
   std::uint32_t target_ = 0;
   const CompiledTool* tool_ = nullptr;
   const BlockTree* tree_ = nullptr;
   double reach_mm_ = 0;
   KernelPiece piece_;
-  std::vector<std::vector<std::optional<SweepFrame>>> frames_;  // [level][index]; level 0: one for each step
+  std::vector<std::vector<std::optional<SweepFrame>>> frames_;  // [level][index]; level 0 has one for each step
   std::vector<Remainder> remainders_;                           // one for each level
 
-  // For the current group or step.
+  // Members for the current group or step.
   std::array<std::vector<TriangleBlock>, kCuts + 1> waiting_;
   const SweepInterval* step_ = nullptr;
   const SweepFrame* frame_ = nullptr;
   float need_ = 0, min_ = 0, smallest_ = 0;
-  float short_of_ = 0;  ///< how much the worst of the waiting triangles lacks
+  float short_of_ = 0;  ///< largest missing distance of the waiting triangles
   std::uint32_t parts_ = 0;
   std::uint64_t bounds_ = 0;
 };

@@ -9,16 +9,18 @@
 namespace gouge {
 namespace {
 
-// Error of a length in single precision, with all that the kernel computes from it.
+// Relative error of a length in single precision, including everything that the kernel computes from it.
 constexpr double kSingle = 2e-6;
 
-// Paths are cut until the chord is this close and no step is longer or turns more than this, or to this many steps.
+// A path is divided until the chord is this close and no step is longer or turns more, or until the maximum number of
+// steps.
 constexpr double kSmallSag_mm = 0.002;
 constexpr double kSmallTurn_rad = 0.1;
 constexpr double kShortPath_mm = 4;
 constexpr int kMaxSteps = 64;
 
-/// Bound on the angle of two unit vectors a chord apart: 2 asin(c / 2) <= c + c^3 / 20 for c <= 1, and <= c pi / 2.
+/// Returns a bound of the angle between two unit vectors with this chord: 2 asin(c / 2) <= c + c^3 / 20 for c <= 1, and
+/// <= c pi / 2.
 double angle_over(double chord) { return chord <= 1 ? chord + chord * chord * chord / 20 : 0.5 * M_PI * chord; }
 
 float rounded_up(double x) { return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::max()); }
@@ -29,7 +31,7 @@ std::array<float, 3> single(const Vec3& v) {
 
 Vec3 kept(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
-/// Where the ends of the steps stand on the line from the first pose to the last: -1/2 to 1/2.
+/// Positions of the ends of the steps on the line from the first pose to the last: -1/2 to 1/2.
 class Line {
  public:
   explicit Line(std::span<const SweepInterval> steps)
@@ -43,7 +45,7 @@ class Line {
   }
   [[nodiscard]] const Vec3& displacement() const { return displacement_; }
   [[nodiscard]] const Vec3& middle() const { return middle_; }
-  /// `index`: 0 for the start of the first step, k for the end of step k - 1.
+  /// Returns the position of a pose. `index` is 0 for the start of the first step, and k for the end of step k - 1.
   [[nodiscard]] double at(const Pose& pose, double index) const {
     if (!is_by_path_) return index / count_ - 0.5;
     return std::clamp((pose.tip - middle_).dot(displacement_) * per_length2_, -0.5, 0.5);
@@ -112,7 +114,7 @@ SweepFrame sweep_frame(std::span<const SweepInterval> steps, const Vec3& origin,
   const Vec3 axis = kept(frame.axis).normalized();
   const Vec3 turn = axis.cross(steps.back().to.axis - steps.front().from.axis);
 
-  // The middle of what remains beside the line is the better tip.
+  // The tip of the frame moves to the middle of the remaining deviations from the line, which makes them smaller.
   Vec3 middle = line.middle();
   if (steps.size() > 1) {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();

@@ -25,7 +25,7 @@ static_assert(KernelPiece::kMaxLines + 1 == CoverPiece::kMaxChain);
 
 namespace {
 
-/// The direction of a chain's line, upright where it leans by rounding only.
+/// Returns the direction of a line in a chain; upright if it leans only by rounding.
 Vec2 along(const std::vector<Vec2>& chain, std::size_t line) {
   const Vec2 displacement = (chain[line + 1] - chain[line]).normalized();
   return std::abs(displacement.x()) < Tolerance::kSameDirection ? Vec2(0, displacement.y() < 0 ? -1 : 1) : displacement;
@@ -81,7 +81,7 @@ KernelPiece kernel_piece(const CoverPiece& piece) {
   k.foot_lo_mm = static_cast<float>(piece.foot_lo_mm);
   k.foot_hi_mm = static_cast<float>(piece.foot_hi_mm);
   k.r_closed_mm = static_cast<float>(piece.r_closed_mm);
-  // A whole end that is free stays free however the least radius is rounded.
+  // An end that is free everywhere stays free, in whatever way the least radius is rounded.
   k.r_below_mm = piece.r_below_mm > 0 ? static_cast<float>(piece.r_below_mm) : -3e38F;
   k.r_above_mm = piece.r_above_mm > 0 ? static_cast<float>(piece.r_above_mm) : -3e38F;
   set_core(piece, size, k);

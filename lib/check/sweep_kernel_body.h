@@ -1,7 +1,8 @@
 #pragma once
 
-// Included once for every instruction set, with GOUGE_KERNEL naming the namespace. Nothing here may come from
-// another header as an inline function: it would be compiled for this instruction set and linked into the rest.
+// This file is included once for every instruction set; GOUGE_KERNEL names the namespace. It must not use an inline
+// function from another header: that function would be compiled for this instruction set and linked into the other
+// code.
 #include "lib/check/sweep_kernel.h"
 #include "lib/check/sweep_kernel_piece.h"
 #include "lib/check/sweep_kernel_triangle.h"
@@ -28,7 +29,7 @@ void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& p
   load(block.disc_radius_mm, disc);
   load(block.radius_mm, ball);
   const V3 u = minus(center, f.tip);
-  // The plane that touches the tool at the point of the disc nearest to the core states most.
+  // The strongest plane touches the tool at the point of the disc that is nearest to the core.
   const V3 to_core = minus(near_core(piece, u, f.axis), u);
   const V3 lateral = minus(to_core, times(normal, dot(normal, to_core)));
   const V length = sqrt(dot(lateral, lateral));
@@ -45,7 +46,8 @@ void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& p
       max(by_plane, min_along(piece, at.gradient, dot(at.gradient, u) - extent, frame, f) - frame.rest_per_mm * far);
   const V z = dot(f.axis, u);
   V height = ball;
-  // A cylinder has no lower face but the range of heights; elsewhere the chain has it.
+  // A cylinder has no lower face in its chain, so only the range of heights bounds it there. Any other chain contains
+  // its lower face.
   if (piece.count == 1) {
     const V3 tilt = cross(f.axis, normal);
     height = min(abs(dot(f.axis, normal)) * thickness + sqrt(dot(tilt, tilt)) * disc, ball);
@@ -58,7 +60,8 @@ void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& p
   finish(bound, need, block.count, result);
 }
 
-// A triangle that meets the tool with its inside is bounded best by its own plane, on the side of the core's lower end.
+// Returns the normal of the triangle that points away from the core's lower end. If the inside of a triangle meets the
+// tool, the triangle's own plane gives the best bound.
 GOUGE_INLINE V3 away_from_core(const KernelPiece& piece, const Triangle& t, const V3& axis) {
   const float z = piece.count > 1 ? piece.lines[1].z : 0.5F * (piece.z_lo_mm + piece.z_hi_mm);
   const V3 unit = times(t.normal, sqrt(t.normal_scale));
@@ -66,8 +69,8 @@ GOUGE_INLINE V3 away_from_core(const KernelPiece& piece, const Triangle& t, cons
   return select(is_away, unit, {-unit.x, -unit.y, -unit.z});
 }
 
-/// Returns the point of the core that is farthest in a direction. Inside a sharp corner it is the deepest point of the
-/// plane through a corner of the triangle. It is the core's lower end where the core goes on in that direction.
+/// Returns the point of the core that is farthest in a direction. If the corner there is sharp, it is the deepest point
+/// on the plane through a corner of the triangle. If the core has no end in that direction, it is the core's lower end.
 GOUGE_INLINE V3 first_look(const KernelPiece& piece, const Triangle& t, const V3& g, const V3& axis) {
   const V z0 = broadcast(piece.count > 1 ? piece.lines[1].z : 0.5F * (piece.z_lo_mm + piece.z_hi_mm));
   const V gz = dot(g, axis);
@@ -85,7 +88,7 @@ GOUGE_INLINE V3 first_look(const KernelPiece& piece, const Triangle& t, const V3
     in_z = select(is_farther, broadcast(line.in_z), in_z);
   }
   if (piece.is_sharp) {
-    // Equally far from both lines of the corner.
+    // This direction stays equally far from both lines of the corner.
     const V along = gr * in_r + gz * in_z;
     const V height = dot(g, t.a) - (gr * r + gz * z);
     const V displacement = select(along < -0.1F, height / along, V{});
@@ -104,7 +107,7 @@ GOUGE_INLINE V min_of_corners(const V3& g, const Triangle& t) {
   return min(dot(g, t.a), min(dot(g, t.b), dot(g, t.c)));
 }
 
-/// The range of a triangle during the motion, `rest` beyond what is linear.
+/// Returns the range of a triangle during the motion. `rest` covers everything that is not linear.
 GOUGE_INLINE Range range_of(const Triangle& t, const SweepFrame& frame, const Frame& f, const V& far, const V& rest) {
   Range range{broadcast(3e38F), broadcast(-3e38F), V{}};
   const V still = dot(f.axis, f.displacement);
@@ -118,7 +121,7 @@ GOUGE_INLINE Range range_of(const Triangle& t, const SweepFrame& frame, const Fr
   }
   range.z_lo -= rest;
   range.z_hi += rest;
-  // From a corner no point of the triangle is farther than the longest edge.
+  // No point of the triangle is farther from a corner than the length of the longest edge.
   const V edge2 = max(dot(t.ab, t.ab), max(dot(t.bc, t.bc), dot(t.ca, t.ca)));
   const V3 across = minus(t.a, times(f.axis, dot(f.axis, t.a)));
   range.r_lo =
@@ -126,14 +129,15 @@ GOUGE_INLINE Range range_of(const Triangle& t, const SweepFrame& frame, const Fr
   return range;
 }
 
-/// The deepest point that was examined, by its signed distance at the end of the motion where that is smaller.
+/// The deepest examined point, with its smallest signed distance over both ends of the motion.
 struct Deepest {
   V distance;
   V3 point;
 };
 
-/// Combines the two near lines inside a sharp corner. Each is a bound, and the deepest point is where they are equal.
-/// Shows what both together prove, notes how deep `point` is, and moves it there.
+/// Combines the two nearest lines inside a sharp corner. Each gives a bound, and at the deepest point the two are
+/// equal. Returns the bound that follows from both, records the depth of `point`, and moves `point` to the deepest
+/// place.
 GOUGE_INLINE V meet_in_corner(const KernelPiece& piece, const Touch& at, const Plane& plane, const Triangle& t,
                               const Frame& f, V3& point, Deepest& deepest) {
   Touch also;
@@ -153,13 +157,13 @@ GOUGE_INLINE V meet_in_corner(const KernelPiece& piece, const Touch& at, const P
   return max(min_blended(plane, also_plane, ridge.share), least(also_plane));
 }
 
-/// Extent of a triangle in a direction.
+/// Returns the corner of a triangle that is lowest in direction g.
 GOUGE_INLINE V3 lowest_corner(const V3& g, const Triangle& t) {
   const V a = dot(g, t.a), b = dot(g, t.b), c = dot(g, t.c);
   return select((a <= b) & (a <= c), t.a, select(b <= c, t.b, t.c));
 }
 
-/// Under the flat face of a core that is a disc: the point of the rim on the line down the triangle.
+/// Returns a point below the flat face of a disc-shaped core: the point of the rim on the line down the triangle.
 GOUGE_INLINE V3 rim_ahead(const KernelPiece& piece, const Touch& at, const Triangle& t, const V3& point,
                           const V3& axis) {
   const V3 displacement = minus(lowest_corner(at.gradient, t), point);
@@ -171,13 +175,13 @@ GOUGE_INLINE V3 rim_ahead(const KernelPiece& piece, const Touch& at, const Trian
   return plus(plus(from, times(along, share)), times(axis, broadcast(piece.lines[1].z)));
 }
 
-/// Place that the last round searched, the gradient there, and how it came there.
+/// The place that the last round examined, its gradient, and the step that led to it.
 struct Look {
   V3 point, gradient, displacement;
 };
 
-// From the piece's core straight to the triangle again; inside the core, deeper. These steps shrink by a constant
-// factor; two of them show where they lead.
+// Steps from the core of the piece straight to the triangle; inside the core, deeper. These steps shrink by a constant
+// factor, so two of them predict the limit.
 GOUGE_INLINE V3 step_to_core(const KernelPiece& piece, const Touch& at, const Triangle& t, const V3& point,
                              Look& last) {
   const V3 next = closest(minus(point, times(at.gradient, abs(at.distance + piece.radius_mm))), t);
@@ -189,10 +193,11 @@ GOUGE_INLINE V3 step_to_core(const KernelPiece& piece, const Touch& at, const Tr
   return select(leads, closest(plus(next, times(displacement, rate / (1.0F - rate))), t), next);
 }
 
-constexpr float kFarthest = 16;  // a step is drawn out no more than so many times
+constexpr float kFarthest = 16;  // maximum factor by which a step is extended
 
-// For a large tool lying almost flat on its triangle the factor is close to 1. Under its flat face the descent leads to
-// the rim; beyond, the slopes along the last step show where it should have ended.
+// Steps along the rim. If a large tool lies almost flat on its triangle, the factor of step_to_core is close to 1.
+// Under the flat face, the descent leads to the rim. Beyond the rim, the slopes along the last step show where it
+// should have ended.
 GOUGE_INLINE V3 step_round_rim(const KernelPiece& piece, const Touch& at, const Triangle& t, const V3& point,
                                const V3& axis, Look& last) {
   const M is_under = (at.r < piece.core_r_mm) & (at.z < piece.lines[1].z);
@@ -243,7 +248,7 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
     if (piece.is_sharp) by_plane = max(by_plane, meet_in_corner(piece, at, plane, t, f, on_ridge, deepest));
     const V along_g = min_along(piece, at.gradient, min_of_corners(at.gradient, t), frame, f) - rest_along;
     const V better = max(bound, combine(piece, on_side, max(along_g, by_plane - rest), range));
-    // Lanes that the last rounds brought no nearer to the goal are left to smaller triangles and shorter intervals.
+    // A lane that the last rounds brought hardly nearer to the goal is left to smaller triangles and shorter intervals.
     M is_open = better < need;
     if (round > (piece.is_disc ? 2 : 1)) is_open = is_open & (better - bound > kWorthwhile * (need - better));
     bound = better;

@@ -1,13 +1,14 @@
 #pragma once
 
-// Bounds of one piece of the tool's cover for sixteen points, for sweep_kernel_body.h alone and under its rule.
+// Bounds of one piece of the tool's cover for sixteen points. Only sweep_kernel_body.h includes this file. The rule
+// stated there holds here too: no inline function from another header.
 #include "lib/check/sweep_kernel.h"
 #include "lib/hierarchy/kernel_lanes.h"
 
 namespace gouge::GOUGE_KERNEL {
 namespace {
 
-/// The frame, a copy in every lane.
+/// The frame, with a copy in every lane.
 struct Frame {
   V3 tip, axis, displacement, turn;
   V3 ends[2];  ///< the tool axis at s = 1/2 and at s = -1/2
@@ -21,14 +22,14 @@ GOUGE_INLINE Frame spread(const SweepFrame& f) {
   return frame;
 }
 
-/// The signed distance of a piece at u, with a subgradient.
+/// The signed distance of u from a piece, with a subgradient.
 struct Touch {
   V distance, z;
-  V r, r_lo;  ///< no less and no more than the distance from the tool axis
+  V r, r_lo;  ///< upper and lower bound of the distance from the tool axis
   V3 gradient;
 };
 
-/// The same for a core that is no more than a stretch of the axis: a ball below a cylinder.
+/// Computes the signed distance from a piece whose core is only a stretch of the axis: a ball below a cylinder.
 GOUGE_INLINE void touch_pin(const KernelPiece& piece, const V3& u, const V3& axis, Touch& out) {
   out.z = dot(axis, u);
   const M is_beside = out.z >= piece.lines[1].z;
@@ -44,7 +45,8 @@ GOUGE_INLINE void touch_pin(const KernelPiece& piece, const V3& u, const V3& axi
 GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, Touch& out) {
   if (piece.is_pin) return touch_pin(piece, u, axis, out);
   const V z = dot(axis, u);
-  // Close to the axis what is left is rounding and may point along it, which would tilt the gradient: taken off twice.
+  // Close to the axis the remainder is rounding and may point along the axis, which would tilt the gradient. So its
+  // part along the axis is removed twice.
   const V3 nearly = minus(u, times(axis, z));
   const V3 across = minus(nearly, times(axis, dot(axis, nearly)));
   const V r = sqrt(dot(across, across));
@@ -57,7 +59,7 @@ GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, T
     const V pz = z - line.z;
     const V side = pr * line.dz - pz * line.dr;
     if (k > 0) {
-      // Before a corner's line and past the one that ends there: nearest to the corner itself.
+      // Before the line that starts at a corner, and past the line that ends there, the corner itself is nearest.
       const KernelPiece::Line& last = piece.lines[k - 1];
       const M here = (pr * last.dr + pz * last.dz > 0) & (pr * line.dr + pz * line.dz < 0);
       const V away = sqrt(pr * pr + pz * pz);
@@ -75,18 +77,18 @@ GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, T
   out.distance = distance - piece.radius_mm;
   out.r = out.r_lo = r;
   out.z = z;
-  // One division for both: that of the direction's length and that by r.
+  // One division serves both: by the length of the direction and by r.
   const V off_axis = max(r, broadcast(1e-20F));
   const V scale = 1.0F / (max(length, broadcast(1e-15F)) * off_axis);
   out.gradient = plus(times(across, gr * scale), times(axis, gz * (scale * off_axis)));
 }
 
-/// The larger of what each face of the piece proves, given the range of heights and the least radius.
+/// The range of heights and the smallest radius of the points to bound.
 struct Range {
   V z_lo, z_hi, r_lo;
 };
 
-/// The two largest of the distances from the lines of a piece, where it is sharp.
+/// Finds the second largest of the distances from the lines of a sharp piece.
 GOUGE_INLINE void touch_next(const KernelPiece& piece, const V3& u, const V3& axis, const Touch& first, Touch& out) {
   V largest = broadcast(-3e38F), distance = broadcast(-3e38F);
   V gr = V{}, gz = V{}, next_gr = V{}, next_gz = V{};
@@ -108,7 +110,7 @@ GOUGE_INLINE void touch_next(const KernelPiece& piece, const V3& u, const V3& ax
   out.gradient = plus(times(across, next_gr / max(first.r, broadcast(1e-30F))), times(axis, next_gz));
 }
 
-/// Returns whether the nearest boundary of the tool is one of the piece's lines, wherever in the range a point is.
+/// Returns whether the nearest boundary of the tool is one of the piece's lines for every point in the range.
 GOUGE_INLINE M has_closest_point(const KernelPiece& piece, float need, const Range& range) {
   const float depth = need < 0 ? -need : 0.0F;
   return ((range.z_lo - depth > piece.foot_lo_mm) | (range.r_lo >= piece.r_closed_mm)) &
@@ -126,21 +128,22 @@ GOUGE_INLINE V combine(const KernelPiece& piece, const M& has_closest_point, con
   return max(bound, select(is_above, above, never));
 }
 
-/// Returns a lower bound of the signed distance of points by a direction that does not turn with the tool. It is that
-/// of the point farthest back along the direction, `farthest_back`, and how far the core reaches at both ends of the
+/// Returns a lower bound of the signed distance of points, from a direction that does not turn with the tool. It uses
+/// two values along the direction: `farthest_back` of the points, and how far the core reaches at both ends of the
 /// motion.
 GOUGE_INLINE V min_along(const KernelPiece& piece, const V3& g, const V& farthest_back, const SweepFrame& frame,
                          const Frame& f) {
   if (!piece.is_steady) return broadcast(-3e38F);
   const KernelPiece::Line& first = piece.lines[0];
   const KernelPiece::Line& last = piece.lines[piece.count - 1];
-  // Between the ends the core reaches less far than at one of them, but a line that leans to the axis may come up.
+  // Between the ends of the motion the core reaches less far than at one of the ends. But a line that leans towards the
+  // axis may rise.
   const float unsure = 4 * frame.rest_per_mm, slack = 2 * frame.half_turn + unsure;
   const float slack_up = (last.dr < 0 ? -last.dr * slack : 0.0F) + unsure;
   const float slack_down = (first.dr > 0 ? first.dr * slack : 0.0F) + unsure;
   const V still = 0.5F * dot(g, f.displacement);
   V bound = broadcast(3e38F);
-  // A gradient on the axis of a cone is shorter than a direction, and inside the core that claims too much.
+  // On the axis of a cone the gradient is shorter than 1; inside the core it would then give too large a bound.
   M is_endless = dot(g, g) < 0.99999F;
   for (int end = 0; end < 2; ++end) {
     const V gz = dot(g, f.ends[end]);
@@ -162,7 +165,7 @@ GOUGE_INLINE V min_along(const KernelPiece& piece, const V3& g, const V& farthes
   return select(is_endless, broadcast(-3e38F), bound - rest);
 }
 
-/// About the point of the core nearest to u: any point will do.
+/// Returns a point of the core that is approximately nearest to u. Any point gives a valid bound.
 GOUGE_INLINE V3 near_core(const KernelPiece& piece, const V3& u, const V3& axis) {
   const V z = dot(axis, u);
   const V3 on_axis = times(axis, piece.count > 1 ? max(z, broadcast(piece.lines[1].z)) : z);

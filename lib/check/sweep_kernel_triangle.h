@@ -1,6 +1,7 @@
 #pragma once
 
-// Sixteen triangles, and planes laid over them, for sweep_kernel_body.h alone and under its rule.
+// Operations on sixteen triangles, and linear bounds (planes) over them. Only sweep_kernel_body.h includes this file.
+// The rule stated there holds here too: no inline function from another header.
 #include "lib/check/sweep_kernel_piece.h"
 
 namespace gouge::GOUGE_KERNEL {
@@ -59,7 +60,7 @@ GOUGE_INLINE void prepare(const TriangleBlock& block, const V3& tip, Triangle& t
 }
 
 /// A lower bound of the distance that is linear in the point and in the instant. It is given by its values at the
-/// corners of the triangle at both ends of the motion. No value in between is below the smallest of these.
+/// corners of the triangle at both ends of the motion. No value in between is below the smallest of these values.
 struct Plane {
   V value[6];
 };
@@ -90,8 +91,8 @@ GOUGE_INLINE V min_blended(const Plane& p, const Plane& q, const V& share) {
   return low;
 }
 
-/// Two lower bounds are bounds in any blend. At an edge of the tool, where one rises as the other falls, the blend in
-/// which their lowest corners balance is the best.
+/// Returns the minimum of the best blend of two planes. Any blend of two lower bounds is a lower bound. At an edge of
+/// the tool one plane rises as the other falls. There the best blend is equal at the lowest corners of both.
 GOUGE_INLINE V min_blended(const Plane& p, const Plane& q) {
   V low_p = p.value[0], low_q = q.value[0], q_at_p = q.value[0], p_at_q = p.value[0];
   for (int k = 1; k < 6; ++k) {
@@ -107,8 +108,8 @@ GOUGE_INLINE V min_blended(const Plane& p, const Plane& q) {
   return min_blended(p, q, share);
 }
 
-/// The point of the triangle where the larger of two planes is least, at the end of the motion where that is lower.
-/// Also the share of the first plane in the blend that is level there.
+/// The point of the triangle at which the larger of two planes has its minimum. The minimum is taken over both ends of
+/// the motion. `share` is the weight of the first plane in the blend that is constant along the edge with this point.
 struct Crossing {
   V3 point;
   V share;

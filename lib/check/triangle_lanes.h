@@ -6,13 +6,13 @@
 
 #include "lib/hierarchy/blocks.h"
 
-// Triangles in lanes side by side, for the wide kernel: gathered from several blocks, or cut in four. In the header,
-// since the sweep spends its time here.
+// Triangles side by side in lanes, for the wide kernel: gathered from several blocks, or divided into four. The
+// functions are in the header because the sweep spends its time here.
 
 namespace gouge {
 
 inline void add_lane(TriangleBlock& to, const TriangleBlock& from, std::size_t lane) {
-  // The first one fills all lanes, so that unused ones hold a triangle too.
+  // The first triangle fills all lanes, so that unused lanes hold a triangle too.
   const std::size_t last = to.count == 0 ? kBlockLanes : to.count + 1;
   for (std::size_t i = to.count; i < last; ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -23,13 +23,13 @@ inline void add_lane(TriangleBlock& to, const TriangleBlock& from, std::size_t l
   ++to.count;
 }
 
-/// To the last of `blocks`, or to a new one where that is full.
+/// Appends a triangle to the last of `blocks`, or to a new block if that is full.
 inline void append_lane(std::vector<TriangleBlock>& blocks, const TriangleBlock& from, std::size_t lane) {
   if (blocks.empty() || blocks.back().count == kBlockLanes) blocks.emplace_back();
   add_lane(blocks.back(), from, lane);
 }
 
-/// The four triangles between the corners and the middles of the edges.
+/// Appends the four triangles that the middles of the edges make with the corners.
 inline void add_quarters(TriangleBlock& to, const TriangleBlock& from, std::size_t lane) {
   TriangleBlock middle = from;
   for (std::size_t c = 0; c < 3; ++c) {

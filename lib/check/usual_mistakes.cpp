@@ -24,7 +24,7 @@ Matrix exchange(Eigen::Index a, Eigen::Index b) {
   return m;
 }
 
-// Whole numbers, so that nothing is rounded.
+// Returns a rotation by quarter turns. It has whole numbers, so nothing is rounded.
 Matrix quarter_turns(Eigen::Index about, int quarters) {
   const Eigen::Index x = (about + 1) % 3, y = (about + 2) % 3;
   Matrix quarter = Matrix::Zero();
@@ -65,7 +65,7 @@ class Mistakes {
     }
   }
 
-  // A part turned one way is a path turned the other.
+  // A part that is turned one way corresponds to a path that is turned the other way.
   void add_turns() {
     for (std::size_t i = 0; i < 3; ++i) {
       for (const int quarters : {1, 2, 3}) {

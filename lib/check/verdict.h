@@ -12,38 +12,40 @@
 #include "lib/geom/vec.h"
 #include "lib/tool/compiled_tool.h"
 
-// Verdicts of the check for every move, and the findings made of them. Words as in docs/method/guarantee.md.
+// Verdicts of the check for every move, and the findings made of them. The words are those of docs/method/guarantee.md.
 
 namespace gouge {
 
 enum class MoveState : std::uint8_t { clean, near_miss, gouge, buried, not_checked, not_certified };
-[[nodiscard]] const char* state_name(MoveState state);  ///< clean, near, gouge, buried, not-checked, not-certified
+[[nodiscard]] const char* state_name(MoveState state);  ///< Returns clean, near, gouge, buried, not-checked or
+                                                        ///< not-certified
 
-/// The evidence for a depth: at instant t of the move, surface point `point` is `depth` deep in the tool.
+/// The evidence for a depth: at instant t of the move, the surface point `point` is `depth` deep in the tool.
 struct Witness {
   double t = 0;                 ///< instant of the move, in [0, 1]
   Vec3 point = Vec3::Zero();    ///< on the triangle, mm, part coordinates
   Vec3 normal = Vec3::UnitZ();  ///< unit direction in which the tool must move away by the depth
   Body body = Body::cutter;     ///< body of the boundary element nearest to the point
   Against against = Against::part;
-  std::uint32_t mesh = 0;      ///< index into the meshes of that obstacle
+  std::uint32_t mesh = 0;      ///< index into the meshes of the obstacle
   std::uint32_t triangle = 0;  ///< index in the STL file, counted from 0
 };
 
 struct MoveVerdict {
   MoveState state = MoveState::clean;
-  double depth_mm = 0;  ///< realised by the witness; depth <= true depth <= depth_upper
+  double depth_mm = 0;  ///< depth of the witness; depth <= true depth <= depth_upper
   double depth_upper_mm = 0;
-  std::optional<Witness> witness;      ///< where depth > 0 (for near: the surface point that comes closest)
-  std::optional<double> clearance_mm;  ///< near: realised distance at the witness
-  std::optional<double> overcut_mm;  ///< gouge of a closed solid: the tool reached as far below its surface, or farther
-  double overcut_upper_mm = 0;       ///< where there is an overcut: the tool reached no farther
-  Reason reason;  ///< where not checked, not certified or buried; of a gouge and a near miss a remark
+  std::optional<Witness> witness;      ///< present if depth > 0; for a near miss: the closest surface point
+  std::optional<double> clearance_mm;  ///< for a near miss: distance at the witness
+  std::optional<double> overcut_mm;  ///< gouge of a closed solid: lower bound of the depth that the tool reached below
+                                     ///< its surface
+  double overcut_upper_mm = 0;       ///< upper bound of that depth; valid with overcut_mm
+  Reason reason;  ///< of a move that is not checked, not certified or buried; for a gouge or a near miss a remark
 };
 
-using MoveVerdicts = PagedVector<MoveVerdict>;  ///< one a move, in path order
+using MoveVerdicts = PagedVector<MoveVerdict>;  ///< one for each move, in path order
 
-/// Returns a move that is not checked.
+/// Returns the verdict of a move that is not checked.
 [[nodiscard]] inline MoveVerdict not_checked(Reason reason) {
   MoveVerdict verdict;
   verdict.state = MoveState::not_checked;
@@ -51,12 +53,12 @@ using MoveVerdicts = PagedVector<MoveVerdict>;  ///< one a move, in path order
   return verdict;
 }
 
-/// Neighbouring moves of one state, tool, body and counterpart, reported as one finding.
+/// Neighbouring moves with the same state, tool, body and counterpart, reported as one finding.
 struct Event {
   MoveState state = MoveState::gouge;
-  std::size_t first_move = 0, last_move = 0;  ///< inclusive
+  std::size_t first_move = 0, last_move = 0;  ///< the first and the last move, both inclusive
   std::size_t worst_move = 0;
-  std::size_t moves = 0;  ///< how many moves of the interval are in this state
+  std::size_t moves = 0;  ///< number of moves in the interval that have this state
   std::size_t tool = 0;   ///< index into Toolpath::tools
   Body body = Body::cutter;
   Against against = Against::part;
@@ -64,7 +66,7 @@ struct Event {
 
 struct StateCounts {
   std::size_t clean = 0, near_miss = 0, gouge = 0, buried = 0, not_checked = 0, not_certified = 0;
-  std::size_t skipped = 0;  ///< of not_checked: rapids left out because the user requested it
+  std::size_t skipped = 0;  ///< number of not-checked moves that are rapids, left out at the user's request
 };
 
 }  // namespace gouge

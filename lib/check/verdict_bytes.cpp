@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-// The parts of a verdict that are present, beside its state.
+// Bits of the first byte: the state, and a flag for each part of the verdict that follows.
 constexpr std::uint8_t kState = 7, kDepth = 8, kWitness = 16, kClearance = 32, kOvercut = 64, kReason = 128;
 
 template <class Value>
@@ -65,8 +65,8 @@ bool take(std::string_view& bytes, Reason& reason) {
   return true;
 }
 
-// The bytes may have been damaged, or made by another program. Without this test an impossible value would be an index
-// out of range later.
+// Returns whether the value is possible. The bytes may have been damaged, or written by another program; an impossible
+// value would later be an index out of range.
 bool is_possible(Body body) { return body <= Body::head; }
 
 bool is_possible(const Witness& w) {

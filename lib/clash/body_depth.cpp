@@ -17,12 +17,12 @@
 namespace gouge {
 namespace {
 
-constexpr int kMixes = 3;         // facets mixed with the best one after another
-constexpr int kWeightSteps = 24;  // of the search for each weight
+constexpr int kMixes = 3;         // number of facets that are mixed with the best one, one after another
+constexpr int kWeightSteps = 24;  // number of steps in the search for each weight
 
 constexpr std::size_t kMaxHullPoints = 8;
 
-/// Distances of the hull's points to one facet, or a weighted mean of several.
+/// Distances of the hull's points to one facet, or a weighted mean of the distances to several.
 using Distances = std::array<double, kMaxHullPoints>;
 
 double largest(const Distances& d, std::size_t count) {
@@ -35,7 +35,7 @@ Distances mixed(const Distances& a, const Distances& b, double weight) {
   return d;
 }
 
-/// The weight of `b` with the smallest largest mean: that is convex in the weight.
+/// Returns the weight of `b` for which the largest mean is smallest. The largest mean is convex in the weight.
 double best_weight(const Distances& a, const Distances& b, std::size_t count) {
   double low = 0, high = 1;
   for (int i = 0; i < kWeightSteps; ++i) {
@@ -46,12 +46,12 @@ double best_weight(const Distances& a, const Distances& b, std::size_t count) {
   return 0.5 * (low + high);
 }
 
-/// Returns a length not below the distance to the surface of any point of the convex hull of `points`, (kMaxHullPoints
-/// at most). The distance to a facet is convex, so its largest value over the hull is at one of the points. So is that
-/// of any weighted mean of such distances. The distance to the surface does not exceed that mean.
+/// Returns an upper bound of the distance to the surface, for all points of the convex hull of `points` (at most
+/// kMaxHullPoints). The distance to a facet is convex, so its largest value over the hull is at one of the points. The
+/// same holds for any weighted mean of such distances. The distance to the surface is at most that mean.
 ///
-/// At least one of `facets` is needed; those nearest to the points are the best choice.
-/// Ensures  Exact (up to rounding) where the hull lies over one facet, or between two that oppose each other.
+/// Requires at least one of `facets`; those nearest to the points are the best choice.
+/// Ensures  The bound is exact (up to rounding) if the hull lies over one facet, or between two opposite facets.
 double greatest_distance_mm(const Surface& surface, std::span<const Vec3> points,
                             std::span<const std::uint32_t> facets) {
   std::array<Distances, kMaxHullPoints + 1> rows{};
@@ -80,19 +80,19 @@ double greatest_distance_mm(const Surface& surface, std::span<const Vec3> points
   return least;
 }
 
-// A cut along the outline of a facet is worth it where the facet is no smaller than this share of the piece.
+// A piece is cut along the outline of a facet if the part over the facet has at least this share of the piece's area.
 constexpr double kMinShare = 0.125;
-// The share of the threshold by which a surface may reach over the near side of a region that is outside.
+// Share of the threshold by which a surface may reach over the near side of a region that is outside.
 constexpr double kGraze = 0.25;
 
 struct Region : SearchCandidate, ConvexRegion {
   enum class Kind : std::uint8_t { node, piece, cell };
   Kind kind = Kind::node;
-  bool is_leaf = false;       ///< of a node
-  std::uint32_t index = 0;    ///< node or leaf of the tree, or triangle
-  std::uint32_t nearest = 0;  ///< triangle nearest to the centre
-  double ball_mm = 0;         ///< of a node: nothing of it is farther from the centre
-  bool is_over_face = false;  ///< and the centre lies over it, not beyond its outline
+  bool is_leaf = false;       ///< the node is a leaf
+  std::uint32_t index = 0;    ///< index of a node, a leaf or a triangle
+  std::uint32_t nearest = 0;  ///< the triangle nearest to the centre
+  double ball_mm = 0;         ///< for a node: maximum distance of its content from the centre
+  bool is_over_face = false;  ///< the centre lies over the nearest triangle, not beyond its outline
 };
 
 class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
@@ -165,7 +165,7 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
     return region;
   }
 
-  /// Offers the region with an upper bound of the depth in it, unless nothing of it counts.
+  /// Offers the region with an upper bound of the depth in it, unless the region is completely outside.
   void offer_bounded(Region region) {
     const Vec3 centre = region.centre();
     const double radius = region.kind == Region::Kind::node ? region.ball_mm : region.radius_mm(centre);
@@ -186,7 +186,8 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
     return closest_on_triangle(point, in_.boundary().corners(foot.triangle)).feature == TriangleFeature::face;
   }
 
-  /// The other surface as seen from a point, whose depth counts if it is in both bodies.
+  /// Returns the point of the other surface that is closest to `point`. If `point` is in both bodies, its depth counts
+  /// as a result.
   ClosestPoint measured(const Vec3& point, Region::Kind kind) {
     ++best_.bounds;
     const ClosestPoint foot = in_.closest_point(point);
@@ -199,7 +200,7 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
     return foot;
   }
 
-  /// Returns whether a point of the cell in both bodies may be a local maximum of the depth.
+  /// Returns whether a point of the cell that is in both bodies may be a local maximum of the depth.
   [[nodiscard]] bool may_hold_maximum(const Vec3& centre, double radius, const ClosestPoint& foot) {
     ++best_.bounds;
     if (of_.closest_point(centre - shift_).signed_mm() > radius + Tolerance::kRounding_mm) return false;
@@ -219,9 +220,10 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
     return foot.is_inside ? over : std::min(over, grazing_bound(region, centre, radius, foot));
   }
 
-  /// Bounds the depth where the centre is outside. All of the surface in the ball about the region lies beyond the
-  /// region, except for `graze`. A line from the centre to a point inside crosses the surface that near to the region's
-  /// far side. So the point is no farther from the crossing than the line takes to descend by `graze`.
+  /// Bounds the depth if the centre is outside. Apart from `graze`, all of the surface in the ball around the region
+  /// lies beyond the region. So a line from the centre to a point inside crosses the surface within `graze` of the
+  /// region's far side. The distance of the point from the crossing is at most the length on which the line descends by
+  /// `graze`.
   [[nodiscard]] double grazing_bound(const Region& region, const Vec3& centre, double radius,
                                      const ClosestPoint& foot) const {
     const double graze = kGraze * threshold_mm();
@@ -236,7 +238,8 @@ class DepthSearch : private BestFirstSearch<DepthSearch, Region> {
     return graze * radius / from;
   }
 
-  /// Cut along the outline of the nearest facet, if that leaves a fair part over it, else across the middle.
+  /// Cuts the piece along the outline of the nearest facet, if the part over the facet is large enough. Otherwise
+  /// halves it.
   [[nodiscard]] std::vector<ConvexRegion> parts_of(const Region& piece) const {
     if (piece.is_over_face) {
       std::vector<ConvexRegion> parts = cut_along(piece, in_.boundary().corners(piece.nearest));

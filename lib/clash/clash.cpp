@@ -14,13 +14,12 @@ namespace gouge {
 
 namespace {
 
-// Surfaces this near to each other count as meeting: the side of a point nearer to a surface is not looked
-// for.
+// Upper bound of the depth if it is unknown.
 constexpr double kUnknown_mm = std::numeric_limits<double>::infinity();
 
 constexpr std::uint32_t kOfA = 0, kOfB = 1;
 
-/// One vertex of each connected piece of a surface.
+/// Returns one vertex of each connected piece of a surface.
 std::vector<Vec3> points_of_pieces(const IndexedMesh& mesh) {
   UnionFind pieces(mesh.vertices.size());
   std::vector<bool> is_used(mesh.vertices.size(), false);
@@ -39,11 +38,11 @@ std::vector<Vec3> points_of_pieces(const IndexedMesh& mesh) {
 
 struct PieceCounts {
   std::size_t inside = 0, outside = 0, unknown = 0;
-  std::string why;  ///< of unknown
+  std::string why;  ///< reason for the first unknown piece
 };
 
-/// On which side of a body whose boundary they do not meet the pieces of another surface are. Inside its boundary is
-/// inside, also on a shell that lies there.
+/// Counts on which side of a body the pieces of another surface lie. Requires that the pieces do not meet the body's
+/// boundary. A point inside the boundary is inside, even on a shell that lies there.
 PieceCounts sides_of(const IndexedMesh& pieces, const Vec3& shift, const ClashBody& body) {
   const Enclosure enclosure(std::span(&body.whole().mesh(), 1));
   const auto side_of = [&](const Vec3& at) {
@@ -71,6 +70,7 @@ class Finder {
 
   Clash run() {
     clash_.closest = surface_distance(surface_of(a_), surface_of(b_), shift_b_, Tolerance::kWitness_mm);
+    // Surfaces within kWitness_mm count as meeting: the side of a point that near to a surface is not determined.
     if (clash_.closest.distance_mm > Tolerance::kWitness_mm) {
       decide_apart();
     } else {
@@ -81,12 +81,13 @@ class Finder {
   }
 
  private:
-  /// Bodies whose boxes are apart are so whatever lies inside them.
+  /// Returns the surface to examine. If the boxes are apart, the bodies are apart too, whatever lies inside them; then
+  /// the whole surface is enough.
   [[nodiscard]] const Surface& surface_of(const ClashBody& body) const {
     return is_near_ ? body.boundary() : body.whole();
   }
 
-  /// Surfaces that do not meet: each piece of one is wholly on one side of the other.
+  /// Decides for surfaces that do not meet: each piece of one is completely on one side of the other.
   void decide_apart() {
     const PieceCounts of_a = sides_of(surface_of(a_).mesh(), -shift_b_, b_);
     const PieceCounts of_b = sides_of(surface_of(b_).mesh(), shift_b_, a_);
@@ -167,8 +168,8 @@ std::vector<Box3> boxes_of(std::span<const IndexedMesh> meshes) {
   return boxes;
 }
 
-/// Two bodies whose boxes have a slab of at most that thickness in common are nowhere deeper in each other. Along the
-/// slab's normal each point of it is that near to the end of either body.
+/// Returns whether two bodies may be deeper in each other than the tolerance. They are not if their boxes share a slab
+/// that is at most that thick. Each point of the slab is that near to an end of both bodies, along the slab's normal.
 bool may_be_deeper(const Box3& a, const Box3& b, double tolerance_mm) {
   return a.intersects(b) && a.intersection(b).sizes().minCoeff() > tolerance_mm;
 }

@@ -10,7 +10,7 @@ namespace gouge {
 namespace {
 
 constexpr double kOnPlane_mm =
-    Tolerance::kConstruction;  // a corner this near to a plane is on it: no slivers are cut off
+    Tolerance::kConstruction;  // a corner this near to a plane counts as on it, so that no slivers are cut off
 
 /// Signed distances of a polygon's corners from a plane.
 using Heights = std::array<double, ConvexRegion::kMaxPoints>;
@@ -25,7 +25,7 @@ Heights heights_over(const ConvexRegion& polygon, const Vec3& normal, const Vec3
   return heights;
 }
 
-/// The part on the side of `sign`; empty where it has no extent across the plane.
+/// Returns the part on the side of `sign`; empty if it has no extent across the plane.
 ConvexRegion clipped(const ConvexRegion& polygon, const Heights& heights, double sign) {
   ConvexRegion part;
   const std::span<const Vec3> points = polygon.points();

@@ -10,11 +10,11 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kPointsOfSurface = 4000;  // about so many beside its vertices
-constexpr double kMinDepth_mm = 0.01;           // that volumes carry
-constexpr double kReach = 3;                    // points farther from the other body than so many depths are left out
+constexpr std::size_t kPointsOfSurface = 4000;  // approximate number of points besides the vertices
+constexpr double kMinDepth_mm = 0.01;           // minimum depth of the volumes
+constexpr double kReach = 3;                    // a point farther from the other body than this many depths is left out
 
-/// The points of one body in the other, for shifts of the one.
+/// The points of one body that are in the other, for shifts of the one.
 class PointsInside {
  public:
   PointsInside(const Surface& points_of, const Surface& in, double depth_mm)
@@ -54,7 +54,7 @@ class PointsInside {
   PenetrationFinder finder_;
 };
 
-/// Along each axis either way, until the boxes are apart: the shortest.
+/// Returns the shortest of the shifts along the axes, in both directions, that take the boxes apart.
 Vec3 shift_of_boxes(const Box3& a, const Box3& b, double apart_mm) {
   Vec3 best = Vec3::Zero();
   double shortest = std::numeric_limits<double>::infinity();
@@ -76,7 +76,7 @@ class Shifter {
         options_(options),
         of_b_(b.boundary(), a.boundary(), reach_mm(found)),
         of_a_(a.boundary(), b.boundary(), reach_mm(found)) {
-    // Only a proof is needed, and for bodies that are not free some point to follow.
+    // A proof is enough here; bodies that are not free need only some point that gives a direction.
     options_.gap_mm = std::max(options.gap_mm, 0.1 * found.depth_mm);
   }
 
@@ -92,7 +92,8 @@ class Shifter {
  private:
   static double reach_mm(const Clash& found) { return std::max(found.depth_mm, kMinDepth_mm); }
 
-  /// Each contact as much deeper as the certified gap is wide, so that the corrections do not creep up to it.
+  /// Returns the contacts at a shift. Each is deeper by the tolerance and the resolution, so that the corrections do
+  /// not approach the limit in ever smaller steps.
   std::vector<Contact> contacts_at(const Vec3& shift) {
     std::vector<Contact> contacts;
     of_b_.add_contacts(shift, true, contacts);

@@ -8,8 +8,8 @@
 namespace gouge {
 namespace {
 
-// Inward normals this far along the direction lead away from a facet, and from an edge between two such
-// facets ...
+// Minimum cosine between a direction and the inward normals of facets at which the direction leads away from a facet.
+// The same holds for an edge between two such facets ...
 constexpr double kMinCosine = 0.02;
 // ... and from a vertex whose facets all are within 45 degrees of it.
 constexpr double kVertexCosine = 0.7072;

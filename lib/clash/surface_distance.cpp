@@ -19,7 +19,7 @@ void take(const Vec3& a, const Vec3& b, ClosestPair& best) {
   if (distance < best.distance_mm) best = {a, b, distance};
 }
 
-/// Closest points of two edges.
+/// Finds the closest points of two edges.
 /// Source   C. Ericson, Real-Time Collision Detection (2005), 5.1.9.
 void take_edges(const Vec3& a, const Vec3& a_end, const Vec3& b, const Vec3& b_end, ClosestPair& best) {
   const Vec3 along_a = a_end - a, along_b = b_end - b, between = a - b;
@@ -35,8 +35,8 @@ void take_edges(const Vec3& a, const Vec3& a_end, const Vec3& b, const Vec3& b_e
   take(a + s * along_a, b + t * along_b, best);
 }
 
-/// Where an edge passes through the plane of a triangle: the triangles cross if that point is on the
-/// triangle.
+/// Returns the point at which an edge passes through the plane of a triangle, and the triangle's closest point to it.
+/// The triangles cross if these are equal.
 std::array<Vec3, 2> on_plane(const Vec3& from, const Vec3& to, const std::array<Vec3, 3>& triangle) {
   const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const double here = normal.dot(from - triangle[0]), there = normal.dot(to - triangle[0]);
@@ -51,7 +51,7 @@ Box3 box_around(const std::array<Vec3, 3>& triangle) {
   return box;
 }
 
-/// Depth-first over pairs of nodes, the nearer pair first.
+/// Depth-first search over pairs of nodes, the nearer pair first.
 class PairSearch {
  public:
   PairSearch(const Surface& a, const Surface& b, const Vec3& shift, double cutoff_mm)
@@ -65,7 +65,7 @@ class PairSearch {
   }
 
  private:
-  /// A node or a leaf of a tree, and what it lies in.
+  /// A node or a leaf of a tree, and its bounding volume.
   struct Node {
     explicit Node(const BlockTree& tree) : bound(tree) {}
     Node(const BlockTree& tree, const NodeBlock& parent, std::size_t lane)
@@ -78,7 +78,8 @@ class PairSearch {
 
   [[nodiscard]] bool is_done() const { return best_.distance_mm <= cutoff_mm_; }
 
-  /// Bodies apart along any one direction are no nearer than that.
+  /// Returns a lower bound of the distance: if two bodies are apart along some direction, they are at least that far
+  /// apart.
   [[nodiscard]] double min_mm(const Node& a, const Node& b) const {
     const Vec3 between = b.bound.center + shift_ - a.bound.center;
     double least = 0;
@@ -116,7 +117,7 @@ class PairSearch {
     std::size_t a = 0, b = 0;
   };
 
-  /// The pairs of facets in the order of their boxes' distances.
+  /// Examines the pairs of facets in the order of their boxes' distances.
   void meet(const TriangleBlock& a, const TriangleBlock& b) {
     std::array<std::array<Vec3, 3>, kBlockLanes> facets_b;
     std::array<Box3, kBlockLanes> boxes_b;

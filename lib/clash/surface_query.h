@@ -19,21 +19,22 @@ struct BallCap {
 
 struct CapHit {
   std::uint32_t triangle = 0;
-  Vec3 point = Vec3::Zero();  ///< of it, in the cap, the nearest to the cap's centre
+  Vec3 point = Vec3::Zero();  ///< the point of the facet in the cap that is nearest to the cap's centre
 };
 
-/// Returns a facet that reaches into the cap and for which `is_allowed(triangle)` is false; nothing when there is none.
-/// Ensures  No facet that reaches into the cap by more than rounding is missed; always the same one.
+/// Returns a facet that reaches into the cap and for which `is_allowed(triangle)` is false; nothing if there is none.
+/// Ensures  Each facet that reaches into the cap by more than rounding is examined. The result is always the same
+///          facet.
 template <typename IsAllowed>
 [[nodiscard]] std::optional<CapHit> find_in_cap(const Surface& surface, const BallCap& cap,
                                                 const IsAllowed& is_allowed);
 
 namespace detail {
 
-/// Returns whether what lies in a bound may reach into the cap.
+/// Returns whether the content of a bounding volume may reach into the cap.
 [[nodiscard]] bool may_reach(const LaneBound& bound, const BallCap& cap);
 
-/// Returns the nearest point to the cap's centre of the part of a facet that is in the cap.
+/// Returns the point of a facet that is in the cap and nearest to the cap's centre; nothing if no point is in the cap.
 [[nodiscard]] std::optional<Vec3> nearest_in_cap(const std::array<Vec3, 3>& facet, const BallCap& cap);
 
 }  // namespace detail

@@ -14,12 +14,12 @@
 namespace gouge {
 namespace {
 
-// Contacts steer a correction, they prove nothing; a tenth of their excess is close enough.
+// Contacts steer a correction but prove nothing; a tenth of their excess is accurate enough.
 constexpr double kRelativeAccuracy = 0.1;
 constexpr double kSmallestPiece_mm = 0.02;
-// Pieces examined of one triangle: in hollow or undercut tools the bounds do not decide over a wide face.
+// Maximum number of pieces of one triangle: in hollow or undercut tools the bounds do not decide over a wide face.
 constexpr int kMaxPieces = 1000;
-// Maximum by which a reported excess above 0 may be below the truth.
+// Maximum by which a reported excess above 0 may be below the true one.
 constexpr double kGap_mm = 0.05;
 
 class Collector {
@@ -71,7 +71,7 @@ class Collector {
     return sample;
   }
 
-  /// Everything up to here is of no account.
+  /// Returns the excess up to which a point is ignored.
   [[nodiscard]] double lower_cutoff_mm() const {
     return std::max(0.0, aim_) + std::max(best_.excess_mm * (1 + kRelativeAccuracy), notable_mm_);
   }
@@ -82,19 +82,20 @@ class Collector {
     double radius = 0;
     for (const Vec3& corner : t) radius = std::max(radius, (corner - centre).norm());
     const ToolSample middle = try_point(centre);
-    const double above = std::min(0.0, aim_);  // of the depth and the bound, which stops at the reach
+    const double above = std::min(0.0, aim_);  // offset of the depth and of the bound, which ends at the reach
     if (radius - middle.nearest.signed_distance_mm - above <= lower_cutoff_mm()) return;
     if (is_as_deep_as_plane(t, middle, above)) return;
     for (const Vec3& corner : t) try_point(corner);
     const double enough = lower_cutoff_mm();
-    // The bound by planes knows at once that a face lying in a face is equally deep everywhere.
+    // The bound by planes shows at once that a face lying in a face is equally deep everywhere.
     if (bound_piece(tool_, t, interval_, -above, enough).upper_mm <= enough) return;
     const std::size_t longest = longest_edge(t);
     if ((t[(longest + 1) % 3] - t[longest]).norm() <= kSmallestPiece_mm) return;
     for (const std::array<Vec3, 3>& half : halves(t, longest)) refine(half);
   }
 
-  // Over most small pieces the tool is as good as the plane that touches it next to the middle: deepest at a corner.
+  // Returns whether the piece is no deeper than allowed. Over most small pieces the plane that touches the tool next to
+  // the middle replaces the tool. Behind it, a corner is deepest.
   bool is_as_deep_as_plane(const std::array<Vec3, 3>& t, const ToolSample& middle, double above) {
     const SupportPlane plane = support_plane(tool_, middle);
     std::array<double, 3> depth{};
@@ -120,11 +121,12 @@ struct AimedTarget {
   double aim_mm = 0;
 };
 
-/// Halfway to the tolerance of a workpiece, which cutters touch; out of the clearance of any other mesh.
+/// Returns the target of one mesh with its aim: half of the tolerance for a workpiece, which cutters touch; outside of
+/// the clearance for any other mesh.
 AimedTarget aimed_at(const ToolVariants& tool, const LimitedMesh& mesh, const CorrectionAim& aim) {
   const MeshLimit& limit = mesh.limit;
   SearchTarget target = target_on(limit.clearance_mm > 0 ? tool.bare : tool.*mesh.obstacle->rule.form, mesh);
-  target.reach_mm = 0;  // an aim below 0 needs it
+  target.reach_mm = 0;  // an aim below 0 makes this necessary
   if (mesh.obstacle->rule.is_workpiece) return {target, std::min(aim.workpiece_mm, 0.5 * limit.tolerance_mm)};
   return {target, aim.clearance_mm - limit.clearance_mm};
 }

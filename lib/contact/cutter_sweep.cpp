@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSag_mm = 1e-3;
-constexpr double kTurn_rad = 0.0175;  // of a stretch: its points are off their chords by little
+constexpr double kTurn_rad = 0.0175;  // maximum turn of a stretch: its points deviate little from their chords
 constexpr std::uint32_t kLeaf = 4;
 
 constexpr auto kSkipNothing = [](const auto& /*node*/) { return false; };
@@ -96,7 +96,8 @@ std::uint32_t CutterSweep::build(std::uint32_t first, std::uint32_t last) {
   Node& node = nodes_[index];
   for (std::uint32_t i = first; i < last; ++i) {
     const CutterStretch& piece = stretches_[i];
-    // About the axis at both ends, and what both leave their chords by in between.
+    // The box surrounds the cutter about the axis at both ends, plus the deviation of both from their chords in
+    // between.
     const double bulge = farthest_mm(*piece.cutter) * piece.angle_rad * piece.angle_rad / 8 + piece.off_mm;
     const Vec3 wide = Vec3::Constant(piece.cutter->r_max_mm + bulge);
     for (const Pose& pose : {piece.start, piece.end}) {
@@ -109,9 +110,10 @@ std::uint32_t CutterSweep::build(std::uint32_t first, std::uint32_t last) {
   return index;
 }
 
-// Between two poses a point of a body moves by at most two amounts together. One is the motion of the tip, the other
-// its distance from the tip times the angle between the axes. About the axes it may be turned at will. On the way of a
-// piece tips are between those of its ends, and axes between its axes or its turn beyond.
+// Surrounds the poses of a node. Between two poses a point of a body moves by at most the sum of two lengths. One is
+// the motion of the tip; the other is the distance from the tip times the angle between the axes. A turn about the axis
+// changes nothing. On the way of a piece, each tip is between the tips of its ends. Each axis is between its axes, or
+// beyond them by at most its turn.
 void CutterSweep::surround(Node& node) const {
   const CutterStretch& middle = stretches_[node.first + (node.last - node.first) / 2];
   node.middle = middle.start;
@@ -129,7 +131,7 @@ bool CutterSweep::is_beyond(const Node& node, const Vec3& point, double within_m
          signed_distance_mm(*stretches_[node.first].cutter, node.middle, point) > node.spread_mm + within_mm;
 }
 
-/// Distance of the point that is farthest from the box.
+/// Returns the largest distance of the points from the node's box.
 double CutterSweep::away_mm(const Node& node, std::span<const Vec3> points) const {
   double most = 0;
   for (const Vec3& point : points) {
@@ -212,7 +214,7 @@ bool CutterSweep::may_reach(const SidedPiece& piece, double lift_mm, double deep
   const auto behind = [&](const Pose& pose, const CompiledTool& cutter) {
     return piece.outward.dot(middle - up - pose.tip - cutter.core.y() * pose.axis);
   };
-  // The deepest point is one of the cutter, so it is moved no farther than that.
+  // The deepest point is a point of the cutter, so it moves no farther than spread_mm.
   const auto are_behind = [&](const Node& node) {
     return behind(node.middle, *stretches_[node.first].cutter) > radius + node.spread_mm;
   };

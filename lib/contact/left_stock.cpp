@@ -13,14 +13,15 @@
 namespace gouge {
 namespace {
 
-constexpr double kBorderShare = 0.02, kMaxBorder_mm = 0.1;  // of the cutter's radius
-constexpr double kMinShare = 0.1;                           // of the border: a smaller piece is not decided
-constexpr double kFirstPiece_mm = 8;                        // no piece is longer
-// Points nearer than this to a gouge count as not finished; the surface must be this near to a queried place.
+constexpr double kBorderShare = 0.02, kMaxBorder_mm = 0.1;  // share of the cutter's radius
+constexpr double kMinShare = 0.1;                           // share of the border: a smaller piece stays undecided
+constexpr double kFirstPiece_mm = 8;                        // maximum length of a piece
+// Points nearer to a gouge than kMaxRim_mm count as not finished. The surface must be within kNearRim of a queried
+// place.
 constexpr double kMaxRim_mm = 0.5, kNearRim = 0.25;
-constexpr double kSure_mm = 1e-3;  // deeper than that below what is finished it is gouged for sure
+constexpr double kSure_mm = 1e-3;  // a point this much deeper than finished surface is certainly gouged
 constexpr double kRelativeGap = 0.1, kStockGap_mm = 0.01;
-constexpr double kBeyond_mm = 1e-3;  // where only a comparison with the distance is needed
+constexpr double kBeyond_mm = 1e-3;  // width of the range if only a comparison with the distance is needed
 
 double longest_mm(const SidedPiece& at) {
   const std::size_t k = longest_edge(at.corners);
@@ -29,12 +30,12 @@ double longest_mm(const SidedPiece& at) {
 
 Vec3 middle_of(const SidedPiece& at) { return (at.corners[0] + at.corners[1] + at.corners[2]) / 3.0; }
 
-/// A piece whose points may be finished, and may be left by up to upper_mm.
+/// A piece whose points may be finished, and on which up to upper_mm of stock may be left.
 struct Candidate : SearchCandidate {
   SidedPiece at;
   SweepHint finished, gouged;
   std::array<SweepHint, std::tuple_size_v<SweepsAfter>> covered, nearest;
-  std::size_t first = 0;  ///< which of them is likely to have a cut near it
+  std::size_t first = 0;  ///< index of the sweep that probably has a cut near the piece
 
   [[nodiscard]] std::size_t work() const {
     std::size_t all = finished.work + gouged.work;
@@ -43,7 +44,7 @@ struct Candidate : SearchCandidate {
   }
 };
 
-/// Best first: the piece that may be left by most is examined, sampled in its middle and halved.
+/// Best-first search: the piece that may have the most stock is examined, sampled in its middle and halved.
 class Finder : public BestFirstSearch<Finder, Candidate> {
  public:
   static constexpr bool kDescends = true;
@@ -51,7 +52,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
   Finder(const BlockTree& parts, const CutterSweep& before, const SweepsAfter& after, const StockLimits& limits)
       : parts_(parts), before_(before), after_(after), limits_(limits) {
     border_mm_ = std::min(kMaxBorder_mm, kBorderShare * before.min_radius_mm());
-    // A ball that is hardly deeper than what is finished comes within that again no farther off.
+    // A ball that is hardly deeper than finished surface reaches the finished height again within this distance.
     rim_mm_ = std::min(kMaxRim_mm, 2 * std::sqrt(before.min_radius_mm() * limits.finished_mm));
     is_convex_ =
         std::ranges::all_of(after, [](const CutterSweep* sweep) { return sweep == nullptr || sweep->is_convex(); });
@@ -62,7 +63,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     return before_.may_reach(at, limits_.finished_mm + border_mm_, border_mm_, hint);
   }
 
-  /// For a ball about the surface, from either side.
+  /// Returns the same for a ball around the surface, from either side.
   [[nodiscard]] bool may_be_finished(const Vec3& centre, double radius_mm, SweepHint& hint) const {
     const double near = radius_mm + limits_.finished_mm;
     return before_.distance(centre, near, near + kBeyond_mm, hint) <= near;
@@ -85,7 +86,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     return left_;
   }
 
-  /// As much as was found to be left, and no more than it matters.
+  /// Returns the thickness above which a piece must be examined: slightly more than the largest rest found so far.
   [[nodiscard]] double threshold_mm() const {
     if (!is_found()) return limits_.allowed_mm;
     return left_->is_more ? limits_.max_mm + kFirstPiece_mm : left_->thickness_mm * (1 + kRelativeGap) + kStockGap_mm;
@@ -112,14 +113,15 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
  private:
   [[nodiscard]] bool is_found() const { return left_.has_value(); }
 
-  /// That points of it are left by up to `max_mm` is not decided.
+  /// Records that the piece stays undecided: up to `max_mm` of stock may be left there.
   void give_up(const SidedPiece& at, double max_mm) {
     if (max_mm <= undecided_mm_) return;
     undecided_mm_ = max_mm;
     undecided_ = middle_of(at);
   }
 
-  /// Bounds what is left of it, and measures that in its middle. False: none of it is left above the threshold.
+  /// Bounds the rest of stock on a piece, and measures it in the middle. Returns false if nothing above the threshold
+  /// is left.
   [[nodiscard]] bool look(Candidate& candidate) {
     const SidedPiece& at = candidate.at;
     const double threshold = threshold_mm();
@@ -128,7 +130,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     double radius = 0;
     for (const Vec3& corner : at.corners) radius = std::max(radius, (corner - middle).norm());
     if (is_gouged(candidate, middle, radius) || is_covered(candidate, threshold)) return false;
-    // For a piece too large to be covered by the cut at its middle, a larger rest there is enough.
+    // A piece that is too large to be covered by the cut at its middle needs only a larger rest there.
     const double covering = threshold - radius, left = is_found() ? left_->thickness_mm : limits_.allowed_mm;
     const double enough = covering > 0 ? covering : left;
     const double away = away_from_cuts(candidate, middle, enough);
@@ -143,15 +145,14 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     return true;
   }
 
-  /// Returns whether all of a piece was gouged, or lies at the rim of a gouge. The cutter went through the surface
-  /// there. Stock that it leaves when it does not was never finished.
+  /// Returns whether all of a piece was gouged, or lies at the rim of a gouge. There the cutter went through the
+  /// surface, so stock that a path without the gouge leaves there was never finished.
   [[nodiscard]] bool is_gouged(Candidate& candidate, const Vec3& middle, double radius_mm) const {
     return is_deeper(middle, limits_.finished_mm + radius_mm + kSure_mm, candidate.gouged) ||
            is_at_rim(candidate, middle, radius_mm);
   }
 
-  /// Returns whether a place was gouged that is at the rim's width, or less, from every point within `radius_mm` of the
-  /// middle.
+  /// Returns whether a gouged place is within the rim's width of every point that is within `radius_mm` of the middle.
   [[nodiscard]] bool is_at_rim(Candidate& candidate, const Vec3& middle, double radius_mm) const {
     const double away = rim_mm_ - radius_mm, gouged = limits_.finished_mm + kSure_mm;
     if (away < 0) return false;
@@ -167,18 +168,18 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
                                         -diagonal * (across + other),
                                         diagonal * (other - across)};
     return std::ranges::any_of(places, [&](const Vec3& place) {
-      // Beyond an edge there is no surface, and a cutter may well be.
+      // Beyond an edge there is no surface, but a cutter may be there.
       const auto near = closest_triangle(parts_, middle + away * place, kNearRim * away);
       return near && is_deeper(near->foot.point, gouged, candidate.gouged);
     });
   }
 
-  /// Returns whether a point was that far inside a cutter.
+  /// Returns whether a point was at least `depth_mm` inside a cutter.
   [[nodiscard]] bool is_deeper(const Vec3& point, double depth_mm, SweepHint& hint) const {
     return before_.distance(point, -depth_mm, -depth_mm + kBeyond_mm, hint) <= -depth_mm;
   }
 
-  /// Returns whether one pose of a new cutter is over all of the piece, no more than `max_mm` away.
+  /// Returns whether a single pose of a new cutter covers all of the piece, at a distance of at most `max_mm`.
   [[nodiscard]] bool is_covered(Candidate& candidate, double max_mm) const {
     if (!is_convex_) return false;
     const Vec3 up = max_mm * candidate.at.outward;
@@ -188,7 +189,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
         candidate, [&](std::size_t i) { return after_[i]->covering_move(corners, candidate.covered[i]) != kNone; });
   }
 
-  /// For the parts of the present cut, the likely one first.
+  /// Returns whether `ask` holds for one of the sweeps after the change, and tries the most likely one first.
   template <typename Ask>
   [[nodiscard]] bool is_true_of_any(Candidate& candidate, const Ask& ask) const {
     for (std::size_t k = 0, i = candidate.first; k < after_.size(); ++k, i = (i + 1) % after_.size()) {
@@ -199,7 +200,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
     return false;
   }
 
-  /// Distance of a point of the surface from the nearest cut, if that is more than `lower_cutoff_mm`.
+  /// Returns the distance of a surface point from the nearest cut; `lower_cutoff_mm` if it is not more than that.
   [[nodiscard]] double away_from_cuts(Candidate& candidate, const Vec3& point, double lower_cutoff_mm) const {
     const bool is_enough = is_true_of_any(candidate, [&](std::size_t i) {
       return after_[i]->distance(point, lower_cutoff_mm, lower_cutoff_mm + kBeyond_mm, candidate.nearest[i]) <=
@@ -226,7 +227,7 @@ class Finder : public BestFirstSearch<Finder, Candidate> {
   std::size_t work_ = 0, work_until_left_ = 0;
 };
 
-/// Gives pieces of all triangles that cutters of `before` may finish to a search.
+/// A source of pieces for a search: the pieces of all triangles that cutters of `before` may finish.
 class Gatherer {
  public:
   Gatherer(const BlockTree& tree, Finder& finder, bool are_solids)

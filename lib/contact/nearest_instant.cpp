@@ -8,11 +8,13 @@
 namespace gouge {
 namespace {
 
-constexpr int kMaxLooks = 40;      // at a convex cutter, which takes two to five
-constexpr int kMaxHalvings = 12;   // of a cutter that is not convex
-constexpr double kMinStep = 0.02;  // of the time that is left: no look is closer to one before
+constexpr int kMaxLooks = 40;      // maximum number of distances for a convex cutter, which takes two to five
+constexpr int kMaxHalvings = 12;   // maximum number of halvings for a cutter that is not convex
+constexpr double kMinStep = 0.02;  // share of the remaining time: a new instant is at least this far from the ones
+                                   // before
 
-/// As seen with the axes of the first pose, after the turn that takes the axis of the second one onto its axis.
+/// Returns `v` in the axes of the first pose, after the turn that takes the axis of the second pose onto that of the
+/// first.
 Vec3 turned_back(const Vec3& v, const Vec3& first, const Vec3& second) {
   const Vec3 both = first + second;
   return v - both * (both.dot(v) / (1 + first.dot(second))) + 2 * second.dot(v) * first;
@@ -31,8 +33,9 @@ NearestInstant::NearestInstant(const CutterStretch& stretch, const Vec3& middle,
   slack_mm_ += radius_mm_ * stretch.angle_rad;
 }
 
-// In the cutter's frame u = p - tip is turned back by the turn up to that instant. So the second derivative of the
-// place of p there is at most angle^2 |u| + 2 angle |tip'|. It is off its chord by at most an eighth of that.
+// Adds a point. In the cutter's frame u = p - tip is turned back by the turn up to that instant. So the second
+// derivative of the position of p there is at most angle^2 |u| + 2 angle |tip'|. Its deviation from the chord is at
+// most an eighth of that.
 void NearestInstant::add(const Vec3& point) {
   const Vec3 first = point - stretch_.start.tip;
   Vec3 last = point - stretch_.end.tip;
@@ -51,7 +54,7 @@ void NearestInstant::add(const Vec3& point) {
   slack_mm_ = std::max(slack_mm_, stretch_.off_mm + angle * (angle * far + 2 * path) / 8);
 }
 
-/// Distance at arc length t along the chord; kept if it is the least so far.
+/// Measures the distance at time t along the chord, and keeps it if it is the smallest so far.
 NearestInstant::Look NearestInstant::look(double t) {
   Look most{t, -std::numeric_limits<double>::infinity(), 0, 0};
   for (std::size_t k = 0; k < count_; ++k) {
@@ -60,7 +63,7 @@ NearestInstant::Look NearestInstant::look(double t) {
     const double r = across.norm();
     const ToolDistance at = evaluate(*stretch_.cutter, r, way.z + t * way.z_change);
     if (at.signed_distance_mm <= most.value) continue;
-    // On the axis the mean of the gradients in all directions beside it is one, too.
+    // On the axis, the mean of the gradients in all directions beside it is a valid gradient too.
     const Vec3 beside = r > 0 ? Vec3(at.normal.x() / r * across) : Vec3(Vec3::Zero());
     most.value = most.least = at.signed_distance_mm;
     most.slope = beside.dot(way.across_change) + at.normal.y() * way.z_change;
@@ -83,8 +86,8 @@ bool NearestInstant::is_settled(double under_mm, double min_mm) const {
   return found_mm_ <= lower_cutoff_mm_ || under_mm > upper_cutoff_mm_ || found_mm_ - min_mm < kInstantGap_mm;
 }
 
-// A convex function lies above all of its tangents. Where two of them fall towards one another, its bound is their
-// crossing; for one alone it is the lower end.
+// Searches with a convex cutter. A convex function lies above all of its tangents. If two tangents fall towards one
+// another, their crossing bounds it; for a single tangent, the bound is its lower end.
 void NearestInstant::search_convex() {
   Look falling, rising;
   bool is_falling = false, is_rising = false;
@@ -94,7 +97,7 @@ void NearestInstant::search_convex() {
     const Look now = look(t);
     (now.slope < 0 ? falling : rising) = now;
     (now.slope < 0 ? is_falling : is_rising) = true;
-    double least = 0, under = 0;  // of the point, and of the triangle about it
+    double least = 0, under = 0;  // bound for the point, and bound for the triangle around it
     const double apart = rising.t - falling.t;
     const double bend = rising.slope - falling.slope;
     double crossing = 0.5;
@@ -113,7 +116,7 @@ void NearestInstant::search_convex() {
       t = is_falling ? 1 : 0;
       continue;
     }
-    // Where it is smooth, the slope is about linear; at a kink, the tangents cross.
+    // On a smooth function the slope is about linear; at a kink the tangents cross.
     const double step = looks % 2 != 0 ? crossing / apart : -falling.slope / bend;
     t = falling.t + std::clamp(step, kMinStep, 1 - kMinStep) * apart;
   }

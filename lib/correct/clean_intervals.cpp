@@ -6,11 +6,12 @@ namespace gouge {
 namespace {
 
 constexpr int kBorderHalvings = 5;
-constexpr double kPiece = 1.0 / (1 << kBorderHalvings);  // the shortest piece that is searched between gouges,
-constexpr double kPiece_mm = 0.25;                       // unless this is longer
-constexpr int kBisections = 14;                          // to find where a clean interval ends
-constexpr double kExact_mm = 0.01;                       // how exactly that is found
-constexpr double kArm_mm = 10;                           // at which a turn of the axis counts as a distance
+constexpr double kPiece = 1.0 / (1 << kBorderHalvings);  // length of the shortest piece that is searched between
+                                                         // gouges,
+constexpr double kPiece_mm = 0.25;                       // unless this length is longer
+constexpr int kBisections = 14;                          // number of halvings that find the end of a clean interval
+constexpr double kExact_mm = 0.01;                       // accuracy of that end
+constexpr double kArm_mm = 10;                           // lever at which a turn of the axis counts as a distance
 
 class IntervalSearch {
  public:
@@ -18,7 +19,7 @@ class IntervalSearch {
 
   std::vector<TimeInterval> run() {
     collect(0, 1);
-    // An end of the motion that is clean in itself begins an interval, however short.
+    // An end of the motion that is itself clean begins an interval, even a very short one.
     if ((found_.empty() || found_.front().first > 0) && is_clean_(0, 0)) found_.insert(found_.begin(), {0, 0});
     if ((found_.empty() || found_.back().last < 1) && is_clean_(1, 1)) found_.push_back({1, 1});
     for (std::size_t k = 0; k < found_.size(); ++k) {

@@ -66,7 +66,7 @@ class LiftedCuts {
   [[nodiscard]] const MotionLaw& law() const { return setup_.options.law; }
   [[nodiscard]] double limit_mm(std::size_t i) const { return setup_.tools[path_.moves[i].tool]->bare.core_depth_mm; }
 
-  /// Length of the programmed motion that the new ones leave by more than the limit.
+  /// Returns the length of the programmed motion from which the new motions deviate by more than the limit.
   [[nodiscard]] double lost_mm(std::size_t i) const {
     const Motion motion = law().of(path_, i);
     if (!motion.is_defined()) return 0;
@@ -84,7 +84,7 @@ class LiftedCuts {
     return length * static_cast<double>(far) / static_cast<double>(count);
   }
 
-  /// The tips of what a move became, curves as chords.
+  /// Returns the tips of the motions that replaced a move, with chords for curves.
   [[nodiscard]] std::vector<Vec3> way_of(const MovesAfter& span) const {
     std::vector<Vec3> way;
     for (std::size_t k = span.first; k < span.last; ++k) {
@@ -106,12 +106,13 @@ class LiftedCuts {
   std::vector<bool> is_changed_;
 };
 
-// Returns the stretches of cuts that a correction lifted, or shifted, off their programmed place by more than the
-// cutter's radius. The tool passes elsewhere and leaves that stock. In path order.
+// Returns the stretches of cuts that a correction lifted or shifted from their programmed place by more than the
+// cutter's radius. The tool passes elsewhere and leaves that stock. The order is that of the path.
 //
 // Requires `after` to be `path` with the changes.
-// Ensures  The length is that of the programmed feeds, known to half a millimetre a move, or to 1/400 of a longer one.
-//          Cycles, rapids and what is left out already (Correction::uncut) are not examined.
+// Ensures  The length is that of the programmed feeds. For each move it is accurate to half a millimetre, or to 1/400
+//          of a longer move. Cycles, rapids and stretches that are already left out (Correction::uncut) are not
+//          examined.
 // Cost     Some hundred distances for each changed move.
 std::vector<Uncut> find_lifted_cuts(const Toolpath& path, const Correction& correction, const Toolpath& after,
                                     const CheckSetup& setup) {
@@ -119,11 +120,11 @@ std::vector<Uncut> find_lifted_cuts(const Toolpath& path, const Correction& corr
   return LiftedCuts(path, correction, after, setup).find();
 }
 
-constexpr int kRounds = 6;  // in which what is worse is taken back, before everything is
+constexpr int kRounds = 6;  // number of rounds that take back worse changes, before all changes are taken back
 constexpr const char* kLeftForLaws = "a change here would make a move of the written file worse";
 constexpr const char* kUnwritable = "the file's records do not allow this change: ";
 
-/// Where nothing states which change cannot be written: those of the line named.
+/// Returns the changed moves of a line, if the error names only the line and not the change that cannot be written.
 std::vector<std::size_t> moves_of_line(const Toolpath& path, const std::vector<PathChange>& changes, std::size_t line) {
   std::vector<std::size_t> moves;
   for (const PathChange& change : changes) {
@@ -137,7 +138,7 @@ bool is_bad(const MoveVerdict& verdict) {
   return verdict.state == MoveState::gouge || verdict.state == MoveState::buried;
 }
 
-/// Every move that is bad at the end, with the reason known or the usual one.
+/// Returns every move that is bad at the end, with its known reason or the usual one.
 std::vector<Uncorrected> list_remaining(const Toolpath& path, const CheckResult& before, const Correction& correction,
                                         const CheckResult& after) {
   std::vector<const Uncorrected*> known(path.moves.size(), nullptr);
@@ -164,8 +165,8 @@ std::vector<Uncorrected> list_remaining(const Toolpath& path, const CheckResult&
   return remaining;
 }
 
-// Part and path lie to each other as before the correction. A path that was lifted from the part does not show
-// otherwise. One that did not fit still does not fit.
+// Keeps the assumptions on the position of part and path. The correction does not move them relative to each other. A
+// path that was lifted from the part does not show anything different; a path that did not fit still does not fit.
 void keep_place(const CheckResult& before, CheckResult& after) {
   for (const Subject fact : {Subject::mesh_unit, Subject::placement})
     copy_facts(fact, before.assumptions, after.assumptions);
@@ -177,7 +178,7 @@ void add_lifted_cuts(const Toolpath& path, const Toolpath& after, const CheckSet
   std::ranges::stable_sort(correction.uncut, {}, &Uncut::first_move);
 }
 
-/// Fills the lines of all stretches.
+/// Fills in the lines of all stretches.
 template <typename Stretch>
 void add_lines(const Toolpath& path, std::vector<Stretch>& stretches) {
   for (Stretch& stretch : stretches) {
@@ -228,7 +229,8 @@ Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckR
       worse = moves_of_line(toolpath, correction.changes, changed.error().line);
       reason = kUnwritable + changed.error().message;
     }
-    // One that a change does not touch follows from others, which only taking all of them back is sure to end.
+    // A worse move that no change touches is an effect of other changes. Only taking all of them back certainly ends
+    // that.
     const bool is_touched = std::any_of(worse.begin(), worse.end(), [&](std::size_t i) {
       return std::any_of(correction.changes.begin(), correction.changes.end(),
                          [&](const PathChange& c) { return c.move == i || c.move + 1 == i; });

@@ -11,12 +11,13 @@ namespace gouge {
 
 namespace {
 
-constexpr double kSmallestStep_mm = 1e-3;  // keeps the lift from creeping where the surface runs along the axis
-// Contacts count by the square of their excess: those below this share of the largest are of no account.
+constexpr double kSmallestStep_mm = 1e-3;  // minimum step, so that the lift does not become endless where the surface
+                                           // runs along the axis
+// Contacts have the square of their excess as weight: those below this share of the largest excess are ignored.
 constexpr double kNotable = 0.1;
-constexpr double kMargin_mm = 2e-3;  // how much further than required the weighted shift reaches
+constexpr double kMargin_mm = 2e-3;  // length by which the weighted shift exceeds the required one
 
-/// As largest_excess, charged to the budget of the checker; infinite once that is spent.
+/// Returns largest_excess and charges it to the budget of the checker; infinity once the budget is spent.
 double tool_excess(const Pose& pose, const ToolVariants& tool, const MotionChecker& checker, const CorrectionAim& aim) {
   if (checker.is_out_of_budget()) return std::numeric_limits<double>::infinity();
   std::uint64_t bounds = 0;
@@ -25,7 +26,7 @@ double tool_excess(const Pose& pose, const ToolVariants& tool, const MotionCheck
   return excess;
 }
 
-/// To the first place along `way` where tool and heads meet the aim.
+/// Moves the tip to the first place along `way` at which tool and heads meet the aim.
 std::optional<CorrectedPose> lift_along(const Vec3& way, Strategy strategy, const Pose& pose, const ToolVariants& tool,
                                         const MotionChecker& checker, const PoseLimits& limits) {
   CorrectedPose result{pose, strategy, 0, 0};
@@ -40,7 +41,7 @@ std::optional<CorrectedPose> lift_along(const Vec3& way, Strategy strategy, cons
   }
 }
 
-/// The distances that the contacts of a pose require of the tip.
+/// A function that returns the shift of the tip that the contacts of a pose require.
 using ShiftOfContacts = Vec3 (*)(const std::vector<ToolContact>& contacts);
 
 Vec3 weighted_mean(const std::vector<ToolContact>& contacts) {
@@ -58,7 +59,7 @@ Vec3 of_deepest(const std::vector<ToolContact>& contacts) {
   return deepest == contacts.end() ? Vec3::Zero() : Vec3(deepest->excess_mm * deepest->normal);
 }
 
-/// Again and again, until the aim is met.
+/// Repeats the shift until the aim is met.
 std::optional<CorrectedPose> iterate(ShiftOfContacts shift_of, Strategy strategy, const Pose& pose,
                                      const ToolVariants& tool, const MotionChecker& checker, const PoseLimits& limits) {
   const CorrectionAim& aim = limits.aim;

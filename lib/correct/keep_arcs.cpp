@@ -15,7 +15,7 @@ namespace {
 constexpr int kKeptPlaces = 16;
 constexpr int kGrowths = 3;
 
-/// One record for the whole arc, by the deepest of those of its pieces.
+/// Replaces the records of an arc's pieces by one record for the whole arc, with their largest depths.
 void join_records(std::size_t move, const Vec3& shift, const Pose& end, bool is_inserted, Correction& correction) {
   std::vector<ChangeRecord>& all = correction.records;
   const auto of_move = [move](const ChangeRecord& record) { return record.move == move; };
@@ -97,7 +97,8 @@ class ArcKeeper {
     return true;
   }
 
-  // Both ends go on in the direction in which they went: by the larger lift, and to the radius that all of it requires.
+  // Moves both ends farther in the directions of their shifts: by the larger of the two lifts, and to the radius that
+  // the whole arc requires.
   bool move_ends(PathChange& change) {
     const std::size_t i = change.move;
     const bool are_moved = change.new_end && change_of_[i - 1] != nullptr && change_of_[i - 1]->new_end;
@@ -156,7 +157,7 @@ class ArcKeeper {
     }
   }
 
-  // The laws of a shift.
+  // Returns whether the shift of an end is permitted.
   [[nodiscard]] bool may_end(std::size_t move, const Pose& pose) const {
     const Move& m = k_.path.moves[move];
     const Vec3 shift = pose.tip - m.end.tip;
@@ -181,7 +182,8 @@ class ArcKeeper {
     return stops;
   }
 
-  // The arc before, which has become one to its old end, to this one.
+  // Returns the arc of the move before, refitted to end at the new pose. That move has already become an arc to its old
+  // end.
   [[nodiscard]] std::optional<PathArc> refitted(std::size_t move, const Pose& end) const {
     const PathChange* change = change_of_[move];
     if (change == nullptr || !change->new_arc || !change->inserted_before.empty()) return std::nullopt;
@@ -210,7 +212,7 @@ class ArcKeeper {
     return motion.is_defined() && k_.checker.is_clean(motion, MoveKind::feed, tool_of(move), options_);
   }
 
-  // Where the programmed feed is clean the new one stays on it.
+  // Returns whether the new feed stays on the programmed feed wherever that is clean.
   [[nodiscard]] bool keeps_programmed(std::size_t move, const std::vector<Pose>& stops) const {
     if (k_.path.moves[move].kind != MoveKind::feed) return true;
     const Motion programmed = options_.law.straight(k_.path.start_of(move), k_.path.moves[move].end);

@@ -8,10 +8,12 @@
 namespace gouge {
 namespace {
 
-// Distances from the end of a clean interval at which a path may leave it, tried in turn.
+// Distances from the end of a clean interval at which a path may leave it; they are tried in this order.
 constexpr std::array kBack_mm{0.02, 0.1, 0.5, 2.0, 8.0};
-constexpr std::array kBackShares{1.0 / 16, 1.0 / 4, 1.0 / 2};  // of both intervals, for paths over corrected positions
-constexpr double kShortest_mm = 0.01;                          // of an interval that is worth a position
+constexpr std::array kBackShares{1.0 / 16, 1.0 / 4, 1.0 / 2};  // shares of both intervals, for paths over corrected
+                                                               // positions
+constexpr double kShortest_mm = 0.01;                          // minimum length of an interval for which a position is
+                                                               // added
 
 }  // namespace
 
@@ -29,7 +31,7 @@ std::optional<LinkNodes> LinkFinder::keep_to_programmed(const LinkNode& u, const
   return std::nullopt;
 }
 
-/// The clean intervals that are worth a position and in which the tool is outside.
+/// Returns the clean intervals that are long enough for a position and in which the tool is outside.
 std::vector<TimeInterval> LinkFinder::clean_programmed() const {
   const Motion& motion = *task_.programmed;
   std::vector<TimeInterval> clean = find_clean_intervals(
@@ -43,8 +45,8 @@ std::vector<TimeInterval> LinkFinder::clean_programmed() const {
   return clean;
 }
 
-/// The path over all clean intervals: along each of them, and across the gaps between. The gap that cannot be crossed,
-/// if any; gap k ends at interval k.
+/// Finds the path over all clean intervals: along each of them, and across the gaps between them. Returns the gap that
+/// cannot be crossed, if there is one. Gap k ends at interval k.
 std::optional<std::size_t> LinkFinder::chain(const LinkNode& u, const LinkNode& v, LinkNodes& waypoints) {
   GapEnd left{u, {u.t, u.t}, true};
   for (std::size_t k = 0; k <= clean_.size(); ++k) {
@@ -62,7 +64,7 @@ std::optional<std::size_t> LinkFinder::chain(const LinkNode& u, const LinkNode& 
   return std::nullopt;
 }
 
-/// A path from one clean interval to the next, which shortens both to what the path leaves of them.
+/// Finds a path from one clean interval to the next. It shortens both to the part that the path leaves of them.
 std::optional<LinkNodes> LinkFinder::cross(GapEnd& left, GapEnd& right) {
   double tried_left = left.room.last, tried_right = right.room.first;
   std::optional<LinkNodes> waypoints;
@@ -106,7 +108,7 @@ std::optional<LinkNodes> LinkFinder::link_ends(const GapEnd& left, const GapEnd&
   return waypoints;
 }
 
-/// The shorter one of the intervals at both sides of a gap that nothing crosses.
+/// Drops the shorter of the two intervals at a gap that no path crosses.
 void LinkFinder::drop_interval(std::size_t gap) {
   const auto length = [&](std::size_t k) { return clean_[k].last - clean_[k].first; };
   const bool has_left = gap > 0, has_right = gap < clean_.size();
@@ -114,7 +116,7 @@ void LinkFinder::drop_interval(std::size_t gap) {
   clean_.erase(clean_.begin() + static_cast<std::ptrdiff_t>(is_left ? gap - 1 : gap));
 }
 
-/// Leaves out positions on the programmed motion without which the path is clean and as near to it.
+/// Removes positions on the programmed motion without which the path stays clean and as near to the motion.
 void LinkFinder::leave_out_holds(const LinkNode& u, const LinkNode& v, LinkNodes& waypoints) const {
   LinkNodes kept;
   for (std::size_t k = 0; k < waypoints.size(); ++k) {
@@ -127,8 +129,8 @@ void LinkFinder::leave_out_holds(const LinkNode& u, const LinkNode& v, LinkNodes
   waypoints = std::move(kept);
 }
 
-/// Returns whether the straight path keeps to the programmed motion wherever that is clean. It leaves the motion by a
-/// mean of what its ends are off, so the ends of the clean intervals represent all instants.
+/// Returns whether the straight path stays near the programmed motion wherever that is clean. Its deviation is a mean
+/// of the deviations at its ends, so the ends of the clean intervals represent all instants.
 bool LinkFinder::stays_near(const LinkNode& from, const LinkNode& to) const {
   const Vec3 off_from = offset_mm(from), off_to = offset_mm(to);
   const double span = to.t - from.t;

@@ -9,12 +9,13 @@
 namespace gouge {
 namespace {
 
-constexpr double kSameTurn_rad = 0.05;  // far more than digits make of an arc, far less than another way round
+constexpr double kSameTurn_rad = 0.05;  // far more than the rounding of an arc's digits, far less than a turn in the
+                                        // other direction
 const std::optional<PathArc> kStraight;
 
 bool is_same_pose(const Pose& a, const Pose& b) { return a.tip == b.tip && a.axis == b.axis; }
 
-// As near as the digits of a file put a position that is written again.
+// Returns whether the poses agree up to the digits of a file in which a position is written again.
 bool is_near(const Pose& a, const Pose& b) {
   constexpr double kDigits_mm = 0.006, kDigitsOfAxis = 1e-5;
   return (a.tip - b.tip).norm() <= kDigits_mm && (a.axis - b.axis).norm() <= kDigitsOfAxis;
@@ -40,7 +41,7 @@ bool is_same_motion(const Toolpath& a, std::size_t i, const Toolpath& b, std::si
   return (!ma.has_start || is_same_pose(a.start_of(i), b.start_of(k))) && is_same_curve(a, ma, b, mb);
 }
 
-/// The motions that the move became turn as the change states, and no other way round.
+/// Returns whether the motions that replaced the move turn as the change states, and not in the other direction.
 bool turns_as_asked(const PathChange& change, const Toolpath& after, const MovesAfter& span) {
   for (std::size_t k = span.first; k < span.last; ++k) {
     const std::size_t piece = k - span.first;
@@ -58,7 +59,8 @@ bool turns_as_asked(const PathChange& change, const Toolpath& after, const Moves
   return true;
 }
 
-/// The same motion is as deep as it was; only the path that leads to it may show more or less of its inside.
+/// Returns whether the state of an unchanged motion is acceptable. The same motion is as deep as before. Only the path
+/// that leads to it may show more or less of which side is inside.
 bool has_kept_state(const MoveVerdict& before, const MoveVerdict& after) {
   return before.state == after.state || after.state == MoveState::clean ||
          (before.state == MoveState::not_certified && after.state != MoveState::buried);
@@ -103,8 +105,8 @@ class LawsCheck {
 
  private:
   /// Returns whether piece `k` of straight move `i` is the programmed motion or a part of it. It may also lead from its
-  /// new start to the old one, or from the old end to the new one. Elsewhere a motion that still gouges could cut what
-  /// it did not cut before, less deep than its deepest point.
+  /// new start to the old one, or from the old end to the new one. Elsewhere a motion that still gouges could cut
+  /// places that it did not cut before, even if it is less deep than its deepest point.
   [[nodiscard]] bool is_programmed_or_shift(std::size_t i, std::size_t k, const MovesAfter& span) const {
     const Toolpath &a = *before_.path, &b = *after_.path;
     if (!b.moves[k].has_start) return false;
@@ -118,8 +120,8 @@ class LawsCheck {
            (is_last && !is_first && is_near(b.start_of(k), a.moves[i].end));
   }
 
-  /// Returns whether the tool passes there on straight move `i`: a straight motion between two such positions is a part
-  /// of it.
+  /// Returns whether the tool passes the pose on straight move `i`. A straight motion between two such poses is a part
+  /// of the move.
   [[nodiscard]] bool is_on_programmed(std::size_t i, const Pose& pose) const {
     const Motion motion = options_.law.straight(before_.path->start_of(i), before_.path->moves[i].end);
     const Vec3 along = motion.end().tip - motion.start().tip;
@@ -134,7 +136,7 @@ class LawsCheck {
   std::vector<const PathChange*> change_of_;
 };
 
-/// A hole that goes elsewhere may be reached by a step more or less.
+/// Returns whether a hole has as many steps as before. A hole that was moved may need a step more or less.
 bool has_same_steps(const Toolpath& before, std::size_t i, const Toolpath& after, std::size_t k) {
   return k < after.moves.size() && end_of_hole(before, i) - i == end_of_hole(after, k) - k;
 }
@@ -144,7 +146,7 @@ bool has_same_steps(const Toolpath& before, std::size_t i, const Toolpath& after
 bool is_no_worse_than(const MoveVerdict& before, const MoveVerdict& after, double resolution_mm) {
   if (after.state == MoveState::clean) return true;
   if (after.state == MoveState::near_miss) return before.state != MoveState::clean;
-  // A rapid left out on request is still left out.
+  // A rapid that was left out on request is still left out.
   if (after.state == MoveState::not_checked)
     return before.state == after.state && before.reason.is(Reason::Kind::rapid_skipped) &&
            after.reason.is(Reason::Kind::rapid_skipped);
@@ -171,7 +173,7 @@ std::vector<std::size_t> find_worse(const CheckedPath& before, const std::vector
   std::vector<std::size_t> worse;
   for (const PathChange& change : changes) {
     if (change.hole_shift_mm && !has_same_steps(*before.path, change.move, *after.path, spans[change.move].first))
-      return {change.move};  // later moves are then not where they are searched
+      return {change.move};  // later moves do not have the expected indices then
   }
   const bool is_as_long = count == 0 || spans.back().last == after.path->moves.size();
   const LawsCheck check(before, changes, after, options);

@@ -13,8 +13,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kGap_mm = 0.02;     // how well the worst instant of a gouging motion is found
-constexpr double kAirMargin = 1.05;  // of the clearance, for positions: between them a rapid keeps it all
+constexpr double kGap_mm = 0.02;     // accuracy of the worst instant of a gouging motion
+constexpr double kAirMargin = 1.05;  // factor of the clearance at positions, so that the rapid between them keeps the
+                                     // full clearance
 constexpr int kHalvings = 6;
 
 Pose retracted(const Pose& pose, double lift) { return {pose.tip + lift * pose.axis, pose.axis}; }
@@ -39,7 +40,7 @@ std::optional<LinkNodes> LinkFinder::halve(const LinkNode& u, const LinkNode& v,
   node.stop.before = motion.at(t);
   node.stop.depth_before_mm = verdict.depth_mm;
   node.t = u.t + t * (v.t - u.t);
-  // A rapid need not keep over a cut: it goes the shortest way.
+  // A rapid need not stay over a cut, so it goes the shortest way.
   const bool is_lift_asked = task_.strategy == Strategy::axis || task_.strategy == Strategy::direction;
   const bool is_shortest = task_.kind == MoveKind::rapid && !is_lift_asked;
   const Strategy strategy = is_shortest ? Strategy::normal : task_.strategy;
@@ -56,8 +57,8 @@ std::optional<LinkNodes> LinkFinder::halve(const LinkNode& u, const LinkNode& v,
   return before;
 }
 
-/// Leads away from the programmed motion at one end of the gap, as far as the other end is off. From there on it is
-/// parallel to it.
+/// Leads away from the programmed motion at one end of the gap, to the deviation of the other end. From there on the
+/// path is parallel to the motion.
 std::optional<LinkNodes> LinkFinder::corner(const LinkNode& u, const LinkNode& v, double depth_mm) {
   if (task_.programmed == nullptr) return std::nullopt;
   const Vec3 off_u = offset_mm(u), off_v = offset_mm(v);
@@ -66,7 +67,7 @@ std::optional<LinkNodes> LinkFinder::corner(const LinkNode& u, const LinkNode& v
   const Vec3& off = is_at_u ? off_v : off_u;
   if ((off_u - off_v).norm() <= task_.keeps_to_mm) return std::nullopt;
   const Pose on = task_.programmed->at(near.t);
-  // A lift is one along the axis of its own instant.
+  // If the deviation is a lift, the new one is along the axis of its own instant.
   const double lift = off.dot(far.pose().axis);
   const bool is_lift = (off - lift * far.pose().axis).norm() <= Tolerance::kFilePoint_mm;
   const Pose turn{on.tip + (is_lift ? Vec3(lift * near.pose().axis) : off), near.pose().axis};
@@ -81,12 +82,12 @@ PoseLimits LinkFinder::limits() const {
   return limits;
 }
 
-/// The crossing keeps `clearance_mm`; the ways up to it and down again do not. Lifts grow; where only the largest one
-/// is free, the least between it and the one before is found by halving. For a rapid, lifts between these are tried
-/// where none is free.
+/// Finds a path up, across and down. The crossing keeps `clearance_mm`; the ways up and down do not. Lifts grow. If
+/// only the largest lift is free, halving finds the smallest free lift between it and the one before. If no lift is
+/// free for a rapid, lifts in between are tried.
 std::optional<LinkNodes> LinkFinder::over(const LinkNode& from, const LinkNode& to, double clearance_mm) {
   const bool is_rapid = task_.kind == MoveKind::rapid;
-  bool is_blocked = false;  // a way up or down
+  bool is_blocked = false;  // a way up or down is blocked
   const auto is_free = [&](double lift) {
     const Pose up = retracted(from.pose(), lift), down = retracted(to.pose(), lift);
     is_blocked = !is_clean(from.pose(), up) || !is_clean(down, to.pose());
@@ -107,7 +108,7 @@ std::optional<LinkNodes> LinkFinder::over(const LinkNode& from, const LinkNode& 
       }
       return way(high);
     }
-    // An obstacle to a straight lift is an obstacle to every longer one.
+    // An obstacle to a straight lift is also an obstacle to every longer lift.
     if (is_blocked && !is_rapid) return std::nullopt;
   }
   for (std::size_t k = 0; is_rapid && k + 1 < lifts.size(); ++k) {
@@ -119,7 +120,7 @@ std::optional<LinkNodes> LinkFinder::over(const LinkNode& from, const LinkNode& 
 
 void LinkFinder::leave_out_needless(const Pose& from, const Pose& to, LinkNodes& waypoints) const {
   LinkNodes kept;
-  std::vector<Pose> left_out;  // since the last one kept
+  std::vector<Pose> left_out;  // positions that were removed since the last kept one
   for (std::size_t k = 0; k < waypoints.size(); ++k) {
     const Pose& last = kept.empty() ? from : kept.back().pose();
     const Pose& next = k + 1 < waypoints.size() ? waypoints[k + 1].pose() : to;
@@ -139,7 +140,7 @@ bool LinkFinder::is_clean(const Pose& from, const Pose& to, double clearance_mm)
   return task_.checker->is_clean(motion_between(from, to), task_.kind, *task_.tool, options, true);
 }
 
-// Straight parts of a dogleg need no search: all its positions stay.
+// Returns whether a pose lies on the straight path. The parts of a dogleg are not searched: all its positions stay.
 bool LinkFinder::is_between(const Pose& from, const Pose& to, const Pose& pose) const {
   if (task_.kind == MoveKind::rapid && task_.options.law.rapid() == RapidMode::dogleg) return false;
   const Motion motion = motion_between(from, to);
@@ -185,7 +186,7 @@ std::optional<LinkNodes> LinkFinder::find_rapid(const LinkNode& u, const LinkNod
   return waypoints ? waypoints : over(u, v, 0);
 }
 
-/// Past the worst instants, `air_mm` from everything.
+/// Finds a path past the worst instants, at a distance of `air_mm` from everything.
 std::optional<LinkNodes> LinkFinder::round(const LinkNode& u, const LinkNode& v, double air_mm) {
   air_mm_ = air_mm;
   count_ = 0;

@@ -16,21 +16,21 @@ struct LinkNode {
 };
 using LinkNodes = std::vector<LinkNode>;
 
-/// The search behind bridge(). It tests whether the tool is inside a solid at certain places. These are the start of a
-/// path, each inserted position and each clean interval of the programmed motion. From there on a clean motion keeps
-/// the tool outside.
+/// The search behind link(). It tests whether the tool is inside a solid at certain places: the start of a path, each
+/// inserted position, and each clean interval of the programmed motion. From these places on, a clean motion keeps the
+/// tool outside.
 class LinkFinder {
  public:
   explicit LinkFinder(const LinkTask& task) : task_(task) {}
 
-  /// The positions strictly between `u` and `v`.
+  /// Returns the positions strictly between `u` and `v`; nothing if no path was found.
   std::optional<LinkNodes> find(const LinkNode& u, const LinkNode& v);
 
  private:
-  static constexpr int kLevels = 7;                 // halvings of a motion before another path is tried
-  static constexpr std::size_t kMaxPositions = 24;  // put into one gap
+  static constexpr int kLevels = 7;                 // number of halvings of a motion before another path is tried
+  static constexpr std::size_t kMaxPositions = 24;  // maximum number of positions in one gap
 
-  /// One side of a gap: a position, or the end of a clean interval of which all instants will do.
+  /// One side of a gap: a position, or the end of a clean interval, of which any instant is possible.
   struct GapEnd {
     LinkNode node;
     TimeInterval room;
@@ -38,7 +38,7 @@ class LinkFinder {
   };
   enum class Search { simple, thorough };
 
-  // bridge.cpp: a path between two positions
+  // link.cpp: a path between two positions
   std::optional<LinkNodes> find_feed(const LinkNode& u, const LinkNode& v);
   std::optional<LinkNodes> halve(const LinkNode& u, const LinkNode& v, int level);
   std::optional<LinkNodes> corner(const LinkNode& u, const LinkNode& v, double depth_mm);
@@ -52,7 +52,7 @@ class LinkFinder {
   [[nodiscard]] Motion motion_between(const Pose& from, const Pose& to) const;
   [[nodiscard]] MoveVerdict check(const Motion& motion) const;
 
-  // keep_to_programmed.cpp: a path that keeps to the programmed motion where that is clean
+  // keep_to_programmed.cpp: a path that stays on the programmed motion where that is clean
   std::optional<LinkNodes> keep_to_programmed(const LinkNode& u, const LinkNode& v);
   std::optional<std::size_t> chain(const LinkNode& u, const LinkNode& v, LinkNodes& waypoints);
   std::optional<LinkNodes> cross(GapEnd& left, GapEnd& right);
@@ -67,12 +67,13 @@ class LinkFinder {
   [[nodiscard]] std::vector<TimeInterval> clean_programmed() const;
 
   const LinkTask& task_;
-  std::vector<TimeInterval> clean_;  // of the programmed motion, without those that nothing leads to or from
-  std::size_t count_ = 0;            // of positions found since the last start
-  double air_mm_ = 0;                // the clearance in force
+  std::vector<TimeInterval> clean_;  // clean intervals of the programmed motion, without those that no path reaches or
+                                     // leaves
+  std::size_t count_ = 0;            // number of positions found since the last start
+  double air_mm_ = 0;                // the current clearance
 };
 
-/// Returns a waypoint on a motion that was at `before`, `lift` away from it.
+/// Returns a waypoint at `after` for a motion that was at `before`; `lift_mm` is the distance between them.
 [[nodiscard]] LinkPose link_stop(const Pose& before, const Pose& after, double lift_mm, double depth_mm);
 
 }  // namespace gouge

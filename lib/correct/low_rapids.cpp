@@ -9,8 +9,10 @@
 namespace gouge {
 namespace {
 
-constexpr double kAsMuch_mm = 1e-3;                           // less than that is not a change of what a rapid keeps
-constexpr double kCertifiedShares[] = {0.99, 0.9, 0.5, 0.1};  // of a distance that was found
+constexpr double kAsMuch_mm = 1e-3;                           // a smaller difference does not count as a change of a
+                                                              // rapid's distance
+constexpr double kCertifiedShares[] = {0.99, 0.9, 0.5, 0.1};  // shares of a found distance for which a certificate is
+                                                              // tried
 
 class RapidMeasurer {
  public:
@@ -19,7 +21,7 @@ class RapidMeasurer {
     options_.tolerance_mm = 0;
   }
 
-  /// Returns how far a rapid stays away from everything, up to the clearance; negative: how deep it is at most.
+  /// Returns the distance that a rapid keeps from everything, up to the clearance; if negative, its maximum depth.
   [[nodiscard]] double keeps_mm(const Toolpath& path, std::size_t move) const {
     const Motion motion = options_.law.of(path, move);
     if (!motion.is_defined() || path.moves[move].tool == kNone) return clearance_mm_;
@@ -48,7 +50,7 @@ class RapidMeasurer {
   double clearance_mm_;
 };
 
-/// Moves that a change rewrote, or that begin where one ends now.
+/// Returns the moves that a change rewrote, and those that begin at a changed end.
 std::vector<bool> rewritten(const Toolpath& path, const Correction& correction) {
   std::vector<bool> is_rewritten(path.moves.size() + 1, false);
   for (const PathChange& change : correction.changes) {

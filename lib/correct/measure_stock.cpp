@@ -14,8 +14,8 @@
 namespace gouge {
 namespace {
 
-// Budget of all stretches together, a few tenths of a CPU second: a report beside a correction must not cost
-// more than it.
+// Budget of all stretches together, a few tenths of a CPU second: a report on a correction must not cost more than the
+// correction.
 constexpr std::size_t kMaxWork = 2'000'000, kWorkPerMove = 20;
 
 class Measurer {
@@ -30,7 +30,7 @@ class Measurer {
     for (std::size_t i = 0; i < after.moves.size(); ++i) {
       const Move& move = after.moves[i];
       if (!cuts(after, i) || all.is_empty()) continue;
-      // No point of it is farther from the middle between its ends than half of its length.
+      // No tip of the move is farther from the middle between its ends than half of its length.
       const CompiledTool& cutter = setup.tools[move.tool]->cutting;
       const double reach =
           0.5 * move_length_mm(after, i) + cutter.r_max_mm + std::max(cutter.z_max_mm, -cutter.z_min_mm) + kMaxStock_mm;

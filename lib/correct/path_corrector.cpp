@@ -12,8 +12,8 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kPositionsPerChunk = 4;
-// Bounds for a position, and for a motion: the work grows with the size of the job and no faster. A few gouges may take
-// as long each as many together.
+// Numbers of bounds for a job, and at least for each position or motion. So the work grows no faster than the size of
+// the job. If there are few gouges, each may take as long as many of them together.
 constexpr std::uint64_t kJobBudget = 3'000'000, kMinStepBudget = 300'000;
 
 constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
@@ -31,7 +31,7 @@ constexpr const char* kUncertain = "the check cannot tell whether it is clean, s
 
 bool is_straight(const Move& move) { return move.kind == MoveKind::feed || move.kind == MoveKind::rapid; }
 
-/// Returns how deep the cutter may stay in the part.
+/// Returns the permitted depth of the cutter in the part after a correction.
 double aim_of(double tolerance_mm) { return tolerance_mm > 2 * kAir_mm ? kPositionAimShare * tolerance_mm : -kAir_mm; }
 
 std::uint64_t step_budget(const CheckResult& result) {
@@ -101,7 +101,7 @@ Correction PathCorrector::propose(const ProgressCall& progress) {
     if (positions_[i].is_wanted && !positions_[i].is_worked) wanted.push_back(i);
   }
   work("correcting positions", wanted, progress, [this](std::size_t i) { correct_position(i); });
-  // Not within that: neighbours share a move, and different threads may have them.
+  // This is done after the parallel work: neighbours share a move, and different threads may have them.
   for (const std::size_t i : wanted) {
     if (positions_[i].corrected) mark_moves_at(i);
   }
@@ -136,13 +136,13 @@ void PathCorrector::choose_positions() {
   }
 }
 
-/// For the body that a move gouges with.
+/// Returns the strategy for the body with which a move gouges.
 Strategy PathCorrector::strategy_of(std::size_t i) const {
   const MoveVerdict& verdict = result_.verdicts[i];
   return correct_.strategies[verdict.witness ? verdict.witness->body : Body::cutter];
 }
 
-/// For the deeper gouge beside a position.
+/// Returns the strategy for the deeper of the two gouges next to a position.
 Strategy PathCorrector::strategy_at(std::size_t i) const {
   const auto depth = [this](std::size_t move) {
     const MoveVerdict& verdict = result_.verdicts[move];
@@ -159,7 +159,7 @@ void PathCorrector::correct_position(std::size_t i) {
   if (move.tool == kNone || tools_[move.tool] == nullptr) return;
   const ToolVariants& tool = *tools_[move.tool];
   work.depth_before_mm = depth_at(move.end, move.kind, tool);
-  // A position within the tolerance is left alone, even one deeper than a correction aims for.
+  // A position within the tolerance is left alone, even if it is deeper than the aim of a correction.
   const double within = kMotionAimShare * options_.tolerance_mm;
   const CorrectionAim allowed{within, within, 0};
   const PoseLimits usual = limits_for(tool);
@@ -218,7 +218,7 @@ Pose PathCorrector::end_of(std::size_t i) const {
 
 Pose PathCorrector::start_of(std::size_t i) const { return is_chained(i) ? end_of(i - 1) : path_.moves[i].end; }
 
-// A thin or pointed tool is clean only where it is less deep than the tolerance allows.
+// Returns the limits for a tool. A thin or pointed tool is clean only at a smaller depth than the tolerance permits.
 PoseLimits PathCorrector::limits_for(const ToolVariants& tool) const {
   PoseLimits limits = limits_;
   const CertifiedDepth sure = certified_depth(tool, checker_.scene(), options_);
@@ -275,9 +275,10 @@ void PathCorrector::link_move(std::size_t i) {
   work.is_refused = work.inserted.empty();
 }
 
-/// A move that still gouges runs as it was programmed. It leads from its new start to the old one, along the programmed
-/// motion, and from the old end to the new one. So it cuts nothing that it did not cut before, but what the shifts of
-/// its ends cut, no deeper than its ends are. Nothing where that is not so, or the motion is not a straight line.
+/// Returns positions with which a still gouging move runs as it was programmed. It leads from its new start to the old
+/// one, along the programmed motion, and from the old end to the new one. So it cuts nothing new, except for the shifts
+/// of its ends, which are no deeper than the ends. Returns nothing if that does not hold, or if the motion is not a
+/// straight line.
 std::vector<LinkPose> PathCorrector::programmed_again(std::size_t i) const {
   const Move& move = path_.moves[i];
   const bool is_dogleg = move.kind == MoveKind::rapid && options_.law.rapid() == RapidMode::dogleg;
@@ -303,14 +304,15 @@ std::vector<LinkPose> PathCorrector::programmed_again(std::size_t i) const {
   return again;
 }
 
-// A rapid that is left out on request is nevertheless there.
+// Returns the verdict before the correction. A rapid that is left out on request is checked here, because it exists
+// nevertheless.
 MoveVerdict PathCorrector::verdict_before(std::size_t i) const {
   const MoveVerdict& verdict = result_.verdicts[i];
   if (verdict.state != MoveState::not_checked || !verdict.reason.is(Reason::Kind::rapid_skipped)) return verdict;
   return checker_.check(options_.law.of(path_, i), path_.moves[i].kind, *tools_[path_.moves[i].tool], options_);
 }
 
-/// With its new ends it is clean, or near where it was not clean.
+/// Returns whether a move with its new ends is clean, or near if it was not clean before.
 bool PathCorrector::is_free(std::size_t i) const {
   const Move& move = path_.moves[i];
   if ((move.has_start && !is_straight(move)) || !move.not_checked_reason.empty()) return false;
@@ -321,7 +323,7 @@ bool PathCorrector::is_free(std::size_t i) const {
   return after.state != MoveState::gouge && is_no_worse_than(verdict_before(i), after, options_.resolution_mm);
 }
 
-/// Takes back what makes a move worse; true where something was.
+/// Takes back the changes that make a move worse. Returns whether there were any.
 bool PathCorrector::take_back() {
   bool is_any = false;
   for (std::size_t i = 0; i < moves_.size(); ++i) {
@@ -375,7 +377,7 @@ void PathCorrector::gather_failure(std::size_t i, Correction& correction) const 
   const MoveWork& work = moves_[i];
   const bool is_left = verdict.state == MoveState::buried || verdict.state == MoveState::gouge;
   if (!is_left || (work.is_wanted && !work.is_failed)) return;
-  // A position alone that was corrected gouges no more.
+  // A single position that was corrected does not gouge any more.
   if (!path_.moves[i].has_start && positions_[i].corrected) return;
   std::string reason = usual_reason(path_.moves[i], verdict);
   const bool is_gouge = verdict.state == MoveState::gouge;

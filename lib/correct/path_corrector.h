@@ -10,17 +10,17 @@
 
 namespace gouge {
 
-/// Proposes positions for one path of straight moves, arcs and splines that stay.
+/// A search for positions of a path of straight moves, and of unchanged arcs and splines.
 ///
-/// A change touches the motions at both sides of its position. One that would leave any of them worse than it was is
-/// taken back, and with it what relies on it, until nothing is worse.
+/// A change affects the motions on both sides of its position. A change that would make one of them worse is withdrawn,
+/// together with the changes that rely on it. This is repeated until no move is worse.
 class PathCorrector {
  public:
-  /// All must outlive it. `tools` as in check_path.
+  /// Prepares the corrector. All objects must outlive it. `tools` has the meaning of check_path.
   PathCorrector(const Toolpath& path, const CheckResult& result, const std::vector<const ToolVariants*>& tools,
                 const MotionChecker& checker, const CorrectOptions& correct);
 
-  /// Keeps this move, both its positions and the motion between, unchanged.
+  /// Keeps this move unchanged: both its positions and the motion between them.
   void keep(std::size_t move, const std::string& reason);
 
   [[nodiscard]] Correction propose(const ProgressCall& progress);
@@ -29,15 +29,15 @@ class PathCorrector {
   struct PositionWork {
     bool is_wanted = false, is_worked = false;
     std::optional<CorrectedPose> corrected;
-    std::string failure;  ///< why it stays although it is too deep
+    std::string failure;  ///< reason why it stays although it is too deep
     double depth_before_mm = 0, depth_after_mm = 0;
   };
   struct MoveWork {
     bool is_wanted = false, is_dirty = false, is_kept = false;
     std::vector<LinkPose> inserted;
-    bool is_failed = false;         ///< it still gouges
-    bool is_refused = false;        ///< it would be worse than it was
-    bool is_out_of_budget = false;  ///< before a path was found
+    bool is_failed = false;         ///< the move still gouges
+    bool is_refused = false;        ///< the change would make the move worse
+    bool is_out_of_budget = false;  ///< the budget ran out before a path was found
     std::string kept_reason;
   };
 
@@ -73,13 +73,13 @@ class PathCorrector {
   const MotionChecker& checker_;
   const CheckOptions& options_;
   const CorrectOptions& correct_;
-  std::uint64_t step_budget_;  // bounds that one position or one move may take
-  PoseLimits limits_;          // see limits_for
+  std::uint64_t step_budget_;  // maximum number of bounds for one position or one move
+  PoseLimits limits_;          // limits without those of a tool, see limits_for
   std::vector<PositionWork> positions_;
   std::vector<MoveWork> moves_;
 };
 
-/// Returns why a gouge, a buried or an uncertain move of this kind stays where nothing else is known.
+/// Returns the usual reason why a gouge, a buried or an uncertain move of this kind stays, if no other reason is known.
 [[nodiscard]] std::string usual_reason(const Move& move, const MoveVerdict& verdict);
 
 }  // namespace gouge

@@ -16,7 +16,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kBeside = 1.25;  // of the radius, where material is sought
+constexpr double kBeside = 1.25;  // distance from the axis, in radii, at which material is searched
 constexpr int kDirections = 8, kHeights = 64;
 constexpr double kTopExact_mm = 1e-3;
 
@@ -25,7 +25,7 @@ bool is_in_part(const Vec3& point, const PreparedScene& scene) {
                              [&](const Surface& surface) { return surface.is_solid() && surface.winds_around(point); });
 }
 
-/// The height at which the material that begins beside the drill ends; 0: there is none.
+/// Returns the height at which the material that begins beside the drill ends; 0 if there is none.
 double top_mm(const Vec3& foot, const Vec3& axis, double max_mm, const PreparedScene& scene) {
   const auto is_in = [&](double height) { return is_in_part(foot + height * axis, scene); };
   double in = 0, out = max_mm;
@@ -48,12 +48,12 @@ double top_mm(const Vec3& foot, const Vec3& axis, double max_mm, const PreparedS
   return in;
 }
 
-// Returns how deep the tip of a drill is below the surface of the parts around it, in mm. 0 where material does not
-// surround it, or a part is not a solid. It is the same whether or not the parts have the hole.
+// Returns how deep the tip of a drill is below the surface of the parts around it, in mm. Returns 0 if material does
+// not surround it, or if a part is not a solid. The result does not depend on whether the parts have the hole.
 //
 // At `pose` the tip is at the bottom of the hole. The radius is that of the drill. Nothing above `max_mm` is examined.
-// Ensures  In each of eight directions about the axis, material stands beside the drill at a quarter of its radius up
-//          to that depth. This holds as far as 64 heights show; the upper end is known to 0.001 mm.
+// Ensures  In each of eight directions about the axis, there is material at 1.25 radii from the axis up to that depth.
+//          This is tested at 64 heights; the upper end is known to 0.001 mm.
 // Cost     Some 600 queries of a side.
 double depth_below_surface_mm(const Pose& pose, double radius_mm, double max_mm, const PreparedScene& scene) {
   if (!(max_mm > 0) || !scene.is_within_reach) return 0;
@@ -69,9 +69,9 @@ double depth_below_surface_mm(const Pose& pose, double radius_mm, double max_mm,
 
 constexpr double kMinStep_mm = 5e-4;
 constexpr int kSteps = 40;
-// A longer lift would leave no hole, or not the one that was programmed.
+// A longer lift would leave no hole, or a different hole from the programmed one.
 constexpr double kMaxOfDepth = 0.25, kMaxOfDiameter = 0.25;
-constexpr double kNoHole = 0.02;  // of the depth: a hole of the part that is no deeper is none
+constexpr double kNoHole = 0.02;  // share of the depth: a hole of the part that is no deeper does not count as a hole
 
 class HolePlanner {
  public:
@@ -106,7 +106,7 @@ class HolePlanner {
   }
 
  private:
-  /// The least lift with which the steps that gouge are clean, up to `max_mm`.
+  /// Returns the smallest lift, up to `max_mm`, with which the gouging steps are clean.
   [[nodiscard]] std::optional<double> find_lift(const std::vector<std::size_t>& gouging, double max_mm) const {
     const Vec3 axis = path_.moves[gouging.front()].end.axis;
     double lift = 0;
@@ -118,7 +118,7 @@ class HolePlanner {
     return std::nullopt;
   }
 
-  /// Below the surface that surrounds the drill at its lowest step.
+  /// Returns the depth of the hole's lowest step below the surface that surrounds the drill.
   [[nodiscard]] double programmed_depth_mm(const HolePlan& hole) const {
     const Vec3 axis = path_.moves[hole.first].end.axis;
     const Pose* lowest = &path_.moves[hole.first].end;
@@ -210,7 +210,7 @@ HolePlans plan_holes(const Toolpath& path, const CheckResult& result, const std:
     if (std::none_of(result.verdicts.begin() + static_cast<std::ptrdiff_t>(i),
                      result.verdicts.begin() + static_cast<std::ptrdiff_t>(last), is_gouging))
       continue;
-    // A statement of several positions does not state which moves belong to which.
+    // For a statement of several positions it is not known which moves belong to which position.
     const bool can_rewrite = correct.rewritable != nullptr && !correct.rewritable->hole.empty();
     const auto holes = can_rewrite
                            ? std::count(correct.rewritable->hole.begin() + static_cast<std::ptrdiff_t>(i),

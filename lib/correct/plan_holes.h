@@ -6,21 +6,22 @@
 #include "lib/certify/motion_checker.h"
 #include "lib/correct/correct_path.h"
 
-// Drilled holes that are too deep: their positions move along the tool axis, and all heights of the cycle with them.
+// Corrects drilled holes that are too deep: their positions move along the tool axis, together with all heights of the
+// cycle.
 
 namespace gouge {
 
-/// The moves [first, last) of one hole and where it goes.
+/// The moves [first, last) of one hole, and its shift.
 struct HolePlan {
   std::size_t first = 0, last = 0;
-  Vec3 shift_mm = Vec3::Zero();  ///< along the tool axis, away from the part
+  Vec3 shift_mm = Vec3::Zero();  ///< shift along the tool axis, away from the part
   double depth_before_mm = 0, depth_after_mm = 0;
 };
 
-/// Returns the end of the hole that begins at `first`: its moves are neighbouring cycle steps of one statement.
+/// Returns the end of the hole that begins at `first`. Its moves are neighbouring cycle steps of one statement.
 [[nodiscard]] std::size_t end_of_hole(const Toolpath& path, std::size_t first);
 
-/// A hole [first, last) of which a step gouges and that stays where it is, and why.
+/// A hole [first, last) with a gouging step that stays where it is, and the reason.
 struct HoleLeft {
   std::size_t first = 0, last = 0;
   std::string reason;
@@ -28,15 +29,15 @@ struct HoleLeft {
 
 struct HolePlans {
   std::vector<HolePlan> lifted;
-  std::vector<HoleLeft> left;  ///< where more is known than that no lift frees it
+  std::vector<HoleLeft> left;  ///< holes for which more is known than that no lift frees them
 };
 
-/// Plans the holes of which a step gouges and which the file can write elsewhere. Each plan is the least lift for which
-/// the steps that gouge, shifted with it, are clean, and keeps the law of a shift. The written file shows how the path
-/// to the hole and from it runs then.
+/// Plans the holes with a gouging step that the file can write at another place. Each plan is the smallest lift with
+/// which the gouging steps are clean and the rules of a shift hold. The check of the written file shows whether the
+/// paths to the hole and away from it are clean then.
 ///
 /// Ensures  No hole is lifted out of the part. A lift is at most a quarter of the depth below the surface that
-///          surrounds the drill (hole_depth.h), and a quarter of the diameter. Any other hole stays.
+///          surrounds the drill (depth_below_surface_mm), and a quarter of the diameter. Any other hole stays.
 [[nodiscard]] HolePlans plan_holes(const Toolpath& path, const CheckResult& result,
                                    const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
                                    const CorrectOptions& correct);

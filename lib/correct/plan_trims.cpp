@@ -17,19 +17,20 @@
 namespace gouge {
 namespace {
 
-// A clean stretch between two that are left out is cut only where it is longer: a shorter cut is not worth a plunge.
+// A clean stretch between two left-out stretches is cut only if it is longer than this: a shorter cut is not worth a
+// plunge.
 constexpr double kMinCut_mm = 2;
-// Distances before and behind the stretch at which another place to retract is sought.
+// Distances before and after the stretch at which another place to retract is tried.
 constexpr std::array kAway_mm = {0.0, 0.05, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
 Pose lifted(const Pose& pose, double lift_mm) { return {pose.tip + lift_mm * pose.axis, pose.axis}; }
 
-/// A stretch of the path on which the tool is certified free.
+/// A stretch of the path on which the tool is certified to be free.
 struct FreeStretch {
   PathPlace begin, end;
 };
 
-/// Moves [first, last) of one tool, each straight and beginning where the one before it ends.
+/// Moves [first, last) of one tool, each straight and beginning at the end of the one before.
 class TrimChain {
  public:
   TrimChain(const TrimJob& job, std::size_t first, std::size_t last)
@@ -37,16 +38,18 @@ class TrimChain {
 
   void plan(TrimPlan& plan) {
     find_free();
-    // Gap k lies before free stretch k.
+    // Gap k is before free stretch k.
     for (std::size_t k = 0; k <= free_.size();) k = close_gap(k, plan);
   }
 
  private:
-  static constexpr std::size_t kMaxGaps = 8;  // that are left out together where one alone cannot be
+  static constexpr std::size_t kMaxGaps = 8;  // maximum number of gaps that are left out together if one alone cannot
+                                              // be
   static constexpr const char* kNothingBefore = "not left out: the path has no free place before it to retract from";
   static constexpr const char* kNothingAfter = "not left out: the path has no free place after it to come down to";
 
-  /// Leaves out what is wanted of a gap, together with the gaps behind it where it must be. The next gap to examine.
+  /// Leaves out the wanted part of a gap, together with the gaps after it if necessary. Returns the next gap to
+  /// examine.
   std::size_t close_gap(std::size_t k, TrimPlan& plan) {
     const bool is_first = k == 0, is_last = k == free_.size();
     const PathPlace from = is_first ? PathPlace{first_, 0} : free_[k - 1].end;
@@ -91,7 +94,7 @@ class TrimChain {
   }
   [[nodiscard]] bool was_clean(std::size_t i) const { return job_.result.verdicts[i].state == MoveState::clean; }
 
-  /// Free stretches of the whole chain, those that are too short to be cut left out.
+  /// Finds the free stretches of the whole chain, without those that are too short to be cut.
   void find_free() {
     for (std::size_t i = first_; i < last_; ++i) {
       const MoveState state = job_.result.verdicts[i].state;
@@ -128,7 +131,7 @@ class TrimChain {
                            : b.move + 1 == a.move && !(b.t < 1) && !(a.t > 0);
   }
 
-  /// Index in the programmed path.
+  /// Returns the length of the programmed path between two places.
   [[nodiscard]] double arc_length_mm(const PathPlace& from, const PathPlace& to) const {
     double way = 0;
     for (std::size_t i = from.move; i <= to.move; ++i) {
@@ -138,7 +141,7 @@ class TrimChain {
     return way;
   }
 
-  /// Wanted moves some of which lies between two places; kNone: there is none.
+  /// Returns the first and last wanted move of which a part lies between two places; kNone if there is none.
   [[nodiscard]] std::pair<std::size_t, std::size_t> wanted_between(const PathPlace& from, const PathPlace& to) const {
     std::pair<std::size_t, std::size_t> found{kNone, kNone};
     for (std::size_t i = from.move; i <= to.move && i < last_; ++i) {
@@ -150,7 +153,7 @@ class TrimChain {
     return found;
   }
 
-  /// Places of a free stretch at kAway_mm from its end, or its begin.
+  /// Returns the places of a free stretch at the distances kAway_mm before its end.
   [[nodiscard]] std::vector<PathPlace> places_back(const FreeStretch& stretch) const {
     std::vector<PathPlace> places;
     for (const double away : kAway_mm) {
@@ -163,7 +166,7 @@ class TrimChain {
       const double length = length_mm(at.move);
       at.t = length > 0 ? at.t - left / length : 0;
       if (at.move == stretch.begin.move && at.t < stretch.begin.t) break;
-      // A place at the end of a move is the begin of the next one, which is not all visited.
+      // A place at the end of a move becomes the beginning of the next one, which is not visited completely.
       if (!(at.t < 1)) at = {at.move + 1, 0};
       if (at.move < last_ && has_way(at.move)) places.push_back(at);
     }
@@ -190,8 +193,9 @@ class TrimChain {
     return places;
   }
 
-  /// The first of `places` from `next` on from which the tool may retract by the lift. An obstacle to a lift is in the
-  /// way of every longer one. A rapid is left, and joined, where it keeps the clearance: there is no way up.
+  /// Finds the first of `places`, from `next` on, at which the tool may retract by the lift. An obstacle to a lift is
+  /// also an obstacle to every longer lift. A rapid is left, and joined again, at a place where it keeps the clearance,
+  /// without a way up.
   [[nodiscard]] bool find_retract(const std::vector<PathPlace>& places, std::size_t& next, double lift_mm) const {
     for (; next < places.size(); ++next) {
       const Pose low = pose(places[next]);
@@ -203,7 +207,7 @@ class TrimChain {
   }
 
   [[nodiscard]] bool is_on_rapid(const PathPlace& place) const { return move(place.move).kind == MoveKind::rapid; }
-  /// Where the crossing begins, or ends, for a place where the path is left, or joined.
+  /// Returns the pose at which the crossing begins or ends, for a place at which the path is left or joined.
   [[nodiscard]] Pose above(const PathPlace& place, double lift_mm) const {
     return is_on_rapid(place) ? pose(place) : lifted(pose(place), lift_mm);
   }
@@ -215,8 +219,9 @@ class TrimChain {
     return false;
   }
 
-  /// Feeds become rapids no lower than where the path last went from rapid to feed. The height of the stock above the
-  /// uncut part is not known. But at that place the program states that the tool is above it.
+  /// Returns whether the lift is above the stock. The height of the stock above the uncut part is not known. But where
+  /// the path last changed from rapid to feed, the program states that the tool is above the stock. So feeds become
+  /// rapids no lower than that place.
   [[nodiscard]] bool is_above_stock(const PathPlace& from, double lift_mm) const {
     if (is_on_rapid(from)) return true;
     const Pose begin = pose(from);
@@ -230,7 +235,8 @@ class TrimChain {
     return false;
   }
 
-  /// Without the clearance there is no rapid on the way, neither a new one nor a programmed one.
+  /// Leaves out the stretch between two free stretches. Without the clearance, neither a new nor a programmed rapid may
+  /// be on the way.
   [[nodiscard]] std::optional<Trim> leave_out(const FreeStretch& before, const FreeStretch& after) const {
     const std::vector<PathPlace> downs = places_on(after), ups = places_back(before);
     std::vector<double> clearances{job_.clearance_mm};
@@ -246,7 +252,7 @@ class TrimChain {
     return std::nullopt;
   }
 
-  /// Up, across and down: on a straight line, or above the programmed path.
+  /// Returns the way up, across and down: across on a straight line, or above the programmed path.
   [[nodiscard]] std::optional<Trim> cross(const PathPlace& from, const PathPlace& to, double lift,
                                           double clearance) const {
     const Pose up = above(from, lift), down = above(to, lift);
@@ -267,7 +273,7 @@ class TrimChain {
     bool is_kept_near = false;
     for (std::size_t i = from.move; i <= to.move; ++i) is_kept_near = is_kept_near || was_clean(i);
     const CheckOptions options = options_for(is_kept_near, clearance);
-    // In a feed that keeps the clearance the cutter keeps it too.
+    // In a feed that keeps the clearance, the cutter keeps it too.
     const auto crosses = [&](const Pose& a, const Pose& b, MoveKind kind) {
       const Motion motion = options.law.between(a, b, kind);
       return motion.is_defined() &&

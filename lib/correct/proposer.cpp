@@ -59,7 +59,8 @@ void Proposer::rework() {
 const ReworkedPath* Proposer::untrimmed() const { return tilted_ ? &*tilted_ : straight_ ? &*straight_ : nullptr; }
 const ReworkedPath* Proposer::last() const { return trimmed_ ? &*trimmed_ : untrimmed(); }
 
-// Rapids are lifted over what is in their way whatever the strategy: that leaves nothing uncut.
+// Plans the stretches to leave out. Rapids are not left out but lifted over obstacles, whatever the strategy: that
+// leaves nothing uncut.
 void Proposer::plan_trimming() {
   trimmed_.reset();
   trims_ = TrimPlan();
@@ -106,7 +107,7 @@ Correction Proposer::propose(const ProgressCall& progress) {
   add_tilts(correction);
   add_trims(correction);
   add_holes(correction);
-  // A position is changed for the gouge of its own move or of one beside it.
+  // A position is changed because of the gouge of its own move or of a neighbouring move.
   for (ChangeRecord& record : correction.records) {
     if (record.cause == kNone) record.cause = deepest(record.move, record.move);
     const std::size_t before = record.move > 0 ? record.move - 1 : 0;
@@ -115,7 +116,7 @@ Correction Proposer::propose(const ProgressCall& progress) {
   return correction;
 }
 
-// A buried move is deeper than any depth.
+// Returns the deepest gouge. A buried move counts as deeper than any depth.
 std::size_t Proposer::deepest(std::size_t first, std::size_t last) const {
   std::size_t found = kNone;
   double max_mm = -1;
@@ -158,7 +159,7 @@ std::size_t Proposer::origin_of(std::size_t i) const { return straight_ ? straig
 
 bool Proposer::give_up_tilt(std::size_t move, const std::string& reason) {
   const auto is_of_move = [&](const SmoothedRun& run) {
-    // A move whose start is tilted is of the run too.
+    // A move with a tilted start belongs to the run too.
     return std::ranges::any_of(run.positions, [&](const TiltedPosition& p) {
       return origin_of(p.move) == move || (p.is_end && origin_of(p.move) + 1 == move);
     });
@@ -175,7 +176,7 @@ bool Proposer::give_up_trim(std::size_t move, const std::string& reason) {
   const auto origin = [&](std::size_t i) { return base != nullptr ? base->origin[i] : i; };
   bool is_any = false;
   for (const Trim& trim : trims_.trims) {
-    // A move whose start is above the path is of it too.
+    // A move whose start is above the path belongs to the trim too.
     if (move < origin(trim.begin.move) || move > origin(trim.end.move)) continue;
     is_any = true;
     for (std::size_t i = origin(trim.begin.move); i <= origin(trim.end.move); ++i) not_trimmed_.emplace(i, reason);

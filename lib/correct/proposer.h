@@ -15,20 +15,22 @@
 
 namespace gouge {
 
-/// Proposes changes of a path, one kind upon the other. Curves that must change become chords. Runs are tilted, and
-/// stretches are left out. Positions that still gouge are shifted. Arcs come back where they can, and holes are lifted.
+/// The steps that propose changes of a path, in their order. Curves that must change become chords. Runs are tilted,
+/// and stretches are left out. Positions that still gouge are shifted. Chords become arcs again if possible, and holes
+/// are lifted.
 class Proposer {
  public:
-  /// All must outlive it.
+  /// Plans the tilts and the stretches to leave out. All objects must outlive it.
   Proposer(const Toolpath& path, const CheckResult& result, const CheckSetup& setup, const CorrectOptions& correct,
            const ProgressCall& progress);
 
   Correction propose(const ProgressCall& progress);
 
-  /// Makes a proposed arc straight from now on. Returns false where none was proposed.
+  /// Makes a proposed arc straight in all later proposals. Returns false if no arc was proposed for the move.
   [[nodiscard]] bool give_up_arc(const std::vector<PathChange>& changes, std::size_t move);
 
-  /// Returns where the move is of a tilted run, that run is tilted no more; else the move stays as it is.
+  /// Keeps a move from being changed. If it belongs to a left-out stretch or a tilted run, that is given up; otherwise
+  /// the move stays as it is.
   void keep(std::size_t move, const std::string& reason);
   void keep_all(const std::string& reason);
 
@@ -36,13 +38,13 @@ class Proposer {
   void plan_tilting(const ProgressCall& progress);
   void rework();
   void plan_trimming();
-  /// Returns the path reworked last; null: the path is as it was.
+  /// Returns the path after the last rework; null if the path was not reworked.
   [[nodiscard]] const ReworkedPath* last() const;
   /// Returns the path before stretches are left out.
   [[nodiscard]] const ReworkedPath* untrimmed() const;
-  /// Returns which of the moves [first, last] of the path gouges deepest; kNone: none does.
+  /// Returns the move among [first, last] of the path that gouges deepest; kNone if none gouges.
   [[nodiscard]] std::size_t deepest(std::size_t first, std::size_t last) const;
-  /// Maps a move of the plan: which move of the path it is a piece of.
+  /// Returns the move of the path of which move `i` of the plan is a piece.
   [[nodiscard]] std::size_t origin_of(std::size_t i) const;
   [[nodiscard]] bool give_up_tilt(std::size_t move, const std::string& reason);
   [[nodiscard]] bool give_up_trim(std::size_t move, const std::string& reason);
@@ -58,12 +60,12 @@ class Proposer {
   const CorrectOptions& correct_;
   HolePlans holes_;
   std::vector<bool> can_keep_arc_, can_split_;
-  std::optional<ReworkedPath> straight_;            // curves as chords; none: it has none that must change
-  std::optional<ReworkedPath> tilted_;              // and runs tilted; none: no run is
-  TiltPlan plan_;                                   // of the straight path
-  std::optional<ReworkedPath> trimmed_;             // and stretches left out; none: none is
-  TrimPlan trims_;                                  // of the path tilted, straight, or as it is
-  std::map<std::size_t, std::string> not_trimmed_;  // moves of the path that must not be, and why
+  std::optional<ReworkedPath> straight_;            // path with chords for curves; none: no curve must change
+  std::optional<ReworkedPath> tilted_;              // the same path with tilted runs; none: no run is tilted
+  TiltPlan plan_;                                   // tilts of the straight path
+  std::optional<ReworkedPath> trimmed_;             // the same path with stretches left out; none: none is
+  TrimPlan trims_;                                  // trims of the path before them (untrimmed)
+  std::map<std::size_t, std::string> not_trimmed_;  // moves of the path that must not be left out, and why
   std::unique_ptr<PathCorrector> corrector_;
   std::vector<std::pair<std::size_t, std::string>> kept_;
 };

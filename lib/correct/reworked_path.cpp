@@ -71,13 +71,14 @@ bool is_kept_pose(const Pose& a, const Pose& b) {
          (a.axis - b.axis).cwiseAbs().maxCoeff() <= Tolerance::kRounding;
 }
 
-/// A move of the path as it was, with what its pieces became.
+/// A move of the original path, with the changes of its pieces.
 struct Whole {
   PathChange change;
   bool is_changed = false, was_curve = false;
 };
 
-// Positions of one statement share the arc that describes them: they stay or go together.
+// Returns the changes to make. Positions of one statement share the arc that describes them, so they stay or change
+// together.
 std::vector<PathChange> chosen_changes(const Toolpath& path, std::vector<Whole> wholes) {
   const auto shares = [&](std::size_t a, std::size_t b) {
     return wholes[a].was_curve && wholes[b].was_curve &&
@@ -117,7 +118,7 @@ Correction restore_moves(const ReworkedPath& reworked, const Toolpath& path, con
         all.inserted_before.insert(all.inserted_before.end(), change->inserted_before.begin(),
                                    change->inserted_before.end());
       }
-      // Positions that a later stage inserts before the end of a piece are reached as that piece is.
+      // Positions that a later stage inserts before the end of a piece are reached in the same way as that end.
       const bool is_rapid =
           reworked.path.moves[last].kind == MoveKind::rapid && path.moves[all.move].kind != MoveKind::rapid;
       all.at_rapid.resize(all.inserted_before.size(), is_rapid);

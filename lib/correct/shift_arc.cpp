@@ -19,7 +19,7 @@ constexpr double kMaxOfIt = 0.9;
 constexpr double kSweepChange_rad = 0.2;
 constexpr double kMinRadius_mm = 1e-3;
 constexpr int kShiftPlaces = 16;
-constexpr double kNearby = 0.2;  // of the motion
+constexpr double kNearby = 0.2;  // share of the motion
 constexpr int kNarrowings = 40;
 
 Vec3 across(const Vec3& displacement, const Vec3& axis) { return displacement - displacement.dot(axis) * axis; }
@@ -49,7 +49,7 @@ class ArcShift {
   }
 
  private:
-  // The arc about the point nearest to `center` that is equally far from both ends.
+  // Returns the arc about the point nearest to `center` that is equally far from both ends.
   [[nodiscard]] std::optional<PathArc> about(Vec3 center) const {
     const Vec3& axis = task_.arc.axis;
     const Vec3 &s = task_.new_start.tip, &e = task_.new_end.tip;
@@ -92,14 +92,15 @@ class ArcShift {
       const double shift = (to.tip - from.tip).norm();
       too_deep += depth > kTooDeepShare * tolerance ? 1 : 0;
       is_forced = is_forced && shift <= tolerance + kSideShiftsPerDepth * depth;
-      // Between two clean positions so near to each other the arc, which is checked whole, states enough.
+      // Between two clean positions so near to each other, the arc itself suffices, because it is checked completely.
       if (depth <= kMotionAimShare * tolerance && shift <= tolerance) continue;
       if (why_not_shift(from, {to.tip, from.axis}, task_.kind, *task_.tool, checker_) != nullptr) return false;
     }
     return is_forced || too_deep >= kMaxOfIt * (kShiftPlaces + 1);
   }
 
-  // The point of the new arc nearest to `from`, sought about the same instant: the distance has one least value there.
+  // Returns the point of the new arc nearest to `from`. It is searched around the same instant: there the distance has
+  // only one minimum.
   static Pose nearest(const Motion& motion, double t, const Pose& from) {
     double low = std::max(0.0, t - kNearby), high = std::min(1.0, t + kNearby);
     for (int i = 0; i < kNarrowings; ++i) {
@@ -126,8 +127,9 @@ namespace {
 
 constexpr int kSplitPlaces = 32;
 constexpr int kSplitHalvings = 10;
-constexpr double kMinSection_mm = 0.05;            // shorter ones are not worth a statement, and digits blur them
-constexpr double kShares[] = {0, 1.0 / 16, 0.25};  // of a stretch, given up for the path to what is corrected
+constexpr double kMinSection_mm = 0.05;            // a shorter arc is not worth a statement, and digits blur it
+constexpr double kShares[] = {0, 1.0 / 16, 0.25};  // shares of a stretch that are given up for the path to the
+                                                   // corrected part
 
 class ArcSplit {
  public:
@@ -158,7 +160,7 @@ class ArcSplit {
 
  private:
   struct Section {
-    double from = 0, to = 1;  // instants of the arc
+    double from = 0, to = 1;  // first and last instant on the arc
   };
 
   [[nodiscard]] bool is_clean(const Motion& motion) const {
@@ -174,7 +176,7 @@ class ArcSplit {
     return arc_length_mm(part(from, to), whole_.at(from).tip, whole_.at(to).tip);
   }
 
-  // Returns the last instant between `clean` and `gouging` to which `is_clean_to` holds.
+  // Returns the last instant between `clean` and `gouging` for which `is_clean_to` holds.
   template <class IsClean>
   static double last_clean(double clean, double gouging, const IsClean& is_clean_to) {
     for (int i = 0; i < kSplitHalvings; ++i) {
@@ -221,7 +223,7 @@ class ArcSplit {
     return t >= 1 || lead(at, t, task_.new_end, 1);
   }
 
-  // From `from`, which represents the instant `t0`, to `to`: one arc, or the chords.
+  // Leads from `from`, which represents the instant `t0`, to `to`: by one arc or by the chords.
   bool lead(const Pose& from, double t0, const Pose& to, double t1) {
     const ArcTask task{part(t0, t1), whole_.at(t0), whole_.at(t1), from, to, task_.kind, task_.tool};
     if (const std::optional<PathArc> arc = shift_arc(task, checker_)) {
@@ -246,7 +248,8 @@ class ArcSplit {
     return true;
   }
 
-  // Straight to the stop `last`, past those from `next` on, as near to them as the chords to the arc.
+  // Returns whether the path may go straight to stop `last` and skip the stops from `next` on. It must stay as near to
+  // them as the chords to the arc.
   [[nodiscard]] bool may_skip(const Pose& at, const std::vector<Pose>& stops, std::size_t next,
                               std::size_t last) const {
     const Vec3 displacement = stops[last].tip - at.tip;
@@ -258,7 +261,7 @@ class ArcSplit {
     return is_clean(options_.law.straight(at, stops[last]));
   }
 
-  // Position on the arc, by the angle about its centre.
+  // Returns the position on the arc, from the angle about its centre.
   [[nodiscard]] double instant_of(const Pose& pose) const {
     const Vec3& axis = task_.arc.axis;
     const auto across = [&](const Vec3& displacement) { return Vec3(displacement - displacement.dot(axis) * axis); };

@@ -23,8 +23,8 @@ class CurveChoice {
     options_.near_miss_mm = 0;
   }
 
-  // A gouging move may move its end and the end of the move before it, where those are too deep themselves. Both are
-  // ends of curves beside it.
+  // Returns the curves that must become straight. A correction of a gouging move may move its end and the end of the
+  // move before it, if these are themselves too deep. Both are also ends of neighbouring curves.
   std::vector<bool> run() {
     const std::size_t count = path_.moves.size();
     for (std::size_t i = 0; i < others_.size(); ++i) {
@@ -47,7 +47,8 @@ class CurveChoice {
   }
 
  private:
-  // Share of the tolerance: a correction leaves only deeper positions alone.
+  // Share of the tolerance: a position that is no deeper certainly stays, because a correction leaves even deeper ones
+  // alone.
   static constexpr double kSurelyStays = 0.7;
 
   [[nodiscard]] bool is_curve_at(std::size_t i) const { return i < path_.moves.size() && is_curve(path_.moves[i]); }

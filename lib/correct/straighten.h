@@ -7,19 +7,19 @@
 #include "lib/certify/motion_checker.h"
 #include "lib/correct/reworked_path.h"
 
-// Arcs and splines that must change become straight moves first. Their chords are so close to the curve that they share
-// its verdict, and each is corrected like any other straight move. A stretch that needs no change then stays the curve
-// it was.
+// Arcs and splines that must change first become straight moves. Their chords are so close to the curve that they share
+// its verdict. Each chord is corrected like any other straight move. A stretch that needs no change then becomes the
+// original curve again.
 
 namespace gouge {
 
-/// Chords stay within this share of the tolerance of their curve. Every chord is checked, so they need be no finer than
-/// the aim of a correction.
+/// Maximum distance of chords from their curve, as a share of the tolerance. Every chord is checked, so they need not
+/// be finer than the aim of a correction.
 inline constexpr double kChordShare = 0.5;
-inline constexpr double kMinChordError_mm = Tolerance::kCorrection_mm;  ///< of the digits of the files
+inline constexpr double kMinChordError_mm = Tolerance::kCorrection_mm;  ///< limit given by the digits of the files
 
-/// Returns nothing where no correction of `result` has to change a curve. Moves in `others`, one entry a move or none,
-/// must be straight whatever their verdict.
+/// Replaces curves by chords. Returns nothing if no correction of `result` has to change a curve. `others` marks moves
+/// that must become straight whatever their verdict; it has one entry for each move, or is empty.
 [[nodiscard]] std::optional<ReworkedPath> straighten(const Toolpath& path, const CheckResult& result,
                                                      const std::vector<const ToolVariants*>& tools,
                                                      const MotionChecker& checker,

@@ -22,7 +22,7 @@ bool is_curable(const Event& event) {
   return event.body != Body::cutter && (event.state == MoveState::gouge || event.state == MoveState::buried);
 }
 
-/// The moves that an event counts.
+/// Returns the moves that an event counts.
 std::vector<std::size_t> moves_of(const Event& event, const Toolpath& path, const CheckResult& result) {
   std::vector<std::size_t> moves;
   for (std::size_t i = event.first_move; i <= event.last_move; ++i) {
@@ -33,7 +33,7 @@ std::vector<std::size_t> moves_of(const Event& event, const Toolpath& path, cons
   return moves;
 }
 
-/// All tilts of a path, and what check() states of it with them.
+/// All tilts of a path, and the result of check() with them.
 class TiltCures {
  public:
   TiltCures(const Toolpath& path, const CheckResult& result, const CheckSetup& setup, const CureOptions& options,
@@ -46,7 +46,7 @@ class TiltCures {
     after_ = check(tilted_->path, setup_, progress);
   }
 
-  /// Indices of moves of the path before.
+  /// Returns the tilt for some moves, given as indices in the path before.
   [[nodiscard]] TiltCure of(const std::vector<std::size_t>& moves) const {
     const auto [first, last] = std::pair(moves.front(), moves.back());
     for (const UntiltedRun& run : proposal_.plan.failed) {
@@ -66,7 +66,7 @@ class TiltCures {
   }
 
  private:
-  /// Returns whether check() finds free what moves [first, last] of the path became.
+  /// Returns whether check() finds everything free that replaced the moves [first, last].
   [[nodiscard]] bool is_free_after(std::size_t first, std::size_t last) const {
     const std::vector<std::size_t>& origin = tilted_->origin;
     for (auto piece = std::ranges::lower_bound(origin, first); piece != origin.end() && *piece <= last; ++piece) {
@@ -75,7 +75,7 @@ class TiltCures {
     return true;
   }
 
-  /// Every motion that the run changed, that behind its last position included.
+  /// Returns whether every motion that the run changed is proved free, including the motion after its last position.
   [[nodiscard]] bool is_proved(const SmoothedRun& run) const {
     const std::size_t first = proposal_.origin_of(run.positions.front().move);
     const std::size_t last = proposal_.origin_of(run.positions.back().move) + (run.positions.back().is_end ? 1 : 0);
@@ -90,7 +90,7 @@ class TiltCures {
   const CheckSetup& setup_;
   MotionChecker checker_;
   TiltProposal proposal_;
-  std::optional<ReworkedPath> tilted_;  // none: no run is
+  std::optional<ReworkedPath> tilted_;  // none: there is no run
   CheckResult after_;
 };
 

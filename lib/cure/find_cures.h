@@ -7,20 +7,21 @@
 #include "lib/cure/find_lift.h"
 #include "lib/tilt/tilt_options.h"
 
-// Finds cures for collisions of non-cutting bodies, finding by finding: the smallest tilt found, and the least lift.
+// Finds cures for collisions of non-cutting bodies, for each finding: the smallest tilt that was found, and the minimum
+// lift.
 
 namespace gouge {
 
 struct CureOptions {
   double lift_step_mm = 0.01;  ///< lifts are multiples of this
-  double max_lift_mm = 100;    ///< none is sought beyond
+  double max_lift_mm = 100;    ///< maximum lift that is tried
   TiltOptions tilt;
 };
 
 /// The tilt that frees a finding.
 struct TiltCure {
-  std::optional<double> tilt_rad;  ///< the largest along its run; none: none found
-  std::string reason;              ///< why none was
+  std::optional<double> tilt_rad;  ///< the largest tilt along its run; none: no tilt was found
+  std::string reason;              ///< reason if no tilt was found
 };
 
 struct FindingCures {
@@ -33,11 +34,11 @@ struct FindingCures {
 ///
 /// Requires `result` from check() with the same path and setup.
 /// Ensures  (1) The lift is that of find_lift for all moves of the finding. (2) The tilt is that of the runs that
-///          plan_tilts gives for the whole path, as `correct` would. It is about the contact, and comes and goes over
-///          the blend. It is given only where check() of the path so tilted finds certain moves clean or near. These
-///          are every move of the finding, and every other move that the run changed. (3) The same at any number of
-///          threads.
-/// Cost     That of planning all tilts, a check of the path, and of find_lift for each finding.
+///          plan_tilts returns for the whole path, in the same way as `correct`. It turns about the contact, and begins
+///          and ends gradually over the blend. It is given only if check() of the tilted path finds certain moves clean
+///          or near. These are every move of the finding, and every other move that the run changed. (3) The result is
+///          the same at any number of threads.
+/// Cost     That of planning all tilts, of a check of the path, and of find_lift for each finding.
 [[nodiscard]] std::vector<FindingCures> find_cures(const Toolpath& path, const CheckResult& result,
                                                    const CheckSetup& setup, const CureOptions& options,
                                                    const ProgressCall& progress = {});

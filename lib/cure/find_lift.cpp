@@ -13,10 +13,11 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kMovesPerChunk = 8;
-constexpr int kStepsByDepth = 64;     // before lifts double
-constexpr int kWholeChecks = 8;       // below a lift that is free where it is not certified that less is not
-constexpr double kChordShare = 0.25;  // of the tolerance, how far chords may be off their curve
-constexpr double kAlmost = 1e-6;      // of a step
+constexpr int kStepsByDepth = 64;     // number of lifts that follow from the depth; after them lifts double
+constexpr int kWholeChecks = 8;       // number of whole checks below a free lift, if it is not certain that a smaller
+                                      // lift is not free
+constexpr double kChordShare = 0.25;  // share of the tolerance by which chords may deviate from their curve
+constexpr double kAlmost = 1e-6;      // share of a step
 
 bool is_lifted_free(const MoveVerdict& verdict) {
   return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
@@ -26,11 +27,11 @@ Pose lifted(const Pose& pose, double lift_mm) { return {pose.tip + lift_mm * pos
 
 /// The obstacle that keeps moves from being free at a lift.
 struct Block {
-  std::size_t move = kNone;  // of the path as it was
+  std::size_t move = kNone;  // index in the original path
   Body body = Body::holder;
   MoveState state = MoveState::gouge;
   double depth_mm = 0;
-  bool is_proved = false;  // some move gouges or is buried for sure, the deepest gouge by gouge_mm
+  bool is_proved = false;  // some move is certainly a gouge or buried; gouge_mm is the deepest gouge
   double gouge_mm = 0;
 };
 
@@ -50,7 +51,7 @@ class LiftSearch {
   }
 
   LiftCure run() {
-    std::size_t low = 0, k = 1;  // not free at low
+    std::size_t low = 0, k = 1;  // the moves are not free at low
     below_.move = moves_.front();
     for (int step = 0;; ++step) {
       std::optional<Block> block = find_block(k);
@@ -77,7 +78,7 @@ class LiftSearch {
     return found;
   }
 
-  /// Finds the obstacle at k. A lift changes no depth by more than itself.
+  /// Records the obstacle at k. A lift changes no depth by more than the lift.
   void note(std::size_t k, const Block& block) {
     below_ = block;
     if (!block.is_proved) return;
@@ -86,9 +87,10 @@ class LiftSearch {
     if (k <= not_free_ + around) not_free_ = std::max(not_free_, k + around + 1);
   }
 
-  /// Free at `k`: as far below as whole checks show, where it is not decided that nothing less is free.
+  /// Returns the lowest lift that whole checks prove free. Requires that the moves are free at `k`. Runs only while it
+  /// is not certain that no smaller lift is free.
   std::size_t decide_below(std::size_t k) {
-    std::size_t open = not_free_;  // nothing below is to be tried
+    std::size_t open = not_free_;  // no lift below is tried
     for (int step = 0; step < kWholeChecks && open < k; ++step) {
       const std::size_t tried = step == 0 ? k - 1 : open + (k - 1 - open) / 2;
       if (const std::optional<Block> block = find_block_for_sure(tried)) {
@@ -101,7 +103,7 @@ class LiftSearch {
     return k;
   }
 
-  /// A lift by less than what is missing does not free it.
+  /// Returns the next lift to try. A lift that is smaller than the remaining depth does not free the moves.
   [[nodiscard]] std::size_t next_after(std::size_t k, const Block& block, int step) const {
     if (step >= kStepsByDepth) return 2 * k;
     const double missing = block.depth_mm - options_.tolerance_mm - options_.resolution_mm;
@@ -109,7 +111,7 @@ class LiftSearch {
     return k + std::max<std::size_t>(1, block.state == MoveState::gouge ? steps : k);
   }
 
-  /// Free at `high`, not at `low`: one that is free, and the one below is not.
+  /// Returns a lift that is free while the lift one step below is not. Requires that `high` is free and `low` is not.
   std::size_t lowest_free(std::size_t low, std::size_t high) {
     for (std::size_t k = high - 1; high - low > 1; k = low + (high - low) / 2) {
       if (const std::optional<Block> block = find_block(k)) {
@@ -132,7 +134,7 @@ class LiftSearch {
     return block;
   }
 
-  /// The deepest of the moves at a lift; the first one that is buried or not certified before all others.
+  /// Keeps the worse of two obstacles: the first that is buried or not certified, otherwise the deepest.
   static void take_worse(std::optional<Block>& worst, const Block& block) {
     const auto rank = [](const Block& b) { return b.state == MoveState::gouge ? 0 : 1; };
     const bool is_worse =
@@ -163,7 +165,7 @@ class LiftSearch {
     return worst;
   }
 
-  /// The same by check(), which knows the path to each move.
+  /// Returns the same by check(), which knows the path to each move.
   [[nodiscard]] std::optional<Block> find_block_for_sure(std::size_t k) const {
     const LiftedMoves moved = at(k);
     const CheckResult result = check_moves(moved.path, setup_);
@@ -174,7 +176,7 @@ class LiftSearch {
     return worst;
   }
 
-  // A position alone is the start of the move behind it.
+  // Returns the original move. A single position is the start of the move after it.
   [[nodiscard]] static std::size_t origin_of(const LiftedMoves& moved, std::size_t i) {
     return moved.origin[i] == kNone ? moved.origin[i + 1] : moved.origin[i];
   }
@@ -188,7 +190,7 @@ class LiftSearch {
   std::size_t max_;
   double chord_error_mm_;
   Block below_;
-  std::size_t not_free_ = 1;  // no multiple below is free: proved
+  std::size_t not_free_ = 1;  // proved: no multiple below this is free
 };
 
 bool keeps_axis(const Toolpath& path, std::size_t i) {

@@ -6,8 +6,8 @@
 
 #include "lib/geom/vec.h"
 
-// A picture as plain data: lines, filled shapes and text in picture units (x right, y DOWN). Modules that know
-// what to show make one; postproc/image turns it into PNG (OpenCV) or SVG.
+// A picture as plain data: lines, filled shapes and text in picture units (x right, y DOWN). Modules that have
+// something to show make one; postproc/image turns it into PNG (OpenCV) or SVG.
 
 namespace gouge {
 
@@ -32,7 +32,7 @@ struct DrawnShape {
 enum class TextAnchor { left, middle, right };
 
 struct DrawnText {
-  Vec2 at = Vec2::Zero();  ///< on the base line
+  Vec2 at = Vec2::Zero();  ///< anchor point of the text, on its base line
   std::string text;
   double size = 14;  ///< height of the font in picture units
   Colour colour;

@@ -11,16 +11,16 @@
 
 namespace gouge {
 
-/// A path, what it was checked against, and the result. Everything pointed at must outlive it; a tool without variants
-/// is left out.
+/// A path, the scene and tools with which it was checked, and the result. All objects that it points to must outlive
+/// it. A tool without variants is left out.
 struct CheckedToolpath {
   const Toolpath* toolpath = nullptr;
   const Scene* scene = nullptr;
   const PreparedScene* prepared = nullptr;  ///< the same scene with its indices
-  std::vector<const ToolVariants*> tools;   ///< per tool index of the toolpath; may hold nullptr
+  std::vector<const ToolVariants*> tools;   ///< indexed like the tools of the toolpath; may contain nullptr
   const CheckResult* result = nullptr;
   CheckOptions options;
-  std::span<const HeadBody> heads;  ///< in the tool's frame; they move with every tool
+  std::span<const HeadBody> heads;  ///< in the frame of the tool; they move with every tool
 };
 
 }  // namespace gouge

@@ -15,22 +15,22 @@
 namespace gouge {
 namespace {
 
-constexpr double kMaxSteps = 400;  // of a move
+constexpr double kMaxSteps = 400;  // maximum number of steps for one move
 constexpr std::size_t kPosesPerHeadPose = 25;
-constexpr double kSpread = 0.5;  // of a node's radius: farther apart they are queried one by one
+constexpr double kSpread = 0.5;  // share of a node's radius: poses with a larger spread are queried one by one
 
-// Part of a depth that may go unseen.
+// Share of a depth that need not be visible.
 constexpr double kUnseenShare = 0.01;
 
-/// The spacing at which the instants of a move must be picked.
+/// The spacing of the instants of a move.
 struct PoseApproach {
-  double step_mm = 0;    ///< so close that material left between two of them goes unseen
-  double unseen_mm = 0;  ///< a depth that goes unseen
-  double lever_mm = 0;   ///< where it gouges, the tool turns about its tip with this one
+  double step_mm = 0;    ///< spacing at which the material left between two instants is not visible
+  double unseen_mm = 0;  ///< depth that is not visible
+  double lever_mm = 0;   ///< distance from the tip at which the tool gouges; a turn of the axis moves that place
 };
 
 PoseApproach approach_of(const Motion& motion, const CompiledTool& tool, const MoveVerdict& verdict) {
-  // A holder is wide, but what moves slowly across the part is mostly the cutter, and its curvature counts.
+  // A holder is wide, but it is mostly the cutter that moves slowly across the part, so the cutter's curvature counts.
   const double reach = std::clamp(tool.core_depth_mm, 0.1, std::max(tool.r_max_mm, 0.1));
   const std::optional<Witness>& witness = verdict.witness;
   PoseApproach out;
@@ -40,7 +40,7 @@ PoseApproach approach_of(const Motion& motion, const CompiledTool& tool, const M
   return out;
 }
 
-/// Poses one after the other, less those that show nothing their neighbours do not.
+/// A list of consecutive poses, without those that show nothing more than their neighbours.
 class PoseList {
  public:
   void add(const DepthField::FieldPose& pose, bool is_worst, const PoseApproach& closest_approach) {
@@ -52,19 +52,19 @@ class PoseList {
     const bool goes = may_go_ && poses_.size() >= 2 && is_between(pose, closest_approach);
     if (goes) poses_.pop_back();
     poses_.push_back(pose);
-    may_go_ = !is_worst && !goes;  // never two in a row
+    may_go_ = !is_worst && !goes;  // never drops two consecutive poses
     closest_approach_ = closest_approach;
   }
   [[nodiscard]] std::vector<DepthField::FieldPose> take() { return std::move(poses_); }
 
  private:
-  // As where one move ends and the next begins.
+  // Returns whether two poses are the same, as the end of a move and the start of the next are.
   static bool is_same(const DepthField::FieldPose& a, const DepthField::FieldPose& b) {
     return a.tool == b.tool && (a.pose.tip - b.pose.tip).norm() <= Tolerance::kRounding &&
            (a.pose.axis - b.pose.axis).norm() <= Tolerance::kRounding;
   }
 
-  // Returns whether the last pose lies on the way from the one before it to `c`, and these are close enough.
+  // Returns whether the last pose lies between the one before it and `c`, and these two are close enough.
   [[nodiscard]] bool is_between(const DepthField::FieldPose& c, const PoseApproach& of_c) const {
     const DepthField::FieldPose &a = poses_[poses_.size() - 2], &b = poses_.back();
     const bool is_one_run =
@@ -83,17 +83,17 @@ class PoseList {
   }
 
   std::vector<DepthField::FieldPose> poses_;
-  PoseApproach closest_approach_;  ///< of the last pose
-  bool may_go_ = false;            ///< it
+  PoseApproach closest_approach_;  ///< spacing for the last pose
+  bool may_go_ = false;            ///< the last pose may be dropped
 };
 
-/// The query for points.
+/// The kinds of contact for which points are queried.
 struct AskedRules {
-  std::array<bool, kContactRules.size()> has{};  ///< by row of the contact table
-  double clearance_mm = 0;                       ///< the largest of a mesh
+  std::array<bool, kContactRules.size()> has{};  ///< indexed by the row of the contact table
+  double clearance_mm = 0;                       ///< the largest clearance of a mesh
 };
 
-/// A tool where it was sampled, or about there at several instants that follow each other, as PointDepths queries.
+/// A tool at one sampled pose, or a group of poses close to each other, with the functions that PointDepths requires.
 class PlacedTool {
  public:
   struct Memory {};
@@ -102,7 +102,7 @@ class PlacedTool {
   PlacedTool(const DepthField::FieldPose& pose, const AskedRules& asked, double tolerance_mm)
       : pose_(&pose.pose), tool_(pose.tool), asked_(asked), tolerance_mm_(tolerance_mm) {}
 
-  /// Stands for `parts`, those of one tool, and is where the one in the middle is.
+  /// Builds a group of `parts`, which are poses of one tool. Its own pose is that of the part in the middle.
   PlacedTool(std::span<const PlacedTool> of, std::uint32_t first) : PlacedTool(of[of.size() / 2]) {
     parts = static_cast<std::uint32_t>(of.size());
     first_part = first;
@@ -113,14 +113,14 @@ class PlacedTool {
   }
 
   [[nodiscard]] bool is_of(const PlacedTool& other) const { return tool_ == other.tool_; }
-  /// Returns whether its parts are too far apart to be queried in one about the node.
+  /// Returns whether the parts are too far apart to be queried as one for the node.
   [[nodiscard]] bool is_apart(const PointTree::Node& node) const { return spread_mm(node) > kSpread * node.radius; }
   [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return node.child == 0 || is_apart(node); }
 
   [[nodiscard]] double floor_mm() const { return has_clearance() || asked_.clearance_mm > 0 ? 0.0 : tolerance_mm_; }
 
-  // The form compared with the workpiece holds every other one inside it up to its clearances, so it decides what is
-  // far away.
+  // The form that is compared with the workpiece contains every other form, apart from clearances. So it decides about
+  // distant nodes.
   [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double, Memory&) const {
     const Vec3 d = node.centre - pose_->tip;
     const double z = d.dot(pose_->axis);
@@ -162,7 +162,7 @@ class PlacedTool {
     return {std::min(a.min_mm, b.min_mm), most, most, Vec3::Zero()};
   }
 
-  // As a point of the node sees the tool move between its parts' poses.
+  // Returns the largest distance by which the tool moves, at a point of the node, between the poses of the parts.
   [[nodiscard]] double spread_mm(const PointTree::Node& node) const {
     return shift_mm_ + turn_ * ((node.centre - pose_->tip).norm() + node.radius);
   }
@@ -173,7 +173,7 @@ class PlacedTool {
   const ToolVariants* tool_;
   AskedRules asked_;
   double tolerance_mm_;
-  double shift_mm_ = 0, turn_ = 0;  ///< how far from its own the tips of the parts and the ends of their axes are
+  double shift_mm_ = 0, turn_ = 0;  ///< maximum difference of the parts' tips and axis ends from its own
 };
 
 }  // namespace
@@ -207,7 +207,8 @@ DepthField::DepthField(const CheckedToolpath& input, std::size_t max_poses)
 
 namespace {
 
-/// The tools of those poses and groups of neighbours behind them; how many of the last represent all.
+/// Returns the tools of the poses, followed by groups of neighbours, and the number of last groups that together
+/// represent all.
 std::pair<std::vector<PlacedTool>, std::size_t> grouped_tools(const std::vector<DepthField::FieldPose>& poses,
                                                               const AskedRules& asked, double tolerance_mm) {
   std::vector<PlacedTool> tools;

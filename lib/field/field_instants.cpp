@@ -22,7 +22,7 @@ class Picker {
   }
 
   std::vector<FieldInstants> pick() {
-    // Fewer instants a move when there would be too many of them; the worst instant of a move always stays.
+    // If there would be too many instants, each move gets fewer. The worst instant of a move always stays.
     for (double detail = 1; detail > 0.01; detail *= 0.5) {
       clear();
       for (std::size_t k = 0; k < gouging_.size() && count_ <= max_; ++k) add(gouging_[k], detail);
@@ -38,13 +38,13 @@ class Picker {
     count_ = 0;
   }
 
-  // Too many gouging moves even so: the worst of each group of neighbours.
+  // If there are still too many gouging moves, only the worst of each group of neighbours is used.
   void add_worst_only() {
     clear();
     const MoveVerdicts& verdicts = input_.result->verdicts;
     const std::size_t group = gouging_.size() / std::max<std::size_t>(max_ / 2, 1) + 1;
     for (std::size_t first = 0; first < gouging_.size(); first += group) {
-      // Depths are known to the resolution; equal ones leave the picks evenly spread.
+      // Depths are accurate to the resolution. Equal depths leave the picked moves evenly spread.
       const double equal = input_.options.resolution_mm;
       std::size_t worst = gouging_[first];
       for (std::size_t k = first; k < std::min(first + group, gouging_.size()); ++k) {

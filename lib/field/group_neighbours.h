@@ -7,10 +7,11 @@
 
 namespace gouge {
 
-/// Appends groups of up to four neighbours, groups of those, and so on. A tree of points can query a group once for all
-/// of its bodies while they are far from it. Returns how many groups are last and represent all.
+/// Appends groups of up to four neighbours, groups of these groups, and so on. A tree of points can query a group once
+/// for all of its bodies while they are far away. Returns the number of last groups that together represent all bodies.
 ///
-/// A Body has is_of(other), whether it may be in one group with it, and is made from (parts, index of the first).
+/// A Body has is_of(other), which states whether both may be in one group. It can be made from (parts, index of the
+/// first).
 template <class Body>
 [[nodiscard]] std::size_t group_neighbours(std::vector<Body>& bodies) {
   constexpr std::size_t kGroup = 4;

@@ -15,7 +15,7 @@
 namespace gouge {
 namespace {
 
-// No step of a head is longer than this share of what it may touch: it would be seen as a saw's teeth.
+// Maximum step of a head as a share of the scene's size: a longer step would be visible as saw teeth.
 constexpr double kSeenStep = 0.01;
 
 double reach_of(std::span<const HeadBody> heads) {
@@ -26,7 +26,8 @@ double reach_of(std::span<const HeadBody> heads) {
   return reach;
 }
 
-// Instants so close that what a swing leaves between two of them stays a small part of the depth.
+// Returns the number of instants at which the material that a swing leaves between two of them is a small share of the
+// depth.
 std::size_t head_instants(const Motion& motion, double reach_mm, double depth_mm, double max_step_mm) {
   const double travel = BodyMotion(motion).turn_rad() * reach_mm + path_length_mm(motion);
   const double step = std::clamp(std::sqrt(8 * reach_mm * 0.01 * std::max(depth_mm, Tolerance::kFilePoint_mm)),
@@ -39,13 +40,13 @@ bool is_near(const Box3& head, const RigidTransform& to_part, const Box3& scene)
   return scene.squaredExteriorDistance(centre) <= 0.25 * head.diagonal().squaredNorm();
 }
 
-/// A head where it was sampled, as PointDepths queries.
+/// A head at one sampled pose, with the functions that PointDepths requires.
 class PlacedHead {
  public:
   PlacedHead(const HeadBody& head, const RigidTransform& to_tool, double tolerance_mm)
       : head_(&head), box_(&head.box), to_tool_(&to_tool), tolerance_mm_(tolerance_mm) {}
 
-  /// The triangle of the head that was nearest to the last point queried about.
+  /// The triangle of the head that was nearest to the last queried point.
   struct Memory {
     std::optional<std::uint32_t> triangle;
   };
@@ -58,7 +59,8 @@ class PlacedHead {
   [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double cutoff_mm, Memory& memory) const {
     const Vec3 centre = to_tool_->point(node.centre);
     if (box_->squaredExteriorDistance(centre) >= node.radius * node.radius) return {};
-    // Nothing is deeper than half the head is thick; where the node is as large, the tree states no more.
+    // No point is deeper than half the thickness of the head. If the node is that large, the tree gives no better
+    // bound.
     const double half_mm = 0.5 * box_->sizes().minCoeff();
     if (node.radius >= half_mm) return up_to(half_mm);
     const double remembered_mm = max_from(node, memory);
@@ -85,14 +87,14 @@ class PlacedHead {
     return foot;
   }
 
-  // A point inside is not deeper than it is far from any part of the surface, such as what was nearest to its
-  // neighbour.
+  // Returns an upper bound of a point's depth. A point inside is no deeper than its distance from any part of the
+  // surface, such as the triangle nearest to its neighbour.
   [[nodiscard]] double max_at(const Vec3& point, const Memory& memory) const {
     if (!memory.triangle) return std::numeric_limits<double>::infinity();
     return std::sqrt(closest_on_triangle(point, head_->surface.corners(*memory.triangle)).distance2_mm2);
   }
 
-  // That distance is convex, so a node's corners suffice.
+  // Returns the same bound for a node. The distance is convex, so the node's corners suffice.
   [[nodiscard]] double max_from(const PointTree::Node& node, const Memory& memory) const {
     double most = 0;
     for (int k = 0; k < 8; ++k) most = std::max(most, max_at(corner(node, k), memory));
@@ -123,7 +125,7 @@ HeadField::HeadField(const CheckedToolpath& input, std::size_t max_poses)
     return head_instants(motion, reach, input.result->verdicts[move].depth_mm, max_step);
   };
   std::vector<FieldInstants> picked = pick_instants(input, max_poses, wanted);
-  // The deepest first: where they raise the depth, the others need no query.
+  // The deepest moves come first: after they have raised the depth, the others often need no query.
   const auto depth_of = [&](const FieldInstants& one) { return input.result->verdicts[one.move].depth_mm; };
   std::stable_sort(picked.begin(), picked.end(),
                    [&](const FieldInstants& a, const FieldInstants& b) { return depth_of(a) > depth_of(b); });

@@ -13,27 +13,28 @@ namespace gouge {
 namespace {
 
 constexpr int kShrinks = 16, kSteps = 64, kLooks = 8;
-// Overcuts of moves that are not the worst of their finding are searched less, and may be reported smaller than
-// they are.
+// Factor for the overcuts of moves that are not the worst of their finding. They are searched less thoroughly and may
+// be reported too small.
 constexpr double kMoreThanReported = 2;
-// A flat facet of a curved part is taken for the part: points below it may be a little nearer to its neighbour.
+// A flat facet of a curved part replaces the part's surface, so points below it may be slightly nearer to its
+// neighbour.
 constexpr double kNearer = 0.95;
-constexpr double kMet = 1e-3;  // of a depth: as near the tool a ray has met it
+constexpr double kMet = 1e-3;  // share of a depth: a ray that is this near to the tool has met it
 constexpr double kOnBoundary_mm = 1e-3;
-constexpr double kUnseen = 1.02;  // no eye could show the difference
-// Relative to a node's radius: poses farther apart are evaluated one by one.
+constexpr double kUnseen = 1.02;  // ratio of two depths that look the same
+// Share of a node's radius: poses with a larger spread are evaluated one by one.
 constexpr double kCoarse = 0.5;
 
 }  // namespace
 
-/// A tool where it was sampled, or about there at several instants that follow each other.
+/// A tool at one sampled pose, or a group of poses close to each other.
 class OvercutField::SweptPose {
  public:
   std::uint32_t parts = 0, first_part = 0;
-  double max_mm = 0;  ///< how far below the surface the tool reaches at most
+  double max_mm = 0;  ///< maximum distance that the tool reaches below the surface
 
   SweptPose(const DepthField::FieldPose& pose, double most) : max_mm(most), pose_(&pose) {}
-  /// Stands for `parts`, those of one tool, and is where the one in the middle is.
+  /// Builds a group of `parts`, which are poses of one tool. Its own pose is that of the part in the middle.
   SweptPose(std::span<const SweptPose> of, std::uint32_t first) : SweptPose(of[of.size() / 2]) {
     parts = static_cast<std::uint32_t>(of.size());
     first_part = first;
@@ -51,9 +52,9 @@ class OvercutField::SweptPose {
   [[nodiscard]] double distance_mm(const Vec3& point) const {
     return signed_distance_mm(pose_->tool->bare, pose_->pose, point);
   }
-  /// Returns how far at least all points of a node, moved as its centre to `at` and up to `more_mm` farther, are
-  /// outside of it. The node is flat, and beside a flat one the tangent plane of the tool bounds better than the
-  /// nearest point.
+  /// Returns a lower bound of the distance from the tool for all points of a node. The node is moved with its centre to
+  /// `at`, and by up to `more_mm` farther. The node is flat. Next to a flat tool, the tangent plane of the tool gives a
+  /// better bound than the nearest point.
   [[nodiscard]] double out_mm(const PointTree::Node& node, const Vec3& at, double more_mm) const {
     const Pose& pose = pose_->pose;
     const Vec3 d = at - pose.tip;
@@ -66,12 +67,12 @@ class OvercutField::SweptPose {
     if (!(r > 0)) return out;
     const Vec3 normal = here.normal.x() / r * across + here.normal.y() * pose.axis;
     const double by_plane = here.signed_distance_mm - PointTree::reach_mm(node, normal) - more_mm;
-    // They stay outside as far as they are moved by what is returned.
+    // The points stay outside even if they are moved by the returned distance.
     const double radius_mm = node.radius + more_mm + std::max(by_plane, 0.0);
     return by_plane > out && is_bounded_by_tangent(tool, here, r, z, radius_mm) ? by_plane : out;
   }
-  /// Returns how far from it the parts are at most, as the point sees them. An axis turns a point no farther than the
-  /// chord its own end goes, times the distance to the tip.
+  /// Returns the maximum distance between the parts and this pose, as seen at the point. A change of the axis moves a
+  /// point at most by the chord between the axis ends, times the distance from the tip.
   [[nodiscard]] double spread_mm(const Vec3& point) const {
     return parts > 0 ? shift_mm_ + turn_ * (point - pose_->pose.tip).norm() : 0;
   }
@@ -108,8 +109,8 @@ OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depth
   roots_ = group_neighbours(swept_);
 }
 
-/// Rays in a tree, quick where neighbours in the list are neighbours in space. A pose goes down where its tool can meet
-/// them, and follows each ray from its far end back to the tool.
+/// Rays in a tree. It is fast if neighbours in the list are neighbours in space. A pose descends to the nodes where its
+/// tool can meet rays, and follows each ray from its far end back to the tool.
 class OvercutField::RayTree {
  public:
   RayTree(const OvercutField& field, const std::vector<Ray>& rays)
@@ -136,7 +137,7 @@ class OvercutField::RayTree {
   }
 
  private:
-  /// A pose and how far along any ray of a node its tool reaches at most.
+  /// A pose, and how far along the rays of a node its tool reaches at most.
   struct Reach {
     std::uint32_t swept = 0;
     double max_mm = 0;
@@ -147,13 +148,13 @@ class OvercutField::RayTree {
     Swept near;
   };
 
-  /// The directions of a node's rays: none differs from `inward` by more than `spread`.
+  /// The directions of a node's rays: each differs from `inward` by at most `spread`.
   struct Bundle {
     Vec3 inward = Vec3::Zero();
     double spread = 0;
   };
 
-  // From those of its children, which come behind it.
+  // Computes the bundle of a node. For an inner node it follows from the bundles of the children, which come after it.
   [[nodiscard]] Bundle bundle_of(const PointTree::Node& node) const {
     Bundle bundle;
     if (node.child == 0) {
@@ -175,8 +176,8 @@ class OvercutField::RayTree {
     return near;
   }
 
-  /// Goes from the far end of the middle ray back to where the tool may meet any ray. A ray's point at depth s lies
-  /// near that of the middle ray: within the node's radius and s times the spread.
+  /// Goes from the far end of the middle ray back to the place at which the tool may meet any ray. A ray's point at
+  /// depth s is near that of the middle ray: within the node's radius plus s times the spread.
   void add_near(std::size_t at, const Reach& of, Swept& near) const {
     const PointTree::Node& node = tree_.nodes()[at];
     const Bundle& bundle = bundles_[at];
@@ -195,7 +196,7 @@ class OvercutField::RayTree {
     for (std::uint32_t k = 0; k < swept.parts; ++k) add_near(at, {swept.first_part + k, s}, near);
   }
 
-  // Down to the blocks, which become tasks.
+  // Descends to the blocks, which become tasks.
   void split(std::size_t at, const Swept& swept, std::vector<Task>& tasks) const {
     Swept near = near_of(at, swept);
     if (near.empty()) return;
@@ -244,7 +245,7 @@ class OvercutField::RayTree {
     if (s > 0) reported_[index] = static_cast<float>(s);
   }
 
-  // The farthest point of the ray in the tool, from `s` on; 0 where none is beyond `min_mm`.
+  // Returns the farthest point of the ray in the tool, searched from `s` back; 0 if no point is beyond `min_mm`.
   static double deepest_in(const SweptPose& swept, const Ray& ray, double s, double min_mm) {
     for (int k = 0; k < kSteps && s > min_mm; ++k) {
       const double out = swept.distance_mm(ray.at + s * ray.inward);
@@ -258,14 +259,15 @@ class OvercutField::RayTree {
   const std::vector<Ray>& rays_;
   PointTree tree_;
   std::vector<Bundle> bundles_;  ///< by node
-  std::vector<double> margins_;  ///< by ray; negative: not requested yet
+  std::vector<double> margins_;  ///< by ray; negative: not computed yet
   std::vector<float> reported_;
 };
 
-/// Returns how far along the ray its own foot stays the nearest. That is the radius of the largest ball that touches
-/// the surface there from within. The ball is shrunk as long as another foot lies in it.
+/// Returns how far along the ray its own starting point stays the closest point of the surface. That is the radius of
+/// the largest ball inside that touches the surface at this point. The ball is shrunk as long as it contains another
+/// surface point.
 double OvercutField::margin_mm(const Surface& solid, const Ray& ray, double max_mm) const {
-  if (!solid.closest_point(ray.at, kOnBoundary_mm)) return 0;  // of a shell inside the solid
+  if (!solid.closest_point(ray.at, kOnBoundary_mm)) return 0;  // the ray is on a shell inside the solid
   double radius = max_mm;
   for (int k = 0; k < kShrinks; ++k) {
     const auto foot = solid.closest_point(ray.at + radius * ray.inward);
@@ -279,7 +281,7 @@ double OvercutField::margin_mm(const Surface& solid, const Ray& ray, double max_
 }
 
 std::vector<std::uint8_t> OvercutField::may_be_deep(const std::vector<Vec3>& centres, double radius_mm) const {
-  // A ray's end counts as in the tool a little outside of it.
+  // The end of a ray counts as in the tool even slightly outside of it.
   return depths_.may_be_deep(centres, radius_mm, reach_mm_ * (1 + 2 * kMet));
 }
 

@@ -13,24 +13,24 @@
 
 namespace gouge {
 
-/// A point of the surface, part coordinates.
+/// A point of the surface, in part coordinates.
 struct FieldPoint {
   Vec3 at = Vec3::Zero();
-  Against against = Against::part;  ///< of which obstacle
-  double clearance_mm = 0;          ///< of its mesh
+  Against against = Against::part;  ///< the obstacle of the point
+  double clearance_mm = 0;          ///< clearance of its mesh
 };
 
-/// Bounds on the depth of all points p of a node in a body, mm: least <= depth <= most, and
-/// depth <= at_centre + slope . (p - centre).
+/// Bounds on the depth of all points p of a node in a body, mm: min <= depth <= max, and depth <= at_centre + slope .
+/// (p - centre).
 struct DepthRange {
   double min_mm = 0, max_mm = 0;
   double at_centre_mm = 0;
   Vec3 slope = Vec3::Zero();
 };
 
-/// A body as balls of one radius see it: deepest where a point of one may have a depth that counts, else 0. What
-/// holds of all points of a node that is wider by the radius holds of all balls about the points of the node. One that
-/// represents several is queried for them as long as they are close to each other, in leaves too.
+/// A body that is queried for balls of one radius. A ball is deepest if one of its points may have a depth that counts,
+/// otherwise 0. A bound for a node that is widened by the radius holds for all balls about the points of the node. A
+/// group of bodies is queried as one while its bodies are close to each other, even in leaves.
 template <class Of>
 class AnyDepth {
  public:
@@ -47,7 +47,7 @@ class AnyDepth {
   [[nodiscard]] bool is_coarse(const PointTree::Node& node) const { return of_.is_apart(wider(node)); }
   [[nodiscard]] double floor_mm() const { return floor_mm_; }
   [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double cutoff_mm, Memory& memory) const {
-    // A ball's points lie within its radius of its centre, and are points of the wider node.
+    // The points of a ball lie within its radius of its centre, so they are points of the wider node.
     DepthRange range = of_.range_mm(wider(node), cutoff_mm, memory);
     if (range.slope.isZero(0))
       range.at_centre_mm = range.max_mm;
@@ -79,8 +79,8 @@ class AnyDepth {
   double radius_mm_, floor_mm_;
 };
 
-/// Makes an AnyDepth of each body. Depths not above `max_floor_mm` do not count, nor those that do not count for the
-/// bodies, whichever is less.
+/// Makes an AnyDepth of each body. A depth does not count if it is at most the smaller of `max_floor_mm` and the body's
+/// own floor.
 template <class Of>
 [[nodiscard]] std::vector<AnyDepth<Of>> any_depths(const std::vector<Of>& bodies, double radius_mm,
                                                    double max_floor_mm = std::numeric_limits<double>::infinity()) {
@@ -91,25 +91,26 @@ template <class Of>
 }
 
 /// The largest depth of each point of a surface in any of many bodies. Points and bodies are halved together. A node of
-/// points hands down the bodies that may be the deepest somewhere in it. Its leaves query those with the largest bound
-/// first.
+/// points passes on the bodies that may be the deepest somewhere in it. Its leaves query the bodies with the largest
+/// bound first.
 class PointDepths {
  public:
-  static constexpr double kUnseen = 1.03;  ///< a depth not above this many times another looks the same
-  /// Quick where neighbours in the list are neighbours in space. The points must outlive it.
+  static constexpr double kUnseen = 1.03;  ///< a depth that is at most this many times another looks the same
+  /// Builds the tree of the points. It is fast if neighbours in the list are neighbours in space. The points must
+  /// outlive it.
   explicit PointDepths(const std::vector<FieldPoint>& points)
       : points_(points), tree_(points.size(), [&](std::size_t i) { return points[i].at; }) {}
 
-  /// Returns the depth of each point, mm, less 3 % at most; 0 where it is in none. The last `roots` bodies are queried
-  /// for all points, others only as parts of those.
+  /// Returns the depth of each point in mm, at most 3 % too small; 0 if the point is in no body. The last `roots`
+  /// bodies are queried for all points, other bodies only as parts of these.
   ///
-  /// A Body has these functions. (1) range_mm(node, cutoff_mm, memory) bounds the node's depth, as exactly as needed
-  /// where that is not above `cutoff_mm`. (2) depth_mm(point, cutoff_mm, memory) is the depth of a point, where that is
-  /// above `cutoff_mm`. (3) floor_mm() is a depth; depths not above it do not count. Its Memory keeps results from one
-  /// call to the next nearby.
+  /// A Body has these functions. (1) range_mm(node, cutoff_mm, memory) bounds the node's depth; the bound need not be
+  /// exact if it is at most `cutoff_mm`. (2) depth_mm(point, cutoff_mm, memory) returns the depth of a point, if that
+  /// is above `cutoff_mm`. (3) floor_mm() returns the depth up to which a depth does not count. The Memory of a body
+  /// keeps results from one call for the next call nearby.
   ///
-  /// One body may represent several. Then `parts` is how many, `first_part` the first of them, and its range holds for
-  /// each. Where is_coarse(node) they are queried themselves.
+  /// One body may represent several. Then `parts` is their number and `first_part` the first of them, and the range
+  /// holds for each. If is_coarse(node), the parts themselves are queried.
   template <class Body>
   [[nodiscard]] std::vector<float> deepest(const std::vector<Body>& bodies, std::size_t roots) const {
     std::vector<float> depth(points_.size(), 0.0F);
@@ -138,7 +139,7 @@ class PointDepths {
   struct Candidate {
     std::uint32_t body = 0;
     DepthRange range;
-    /// The depth of a point p of the node, and of those below it, is at most at_origin_mm + range.slope . p.
+    /// The depth of any point p of the node, and of the nodes below it, is at most at_origin_mm + range.slope . p.
     double at_origin_mm = std::numeric_limits<double>::infinity();
   };
   struct Task {
@@ -155,11 +156,11 @@ class PointDepths {
     const std::vector<Body>& bodies;
     std::vector<float>& depth;
     std::vector<typename Body::Memory> memories;
-    std::vector<Candidate> candidates;  ///< those of a node behind those of its parent
-    double min_mm = 0;                  ///< of the node at hand, and who is as deep
+    std::vector<Candidate> candidates;  ///< the candidates of a node follow those of its parent
+    double min_mm = 0;                  ///< largest lower bound in the current node; `champion` has it
     std::size_t champion = 0;
 
-    /// Down to the blocks, which become tasks.
+    /// Descends to the blocks, which become tasks.
     void split(std::size_t at, std::size_t first, std::vector<Task>& tasks) {
       const PointTree::Node& node = field.tree_.nodes()[at];
       if (node.is_block) {
@@ -174,7 +175,8 @@ class PointDepths {
       candidates.resize(own);
     }
 
-    // At every second node: along Morton's curve the others are half a square.
+    // Visits a node, and makes a shortlist only at every second level: along Morton's curve the nodes between are half
+    // squares.
     void visit(std::size_t at, std::size_t first, bool is_half = false) {
       const PointTree::Node& node = field.tree_.nodes()[at];
       if (is_half && node.child != 0) {
@@ -194,8 +196,8 @@ class PointDepths {
       candidates.resize(own);
     }
 
-    // Appends those of the parent's candidates that may be the deepest somewhere in the node. The one whose least depth
-    // is the largest stays in any case and comes first. Returns where they begin.
+    // Appends those candidates of the parent that may be the deepest somewhere in the node. The one with the largest
+    // lower bound always stays and comes first. Returns the index of the first appended one.
     std::size_t shortlist(const PointTree::Node& node, std::size_t first) {
       const std::size_t own = candidates.size();
       min_mm = 0;
@@ -229,7 +231,7 @@ class PointDepths {
       candidates.push_back({parent.body, range, range.at_centre_mm - range.slope.dot(node.centre)});
     }
 
-    // Bounds the node by the plane of a candidate of its parent, far cheaper than by the body.
+    // Bounds the node by the plane of the parent's candidate. This is far cheaper than a query of the body.
     static double max_by(const Candidate& parent, const PointTree::Node& node) {
       return parent.at_origin_mm + parent.range.slope.dot(node.centre) + PointTree::reach_mm(node, parent.range.slope);
     }

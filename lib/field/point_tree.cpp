@@ -15,7 +15,7 @@ void PointTree::split(std::size_t count) {
   nodes_.resize(1);
   nodes_[0].last = count;
   std::vector<bool> is_below_block{false};
-  // Behind a node come its children: one pass, for new nodes are appended.
+  // The children of a node come after it, so one pass is enough: new nodes are appended.
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const std::size_t first = nodes_[n].first, last = nodes_[n].last;
     const bool is_below = is_below_block[n];

@@ -9,12 +9,12 @@
 
 namespace gouge {
 
-/// A tree of boxes over points in the order they come in, halved in the middle. It is quick to make for a single pass
-/// over points. Neighbours in their list should be neighbours in space, as in a picture. In any other order it holds as
-/// well, but its boxes are large. It is cut into blocks that share no point, so that threads may work on them in any
-/// order.
+/// A tree of boxes over points in their given order, which is halved in the middle. It is fast to build, for a single
+/// pass over the points. Neighbours in the list should be neighbours in space, as in a picture. In any other order the
+/// tree is still valid, but its boxes are large. It is cut into blocks that share no point, so that threads may work on
+/// them in any order.
 ///
-/// The trees of lib/hierarchy and lib/kdop hold surfaces that stand still for many queries.
+/// The trees of lib/hierarchy and lib/kdop contain surfaces that do not move during many queries.
 class PointTree {
  public:
   static constexpr std::size_t kLeafPoints = 16;
@@ -22,15 +22,16 @@ class PointTree {
   struct Node {
     Box3 box;
     Vec3 centre = Vec3::Zero();
-    double radius = 0;                ///< of a ball about the box
-    Vec3 normal = Vec3::Zero();       ///< of a plane through the centre near the points, unit or zero
-    double off_mm = 0;                ///< no point is farther from that plane
-    std::size_t first = 0, last = 0;  ///< its points
-    std::size_t child = 0;            ///< of two neighbours, which come behind it; 0: a leaf
-    bool is_block = false;            ///< no node below it is one; every point is in one
+    double radius = 0;                ///< radius of a ball about the box
+    Vec3 normal = Vec3::Zero();       ///< normal of a plane through the centre near the points; unit or zero
+    double off_mm = 0;                ///< maximum distance of a point from that plane
+    std::size_t first = 0, last = 0;  ///< range of its points
+    std::size_t child = 0;            ///< index of the first of two neighbouring children, which come after the node;
+                                      ///< 0: a leaf
+    bool is_block = false;            ///< no node below it is a block, and every point is in exactly one block
   };
 
-  /// `at(i)` is point i of `count`.
+  /// Builds the tree. `at(i)` returns point i of `count`.
   template <class At>
   PointTree(std::size_t count, At&& at) {
     if (count == 0) return;
@@ -49,10 +50,10 @@ class PointTree {
     }
   }
 
-  /// Returns the root first; none without points.
+  /// Returns the nodes, the root first; empty without points.
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
 
-  /// Returns a bound of direction . (p - centre) for all points p of the node. Requires a unit direction.
+  /// Returns an upper bound of direction . (p - centre) for all points p of the node. Requires a unit direction.
   [[nodiscard]] static double reach_mm(const Node& node, const Vec3& direction) {
     const double along = std::abs(direction.dot(node.normal));
     const double across = std::sqrt(std::max(0.0, 1 - along * along));
@@ -62,7 +63,8 @@ class PointTree {
  private:
   void split(std::size_t count);
 
-  // The plane across the diagonals of the four points that are the corners where points come along Morton's curve.
+  // Finds the plane across the diagonals of four points. These are the corners if the points are ordered along Morton's
+  // curve.
   template <class At>
   void flatten(Node& node, const At& at) {
     const std::size_t rest = node.last - node.first - 1;

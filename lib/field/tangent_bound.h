@@ -6,9 +6,9 @@
 
 namespace gouge {
 
-/// Returns whether the plane tangent to the tool at the foot of the point (r, z) bounds the depth of the points about
-/// it. These are all points within `radius_mm` of it (SupportRange). The argument `here` is what evaluate states about
-/// the point.
+/// Returns whether a tangent plane of the tool bounds the depth of the points around the point (r, z). The plane is the
+/// one at the closest point of the tool. The bound is for all points within `radius_mm` (SupportRange). `here` is the
+/// result of evaluate for the point.
 [[nodiscard]] inline bool is_bounded_by_tangent(const CompiledTool& tool, const ToolDistance& here, double r, double z,
                                                 double radius_mm) {
   const SupportRange& support = tool.elements[here.element].support;

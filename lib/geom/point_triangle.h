@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// Feature of a triangle on which a closest point lies.
+/// The feature of a triangle on which a closest point lies.
 enum class TriangleFeature { face, edge, corner };
 
 struct TrianglePoint {
@@ -25,7 +25,7 @@ inline TrianglePoint triangle_point(const Vec3& p, const Vec3& foot, TriangleFea
   return {foot, (p - foot).squaredNorm(), feature, index, 0};
 }
 
-/// On the edge from corner `k` to the next; its ends count as corners.
+/// Returns the closest point on the edge from corner `k` to the next one. An end of the edge counts as a corner.
 inline TrianglePoint closest_on_edge(const Vec3& p, const std::array<Vec3, 3>& t, std::size_t k) {
   const std::size_t next = (k + 1) % 3;
   const Vec3 along = t[next] - t[k];
@@ -44,16 +44,17 @@ inline TrianglePoint closest_on_rim(const Vec3& p, const std::array<Vec3, 3>& t)
   return best;
 }
 
-/// Returns whether the weights of a foot by products of dot products have lost about half of their digits or more.
+/// Returns whether the weights of a foot, computed from dot products, lose about half of their digits or more.
 inline bool is_sliver(const Vec3& ab, const Vec3& ac) {
-  // The square of width over length: of its error the foot gets eps * length / kSliver.
+  // Limit of (width / length)^2. The error of the foot is then at most about eps * length / kSliver.
   constexpr double kSliver = 1e-4;
   const double ab2 = ab.squaredNorm(), ac2 = ac.squaredNorm(), b = ab.dot(ac);
   const double length2 = std::max({ab2, ac2, ab2 + ac2 - 2 * b});
   return !(ab2 * ac2 - b * b > kSliver * length2 * length2);
 }
 
-/// Measured along the longest edge and across it, where rounding stays a few units of the last place of the length.
+/// Returns the closest point of a very narrow triangle. It measures along and across the longest edge. There the
+/// rounding error is only a few units of the last place of the length.
 inline TrianglePoint closest_on_sliver(const Vec3& p, const std::array<Vec3, 3>& t) {
   std::size_t k = 0;
   for (const std::size_t i : {1U, 2U}) {
@@ -63,10 +64,10 @@ inline TrianglePoint closest_on_sliver(const Vec3& p, const std::array<Vec3, 3>&
   const double length2 = along.squaredNorm();
   if (!(length2 > 0)) return triangle_point(p, t[0], TriangleFeature::corner, 0);
   Vec3 across = side - (side.dot(along) / length2) * along;
-  across -= (across.dot(along) / length2) * along;  // its remainder along the edge, after rounding
+  across -= (across.dot(along) / length2) * along;  // remove the rest along the edge, which comes from rounding
   const double width2 = across.squaredNorm();
   if (!(width2 > 0)) return closest_on_rim(p, t);
-  const double far = q.dot(across) / width2;  // the weight of the corner across from the edge
+  const double far = q.dot(across) / width2;  // weight of the corner opposite the edge
   const double position = q.dot(along) / length2;
   const double next = position - far * (side.dot(along) / length2);
   const double least = std::min({far, next, 1 - far - next});
@@ -78,14 +79,15 @@ inline TrianglePoint closest_on_sliver(const Vec3& p, const std::array<Vec3, 3>&
 
 }  // namespace detail
 
-/// Finds the closest point of triangle `t` to `p`, and the feature it lies on.
+/// Finds the closest point of triangle `t` to `p`, and the feature on which it lies.
 ///
-/// Degenerate  A triangle without area is its edges; one without extent its first corner. Never NaN for finite input.
-/// Rounding    The distance is that of a point of the triangle, at most 1e-11 of the coordinates' differences above the
-///             least, however narrow the triangle.
+/// Degenerate  A triangle without area counts as its edges, a triangle without extent as its first corner. Never NaN
+///             for finite input.
+/// Rounding    The distance is that of a point of the triangle. It exceeds the minimum by at most 1e-11 of the
+///             differences of coordinates, even for very narrow triangles.
 /// Cost        Constant, no allocation.
-/// Source      C. Ericson, Real-Time Collision Detection (2005), 5.1.5: regions of the triangle by dot products. They
-///             are not used where the triangle is so narrow that their weights would be rounding.
+/// Source      C. Ericson, Real-Time Collision Detection (2005), 5.1.5: regions of the triangle by dot products. Very
+///             narrow triangles use another method, because their weights would be mostly rounding errors.
 [[nodiscard]] inline TrianglePoint closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& t) {
   using detail::triangle_point;
   const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];

@@ -4,13 +4,13 @@
 
 namespace gouge {
 
-/// Pose of the tool: its tip, and its unit axis from the tip to the spindle. Part coordinates, mm.
+/// Pose of the tool: its tip, and its unit axis from the tip towards the spindle. Part coordinates, mm.
 struct Pose {
   Vec3 tip = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();
 };
 
-/// x -> rotation * x + shift, the rotation being a proper one. mm.
+/// The map x -> rotation * x + shift with a proper rotation. mm.
 struct RigidTransform {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Vec3 shift = Vec3::Zero();

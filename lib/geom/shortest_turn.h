@@ -7,9 +7,9 @@
 
 namespace gouge {
 
-/// Returns the rotation by the smallest angle that takes one unit vector to another; between opposite ones half a turn
-/// about some axis across them. (Eigen's own FromTwoVectors states the same through a singular value decomposition,
-/// which costs each source that calls it five seconds to compile.)
+/// Returns the rotation by the smallest angle that takes one unit vector to another. Between opposite vectors it is
+/// half a turn about an axis perpendicular to them. (Eigen's FromTwoVectors computes the same by a singular value
+/// decomposition. It adds five seconds to the compilation of each source that calls it.)
 [[nodiscard]] inline Eigen::Quaterniond shortest_turn(const Vec3& from, const Vec3& to) {
   const double w = 1 + from.dot(to);
   if (w < Tolerance::kNoDirection) {

@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// Returns the first of its longest edges: from corner `k` to the next.
+/// Returns the first of the longest edges as `k`: the edge from corner `k` to the next one.
 [[nodiscard]] inline std::size_t longest_edge(const std::array<Vec3, 3>& t) {
   std::size_t longest = 0;
   double length2 = (t[1] - t[0]).squaredNorm();
@@ -21,8 +21,8 @@ namespace gouge {
   return longest;
 }
 
-/// Returns both halves of a triangle cut at the middle of an edge: the one at the edge's end, then the one at its
-/// start.
+/// Returns both halves of a triangle that is cut at the middle of an edge. The first half contains the end of the edge,
+/// the second half its start.
 [[nodiscard]] inline std::array<std::array<Vec3, 3>, 2> halves(const std::array<Vec3, 3>& t, std::size_t edge) {
   const std::size_t next = (edge + 1) % 3;
   const Vec3 middle = 0.5 * (t[edge] + t[next]);
@@ -31,8 +31,8 @@ namespace gouge {
   return parts;
 }
 
-/// Returns the distance of `point` from the line segment from `a` to `b`, which may be one point. It is in the unit of
-/// the points, which are Eigen vectors of one kind in one frame.
+/// Returns the distance of `point` from the line segment from `a` to `b`, which may be one point. The unit is that of
+/// the points. The points are Eigen vectors of one kind in one frame.
 template <class Vector>
 [[nodiscard]] double distance_to_segment(const Vector& point, const Vector& a, const Vector& b) {
   const Vector along = b - a;

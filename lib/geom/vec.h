@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-// Plain values. Vec2 is a point or direction of the tool's (r, z) half plane, Vec3 one of space.
+// Vectors: Vec2 is a point or direction in the tool's (r, z) half plane, Vec3 one in space.
 
 namespace gouge {
 

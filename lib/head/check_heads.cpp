@@ -42,12 +42,12 @@ bool is_open_to_judgement(const MoveVerdict& verdict) {
   return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
 }
 
-// A gouge of the tool stays; no move is clean.
+// Rejects a move: it becomes not checked, so it is not clean. A gouge of the tool stays a gouge.
 void refuse(Reason::Kind reason, MoveVerdict& verdict) {
   if (verdict.state != MoveState::gouge && verdict.state != MoveState::not_checked) verdict = not_checked({reason});
 }
 
-/// Where heads stand at the start and at the end of a move. Requires a motion that is defined.
+/// Returns the positions of the heads at the start and at the end of a move. Requires a motion that is defined.
 std::pair<RigidTransform, RigidTransform> ends_of(const Toolpath& toolpath, std::size_t move, const MotionLaw& law) {
   const Motion motion = law.of(toolpath, move);
   const BodyMotion moving(motion);
@@ -84,7 +84,7 @@ std::uint64_t HeadChecker::sweep(const Motion& motion, const CheckOptions& optio
   return bounds;
 }
 
-// A motion that is refused would spoil the bounds it shares with its neighbours, so those are swept without it.
+// Sweeps the other motions without those that are rejected, which would spoil the bounds they share.
 void HeadChecker::sweep_all(std::span<const Motion> motions, const CheckOptions& options,
                             std::span<MoveVerdict* const> verdicts, std::span<std::vector<double>> uppers_mm,
                             std::span<std::uint64_t> bounds) const {
@@ -142,7 +142,7 @@ double HeadChecker::excess_at(const Pose& pose, const MotionLaw& law, double all
   options.resolution_mm = accuracy_mm;
   MoveVerdict verdict;
   bounds += check(law.at(pose), options, verdict);
-  // Beyond the limit of a mesh a gouge may be shallower than what is allowed elsewhere.
+  // Beyond the limit of a mesh, a gouge may be shallower than the depth that is permitted elsewhere.
   if (verdict.state == MoveState::gouge)
     return verdict.depth_mm > allowed_mm ? verdict.depth_mm - allowed_mm : verdict.depth_mm;
   return verdict.state == MoveState::clean ? 0 : std::numeric_limits<double>::infinity();
@@ -182,8 +182,8 @@ void HeadChecker::take(const HeadResult& found, const Group& group, MoveVerdict&
   verdict.witness = w;
 }
 
-/// No surface comes as deep into the head as its cores lie, so each core stays on one side during the whole
-/// move.
+/// Decides whether a head is inside a solid. No surface comes as deep into the head as its cores lie, so each core
+/// stays on one side during the whole move.
 void HeadChecker::look_inside(const Motion& motion, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const {
   const RigidTransform at = BodyMotion(motion).at(0);
   for (std::size_t h = 0; h < heads_.size() && verdict.state != MoveState::buried; ++h) {
@@ -199,7 +199,7 @@ void HeadChecker::look_inside(const Motion& motion, const std::vector<double>& u
 
 void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& options, const HeadUppers& uppers_mm,
                               MoveVerdicts& verdicts) const {
-  std::vector<std::pair<std::size_t, std::size_t>> cores;  // head, core
+  std::vector<std::pair<std::size_t, std::size_t>> cores;  // pairs of head and core
   for (std::size_t h = 0; h < heads_.size(); ++h) {
     for (std::size_t k = 0; k < heads_[h].cores.size(); ++k) cores.emplace_back(h, k);
   }
@@ -248,7 +248,7 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
 
 namespace {
 
-// The heads on the straight path to a position alone (check_path checks the tool).
+// Checks the heads on the straight path to a single position; check_path checks the tool.
 void check_links(const Toolpath& toolpath, const HeadChecker& checker, const CheckOptions& options,
                  MoveVerdicts& verdicts) {
   for (std::size_t i = 0; i < verdicts.size(); ++i) {

@@ -18,14 +18,14 @@
 
 namespace gouge {
 
-/// Maximum depth of the surface in each head, of every move of a path, mm. Requires a head.
+/// Maximum depth of the surface in each head, for every move of a path, in mm. Requires at least one head.
 class HeadUppers {
  public:
   HeadUppers(std::size_t moves, std::size_t heads) : heads_(heads), all_(moves * heads, kNotSwept) {}
 
   [[nodiscard]] bool is_swept(std::size_t move) const { return !std::isnan(all_[move * heads_]); }
   [[nodiscard]] double of(std::size_t move, std::size_t head) const { return all_[move * heads_ + head]; }
-  /// `uppers_mm`: one of each head, or empty where the move was not swept.
+  /// Stores the depths of a move. `uppers_mm` has one value for each head, or is empty if the move was not swept.
   void set(std::size_t move, const std::vector<double>& uppers_mm) {
     for (std::size_t h = 0; h < heads_; ++h) all_[move * heads_ + h] = uppers_mm.empty() ? kNotSwept : uppers_mm[h];
   }
@@ -37,43 +37,44 @@ class HeadUppers {
   PagedVector<double> all_;
 };
 
-/// Heads against the meshes of a scene, which must both outlive it.
+/// Checker of heads against the meshes of a scene. The heads and the scene must outlive it.
 class HeadChecker {
  public:
-  /// Requires scene.is_within_reach.
+  /// Prepares the checker. Requires scene.is_within_reach.
   HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene);
 
-  /// Joins what the heads do during a motion to the tool's verdict on it; returns the bounds it took. The
-  /// deeper witness stays, a gouge of either is a gouge, and the motion is clean only if both are.
+  /// Combines the result of the heads during a motion with the verdict on the tool. Returns the number of bounds. The
+  /// deeper witness stays; a gouge of either is a gouge; the motion is clean only if both are.
   std::uint64_t check(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict) const;
 
-  /// The same but for whether a head is inside a solid; how deep the surface may be in each head goes to `uppers_mm`.
+  /// Does the same, except for the test whether a head is inside a solid. Stores the maximum depth of the surface in
+  /// each head in `uppers_mm`.
   std::uint64_t sweep(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict,
                       std::vector<double>& uppers_mm) const;
 
-  /// Sweeps motions one after the other, together. Surfaces far from all of them are discarded once.
+  /// Sweeps several consecutive motions together. Surfaces far from all of them are discarded once.
   ///
-  /// Shape    One verdict, one list of uppers and one count of bounds a motion, as of `sweep`. A verdict may differ
-  ///          from that of the motion alone in how deep the surface may be.
+  /// Shape    One verdict, one list of uppers and one count of bounds for each motion, as in `sweep`. A verdict may
+  ///          differ from that of the single motion in the maximum depth of the surface.
   void sweep_all(std::span<const Motion> motions, const CheckOptions& options, std::span<MoveVerdict* const> verdicts,
                  std::span<std::vector<double>> uppers_mm, std::span<std::uint64_t> bounds) const;
 
-  /// Turns moves that are clean or near into buried or not certified where a head is inside a solid or may be. Does as
-  /// mark_buried does for the tool.
+  /// Changes the state of moves that are clean or near: to buried if a head is inside a solid, to not certified if it
+  /// may be inside. It corresponds to mark_buried for the tool.
   void mark_buried(const Toolpath& toolpath, const CheckOptions& options, const HeadUppers& uppers_mm,
                    MoveVerdicts& verdicts) const;
 
   /// Returns how much deeper than `allowed_mm` the heads are at a pose: the minimum distance that they must still move.
-  /// It is below the truth by `accuracy_mm` at most. 0 only when that is proved and no head is buried. Infinite when
-  /// one is buried, or when it could not be decided.
+  /// It is below the true value by at most `accuracy_mm`. It is 0 only if that is proved and no head is buried. It is
+  /// infinite if a head is buried or this is not decided.
   [[nodiscard]] double excess_at(const Pose& pose, const MotionLaw& law, double allowed_mm, double accuracy_mm,
                                  std::uint64_t& bounds) const;
 
  private:
-  /// Surfaces searched together, and the depth that heads may have in them.
+  /// Surfaces that are searched together, with the permitted depth of heads in them.
   struct Group {
     std::vector<HeadTarget> targets;
-    std::optional<MeshLimit> limit;  ///< of the one mesh; none: all of the scene, with the tolerance of the check
+    std::optional<MeshLimit> limit;  ///< limit of the only mesh; none: the whole scene, with the tolerance of the check
 
     [[nodiscard]] double tolerance_mm(const CheckOptions& options) const;
   };
@@ -87,16 +88,16 @@ class HeadChecker {
   const std::vector<HeadBody>& heads_;
   const SceneSides& sides_;
   std::span<const PreparedObstacle> obstacles_;
-  std::vector<Group> groups_;  ///< first the one of all surfaces
+  std::vector<Group> groups_;  ///< the first group has all surfaces
 };
 
-/// Checks bodies that move with the tool, and that its profile does not hold, along every move on which the tool was
-/// checked. Joins their verdicts to those of `result`. The deeper witness stays, a gouge of either is a gouge, and a
-/// move is clean only if both are. Their share of a verdict: lib/certify has the whole.
+/// Checks bodies that move with the tool but are not part of its profile, along every move on which the tool was
+/// checked. Combines their verdicts with those of `result`. The deeper witness stays; a gouge of either is a gouge; a
+/// move is clean only if both are. This is one part of a verdict; lib/certify gives the complete one.
 ///
-/// The guarantee is the tool's: depth <= true depth <= depth_upper over every instant. Clean means that depth_upper is
-/// at most tolerance + resolution and that no head lies inside a solid (Body::head in the witness).
-/// Ensures  The same bits at any number of threads.
+/// The guarantee is that of the tool: depth <= true depth <= depth_upper over every instant. Clean means that
+/// depth_upper is at most tolerance + resolution, and that no head lies inside a solid (Body::head in the witness).
+/// Ensures  The result has the same bits at any number of threads.
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
                  const CheckOptions& options, CheckResult& result, const ProgressCall& progress = {},
                  CheckpointStore* kept = nullptr);

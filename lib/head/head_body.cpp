@@ -14,11 +14,12 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kTries = 200;
-constexpr double kMinBall = 1e-7;   // of the size: thinner parts of a body are not looked for
-constexpr double kMinDepth = 1e-4;  // of the size: where the search for a ball inside begins at last
+constexpr double kMinBall = 1e-7;   // share of the size: thinner parts of a body are not searched
+constexpr double kMinDepth = 1e-4;  // share of the size: minimum depth at which the search for a ball inside starts
 constexpr int kMaxClimbs = 40;
 
-/// Piece of surface each triangle belongs to, numbered from 0 as they come.
+/// Returns, for each triangle, the piece of surface to which it belongs. Pieces are numbered from 0 in the order of
+/// their first triangle.
 std::vector<std::uint32_t> pieces_of(const IndexedMesh& mesh) {
   UnionFind joined(mesh.vertices.size());
   for (const TriangleCorners& t : mesh.triangles) {
@@ -37,7 +38,7 @@ std::vector<std::uint32_t> pieces_of(const IndexedMesh& mesh) {
   return piece;
 }
 
-/// One core for each piece of a surface that is the boundary of its body.
+/// Adds one core for each piece of a surface that is the boundary of its body.
 void add_cores_of_pieces(HeadBody& head) {
   const IndexedMesh& mesh = head.surface.mesh();
   const std::vector<std::uint32_t> piece = pieces_of(mesh);
@@ -60,8 +61,8 @@ void add_cores_of_pieces(HeadBody& head) {
   }
 }
 
-/// Balls inside a body: each grows from a point of the boundary, which it touches, to where it is largest nearby. Two
-/// that meet are in one connected part of the inside, of which the larger is kept.
+/// Balls inside a body. Each grows from a point of the boundary, which it touches, until it is the largest nearby. Two
+/// balls that meet are in one connected part of the inside; the larger is kept.
 class CoreBalls {
  public:
   explicit CoreBalls(const Surface& surface) : surface_(surface), size_mm_(surface.mesh().box().diagonal().norm()) {}
@@ -91,7 +92,7 @@ class CoreBalls {
     double radius_mm = 0;
   };
 
-  /// Each next centre is within the ball before it.
+  /// Returns a larger ball. Each next centre is within the ball before it.
   [[nodiscard]] Ball grown(Ball ball, ClosestPoint foot) const {
     double step = 0.9;
     for (int k = 0; k < kMaxClimbs && step > 0.01; ++k) {
@@ -123,13 +124,14 @@ class CoreBalls {
   std::vector<Ball> balls_;
 };
 
-/// Where the boundary is made of parts of the surface: from each piece of it, and from some hundred triangles.
+/// Adds cores if the boundary consists of parts of the surface. It tries each piece of the boundary and some hundred
+/// triangles.
 void add_cores_of_boundary(HeadBody& head) {
   const IndexedMesh& mesh = head.surface.mesh();
   const std::vector<std::uint32_t> piece = pieces_of(mesh);
   const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / kTries);
   CoreBalls balls(head.surface);
-  std::uint32_t seen = 0;  // pieces, numbered as they come
+  std::uint32_t seen = 0;  // number of pieces so far
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const bool is_new = piece[t] == seen;
     if (is_new) ++seen;

@@ -11,33 +11,35 @@
 
 namespace gouge {
 
-/// A machine head, angle head, probe or clamp that moves with the tool, in the tool's frame.
+/// A machine head, angle head, probe or clamp that moves with the tool, in the frame of the tool.
 struct HeadBody {
   Surface whole;    ///< all triangles of its file
-  Surface surface;  ///< the boundary of what they wind around
+  Surface surface;  ///< the boundary of the space that the triangles wind around
   Box3 box;
-  /// For each piece of its surface a point inside it, the deepest of some hundred tries, and how deep it is. Where the
-  /// boundary is not all of the surface one for each connected part of the inside, or several.
+  /// For each piece of the surface a point inside it, the deepest of some hundred tries, with its depth. If the
+  /// boundary is not the whole surface, there are one or several for each connected part of the inside.
   std::vector<Vec3> cores;
   std::vector<double> core_depths_mm;
-  ConvexCover cover;       ///< make_revolved_cover of its surface
-  SupportPlanes supports;  ///< of its surface
+  ConvexCover cover;       ///< make_revolved_cover of the surface
+  SupportPlanes supports;  ///< planes of the surface
 };
 
-/// Requires what build_mesh ensures. Shells may nest, overlap and cross: depth is measured to the boundary of all.
-/// Errors   The code mesh-head-open: the surface is not closed, so its inside is not defined. The code
-///          mesh-head-crosses: rounding leaves open where its inside ends.
+/// Builds a head from a mesh. Requires the guarantees of build_mesh. Shells may nest, overlap and cross: depth is
+/// measured to the boundary of all of them.
+/// Errors   mesh-head-open: the surface is not closed, so its inside is not defined. mesh-head-crosses: because of
+///          rounding it is not known where its inside ends.
 [[nodiscard]] Result<HeadBody> build_head_body(IndexedMesh mesh);
 
-/// Builds the same bodies `by_mm` farther up the tool axis, as with a longer stick-out. Errors: those of
+/// Builds the same bodies `by_mm` farther up the tool axis, as for a longer stick-out. Errors: those of
 /// build_head_body.
 [[nodiscard]] Result<std::vector<HeadBody>> moved_up(const std::vector<HeadBody>& heads, double by_mm);
 
-/// Returns the connected pieces of a surface, each a mesh of its own.
+/// Returns the connected pieces of a surface, each as a mesh of its own.
 [[nodiscard]] std::vector<IndexedMesh> shells_of(const IndexedMesh& mesh);
 
-/// Returns the shells of a surface where they are bodies apart. A surface with cavities stays whole, since they belong
-/// to the shell around them. So does one whose shells nest or overlap, since no shell shows how deep a point is in all.
+/// Returns the shells of a surface as separate meshes, if they are separate bodies. A surface with cavities stays
+/// whole, because a cavity belongs to the shell around it. A surface whose shells nest or overlap stays whole too: no
+/// single shell shows how deep a point is in all of them.
 [[nodiscard]] std::vector<IndexedMesh> head_pieces(const IndexedMesh& mesh);
 
 }  // namespace gouge

@@ -14,24 +14,26 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMaxKept = 8;                          // planes
-constexpr double kFacetsOwn = 1 - Tolerance::kFewRoundings;  // cosine: the effect of rounding on a facet's normal
-constexpr double kSameNormal = 0.9999;  // cosine: a second plane as steep as the first bounds nothing more
+constexpr std::size_t kMaxKept = 8;                          // maximum number of planes
+constexpr double kFacetsOwn = 1 - Tolerance::kFewRoundings;  // cosine: rounding of a facet's normal
+constexpr double kSameNormal = 0.9999;  // cosine: a second plane with nearly the same normal gives no better bound
 
-/// A node or leaf of a tree or a piece of a facet, over a time interval.
+/// A node or leaf of a tree, or a piece of a facet, during a time interval.
 struct Candidate : SearchCandidate {
   enum class Kind : std::uint8_t { root, node, leaf, facet };
   Kind kind = Kind::node;
   bool is_time_next = false;
-  std::uint32_t interval = 0, tree = 0, index = 0;  ///< of the node, leaf or triangle
-  std::uint32_t parent = 0, lane = 0;  ///< of a node or leaf but the root: the node whose child it is, and where there
-  std::uint32_t facet = 0;             ///< of the head, the closest to the middle; first that of what it is a part of
-  std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of a facet
+  std::uint32_t interval = 0, tree = 0, index = 0;  ///< `index` is that of the node, leaf or triangle
+  std::uint32_t parent = 0, lane = 0;  ///< for a node or leaf except the root: its parent node, and its lane there
+  std::uint32_t facet = 0;             ///< facet of the head closest to the middle; initially that of the candidate it
+                                       ///< is a part of
+  std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< corners of the piece of a facet
 };
 
 class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
  public:
-  // A descent would measure other points first, and which of equally deep ones is the witness would change.
+  // If the search descended, it would measure other points first, and another of equally deep points would become the
+  // witness.
   static constexpr bool kDescends = false;
 
   HeadSearch(const BodyMotion& motion, const HeadBody& head, std::span<const HeadTarget> targets,
@@ -117,7 +119,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     return c.kind == Candidate::Kind::root ? LaneBound(tree) : LaneBound(tree, tree.nodes[c.parent], c.lane);
   }
 
-  /// All of the candidate is known except its bound and the next step.
+  /// Bounds and offers a node. Requires a candidate that is complete except for its bound and its next step.
   void add_node(Candidate& c) {
     const BodyInterval& interval = intervals_[c.interval];
     const LaneBound held = bound_of(c);
@@ -125,7 +127,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     if (bound(c, NodeRegion(held, interval.to_tool0, interval.to_tool1, motion_.bulge_mm(interval, far_mm)))) offer(c);
   }
 
-  /// A facet of the head near the piece.
+  /// Bounds and offers a piece. `facet` is a facet of the head near the piece. Returns the facet closest to it.
   std::uint32_t add_piece(std::uint32_t index, std::uint32_t tree, std::uint32_t triangle,
                           const std::array<Vec3, 3>& piece, std::uint32_t facet) {
     const BodyInterval& interval = intervals_[index];
@@ -149,9 +151,9 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     return c.facet;
   }
 
-  /// False where the region stays out of the head's box. Else bounds its depth, first by planes that bounded others.
-  /// Then it takes the signed distance of the middle, which changes by at most the distance moved, and last planes near
-  /// it.
+  /// Bounds the depth of a region. Returns false if the region stays out of the head's box. The first bounds come from
+  /// planes that bounded other regions. The next is the signed distance of the middle, which changes by at most the
+  /// distance moved. The last are planes near the middle.
   template <typename Region>
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
     const double reach_mm = targets_[c.tree].reach_mm;
@@ -175,7 +177,8 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     if (c.upper_mm > threshold_mm()) bound_by_planes(c, region, foot);
   }
 
-  /// A facet's own plane first, where it bounds all of the head: no other prism on it bounds more.
+  /// Uses a facet's own plane first, if it bounds the whole head: then no other prism on the facet gives a better
+  /// bound.
   template <typename Region>
   void bound_by_plane(Candidate& c, const Region& region, const ClosestPoint& at, bool is_middle_inside) {
     const auto support = head_.supports.plane(at.triangle);
@@ -184,7 +187,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
       c.upper_mm = std::min(c.upper_mm, depth_by_support(region, raised(*support, targets_[c.tree].reach_mm)));
       if (c.upper_mm <= threshold_mm() || at.normal.dot(support->normal) > kFacetsOwn) return;
     }
-    // A prism shows that points are outside, and not how far.
+    // A prism shows only that points are outside, not how far.
     if (targets_[c.tree].reach_mm > 0) return;
     const auto depth_mm = depth_by_plane(head_, region, HeadPlane(at), is_middle_inside, threshold_mm());
     if (depth_mm) c.upper_mm = std::min(c.upper_mm, *depth_mm);
@@ -193,8 +196,9 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
   void bound_by_planes(Candidate& c, const NodeRegion& region, const ClosestPoint& foot) {
     bound_by_plane(c, region, foot, foot.is_inside);
   }
-  /// The plane at the closest point to the middle may leave too much, as across an edge of the head. Then the plane at
-  /// the closest point to the place where it leaves most may leave less.
+  /// Bounds a piece by up to two planes. The plane at the closest point to the middle may leave too large a bound, for
+  /// example across an edge of the head. Then the plane at the closest point to the lowest corner may give a smaller
+  /// one.
   void bound_by_planes(Candidate& c, const PieceRegion& region, const ClosestPoint& foot) {
     bound_by_plane(c, region, foot, foot.is_inside);
     if (c.upper_mm <= threshold_mm()) return;
@@ -203,7 +207,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     if (other.normal.dot(foot.normal) < kSameNormal) bound_by_plane(c, region, other, foot.is_inside);
   }
 
-  /// For the next to be bounded: parts near one another are bounded by the same planes.
+  /// Keeps a plane for the next regions, because neighbouring regions are bounded by the same planes.
   void keep_plane(std::uint32_t facet, const OuterPlane& plane) {
     std::size_t at = 0;
     while (at < plane_count_ && planes_[at].facet != facet) ++at;
@@ -216,13 +220,14 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     std::rotate(planes_.begin(), place, place + 1);
   }
 
-  /// All of the head is below the plane, so a point above it is as far from the head, at least.
+  /// Returns the plane raised by the reach. The whole head is below the plane, so the distance of a point above it from
+  /// the head is at least its height.
   static OuterPlane raised(OuterPlane plane, double reach_mm) {
     plane.height_mm += reach_mm;
     return plane;
   }
 
-  /// Returns whether a kept plane leaves a point no deeper than the deepest known one.
+  /// Returns whether a kept plane proves that a point is no deeper than the deepest known point.
   [[nodiscard]] bool is_no_deeper(const Vec3& q, double reach_mm) const {
     return std::any_of(planes_.begin(), planes_.begin() + static_cast<std::ptrdiff_t>(plane_count_),
                        [&](const Kept& kept) {
@@ -265,7 +270,7 @@ class HeadSearch : public BestFirstSearch<HeadSearch, Candidate> {
     std::uint32_t facet = 0;
     OuterPlane plane;
   };
-  std::array<Kept, kMaxKept> planes_;  // the one that was of use last first
+  std::array<Kept, kMaxKept> planes_;  // the plane that was useful last comes first
   std::size_t plane_count_ = 0;
 };
 

@@ -7,11 +7,12 @@
 namespace gouge {
 namespace {
 
-constexpr double kAbove_mm = 1e-6;  // of the plane over the facet it touches, and of the box about the region
+constexpr double kAbove_mm = 1e-6;  // height of the base over the facet that the plane touches, and margin of the box
+                                    // around the region
 
 constexpr std::size_t kMaxSides = 8;
 
-/// At right angles to n, along the region as far as may be.
+/// Returns a direction at right angles to n that runs along the region as far as possible.
 Vec3 along_region(const Vec3& n, const Vec3& longest) {
   const Vec3 across = longest - n * n.dot(longest);
   return across.squaredNorm() > Tolerance::kNoSide * longest.squaredNorm() ? Vec3(across.normalized())
@@ -40,7 +41,7 @@ std::optional<double> depth_below(const HeadBody& head, const Region& region, co
     prism[0] = {n, n.dot(region.middle) + base_mm};
     prism[1] = {-n, -n.dot(region.middle) - top_mm};
     if (is_entered(head.surface.tree(), prism)) return false;
-    // No surface in the prism: all of it is on one side. The middle shows which where it is in the prism.
+    // No surface is in the prism, so all of it is on one side. If the middle is in the prism, it shows which side.
     if (base_mm <= 0) return !is_middle_inside;
     return !head.surface.closest_point(region.middle + 0.5 * (base_mm + top_mm) * n)->is_inside;
   };
@@ -79,7 +80,7 @@ HeadRange PieceRegion::along(const Vec3& n) const {
   return {range.low_mm - bulge_mm, range.high_mm + bulge_mm};
 }
 
-// A line through two corners is a side of the outline where no corner is beyond it.
+// Adds the sides of the outline: a line through two corners is a side if no corner is beyond it.
 void PieceRegion::add_sides(const Vec3& n, std::vector<HalfSpace>& sides) const {
   const std::size_t first = sides.size();
   const Vec3 u = along_region(n, longest);

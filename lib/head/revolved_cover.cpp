@@ -14,15 +14,15 @@
 namespace gouge {
 namespace {
 
-constexpr double kShort = 1e-6;    // of the mesh's size: shorter lines have no direction worth keeping
-constexpr double kMaxEmpty = 3;    // a cover may have this many times the mesh's volume to be of use
-constexpr double kMinGain = 0.03;  // of a cover's volume, for another piece
+constexpr double kShort = 1e-6;    // share of the mesh's size: the direction of a shorter line is rounding
+constexpr double kMaxEmpty = 3;    // a cover with more than this many times the mesh's volume is not used
+constexpr double kMinGain = 0.03;  // a cut into two pieces must reduce the cover's volume by this share
 constexpr std::size_t kMaxPieces = 6, kMaxHeights = 48, kMaxRoundings = 24, kMaxLines = CoverPiece::kMaxChain - 1;
 constexpr int kDirections = 128;
 
 using Points = std::vector<Vec2>;  // (r, z)
 
-/// The side of the convex hull away from the axis, from the lowest point to the highest.
+/// Returns the side of the convex hull away from the axis, from the lowest point to the highest.
 Points outer_hull(Points all) {
   std::sort(all.begin(), all.end(),
             [](const Vec2& a, const Vec2& b) { return a.y() < b.y() || (!(b.y() < a.y()) && a.x() < b.x()); });
@@ -50,7 +50,7 @@ double volume_of(const IndexedMesh& mesh) {
   return std::abs(sum);
 }
 
-/// Returns some heights of vertices in increasing order, the lowest and the highest among them.
+/// Returns some heights of vertices in increasing order, including the lowest and the highest.
 std::vector<double> heights_of(const IndexedMesh& mesh) {
   std::vector<double> all;
   for (const Vec3& v : mesh.vertices) all.push_back(v.z());
@@ -62,7 +62,8 @@ std::vector<double> heights_of(const IndexedMesh& mesh) {
   return some;
 }
 
-/// Between each two heights what the mesh turns through there, as corners of it: those of the triangles, cut at both.
+/// Returns, for each pair of neighbouring heights, the outer hull in (r, z) of the triangles between them. Triangles
+/// are cut at both heights.
 std::vector<Points> slices(const IndexedMesh& mesh, const std::vector<double>& heights) {
   std::vector<Points> all(heights.size() - 1);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -86,7 +87,7 @@ std::vector<Points> slices(const IndexedMesh& mesh, const std::vector<double>& h
   return all;
 }
 
-/// A line of a chain, the core on its left.
+/// A line of a chain. The core is on its left.
 struct Line {
   Vec2 through = Vec2::Zero(), along = Vec2::UnitY();
 };
@@ -99,8 +100,8 @@ double length_between(const std::vector<Line>& lines, std::size_t k) {
   return (meeting(lines[k], lines[k + 1]) - meeting(lines[k - 1], lines[k])).dot(lines[k].along);
 }
 
-/// Returns how far the corner is outside the k-th line that its neighbours make without it; infinite where they make
-/// none.
+/// Removal of line k lets its neighbours meet in a corner. Returns the distance of that corner from line k, on the
+/// outer side; infinite if the neighbours do not meet.
 double loss_without(const std::vector<Line>& lines, std::size_t k) {
   if (cross(lines[k - 1].along, lines[k + 1].along) <= kShort) return std::numeric_limits<double>::infinity();
   return -cross(lines[k].along, meeting(lines[k - 1], lines[k + 1]) - lines[k].through);
@@ -142,7 +143,8 @@ class PieceMaker {
     return all;
   }
 
-  /// The hull without a rim of that width, rounded by as much again and by what it then leaves outside.
+  /// Moves the hull's lines inward by `rounding_mm` and gives the piece that radius. The radius is then increased by
+  /// the distance of the farthest corner of the hull that is outside.
   [[nodiscard]] std::optional<CoverPiece> rounded(double rounding_mm) const {
     std::vector<Line> lines;
     for (Line next : lines_) {
@@ -189,7 +191,8 @@ class PieceMaker {
     }
   }
 
-  /// Returns how far the piece reaches beyond the hull at most, in directions in which it ends.
+  /// Returns the maximum distance by which the piece reaches beyond the hull, over directions in which the piece is
+  /// bounded.
   [[nodiscard]] double stand_off(const CoverPiece& piece) const {
     double most = 0;
     for (int i = 0; i <= kDirections; ++i) {
@@ -209,7 +212,7 @@ class PieceMaker {
   std::vector<Line> lines_;
 };
 
-/// Slices [first, last) as one.
+/// Slices [first, last) that are treated as one.
 struct Slab {
   std::size_t first = 0, last = 0;
   Points hull;
@@ -245,14 +248,15 @@ class CoverMaker {
   }
 
  private:
-  /// The lowest and the highest end in the face that closes them.
+  /// Builds the slab of these slices. The lowest and the highest slab are closed by a flat face on the axis.
   [[nodiscard]] Slab slab(std::size_t first, std::size_t last) const {
     Points all;
     for (std::size_t k = first; k < last; ++k) all.insert(all.end(), slices_[k].begin(), slices_[k].end());
-    if (all.empty()) all = {{0, heights_[first]}, {0, heights_[last]}};  // between two pieces of the mesh
+    if (all.empty()) all = {{0, heights_[first]}, {0, heights_[last]}};  // a gap between two pieces of the mesh
     if (first == 0) all.push_back({0, heights_.front()});
     Points hull = outer_hull(std::move(all));
-    if (first > 0) {  // begins at its outer end, not in a face
+    if (first > 0) {  // a slab above another has no lower face: its hull begins at the outermost point of its lowest
+                      // height
       const auto is_above = [&](const Vec2& p) { return p.y() > hull.front().y(); };
       hull.erase(hull.begin(), std::find_if(hull.begin(), hull.end(), is_above) - 1);
     }
@@ -289,7 +293,8 @@ class CoverMaker {
     return radius;
   }
 
-  // As far as the other slabs stay within the piece's own continuation, feet on that are free.
+  // The piece is continued beyond its slab. Closest points on the continuation are valid up to the first slab that is
+  // not within it.
   static void set_feet(const std::vector<Slab>& slabs, std::size_t own, CoverPiece& piece) {
     piece.foot_lo_mm = -std::numeric_limits<double>::infinity();
     piece.foot_hi_mm = std::numeric_limits<double>::infinity();

@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kRiseRounding_mm = 1e-8;  // what a search of the tree may miss, and the rounding to single precision
+constexpr double kRiseRounding_mm = 1e-8;  // error of a search of the tree, and rounding to single precision
 
 }  // namespace
 
@@ -21,7 +21,7 @@ SupportPlanes::SupportPlanes(const Surface& surface) : surface_(std::make_shared
     rises_mm_[static_cast<std::ptrdiff_t>(t)].store(std::numeric_limits<float>::quiet_NaN(), std::memory_order_relaxed);
 }
 
-// Concurrent calls find the same value.
+// Returns the stored rise or finds it. Concurrent calls find the same value.
 double SupportPlanes::rise_mm(std::uint32_t facet) const {
   std::atomic<float>& known = rises_mm_[static_cast<std::ptrdiff_t>(facet)];
   const float rise = known.load(std::memory_order_relaxed);
@@ -40,7 +40,7 @@ std::optional<OuterPlane> SupportPlanes::plane(std::uint32_t facet) const {
 
 double SupportPlanes::find_rise_mm(std::uint32_t facet) const {
   const Vec3 n = surface_->face_normal(facet);
-  if (!(n.squaredNorm() > 0.5)) return std::numeric_limits<double>::infinity();  // without area
+  if (!(n.squaredNorm() > 0.5)) return std::numeric_limits<double>::infinity();  // the facet has no area
   const double at_mm = n.dot(surface_->mesh().corner(facet, 0));
   const BlockTree& tree = surface_->tree();
   const std::array<HalfSpace, 1> high{{{n, at_mm + kMaxRise_mm}}}, above{{{n, at_mm}}};

@@ -10,16 +10,14 @@
 namespace gouge::detail {
 namespace {
 
-// Twice what single precision does to a number, relative to it.
-
-// Loops over sixteen numbers, which the compiler cuts to the width of the processor. (Vectors of sixteen, where that is
-// less, it takes apart into single numbers wherever they are compared.)
+// Loops over sixteen numbers, which the compiler adapts to the width of the processor. It would split vectors of
+// sixteen on a narrower processor into single numbers wherever they are compared.
 
 [[gnu::always_inline]] inline void keep_largest(float value, float& largest) {
   largest = value > largest ? value : largest;
 }
 
-/// A vector of three numbers of single precision.
+/// A vector of three numbers in single precision.
 using Single3 = std::array<float, 3>;
 
 Single3 single(const Vec3& v) {
@@ -48,7 +46,7 @@ GOUGE_WIDE void find_extent(const TriangleBlock* leaf, const TriangleBlock* end,
   }
 }
 
-/// Largest height over the plane, squared distance from the axis and squared distance, all from one center.
+/// Largest height over the plane, squared distance from the axis and squared distance, each measured from one center.
 struct Reach {
   Lanes height, disc2, radius2;
 };
@@ -122,8 +120,8 @@ void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, 
     node.center[k][lane] = center[k];
     node.normal[k][lane] = stored_normal[k];
   }
-  // Differences, products and sums in single precision are off by no more than 7 units of 6e-8 of the distance from the
-  // center. The stored normal is longer or shorter than 1 by 1e-7.
+  // The error of differences, products and sums in single precision is at most 7 units of 6e-8 of the distance from the
+  // center. The length of the stored normal differs from 1 by 1e-7.
   const double radius = std::sqrt(largest(reach.radius2));
   const double more = rounding_mm + 8 * Tolerance::kSingleRounding * radius + Tolerance::kRounding_mm;
   node.half_thickness_mm[lane] = rounded_up(largest(reach.height) + more);

@@ -18,17 +18,18 @@ namespace {
 
 using detail::Entry;
 
-// Twice what single precision does to a coordinate of that size.
+// Factor that covers the rounding of the radius.
 constexpr double kBlockRoundUp = 1 + Tolerance::kRounding;
 
-// Subtrees of this many triangles are made whole, one by one: their leaves stay in the processor's cache.
+// Subtrees of this many triangles are built completely, one by one: their leaves stay in the processor's cache.
 constexpr std::size_t kSubtree = kBlockLanes * kBlockLanes * kBlockLanes;
 
-// Ratio of a triangle's time in its subtree to that of one cut above it: twelve cuts, in the cache, and bounds.
+// Ratio of the time that a triangle takes in its subtree to the time of one cut above it. It consists of twelve cuts in
+// the cache, and bounds.
 constexpr std::size_t kWorkOfSubtrees = 8;
 
-/// Triangles one child of a node over `count` of them holds: a power of 16. So all blocks but the last of each level
-/// are full.
+/// Returns the number of triangles in each child of a node over `count` triangles. It is a power of 16, so all blocks
+/// but the last of each level are full.
 std::size_t child_capacity(std::size_t count) {
   std::size_t capacity = kBlockLanes;
   while (capacity * kBlockLanes < count) capacity *= kBlockLanes;
@@ -48,7 +49,7 @@ struct NodeRange {
   std::size_t first = 0, last = 0;
 };
 
-/// Entries that hold `parts` children of `capacity` each, the last one perhaps fewer.
+/// Entries of `parts` children with `capacity` entries each; the last child may have fewer.
 struct Cut {
   std::size_t first = 0, last = 0, parts = 1, capacity = 0;
 };
@@ -71,6 +72,7 @@ class Builder {
     if (total_ == 0) return;
     tree_.origin = box.center();
     tree_.radius_mm = kBlockRoundUp * 0.5 * box.diagonal().norm();
+    // Twice the rounding of a coordinate of that size to single precision.
     tree_.rounding_mm = Tolerance::kSingleRounding * 0.5 * box.diagonal().norm();
   }
 
@@ -102,7 +104,7 @@ class Builder {
   }
 
  private:
-  /// One child of a node, and where its entries are.
+  /// One child of a node and its range of entries.
   struct Lane {
     std::uint32_t node = 0;
     std::size_t lane = 0, first = 0, last = 0;
@@ -137,12 +139,12 @@ class Builder {
     }
   }
 
-  // Returns about how often each triangle is in a cut.
+  // Returns approximately in how many cuts each triangle takes part.
   [[nodiscard]] std::size_t cuts_to_subtrees() const {
     return total_ <= kSubtree ? 0 : static_cast<std::size_t>(std::bit_width((total_ - 1) / kSubtree));
   }
 
-  // All cuts of one depth side by side, from the whole down to the subtrees.
+  // Makes all cuts of one depth in parallel, from the whole down to the subtrees.
   void sort_into_subtrees(Stage& stage) {
     std::vector<Entry> scratch;
     reserve_large(scratch, total_);
@@ -182,7 +184,7 @@ class Builder {
     detail::cut_entries({entries_.data() + c.first, c.last - c.first}, scratch, c.parts / 2 * c.capacity);
   }
 
-  /// Names the children of a node and calls `visit(lane, child)` for each.
+  /// Sets the children of a node and calls `visit(lane, child)` for each.
   template <typename Visit>
   void each_child(const NodeRange& at, const Visit& visit) {
     const Cut all = children_of(at.first, at.last);
@@ -199,8 +201,8 @@ class Builder {
     }
   }
 
-  // The nodes of a subtree stand together, the parent first, so that where they go is known before any is
-  // made.
+  // Plans the nodes. Those of a subtree are stored together, the parent first, so that their places are known before
+  // any is built.
   void plan(const NodeRange& at) {
     if (at.last - at.first <= kSubtree) {
       subtrees_.push_back({at, kNoParent, 0});
@@ -293,10 +295,10 @@ class Builder {
   std::size_t total_ = 0;
   BlockTree tree_;
   std::vector<Entry> entries_;
-  std::vector<std::array<float, 3>> areas_;  // per leaf
+  std::vector<std::array<float, 3>> areas_;  // by leaf
   std::vector<Subtree> subtrees_;
-  std::vector<Lane> lanes_;           // of nodes above the subtrees
-  std::vector<std::uint32_t> upper_;  // nodes above the subtrees
+  std::vector<Lane> lanes_;           // lanes of the nodes above the subtrees
+  std::vector<std::uint32_t> upper_;  // indices of the nodes above the subtrees
 };
 
 }  // namespace

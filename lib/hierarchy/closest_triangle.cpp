@@ -11,8 +11,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kDouble = 1.0e-14;    // more than double precision does to a distance, relative to the coordinates
-constexpr double kRoundUp = 1 + 1e-6;  // to single precision
+constexpr double kDouble = 1.0e-14;    // bound on the rounding of a distance in double precision, relative to the
+                                       // coordinates
+constexpr double kRoundUp = 1 + 1e-6;  // factor that covers rounding to single precision
 
 class ClosestTriangleSearch {
  public:
@@ -28,7 +29,7 @@ class ClosestTriangleSearch {
     take(within_mm * within_mm);
   }
 
-  /// Begins at a triangle instead of with none.
+  /// Starts with a known triangle.
   void begin_at(std::uint32_t near) { offer(near); }
 
   std::optional<ClosestTriangle> run() {
@@ -36,7 +37,8 @@ class ClosestTriangleSearch {
     return best_;
   }
 
-  /// The lanes of a node, the nearest first, as long as they may be nearer than the best known at that time.
+  /// The lanes of a node, the nearest first. A lane is returned only if it may be nearer than the best triangle known
+  /// at that time.
   class Children {
    public:
     Children(ClosestTriangleSearch& search, const NodeBlock& node) : within_mm_(search.within_mm_) {
@@ -55,7 +57,7 @@ class ClosestTriangleSearch {
       order_[at] = static_cast<std::uint8_t>(lane);
     }
 
-    float& within_mm_;  // of the search; it shrinks
+    float& within_mm_;  // that of the search, which shrinks
     Lanes min_mm_;
     std::array<std::uint8_t, kBlockLanes> order_;
     std::size_t at_ = 0, count_ = 0;
@@ -92,7 +94,7 @@ class ClosestTriangleSearch {
   const DistanceKernel& kernel_ = fastest_distance_kernel();
   DistanceQuery query_;
   double best2_ = 0;
-  float within_mm_ = std::numeric_limits<float>::infinity();  ///< no less than where the nearest is known to be
+  float within_mm_ = std::numeric_limits<float>::infinity();  ///< upper bound of the smallest distance
   std::optional<ClosestTriangle> best_;
 };
 

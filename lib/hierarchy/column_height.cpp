@@ -33,7 +33,7 @@ class Climb {
     return highest_;
   }
 
-  /// The lanes of a node that may be higher in the column than the best known at that time.
+  /// The lanes of a node that may be higher in the column than the greatest height known at that time.
   class Children {
    public:
     Children(Climb& climb, const NodeBlock& node) : climb_(climb), node_(node) {}
@@ -53,9 +53,9 @@ class Climb {
 
   [[nodiscard]] Children children(const NodeBlock& node) { return {*this, node}; }
 
-  /// True as soon as something is too high.
+  /// Returns true as soon as a triangle is higher than the maximum.
   [[nodiscard]] bool visit(const TriangleBlock& leaf) {
-    // Most triangles are beside the column or lower than what is known already.
+    // Most triangles are beside the column or lower than the greatest known height.
     const detail::LeafExtent extent = detail::extent_of(leaf, axes_);
     const auto is_out = [&](std::size_t k, std::size_t lane, double low, double high) {
       return at(extent.high[k][lane]) + off_mm_ < low || -at(extent.low[k][lane]) - off_mm_ > high;
@@ -73,7 +73,7 @@ class Climb {
   }
 
  private:
-  /// Returns whether to enter a lane. One that ends below what is enough is not entered: its bound is taken as the
+  /// Returns whether to enter a lane. A lane that ends at or below the cutoff is not entered: its bound is taken as the
   /// height.
   [[nodiscard]] bool may_be_higher(const LaneBound& lane) {
     const Vec3 from = lane.center - column_.through;
@@ -90,7 +90,7 @@ class Climb {
     return false;
   }
 
-  /// No point of the triangle in the column is higher; low_mm where it does not come into the column.
+  /// Returns an upper bound of the height of the triangle in the column; low_mm if it does not reach into the column.
   [[nodiscard]] double height_of(const std::array<Vec3, 3>& corners) const {
     std::array<Vec3, 3> from;
     std::array<double, 3> heights;
@@ -106,7 +106,7 @@ class Climb {
     const double along = std::abs(column_.direction.dot(normal));
     double highest = high;
     if (along > Tolerance::kNoSide * normal.norm()) {
-      // The plane's height on the column's axis, and how far it rises from there.
+      // The height of the plane on the axis of the column, and its rise from there.
       const double middle = normal.dot(corners[0] - column_.through) / column_.direction.dot(normal);
       const double across = std::sqrt(std::max(0.0, normal.squaredNorm() - along * along));
       highest = std::min(highest, middle + across / along * column_.radius_mm);
@@ -114,8 +114,8 @@ class Climb {
     return highest + Tolerance::kRounding_mm;
   }
 
-  /// Returns whether the triangle, seen along the column, is proved to miss its disc. The proof is a line through an
-  /// edge, or a line square to the direction of its nearest corner.
+  /// Returns whether the triangle, seen along the column, is proved to miss the column's disc. The proof is a line
+  /// through an edge, or a line through its nearest corner, square to the direction of that corner.
   [[nodiscard]] bool is_beside(const std::array<Vec3, 3>& flat) const {
     const double reach = column_.radius_mm + Tolerance::kRounding_mm;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -125,7 +125,7 @@ class Climb {
       const Vec3 edge = b - a;
       const double length2 = edge.squaredNorm();
       if (!(length2 > 0)) continue;
-      // The line's nearest point to the axis; the third corner must be beyond it.
+      // The point of the line nearest to the axis; the third corner must be beyond it.
       const Vec3 foot = a - (a.dot(edge) / length2) * edge;
       const double distance = foot.norm();
       if (distance > reach && foot.dot(c) >= distance * distance) return true;
@@ -146,10 +146,10 @@ class Climb {
   const Column& column_;
   Vec3 through_;
   double enough_, max_, highest_;
-  std::array<Vec3, 3> axes_;      // the column's direction and two across
-  double height_ = 0;             // of the column's point along the first, in the tree's frame
-  std::array<double, 2> beside_;  // along the others
-  // Single precision is off by less than eight units of the largest coordinate in the tree's frame.
+  std::array<Vec3, 3> axes_;      // the direction of the column, and two directions across it
+  double height_ = 0;             // height of the column's point along the first axis, in the tree's frame
+  std::array<double, 2> beside_;  // positions of the column's point along the other two
+  // The error of single precision is less than eight units of the largest coordinate in the tree's frame.
   double off_mm_ = 8 * tree_.rounding_mm + Tolerance::kRounding_mm;
 };
 

@@ -9,10 +9,10 @@ namespace gouge::detail {
 namespace {
 
 constexpr std::size_t kMaxBins = 1024;
-// So many entries find the widest axis well enough.
+// Number of entries that are enough to find the widest axis.
 constexpr std::size_t kSample = 512;
 
-/// Equal parts of a box along one axis, the outer ones without an end.
+/// Equal parts of a box along one axis. The two outer parts have no outer end.
 class Bins {
  public:
   Bins(const EntryBox& box, std::size_t axis, std::size_t entries)
@@ -23,10 +23,10 @@ class Bins {
         scale_(static_cast<float>(count_) / box.width(axis)) {}
 
   [[nodiscard]] std::size_t count() const { return count_; }
-  /// Too thin to be divided in single precision: everything is one bin.
+  /// Returns whether the box is too thin to be divided in single precision; then all entries are in one bin.
   [[nodiscard]] bool is_too_thin() const { return !(scale_ < 1e20F); }
 
-  /// Never falls as a middle grows; bin k is where this is from k to k + 1.
+  /// Returns the position of an entry, which never decreases as its middle grows. Bin k is the range from k to k + 1.
   [[nodiscard]] float bin_position(const Entry& entry) const { return (entry.middle[axis_] - low_) * scale_; }
   [[nodiscard]] std::size_t of(const Entry& entry) const {
     const float position = bin_position(entry);
@@ -39,7 +39,7 @@ class Bins {
   float last_, low_, scale_;
 };
 
-/// A bin, and how many entries are in the bins before it and in it.
+/// A bin, with the number of entries in the bins before it and in the bin.
 struct CutBin {
   std::size_t bin = 0, before = 0, within = 0;
 };
@@ -56,11 +56,11 @@ CutBin bin_of_rank(std::span<const Entry> entries, const Bins bins, std::size_t 
   return cut;
 }
 
-// An entry as it is moved: whole.
+// The type in which an entry is moved as a whole.
 using Whole = std::uint32_t __attribute__((vector_size(16)));
 static_assert(sizeof(Whole) == sizeof(Entry));
 
-/// Writes an entry to both slots where it may belong, so that the processor has nothing to guess.
+/// Writes an entry to both possible places, so that the processor has no branch to predict.
 [[gnu::always_inline]] inline void copy_to_both(const Entry& entry, Entry& one, Entry& other) {
   Whole whole;
   std::memcpy(&whole, &entry, sizeof whole);
@@ -68,7 +68,8 @@ static_assert(sizeof(Whole) == sizeof(Entry));
   std::memcpy(static_cast<void*>(&other), &whole, sizeof whole);
 }
 
-/// Entries of the bins before the cut first, then those of its own bin, then the others.
+/// Moves the entries of the bins before the cut to the front, followed by those of the cut's own bin, and then the
+/// others.
 void part_at(std::span<Entry> entries, std::span<Entry> scratch, const Bins bins, const CutBin cut) {
   constexpr float kEnd = std::numeric_limits<float>::infinity();
   const float begin = cut.bin == 0 ? -kEnd : static_cast<float>(cut.bin);

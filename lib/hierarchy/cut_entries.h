@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
-// The sorting behind a block tree: sixteen bytes a triangle, cut in two again and again. A cut is a histogram and one
-// pass without branches that a processor could predict wrongly. Only as much is put in order as the tree requests.
+// Sorting for a block tree: sixteen bytes for each triangle, divided in two repeatedly. A cut is a histogram and one
+// pass without branches that a processor could predict wrongly. Only the order that the tree needs is established.
 
 namespace gouge::detail {
 
@@ -21,16 +21,16 @@ struct EntryBox {
   std::array<float, 3> low{}, high{};
 
   [[nodiscard]] float width(std::size_t axis) const { return high[axis] - low[axis]; }
-  /// Returns the widest axis, the lowest of equal ones.
+  /// Returns the widest axis; of equally wide ones the first.
   [[nodiscard]] std::size_t widest_axis() const;
 };
 
-/// Samples every `step`th entry. Requires at least one.
+/// Returns the box of every `step`th entry. Requires at least one entry.
 [[nodiscard]] EntryBox box_of(std::span<const Entry> entries, std::size_t step = 1);
 
-/// Moves the `rank` entries that come first along one axis (ties: lower triangles first) before the others.
-/// The axis is the widest by a sample of the entries; the order on either side depends on nothing but the
-/// order before.
+/// Moves the `rank` entries that come first along one axis before the others; of equal positions, lower triangles come
+/// first. The axis is the widest in a sample of the entries. The order on either side depends only on the previous
+/// order.
 ///
 /// Requires 0 < rank < entries.size() <= scratch.size(), and finite middles.
 /// Cost     O(n).

@@ -1,23 +1,25 @@
 #pragma once
 
-// Included once for every instruction set, with GOUGE_KERNEL naming the namespace. Nothing here may come from
-// another header as an inline function: it would be compiled for this instruction set and linked into the rest.
+// This file is included once for every instruction set; GOUGE_KERNEL names the namespace. It must not use an inline
+// function from another header: that function would be compiled for this instruction set and linked into the other
+// code.
 #include "lib/hierarchy/distance_kernel.h"
 #include "lib/hierarchy/kernel_lanes.h"
 
 namespace gouge::GOUGE_KERNEL {
 namespace {
 
-// Bound on the rounding here in single precision, relative to the distance of the point from a node's center.
+// Bound on the rounding in single precision, relative to the distance of the point from a node's center.
 constexpr float kNodeRounding = 1.0F / (1 << 19);
-// The square of what lies across a node's normal is a difference; by so much of |t|^2 it may come out too large.
+// The squared distance across a node's normal is a difference; it may be too large by this share of |t|^2.
 constexpr float kAcross = 1.0F / (1 << 19);
-// The square of a shorter vector may be 0, and a quotient by its length anything.
+// The square of a shorter vector may be 0, and a quotient by its length is arbitrary.
 constexpr float kMinSquare = 1e-30F;
 
-GOUGE_INLINE V not_negative(const V& a) { return select(0 < a, a, V{}); }  // 0 for what is not a number
+GOUGE_INLINE V not_negative(const V& a) { return select(0 < a, a, V{}); }  // 0 for NaN
 
-/// `least`, `most`: no point of a lane is nearer, some point of it is no farther, but for `slack`.
+/// Stores the bounds. Up to `slack`, each point of a lane is at least `least` away, and some point of it is at most
+/// `most` away.
 GOUGE_INLINE std::uint32_t finish(const V& least, const V& most, const V& slack, std::uint32_t count, float& within_mm,
                                   Lanes& min_mm) {
   const V bound = not_negative(least - slack);
@@ -48,7 +50,8 @@ GOUGE_INLINE V clamped(const V& part, const V& whole) {
   return min(not_negative(share), broadcast(1.0F));
 }
 
-/// About where the triangle a, b, c is nearest to the origin: a point of it, but for rounding, or no number.
+/// Returns the approximate point of the triangle a, b, c nearest to the origin. Up to rounding it is a point of the
+/// triangle, or it is NaN.
 GOUGE_INLINE V3 about_nearest(const V3& a, const V3& b, const V3& c) {
   const V3 ab = minus(b, a), ac = minus(c, a), bc = minus(c, b);
   const V d1 = -dot(ab, a), d2 = -dot(ac, a), d3 = -dot(ab, b), d4 = -dot(ac, b), d5 = -dot(ab, c), d6 = -dot(ac, c);

@@ -1,7 +1,8 @@
 #pragma once
 
-// Sixteen lanes of single precision, for the bodies of kernels alone, under their rule. Nothing here may come from
-// another header as an inline function. It would be compiled for this instruction set and linked into the rest.
+// Sixteen lanes of single precision. Only the bodies of kernels include this file, and their rule holds here too. It
+// must not use an inline function from another header: that function would be compiled for this instruction set and
+// linked into the other code.
 #include "lib/hierarchy/blocks.h"
 
 namespace gouge::GOUGE_KERNEL {
@@ -64,9 +65,9 @@ GOUGE_INLINE float min_of(const V& a) {
 
 #else
 
-// g++ splits comparisons and choices of vectors wider than the processor's into single numbers, ten times as slow.
-// So sixteen lanes are made of parts as wide as the processor's registers here, and what is done to them is done to
-// each.
+// g++ splits comparisons and selections of vectors wider than the processor's into single numbers, which is ten times
+// as slow. So here sixteen lanes consist of parts as wide as the processor's registers, and each operation is applied
+// to each part.
 template <class Part>
 struct Halves {
   Part low, high;
@@ -127,7 +128,7 @@ GOUGE_INLINE Halves<P>& operator-=(Halves<P>& a, const Q& b) {
   return a = a - b;
 }
 
-// Operations on one part. Masks are all ones or none in each lane, as comparisons make them.
+// Operations on one part. In each lane a mask has all bits set or none, as comparisons produce it.
 #if defined(__AVX2__)
 GOUGE_INLINE V8 select(const M8& which, const V8& a, const V8& b) {
   return __builtin_ia32_blendvps256(b, a, reinterpret_cast<V8>(which));
@@ -178,7 +179,7 @@ template <class P>
 GOUGE_INLINE Halves<P> sqrt(const Halves<P>& a) {
   return {sqrt(a.low), sqrt(a.high)};
 }
-/// Bit i states lane i.
+/// Returns the mask as bits: bit i is lane i.
 template <class P>
 GOUGE_INLINE unsigned bits_of(const Halves<P>& which) {
   return bits_of(which.low) | bits_of(which.high) << (sizeof(P) / sizeof(float));
@@ -199,7 +200,7 @@ struct V3 {
 GOUGE_INLINE void load(const float* from, V& to) { __builtin_memcpy(&to, from, sizeof(V)); }
 GOUGE_INLINE void store(const V& from, float* to) { __builtin_memcpy(to, &from, sizeof(V)); }
 #else
-// Part by part: a value that is copied in other pieces than it is read has to wait for the memory.
+// Copies part by part: a value that is read in other pieces than it was written has to wait for the memory.
 template <class P>
 GOUGE_INLINE void load(const float* from, P& to) {
   __builtin_memcpy(&to, from, sizeof(P));

@@ -6,7 +6,7 @@
 namespace gouge {
 namespace {
 
-// The stored normal is longer or shorter than 1 by less, and so is what lies across it less than at right angles to it.
+// The length of the stored normal differs from 1 by less than this; so does a distance across it from the true one.
 constexpr double kBoundNormal = 1e-6;
 
 Vec3 vector_of(const std::array<Lanes, 3>& lanes, std::size_t lane) {

@@ -10,14 +10,12 @@
 namespace gouge {
 namespace {
 
-// More than single precision is off in what is added up here, relative to coordinates in the tree's frame, and in where
-// corners are stored.
-constexpr float kNormal = 1e-6F;  // the stored normal of a node is longer or shorter than 1 by less
+constexpr float kNormal = 1e-6F;  // the length of a node's stored normal differs from 1 by less than this
 
-// Loops over sixteen numbers, which the compiler cuts to the width of the processor. (Vectors of sixteen, where that is
-// less, it takes apart into single numbers wherever they are compared.)
+// Loops over sixteen numbers, which the compiler adapts to the width of the processor. It would split vectors of
+// sixteen on a narrower processor into single numbers wherever they are compared.
 
-/// Lowers `least` to `reach`. Returns whether any lane of it is not negative.
+/// Lowers `least` to `reach` in each lane. Returns whether any lane is then at least 0.
 [[gnu::always_inline]] inline bool lower(const Lanes& reach, Lanes& least) {
   std::int32_t open = 0;
   for (std::size_t i = 0; i < kBlockLanes; ++i) {
@@ -39,6 +37,8 @@ LaneSpace::LaneSpace(const BlockTree& tree, std::span<const HalfSpace> space)
     : count_(std::min(space.size(), halves_.size())) {
   for (std::size_t i = 0; i < count_; ++i) {
     const double min_mm = space[i].min_mm - space[i].direction.dot(tree.origin);
+    // The slack covers rounding to single precision: of the sums here, relative to coordinates in the tree's frame, and
+    // of the stored corners.
     const double slack_mm = Tolerance::kSingleSum * (tree.radius_mm + std::abs(min_mm)) + Tolerance::kRounding_mm;
     for (std::size_t k = 0; k < 3; ++k)
       halves_[i].direction[k] = static_cast<float>(space[i].direction[static_cast<Eigen::Index>(k)]);
@@ -58,8 +58,8 @@ std::uint32_t LaneSpace::reached(const TriangleBlock& leaf) const {
   return not_negative(reach_mm, leaf.count);
 }
 
-// Returns how far each lane reaches into the half-space that it reaches into least: its ball, or its disc where that is
-// less. Once no lane reaches into one of them, the others are not tested.
+// Finds how far each lane reaches into the half-space that it reaches least. The reach is that of the ball or, if
+// smaller, of the disc. If no lane reaches into one half-space, the others are not tested.
 GOUGE_WIDE void LaneSpace::find_reach(const NodeBlock& node, std::span<const Half> halves, Lanes& least) {
   least.fill(std::numeric_limits<float>::max());
   Lanes reach;
@@ -78,7 +78,7 @@ GOUGE_WIDE void LaneSpace::find_reach(const NodeBlock& node, std::span<const Hal
   }
 }
 
-// The highest corner of each triangle in the half-space that it reaches into least.
+// Finds the highest corner of each triangle in the half-space that it reaches least.
 GOUGE_WIDE void LaneSpace::find_reach(const TriangleBlock& leaf, std::span<const Half> halves, Lanes& least) {
   least.fill(std::numeric_limits<float>::max());
   Lanes reach;

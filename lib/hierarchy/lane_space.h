@@ -9,14 +9,14 @@
 
 namespace gouge {
 
-/// The common part of half-spaces in the frame of a tree, tested sixteen lanes at a time. It uses the instructions that
-/// the processor has and gives the same result with any of them.
+/// The intersection of half-spaces in the frame of a tree, tested for sixteen lanes at a time. It uses the processor's
+/// instructions and gives the same result with any of them.
 class LaneSpace {
  public:
-  /// Requires at most kMaxHalfSpaces.
+  /// Prepares the test. Requires at most kMaxHalfSpaces.
   LaneSpace(const BlockTree& tree, std::span<const HalfSpace> space);
 
-  /// Returns a bit for each lane of a node whose bound reaches into each half-space by itself, or comes near.
+  /// Returns a bit for each lane of a node whose bound reaches into, or nearly into, each of the half-spaces.
   [[nodiscard]] std::uint32_t reached(const NodeBlock& node) const;
   /// Returns the same for the triangles of a leaf.
   [[nodiscard]] std::uint32_t reached(const TriangleBlock& leaf) const;

@@ -8,12 +8,12 @@ namespace {
 
 using LaneFlags = std::array<std::uint8_t, kBlockLanes>;
 
-/// Coordinates of the tree's own frame.
+/// A ray in the tree's own frame.
 struct Sight {
   std::array<float, 3> from, toward;
 };
 
-// Returns which balls the ray meets.
+// Sets which balls the ray meets.
 GOUGE_WIDE void meet_balls(const NodeBlock& node, const Sight& sight, LaneFlags& is_met) {
   for (std::size_t i = 0; i < kBlockLanes; ++i) {
     const float x = node.center[0][i] - sight.from[0];
@@ -26,7 +26,7 @@ GOUGE_WIDE void meet_balls(const NodeBlock& node, const Sight& sight, LaneFlags&
   }
 }
 
-// Returns which triangles the ray meets, from either side.
+// Sets which triangles the ray meets, from either side.
 GOUGE_WIDE void meet_triangles(const TriangleBlock& leaf, const Sight& sight, LaneFlags& is_met) {
   const float dx = sight.toward[0], dy = sight.toward[1], dz = sight.toward[2];
   for (std::size_t i = 0; i < kBlockLanes; ++i) {
@@ -37,7 +37,7 @@ GOUGE_WIDE void meet_triangles(const TriangleBlock& leaf, const Sight& sight, La
     const float volume = ux * px + uy * py + uz * pz;
     const float sx = sight.from[0] - ax, sy = sight.from[1] - ay, sz = sight.from[2] - az;
     const float qx = sy * uz - sz * uy, qy = sz * ux - sx * uz, qz = sx * uy - sy * ux;
-    // All three shares and the distance, times the volume and its sign.
+    // All three shares and the distance are multiplied by the volume and its sign.
     const float sign = volume < 0 ? -1.0F : 1.0F;
     const float u = sign * (sx * px + sy * py + sz * pz);
     const float v = sign * (dx * qx + dy * qy + dz * qz);
@@ -53,7 +53,7 @@ std::uint32_t mask_of(const LaneFlags& flags, std::uint32_t count) {
   return mask;
 }
 
-/// Ends at the first triangle that the ray meets.
+/// Visitor that ends at the first triangle that the ray meets.
 struct FirstMet {
   const Sight& sight;
 

@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// The children of a node that a bit mask names, in their order.
+/// The children of a node that a bit mask selects, in their order.
 class MaskedLanes {
  public:
   explicit MaskedLanes(std::uint32_t mask) : mask_(mask) {}
@@ -24,13 +24,13 @@ class MaskedLanes {
   std::uint32_t mask_;
 };
 
-/// Visits a tree depth first, the one loop of all walks that need no order across nodes. BestFirstSearch is for the
+/// Visits a tree depth first. All walks that need no order across nodes share this loop; BestFirstSearch is for the
 /// others. `Visitor` has:
-///   auto children(const NodeBlock&)          A cursor. Its next() returns the next lane to enter, or none, and is
-///                                            called after the lane before was visited. So it may prune by the results
-///                                            there.
-///   bool visit(const TriangleBlock&)         True where the walk may end here.
-/// Returns whether a visit ended it. Cost: the depth of the tree in stack frames, at most 16 for 2^32 triangles.
+///   auto children(const NodeBlock&)          A cursor. Its next() returns the next lane to enter, or none. It is
+///   called
+///                                            after the lane before was visited, so it may prune by the results there.
+///   bool visit(const TriangleBlock&)         Returns true if the walk may end here.
+/// Returns whether a visit ended the walk. Cost: the depth of the tree in stack frames, at most 16 for 2^32 triangles.
 template <typename Visitor>
 bool traverse(const BlockTree& tree, Visitor& visitor, std::uint32_t index = 0) {
   if (tree.nodes.empty()) return false;

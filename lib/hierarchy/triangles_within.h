@@ -9,16 +9,16 @@
 
 namespace gouge {
 
-/// Returns the triangles that reach into each half-space, and some that only come near: those of the leaves whose
-/// bounds do. In increasing order.
+/// Returns the triangles that reach into each half-space, in increasing order. The result also has some that only come
+/// near: all triangles of the leaves whose bounds reach into each half-space.
 ///
-/// Cost     O(log n) and the triangles found, which are sorted.
+/// Cost     O(log n) plus the number of found triangles, which are sorted.
 [[nodiscard]] std::vector<std::uint32_t> triangles_within(const BlockTree& tree, std::span<const HalfSpace> space);
 
-/// Returns whether any triangle reaches into what all half-spaces have in common. Requires at most kMaxHalfSpaces.
+/// Returns whether any triangle reaches into the intersection of the half-spaces. Requires at most kMaxHalfSpaces.
 ///
-/// Ensures  True where one does by more than 1e-9 mm, for coordinates up to 100 m.
-/// Cost     O(log n) and the triangles near that space; no allocation worth naming.
+/// Ensures  It is true if a triangle reaches in by more than 1e-9 mm, for coordinates up to 100 m.
+/// Cost     O(log n) plus the number of triangles near that space; no significant allocation.
 [[nodiscard]] bool is_entered(const BlockTree& tree, std::span<const HalfSpace> space);
 
 }  // namespace gouge

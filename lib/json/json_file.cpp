@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// Examines brackets and lengths alone: any text whatever may come.
+// Scan that examines only brackets and lengths, so any text is accepted.
 class LimitScan {
  public:
   LimitScan(const std::string& file, std::string_view text, const std::string& what)
@@ -31,7 +31,7 @@ class LimitScan {
   }
 
  private:
-  // From the opening quote to the closing one, which is then at `at_`.
+  // Moves from the opening quote to the closing one, which is then at `at_`.
   std::size_t skip_text() {
     begin_ = at_;
     for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
@@ -68,7 +68,7 @@ class LimitScan {
   std::size_t at_ = 0, begin_ = 0, depth_ = 0;
 };
 
-// The parser stops at the last byte of what it could not take, which may be later than the mistake.
+// The parser stops at the last byte of the token that it rejected, which may be later than the mistake.
 std::string mistake_at(std::string_view bytes, std::size_t byte) {
   constexpr std::size_t kMost = 30;
   if (byte >= bytes.size()) return "it ends before its last bracket is closed; the file may be cut off";

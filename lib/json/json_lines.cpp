@@ -9,8 +9,8 @@ namespace {
 struct Level {
   bool is_object = false;
   bool awaits_key = false;
-  std::size_t index = 0;  // in a list
-  std::string key;        // in an object
+  std::size_t index = 0;  // index in a list
+  std::string key;        // key in an object
   std::size_t value = 0;  // the container itself
 
   [[nodiscard]] std::string name() const { return is_object ? key : std::to_string(index); }
@@ -55,14 +55,15 @@ class Scanner {
     levels_.back().awaits_key = levels_.back().is_object;
   }
 
-  // "\u0061" is the key "a", whose twin the parser would drop in silence.
+  // Reads the key as the parser does: "\u0061" is the key "a", and the parser would silently drop the second of two
+  // equal keys.
   void name(std::string_view quoted) {
     const auto key = nlohmann::json::parse(quoted, nullptr, false);
     levels_.back().key = key.is_string() ? key.get<std::string>() : std::string(quoted);
     levels_.back().awaits_key = false;
   }
 
-  // With its quotes.
+  // Reads a string with its quotes.
   std::string_view read_string() {
     const std::size_t first = at_;
     for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_)
@@ -103,7 +104,7 @@ std::size_t JsonLines::set_root(std::size_t line) {
   return 0;
 }
 
-// A key may hold a slash, so that the next name is the shortest one there is. A key of slashes alone would take
+// A key may contain a slash. So the shortest existing name is taken next; a key of slashes alone would otherwise take
 // forever.
 std::size_t JsonLines::at(std::string_view pointer) const {
   constexpr int kMaxSlashes = 100;

@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-// Four floats side by side, in the vector form that g++ and clang share: no instruction set beyond the
-// processor's base is requested.
+// Four floats side by side, in the vector form of both g++ and clang. It requires no instruction set beyond the
+// processor's base.
 
 namespace gouge {
 

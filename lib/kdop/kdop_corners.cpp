@@ -9,7 +9,7 @@ namespace {
 
 using Polygon = std::vector<Vec3>;
 
-/// The part of `face` with normal . x <= offset + slack.
+/// Returns the part of `face` with normal . x <= offset + slack.
 Polygon clipped(const Polygon& face, const Vec3& normal, double offset, double slack) {
   Polygon kept;
   for (std::size_t i = 0; i < face.size(); ++i) {

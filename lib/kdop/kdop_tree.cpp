@@ -47,7 +47,7 @@ class Builder {
     for (std::size_t k = 0; k < parts.size(); ++k) fill(child + k);
   }
 
-  /// Halves the parts again and again until there are `width` of them; a part that fits a leaf stays whole.
+  /// Halves the parts repeatedly until there are `width` parts. A part that fits in a leaf is not divided.
   std::vector<Range> cut(const Range& all) {
     std::vector<Range> parts = {all};
     for (std::size_t now = 1; now < options_.width; now *= 2) {

@@ -10,7 +10,7 @@ MeshAdjacency::MeshAdjacency(const IndexedMesh& mesh) : around_(mesh) {
   const std::size_t triangle_count = mesh.triangles.size();
   const auto from = [&](std::size_t t, std::size_t k) { return mesh.triangles[t][k]; };
   const auto to = [&](std::size_t t, std::size_t k) { return mesh.triangles[t][(k + 1) % 3]; };
-  // Sides 3 t + k in the buckets of their lower vertices, which begin where the ones before them end.
+  // Lists the sides 3 t + k in buckets, one for each lower vertex. A bucket begins where the one before it ends.
   std::vector<std::uint32_t> end(mesh.vertices.size() + 1, 0);
   for (std::size_t t = 0; t < triangle_count; ++t) {
     for (std::size_t k = 0; k < 3; ++k) ++end[std::min(from(t, k), to(t, k)) + 1];

@@ -10,26 +10,26 @@
 #include "lib/mesh/vertex_triangles.h"
 
 // Lists the triangles that meet at an edge and at a vertex (thesis 4.2, 4.5.2.3). Any mesh has an adjacency: an edge
-// may be used by one triangle or by many, in either direction.
+// may belong to one triangle or to many, in either direction.
 
 namespace gouge {
 
-/// One triangle's use of an edge.
+/// The use of an edge by one triangle.
 struct EdgeUse {
   std::uint32_t triangle = 0;
-  bool is_forward = true;  ///< the triangle runs from the edge's lower vertex index to the higher one
+  bool is_forward = true;  ///< the triangle's side runs from the edge's lower vertex index to the higher one
 };
 
 struct MeshEdge {
   Corner low = 0;  ///< low < high
   Corner high = 0;
-  std::uint32_t first_use = 0;  ///< into MeshAdjacency::uses
-  std::uint32_t use_count = 0;  ///< 1 boundary, 2 manifold, more: non-manifold
+  std::uint32_t first_use = 0;  ///< index into the uses of MeshAdjacency
+  std::uint32_t use_count = 0;  ///< 1: boundary; 2: manifold; more: non-manifold
 };
 
 class MeshAdjacency {
  public:
-  /// Cost O(n). Requires triangles with three distinct corners (what build_mesh gives).
+  /// Builds the adjacency. Cost O(n). Requires triangles with three distinct corners, as build_mesh returns them.
   explicit MeshAdjacency(const IndexedMesh& mesh);
 
   /// Returns the edges in increasing order of (low, high).
@@ -45,7 +45,7 @@ class MeshAdjacency {
     return triangle_edges_[triangle];
   }
 
-  /// Returns the triangles in increasing order.
+  /// Returns the triangles of a vertex in increasing order.
   [[nodiscard]] std::span<const std::uint32_t> triangles_of_vertex(Corner vertex) const { return around_.at(vertex); }
 
  private:

@@ -25,7 +25,7 @@ bool equals(std::string_view word, std::string_view lower_case) {
                     [](char a, char b) { return lower(a) == b; });
 }
 
-// Returns the text of the file, fit for a message of one line.
+// Returns the text of the file in quotes, suitable for a message of one line.
 std::string quoted(std::string_view word) {
   if (word.empty()) return "the end of the file";
   std::string text = "'";
@@ -33,7 +33,7 @@ std::string quoted(std::string_view word) {
   return text + (word.size() > kLongestQuote ? "...'" : "'");
 }
 
-// Words of the file one after the other, with the line each stands in. LF, CRLF and CR end a line.
+// The words of the file one after the other, with the line of each. LF, CRLF and CR end a line.
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) {
@@ -55,8 +55,8 @@ class Words {
     return word;
   }
 
-  // The rest of the line is a name, which may be anything. Only a facet may stand behind it, since some writers use no
-  // line ends at all.
+  // Skips the rest of the line: it is a name, which may be any text. Only a facet may follow it on the line, because
+  // some writers use no line ends at all.
   void skip_name() {
     for (; at_ < text_.size() && !is_line_end(text_[at_]); ++at_)
       if (is_blank(text_[at_]) && is_facet_at(at_ + 1)) return;
@@ -66,8 +66,8 @@ class Words {
   [[nodiscard]] std::size_t bytes_read() const { return at_; }
 
  private:
-  // Returns whether a facet begins there, and not a name with the same words. A facet goes on to the loop, behind the
-  // three numbers of a normal if it has one.
+  // Returns whether a facet begins there, and not a name with the same words. In a facet the loop follows, or three
+  // numbers of a normal and then the loop.
   [[nodiscard]] bool is_facet_at(std::size_t at) const {
     if (!equals(text_.substr(at, 6), "facet ")) return false;
     Words words(text_.substr(at + 6));
@@ -79,7 +79,7 @@ class Words {
     return equals(word, "outer") && equals(words.next(), "loop");
   }
 
-  // Blanks, line ends, and lines that begin with '#', as some writers put them above the solid.
+  // Skips blanks, line ends, and lines that begin with '#', which some writers put above the solid.
   void skip_space() {
     for (; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
@@ -153,10 +153,10 @@ class AsciiParser {
     return fail("expected 'facet' or 'endsolid', found " + quoted(word));
   }
 
-  // Three vertices between 'facet' and 'endfacet' are a triangle. Some writers leave out words between them, which
-  // states nothing about their own, or write 'end facet'.
+  // Reads a facet. Three vertices between 'facet' and 'endfacet' are a triangle. Some writers leave out words between
+  // them, or write 'end facet'.
   bool parse_facet() {
-    Vec3 normal = Vec3(0, 0, 0);  // a facet may have none: it is never needed
+    Vec3 normal = Vec3(0, 0, 0);  // a facet may have no normal; it is never needed
     if (!is_loop(words_.peek()) && !parse_normal(normal)) return false;
     skip("outer");
     if (!equals(words_.peek(), "vertex") && !expect("loop")) return false;
@@ -183,10 +183,10 @@ class AsciiParser {
     return true;
   }
 
-  // Returns whether `word`, which was read, and the next one are "end" and `what`; the next one is then read too.
+  // Returns whether `word`, which was read, and the next word are "end" and `what`. If so, the next word is read too.
   bool is_end_of(std::string_view word, std::string_view what) { return equals(word, "end") && skip(what); }
 
-  // 'endloop' and 'endfacet', of which one may be missing, and both where another facet or the end of the solid
+  // Reads 'endloop' and 'endfacet'. One of them may be missing, and both if another facet or the end of the solid
   // follows.
   bool parse_ends() {
     for (bool has_end_of_loop = false;;) {
@@ -206,7 +206,7 @@ class AsciiParser {
     }
   }
 
-  // Writers put "nan" and the like here for triangles without area; a normal is never needed.
+  // Reads a normal. For triangles without area writers put "nan" and similar words here; a normal is never needed.
   bool parse_normal(Vec3& normal) {
     if (!skip("normal") && !parse_number(words_.peek())) return expect("normal");
     for (int k = 0; k < 3; ++k) {
@@ -262,7 +262,7 @@ class AsciiParser {
 
   Words words_;
   Stage stage_;
-  std::size_t counted_ = 0;  // bytes
+  std::size_t counted_ = 0;  // number of counted bytes
   TriangleSoup soup_;
   std::optional<Diagnostic> error_;
   bool is_in_solid_ = false;
@@ -278,7 +278,8 @@ bool looks_like_ascii_stl(std::string_view bytes) {
   words.skip_name();
   const std::string_view second = words.peek();
   if (equals(second, "facet") || equals(second, "endsolid") || equals(second, "solid")) return true;
-  // Neither word follows: text (then its errors deserve a line number) or a binary header?
+  // If neither word follows, only text is ASCII STL, because its errors deserve a line number. Otherwise it is a binary
+  // header.
   return std::all_of(bytes.begin(),
                      bytes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(bytes.size(), 512)),
                      [](char c) { return is_blank(c) || is_line_end(c) || (c >= ' ' && c <= '~'); });
@@ -289,7 +290,7 @@ Result<TriangleSoup> parse_ascii_stl(std::string_view bytes, const std::string& 
 }
 
 void count_normal(TriangleSoup& soup, std::size_t index, const TrianglePoints& triangle, const Vec3& stored_normal) {
-  constexpr double kThinnest = 1e-3;  // area over longest side squared: below it float rounding turns normals
+  constexpr double kThinnest = 1e-3;  // area over longest side squared; below it rounding to float turns normals
   const auto& [a, b, c] = triangle;
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kHeaderSize = 84;
 constexpr std::size_t kFacetSize = TriangleList::kRecordSize;
-constexpr std::size_t kAttributeAt = 48;  // in a facet
+constexpr std::size_t kAttributeAt = 48;  // offset of the attribute byte count in a facet
 
 std::size_t stated_count(std::string_view bytes) { return TriangleList::word_at(bytes, 80); }
 
@@ -31,14 +31,14 @@ TrianglePoints corners_at(std::string_view bytes, std::size_t facet_at) {
           TriangleList::vector_at(bytes, facet_at + 36)};
 }
 
-// Where the facets of a file begin.
+// The offsets at which the facets of a file begin.
 class FacetPlaces {
  public:
-  // Each 50 bytes behind the one before it.
+  // Facets without gaps: each begins 50 bytes after the one before.
   explicit FacetPlaces(std::size_t count) : count_(count) {}
 
-  // Each behind as many bytes more as the attribute byte count of the one before it states. Nothing unless the last
-  // one ends with the file.
+  // Facets with attribute bytes: the number of bytes between two facets is the attribute byte count of the first.
+  // Returns nothing unless the last one ends with the file.
   static std::optional<FacetPlaces> with_attributes(std::string_view bytes, std::size_t count) {
     FacetPlaces places(count);
     places.starts_.reserve(count);
@@ -63,7 +63,7 @@ class FacetPlaces {
 };
 
 bool are_same(const FacetPlaces& a, const FacetPlaces& b) {
-  return a[a.size() - 1] == b[b.size() - 1];  // places only ever move towards the end
+  return a[a.size() - 1] == b[b.size() - 1];  // offsets only move towards the end of the file
 }
 
 bool has_attributes(std::string_view bytes, std::size_t count) {
@@ -73,7 +73,7 @@ bool has_attributes(std::string_view bytes, std::size_t count) {
   return false;
 }
 
-// Refuses coordinates that are not numbers, and counts the stored normals.
+// Rejects coordinates that are not numbers, and counts the stored normals.
 Outcome count_facets(TriangleSoup& soup, std::string_view bytes, const FacetPlaces& places) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const TrianglePoints triangle = soup.triangles[i];
@@ -121,8 +121,8 @@ Result<TriangleSoup> read_spread(std::string_view bytes, const FacetPlaces& plac
 }
 
 // Returns whether the stored normals are unit vectors along those of the corners. More than half of the facets must
-// fit, and the others must be too thin for a comparison. A shifted facet has parts of corners where its normal should
-// be.
+// match, and all others must be too thin for a comparison. In a shifted facet, parts of corners are in place of its
+// normal.
 bool has_matching_normals(std::string_view bytes, const FacetPlaces& places) {
   constexpr double kThinnest = 1e-3;  // area over longest side squared
   constexpr double kAlike = 0.01;
@@ -142,7 +142,7 @@ bool has_matching_normals(std::string_view bytes, const FacetPlaces& places) {
   return 2 * alike > places.size();
 }
 
-// Returns whether a stored normal is neither left out nor a unit vector.
+// Returns whether any stored normal is neither zero nor a unit vector.
 bool has_odd_normal(std::string_view bytes, const FacetPlaces& places) {
   constexpr double kAlike = 0.01;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -172,8 +172,9 @@ Diagnostic refuse_bytes(std::string_view bytes, std::size_t count, const std::st
                     name);
 }
 
-// The file has the size that its header states. With bytes behind each facet it would be longer, except for the rare
-// file that was cut off just there. In that file attributes are set, and shifted facets have arbitrary normals.
+// Parses a file with the size that its header states. With bytes after each facet it would be longer, except for a rare
+// file that was cut off at exactly this size. Such a file has attributes, and its shifted facets have arbitrary
+// normals.
 Result<TriangleSoup> parse_exact(std::string_view bytes, std::size_t count, const std::string& name,
                                  std::shared_ptr<const void> keep) {
   Result<TriangleSoup> soup = read_plain(bytes, count, name, std::move(keep));
@@ -186,13 +187,13 @@ Result<TriangleSoup> parse_exact(std::string_view bytes, std::size_t count, cons
       name);
 }
 
-// The file is longer than its header states.
+// Parses a file that is longer than its header states.
 Result<TriangleSoup> parse_with_extra(std::string_view bytes, std::size_t count, const std::string& name,
                                       std::shared_ptr<const void> keep) {
   const std::string_view extra = bytes.substr(kHeaderSize + kFacetSize * count);
   const FacetPlaces plain(count);
   const bool has_attribute = has_attributes(bytes, count);
-  // Bytes behind the last facet: fewer than a facet has, or none that could be one.
+  // The extra bytes may follow the last facet if they are too few for a facet or all zero.
   const bool may_be_tail =
       extra.size() < kFacetSize || std::all_of(extra.begin(), extra.end(), [](char c) { return c == '\0'; });
   const auto spread = has_attribute ? FacetPlaces::with_attributes(bytes, count) : std::nullopt;
@@ -204,7 +205,7 @@ Result<TriangleSoup> parse_with_extra(std::string_view bytes, std::size_t count,
                       name);
   }
   Result<TriangleSoup> as_plain = read_plain(bytes, count, name, std::move(keep));
-  // Without attributes each facet begins where the one before it ends, unless undeclared bytes lie behind each.
+  // Without attributes each facet begins at the end of the one before, unless undeclared bytes follow each facet.
   const bool may_be_even = count > 1 && extra.size() + 1 >= count;
   if (may_be_tail && !has_attribute && !may_be_even) return as_plain;
   if (spread && are_same(*spread, plain)) return read_spread(bytes, *spread, name);

@@ -7,25 +7,25 @@
 #include "lib/base/result.h"
 #include "lib/mesh/triangle_soup.h"
 
-// The binary half of parse_stl; callers outside this module use read_stl.h.
+// The binary part of parse_stl. Callers outside this module use read_stl.h.
 
 namespace gouge::detail {
 
-/// Returns whether the file is long enough for the header and the number of its facets.
+/// Returns whether the file is long enough for the header and the number of facets.
 [[nodiscard]] bool has_binary_stl_header(std::string_view bytes);
 
 /// Returns whether the file has exactly the size that its header states: 84 bytes and 50 for each facet.
 [[nodiscard]] bool has_binary_stl_size(std::string_view bytes);
 
-/// Returns the triangles of a binary STL. A file that is longer than its header states is read where the places of its
-/// facets are certain. The further bytes may follow the last facet, or each facet as its attribute byte count states.
-/// The first is certain where no attribute is set and the bytes are too few for one behind each facet. Otherwise
+/// Returns the triangles of a binary STL. A file that is longer than its header states is read if the places of its
+/// facets are certain. The extra bytes may follow the last facet, or each facet as its attribute byte count states. The
+/// first reading is certain if no attribute is set and the bytes are too few for one after each facet. Otherwise
 /// exactly one of the two readings must be confirmed: each of its edges has a partner, or its stored normals match its
 /// corners.
 ///
 /// Requires has_binary_stl_header.
 /// Errors   stl-no-triangles, stl-truncated, stl-trailing-data, stl-facet-bytes, stl-bad-number.
-/// Cost     O(bytes); where a reading must be confirmed, that of build_mesh and find_mesh_findings twice.
+/// Cost     O(bytes); if a reading must be confirmed, that of build_mesh and find_mesh_findings twice.
 [[nodiscard]] Result<TriangleSoup> parse_binary_stl(std::string_view bytes, const std::string& name,
                                                     std::shared_ptr<const void> keep);
 

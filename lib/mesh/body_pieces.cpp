@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::uint32_t kNoMate = std::numeric_limits<std::uint32_t>::max();
 
-/// A triangle at an edge, as seen along it from its lower vertex to its higher one.
+/// A triangle at an edge, in the view along the edge from its lower vertex to its higher one.
 struct Leaf {
   std::uint32_t side = 0;
-  bool is_forward = false;  // its material is at lesser angles
+  bool is_forward = false;  // its material is at smaller angles
   double angle = 0;         // in [0, 2 pi)
 };
 
@@ -56,7 +56,7 @@ class Pairer {
       for (std::size_t i = 0; i < leaves.size(); i += 2) join(leaves[i], leaves[i + 1]);
   }
 
-  /// By angle; at one position that which ends material before that which begins some.
+  /// Sorts the triangles by angle. At equal angles, one that ends material comes before one that begins material.
   void sort_around(const MeshEdge& edge, std::vector<Leaf>& leaves) const {
     const Vec3 low = mesh_.vertices[edge.low], along = (mesh_.vertices[edge.high] - low).normalized();
     const auto away = [&](const Leaf& leaf) {
@@ -75,7 +75,8 @@ class Pairer {
     });
   }
 
-  /// Brackets around the edge: material begins at a backward side and ends at the forward side that matches it.
+  /// Pairs the sides around the edge like brackets: material begins at a backward side and ends at the matching forward
+  /// side.
   void pair_by_material(const std::vector<Leaf>& leaves) {
     std::vector<Leaf> begun, ended;
     for (const Leaf& leaf : leaves) {
@@ -112,7 +113,7 @@ std::vector<std::uint32_t> roots_of(UnionFind& sets, std::size_t count) {
 
 std::uint32_t next_corner(std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
-/// Two triangles are of one fan at a vertex where their sides from it are mates.
+/// Marks the pinched pieces. Two triangles belong to one fan at a vertex if their sides from it are mates.
 void mark_pinched(const IndexedMesh& mesh, const std::vector<std::uint32_t>& mates, SurfacePieces& pieces) {
   UnionFind fans(mates.size()), by_edges(mesh.triangles.size());
   const auto corner = [&](std::uint32_t c) { return mesh.triangles[c / 3][c % 3]; };
@@ -136,7 +137,7 @@ void mark_pinched(const IndexedMesh& mesh, const std::vector<std::uint32_t>& mat
     if (is_same_edge(edges[i], edges[i - 1])) by_edges.join(std::get<2>(edges[i]), std::get<2>(edges[i - 1]));
   }
   std::vector<bool> is_pinched(mesh.triangles.size(), false);
-  std::vector<std::tuple<Corner, std::uint32_t, std::uint32_t>> ends;  // vertex, what hangs together, fan
+  std::vector<std::tuple<Corner, std::uint32_t, std::uint32_t>> ends;  // vertex, part connected by edges, fan
   for (std::uint32_t c = 0; c < mates.size(); ++c) ends.emplace_back(corner(c), by_edges.root(c / 3), fans.root(c));
   std::sort(ends.begin(), ends.end());
   for (std::size_t i = 1; i < ends.size(); ++i) {

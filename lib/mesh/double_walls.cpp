@@ -8,16 +8,16 @@
 namespace gouge {
 namespace {
 
-// Sheets nearer to each other than this share of the mesh's size are one wall written twice.
+// Two sheets that are nearer to each other than this share of the mesh's size are the same wall written twice.
 constexpr double kMinWall = 5e-5;
-// Cosines of the angle between two sheets. In order they are those of a possible double wall (45 degrees), of sheets
-// that lie on each other (30 degrees), and of a fold without material (2 degrees).
+// Cosines of the angle between two sheets, in this order: of a possible double wall (45 degrees), of sheets that lie on
+// each other (30 degrees), of a fold without material (2 degrees).
 constexpr double kAny = 0.7071, kParallel = 0.866, kFolded = 0.99939;
-// Triangles side by side overlap by less than this share of the smaller one, for rounding.
+// Because of rounding, triangles side by side may overlap by less than this share of the smaller one.
 constexpr double kMinOverlap = 1e-3;
 constexpr std::size_t kLeafSize = 24;
 
-/// Corners of one triangle over another one's plane: x, y along it, z above it.
+/// The part of one triangle that lies over another one. Its corners have x, y along the other's plane and z above it.
 class Overlap {
  public:
   Overlap(const std::array<Vec3, 3>& base, const std::array<Vec3, 3>& other, const Vec3& normal) {
@@ -55,7 +55,7 @@ class Overlap {
     }
     return std::abs(twice) / 2;
   }
-  /// Keeps what is left of the line from a to b.
+  /// Keeps the part to the left of the line from a to b.
   void cut(const Vec3& a, const Vec3& b) {
     const auto left = [&](const Vec3& p) {
       return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
@@ -101,7 +101,7 @@ class WallFinder {
   }
 
  private:
-  /// Halves the triangles by position, those on the border in both halves, until pairs are few.
+  /// Halves the triangles by position until there are few pairs. Triangles on the border are in both halves.
   void look_at(std::vector<std::uint32_t> some) {
     std::erase_if(some, [this](std::uint32_t t) { return is_double_[pieces_.piece_of[t]]; });
     std::vector<std::uint32_t> low, high;
@@ -153,7 +153,7 @@ class WallFinder {
   [[nodiscard]] bool is_double_wall(std::uint32_t a, std::uint32_t b) const {
     const double area_a = normals_[a].norm() / 2, area_b = normals_[b].norm() / 2;
     const double cosine = std::abs(normals_[a].dot(normals_[b])) / (4 * area_a * area_b);
-    if (!(cosine > kAny)) return false;  // nor without area
+    if (!(cosine > kAny)) return false;  // also rejects triangles without area
     const Overlap overlap(corners(a), corners(b), normals_[a].normalized());
     if (!overlap.is_larger_than_rounding(area_a)) return false;
     const TriangleCorners &own = mesh_.triangles[a], &other = mesh_.triangles[b];

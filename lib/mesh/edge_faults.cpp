@@ -16,17 +16,17 @@ namespace gouge {
 namespace {
 
 std::array<double, 3> key_of(const Vec3& v) {
-  return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};  // -0 is 0
+  return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};  // -0 becomes 0
 }
 
-/// The surplus of an edge from its lower vertex to its higher one.
+/// Returns the surplus of an edge from its lower vertex to its higher one.
 int surplus_of(const MeshAdjacency& adjacency, const MeshEdge& edge) {
   int surplus = 0;
   for (const EdgeUse& use : adjacency.uses(edge)) surplus += use.is_forward ? 1 : -1;
   return surplus;
 }
 
-/// The corner of the rim farthest from a point.
+/// Returns the corner of the rim that is farthest from a point.
 Vec3 farthest(const IndexedMesh& mesh, const SurfaceGap& gap, const Vec3& slot) {
   Vec3 best = slot;
   for (const FaultyEdge& edge : gap.edges) {
@@ -46,7 +46,7 @@ void measure(const IndexedMesh& mesh, SurfaceGap& gap) {
   }
 }
 
-/// `edges` by the connected piece they belong to, in the order of their lowest vertices.
+/// Groups `edges` by the connected piece to which they belong, in the order of their lowest vertices.
 std::vector<SurfaceGap> gather_gaps(const IndexedMesh& mesh, const std::vector<FaultyEdge>& edges) {
   UnionFind roots(mesh.vertices.size());
   for (const FaultyEdge& edge : edges) roots.join(edge.from, edge.to);
@@ -65,7 +65,7 @@ std::vector<SurfaceGap> gather_gaps(const IndexedMesh& mesh, const std::vector<F
   return gaps;
 }
 
-/// The lowest corner first.
+/// Returns the corners, rotated so that the lowest is first.
 TriangleCorners turned_to_lowest(TriangleCorners t) {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;

@@ -20,13 +20,13 @@ namespace gouge {
 
 namespace {
 
-// Rounding of a transformed vertex and of a point of the tool, relative to their coordinates. Surface missing at a hole
-// lies within this many widths of its rim's middle line: a half sphere over a round hole.
+// The surface that is missing at a hole lies within this many widths of its rim's middle line: a half sphere over a
+// round hole.
 constexpr double kReach = 1;
-// A winding number with all gaps filled is whole up to rounding.
+// Rounding of a winding number with all gaps filled, which is a whole number.
 constexpr double kWhole = 1e-6;
 
-/// The coordinate axes and the diagonals between them.
+/// Returns the coordinate axes and the diagonals between them.
 std::vector<Vec3> fixed_directions() {
   std::vector<Vec3> all;
   for (int x = -1; x <= 1; ++x) {
@@ -50,10 +50,11 @@ std::string faults_text(const EdgeFaults& faults) {
   return text;
 }
 
-/// Shells that are examined together, with what is known of their edges.
+/// Shells that are examined together, with the facts about their edges.
 class Shells {
  public:
-  /// `bounds_bodies`: every triangle is part of a body's boundary, so what is joined with infinity is outside of metal.
+  /// Finds the facts. With `bounds_bodies` every triangle is part of a body's boundary, so a point joined with infinity
+  /// is outside of material.
   Shells(const IndexedMesh& mesh, bool bounds_bodies, std::span<const std::uint32_t> file_of)
       : mesh_(mesh), file_of_(file_of), bounds_bodies_(bounds_bodies), faults_(find_edge_faults(mesh)) {}
 
@@ -77,8 +78,8 @@ class Shells {
     return has_free_ray(mesh_, joined.points, joined.directions) || has_free_ray(mesh_, joined.points, kFixed);
   }
 
-  /// However the holes are closed, within what their width makes likely: the point is on the same side. Where there
-  /// are only turned triangles nothing is to be closed.
+  /// Returns whether the point is on the same side in whatever way the holes are closed, within the reach that their
+  /// width makes likely. If there are only turned triangles, nothing must be closed.
   [[nodiscard]] bool is_clear_of_holes(const Vec3& point) const {
     const auto is_near = [&](const SurfaceGap& gap) {
       return gap.distance_mm(point) <= kReach * gap.width_mm + Tolerance::kRounding * (1 + point.cwiseAbs().maxCoeff());
@@ -86,7 +87,7 @@ class Shells {
     return faults_.open == 0 || std::none_of(faults_.gaps.begin(), faults_.gaps.end(), is_near);
   }
 
-  /// With every gap filled by the triangles from its edges to its middle.
+  /// Returns the winding number with every gap filled by triangles from its edges to its middle.
   [[nodiscard]] std::optional<long> filled_winding(const Vec3& point) const {
     double winding = winding_number(mesh_, point);
     for (const SurfaceGap& gap : faults_.gaps) {
@@ -101,8 +102,8 @@ class Shells {
     return static_cast<long>(whole);
   }
 
-  // Where triangles were turned only whether the number is odd can be believed. A hole's rim alone does not state on
-  // which side the material is unless the surface faces outward.
+  // Returns whether a winding number means inside. If triangles were turned, only its parity is reliable. The rim of a
+  // hole does not show on which side the material is unless the surface faces outward.
   [[nodiscard]] bool is_inside(long winding) const {
     if (faults_.open > 0) return winding == 1;
     return winding % 2 != 0 || (faults_.is_empty() && winding != 0);
@@ -123,14 +124,14 @@ class Shells {
 
 }  // namespace
 
-/// Facts about the edges, computed once.
+/// Facts about the surface, computed once.
 struct Enclosure::Surface {
   std::once_flag once;
   WeldedMesh welded;  // of several files, or of one with triangles that share an edge in the same direction
   BodyPieces pieces;
   std::vector<std::uint32_t> file_of_sound;
   std::optional<Shells> all, sound;
-  std::vector<std::unique_ptr<Shells>> files;  // each alone, where there are several
+  std::vector<std::unique_ptr<Shells>> files;  // each file alone, if there are several
 
   void find(std::span<const IndexedMesh> meshes) {
     const bool is_used_as_it_is = meshes.size() == 1 && find_opposite_half_edges(meshes[0]);
@@ -144,7 +145,7 @@ struct Enclosure::Surface {
         files.push_back(std::make_unique<Shells>(file, false, std::span<const std::uint32_t>{}));
     }
     if (bounds_bodies) {
-      pieces = {};  // `all` is the same
+      pieces = {};  // `all` is the same then
       return;
     }
     for (const std::uint32_t t : pieces.origin) file_of_sound.push_back(welded.file_of.empty() ? 0 : welded.file_of[t]);
@@ -154,7 +155,7 @@ struct Enclosure::Surface {
   [[nodiscard]] Side side_of(const ConnectedPoints& joined) const {
     Side side = sound ? side_beyond_doubtful(joined) : Side::unknown;
     if (side == Side::unknown) side = all->side_of(joined);
-    // A file is a part of its own: a point that it encloses alone is inside, whatever others cancel.
+    // A file is a separate part: a point that it encloses alone is inside, even if other files cancel that.
     const auto encloses = [&](const auto& file) {
       return file->faults().open == 0 && file->side_of(joined) == Side::inside;
     };
@@ -175,7 +176,7 @@ struct Enclosure::Surface {
   }
 
  private:
-  /// Beyond the box of the pieces that may be no body's boundary the others decide.
+  /// Decides by the sound pieces for points beyond the box of the pieces that may not bound a body.
   [[nodiscard]] Side side_beyond_doubtful(const ConnectedPoints& joined) const {
     ConnectedPoints apart{{}, joined.directions};
     for (const Vec3& candidate : joined.points) {
@@ -221,14 +222,14 @@ std::string Enclosure::why_unknown() const {
 
 namespace {
 
-// Material around a cavity is at least this share of the cavity's size. Two shells closer to each other than that are
-// rather one wall written twice.
+// Minimum thickness of the material around a cavity, as a share of the cavity's size. Two shells closer to each other
+// are probably the same wall written twice.
 constexpr double kMinCavityWall = 0.01;
 constexpr double kWholeCavity = 1e-6;
 
 bool is_about(double value, double whole) { return std::abs(value - whole) <= kWholeCavity; }
 
-/// False only when the triangle and the box are apart.
+/// Returns false only if the triangle and the box are apart.
 bool may_meet(const std::array<Vec3, 3>& triangle, const Box3& box) {
   Box3 own;
   for (const Vec3& corner : triangle) own.extend(corner);
@@ -282,7 +283,7 @@ bool Cavities::contain(const Vec3& point) const {
   }
   if (inward.size() != 1) return false;
   const Shell& cavity = shells_[inward[0]];
-  // A region that another file winds about is a part of its own: it neither fills this file's cavity nor empties it.
+  // A region around which another file winds is a separate part: it neither fills this file's cavity nor empties it.
   for (std::uint32_t k = 0; k < shells_.size(); ++k) {
     const bool is_same_file = shells_[k].is_of_one_file && shells_[k].file == cavity.file;
     if (!is_same_file && !is_about(windings[k], 0)) return false;

@@ -11,8 +11,8 @@
 #include "lib/geom/pose.h"
 #include "lib/geom/vec.h"
 
-// The indexed mesh of thesis 4.2: every vertex once, triangles as indices. Exactly the surface of the file:
-// welding joins identical coordinates and nothing else.
+// The indexed mesh of thesis 4.2: every vertex once, triangles as indices. It is exactly the surface of the file:
+// welding joins only identical coordinates.
 
 namespace gouge {
 
@@ -23,7 +23,8 @@ struct IndexedMesh {
   std::string name;                          ///< as the user named the file
   std::vector<Vec3> vertices;                ///< mm, part coordinates
   std::vector<TriangleCorners> triangles;    ///< counter-clockwise seen from outside
-  std::vector<std::uint32_t> file_triangle;  ///< per triangle: its index in the file (dropped ones leave gaps)
+  std::vector<std::uint32_t> file_triangle;  ///< for each triangle: its index in the file (dropped triangles leave
+                                             ///< gaps)
 
   [[nodiscard]] const Vec3& corner(std::size_t triangle, std::size_t k) const {
     return vertices[triangles[triangle][k]];
@@ -35,7 +36,7 @@ struct IndexedMesh {
   }
 };
 
-/// Returns the box of all meshes together; empty where none has a vertex.
+/// Returns the box of all meshes together; empty if no mesh has a vertex.
 [[nodiscard]] inline Box3 box_of(std::span<const IndexedMesh> meshes) {
   Box3 all;
   for (const IndexedMesh& mesh : meshes) all.extend(mesh.box());
@@ -49,7 +50,7 @@ struct IndexedMesh {
   return box;
 }
 
-/// Returns the unit normal of a triangle, outward of a closed mesh; zero for one without area.
+/// Returns the unit normal of a triangle, which is outward for a closed mesh; zero for a triangle without area.
 [[nodiscard]] inline Vec3 face_normal(const IndexedMesh& mesh, std::size_t triangle) {
   const Vec3 across =
       (mesh.corner(triangle, 1) - mesh.corner(triangle, 0)).cross(mesh.corner(triangle, 2) - mesh.corner(triangle, 0));

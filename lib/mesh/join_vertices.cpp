@@ -26,12 +26,12 @@ struct HashOfCell {
   }
 };
 
-// Vertices that stay, in cubes as wide as the reach. Vertices within it lie in the 27 cubes around.
+// Vertices that stay, stored in cubes as wide as the reach. All vertices within the reach are in the 27 cubes around.
 class Stayers {
  public:
   Stayers(const std::vector<Vec3>& vertices, double reach_mm) : vertices_(vertices), reach_mm_(reach_mm) {}
 
-  // The nearest within reach, or `vertex` itself, which stays then.
+  // Returns the nearest vertex within reach, or `vertex` itself, which then stays.
   Corner nearest_or_add(Corner vertex) {
     const Vec3& at = vertices_[vertex];
     const Cell middle = cell_of(at);
@@ -89,7 +89,7 @@ Result<JoinedMesh> join_near_vertices(const IndexedMesh& mesh, double reach_mm) 
                           " mm are joined; expected a distance well below the part's details",
                       mesh.name);
   }
-  // Numbers of the soup become those of the file again.
+  // Replaces the triangle numbers of the soup by those of the file.
   for (std::uint32_t& number : built->mesh.file_triangle) number = mesh.file_triangle[number];
   for (MeshSpot* spot : {&built->degenerate, &built->collinear}) {
     if (spot->count > 0) spot->file_triangle = mesh.file_triangle[spot->file_triangle];

@@ -16,7 +16,7 @@ struct Welded {
   Diagnostics notes;
 };
 
-// The file is released at the end, before anything else takes memory.
+// Releases the file when it returns, before the findings need memory.
 Result<Welded> weld(FileView file, const std::string& name, const MeshPlacement& placement,
                     const ProgressCall& progress) {
   Result<TriangleSoup> soup = parse_stl(file.bytes, name, std::move(file.keep), progress);

@@ -17,16 +17,16 @@ struct LoadedMesh {
   Diagnostics notes;  ///< faults that the reader tolerated, then describe(findings); warnings and notes
 };
 
-/// Reads an STL file into a mesh and the remarks about it.
+/// Reads an STL file into a mesh, with remarks about it.
 /// Errors: those of read_file, parse_stl and build_mesh.
 [[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement = {},
                                            std::uint64_t max_bytes = kMaxInputBytes, const ProgressCall& progress = {});
 
-/// Returns the same from a file that is examined already; it is released as soon as the mesh is welded.
+/// Returns the same for a file that is already in memory; the file is released as soon as the mesh is welded.
 [[nodiscard]] Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name,
                                                 const MeshPlacement& placement = {}, const ProgressCall& progress = {});
 
-/// Returns the same from the bytes of a file.
+/// Returns the same for the bytes of a file.
 [[nodiscard]] Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& name,
                                                  const MeshPlacement& placement = {});
 

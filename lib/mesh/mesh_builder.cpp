@@ -27,8 +27,8 @@ std::uint64_t hash_of(const Vec3& point) {
   return mixed;
 }
 
-// Open-addressed table from coordinates to vertex numbers. Only looked up, never walked, so its layout cannot
-// reach the result. A slot keeps half of the hash, so that a vertex is examined only when it is the one.
+// Open-addressed table from coordinates to vertex numbers. It is only looked up, never traversed, so its layout cannot
+// affect the result. A slot keeps half of the hash, so nearly only the matching vertex is examined.
 class WeldTable {
  public:
   explicit WeldTable(std::size_t expected_vertices) : mask_(std::bit_ceil(expected_vertices * 2 + 16) - 1) {
@@ -38,7 +38,7 @@ class WeldTable {
 
   void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash & mask_]); }
 
-  // The number of the vertex at `point`, which is added to `vertices` when new.
+  // Returns the number of the vertex at `point`, which is added to `vertices` if it is new.
   Corner corner(std::vector<Vec3>& vertices, const Vec3& point, std::uint64_t hash) {
     if (vertices.size() * 4 >= slots_.size() * 3) grow(vertices);
     Slot& slot = slots_[slot_of(vertices, point, hash)];
@@ -57,7 +57,7 @@ class WeldTable {
 
   static std::uint32_t tag_of(std::uint64_t hash) { return static_cast<std::uint32_t>(hash >> 32); }
 
-  // Where the vertex at `point` is, or the empty slot where it belongs.
+  // Returns the slot of the vertex at `point`, or the empty slot where it belongs.
   [[nodiscard]] std::size_t slot_of(const std::vector<Vec3>& vertices, const Vec3& point, std::uint64_t hash) const {
     std::size_t at = hash & mask_;
     while (slots_[at].vertex != kNoCorner && (slots_[at].tag != tag_of(hash) || vertices[slots_[at].vertex] != point))
@@ -78,7 +78,7 @@ class WeldTable {
   std::size_t mask_;
 };
 
-// Corners of the next triangles with their hashes: fetched ahead, so that the table's memory is there in
+// Corners of the next triangles with their hashes. They are fetched ahead, so that the memory of the table is ready in
 // time.
 class Ahead {
  public:
@@ -113,8 +113,8 @@ class Ahead {
   std::array<Entry, kAhead> entries_{};
 };
 
-// Zero in exact arithmetic too for nearly all single-precision files; a sliver that rounds to zero is reported
-// with them and kept all the same.
+// Returns whether the corners are on one line. For nearly all single-precision files the product is also zero in exact
+// arithmetic. A sliver that rounds to zero is reported as collinear, and is kept too.
 bool is_collinear(const std::array<Vec3, 3>& t) { return (t[1] - t[0]).cross(t[2] - t[0]).squaredNorm() <= 0; }
 
 bool is_degenerate(const std::array<Vec3, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }

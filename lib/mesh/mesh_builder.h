@@ -10,17 +10,17 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/triangle_soup.h"
 
-// Triangle soup to indexed mesh (thesis 4.1.1, 4.2): one vertex for all corners with identical coordinates.
-// Corners that are merely near each other stay apart; the surface is exactly that of the file.
+// Converts a triangle soup to an indexed mesh (thesis 4.1.1, 4.2), with one vertex for all corners with identical
+// coordinates. Corners that are only near each other stay apart, so the surface is exactly that of the file.
 
 namespace gouge {
 
-/// Count of something found in a mesh, and the place of the first.
+/// Number of faults of one kind in a mesh, and the place of the first.
 struct MeshSpot {
   std::size_t count = 0;
-  Vec3 position_mm = Vec3::Zero();  ///< of the first: an edge's mid point, a triangle's centre, or the vertex;
-                                    ///< part coordinates; meaningful when count > 0
-  std::size_t file_triangle = 0;    ///< of the first: (one of) its triangle(s), index in the file from 0
+  Vec3 position_mm = Vec3::Zero();  ///< place of the first: an edge's mid point, a triangle's centre, or the vertex;
+                                    ///< part coordinates; valid if count > 0
+  std::size_t file_triangle = 0;    ///< a triangle of the first: index in the file from 0
 
   void add(const Vec3& point, std::size_t triangle) {
     if (count++ == 0) {
@@ -38,21 +38,21 @@ struct MeshPlacement {
 
 struct BuiltMesh {
   IndexedMesh mesh;
-  /// Triangles with two identical corners: left out of the mesh (they are a line, which their neighbours
-  /// have).
+  /// Triangles with two identical corners. They are left out of the mesh: each is only a line, which its neighbours
+  /// contain.
   MeshSpot degenerate;
-  /// Triangles whose three distinct corners lie on one line. They are kept, since the check is about every point of the
-  /// surface. In an open mesh a neighbour need not have theirs.
+  /// Triangles whose three distinct corners lie on one line. They are kept, because the check is about every point of
+  /// the surface. In an open mesh, neighbours need not contain their points.
   MeshSpot collinear;
   /// Triangles whose stored normal points to their other side (see TriangleSoup).
   MeshSpot opposite_normals;
 };
 
-/// Welds, scales and places. Vertices stand in the order of their first appearance, triangles in file order;
-/// -0 and +0 are the same coordinate. Duplicated triangles stay.
+/// Welds, scales and places a surface. Vertices are in the order of their first appearance, triangles in file order. -0
+/// and +0 are the same coordinate. Duplicated triangles stay.
 ///
-/// Errors   stl-no-surface: every triangle is degenerate. stl-coordinate-too-large: a coordinate beyond
-///          1e9 mm after scaling.
+/// Errors   stl-no-surface: every triangle is degenerate. stl-coordinate-too-large: a coordinate is beyond 1e9 mm after
+///          scaling.
 /// Cost     O(n).
 [[nodiscard]] Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& placement = {},
                                            const ProgressCall& progress = {});

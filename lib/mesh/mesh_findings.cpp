@@ -14,13 +14,13 @@
 namespace gouge {
 namespace {
 
-// Distinguishing a cavity from an inside-out body costs one pass over the mesh; files with more inward pieces than
-// this are broken anyway.
+// Maximum number of inward pieces that are tested. The distinction between a cavity and an inside-out body costs one
+// pass over the mesh; files with more inward pieces than this are broken anyway.
 constexpr std::size_t kMaxInwardPieces = 64;
 
-// For a closed mesh: edges matched (3), fans, pieces joined and measured.
+// Units of work for each triangle of a closed mesh: matching edges (3), fans, joining and measuring pieces.
 constexpr std::size_t kWorkPerTriangle = 6;
-// For any mesh: its edges (2), what is wrong with edges, vertices, copies, pieces.
+// Units of work for each triangle of any mesh: its edges (2), faults of edges, vertices, copies, pieces.
 constexpr std::size_t kStepsOfFaultFinder = 6;
 
 struct Piece {
@@ -32,7 +32,7 @@ Vec3 centre(const IndexedMesh& mesh, std::size_t t) {
   return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
 }
 
-// A piece that faces inward is a cavity when the other pieces have its surface inside them.
+// Returns whether a piece that faces inward is a cavity: its surface is inside the other pieces.
 bool is_cavity(const IndexedMesh& mesh, UnionFind& pieces, std::uint32_t piece) {
   const Vec3 point = centre(mesh, piece);
   double angle = 0;
@@ -43,7 +43,7 @@ bool is_cavity(const IndexedMesh& mesh, UnionFind& pieces, std::uint32_t piece) 
   return angle > kHalfSphere;
 }
 
-/// The pieces in the order of their lowest triangles, measured.
+/// Returns the measured pieces in the order of their lowest triangles.
 std::vector<Piece> measure_pieces(const IndexedMesh& mesh, UnionFind& roots, MeshFindings& found) {
   const Vec3 middle = found.box_mm.center();
   std::vector<Piece> pieces;
@@ -65,10 +65,10 @@ std::vector<Piece> measure_pieces(const IndexedMesh& mesh, UnionFind& roots, Mes
   return pieces;
 }
 
-/// Adds to `found` the facts about pieces of surface: how many, volume and area, cavities and pieces inside out. The
-/// argument `pieces` joins the triangles of a piece. By a piece's lowest triangle `is_open` states whether its edges
-/// are not all used equally often in both directions. It may be empty when none is. Requires found.box_mm. Cost as
-/// described at find_mesh_findings.
+/// Adds to `found` the facts about pieces of surface: their number, volume and area, cavities and inside-out pieces.
+/// `pieces` joins the triangles of a piece. `is_open` is indexed by a piece's lowest triangle; it states that some edge
+/// is not used equally often in both directions. It may be empty if there is no such piece. Requires found.box_mm. The
+/// cost is stated at find_mesh_findings.
 void find_pieces(const IndexedMesh& mesh, UnionFind& pieces, const std::vector<bool>& is_open, MeshFindings& found) {
   std::size_t looked_at = 0;
   const std::vector<Piece> measured = measure_pieces(mesh, pieces, found);
@@ -123,7 +123,8 @@ class FaultFinder {
     }
   }
 
-  // Corners at one vertex belong to one fan when a chain of edges at that vertex joins their triangles.
+  // Finds vertices between separate fans. Corners at one vertex belong to one fan if a chain of edges at that vertex
+  // joins their triangles.
   void find_vertices() {
     UnionFind fans(3 * mesh_.triangles.size());
     for (const MeshEdge& edge : adjacency_.edges()) {
@@ -148,7 +149,7 @@ class FaultFinder {
     return 3 * triangle + (t[0] == vertex ? 0U : t[1] == vertex ? 1U : 2U);
   }
 
-  // Copies of a triangle share its edge of the two lowest vertices, so only triangles around one edge are
+  // Finds copies of triangles. Copies share the edge of the two lowest vertices, so only triangles around one edge are
   // compared.
   void find_duplicates() {
     std::vector<std::uint32_t> duplicates;
@@ -186,11 +187,12 @@ class FaultFinder {
   const IndexedMesh& mesh_;
   const MeshAdjacency& adjacency_;
   UnionFind pieces_;
-  std::vector<bool> is_open_;  // by the lowest triangle of a piece
+  std::vector<bool> is_open_;  // indexed by the lowest triangle of a piece
   MeshFindings found_;
 };
 
-// Where each edge has two triangles and each vertex one fan, all there is to find is about whole pieces.
+// Returns the findings of a mesh in which each edge has two triangles and each vertex one fan. Then only whole pieces
+// can be faulty.
 MeshFindings find_closed_findings(const IndexedMesh& mesh, const OppositeHalfEdges& opposites, Stage& stage) {
   MeshFindings found;
   found.vertices = mesh.vertices.size();

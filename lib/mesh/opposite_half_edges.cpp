@@ -13,12 +13,12 @@ namespace gouge {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t kMaxTriangles = 350'000'000;  // sides and two marks fit in 32 bits
+constexpr std::size_t kMaxTriangles = 350'000'000;  // a side and two flag bits fit in 32 bits
 
 /// An edge in the list of its lower vertex.
 struct Edge {
   Corner high = 0;
-  std::uint32_t marked_side = 0;  // the side that came first, times 4; 2: has its opposite; 1: runs upward
+  std::uint32_t marked_side = 0;  // its first side, times 4; plus 2: has its opposite; plus 1: runs upward
   std::uint32_t next = kNone;
 };
 
@@ -37,13 +37,13 @@ class Matcher {
       const TriangleCorners& c = mesh_.triangles[t];
       if (!add(3 * t, c[0], c[1]) || !add(3 * t + 1, c[1], c[2]) || !add(3 * t + 2, c[2], c[0])) return std::nullopt;
     }
-    // Half as many edges as sides, and none without an opposite: `add` lets neither through.
+    // There are half as many edges as sides, and each has an opposite: `add` rejects any other surface.
     if (matched_ != edges_.size()) return std::nullopt;
     return std::move(opposites_);
   }
 
  private:
-  /// False when the surface is none with opposites everywhere.
+  /// Adds a side. Returns false if some edge cannot have exactly one opposite.
   bool add(std::uint32_t side, Corner from, Corner to) {
     const std::uint32_t upward = from < to ? 1 : 0;
     const Corner low = std::min(from, to), high = std::max(from, to);
@@ -65,7 +65,7 @@ class Matcher {
 
   const IndexedMesh& mesh_;
   std::size_t sides_;
-  std::vector<std::uint32_t> first_;  // per vertex: its list
+  std::vector<std::uint32_t> first_;  // for each vertex: the start of its list
   std::vector<Edge> edges_;
   OppositeHalfEdges opposites_;
   std::size_t matched_ = 0;
@@ -82,11 +82,11 @@ std::optional<OppositeHalfEdges> find_opposite_half_edges(const IndexedMesh& mes
 
 bool is_manifold(const IndexedMesh& mesh, const OppositeHalfEdges& opposites, Stage* stage) {
   std::vector<bool> is_seen(mesh.vertices.size(), false);
-  std::size_t corners = 0;  // in the first fan of each vertex
+  std::size_t corners = 0;  // number of corners in the first fan of each vertex
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (stage != nullptr) stage->pass(t);
     const std::uint32_t a = opposites[3 * t] / 3, b = opposites[3 * t + 1] / 3, c = opposites[3 * t + 2] / 3;
-    if (a == b || b == c || c == a) return false;  // two common edges: the same corners
+    if (a == b || b == c || c == a) return false;  // two common edges: the triangles have the same corners
     for (std::uint32_t k = 0; k < 3; ++k) {
       if (is_seen[mesh.triangles[t][k]]) continue;
       is_seen[mesh.triangles[t][k]] = true;

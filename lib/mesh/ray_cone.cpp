@@ -10,7 +10,8 @@ namespace gouge {
 
 namespace {
 
-// A triple product of corners a, b seen from the origin is off by a few units in the last place of |a| |b|.
+// slack_ and volume_slack_ cover the rounding of triple products: a few units in the last place of |a| |b| for corners
+// a, b seen from the origin.
 
 }  // namespace
 
@@ -36,7 +37,7 @@ RayCrossing RayCone::crossing(const Vec3& direction) const {
     has_right = has_right || turn < -slack_[k];
     is_doubtful = is_doubtful || std::abs(turn) <= slack_[k];
   }
-  if (has_left && has_right) return RayCrossing::none;  // the line passes beside it
+  if (has_left && has_right) return RayCrossing::none;  // the line passes beside the triangle
   const bool is_behind = std::all_of(corners_.begin(), corners_.end(), [&](const Vec3& c) {
     return c.dot(direction) < -Tolerance::kFewRoundings * c.norm();
   });

@@ -10,19 +10,19 @@
 
 namespace gouge {
 
-/// Ways in which a ray meets a triangle. Its front is the side from which its corners run anticlockwise.
+/// Ways in which a ray meets a triangle. The front of a triangle is the side from which its corners run anticlockwise.
 enum class RayCrossing : std::uint8_t {
-  none,     ///< beyond doubt
-  out,      ///< through it to its front
-  in,       ///< through it to its back
-  doubtful  ///< through an edge or from its plane, up to rounding
+  none,     ///< the ray certainly misses it
+  out,      ///< the ray goes through it to its front
+  in,       ///< the ray goes through it to its back
+  doubtful  ///< up to rounding the ray goes through an edge or starts in its plane
 };
 
-/// A triangle as the origin of rays sees it.
+/// A triangle in the view from the origin of rays.
 class RayCone {
  public:
   RayCone(const std::array<Vec3, 3>& triangle, const Vec3& origin);
-  /// Requires a unit vector.
+  /// Returns how a ray from the origin meets the triangle. Requires a unit vector.
   [[nodiscard]] RayCrossing crossing(const Vec3& direction) const;
 
  private:
@@ -31,12 +31,13 @@ class RayCone {
   double volume_ = 0, volume_slack_ = 0;
 };
 
-/// Returns whether from one of `origins` a ray in one of `directions` meets no triangle, beyond doubt. A ray that
-/// rounding could turn into a hit counts as one.
+/// Returns whether a ray from one of `origins` in one of `directions` certainly meets no triangle. A ray that could be
+/// a hit because of rounding counts as a hit.
 ///
-/// Ensures  On true, one of the origins is joined with infinity by a straight line that keeps off the surface.
+/// Ensures  If true, a straight line off the surface joins one of the origins with infinity.
 /// Requires directions that are not zero.
-/// Cost     O(n) times the rays not yet known to be blocked; few remain after the first triangles where all are.
+/// Cost     O(n) times the number of rays that are not yet known to be blocked; if all are blocked, few remain after
+///          the first triangles.
 [[nodiscard]] bool has_free_ray(const IndexedMesh& mesh, std::span<const Vec3> origins,
                                 std::span<const Vec3> directions);
 

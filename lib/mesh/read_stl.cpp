@@ -37,7 +37,7 @@ constexpr std::array<Beginning, 5> kTexts = {{
     {"{", "is JSON; expected an STL file"},
 }};
 
-// Words that CL data begins lines with, as any dialect writes them.
+// Words that begin lines of CL data in any dialect.
 constexpr std::array<std::string_view, 7> kPathWords = {"GOTO",   "TOOL PATH/", "PARTNO", "LOADTL",
                                                         "CUTTER", "MULTAX",     "UNITS"};
 
@@ -56,10 +56,10 @@ bool begins_with_one(std::string_view line, const std::array<std::string_view, n
   return false;
 }
 
-/// Names the format of `bytes`, as the rest of a sentence that begins with "the file" ("is STEP, ..."). It does so
-/// where they are certainly not STL but another format that people take for a mesh. Nothing for anything else. The
-/// header of a binary STL may hold any words, so only `is_text`, no control characters at the beginning, lets words
-/// count. Examines the first lines only.
+/// Returns the format of `bytes`, as the rest of a sentence that begins with "the file" ("is STEP, ..."). Returns a
+/// name only if the bytes certainly are another format that users mistake for STL; else nothing. The header of a binary
+/// STL may hold any words. So words are tested only if `is_text`: the first bytes have no control characters. Examines
+/// only the first lines.
 std::optional<std::string> describe_foreign_mesh(std::string_view bytes, bool is_text) {
   for (const Beginning& beginning : kBinaries) {
     if (bytes.starts_with(beginning.text)) return std::string(beginning.sentence);
@@ -88,7 +88,8 @@ bool is_text(std::string_view bytes) {
 
 bool is_plain_ascii(char c) { return (c >= ' ' && c <= '~') || c == '\t' || c == '\n' || c == '\r'; }
 
-// Returns whether every second of the first bytes, from `first`, is a character and the others are zero.
+// Returns whether, in the first 16 bytes, the bytes at `first`, `first` + 2, ... are ASCII characters and the others
+// are zero.
 bool alternates(std::string_view bytes, std::size_t first) {
   constexpr std::size_t kBytesLookedAt = 16;
   if (bytes.size() < kBytesLookedAt) return false;
@@ -97,7 +98,8 @@ bool alternates(std::string_view bytes, std::size_t first) {
   return true;
 }
 
-// The text of a file in UTF-16, with any other letter as '?', which only a name may hold. Nothing for any other file.
+// Returns the text of a UTF-16 file; letters outside ASCII, which only names may contain, become '?'. Returns nothing
+// for any other file.
 std::optional<std::string> ascii_of_utf16(std::string_view bytes) {
   const bool is_big = bytes.starts_with("\xfe\xff") || alternates(bytes, 1);
   const bool is_little = bytes.starts_with("\xff\xfe") || alternates(bytes, 0);

@@ -8,31 +8,32 @@
 #include "lib/base/result.h"
 #include "lib/mesh/triangle_soup.h"
 
-// STL in. The format is decided by the content, not by the file's name or its first word: many binary files
-// begin with "solid".
+// Reads STL files. The content decides the format, not the file's name or its first word: many binary files begin with
+// "solid".
 
 namespace gouge {
 
 /// Reads the triangles of an STL file, in file order and file units.
 ///
-/// Binary   84 bytes, then 50 a triangle. In a longer file the further bytes may follow the last triangle (fewer than
-///          one triangle, or all zero). Or they follow each triangle as its attribute byte count states:
+/// Binary   84 bytes, then 50 for each triangle. In a longer file the extra bytes may follow the last triangle (too few
+///          for a triangle, or all zero). Or they follow each triangle as its attribute byte count states:
 ///          docs/formats/stl.md.
-/// ASCII    Words in any case, any line ends, several solids in one file, any bytes in a solid's name, `end solid` as
-///          one word. The words `normal`, `outer`, `endloop` and `endfacet` may be missing. UTF-16 is read as ASCII. A
-///          file that ends after a whole facet is read with a warning if it has no `endsolid`.
+/// ASCII    Words in any case, any line ends, several solids in one file, any bytes in a solid's name, and `end solid`
+///          for `endsolid`. The words `normal`, `outer`, `endloop` and `endfacet` may be missing. UTF-16 is read as
+///          ASCII. A file that ends after a complete facet without `endsolid` is read with a warning.
 /// Errors   (1) stl-empty, stl-no-triangles, stl-truncated, stl-trailing-data, stl-facet-bytes, stl-not-stl. (2)
-///          stl-bad-number: not finite, or in ASCII not a number. (3) stl-syntax, in ASCII: a word is missing or out of
-///          place. Each has `name`; ASCII errors have the line.
-/// Cost     O(bytes); for a longer binary file that of build_mesh and find_mesh_findings. ASCII, which takes long
-///          enough, is counted in MB.
+///          stl-bad-number: a number is not finite, or in ASCII a word is not a number. (3) stl-syntax, in ASCII: a
+///          word is missing or out of place. Each error has `name`; ASCII errors have the line.
+/// Cost     O(bytes); for a longer binary file that of build_mesh and find_mesh_findings. ASCII takes long enough for
+///          progress, which is counted in MB.
 ///
-/// Binary triangles are looked up in `bytes` and not copied. The bytes must outlive the soup, unless `keep` ensures
-/// that.
+/// Binary triangles are read from `bytes` when needed, and not copied. The bytes must outlive the soup, unless `keep`
+/// ensures that.
 [[nodiscard]] Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name,
                                              std::shared_ptr<const void> keep = nullptr,
                                              const ProgressCall& progress = {});
 Result<TriangleSoup> parse_stl(std::string&& bytes, const std::string& name, std::shared_ptr<const void> keep = nullptr,
-                               const ProgressCall& progress = {}) = delete;  ///< would not outlive it
+                               const ProgressCall& progress = {}) = delete;  ///< deleted: the string would not outlive
+                                                                             ///< the soup
 
 }  // namespace gouge

@@ -14,21 +14,22 @@
 #include "lib/base/diagnostic.h"
 #include "lib/geom/vec.h"
 
-// The content of an STL file: triangles that do not know each other (thesis 4.1.1).
+// The content of an STL file: triangles without connections to each other (thesis 4.1.1).
 
 namespace gouge {
 
 using TrianglePoints = std::array<Vec3, 3>;
 
-/// Triangles in file order. They are kept as points, or looked up in the records of a binary STL where they lie. That
-/// spares a copy of 72 bytes a triangle. Records are 50 bytes: normal, three corners, two bytes of attributes.
+/// Triangles in file order. They are stored as points, or read from the records of a binary STL where these are. The
+/// latter avoids a copy of 72 bytes for each triangle. A record has 50 bytes: normal, three corners, two bytes of
+/// attributes.
 class TriangleList {
  public:
   static constexpr std::size_t kRecordSize = 50;
 
   TriangleList() = default;
   TriangleList(std::vector<TrianglePoints> points) : points_(std::move(points)) {}  // NOLINT: a plain list
-  /// `records` must stay where they are, unless `keep` ensures that.
+  /// Makes a list of records. They must stay where they are, unless `keep` ensures that.
   explicit TriangleList(std::string_view records, std::shared_ptr<const void> keep = nullptr)
       : records_(records), keep_(std::move(keep)) {}
 
@@ -40,11 +41,11 @@ class TriangleList {
     return {vector_at(records_, at + 12), vector_at(records_, at + 24), vector_at(records_, at + 36)};
   }
 
-  /// Only to a list of points.
+  /// Appends a triangle. Requires a list of points.
   void push_back(const TrianglePoints& triangle) { points_.push_back(triangle); }
   void reserve(std::size_t count) { points_.reserve(count); }
 
-  /// Returns three single-precision numbers, little-endian.
+  /// Returns the vector of three little-endian single-precision numbers at an offset.
   [[nodiscard]] static Vec3 vector_at(std::string_view bytes, std::size_t at) {
     return {number_at(bytes, at), number_at(bytes, at + 4), number_at(bytes, at + 8)};
   }
@@ -73,8 +74,8 @@ struct TriangleSoup {
   TriangleList triangles;  ///< file coordinates and file units; finite
   /// Stored normals that point to the other side of their triangle. They are never used for orientation.
   std::size_t opposite_normals = 0;
-  std::size_t first_opposite_normal = 0;  ///< index of the first of them; 0 when there is none
-  Diagnostics notes;                      ///< oddities that were tolerated
+  std::size_t first_opposite_normal = 0;  ///< index of the first such normal; 0 if there is none
+  Diagnostics notes;                      ///< oddities of the file that were tolerated
 };
 
 }  // namespace gouge

@@ -9,8 +9,7 @@
 
 namespace gouge {
 
-/// Numbers 0 to count - 1, joined into sets. The root of a set is its lowest number, whatever the order of
-/// joining.
+/// The numbers 0 to count - 1, joined into sets. The root of a set is its lowest number, whatever the order of joining.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }

@@ -11,7 +11,7 @@ VertexTriangles::VertexTriangles(const IndexedMesh& mesh) : first_(mesh.vertices
   }
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   triangles_.resize(3 * mesh.triangles.size());
-  // From the back, each list's end runs down to its beginning.
+  // Fills each list from its end to its beginning, with the triangles in reverse order.
   for (auto t = static_cast<std::uint32_t>(mesh.triangles.size()); t-- > 0;) {
     for (const Corner c : mesh.triangles[t]) triangles_[--first_[c]] = t;
   }

@@ -6,7 +6,7 @@
 namespace gouge {
 namespace {
 
-// Not "solid": readers that follow the first word would take the file for ASCII.
+// The header does not begin with "solid": readers that use the first word would treat the file as ASCII.
 constexpr std::string_view kHeader = "binary STL, written by gougecheck";
 constexpr std::size_t kTextSize = 80;
 

@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-// Squared sines of the angles between nearly equal normals are the smallest eigenvalues that mean something.
+// Smallest significant eigenvalue: the squared sine of the angle between nearly equal normals.
 
 }  // namespace
 

@@ -5,7 +5,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kAbove_mm = 1e-6;  // how far over the highest surface the column must be free
+constexpr double kAbove_mm = 1e-6;  // height above the highest surface up to which the column must be free
 
 }  // namespace
 

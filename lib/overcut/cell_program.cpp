@@ -6,10 +6,10 @@
 
 #include "lib/base/tolerance.h"
 
-// Any weights of limits, adding up to 1, and of planes, none negative, bound the program: sum of weighted values + half
-// . |sum of weighted gradients|. Good weights come from the dual simplex method. It begins at the corner of the box
-// where the first limit is largest. It takes in the constraint that the corner violates most, until it violates none.
-// Whatever rounding does to the weights, the bound they make holds.
+// Any weights bound the program, if those of limits add up to 1 and those of planes are not negative. The bound is the
+// sum of weighted values + half . |sum of weighted gradients|. Good weights come from the dual simplex method. It
+// begins at the corner of the box where the first limit is largest. It then adds the constraint that this point
+// violates most, until it violates none. The bound holds for the weights in spite of their rounding.
 
 namespace gouge {
 namespace {
@@ -20,9 +20,10 @@ using Mat5 = Eigen::Matrix<double, 5, 5>;
 constexpr double kPivot = 1e-11;
 constexpr double kViolated_mm = 1e-8;
 constexpr int kMaxPivots = 30;
-constexpr double kLevel = 1e-4;  // a steeper limit shows its end that exactly
+constexpr double kLevel = 1e-4;  // minimum slope of a limit whose end is computed
 
-/// Largest v with  v <= limit(y)  of all limits,  plane(y) >= 0  of all planes, y in a box: rows n . (y, v) <= b.
+/// A linear program: the largest v in a box of y with v <= limit(y) for all limits and plane(y) >= 0 for all planes.
+/// Its rows are n . (y, v) <= b.
 class DualSimplex {
  public:
   explicit DualSimplex(const Vec4& half) {
@@ -34,14 +35,14 @@ class DualSimplex {
       }
     }
   }
-  /// `of_value`: 1 for a limit, 0 for a plane.
+  /// Adds a row. `of_value` is 1 for a limit and 0 for a plane.
   void add(const Affine& part, double of_value) {
     Vec5 n;
     n << -part.gradient, of_value;
     rows_[count_++] = {n, part.value};
   }
 
-  /// Begins at the first limit, whose gradient that is.
+  /// Runs the method. It begins at the first limit, whose gradient is `first`.
   void run(const Vec4& first) {
     for (std::size_t i = 0; i < 4; ++i) {
       const auto axis = static_cast<Eigen::Index>(i);
@@ -61,9 +62,9 @@ class DualSimplex {
     }
   }
 
-  /// No point is behind all planes; then the weights are those of planes that miss the box together.
+  /// Returns whether no point is behind all planes. Then the weights are those of planes that together miss the box.
   [[nodiscard]] bool is_empty() const { return is_empty_; }
-  /// Share of the k-th part added; may be slightly negative.
+  /// Returns the weight of the k-th added part; it may be slightly negative.
   [[nodiscard]] double weight(std::size_t k) const {
     if (is_empty_ && k + kSides == entering_) return 1;
     for (std::size_t i = 0; i < 5; ++i) {
@@ -92,7 +93,7 @@ class DualSimplex {
     return worst;
   }
 
-  /// False where the new row excludes all points.
+  /// Adds the entering row. Returns false if it excludes all points.
   bool pivot() {
     const Vec5 share = inverse_.transpose() * rows_[entering_].n;
     Eigen::Index leaving = -1;
@@ -121,7 +122,7 @@ class DualSimplex {
   std::array<Row, kSides + CellProgram::kMaxPlanes + CellProgram::kMaxLimits> rows_;
   std::size_t count_ = 0, entering_ = kNone;
   std::array<std::size_t, 5> basis_{};
-  Mat5 inverse_ = Mat5::Zero();  // of the matrix whose rows are those of the basis
+  Mat5 inverse_ = Mat5::Zero();  // inverse of the matrix whose rows are those of the basis
   Vec5 at_ = Vec5::Zero(), weights_ = Vec5::Zero();
   bool is_empty_ = false;
 };
@@ -177,7 +178,8 @@ CellProgram::Range CellProgram::where_at_least(double value, const Bound& bound)
     for (int i = 0; i < 4; ++i) {
       const double slope = part.gradient[i];
       if (!(std::abs(slope) > kLevel)) continue;
-      const double end = (most[i] - all) / slope;  // where the part is `least` with all others at their best
+      const double end = (most[i] - all) / slope;  // position at which the part is `least` if all other coordinates are
+                                                   // at their best
       if (slope > 0) range.low[i] = std::max(range.low[i], end - Tolerance::kRounding);
       if (slope < 0) range.high[i] = std::min(range.high[i], end + Tolerance::kRounding);
     }

@@ -21,29 +21,31 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kCellsOfOthers = 2'000;  // of moves that are not the worst of their finding
+constexpr std::size_t kCellsOfOthers = 2'000;  // maximum number of cells for a move that is not the worst of its
+                                               // finding
 
 constexpr double kSlack_mm = 0.1 * kOvercutGap_mm;
-constexpr double kRegionRounding = 2e-5;  // of the height: what RegionFinder passes over, twice
+constexpr double kRegionRounding = 2e-5;  // share of the height: twice the length that RegionFinder ignores
 
-/// Bounds an overcut by the depth of the move.
+/// A bound of an overcut that follows from the depth of the move.
 struct KnownOvercut {
-  double upper_mm = 0;            ///< outside of the zones no point of the tool is farther below the surface
-  std::vector<Box2> sharp_zones;  ///< of the tool's half plane
+  double upper_mm = 0;            ///< upper bound of the distance below the surface for all points of the tool outside
+                                  ///< of the zones
+  std::vector<Box2> sharp_zones;  ///< zones of the tool's half plane
 };
 
-/// The reach of a tool below a surface that comes only so deep into it. Except near sharp corners and where the tool is
-/// thin it does not exceed the depth. The part of the tool that the surface does not reach is outside. A ball inscribed
-/// there leads from every other point to the surface.
+/// The reach of a tool below a surface, derived from the depth of the surface in the tool. Except near sharp corners,
+/// and where the tool is thin, the reach does not exceed the depth. The part of the tool that the surface does not
+/// reach is outside. A ball inscribed there leads from every other point to the surface.
 /// Proof: docs/method/overcut.md, section 2.
 class DepthBound {
  public:
-  /// Cost: some thousand evaluations of the tool, which must outlive it.
+  /// Prepares the bound. Cost: some thousand evaluations of the tool, which must outlive it.
   explicit DepthBound(const CompiledTool& tool);
 
-  /// `depth_upper_mm`: nowhere during the motion is the surface of `part` deeper in the tool. Nothing where the depth
-  /// shows nothing. That is so for a tool that turns back in height, is thinner than twice the depth, or has a core in
-  /// the part.
+  /// Returns the bound for a motion during which the surface of `part` is nowhere deeper in the tool than
+  /// `depth_upper_mm`. Returns nothing if the depth does not bound the reach. That is so for a tool that turns back in
+  /// height, is thinner than twice the depth, or has a core in the part.
   /// Requires the boundary of a solid.
   [[nodiscard]] std::optional<KnownOvercut> at(double depth_upper_mm, const Motion& motion, const Surface& part) const;
 
@@ -69,7 +71,7 @@ std::optional<KnownOvercut> DepthBound::at(double depth_upper_mm, const Motion& 
   return KnownOvercut{depth_upper_mm + kSlack_mm, balls_.sharp_zones(deeper)};
 }
 
-/// Measures the overcuts of one path's gouging moves.
+/// The measurement of the overcuts of one path's gouging moves.
 class Measuring {
  public:
   Measuring(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
@@ -120,7 +122,8 @@ class Measuring {
     return verdict.state == MoveState::gouge && verdict.witness && tools_[toolpath_.moves[move].tool] != nullptr;
   }
 
-  /// Whatever is made once and shared is made by all threads, not within one.
+  /// Prepares a move. Data that is made once and shared is made here, so that it is not made within a single thread of
+  /// the measurement.
   void prepare(std::size_t move) {
     const Surface& surface = surface_of(result_.verdicts[move]);
     if (!surface.boundary().is_solid()) return;
@@ -135,7 +138,7 @@ class Measuring {
     const std::size_t tool = toolpath_.moves[move].tool;
     const Motion motion = options_.law.of(toolpath_, move);
     const Surface& part = surface_of(verdict).boundary();
-    // Where the tool's boundary comes to lie once the witness is followed through the tool.
+    // The place of the tool's boundary at the depth of the witness.
     const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
     const auto join = [&](SweptSolid&& moving, double rounded_bound_mm) {
       OvercutOptions search;

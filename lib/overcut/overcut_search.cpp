@@ -16,35 +16,36 @@ namespace gouge {
 namespace {
 
 constexpr double kNotable_mm = 0.1 * kOvercutGap_mm;
-constexpr double kNear_mm = 0.02;  // a climb ends when it looks no farther than that
+constexpr double kNear_mm = 0.02;  // a climb ends when its steps are shorter than this
 constexpr int kClimbs = 24;
-constexpr int kRounds = 8;  // planes and limits that are added to a cell's first
+constexpr int kRounds = 8;  // maximum number of planes and limits that are added to the first ones of a cell
 constexpr double kNoLimit_mm = 1e6;
-constexpr double kNotLimited = 0.1;  // of what is too much: a limit that takes less off is of no use
-constexpr double kCoarse = 0.1;      // of what is too much: so much higher a ceiling may be than it needs to be
-constexpr double kHopeless = 0.5;    // of a cell's radius: where more than that is too much a ceiling does not help
-constexpr double kHigher = 0.3;      // of a cell's radius: a ceiling that is so much higher does not help
+constexpr double kNotLimited = 0.1;  // share of the excess: a limit that reduces the bound by less is useless
+constexpr double kCoarse = 0.1;      // share of the excess: how much higher than necessary a ceiling may be
+constexpr double kHopeless = 0.5;    // share of a cell's radius: for a larger excess a ceiling does not help
+constexpr double kHigher = 0.3;      // share of a cell's radius: a ceiling that is higher by more does not help
 constexpr int kNoZone = -1;
-constexpr double kWorthAnotherLook = 0.5;  // of its volume: a cell that is left less is examined again
-constexpr double kNotCut = 0.05;           // of what is too much: a plane that cuts less off is of no use
-constexpr double kAlongNormal = 0.25;      // first order states all along the normal; cells need to be small across it
+constexpr double kWorthAnotherLook = 0.5;  // share of the volume: a cell that shrinks below it is examined again
+constexpr double kNotCut = 0.05;           // share of the excess: a plane that cuts off less is useless
+constexpr double kAlongNormal = 0.25;      // weight along the normal, where first-order bounds are exact; across it
+                                           // cells must be small
 
-/// A box of space with axes along the search's frame, over a time interval.
+/// A box of space with axes along the frame of the search, during a time interval.
 struct Cell : SearchCandidate {
-  Vec3 centre = Vec3::Zero(), half = Vec3::Zero();  ///< part coordinates; along the axes of the frame
+  Vec3 centre = Vec3::Zero(), half = Vec3::Zero();  ///< part coordinates; half sizes along the axes of the frame
   std::uint32_t interval = 0;
-  int next = 0;  ///< axis to halve; 3: the time
-  /// The part's surface as seen from the centre.
+  int next = 0;  ///< axis to halve; 3: the time is halved
+  /// Result of the closest point of the part's surface to the centre.
   double inside_mm = 0;
   Vec3 outward = Vec3::UnitZ();
-  std::uint32_t triangle = 0;  ///< the closest
-  int zone = kNoZone;          ///< the sharp zone of the solid that it holds whole; else kNoZone
-  double kept = 1;             ///< of the volume, when it was made smaller
+  std::uint32_t triangle = 0;  ///< the closest triangle
+  int zone = kNoZone;          ///< the sharp zone of the solid that the cell contains completely; else kNoZone
+  double kept = 1;             ///< share of the volume that remains after the cell was shrunk
 };
 
 class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
  public:
-  // A point that is deep is pushed on to where it is deepest nearby: no descent does that better.
+  // A deep point is moved on to the deepest point nearby; a descent could not do that better.
   static constexpr bool kDescends = false;
 
   OvercutSearch(SweptSolid& tool, const Surface& part, const OvercutOptions& options)
@@ -108,7 +109,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
   }
 
  private:
-  /// A cell of the box, along the axes of the frame; its interval and all else are those of `like`.
+  /// Adds a cell for the box, along the axes of the frame. Its interval and all other data are those of `like`.
   void add_within(const Box3& box, Cell like) {
     if (box.isEmpty()) return;
     like.centre = frame_.transpose() * box.center();
@@ -117,7 +118,8 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     add(like);
   }
 
-  /// `cell.triangle` is one near it, of the cell it is a half of.
+  /// Finds the closest point of the part. `cell.triangle` is a triangle near it: that of the cell from which it was
+  /// halved.
   void look_at_part(Cell& cell) const {
     const ClosestPoint foot = part_.closest_point_from(cell.centre, cell.triangle);
     cell.inside_mm = -foot.signed_mm();
@@ -145,7 +147,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     offer(cell);
   }
 
-  /// In the cell's own coordinates: along the axes of the frame, and the time.
+  /// Returns a half-space in the cell's own coordinates: the axes of the frame, and the time.
   [[nodiscard]] Affine in_cell(const DriftingHalfSpace& half) const {
     Affine plane{half.offset_mm, Vec4::Zero()};
     plane.gradient << -(frame_ * half.normal), half.drift_mm;
@@ -159,12 +161,13 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
 
   struct Limit {
     Vec3 outward;
-    double height_mm;  ///< over the cell's centre, of the surface's closest point somewhere in the cell
+    double height_mm;  ///< height over the cell's centre of the closest surface point to some point of the cell
   };
   using Limits = std::array<Limit, CellProgram::kMaxLimits>;
 
-  /// To first order: the tool behind planes that touch it, the part below planes square to its closest points. Where
-  /// that does not decide the cell it is made as small as what is left of it.
+  /// Bounds a cell to first order: the tool is behind planes that touch it, the part below planes square to its closest
+  /// points. If that does not decide the cell, the cell is shrunk to the part that remains. Returns whether it is
+  /// decided.
   bool is_decided_by_planes(Cell& cell, const SweptBound& swept) {
     const double radius = cell.half.norm();
     Vec4 half_sizes;
@@ -203,11 +206,12 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
       prune(bound.upper);
       return true;
     }
-    prune(threshold_mm());  // of all that is cut off
+    prune(threshold_mm());  // for all points that are cut off
     return !shrink(cell, program.where_at_least(threshold_mm(), bound));
   }
 
-  /// Each limit as high as what is proven of it; none where nothing is, or nothing would help.
+  /// Raises each limit to the height that is proved for it. A limit without a proof, or one that would not help, is
+  /// removed.
   void raise_to_ceilings(const Cell& cell, const Limits& limits, std::size_t count, const CellProgram::Bound& bound,
                          CellProgram& program) const {
     const double radius = cell.half.norm();
@@ -221,7 +225,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     }
   }
 
-  /// False where nothing is left.
+  /// Shrinks the cell. Returns false if nothing remains.
   bool shrink(Cell& cell, const CellProgram::Range& range) {
     const Vec4 size = range.high - range.low;
     if ((size.array() < 0).any()) return false;
@@ -232,7 +236,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     return true;
   }
 
-  /// Over the part in the cell, along `outward` from its centre.
+  /// Returns the height of the part in the cell, along `outward` from its centre.
   [[nodiscard]] std::optional<double> ceiling_of(const Cell& cell, const Vec3& outward, double enough,
                                                  double most) const {
     const Vec3 up = frame_ * outward;
@@ -264,7 +268,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     if (swept.can_halve && 0.5 * swept.path_length_mm > size) cell.next = 3;
   }
 
-  /// A point of the tool in or next to the cell: its centre, or the tool's nearest to that.
+  /// Tries a point of the tool in or near the cell: its centre, or the tool's closest point to the centre.
   void offer_point(const Cell& cell, const SweptBound& swept) {
     const double off = std::max(0.0, swept.distance_mm);
     if (cell.inside_mm + off <= best_.depth_mm + kNotable_mm) return;
@@ -278,7 +282,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     if (tool_.distance_at(beside, swept.t) <= Tolerance::kRounding_mm && take(beside, swept.t)) climb();
   }
 
-  /// Keeps the point when it is deeper in the part than any so far; it must be in the tool at t.
+  /// Keeps the point if it is deeper in the part than any point so far. The point must be in the tool at t.
   bool take(const Vec3& point, double t) {
     const ClosestPoint foot = *part_.closest_point(point);
     if (foot.distance_mm <= best_.depth_mm || !foot.is_inside) return false;
@@ -289,7 +293,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
     return true;
   }
 
-  /// The tool's point nearest to one that is far below the best.
+  /// Tries the tool's closest point to a point that is farther below the best one. Returns whether it is deeper.
   bool reach_on(double step, double t) {
     Vec3 next = best_.point + step * deeper_;
     double out = tool_.distance_at(next, t);
@@ -302,7 +306,7 @@ class OvercutSearch : public BestFirstSearch<OvercutSearch, Cell> {
 
   void climb() {
     const Motion& motion = tool_.motion();
-    // About how far the tool runs past the point.
+    // The approximate length that the tool moves past the point.
     const double travel = (motion.at(1).tip - motion.at(0).tip).norm() +
                           motion.turn_rad() * (best_.point - motion.at(best_.t).tip).norm();
     double step = 1 + 4 * best_.depth_mm;

@@ -12,27 +12,30 @@ inline constexpr double kUnknown_mm = std::numeric_limits<double>::infinity();
 
 struct OvercutOptions {
   std::size_t max_cells =
-      5'000;  ///< the search ends when the two bounds are overcut_gap_mm apart or after so many cells
-  /// Known to bound the distance below the surface of every point outside of the solid's sharp zones.
+      5'000;  ///< the search ends when the two bounds are overcut_gap_mm apart, or after so many cells
+  /// Known bound of the distance below the surface for every point outside of the solid's sharp zones.
   double rounded_bound_mm = kUnknown_mm;
 };
 
 struct Overcut {
-  double depth_mm = 0;        ///< realised at `point`: distance to the part's surface from inside
-  double depth_upper_mm = 0;  ///< proven: nowhere is it more
-  Vec3 point = Vec3::Zero();  ///< in the tool at t, mm, part coordinates
+  double depth_mm = 0;        ///< depth of `point`: its distance to the part's surface from inside
+  double depth_upper_mm = 0;  ///< proved upper bound of the depth
+  Vec3 point = Vec3::Zero();  ///< a point in the tool at t; mm, part coordinates
   double t = 0;
 };
 
 /// Finds how far below the part's surface the solid reaches during the motion. That is the largest distance to the
-/// surface, over every point of the part's inside that the solid takes up at any instant.
+/// surface, over all points inside the part that are in the solid at some instant.
 ///
 /// The search is best first over cells of space and time. The part of the solid in a cell lies behind planes that touch
-/// it. The part of the workpiece in it lies below a plane over all of the surface there. That plane is square to the
-/// closest point of the cell's middle. A linear program bounds the cell to second order in its size.
+/// it. The part of the workpiece in the cell lies below a plane over all of the surface there. That plane is square to
+/// the direction of the closest point to the cell's middle. A linear program bounds the cell to second order in its
+/// size.
 ///
-/// Requires a solid's boundary (Surface::boundary). `seed`: a point in the solid at `seed_t`, where the search begins.
-/// Cost     Some microseconds a cell; none for a solid blunt wherever it is in the part, some dozens where a corner is.
+/// Requires the boundary of a solid (Surface::boundary). `seed` is a point in the solid at `seed_t`, where the search
+/// begins.
+/// Cost     Some microseconds for each cell. A solid that is blunt wherever it is in the part needs no cell; a corner
+///          there needs some dozens.
 /// Source   Measure of thesis chapters 4 and 5; proof: docs/method/overcut.md.
 [[nodiscard]] Overcut find_overcut(SweptSolid& solid, const Surface& part, const Vec3& seed, double seed_t,
                                    const OvercutOptions& options = {});

@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kSteep = 0.1;  // how much higher than its closest point, by the cell's size, the surface may be
+constexpr double kSteep = 0.1;  // share of the cell's size by which the surface may be higher than its closest point
 
 }  // namespace
 

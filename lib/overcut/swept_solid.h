@@ -12,64 +12,64 @@
 
 namespace gouge {
 
-/// The points x with normal . (x - centre) <= offset + s drift at the instant that s in [-1/2, 1/2] names within the
-/// interval. The centre and the interval are those of the cell that was queried.
+/// The points x with normal . (x - centre) <= offset + s drift, at the instant that corresponds to s in [-1/2, 1/2] in
+/// the interval. The centre and the interval are those of the queried cell.
 struct DriftingHalfSpace {
   Vec3 normal = Vec3::Zero();
   double offset_mm = 0, drift_mm = 0;
 };
 
-/// Returns the half-space behind a plane of the solid itself, over a time interval. In the part's directions `n0` and
-/// `n1` are its normal at both ends. The cell's centre is `depth_mm` behind it in the middle of its chord, and
-/// `drift_mm` more so at the end than at the start. The mean of both normals serves, with half their difference at the
-/// cell's rim added.
+/// Returns the half-space behind a plane of the solid itself, over a time interval. `n0` and `n1` are its normals at
+/// both ends, in the part's directions. The cell's centre is `depth_mm` behind it in the middle of its chord, and
+/// `drift_mm` more at the end than at the start. The half-space uses the mean of both normals, and adds half their
+/// difference at the cell's rim.
 [[nodiscard]] inline DriftingHalfSpace behind_plane(const Vec3& n0, const Vec3& n1, double depth_mm, double drift_mm,
                                                     double bulge_mm, double radius_mm) {
   constexpr double kRounding_mm = Tolerance::kRounding_mm;
   return {0.5 * (n0 + n1), depth_mm + bulge_mm + 0.5 * (n1 - n0).norm() * radius_mm + kRounding_mm, drift_mm};
 }
 
-/// The part of a moving solid that enters a cell during a time interval.
+/// Bounds on the part of a moving solid that enters a cell during a time interval.
 struct SweptBound {
-  bool is_reached = false;                ///< false: proven that nothing does
+  bool is_reached = false;                ///< false: it is proved that no part does
   bool is_rounded = false;                ///< all of the solid in the cell is outside of its sharp zones
-  bool can_halve = false;                 ///< the interval
-  std::optional<DriftingHalfSpace> half;  ///< holds all of the solid that comes into the cell
-  double distance_mm = 0;                 ///< about the signed distance of the cell's centre at ...
-  double t = 0;                           ///< ... this instant, the best one examined
-  double path_length_mm = 0;              ///< how far, about, the centre runs in the solid's frame
+  bool can_halve = false;                 ///< the interval can be halved
+  std::optional<DriftingHalfSpace> half;  ///< contains all of the solid that enters the cell
+  double distance_mm = 0;                 ///< approximate signed distance of the cell's centre at ...
+  double t = 0;                           ///< ... this instant, the best examined one
+  double path_length_mm = 0;              ///< approximate length of the centre's path in the solid's frame
 };
 
-/// A solid along one motion, queried for points of the part.
+/// A solid during one motion, queried for points of the part.
 class SweptSolid {
  public:
-  /// Requires motion.is_defined(); it must outlive the solid.
+  /// Prepares the solid. Requires motion.is_defined(). The motion must outlive the solid.
   explicit SweptSolid(const Motion& motion) : motion_(motion) {}
   virtual ~SweptSolid() = default;
   SweptSolid(const SweptSolid&) = delete;
   SweptSolid& operator=(const SweptSolid&) = delete;
 
-  /// Returns the signed distance, 1-Lipschitz in the point; negative inside.
+  /// Returns the signed distance, negative inside. It is 1-Lipschitz in the point.
   [[nodiscard]] virtual double distance_at(const Vec3& point_part, double t) const = 0;
   /// Returns the unit gradient of that distance.
   [[nodiscard]] virtual Vec3 outward_at(const Vec3& point_part, double t) const = 0;
 
-  /// Returns the number of segments of the motion, which are the first of the numbered time intervals.
+  /// Returns the number of segments of the motion. They are the first of the numbered time intervals.
   [[nodiscard]] virtual std::uint32_t segments() const = 0;
-  /// Halves an interval and returns its first half; the second follows.
+  /// Halves an interval and returns the number of its first half; the second half has the next number.
   virtual std::uint32_t halve(std::uint32_t interval) = 0;
-  /// Bounds the solid over the ball about `centre`.
+  /// Bounds the solid in the ball about `centre`.
   [[nodiscard]] virtual SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const = 0;
-  /// Returns a half-space as in `bound`, whose plane touches the solid next to a point of the ball at the instant of s.
+  /// Returns a half-space as in `bound`. Its plane touches the solid near a point of the ball at the instant of s.
   [[nodiscard]] virtual std::optional<DriftingHalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,
                                                                     double radius_mm, std::uint32_t interval) const = 0;
 
-  /// Returns boxes that hold all points the solid takes during an interval, along three orthogonal unit vectors (rows
-  /// of `frame`). With `is_sharp_only` the boxes hold those of its sharp zones.
+  /// Returns boxes that contain all points of the solid during an interval, along three orthogonal unit vectors (rows
+  /// of `frame`). With `is_sharp_only` there is one box for each of its sharp zones.
   [[nodiscard]] virtual std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
                                                   bool is_sharp_only) const = 0;
-  /// Returns smaller boxes along the same axes that together hold the content of the box of a sharp zone, counted as in
-  /// `extents`.
+  /// Returns smaller boxes along the same axes that together contain the content of a sharp zone's box. Zones are
+  /// counted as in `extents`.
   [[nodiscard]] virtual std::vector<Box3> pieces(const Eigen::Matrix3d& /*frame*/, std::uint32_t /*interval*/,
                                                  std::size_t /*zone*/) const {
     return {};
@@ -81,10 +81,10 @@ class SweptSolid {
   const Motion& motion_;
 };
 
-/// A body that hangs on the tool axis, along one motion.
+/// A body that is fixed to the tool axis, during one motion.
 class SweptHead : public SweptSolid {
  public:
-  /// `head` must outlive this.
+  /// Prepares the body. `head` must outlive it.
   SweptHead(const Motion& motion, const HeadBody& head);
 
   [[nodiscard]] double distance_at(const Vec3& point_part, double t) const override;
@@ -92,7 +92,7 @@ class SweptHead : public SweptSolid {
   [[nodiscard]] std::uint32_t segments() const override { return intervals_.segments(); }
   std::uint32_t halve(std::uint32_t interval) override { return intervals_.halve(interval); }
   [[nodiscard]] SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const override;
-  /// Returns none where the head's surface over the cell is steep, or where the head goes on above it.
+  /// Returns none if the head's surface over the cell is steep, or if the head continues above it.
   [[nodiscard]] std::optional<DriftingHalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,
                                                             double radius_mm, std::uint32_t interval) const override;
   [[nodiscard]] std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,

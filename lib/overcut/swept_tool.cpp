@@ -12,11 +12,11 @@
 namespace gouge {
 namespace {
 
-constexpr double kAngleRounding = 1e-7;  // of an arc sine, next to a pole
+constexpr double kAngleRounding = 1e-7;  // rounding of an arc sine near a pole
 constexpr double kMinAcross = 0.1;
-constexpr int kArcs = 24;  // of a sharp edge, each searched for itself
+constexpr int kArcs = 24;  // number of arcs into which a sharp edge is divided; each is searched separately
 
-/// The smallest distance of a stretch from the tool axis.
+/// Returns the smallest distance of a stretch from the tool axis.
 double smallest_radius(const Vec3& a, const Vec3& b) {
   const Vec2 from = a.head<2>(), side = b.head<2>() - from;
   const double length2 = side.squaredNorm();
@@ -24,7 +24,7 @@ double smallest_radius(const Vec3& a, const Vec3& b) {
   return (from + share * side).norm();
 }
 
-/// A cell's centre on its chord during an interval, in tool coordinates.
+/// The chord of a cell's centre during an interval, in tool coordinates.
 struct Chord {
   Vec3 q0, q1;
   double bulge_mm = 0, radius_mm = 0;
@@ -35,12 +35,12 @@ struct Chord {
   }
 };
 
-/// The hull of the tool's points at some heights. They lie in and between the rings that discs of the half plane make
-/// about the axis. Its support in a direction n is the largest r n_r + z n_z + radius of a few discs.
+/// The hull of the tool's points at some heights. The points lie in and between the rings that discs of the half plane
+/// make about the axis. Its support in a direction n is the largest r n_r + z n_z + radius of a few discs.
 class Hull {
  public:
-  /// Bounds the points at heights [z_lo, z_hi] and at least r_lo from the axis. The directions have an angle over the
-  /// (r, z) plane's r axis in [low, high].
+  /// Bounds the points at heights [z_lo, z_hi] that are at least r_lo from the axis. Directions have an angle in [low,
+  /// high] to the r axis of the (r, z) plane.
   Hull(const CompiledTool& tool, double z_lo, double z_hi, double r_lo, double low, double high)
       : z_lo_(z_lo), z_hi_(z_hi), r_lo_(r_lo), min_across_(std::max(0.0, std::min(std::cos(low), std::cos(high)))) {
     for (const BoundaryElement& e : tool.elements) {
@@ -55,7 +55,7 @@ class Hull {
   }
 
   [[nodiscard]] bool is_empty() const { return discs_.empty(); }
-  /// `along`: the direction's component along the axis.
+  /// Returns the support. `along` is the direction's component along the axis.
   [[nodiscard]] double support_mm(double along) const {
     const double across = std::sqrt(std::max(0.0, 1 - along * along));
     double most = -std::numeric_limits<double>::infinity();
@@ -63,8 +63,8 @@ class Hull {
       most = std::max(most, disc.center.x() * across + disc.center.y() * along + disc.radius_mm);
     return most;
   }
-  /// By how much, at most, the support exceeds what is linear in time between two instants, over the square of the
-  /// turn.
+  /// Returns the maximum by which the support exceeds its linear interpolation in time between two instants, divided by
+  /// the square of the turn.
   [[nodiscard]] double bulge_mm() const {
     double most = 0;
     for (const Disc& disc : discs_) {
@@ -97,7 +97,8 @@ class Hull {
     add(to < 1 ? Vec2(e.a + to * side) : e.b, 0);
   }
 
-  /// An arc that faces outwards is its disc only for the directions of its own normals at these heights.
+  /// Adds an arc. If it faces outwards, its disc replaces it only for the directions of its own normals at these
+  /// heights.
   void add_arc(const BoundaryElement& e, double low, double high) {
     const Vec2 from = e.a - e.center, to = e.b - e.center;
     const bool is_steep = e.center.x() < 0 && min_across_ < kMinAcross;
@@ -105,7 +106,7 @@ class Hull {
       const double out = e.is_reflex ? 0 : e.radius_mm - (0.5 * (from + to)).norm() + Tolerance::kRounding_mm;
       add(e.a, out);
       add(e.b, out);
-      // Where it turns back over itself the part that faces outwards ends in the middle of it.
+      // If the arc turns back over itself, the part that faces outwards ends inside the arc.
       if (e.is_reflex && std::max(from.x(), to.x()) > kAngleRounding * e.radius_mm) {
         add(e.center + Vec2(0, e.radius_mm), 0);
         add(e.center - Vec2(0, e.radius_mm), 0);
@@ -128,8 +129,9 @@ class Hull {
   double z_lo_, z_hi_, r_lo_, min_across_;
 };
 
-/// The part of the tool inside the cell lies behind a plane of fixed direction in the part. The reach of the tool along
-/// it changes with the instant nearly linearly. Proof: docs/method/overcut.md, section 4.
+/// Returns a half-space that contains the part of the tool inside the cell. Its plane has a fixed direction in the
+/// part. The reach of the tool along it changes nearly linearly with the instant. Proof: docs/method/overcut.md,
+/// section 4.
 DriftingHalfSpace behind(const CompiledTool& tool, const Vec3& direction, const Vec3& centre, const Chord& chord,
                          const ToolInterval& interval) {
   const double around = chord.radius_mm + chord.bulge_mm + Tolerance::kRounding_mm;
@@ -147,14 +149,15 @@ DriftingHalfSpace behind(const CompiledTool& tool, const Vec3& direction, const 
   return {direction, 0.5 * (end0 + end1) - direction.dot(centre) + over + Tolerance::kRounding_mm, end1 - end0};
 }
 
-/// A vector of tool coordinates in the part at the instant of s, near enough.
+/// Returns a vector of tool coordinates in the part at the instant of s, approximately.
 Vec3 in_part(const Vec3& tool_vector, double s, const ToolInterval& interval) {
   const Vec3 at0 = interval.f0.rows.transpose() * tool_vector, at1 = interval.f1.rows.transpose() * tool_vector;
   return ((0.5 - s) * at0 + (0.5 + s) * at1).normalized();
 }
 
-/// Finds a half-space that does not contain the place at the instant of s, where there is one. It is square to the
-/// boundary nearest to it. Where that boundary is at other heights than the cell, it is square to the axis.
+/// Finds a half-space that does not contain the place at the instant of s, if there is one. Its plane is square to the
+/// direction of the nearest boundary. If that boundary is at other heights than the cell, the plane is parallel to the
+/// axis.
 DriftingHalfSpace beside(const CompiledTool& tool, const ToolSample& sample, const Vec3& place, double s,
                          const Vec3& centre, const Chord& chord, const ToolInterval& interval) {
   const auto behind_square_to = [&](const Vec3& direction) {
@@ -232,7 +235,7 @@ std::vector<Box3> SweptTool::pieces(const Eigen::Matrix3d& frame, std::uint32_t 
   return boxes;
 }
 
-/// Bounds one of kArcs equal pieces of such a ring.
+/// Bounds one of kArcs equal pieces of a sharp zone's ring.
 Box3 SweptTool::extent_of_arc(const Eigen::Matrix3d& frame, std::uint32_t index, const Box2& ring, int piece) const {
   constexpr double kAngle = 2 * std::numbers::pi / kArcs;
   const ToolInterval& interval = intervals_[index];
@@ -252,12 +255,12 @@ Box3 SweptTool::extent_of_arc(const Eigen::Matrix3d& frame, std::uint32_t index,
       }
     }
   }
-  // Every point of the arc is within that distance of its chord.
+  // Every point of the arc is within this distance of its chord.
   const double out = ring.max().x() * (1 - std::cos(0.5 * kAngle)) + bulge + Tolerance::kRounding_mm;
   return Box3(Vec3(box.min().array() - out), Vec3(box.max().array() + out));
 }
 
-/// Bounds the ring that a box of the half plane sweeps about the axis.
+/// Bounds the ring that a box of the half plane makes about the axis.
 Box3 SweptTool::extent(const Eigen::Matrix3d& frame, std::uint32_t index, const Box2& ring) const {
   const ToolInterval& interval = intervals_[index];
   const double far = ring.max().x() + std::max(std::abs(ring.min().y()), std::abs(ring.max().y()));

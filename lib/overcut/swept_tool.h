@@ -11,11 +11,11 @@
 
 namespace gouge {
 
-/// A tool along one motion.
+/// A tool during one motion.
 class SweptTool : public SweptSolid {
  public:
-  /// Requires a tool with elements; it must outlive this. `sharp_zones`: of the tool (inscribed_balls.h); nothing: all
-  /// of it.
+  /// Prepares the tool. Requires a tool with elements, which must outlive it. `sharp_zones` are those of the tool
+  /// (inscribed_balls.h); if there are none, the whole tool counts as sharp.
   SweptTool(const Motion& motion, const CompiledTool& tool, std::optional<std::vector<Box2>> sharp_zones = std::nullopt)
       : SweptSolid(motion), tool_(tool), intervals_(motion, motion), sharp_zones_(std::move(sharp_zones)) {}
 

@@ -21,7 +21,7 @@ bool is_open(Basis basis, bool is_strict) {
   return basis == Basis::contradicted || basis == Basis::unknown || (is_strict && basis == Basis::by_default);
 }
 
-// A subject with many objects, such as the tools of a long job, is counted beyond these.
+// Maximum number of shown objects of a subject, such as the tools of a long job. Further objects are only counted.
 constexpr std::size_t kMaxShown = 4;
 
 }  // namespace

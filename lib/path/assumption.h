@@ -10,8 +10,8 @@
 
 #include "lib/base/diagnostic.h"
 
-// The facts that a verdict rests on beside the motion and the surfaces. Each names how it is known. A verdict is clean
-// only if none of them is open. docs/guide/assumptions.md has the table.
+// The facts on which a verdict rests, besides the motion and the surfaces. Each states how it is known. A verdict is
+// clean only if none of them is open. docs/guide/assumptions.md has the table.
 
 namespace gouge {
 
@@ -28,38 +28,38 @@ enum class Basis : std::uint8_t {
 
 /// Subject of a fact. Reports list them in this order.
 enum class Subject : std::uint8_t {
-  path_unit,     ///< unit of the toolpath's lengths
-  dialect,       ///< how the toolpath file is read
-  completeness,  ///< the toolpath file is whole
-  statements,    ///< every statement of it is understood
-  frame,         ///< the frame of its positions
-  motion_law,    ///< tip and axis between two positions
+  path_unit,     ///< unit of lengths in the toolpath
+  dialect,       ///< dialect in which the toolpath file is read
+  completeness,  ///< the toolpath file is complete
+  statements,    ///< every statement of the file is understood
+  frame,         ///< the frame of the file's positions
+  motion_law,    ///< law of the motion of tip and axis between two positions
   tool,          ///< the definition of one tool
-  holder,        ///< the part above its flutes
+  holder,        ///< the part of one tool above its flutes
   mesh_unit,     ///< unit of the STL files
   solid,         ///< one STL file bounds a solid
   placement      ///< the part lies where the toolpath expects it
 };
 inline constexpr std::size_t kSubjects = 11;
 
-/// Returns the name of --assume and of reports: "path-unit", "dialect", "complete", "statements", "frame",
+/// Returns the name used by --assume and in reports: "path-unit", "dialect", "complete", "statements", "frame",
 /// "motion-law", "tool", "holder", "mesh-unit", "solid", "placement".
 [[nodiscard]] const char* subject_name(Subject subject);
 [[nodiscard]] std::optional<Subject> subject_called(std::string_view name);
-/// Returns all names, separated by commas.
+/// Returns all subject names, separated by commas.
 [[nodiscard]] std::string subject_names();
 
-/// One fact.
+/// One fact on which a verdict rests.
 struct Assumption {
   Subject subject = Subject::path_unit;
-  std::string object = {};  ///< its subject where there are several: "T3", "part.stl"; else empty
+  std::string object = {};  ///< name of the object if the subject has several: "T3", "part.stl"; else empty
   Basis basis = Basis::by_default;
   std::string value = {};     ///< the assumed value: "mm", "ball D 10 of tools.json"
-  std::string evidence = {};  ///< why, or what contradicts it; one sentence without a full stop
-  std::string remedy = {};    ///< of contradicted, unknown and default facts: how to establish it
-  std::string code = {};      ///< of the warning where it is open, as in docs/errors.md
-  std::string file = {};      ///< where the evidence is; may be empty
-  std::size_t line = 0;       ///< of that file; 0: none
+  std::string evidence = {};  ///< reason for the value, or contradicting evidence; one sentence without a full stop
+  std::string remedy = {};    ///< for contradicted, unknown and default facts: how to establish the fact
+  std::string code = {};      ///< code of the warning if the fact is open, as in docs/errors.md
+  std::string file = {};      ///< file with the evidence; may be empty
+  std::size_t line = 0;       ///< line in that file; 0: none
   bool is_open = false;       ///< set by settle: the verdict may not be clean
 };
 using Assumptions = std::vector<Assumption>;
@@ -70,14 +70,14 @@ struct Vouched {
   std::string object = {};  ///< empty: all objects of the subject
 };
 
-/// Reads "tool" or "tool=T3". Returns nothing where the subject has no such name.
+/// Reads a text such as "tool" or "tool=T3". Returns nothing if no subject has this name.
 [[nodiscard]] std::optional<Vouched> parse_vouched(std::string_view text);
 
 /// Decides which facts are open.
 ///
-/// Ensures  (1) a fact that the user vouches for becomes stated and keeps its evidence. (2) is_open holds for
-///          contradicted and unknown facts, and with `is_strict` for defaults too. (3) the facts stand in the order of
-///          their subjects, and those of one subject as given.
+/// Ensures  (1) A fact that the user vouches for becomes stated and keeps its evidence. (2) is_open is true for
+///          contradicted and unknown facts, and with `is_strict` for defaults too. (3) The facts are in the order of
+///          their subjects; those of one subject keep their order.
 void settle(Assumptions& facts, const std::vector<Vouched>& vouched, bool is_strict);
 
 /// Replaces the facts of `subject` in `to` by those in `from`.
@@ -85,10 +85,10 @@ void copy_facts(Subject subject, const Assumptions& from, Assumptions& to);
 
 [[nodiscard]] bool has_open(const Assumptions& facts);
 
-/// Returns one warning for each open fact: the evidence, then the remedy.
+/// Returns one warning for each open fact, with the evidence and then the remedy.
 [[nodiscard]] Diagnostics open_warnings(const Assumptions& facts);
 
-/// Returns all facts in one line for people: "path-unit mm (stated), tool T1 ball D 10 (derived), ...".
+/// Returns all facts in one line for people, such as "path-unit mm (stated), tool T1 ball D 10 (derived), ...".
 [[nodiscard]] std::string assumptions_text(const Assumptions& facts);
 
 }  // namespace gouge

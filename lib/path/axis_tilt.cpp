@@ -17,11 +17,12 @@ namespace {
 
 constexpr double kCurveError_mm = 0.05;
 constexpr double kMinMargin_mm = 1, kMaxMargin_mm = 10, kMarginOfLength = 0.1;
-constexpr double kCosOfCorner = 0.9;  // of about 26 degrees: below, the feed bends, above it turns a corner
+constexpr double kCosOfCorner = 0.9;  // cosine of about 26 degrees: at a smaller angle the feed bends, at a larger one
+                                      // it turns a corner
 constexpr double kPlunge =
-    0.3;  // sine of some 17 degrees: a tip that goes nearer to the axis plunges, its feed has no side
+    0.3;  // sine of some 17 degrees: a tip that moves nearer to the axis plunges, so its feed has no side
 
-/// A place of the curve, reached on a straight line.
+/// A place of the curve, which a straight line reaches.
 struct Place {
   double length_mm = 0;
   Vec3 tip = Vec3::Zero(), programmed = Vec3::UnitZ(), corrected = Vec3::UnitZ();
@@ -95,7 +96,7 @@ class TiltCurve {
     }
   }
 
-  // The margins reach to the ends of their moves, which may be long ones.
+  // Cuts the margins. They extend to the ends of their moves, which may be long.
   void cut(TiltedRun& run, double margin_mm) {
     const double begin_mm = std::max(0.0, run.begin_mm - margin_mm);
     const double end_mm = std::min(this->end_mm(), run.end_mm + margin_mm);
@@ -124,7 +125,8 @@ class TiltCurve {
     up_ = sum.norm() > Tolerance::kSameDirection ? sum.normalized() : places_.front().programmed;
   }
 
-  /// Where the tip goes from place i - 1 to i, seen along the reference; zero where it goes nowhere, or plunges.
+  /// Returns the direction of the tip from place i - 1 to i, in the view along the reference. Returns zero if the tip
+  /// does not move or plunges.
   [[nodiscard]] Vec3 forward_to(std::size_t i) const {
     const Vec3 along = places_[i].tip - places_[i - 1].tip;
     const Vec3 across = along - along.dot(up_) * up_;
@@ -143,7 +145,7 @@ class TiltCurve {
   }
 
   [[nodiscard]] std::vector<TiltPlace> angles() const {
-    std::vector<Vec3> forward(places_.size() + 1, Vec3::Zero());  // [i] leads to place i
+    std::vector<Vec3> forward(places_.size() + 1, Vec3::Zero());  // [i] is the direction to place i
     for (std::size_t i = 1; i < places_.size(); ++i) forward[i] = forward_to(i);
     for (std::size_t i = 1; i < forward.size(); ++i) {
       if (forward[i].isZero()) forward[i] = forward[i - 1];
@@ -172,8 +174,8 @@ class TiltCurve {
 };
 
 // Returns the run of the moves [first, last) of a corrected path with its curve. The curve covers these moves, and up
-// to a tenth of their length (1 to 10 mm) of the feed moves on each side. There `programmed` has the programmed axis at
-// the end of every move. All but tilt_rad, which is left as it is.
+// to a tenth of their length (1 to 10 mm) of the feed moves on each side. `programmed` has the programmed axis at the
+// end of every move. The result has no tilt_rad.
 TiltedRun draw_tilt_curve(const Toolpath& after, const std::vector<Vec3>& programmed, std::size_t first,
                           std::size_t last) {
   return TiltCurve(after, programmed).run(first, last);
@@ -181,7 +183,7 @@ TiltedRun draw_tilt_curve(const Toolpath& after, const std::vector<Vec3>& progra
 
 constexpr double kGap_mm = 2;
 
-/// Moves [first, last) and how long their path is.
+/// Moves [first, last) and the length of their path.
 struct MoveSpan {
   std::size_t first = 0, last = 0;
   double length_mm = 0;
@@ -274,7 +276,8 @@ struct Stretch {
   const Pose& from;
   const Pose& to;
 
-  /// Share of the piece, before it is kept within it, and squared distance of the line there.
+  /// Returns the position of the nearest point on the line, as a share of the piece that may be outside of [0, 1], and
+  /// its squared distance.
   [[nodiscard]] std::pair<double, double> nearest_on_line(const Vec3& tip) const {
     const Vec3 along = to.tip - from.tip, off = tip - from.tip;
     const double length2 = along.squaredNorm();
@@ -288,8 +291,8 @@ struct Stretch {
     return (tip - (from.tip + t * (to.tip - from.tip))).norm();
   }
 
-  /// Returns the nearest axis among those within `reach_mm` of the position. Requires that there
-  /// is such a place.
+  /// Returns the axis nearest to the position's axis, among those of places within `reach_mm` of the position. Requires
+  /// that there is such a place.
   [[nodiscard]] Vec3 nearest_axis(const Pose& pose, double reach_mm) const {
     const auto [t, distance2] = nearest_on_line(pose.tip);
     const double length = (to.tip - from.tip).norm();

@@ -5,14 +5,14 @@
 namespace gouge {
 
 /// J, the discrete integral of |w''|^2 over the length of a path on which the vector w changes. The sum is over
-/// neighbouring pieces, of |slope - slope before|^2 * 2 / (length + length before). The slope is dw / length of a
-/// piece.
+/// neighbouring pieces, with terms |slope - slope before|^2 * 2 / (length + length before). The slope of a piece is dw
+/// / length.
 template <int dimensions>
 class BendingSum {
  public:
   using Slope = Eigen::Matrix<double, dimensions, 1>;
 
-  /// One more piece. Requires a length above 0.
+  /// Adds one more piece. Requires a length above 0.
   void add(const Slope& slope, double length_mm) {
     if (has_last_) value_ += (slope - last_slope_).squaredNorm() * 2 / (last_length_mm_ + length_mm);
     last_slope_ = slope;
@@ -20,7 +20,7 @@ class BendingSum {
     has_last_ = true;
   }
 
-  /// The next piece has no neighbour before it.
+  /// Separates the next piece from the one before it.
   void interrupt() { has_last_ = false; }
 
   [[nodiscard]] double value() const { return value_; }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kDegree = 3;
 
-// `control` and `knots` with one more knot at `u`: Boehm 1980.
+// Inserts one more knot at `u` into `control` and `knots` (Boehm 1980).
 void insert_knot(std::vector<Vec3>& control, std::vector<double>& knots, double u) {
   const auto above = std::upper_bound(knots.begin(), knots.end(), u);
   const auto span = static_cast<std::size_t>(above - knots.begin()) - 1;
@@ -18,7 +18,7 @@ void insert_knot(std::vector<Vec3>& control, std::vector<double>& knots, double 
     if (i + kDegree <= span) {
       next.push_back(control[i]);
     } else if (knots[i] >= u) {
-      next.push_back(control[i - 1]);  // with a share of nothing where the knot is there already
+      next.push_back(control[i - 1]);  // the other point has weight 0 because the knot already exists
     } else {
       const double share = (u - knots[i]) / (knots[i + kDegree] - knots[i]);
       next.push_back((1 - share) * control[i - 1] + share * control[i]);
@@ -40,7 +40,7 @@ bool are_knots(const std::vector<double>& inner) {
   return true;
 }
 
-// The pieces between neighbouring knots: each is cut out by itself, so that the cost stays linear.
+// Returns the piece between two neighbouring knots. Each piece is cut out by itself, so that the cost stays linear.
 SplinePiece cut_out(const std::vector<Vec3>& control, const std::vector<double>& knots, std::size_t span) {
   const double u0 = knots[span], u1 = knots[span + 1];
   std::vector<Vec3> points(control.begin() + static_cast<std::ptrdiff_t>(span - kDegree),

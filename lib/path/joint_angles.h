@@ -6,10 +6,10 @@
 
 namespace gouge {
 
-/// Angles of the two rotary joints of a machine, that nearer to the part first, rad.
+/// Angles of the two rotary joints of a machine in rad; the joint nearer to the part comes first.
 using RotaryAngles = std::array<double, 2>;
 
-/// Rotary angles over a path: one entry a move, at its start and at its end. None where they are not known.
+/// Rotary angles over a path: one entry for each move, at its start and at its end; none if they are not known.
 struct JointPath {
   std::vector<std::optional<RotaryAngles>> start, end;
 };

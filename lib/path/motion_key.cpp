@@ -11,7 +11,7 @@ namespace {
 
 class KeyText {
  public:
-  // Eight bytes, the lowest first on any machine; zero has no sign.
+  // Adds eight bytes, the lowest first on any machine. Zero has no sign.
   void add(double value) {
     const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
     std::array<char, 8> bytes{};

@@ -11,7 +11,7 @@ namespace {
 
 using AxisKey = std::array<double, 3>;
 
-// Adding zero turns -0 into 0, so that both count as one orientation.
+// Returns a key of an axis. Adding zero turns -0 into 0, so that both count as one orientation.
 AxisKey key_of(const Vec3& axis) { return {axis.x() + 0.0, axis.y() + 0.0, axis.z() + 0.0}; }
 
 void extend(Box3& box, const Toolpath& path, std::size_t index) {

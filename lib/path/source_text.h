@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// The bytes of a toolpath file, which may be longer than memory. Views of them stay valid when it is moved.
+/// The bytes of a toolpath file, which may be longer than memory. Views of them stay valid when the object is moved.
 class SourceText {
  public:
   SourceText() = default;

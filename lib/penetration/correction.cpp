@@ -5,8 +5,7 @@
 namespace gouge {
 namespace {
 
-// A correction this much smaller than the depth it should cure, or a position this near to an earlier one, leads
-// nowhere.
+// Share of the depth below which a correction, or the distance to an earlier position, makes no progress.
 constexpr double kNoProgress = 1e-6;
 
 double deepest(std::span<const Contact> contacts) {

@@ -17,15 +17,16 @@
 namespace gouge {
 namespace {
 
-/// The reach of the inside points that are nearest to a facet. A volume must hold them so that none within a depth is
-/// missed. They lie below the face, in the wedge at a reflex edge, or in the cone at a vertex that is not convex.
+/// The reach of the inside points that are nearest to a facet. A volume must contain them so that no point within the
+/// depth is missed. They lie below the face, in the wedge at a reflex edge, or in the cone at a vertex that is not
+/// convex.
 /// Proof: docs/method/shallow_penetration.md, section 4.
 class InnerReach {
  public:
   InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, const std::vector<Vec3>& face_normals);
 
-  /// Bounds from above the largest u . x over the inside points x that are nearest to `triangle` and within `depth_mm`
-  /// of it, the facet itself included. The vector u is unit.
+  /// Returns an upper bound of u . x over the inside points x that are nearest to `triangle` and within `depth_mm` of
+  /// it, and over the facet itself. u is a unit vector.
   [[nodiscard]] double above(std::uint32_t triangle, const Vec3& u, double depth_mm) const;
 
  private:
@@ -41,13 +42,14 @@ class InnerReach {
   const IndexedMesh& mesh_;
   const std::vector<Vec3>& normals_;
   std::vector<Cone> cones_;                  ///< by vertex
-  std::vector<std::array<Cone, 3>> wedges_;  ///< by triangle, edge
+  std::vector<std::array<Cone, 3>> wedges_;  ///< by triangle and edge
 };
 
-// A ray this little outside a constraint still belongs to the cone: wider is safe.
+// Length by which a ray may violate a constraint and still belong to the cone: a wider cone is safe.
 constexpr double kFeasible = 1e-7;
 constexpr double kNoPlane = 1e-13;
-// With more constraints than this their rays cost too much time. All directions below the vertex contain them.
+// Maximum number of constraints for which rays are computed; more would cost too much time. With more, the cone is all
+// directions below the vertex.
 constexpr std::size_t kManyEdges = 40;
 
 InnerReach::InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, const std::vector<Vec3>& face_normals)
@@ -57,8 +59,8 @@ InnerReach::InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, 
   find_wedges(adjacency);
 }
 
-/// Finds the cone of points nearest to a vertex. For such a point every edge there leads away from it. Extreme rays,
-/// the crossings of two constraint planes, bound the cone.
+/// Returns the cone of points nearest to a vertex. For such a point every edge at the vertex leads away from it. The
+/// extreme rays, which are crossings of two constraint planes, bound the cone.
 InnerReach::Cone InnerReach::cone_at(Corner vertex, const MeshAdjacency& adjacency) const {
   const Vec3 outward = angle_weighted_normal(mesh_, adjacency, normals_, vertex);
   if (outward.squaredNorm() < 0.5) return {Vec3::UnitZ(), -1};
@@ -133,7 +135,7 @@ double InnerReach::above(std::uint32_t triangle, const Vec3& u, double depth_mm)
   return most;
 }
 
-/// Fills body.boxes from its tree and corners.
+/// Fills body.boxes from the tree and the corners.
 /// Cost  O(n).
 void fill_node_boxes(DepthBody& body) {
   body.boxes.resize(6 * body.tree.nodes.size());
@@ -161,8 +163,8 @@ void fill_node_boxes(DepthBody& body) {
   }
 }
 
-// A coordinate of size s is off by 2^-24 s in single precision, a projection of three by less than four times
-// that.
+// Relative rounding of a projection in single precision. A coordinate of size s is off by 2^-24 s, and a projection of
+// three by less than four times that.
 constexpr double kBodySingle = 4.0 / (1 << 24);
 
 double largest_coordinate(const IndexedMesh& mesh) {
@@ -171,7 +173,7 @@ double largest_coordinate(const IndexedMesh& mesh) {
   return largest;
 }
 
-/// Intervals of a facet, its offset facet, and with complete coverage of all within the depth.
+/// The intervals of a facet and its offset facet; with complete coverage, of all points within the depth.
 class FacetBounds {
  public:
   FacetBounds(const DepthBody& body, const InnerReach& reach, double slack)

@@ -11,10 +11,11 @@ namespace gouge {
 namespace {
 
 constexpr double kMaxCells = 4e6;
-constexpr double kFewestCells = 100;  // along the longest side: the finer, the fewer points need a search
+constexpr double kFewestCells = 100;  // minimum number along the longest side; with smaller cells fewer points need a
+                                      // search
 constexpr double kRoundUp = 1 + Tolerance::kRounding;
-// Relative to the body's slack, which is single precision's: some roundings of doubles, on which side of a border a
-// point is found.
+// Share of the body's slack, which is that of single precision. It covers some roundings of doubles, and the side of a
+// border on which a point is found.
 constexpr double kRounding = 1e-3;
 
 std::size_t index_of(const std::array<int, 3>& cell, const std::array<int, 3>& counts) {

@@ -11,30 +11,31 @@ namespace gouge {
 
 struct DepthBody;
 
-/// Cells over a solid. They give the side of most points at once, and show where nothing can be deeper than the depth
+/// Cells over a solid. They give the side of most points at once, and show where no point can be deeper than the depth
 /// of its volumes.
 ///
-/// A cell whose centre lies within half its diagonal of the surface has no point farther from the surface than the
-/// diagonal. While that is at most the depth, nothing in it is deeper. Any other cell holds no surface and is all
-/// inside or all outside, and so are cells that share a face with it.
+/// Let the centre of a cell be at most half its diagonal from the surface. Then no point of the cell is farther from
+/// the surface than the diagonal. While the diagonal is at most the depth, no point in the cell is deeper. Any other
+/// cell contains no surface and is completely inside or outside. Cells that share a face with it, and contain no
+/// surface either, are on the same side.
 class DepthGrid {
  public:
   enum class Cover : std::uint8_t {
-    outside,  ///< certainly
-    inside,   ///< certainly, at any depth
-    shallow,  ///< either; if inside, not deeper than the depth
-    ask,      ///< either, at any depth: the cells are too coarse here
+    outside,  ///< all points are outside
+    inside,   ///< all points are inside, at any depth
+    shallow,  ///< inside or outside; if inside, no deeper than the depth
+    ask,      ///< inside or outside, at any depth: the cells are too coarse here
   };
 
   using Cell = std::array<int, 3>;
 
-  DepthGrid() = default;  ///< empty: every point needs a query
-  /// Requires a solid. At most about 4 million cells. Cost O(triangles and cells).
+  DepthGrid() = default;  ///< an empty grid, with which every point needs a search
+  /// Builds the grid. Requires a solid. It has at most about 4 million cells. Cost O(triangles and cells).
   explicit DepthGrid(const DepthBody& body);
 
   [[nodiscard]] Cover at(const Vec3& point) const { return result(cell_of(point)); }
 
-  /// Returns the cell of a point; cell_count(), which is outside, for points out of the body's box.
+  /// Returns the cell of a point; cell_count() for points out of the body's box, which are outside.
   [[nodiscard]] std::size_t cell_of(const Vec3& point) const;
   [[nodiscard]] std::size_t cell_count() const { return cell_count_; }
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
@@ -54,7 +55,7 @@ class DepthGrid {
   double cell_mm_ = 0, per_mm_ = 0;
   Cell counts_{0, 0, 0};
   std::size_t cell_count_ = 0;
-  std::vector<std::uint8_t> packed_;  ///< an entry takes two bits
+  std::vector<std::uint8_t> packed_;  ///< each entry takes two bits
 };
 
 }  // namespace gouge

@@ -12,7 +12,7 @@ constexpr float kPenetrationSingle = 8.0F / (1 << 24);
 constexpr std::size_t kFloatsPerTriangleBlock = 12;
 constexpr std::size_t kManyFacets = 192, kManyItems = 2000, kNoLimit = std::numeric_limits<std::size_t>::max();
 
-/// Largest side along x, y and z, the first axes of most families.
+/// Returns the largest side along x, y and z, the first axes of most families.
 float size_of(const float* volume) {
   return std::max({volume[high_slot(0)] - volume[low_slot(0)], volume[high_slot(1)] - volume[low_slot(1)],
                    volume[high_slot(2)] - volume[low_slot(2)]});
@@ -82,7 +82,7 @@ void PenetrationFinder::visit_leaf(std::uint32_t index, const List& candidates) 
   } else {
     bound_points(index, volume);
   }
-  // First no deeper than half the volume's size: that shows whether facets are small here.
+  // The first refinement stops at half the size of the volume, which shows whether facets are small here.
   const List coarse = refine(volume, 0.5F * size_of(volume), candidates, kNoLimit);
   if (coarse.is_empty()) {
     report_lump(index);
@@ -108,8 +108,8 @@ std::size_t PenetrationFinder::items_of(const List& list) const {
   return items;
 }
 
-/// The candidates that meet the volume, opened as long as they are larger than `size`; a negative size opens
-/// them down to the leaves. They end up behind all lists in use.
+/// Returns the candidates that meet the volume. They are opened as long as they are larger than `size`; with a negative
+/// size down to the leaves. They are stored after all lists in use.
 PenetrationFinder::List PenetrationFinder::refine(const float* volume, float size, const List& candidates,
                                                   std::size_t most) {
   const std::size_t first = stack_.size();
@@ -163,7 +163,8 @@ void PenetrationFinder::bound_points(std::uint32_t index, float* volume) {
   result_.counters.points_transformed += points_.tree.nodes[index].item_count;
 }
 
-/// Nothing of the surface lies in the node's volume: all its points are on one side, far from the surface.
+/// Reports the points of a node whose volume contains no surface. All its points are then on one side, far from the
+/// surface.
 void PenetrationFinder::report_lump(std::uint32_t index) {
   if (!options_.is_deeper_reported) return;
   const KdopNode& node = points_.tree.nodes[index];
@@ -193,9 +194,9 @@ void PenetrationFinder::test_points(std::uint32_t index) {
   }
 }
 
-/// Where facets are small against the depth, a search of the standing tree for each point is cheaper than all
-/// facets within reach. The last foot bounds the next: distances change by no more than the distance from point to
-/// point.
+/// Searches the stationary tree for each point. If facets are small compared with the depth, this is cheaper than
+/// testing all facets within reach. The last closest point bounds the next search: the distance changes by at most the
+/// distance between the points.
 void PenetrationFinder::search_points(std::uint32_t index) {
   const KdopNode& node = points_.tree.nodes[index];
   double last_mm = std::numeric_limits<double>::infinity();

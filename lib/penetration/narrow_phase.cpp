@@ -14,7 +14,8 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kFloatsPerPairBlock = 32;
-// Filters compare squares of single-precision distances: a few roundings of the largest coordinate.
+// Factor of the slack in the filters, which compare squares of single-precision distances: a few roundings of the
+// largest coordinate.
 constexpr float kFilterSlack = 8;
 
 }  // namespace
@@ -65,7 +66,7 @@ bool NarrowPhase::filter(const Vec3& point) {
 
 NarrowResult NarrowPhase::test(const Vec3& point, PenetrationCounters& counters) {
   counters.primitive_pairs += slots_.size();
-  // A point within the depth below the surface is behind one of the facets its nearest point belongs to.
+  // A point within the depth below the surface is behind one of the facets that contain its nearest surface point.
   if (!filter(point)) return {};
   return nearest(point, counters);
 }
@@ -95,8 +96,8 @@ NarrowResult NarrowPhase::nearest(const Vec3& point, PenetrationCounters& counte
   return judge(point, slot, best, counters);
 }
 
-/// The nearest facet that was given is the nearest of all if the point is inside. The face decides the side when
-/// nothing else lies between; edges and vertices need the whole surface.
+/// Decides the side of a point. The nearest of the given facets is the nearest of all if the point is inside. The face
+/// decides if nothing else lies between; for edges and vertices the whole surface is searched.
 NarrowResult NarrowPhase::judge(const Vec3& point, std::uint32_t slot, const TrianglePoint& nearest,
                                 PenetrationCounters& counters) const {
   ClosestPoint foot = body_.surface.signed_closest_point(point, body_.tree.order[slot], nearest);
@@ -132,7 +133,8 @@ class Prism {
       const Vec3& opposite = facet[(k + 2) % 3];
       const Vec3 inward = up.cross(facet[(k + 1) % 3] - facet[k]).normalized();
       const double rim = inward.dot(facet[k]);
-      // A little inside the rim, as feet on the face are: neighbours at right angles stay out.
+      // The side is slightly inside the rim, like the feet on the face, so that neighbours at right angles are
+      // excluded.
       prism_[k] = {inward, rim + 0.5 * kFaceRim * (inward.dot(opposite) - rim)};
     }
     const double top = up.dot(facet[0]);

@@ -41,7 +41,7 @@ PointBody build_point_body(std::span<const Vec3> points, const PointBodyOptions&
     below.clear();
     for (std::uint32_t k = 0; k < node.item_count; ++k) below.push_back(points[body.tree.order[node.item_first + k]]);
     body.corner_first.push_back(blocks_in(body.corners));
-    // The intervals of fewer points than any volume of this k has corners need not be made solid at all.
+    // If there are fewer points than any volume of this k has corners, their volume need not be computed at all.
     const bool may_pay = !options.is_cost_weighed || below.size() > options.directions.k();
     std::vector<Vec3> corners;
     if (may_pay) corners = kdop_corners(options.directions, intervals_of(options.directions, below));

@@ -8,24 +8,25 @@
 
 namespace gouge {
 
-/// The directions of the standing body's volumes as the moving body sees them at one rotation.
+/// The directions of the stationary body's volumes in the frame of the moving body at one rotation.
 ///
-/// Turning a volume means turning its corners and bounding them anew (thesis 6.1.4.2, figure 14). Turning the k / 2
-/// axes the other way once, and taking the corners as they are, gives the same intervals. It costs 3 products an axis
-/// and corner instead of 9 more a corner.
+/// To turn a volume means to turn its corners and to bound them anew (thesis 6.1.4.2, figure 14). The same intervals
+/// result if the k / 2 axes are turned once in the opposite direction and the corners stay. That costs 3 products for
+/// each axis and corner, and saves 9 products for each corner.
 class TurnedAxes {
  public:
   explicit TurnedAxes(const DirectionSet& directions);
 
   void turn(const Eigen::Matrix3d& rotation);
 
-  /// Intervals (intervals.h) of `count` blocks of four points: x x x x y y y y z z z z. Not widened.
+  /// Computes the intervals (intervals.h) of `count` blocks of four points: x x x x y y y y z z z z. They are not
+  /// widened.
   void bound(const float* blocks, std::size_t count, float* intervals) const;
 
  private:
   const DirectionSet& directions_;
   std::size_t stride_;
-  std::vector<float> axes_;  ///< x of all, y of all, z of all
+  std::vector<float> axes_;  ///< first the x of all axes, then all y, then all z
 };
 
 }  // namespace gouge

@@ -35,7 +35,7 @@ struct Obstacle {
       : body(verdict.witness ? verdict.witness->body : verdict.reason.body), state(verdict.state) {}
 };
 
-/// A tool at one stick-out, with what checks its motions.
+/// A tool at one stick-out, with the checker of its motions.
 struct Candidate {
   Candidate(LongerTool&& made, std::size_t tool, const CheckSetup& of, const CheckOptions& options)
       : longer(std::move(made)), setup{{}, longer.heads, of.scene, options} {
@@ -51,7 +51,7 @@ struct Candidate {
   std::unique_ptr<MotionChecker> checker;
 };
 
-/// The search for one tool. Stick-outs are numbered: 0 is the one it has, k the k-th multiple of the step above that.
+/// The search for one tool. Stick-outs are numbered: 0 is the present one, k is the k-th multiple of the step above it.
 class ToolSearch {
  public:
   ToolSearch(const Toolpath& path, const CheckSetup& setup, const MakeLongerTool& make, const StickoutOptions& options,
@@ -73,7 +73,7 @@ class ToolSearch {
     max_ = static_cast<std::size_t>(std::max(1.0, std::floor(options.max_longer_mm / options.step_mm)));
   }
 
-  /// Nothing for a tool without moves, or that has neither shank nor holder nor a head above it.
+  /// Runs the search. Returns nothing for a tool without moves, or without shank, holder and a head above it.
   Result<std::optional<ToolStickout>> run(const CheckResult& result) {
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       if (path_.moves[i].tool == tool_) moves_.push_back(i);
@@ -89,7 +89,7 @@ class ToolSearch {
       const MoveVerdict& verdict = before.verdicts[i];
       was_uncertain_[i] = verdict.state == MoveState::not_certified;
       obstacles_[i] = Obstacle(verdict);
-      // For a tool without bodies of its own only the head can collide.
+      // If the tool has no bodies of its own, only the head can collide.
       if (is_hit(verdict) && (has_bodies || obstacles_[i].body == Body::head)) hit.push_back(i);
     }
     if (Outcome found = raise(hit, 0); !found) return found.error();
@@ -110,7 +110,7 @@ class ToolSearch {
     return Done{};
   }
 
-  /// Returns which of `moves` are not free at k.
+  /// Returns the moves among `moves` that are not free at k.
   Result<std::vector<std::size_t>> not_free(const std::vector<std::size_t>& moves, std::size_t k) {
     if (Outcome made = candidate(k); !made) return made.error();
     const Candidate& at = *candidates_.at(k);
@@ -132,7 +132,8 @@ class ToolSearch {
     return left;
   }
 
-  /// Finds what each of `moves` needs, none of which is free at k: in steps that double, then by halving.
+  /// Finds the stick-out that each of `moves` needs, first in steps that double, then by halving. Requires that none is
+  /// free at k.
   Outcome raise(std::vector<std::size_t> moves, std::size_t k) {
     for (std::size_t step = 1; !moves.empty(); step *= 2) {
       const std::size_t next = std::min(k + step, max_);
@@ -151,7 +152,7 @@ class ToolSearch {
     return Done{};
   }
 
-  /// None of `moves` is free at `low`, all are at `high`.
+  /// Finds the stick-outs by halving. Requires that none of `moves` is free at `low` and all are free at `high`.
   Outcome halve(const std::vector<std::size_t>& moves, std::size_t low, std::size_t high) {
     if (moves.empty()) return Done{};
     if (high - low == 1) {
@@ -167,7 +168,8 @@ class ToolSearch {
     return halve(*left, middle, high);
   }
 
-  /// All moves at k, as the path is checked. A longer tool may meet what the shorter one did not.
+  /// Checks all moves at k as a path, and returns those that are not free. A longer tool may meet obstacles that the
+  /// shorter one did not.
   Result<std::vector<std::size_t>> hit_at(std::size_t k) {
     if (const auto known = hits_.find(k); known != hits_.end()) return known->second;
     if (Outcome made = candidate(k); !made) return made.error();
@@ -183,7 +185,7 @@ class ToolSearch {
     return hits_.emplace(k, std::move(hit)).first->second;
   }
 
-  /// Raises what `moves` need together until all of them are free there.
+  /// Raises the common stick-out of `moves` until all of them are free at it.
   Result<StickoutNeed> need_of(const std::vector<std::size_t>& moves) {
     for (;;) {
       const auto worst = std::max_element(moves.begin(), moves.end(),
@@ -239,10 +241,10 @@ class ToolSearch {
   double now_mm_, first_mm_ = 0;
   std::size_t max_ = 1;
   CheckOptions check_options_;
-  std::vector<std::size_t> moves_;   // of the tool
-  std::vector<std::size_t> needs_;   // by move: the least number found; max_ + 1: none
-  std::vector<Obstacle> obstacles_;  // by move: where it was last not free
-  std::vector<bool> was_uncertain_;  // by move
+  std::vector<std::size_t> moves_;   // moves of the tool
+  std::vector<std::size_t> needs_;   // by move: the smallest number found; max_ + 1: none
+  std::vector<Obstacle> obstacles_;  // by move: the last obstacle that kept it from being free
+  std::vector<bool> was_uncertain_;  // by move: it was uncertain at the present stick-out
   std::map<std::size_t, std::unique_ptr<Candidate>> candidates_;
   std::map<std::size_t, std::vector<std::size_t>> hits_;
 };

@@ -12,7 +12,7 @@ namespace {
 using Segment2 = std::array<Vec2, 2>;
 using Polygon = std::vector<std::size_t>;
 
-/// A directed line of the plane; heights are positive on its left.
+/// A directed line in the plane. Heights are positive on its left.
 struct Line2 {
   Vec2 through, along;
   explicit Line2(const Segment2& segment)
@@ -57,7 +57,7 @@ class Cutter {
     if ((segment[1] - segment[0]).norm() > rounding_mm_) segments.push_back(segment);
   }
 
-  /// Cuts along one segment that runs through the polygon; where there is none it is a piece.
+  /// Cuts the polygon along one segment that runs through it. If there is none, the polygon is a piece.
   void cut(Task task, std::vector<Task>& open) {
     while (!task.segments.empty()) {
       const std::size_t pick = task.segments.size() / 2;
@@ -76,7 +76,7 @@ class Cutter {
     if (is_wide(task.polygon)) pieces_.polygons.push_back(std::move(task.polygon));
   }
 
-  /// Returns whether more than rounding of the segment is in the polygon.
+  /// Returns whether the length of the segment in the polygon is more than rounding.
   [[nodiscard]] bool runs_through(const Segment2& segment, const Polygon& polygon) const {
     double from = 0, to = 1;
     for (std::size_t k = 0; k < polygon.size() && from < to; ++k) {
@@ -92,7 +92,7 @@ class Cutter {
     return (to - from) * (segment[1] - segment[0]).norm() > rounding_mm_;
   }
 
-  /// False where the polygon is on one side of the line.
+  /// Splits a polygon. Returns false if it is on one side of the line.
   bool split(const Polygon& polygon, const Line2& line, Polygon& left, Polygon& right) {
     std::vector<double> heights;
     for (const std::size_t point : polygon) heights.push_back(snapped(line.height(points_[point])));
@@ -122,7 +122,7 @@ class Cutter {
   void distribute(const Segment2& segment, const Line2& line, std::array<Task, 2>& halves) const {
     const double here = snapped(line.height(segment[0])), there = snapped(line.height(segment[1]));
     const double most = std::max(here, there), least = std::min(here, there);
-    if (least >= 0 && most <= 0) return;  // along the cut
+    if (least >= 0 && most <= 0) return;  // the segment is along the cut
     if (least >= 0) return add(segment, halves[0].segments);
     if (most <= 0) return add(segment, halves[1].segments);
     const Vec2 middle = segment[0] + here / (here - there) * (segment[1] - segment[0]);

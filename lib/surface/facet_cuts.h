@@ -9,18 +9,19 @@
 
 namespace gouge {
 
-/// A triangle in convex pieces.
+/// A triangle divided into convex pieces.
 struct FacetPieces {
-  std::vector<Vec3> points;  ///< the triangle's corners first
-  /// Each the corners of a piece, numbers of points, in the triangle's sense of turning. Neighbours share points.
+  std::vector<Vec3> points;  ///< the corners of the triangle come first
+  /// The corners of each piece, as indices of points, in the triangle's orientation. Neighbours share points.
   std::vector<std::vector<std::size_t>> polygons;
 };
 
-/// Returns the triangle cut so that no segment runs through the inside of a piece.
+/// Cuts the triangle so that no segment runs through the inside of a piece.
 ///
-/// Shape    Segments in the triangle's plane, mm; parts beyond the triangle are left out.
+/// Shape    Segments are in the triangle's plane, mm. Parts beyond the triangle are ignored.
 /// Requires a triangle with area.
-/// Ensures  The pieces cover the triangle but for slivers no wider than `rounding_mm`; in the plane to about that.
+/// Ensures  The pieces cover the triangle except for slivers no wider than `rounding_mm`. They lie in its plane to
+///          about that length.
 /// Cost     O(k log k) for k segments that do not cross, at most O(k^2) pieces.
 [[nodiscard]] FacetPieces cut_facet(const std::array<Vec3, 3>& triangle, std::span<const std::array<Vec3, 2>> segments,
                                     double rounding_mm);

@@ -10,9 +10,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kSheet = 10;  // roundings along a ray within which triangles are one sheet
+constexpr double kSheet = 10;  // number of roundings along a ray within which triangles are one sheet
 
-/// A ray from a sheet to its front, which counts the triangles ahead of it and those of the sheet.
+/// A ray from a sheet to its front. It counts the triangles ahead of it and those of the sheet.
 class SheetRay {
  public:
   SheetRay(const BlockTree& tree, const Vec3& point, const Vec3& direction, double rounding_mm)
@@ -29,7 +29,7 @@ class SheetRay {
   }
 
  private:
-  /// Returns false as soon as rounding decides something.
+  /// Visits a node. Returns false as soon as a result depends on rounding.
   bool visit(std::uint32_t index) {
     const NodeBlock& node = tree_.nodes[index];
     for (std::uint32_t i = 0; i < node.count; ++i) {
@@ -89,7 +89,7 @@ class SheetRay {
   double rounding_mm_;
   std::array<Vec3, 2> beside_;
   SheetSides sides_;
-  int through_ = 0;  // how much the winding number grows from the front of the sheet to its back
+  int through_ = 0;  // increase of the winding number from the front of the sheet to its back
   bool is_on_sheet_ = false;
 };
 
@@ -97,7 +97,7 @@ class SheetRay {
 
 std::optional<SheetSides> find_sheet_sides(const BlockTree& tree, const Vec3& point, const Vec3& normal,
                                            double rounding_mm) {
-  // Oblique, so that few rays run along faces and edges of plain bodies.
+  // The directions are oblique, so that few rays run along faces and edges of simple bodies.
   static constexpr std::array<std::array<double, 2>, 8> kTilts = {{{0.31, 0.17},
                                                                    {-0.23, 0.41},
                                                                    {0.53, -0.37},

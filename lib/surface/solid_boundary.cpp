@@ -26,7 +26,7 @@ double area2_of(const IndexedMesh& mesh, std::size_t triangle) {
       .norm();
 }
 
-/// Area centroid of a convex polygon.
+/// Returns the area centroid of a convex polygon.
 Vec3 middle_of(const FacetPieces& pieces, const std::vector<std::size_t>& polygon) {
   const Vec3& first = pieces.points[polygon[0]];
   Vec3 sum = Vec3::Zero();
@@ -63,7 +63,7 @@ class BoundaryFinder {
   }
 
  private:
-  /// The meetings of each triangle that has some.
+  /// Finds the meetings of each triangle that has any.
   void find_met() {
     is_met_.assign(mesh_.triangles.size(), false);
     for (std::size_t m = 0; m < meetings_.size(); ++m) {
@@ -75,7 +75,7 @@ class BoundaryFinder {
     std::sort(met_.begin(), met_.end());
   }
 
-  /// Triangles that meet no others keep their sides across edges of two.
+  /// Joins triangles into patches. Triangles that meet no others have the same sides across edges of two triangles.
   void join_patches() {
     around_.for_each_edge(mesh_, [&](Corner, Corner, const EdgeTriangles& edge) {
       if (edge.count == 2 && !is_met_[edge.first[0]] && !is_met_[edge.first[1]])
@@ -83,7 +83,7 @@ class BoundaryFinder {
     });
   }
 
-  /// By the largest triangle of each patch.
+  /// Finds the role of each patch from its largest triangle.
   void find_roles() {
     std::vector<std::uint32_t> largest(mesh_.triangles.size());
     std::vector<double> areas2(mesh_.triangles.size(), -1);
@@ -104,14 +104,14 @@ class BoundaryFinder {
       for (std::size_t i = first; i < last; ++i) {
         const std::uint32_t t = largest[roots_[i]];
         const Vec3 middle = (mesh_.corner(t, 0) + mesh_.corner(t, 1) + mesh_.corner(t, 2)) / 3.0;
-        // A patch without area bounds nothing.
+        // A patch without area bounds nothing, so it keeps the role `inside`.
         if (areas2[roots_[i]] > 0) roles_[roots_[i]] = role_at(t, middle, face_normal(mesh_, t));
       }
     });
     for (const std::uint32_t root : roots_) is_known_ = is_known_ && roles_[root] != Role::unknown;
   }
 
-  /// For the part of triangle `t` around a point of it.
+  /// Returns the role of the part of triangle `t` around one of its points.
   [[nodiscard]] Role role_at(std::uint32_t t, const Vec3& point, const Vec3& normal) const {
     const auto sides = find_sheet_sides(tree_, point, normal, rounding_mm_);
     if (!sides) return Role::unknown;
@@ -129,7 +129,7 @@ class BoundaryFinder {
     }
   }
 
-  /// Corners below the number of the mesh's vertices are its own.
+  /// Adds a triangle with a role. Corners below the number of the mesh's vertices are vertices of the mesh.
   void add(const TriangleCorners& corners, Role role, std::uint32_t of) {
     if (role != Role::boundary && role != Role::turned) return;
     const bool is_turned = role == Role::turned;
@@ -143,7 +143,7 @@ class BoundaryFinder {
   };
 
   void add_cut() {
-    std::vector<std::pair<std::size_t, std::size_t>> facets;  // of met_, from and to
+    std::vector<std::pair<std::size_t, std::size_t>> facets;  // ranges of met_: from and to
     for (std::size_t i = 0; i < met_.size();) {
       std::size_t end = i;
       while (end < met_.size() && met_[end].first == met_[i].first) ++end;
@@ -198,7 +198,7 @@ class BoundaryFinder {
     }
   }
 
-  /// The vertices that are used, in their order.
+  /// Returns the boundary with only the vertices that are used, in their order.
   SolidBoundary finished() {
     IndexedMesh& mesh = result_.mesh;
     result_.is_known = is_known_;
@@ -231,9 +231,9 @@ class BoundaryFinder {
   double rounding_mm_;
   std::vector<TriangleMeeting> meetings_;
   std::vector<bool> is_met_;                                // by triangle
-  std::vector<std::pair<std::uint32_t, std::size_t>> met_;  // triangle and meeting, in order
+  std::vector<std::pair<std::uint32_t, std::size_t>> met_;  // pairs of triangle and meeting, in order
   UnionFind patches_;
-  std::vector<std::uint32_t> roots_;  // of the patches
+  std::vector<std::uint32_t> roots_;  // roots of the patches
   std::vector<Role> roles_;           // by root
   std::vector<Vec3> new_points_;
   bool is_known_ = true;

@@ -34,7 +34,7 @@ class RayWalk {
       for (std::size_t k = 0; k < 3; ++k) beside_[a][k] = static_cast<float>(beside[a][static_cast<Eigen::Index>(k)]);
       at_[a] = static_cast<float>(beside[a].dot(local));
     }
-    // Rounding of coordinates and sums in single precision.
+    // Bound on the rounding of coordinates and sums in single precision.
     off_mm_ = static_cast<float>(Tolerance::kRounding_mm + 2 * tree.rounding_mm +
                                  Tolerance::kSingleSum * (tree.radius_mm + local.norm()));
   }
@@ -45,7 +45,7 @@ class RayWalk {
   }
 
  private:
-  /// False as soon as something is doubtful.
+  /// Visits a node. Returns false as soon as a crossing is doubtful.
   bool visit(std::uint32_t index) {
     const NodeBlock& node = tree_.nodes[index];
     for (std::uint32_t i = 0; i < node.count; ++i) {
@@ -58,7 +58,7 @@ class RayWalk {
     return true;
   }
 
-  /// Those that the line through the ray may cross, as its two sides show.
+  /// Returns the triangles that the line through the ray may cross, judged by two axes beside it.
   [[nodiscard]] std::uint32_t near_lanes(const TriangleBlock& leaf) const {
     std::array<std::uint8_t, kBlockLanes> is_near;
     is_near.fill(1);
@@ -94,14 +94,14 @@ class RayWalk {
   const BlockTree& tree_;
   Vec3 point_, direction_;
   std::array<std::array<float, 3>, 2> beside_{};  // two axes square to the ray, ...
-  std::array<float, 2> at_{};                     // ... and where it runs on them, in the tree's frame
+  std::array<float, 2> at_{};                     // ... and the ray's positions on them, in the tree's frame
   float off_mm_ = 0;
   int winding_ = 0;
 };
 
-// Returns how often closed surfaces wind around a point: the triangles that a ray from it leaves through, less those it
-// enters through. Nothing where the ray comes too near to an edge, or the point to a triangle, for rounding to show.
-// Requires a unit direction. Cost about O(log n) and what the ray meets.
+// Returns how often closed surfaces wind around a point: the number of triangles through which a ray from it leaves,
+// minus the number through which it enters. Returns nothing if, within rounding, the ray meets an edge or the point is
+// on a triangle. Requires a unit direction. Cost about O(log n) plus the number of triangles that the ray meets.
 std::optional<int> winding_along(const BlockTree& tree, const Vec3& point, const Vec3& direction) {
   return RayWalk(tree, point, direction).run();
 }
@@ -113,15 +113,15 @@ struct Surface::Shared {
   const IndexedMesh* mesh = nullptr;
   const BlockTree* given_tree = nullptr;
   unsigned threads = 0;
-  std::optional<bool> known_solid{};  ///< of a boundary that was made
-  bool is_cut = false;                ///< faces alone show the side
+  std::optional<bool> known_solid{};  ///< set for a boundary that was made by boundary()
+  bool is_cut = false;                ///< only faces, not edges or vertices, show the side
 
-  /// Made by the first caller.
+  /// A value that its first caller makes.
   template <class T>
   struct OnDemand {
     template <class Make>
     const T& get(Make make) const {
-      if (!is_made.load(std::memory_order_acquire)) {  // cheaper than call_once, which has to call a library
+      if (!is_made.load(std::memory_order_acquire)) {  // cheaper than call_once, which calls a library function
         std::call_once(once, [&] {
           value = make();
           is_made.store(true, std::memory_order_release);
@@ -205,7 +205,7 @@ ClosestPoint Surface::closest_point_from(const Vec3& point, std::uint32_t near) 
 }
 
 bool Surface::winds_around(const Vec3& point) const {
-  // In general position to faces along axes and diagonals.
+  // The directions are in general position to faces along axes and diagonals.
   static const std::array<Vec3, 4> kDirections = {
       Vec3(0.1719, 0.2831, 0.9435).normalized(), Vec3(0.9187, -0.3541, 0.1747).normalized(),
       Vec3(-0.2413, 0.9391, -0.2446).normalized(), Vec3(-0.5171, -0.4937, -0.6992).normalized()};
@@ -215,7 +215,7 @@ bool Surface::winds_around(const Vec3& point) const {
   return is_inside({&mesh(), 1}, point);
 }
 
-/// Zero where the winding number must be computed.
+/// Returns the outward direction at a foot; zero if the winding number must be computed.
 Vec3 Surface::outward_at(std::uint32_t triangle, const TrianglePoint& foot) const {
   if (shared_->is_cut) return foot.feature == TriangleFeature::face ? face_normal(triangle) : Vec3(Vec3::Zero());
   const SurfaceSign& sign = shared_->sign.get([&] { return SurfaceSign(mesh(), triangles_at_vertices()); });

@@ -32,7 +32,8 @@ Vec3 SurfaceSign::outward(std::uint32_t triangle, TriangleFeature feature, std::
   return std::lower_bound(kept_.begin(), kept_.end(), corner, after)->second;
 }
 
-/// The sum of its two faces' normals, if they run along it in opposite directions.
+/// Returns the sum of the edge's two face normals, if the faces run along the edge in opposite directions; otherwise
+/// zero.
 Vec3 SurfaceSign::at_edge(Corner from, Corner to) const {
   const EdgeTriangles edge = around_->at_edge(*mesh_, from, to);
   if (edge.count != 2 || runs_along(*mesh_, edge.first[0], from, to) == runs_along(*mesh_, edge.first[1], from, to)) {
@@ -42,7 +43,7 @@ Vec3 SurfaceSign::at_edge(Corner from, Corner to) const {
   return one.squaredNorm() > 0 && other.squaredNorm() > 0 ? Vec3(one + other) : Vec3(Vec3::Zero());
 }
 
-/// Unit, or zero where the normals cancel or the theorem does not hold.
+/// Returns a unit vector; zero if the normals cancel or the theorem does not hold.
 Vec3 SurfaceSign::at_vertex(Corner vertex) const {
   if (!is_plain(vertex)) return Vec3::Zero();
   Vec3 sum = Vec3::Zero();
@@ -55,8 +56,8 @@ Vec3 SurfaceSign::at_vertex(Corner vertex) const {
   return length > Tolerance::kNoDirection ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
-/// Returns whether each edge at the vertex has two triangles, one in either direction. Each of its other ends then
-/// follows it in one triangle and comes before it in one.
+/// Returns whether each edge at the vertex has two triangles, one in either direction. Then each other end of such an
+/// edge follows the vertex in one triangle, and precedes it in one.
 bool SurfaceSign::is_plain(Corner vertex) const {
   const std::span<const std::uint32_t> around = around_->at(vertex);
   std::array<Corner, kMaxAround> few_next, few_last;

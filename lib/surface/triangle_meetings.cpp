@@ -13,14 +13,14 @@
 namespace gouge {
 namespace {
 
-constexpr double kRoundings = 200;  // units in the last place of the largest coordinate
+constexpr double kRoundings = 200;  // rounding in units in the last place of the largest coordinate
 constexpr std::size_t kLeavesPerChunk = 64;
 
-/// A triangle with its plane, and how far rounding may move a height over it.
+/// A triangle with its plane, and the maximum rounding of a height over the plane.
 struct Facet {
   std::array<Vec3, 3> corners;
   TriangleCorners indices;
-  Vec3 normal = Vec3::Zero();  // unit; zero without area
+  Vec3 normal = Vec3::Zero();  // unit; zero for a triangle without area
   double slack_mm = 0;
 
   Facet(const IndexedMesh& mesh, std::uint32_t triangle, double rounding_mm)
@@ -32,7 +32,7 @@ struct Facet {
     if (!(area2 > 0)) return;
     normal = across / area2;
     const double longest2 = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
-    slack_mm = rounding_mm * (1 + longest2 / area2);  // the plane of a sliver turns more
+    slack_mm = rounding_mm * (1 + longest2 / area2);  // rounding turns the plane of a sliver more
   }
 
   [[nodiscard]] bool has_area() const { return normal.squaredNorm() > 0; }
@@ -41,7 +41,7 @@ struct Facet {
   }
 };
 
-/// The corners of a triangle over the plane of another: 0 where rounding leaves no side.
+/// The heights of a triangle's corners over the plane of another; 0 if rounding leaves the side open.
 struct Heights {
   std::array<double, 3> at{};
   int above = 0, below = 0;
@@ -56,13 +56,13 @@ struct Heights {
     }
   }
   [[nodiscard]] bool is_in_plane() const { return above + below == 0; }
-  /// Nothing, or a corner alone, is in the plane.
+  /// Returns whether at most one corner of the triangle is in the plane, and the others are on one side.
   [[nodiscard]] bool is_beside() const { return (above == 0 || below == 0) && above + below >= 2; }
 };
 
 using Segment = std::array<Vec3, 2>;
 
-/// Returns the intersection of a triangle with the plane. Requires neither is_in_plane() nor is_beside().
+/// Returns the intersection of a triangle with the other's plane. Requires neither is_in_plane() nor is_beside().
 Segment segment_in_plane(const Facet& of, const Heights& heights) {
   Segment ends{of.corners[0], of.corners[0]};
   std::size_t count = 0;
@@ -78,7 +78,7 @@ Segment segment_in_plane(const Facet& of, const Heights& heights) {
   return ends;
 }
 
-/// Returns whether no edge of `a` has all of `b` on its outer side, up to rounding. Both in one plane.
+/// Returns whether, up to rounding, no edge of `a` has all of `b` on its outer side. Requires both in one plane.
 bool is_overlapped_at_edges(const Facet& a, const Facet& b, double slack_mm) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 along = a.corners[(k + 1) % 3] - a.corners[k];
@@ -144,7 +144,7 @@ struct FloatBox {
   }
 };
 
-/// A binary tree of boxes over the leaves. Each leaf is tested against the later leaves whose boxes it meets.
+/// A binary tree of boxes over the leaves. Each leaf is tested against those later leaves whose boxes it meets.
 class MeetingFinder {
  public:
   explicit MeetingFinder(const BlockTree& tree)
@@ -231,7 +231,7 @@ class MeetingFinder {
   const IndexedMesh& mesh_;
   double rounding_mm_;
   std::size_t first_leaf_;
-  std::vector<FloatBox> boxes_;  // of node i its children are 2 i and 2 i + 1
+  std::vector<FloatBox> boxes_;  // the children of node i are 2 i and 2 i + 1
 };
 
 }  // namespace

@@ -7,23 +7,23 @@
 
 namespace gouge {
 
-/// Two triangles of a mesh that have more in common than a corner, an edge with both its ends, or a point.
+/// Two triangles of a mesh that share more than a corner, an edge with both its ends, or a point.
 struct TriangleMeeting {
   std::uint32_t a = 0, b = 0;                   ///< a < b
-  bool is_coplanar = false;                     ///< they overlap in one plane; else they meet along a segment
-  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< of the segment, mm
+  bool is_coplanar = false;                     ///< true: they overlap in one plane; false: they meet along a segment
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< the ends of the segment, mm
 };
 
-/// Returns the length below which points of a mesh cannot be distinguished: rounding of its coordinates and of a few
-/// products. mm.
+/// Returns the length in mm below which points of a mesh cannot be distinguished. It covers the rounding of the mesh's
+/// coordinates and of a few products.
 [[nodiscard]] double rounding_of(const IndexedMesh& mesh);
 
 /// Finds all pairs of triangles that meet, in the order of the tree's leaves. Triangles without area meet nothing.
 ///
 /// Requires a tree of one mesh.
-/// Ensures  No pair is missed that crosses, overlaps in a plane or touches along a segment by more than rounding. The
-///          same pairs at any number of threads (0: all).
-/// Cost     About half a microsecond a triangle where none meet.
+/// Ensures  Each pair that crosses, overlaps in a plane or touches along a segment by more than rounding is found. The
+///          pairs are the same at any number of threads (0: all).
+/// Cost     About half a microsecond for each triangle if none meet.
 [[nodiscard]] std::vector<TriangleMeeting> find_triangle_meetings(const BlockTree& tree, unsigned threads = 0);
 
 }  // namespace gouge

@@ -7,14 +7,14 @@
 
 namespace gouge {
 
-/// Programmed positions whose tool axis lies outside a cone.
+/// Programmed positions whose tool axis is outside of a cone.
 struct AxesOutside {
   std::size_t positions = 0;
-  std::size_t first_move = kNone;  ///< ends at the first of them; kNone: there is none
-  double max_rad = 0;              ///< from the axis of the cone, the farthest
+  std::size_t first_move = kNone;  ///< the first move that ends at such a position; kNone: there is none
+  double max_rad = 0;              ///< largest angle from the axis of the cone
 };
 
-/// Finds the moves of which the axis at the end is more than a hundred-thousandth of a radian outside. Cost O(moves).
+/// Finds the moves whose axis at the end is more than a hundred-thousandth of a radian outside. Cost O(moves).
 [[nodiscard]] AxesOutside find_axes_outside(const Toolpath& path, const AxisCone& cone);
 
 }  // namespace gouge

@@ -21,7 +21,7 @@ struct Step {
   }
 };
 
-/// The least cost of a layer's tilts, and from which tilt of the one before.
+/// The minimum cost of each tilt of a layer, and the tilt of the layer before from which it comes.
 struct Best {
   std::vector<double> cost;
   std::vector<std::uint32_t> from;
@@ -78,14 +78,14 @@ class Choosing {
     best_.push_back(std::move(best));
   }
 
-  /// The nearest tilts of a layer, of those with finite heights, to another layer's.
+  /// Returns, for each tilt of layer `other`, the nearest tilt of layer `layer` among those with finite heights.
   [[nodiscard]] std::vector<std::uint32_t> nearest_of(std::size_t layer, std::vector<double> heights,
                                                       std::size_t other) {
     for (double& height : heights) height = height < kNever ? 0 : kNever;
     return parabolas_.find(rows_[layer], heights, 1, rows_[other]);
   }
 
-  /// Tests each one.
+  /// Returns the cheapest allowed predecessor of tilt `b`. Tests every tilt of the layer before.
   static std::uint32_t cheapest_allowed(const TiltLayer& from, const std::vector<double>& before, const Step& step,
                                         const TiltLayer& to, std::uint32_t b) {
     const double most2 = from.largest_change_rad * from.largest_change_rad;

@@ -16,13 +16,14 @@ PoseKey key_of(const Pose& pose) {
 }  // namespace
 
 std::vector<Seam> find_seams(const Toolpath& path, const std::vector<bool>& is_named) {
-  constexpr std::size_t kMinMoves = 3;  // of a contour; less is there and back
+  constexpr std::size_t kMinMoves = 3;  // minimum of a contour; fewer moves go there and back
   const Moves& moves = path.moves;
-  std::map<PoseKey, std::size_t> visited;  // of the named ones: the move that ended there last
+  std::map<PoseKey, std::size_t> visited;  // for the named moves: the pose at an end, and the last move that ended
+                                           // there
   for (std::size_t i = 0; i < moves.size(); ++i)
     if (is_named[i]) visited.emplace(key_of(moves[i].end), kNone);
   std::vector<Seam> seams;
-  std::size_t since = 0;  // what was visited before counts no more
+  std::size_t since = 0;  // visits of earlier moves do not count
   const auto visit = [&](std::size_t i) {
     const auto at = visited.find(key_of(moves[i].end));
     if (at == visited.end()) return;
@@ -75,7 +76,7 @@ std::optional<std::vector<TiltPosition>> ClosedContours::with_known(const std::v
 
 std::vector<std::pair<std::size_t, std::size_t>> ClosedContours::loops(const TiltSpace& space) const {
   std::vector<std::pair<std::size_t, std::size_t>> all;
-  std::map<std::size_t, std::size_t> seen;  // positions by their moves
+  std::map<std::size_t, std::size_t> seen;  // positions of the run by their moves
   for (std::size_t i = 0; i < space.size(); ++i) {
     if (!is_end(space[i])) continue;
     const auto [first, last] = other_end_.equal_range(space[i].move);

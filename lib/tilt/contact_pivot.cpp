@@ -14,7 +14,7 @@ namespace {
 /// A direction as seen from a tool axis.
 struct Split {
   double along = 0, away = 0;
-  Vec3 outward = Vec3::Zero();  ///< unit, across the axis; zero where the direction is that of the axis
+  Vec3 outward = Vec3::Zero();  ///< unit, square to the axis; zero for a direction along the axis
 
   Split(const Vec3& direction, const Vec3& axis) : along(direction.dot(axis)) {
     const Vec3 across = direction - along * axis;
@@ -76,7 +76,8 @@ Vec3 ContactPivot::kept_at(const Contact& contact, const Vec3& axis) const {
   const SupportStretch touching = support_stretch(*cutter_, {now.away, now.along});
   const Vec2 was = nearest_on(contact.touched, 0.5 * (touching.a + touching.b));
   const Vec2 is = nearest_on(touching, was);
-  // A face that is square to the axis touches all around it: there the contact is on the side of the other one.
+  // A face square to the axis touches the tool all around the axis. The contact is then on the side given by the other
+  // axis.
   const Vec3 side_was = before.away > 0 ? before.outward : Split(now.outward, programmed_.axis).outward;
   const Vec3 side_is = now.away > 0 ? now.outward : Split(before.outward, axis).outward;
   return programmed_.tip + was.x() * side_was + was.y() * programmed_.axis - is.x() * side_is - is.y() * axis;

@@ -9,7 +9,8 @@
 namespace gouge {
 namespace {
 
-// That more than allowed is left refuses a tilt; how much is for the reason given alone.
+// Maximum work for the amount of stock left. A tilt is refused because too much is left; the amount only appears in the
+// reason.
 constexpr std::size_t kWorkOnceLeft = 200'000;
 
 }  // namespace
@@ -33,7 +34,7 @@ std::vector<CutPath::Cut> CutPath::tilted(const TiltSpace& space, const TiltSequ
   return cuts;
 }
 
-/// Those moves near a ball, and parts of moves, that stay as programmed.
+/// Adds the unchanged moves and parts of moves that are near a ball.
 void CutPath::add_unchanged(const ReplacedMoves& replaced, const Vec3& centre, double radius_mm,
                             CutterSweep& sweep) const {
   const Moves& moves = job_.path.moves;
@@ -42,7 +43,7 @@ void CutPath::add_unchanged(const ReplacedMoves& replaced, const Vec3& centre, d
     if (move.kind == MoveKind::rapid || !move.has_start || move.tool == kNone || job_.tools[move.tool] == nullptr)
       continue;
     const CompiledTool& cutter = job_.tools[move.tool]->cutting;
-    // No point of it is farther from the middle between its ends than half of its length.
+    // No point of the move is farther from the middle between its ends than half of its length.
     const Pose& start = job_.path.start_of(i);
     const double away = (0.5 * (start.tip + move.end.tip) - centre).norm();
     if (cutter.elements.empty() || away > radius_mm + 0.5 * move_length_mm(job_.path, i) + farthest_mm(cutter))
@@ -53,7 +54,7 @@ void CutPath::add_unchanged(const ReplacedMoves& replaced, const Vec3& centre, d
       if (motion.is_defined()) sweep.add(motion, cutter, i);
       continue;
     }
-    // The pieces of a straight move between the replaced stretches.
+    // The pieces of a straight move between its replaced stretches.
     const Motion motion = law().straight(start, move.end);
     std::vector<Replaced> stretches = found->second;
     std::ranges::sort(stretches, {}, &Replaced::from);

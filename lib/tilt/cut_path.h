@@ -11,15 +11,15 @@
 
 namespace gouge {
 
-/// The surface that a path cuts while its runs are tilted one by one: as programmed except for accepted runs. Rapids
-/// cut nothing.
+/// The surface that a path cuts while its runs are tilted one by one. It is the programmed surface except for accepted
+/// runs. Rapids do not cut.
 class CutPath {
  public:
   /// `job` must outlive it.
   explicit CutPath(const TiltJob& job) : job_(job) {}
 
-  /// Returns the stock left on the finished surface if the run were tilted so too; none: no more than
-  /// TiltOptions::max_stock_mm above the tolerance, proved.
+  /// Returns the stock that would be left on the finished surface if this run were tilted too. Nothing: provably at
+  /// most TiltOptions::max_stock_mm above the tolerance is left.
   [[nodiscard]] std::optional<LeftStock> left_by(const TiltSpace& space, const TiltSequence& tilts) const;
 
   void accept(const TiltSpace& space, const TiltSequence& tilts);

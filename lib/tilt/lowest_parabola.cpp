@@ -11,7 +11,7 @@ constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-// Tilts of a lattice come in the order of its columns, and most in the next row.
+// Tilts of a lattice arrive in the order of its columns, and most of them are in the row after the one before.
 TiltRows::TiltRows(const std::vector<Tilt>& tilts) {
   by_column_.reserve(tilts.size());
   for (const Tilt& tilt : tilts)
@@ -41,7 +41,7 @@ TiltRows::TiltRows(const std::vector<Tilt>& tilts) {
   }
 }
 
-// Places ascend; those that are equal keep the least height, of equal heights the first.
+// Places ascend. For equal places the minimum height is kept; for equal heights the first tilt.
 void LowestParabolas::add(double at, double height, std::uint32_t tilt) {
   const double lifted = height + at * at;
   double begin = -kEverywhere;

@@ -17,10 +17,10 @@ namespace {
 
 constexpr double kStepsPerBlend = 8;
 constexpr double kMaxSpacing_mm = 5, kMinSpacing_mm = 0.2;
-constexpr int kFinerSpacings = 2;  // how often a run is tried again with half the spacing
-constexpr int kSlowerBlends = 5;   // how often the blend is doubled where the tool turns too fast
+constexpr int kFinerSpacings = 2;  // number of retries of a run, each with half the spacing
+constexpr int kSlowerBlends = 5;   // maximum number of times that the blend is doubled if the tool turns too fast
 constexpr double kStraight_rad =
-    0.005 * kDegree_rad;  // an added position whose tilt is that of its neighbours is left out
+    0.005 * kDegree_rad;  // an added position closer to the line between its neighbours is left out
 
 double spacing_mm(const TiltOptions& options) {
   return std::clamp(options.blend_mm / kStepsPerBlend, kMinSpacing_mm, kMaxSpacing_mm);
@@ -31,8 +31,9 @@ class RunPlanner {
   RunPlanner(const TiltJob& job, const TiltRun& run, CutPath& cut, ClosedContours& contours)
       : job_(job), run_(run), cut_(cut), contours_(contours) {}
 
-  /// True where a tilt was found; else `reason` states why not. Where it would leave what was finished, forward and
-  /// back alone are tried, which leave least under a flat end, and to the sides alone.
+  /// Tries to tilt the run. Returns whether a tilt was found; otherwise `reason` states why not. If the tilt would
+  /// leave stock on finished surfaces, plan() also tries two restricted tilts. One is only forward and back, which
+  /// leaves the least under a flat end; the other is only to the sides.
   bool plan() {
     const bool is_free_way = job_.options.freedom == TiltFreedom::both;
     if (plan_with(job_.options.freedom)) return true;
@@ -47,8 +48,8 @@ class RunPlanner {
   SmoothedRun tilted;
   std::string reason;
   bool is_blocked = false;                       ///< at some position no tilt is free
-  bool is_leaving = false;                       ///< there are tilts, but they leave what was finished
-  bool is_too_fast = false, is_too_far = false;  ///< there are tilts, but they turn faster or further than allowed
+  bool is_leaving = false;                       ///< tilts exist, but they leave stock on finished surfaces
+  bool is_too_fast = false, is_too_far = false;  ///< tilts exist, but they turn faster or further than allowed
 
  private:
   bool plan_with(TiltFreedom freedom) {
@@ -72,7 +73,7 @@ class RunPlanner {
         return true;
       }
       if (!may_raise || found.blocked) reason = why_not(TiltSpace(positions, task), found);
-      if (found.held_back) return false;  // however the tip is raised
+      if (found.held_back) return false;  // raising the tip does not help
       doubtful = found.blocked;
     }
     is_blocked = doubtful.has_value();
@@ -93,7 +94,8 @@ class RunPlanner {
     return Tilted{std::move(space), std::move(tilts)};
   }
 
-  // With the tilts of other runs where a contour closes between them. Where that leads nowhere the contour opens.
+  // Searches with the tilts of other runs at contours that close between the runs. If this finds nothing, the contour
+  // opens.
   [[nodiscard]] std::optional<Tilted> where_known(const std::vector<TiltPosition>& positions,
                                                   const TiltTask& task) const {
     LatticeResult found;
@@ -102,7 +104,8 @@ class RunPlanner {
     return known ? look_for(TiltSpace(std::move(*known), task), std::nullopt, learned, found) : std::nullopt;
   }
 
-  // Where both ends of a contour are in the run and were tilted differently: as the one, or as the other.
+  // Handles contours with both ends in the run but with different tilts. Gives both ends the tilt of the first one or
+  // else of the second one.
   void close_contours(Tilted& way) const {
     const auto axis_at = [&](std::size_t i) { return way.space[i].axis_for(way.tilts[i]); };
     for (const auto& [begin, end] : contours_.loops(way.space)) {
@@ -125,7 +128,7 @@ class RunPlanner {
     }
   }
 
-  /// The limits of turns that a way does not keep.
+  /// The limits of turns that a sequence exceeds.
   struct Beyond {
     bool is_too_fast = false, is_too_far = false;
     [[nodiscard]] bool is_any() const { return is_too_fast || is_too_far; }
@@ -141,8 +144,8 @@ class RunPlanner {
     return beyond;
   }
 
-  // Where it is open whether anything is left the tilt is made: a lift, which is what else there is, surely leaves it.
-  // The report of what is left states so.
+  // If it is unknown whether stock is left, the tilt is used. The alternative is a lift, which certainly leaves stock.
+  // The report of left stock states that it is unknown.
   bool leaves_too_much(const TiltSpace& space, const TiltSequence& tilts) {
     const std::optional<LeftStock> left = cut_.left_by(space, tilts);
     if (!left || !left->is_proved) return false;
@@ -186,7 +189,7 @@ class RunPlanner {
       const bool is_untilted = tilts[i].norm() <= Tolerance::kSameDirection;
       if (!is_end && !is_first && !is_last && is_needless(space, tilts, last_kept, i)) continue;
       last_kept = i;
-      // The start of a run that is the start of a move is the end of the one before it, which stays.
+      // If a run begins at the start of a move, that position is the end of the move before, which does not change.
       if (is_first && !(at.t > 0)) continue;
       if (is_end && is_untilted) continue;
       const Pose pose = *space.pose(i, tilts[i]);
@@ -195,7 +198,7 @@ class RunPlanner {
     }
   }
 
-  /// Returns whether the straight motion from the last position kept to the next one needs none between.
+  /// Returns whether a straight motion from the last kept position to the next position needs no position in between.
   [[nodiscard]] bool is_needless(const TiltSpace& space, const TiltSequence& tilts, std::size_t from,
                                  std::size_t i) const {
     const std::size_t to = i + 1;
@@ -224,7 +227,7 @@ class RunPlanner {
     if (found.held_back) return held_back_reason(space, *found.held_back);
     if (!found.blocked)
       return "tilts within --max-tilt " + most + " are free at each position, but no way leads between them";
-    // The obstacle at the least lift.
+    // Find the obstacle at the tilt with the smallest depth.
     const TiltPosition& at = space[*found.blocked];
     MoveVerdict least = space.verdict(*found.blocked, Tilt::Zero());
     constexpr int kRings = 6, kAround = 12;
@@ -254,13 +257,13 @@ class RunPlanner {
   double stock_tilt_rad_ = 0;
 };
 
-/// A plan, and which limits of turns runs of it do not keep.
+/// A plan, and the limits of turns that its runs exceed.
 struct Attempt {
   TiltPlan plan;
   bool is_too_fast = false, is_too_far = false;
 };
 
-/// With positions `spacing_mm` apart, and where that leads nowhere closer.
+/// Plans with positions that are `spacing_mm` apart. Runs without a result are retried with closer positions.
 Attempt attempt(const TiltJob& job, double spacing_mm, const ProgressCall& progress) {
   Attempt made;
   TiltPlan& plan = made.plan;
@@ -299,7 +302,7 @@ TiltPlan plan_tilts(const TiltJob& job, const ProgressCall& progress) {
   for (int k = 0; k <= kSlowerBlends; ++k) {
     Attempt made = attempt({job.path, job.result, job.tools, job.checker, options, job.is_wanted}, spacing, progress);
     if (!best || made.plan.failed.size() < best->failed.size()) best = std::move(made.plan);
-    // A longer blend turns slower, and positions closer to each other turn less from one to the next.
+    // A longer blend makes the tool turn slower. Closer positions make it turn less from one position to the next.
     if (!made.is_too_fast && !made.is_too_far) break;
     if (made.is_too_fast) options.blend_mm *= 2;
     if (made.is_too_far) spacing = std::max(spacing / 2, kMinSpacing_mm / 4);

@@ -12,14 +12,14 @@
 namespace gouge {
 namespace {
 
-constexpr double kInward_rad = 0.5 * kDegree_rad;   // steps in which a tilt is drawn in
-constexpr double kExact_rad = 0.01 * kDegree_rad;   // how exactly its least value is found
-constexpr double kBeyond_rad = 0.03 * kDegree_rad;  // how much further than needed the curve may tilt
-constexpr double kMore_rad = 0.01 * kDegree_rad;    // given back at first where a motion between two is refused
-constexpr double kDigit_rad = 0x1p-27;              // about 7e-9
-constexpr int kFewAtATime = 30;            // rounds in which only the worst position of a stretch gets an anchor
-constexpr std::size_t kMaxLetGo = 40;      // anchors that are tried without,
-constexpr std::size_t kMaxLooks = 20'000;  // as long as that examines no more positions
+constexpr double kInward_rad = 0.5 * kDegree_rad;   // step by which a tilt is reduced
+constexpr double kExact_rad = 0.01 * kDegree_rad;   // accuracy of the minimum tilt
+constexpr double kBeyond_rad = 0.03 * kDegree_rad;  // maximum excess of the curve's tilt over the largest reduced tilt
+constexpr double kMore_rad = 0.01 * kDegree_rad;    // a reduced tilt is increased by 3, 9, 27, ... times this
+constexpr double kDigit_rad = 0x1p-27;              // digit to which tilts are rounded; about 7e-9
+constexpr int kFewAtATime = 30;            // rounds in which only the worst position of a stretch becomes an anchor
+constexpr std::size_t kMaxLetGo = 40;      // maximum number of anchors whose removal is tried
+constexpr std::size_t kMaxLooks = 20'000;  // maximum number of positions that these trials examine
 constexpr std::size_t kChunk = 8;
 
 class Smoother {
@@ -46,7 +46,8 @@ class Smoother {
   }
 
  private:
-  // The constraint on a position: none, the tilt drawn in, by and by more of the proven one, and that itself.
+  // Levels of the constraint on a position: none; the reduced tilt; in between, a growing part of the way to the proved
+  // tilt; the proved tilt.
   static constexpr int kFree = 0, kDrawnIn = 1, kProven = 7;
 
   void draw_in() {
@@ -92,14 +93,15 @@ class Smoother {
     if (anchors.empty()) anchors.push_back({0, Tilt::Zero()});
     TiltSequence tilts = curve_through(anchors, arc_lengths_mm_, space_[0].stays_programmed(),
                                        space_[space_.size() - 1].stays_programmed());
-    // To digits that no file has, so that where an anchor far away changes next to nothing it changes nothing.
+    // Round tilts to digits finer than those of any file. So the negligible effect of a distant anchor becomes no
+    // change at all.
     for (Tilt& tilt : tilts) tilt = (tilt / kDigit_rad).array().round() * kDigit_rad;
     for (std::size_t i = 0; i < space_.size(); ++i) {
       if (kept_[i] != kFree) tilts[i] = wanted(i);
     }
     const bool is_one_way = space_.task().options.freedom != TiltFreedom::both;
     if (is_one_way) {
-      // Both ends and all anchors lie on one line, so the curve does but for rounding.
+      // Both ends and all anchors lie on one line. So the curve lies on it too, up to rounding.
       const Eigen::Index other = space_.task().options.freedom == TiltFreedom::lead ? 1 : 0;
       for (Tilt& tilt : tilts) tilt[other] = 0;
     }
@@ -126,7 +128,8 @@ class Smoother {
     return is_refused;
   }
 
-  /// Returns whether nothing is refused. Refused tilts are likely near `about`, where the tilts have changed most.
+  /// Returns whether all positions and motions are free. Examines those near `about` first: tilts changed most there,
+  /// so rejections are likely.
   [[nodiscard]] bool is_free_about(std::size_t about, const TiltSequence& tilts) {
     const auto distance = [about](std::size_t i) { return i > about ? i - about : about - i; };
     std::vector<std::size_t> outwards(space_.size());
@@ -170,7 +173,8 @@ class Smoother {
     }
   }
 
-  /// Returns the end of a motion that is tilted less: more tilt may help there.
+  /// Raises the constraint at the end of the motion with the smaller tilt. If that end is at its proved tilt, raises it
+  /// at the other end.
   void keep_more_of(std::size_t i, const TiltSequence& tilts) {
     const std::size_t less = tilts[i].norm() < tilts[i + 1].norm() ? i : i + 1, other = i + i + 1 - less;
     keep_more(kept_[less] < kProven ? less : other);
@@ -178,7 +182,8 @@ class Smoother {
 
   void keep_more(std::size_t i) { kept_[i] = std::min(kept_[i] + 1, kProven); }
 
-  /// Farthest from what is wanted there; of equal ones that in their middle.
+  /// Returns the position whose tilt differs most from the wanted tilt; among neighbours with equal differences, the
+  /// middle one.
   [[nodiscard]] std::size_t worst_of(const TiltSequence& tilts, std::size_t first, std::size_t last) const {
     constexpr double kSame = 0.999;
     const auto miss = [&](std::size_t i) { return (tilts[i] - wanted(i)).norm(); };
@@ -215,7 +220,7 @@ class Smoother {
   unsigned threads_;
   std::vector<double> arc_lengths_mm_;
   TiltSequence drawn_in_;
-  double largest_rad_ = 0;  // of the tilts drawn in
+  double largest_rad_ = 0;  // maximum of the reduced tilts
   std::vector<int> kept_;
   TiltProofs proofs_;
 };

@@ -5,7 +5,7 @@
 namespace gouge {
 namespace {
 
-/// Slopes at the knots: the tridiagonal system of a cubic spline, solved by elimination.
+/// Returns the slopes at the knots. Solves the tridiagonal system of a cubic spline by elimination.
 std::vector<Tilt> slopes_at(const std::vector<double>& x, const std::vector<Tilt>& y, bool is_first_level,
                             bool is_last_level) {
   const std::size_t n = x.size();

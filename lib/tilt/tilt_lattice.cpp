@@ -12,26 +12,27 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kFirstLayers = 64;  // of a long run
-constexpr int kCoarseSteps = 6;           // of a lattice from no tilt to the largest one
-constexpr int kLevels = 4;                // each with half the step
+constexpr std::size_t kFirstLayers = 64;  // number of first layers of a long run
+constexpr int kCoarseSteps = 6;           // steps of the coarsest lattice from no tilt to the largest one
+constexpr int kLevels = 4;                // number of lattices, each with half the step of the one before
 constexpr int kFinestSteps = kCoarseSteps << (kLevels - 1);
-constexpr int kFinerPerStep = 4;       // about the way found
-constexpr double kTube = 1.5;          // how many steps of it the finer lattice reaches about the way
-constexpr int kMaxUncertain = 3;       // layers that are searched for any free tilt where no way is left
-constexpr std::size_t kMaxOthers = 4;  // of those about a refused tilt that no known point refuses
-constexpr int kMaxRounds = 60;         // in which layers are added, ...
-constexpr int kMaxStrikes = 24;        // ... or motions struck out: an obstacle to these is one to most neighbours
+constexpr int kFinerPerStep = 4;       // steps of the finer lattice near a found sequence, for each step
+constexpr double kTube = 1.5;          // distance from the found sequence, in steps, that the finer lattice covers
+constexpr int kMaxUncertain = 3;       // number of layers that are searched for any free tilt after no sequence is left
+constexpr std::size_t kMaxOthers = 4;  // number of examined neighbours of a refused tilt that no known point refuses
+constexpr int kMaxRounds = 60;         // maximum number of rounds in which layers are added, ...
+constexpr int kMaxStrikes = 24;        // ... or motions are excluded; an obstacle to these usually blocks most of their
+                                       // neighbours too
 
 /// One lattice over the allowed tilts, and the known tilts at each position.
 ///
-/// Free tilts are found lazily too. The cheapest way is sought as if all were free, then the tilts it takes are
-/// examined. It is sought again without those that are refused. The way that is left is the cheapest of all, as no
-/// other way lost a tilt that is free. Tilts that no way leads through any more are not examined.
+/// Free tilts, too, are found lazily. First the cheapest sequence is found as if all tilts were free. Then its tilts
+/// are examined. The search repeats without the refused ones. The remaining sequence is the cheapest of all, because no
+/// other sequence lost a free tilt. Tilts that no sequence can use any more are not examined.
 class Lattice {
  public:
-  /// `near`: null, or the sequence that tilts may be no farther from than `reach_rad`. `known`: what other lattices
-  /// learned at each position.
+  /// `near` is null, or a sequence: then every tilt is within `reach_rad` of it. `known` has the results of other
+  /// lattices at each position.
   Lattice(const TiltSpace& space, int steps, unsigned threads, std::vector<KnownTilts>& known, const TiltSequence* near,
           double reach_rad)
       : space_(space),
@@ -42,7 +43,7 @@ class Lattice {
         first_at_once_(near != nullptr ? 1 : static_cast<std::size_t>(steps / kCoarseSteps * (steps / kCoarseSteps))),
         proofs_(space) {
     const TiltOptions& options = space.task().options;
-    // A little inwards, where the largest tilts are still within their margin.
+    // Slightly smaller steps, so that the largest tilts are still within their margin.
     const double step_rad = options.max_tilt_rad / steps * 0.999;
     const int across = options.freedom == TiltFreedom::both ? steps : 0;
     for (int x = -steps; x <= steps; ++x) {
@@ -58,8 +59,9 @@ class Lattice {
     for (std::size_t i = 0; i + 1 < space.size(); ++i) changes_rad_.push_back(space.largest_change_rad(i));
   }
 
-  /// At the position `doubtful` perhaps no tilt is free; all its tilts are examined first. The positions `needed` are
-  /// layers from the start, as a coarser lattice needed them. The layers of this lattice are returned in it.
+  /// Searches a sequence. At the position `doubtful` possibly no tilt is free; all its tilts are examined first. The
+  /// positions `needed` are layers from the start, because a coarser lattice needed them. On return `needed` has the
+  /// layers of this lattice.
   LatticeResult find(std::optional<std::size_t> doubtful, std::vector<std::size_t>& needed) {
     if (doubtful) {
       add_layer(*doubtful);
@@ -87,7 +89,7 @@ class Lattice {
   }
 
   using Node = std::uint32_t;
-  using Choice = std::vector<Node>;  ///< a tilt of each layer
+  using Choice = std::vector<Node>;  ///< one tilt in each layer
 
   struct Struck {
     std::size_t from, to;
@@ -98,10 +100,10 @@ class Lattice {
   /// A position, and the known tilts of the lattice there.
   struct Layer {
     std::size_t position = 0;
-    std::vector<Node> open;     ///< that were not refused, and that ways may lead through; by columns
-    std::vector<char> is_free;  ///< of each open one, whether that is known
-    std::vector<Node> aside;    ///< not refused, but no way leads through them
-    std::size_t at_once = 1;    ///< how many more to examine where the one that was taken is refused
+    std::vector<Node> open;     ///< not refused, and possibly part of a sequence; by columns
+    std::vector<char> is_free;  ///< for each entry of `open`: whether it is known to be free
+    std::vector<Node> aside;    ///< not refused, but not part of any sequence
+    std::size_t at_once = 1;    ///< number of further tilts to examine if the chosen one is refused
 
     template <typename IsKept>
     void keep(const IsKept& is_kept) {
@@ -116,14 +118,15 @@ class Lattice {
     }
   };
 
-  /// Where the finest lattice has a tilt of one with so many steps; kNone: it does not.
+  /// Returns the index that a tilt of a lattice with `steps` steps has in the finest lattice; kNone: it is not part of
+  /// that lattice.
   [[nodiscard]] static std::size_t index_among_finest(int x, int y, int steps) {
     if (kFinestSteps % steps != 0) return kNone;
     const int row = x * (kFinestSteps / steps) + kFinestSteps, column = y * (kFinestSteps / steps) + kFinestSteps;
     return static_cast<std::size_t>(row * (2 * kFinestSteps + 1) + column);
   }
 
-  /// Both ends, those that are fixed, and some between.
+  /// Adds both ends, all fixed positions and some positions in between.
   void add_first_layers() {
     const std::size_t last = space_.size() - 1, pieces = std::min(kFirstLayers, last);
     for (std::size_t k = 0; k <= pieces && pieces > 0; ++k) add_layer(k * last / pieces);
@@ -153,7 +156,7 @@ class Lattice {
     layers_.insert(std::ranges::upper_bound(layers_, i, {}, &Layer::position), std::move(layer));
   }
 
-  /// For a tilt that need not be in the lattice.
+  /// Returns the node of a tilt. Adds the tilt if the lattice does not have it.
   [[nodiscard]] Node node_of(const Tilt& tilt) {
     const auto known = std::ranges::find_if(nodes_, [&](const Tilt& node) { return node == tilt; });
     const auto node = static_cast<Node>(known - nodes_.begin());
@@ -168,8 +171,9 @@ class Lattice {
     return state_in(known_[position].states, node);
   }
 
-  /// Where the tip may rise, a tilt refused before stays refused if the tip does not or cannot rise. The flag
-  /// `is_raised` is set where it does at any tilt there. From then on nothing more is searched.
+  /// Returns whether a tilt that was refused before stays refused now that the tip may rise. It does if the tip does
+  /// not or cannot rise. Sets `is_raised` if the tip rises at this tilt. Once it is set, the function only returns
+  /// known results.
   [[nodiscard]] bool stays_refused(std::size_t position, Node node, bool& is_raised) {
     const KnownTilts::State state = state_of(position, node);
     KnownTilts& known = known_[position];
@@ -190,7 +194,7 @@ class Lattice {
     states[finest_[node]] = is_free ? KnownTilts::kFree : KnownTilts::kRefused;
   }
 
-  /// Returns whether a tilt is free, which is kept.
+  /// Returns whether a tilt is free, and stores the result.
   [[nodiscard]] bool look(std::size_t position, Node node) {
     KnownTilts& known = known_[position];
     const bool was_free = state_in(known.unraised, node) == KnownTilts::kFree;
@@ -200,7 +204,7 @@ class Lattice {
     return is_free;
   }
 
-  /// Returns whether any tilt is free there, whether a way leads through it or not.
+  /// Returns whether any tilt is free there, even one that no sequence uses.
   [[nodiscard]] bool has_free(Layer& layer) {
     if (std::ranges::find(layer.is_free, 1) != layer.is_free.end()) return true;
     for (std::size_t k = 0; k < layer.open.size(); ++k) {
@@ -219,8 +223,8 @@ class Lattice {
     });
   }
 
-  /// Returns whether the tilt that was taken is free. Where it is not free, others about it are examined too, twice as
-  /// many each time. An obstacle to one is an obstacle to many, and a position where none is free is soon known.
+  /// Returns whether the chosen tilt is free. If it is not free, neighbours are examined too, twice as many each time.
+  /// An obstacle to one tilt is an obstacle to many, so a position without a free tilt is soon known.
   [[nodiscard]] bool is_free(Layer& layer, Node taken) {
     const auto index = static_cast<std::size_t>(std::ranges::find(layer.open, taken) - layer.open.begin());
     if (layer.is_free[index] != 0) return true;
@@ -240,7 +244,8 @@ class Lattice {
     return false;
   }
 
-  /// Leaves out what known points refuse, and some of the others that are refused, and with these the one at `refused`.
+  /// Removes the tilt `refused`. Of the tilts `some`, removes those that known points refuse. Examines a few of the
+  /// others and removes those that are refused.
   void look_quickly_at(Layer& layer, const std::vector<std::size_t>& some, std::size_t refused) {
     std::vector<char> is_refused(layer.open.size(), 0);
     is_refused[refused] = 1;
@@ -258,7 +263,7 @@ class Lattice {
     layer.keep([&](std::size_t k) { return is_refused[k] == 0; });
   }
 
-  /// Keeps what is free of all that ways may lead through.
+  /// Examines all tilts that a sequence may use and keeps only the free ones.
   void look_at_rest(Layer& layer) {
     for (std::size_t k = 0; k < layer.open.size(); ++k) {
       if (layer.is_free[k] == 0) layer.is_free[k] = look(layer.position, layer.open[k]) ? 1 : 0;
@@ -266,7 +271,7 @@ class Lattice {
     layer.keep([&](std::size_t k) { return layer.is_free[k] != 0; });
   }
 
-  /// A position where no tilt is free, of those where fewest are left.
+  /// Returns a position where no tilt is free. Only tests the positions with the fewest tilts left.
   [[nodiscard]] std::optional<std::size_t> blocked() {
     if (near_ != nullptr) return std::nullopt;
     std::vector<Layer*> uncertain;
@@ -279,7 +284,7 @@ class Lattice {
     return std::nullopt;
   }
 
-  /// The cheapest way through the layers that is free in each of them.
+  /// Returns the cheapest sequence through the layers that is free in each layer.
   [[nodiscard]] std::optional<Choice> cheapest_free() {
     for (;;) {
       const std::optional<Choice> choice = cheapest();
@@ -299,7 +304,7 @@ class Lattice {
     }
   }
 
-  /// The cheapest way through the layers by tilts that were not refused.
+  /// Returns the cheapest sequence through the layers, without the refused tilts.
   [[nodiscard]] std::optional<Choice> cheapest() {
     std::vector<TiltLayer> layers;
     for (const Layer& layer : layers_) {
@@ -346,10 +351,10 @@ class Lattice {
     return sequence;
   }
 
-  /// Returns whether the sequence is free everywhere. Where not, layers are added or a change between two is struck
-  /// out.
+  /// Returns whether the sequence is free everywhere. If it is not, adds layers or excludes a change between two tilts.
   [[nodiscard]] bool prove(const TiltSequence& sequence, const Choice& choice) {
-    // For each stretch between two layers: the first position that is rejected, itself or the motion from it.
+    // For each stretch between two layers: the first position that is rejected, by itself or because of the motion from
+    // it.
     std::vector<std::size_t> refused(layers_.size(), kNone);
     std::vector<char> is_motion(layers_.size(), 0);
     for_each_chunk(layers_.size() - 1, 1, threads_, [&](std::size_t first, std::size_t last) {
@@ -381,13 +386,13 @@ class Lattice {
   std::vector<KnownTilts>& known_;  // at each position
   const TiltSequence* near_;
   double reach_rad_;
-  std::size_t first_at_once_;        // as many as lie about a tilt where a coarser lattice has one
-  std::vector<Tilt> nodes_;          // of the lattice, by columns; then those that are given
-  std::vector<std::size_t> finest_;  // where the finest lattice has each
-  Node choices_ = 0;                 // how many are of the lattice
-  std::vector<double> changes_rad_;  // the largest from each position to the next
+  std::size_t first_at_once_;        // number of tilts of this lattice for each tilt of the coarsest one
+  std::vector<Tilt> nodes_;          // first the tilts of the lattice, by columns; then the given tilts
+  std::vector<std::size_t> finest_;  // index of each tilt in the finest lattice
+  Node choices_ = 0;                 // number of the lattice's own tilts
+  std::vector<double> changes_rad_;  // largest change from each position to the next
   std::vector<bool> is_layer_;
-  std::vector<Layer> layers_;  // in the order of the way
+  std::vector<Layer> layers_;  // in the order of the path
   std::set<Struck> struck_;
   TiltProofs proofs_;
 };
@@ -410,7 +415,8 @@ LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional
     of_position.states.clear();
   }
   for (int level = 0, steps = kCoarseSteps; level < kLevels; ++level, steps *= 2) {
-    // The finest one costs most. It is for a free tilt in a gap of the others, where a position has none without.
+    // The finest lattice costs most. It finds a free tilt in a gap of the others, for a position without any other free
+    // tilt.
     if (level + 1 == kLevels && (!found.blocked || space.task().may_raise)) break;
     found = Lattice(space, steps, threads, known, nullptr, 0).find(doubtful, needed);
     if (found.blocked) doubtful = found.blocked;

@@ -7,45 +7,44 @@
 
 namespace gouge {
 
-/// Tilts of all positions of a run, one each.
+/// The tilts of all positions of a run, one each.
 using TiltSequence = std::vector<Tilt>;
 
 struct LatticeResult {
   std::optional<TiltSequence> sequence;
-  /// Where there is none: a position at which no tilt that was examined is free. None where tilts are free everywhere
-  /// but no way leads from each to the next.
+  /// Without a sequence: a position at which no examined tilt is free. Nothing if every position has free tilts but no
+  /// sequence connects them.
   std::optional<std::size_t> blocked;
-  /// Where there is none: a position that stays as programmed and lets there be none (TiltSpace::holds_back).
+  /// Without a sequence: a position that stays as programmed and prevents any sequence (TiltSpace::holds_back).
   std::optional<std::size_t> held_back;
 };
 
-/// Cached results of searches about the tilts of a position.
+/// Stored results of searches for the tilts of a position.
 struct KnownTilts {
   enum State : char { kUnknown, kFree, kRefused };
   RefusingPoints refusing;
-  std::vector<State> states;    ///< of the finest lattice's tilts, by column and row; empty: of none
-  std::vector<State> unraised;  ///< the same before the tip might rise
+  std::vector<State> states;    ///< of the tilts of the finest lattice, by column and row; empty: none is known
+  std::vector<State> unraised;  ///< the states from the search in which the tip could not rise
 };
 
-/// Finds a sequence of tilts that is certified free at every position and on every motion between two that follow each
-/// other.
+/// Finds a sequence of tilts that is certified free at every position and on every motion between neighbours.
 ///
-/// Tilts are those of a square lattice over all that is allowed. It is coarse at first, and finer about the result of
-/// the coarse one or where that found nothing. Layers are positions of the run, few at first. Dynamic programming finds
-/// the cheapest way through them: sum of |tilt|^2 ds / blend^2 + |change of tilt|^2 / ds. Only the cheapest way is
-/// examined, first its tilts at the layers, then every position and motion of it. A tilt that is not free is left out.
-/// A position where the way is not free becomes a layer of its own, and such a motion is struck out. Then the way is
-/// sought again.
+/// Tilts are the points of a square lattice over the allowed range. The first lattice is coarse. A finer one follows
+/// near the result of the coarse one, or everywhere if the coarse one found nothing. Layers are positions of the run,
+/// few at first. Dynamic programming finds the cheapest sequence through them: sum of |tilt|^2 ds / blend^2 + |change
+/// of tilt|^2 / ds. Only the cheapest sequence is examined: first its tilts at the layers, then all its positions and
+/// motions. A tilt that is not free is removed. If the sequence is not free at a position between layers, that position
+/// becomes a layer. If it is not free on a motion between two layers, that motion is excluded. Then the search repeats.
 ///
-/// At the position `doubtful` perhaps no tilt is free. It is examined before all others. Where no tilt is free, the
+/// At the position `doubtful` possibly no tilt is free. It is examined before all others. If no tilt is free there, the
 /// search ends at once.
-/// The list `known` is of each position, empty at first. Or it is of a search in the same space in which only the tip
-/// might not rise.
-/// Ensures  The same sequence at any number of threads.
-/// Cost     Checks of about a tenth of the tilts of each layer, of which there are some hundred. Where none is free, of
-///          all.
-/// Source   Layers of postures: Plakhotnik and Lauwers 2014. Only the winner's motions are proved: Dellin and Srinivasa
-///          2016 (LazySP).
+/// The list `known` has one entry for each position and is empty at first. Alternatively it comes from a search in the
+/// same space, except that the tip could not rise.
+/// Ensures  The sequence is the same at any number of threads.
+/// Cost     Checks of about a tenth of the tilts of each layer; there are about a hundred layers. At a position without
+///          a free tilt, checks of all its tilts.
+/// Source   Layers of postures: Plakhotnik and Lauwers 2014. Only the motions of the best sequence are proved: Dellin
+///          and Srinivasa 2016 (LazySP).
 [[nodiscard]] LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful,
                                        std::vector<KnownTilts>& known);
 

@@ -14,13 +14,13 @@
 namespace gouge {
 namespace {
 
-// Distances at which the cutter touches: the stock of a finishing cut, or, where a run has no such place, of a roughing
-// cut.
+// Distances at which the cutter counts as touching: the stock of a finishing cut. If a run has no such contact, the
+// stock of a roughing cut.
 constexpr std::array kContacts_mm = {0.05, 1.0};
-constexpr std::array kShares = {0.5, 0.8, 0.95};  // of the tolerance, how deep the cutter may be at a position
-constexpr double kArm_mm = 10;                    // at which a turn of the programmed axis counts as way
+constexpr std::array kShares = {0.5, 0.8, 0.95};  // shares of the tolerance: how deep the cutter may be at a position
+constexpr double kArm_mm = 10;                    // lever with which a turn of the programmed axis counts as arc length
 
-/// A position of a chain before anything is measured there.
+/// A position of a chain before any measurement there.
 struct Station {
   std::size_t move = 0;
   double t = 1;
@@ -28,7 +28,7 @@ struct Station {
   bool is_reached_clean = true;
 };
 
-/// Where on the way of a chain, in mm.
+/// A part of a chain, by arc length in mm.
 struct Stretch {
   double begin_mm = 0, end_mm = 0;
   std::size_t first_move = 0, last_move = 0;
@@ -44,7 +44,7 @@ bool is_tiltable(const TiltJob& job, std::size_t i) {
          move.tool != kNone && job.tools[move.tool] != nullptr;
 }
 
-/// Moves of one tool, each beginning where the one before it ends.
+/// Moves of one tool. Each begins at the end of the one before.
 class Chain {
  public:
   Chain(const TiltJob& job, std::size_t first, std::size_t last, const std::vector<bool>& is_near, double spacing_mm)
@@ -83,7 +83,7 @@ class Chain {
     for (std::size_t k = first; k < stations_.size(); ++k) stations_[k].is_reached_clean = false;
   }
 
-  /// Returns the stretches that are not clean, with the blend at both sides; overlapping ones are joined.
+  /// Returns the stretches that are not clean, extended by the blend on both sides. Overlapping ones are joined.
   [[nodiscard]] std::vector<Stretch> stretches() const {
     const double blend = job_.options.blend_mm;
     std::vector<Stretch> all;
@@ -103,7 +103,7 @@ class Chain {
 
   [[nodiscard]] TiltRun run_over(const Stretch& stretch) const {
     const auto by_way = [](const Station& station) { return station.arc_length_mm; };
-    // The last one before the stretch, and the first one after it.
+    // Find the last station before the stretch and the first one after it.
     const auto behind = std::ranges::upper_bound(stations_, stretch.begin_mm + Tolerance::kSamePoint_mm, {}, by_way);
     const auto begin = behind == stations_.begin() ? behind : behind - 1;
     auto end = std::ranges::lower_bound(stations_, stretch.end_mm - Tolerance::kSamePoint_mm, {}, by_way);
@@ -148,8 +148,8 @@ class Chain {
   std::vector<Station> stations_;
 };
 
-/// Normal of the part where the cutter is in it or near it. A corner of the tool that touches a face has no normal of
-/// its own. There the face's normal counts, as far as the tool reaches no deeper below its plane.
+/// Returns the normal of the part where the cutter is in it or near it. A corner of the tool that touches a face has no
+/// normal of its own. The face's normal counts there, if the tool is not deeper below the plane of the face.
 Vec3 normal_at(const ToolContact& contact, double depth_mm, const Pose& pose, const CompiledTool& cutter) {
   constexpr double kSameDepth_mm = 0.01;
   const Vec3& face = contact.face;
@@ -160,8 +160,8 @@ Vec3 normal_at(const ToolContact& contact, double depth_mm, const Pose& pose, co
   return std::abs(below - depth_mm) <= kSameDepth_mm ? face : contact.normal;
 }
 
-/// Normals of the contacts of the cutter, the deepest first; none where nothing is as near. One normal represents all
-/// that are about the same.
+/// Returns the normals at the contacts of the cutter, the deepest contact first. Returns none if nothing is that near.
+/// One normal represents all similar ones.
 std::vector<Vec3> contact_normals(const Pose& pose, const ToolVariants& tool, const BlockTree& parts,
                                   double within_mm) {
   constexpr double kSameNormal = 0.94, kAsDeep_mm = 0.05;
@@ -215,8 +215,8 @@ class Measurer {
     return found == kShares.end() ? kShares.back() : *found;
   }
 
-  /// Where the cutter touches nothing, the nearest contact of the run is kept to: else the tip would leap where one
-  /// begins or ends.
+  /// Gives every position a pivot. A position without contact uses the nearest contact of the run. Otherwise the tip
+  /// would leap where a contact begins or ends.
   void set_pivots(const std::vector<std::vector<Vec3>>& normals) {
     const std::size_t count = normals.size();
     std::vector<std::size_t> nearest(count, kNone);
@@ -243,7 +243,8 @@ class Measurer {
   const ToolVariants& tool_;
 };
 
-/// Where the feed turns at once, lead and side change places: there the axis stays as programmed.
+/// Returns whether the feed changes direction abruptly. There lead and side tilts change places, so the axis stays as
+/// programmed.
 bool is_corner(const std::vector<TiltPosition>& all, std::size_t i) {
   constexpr double kSameFeed = 0.98;  // 11 degrees
   if (i == 0 || i + 1 == all.size()) return false;
@@ -254,7 +255,7 @@ bool is_corner(const std::vector<TiltPosition>& all, std::size_t i) {
 
 }  // namespace
 
-// Turned no more than the axis turns; for lead or side alone along the feed.
+// The directions turn only as much as the axis turns. For a lead or side tilt the first one follows the feed.
 TiltRun with_freedom(TiltRun run, TiltFreedom freedom) {
   std::vector<TiltPosition>& all = run.positions;
   Vec3 first = all.front().programmed.axis.unitOrthogonal();

@@ -8,36 +8,38 @@
 
 namespace gouge {
 
-/// A path with the data that a tilt needs. All must outlive it; vectors have one entry a move.
+/// A path with the data that tilting needs. The referenced objects must outlive it; vectors have one entry for each
+/// move.
 struct TiltJob {
   const Toolpath& path;
   const CheckResult& result;
   const std::vector<const ToolVariants*>& tools;  ///< as in check()
   const MotionChecker& checker;
   const TiltOptions& options;
-  const std::vector<bool>& is_wanted;  ///< gouges that a tilt shall cure
+  const std::vector<bool>& is_wanted;  ///< moves whose gouges tilts shall remove
 };
 
-/// A stretch of one tool's straight moves that must be tilted somewhere. It includes the way before and after it over
-/// which the tilt comes and goes.
+/// A stretch of straight moves of one tool that must be tilted somewhere. It includes the parts before and after, on
+/// which the tilt increases and decreases.
 struct TiltRun {
   std::size_t tool = 0;
   std::size_t first_wanted = 0, last_wanted = 0;  ///< moves that gouge
-  std::vector<TiltPosition> positions;  ///< in path order; fixed at both ends, but where the path ends in a collision
+  std::vector<TiltPosition> positions;  ///< in path order; fixed at both ends, unless the path ends there in a
+                                        ///< collision
 };
 
-/// Finds the runs of a path, in its order and apart from each other. Positions are at most `spacing_mm` of the tip's
-/// way apart.
+/// Finds the runs of a path, in path order. No two of them overlap. Positions are at most `spacing_mm` of the tip's
+/// path apart.
 ///
-/// Ensures  Every wanted move that can be tilted (straight, checked, not inside a solid) lies in a run, as far as it is
-///          not clean. Long moves are examined piece by piece. No position of a move is in two runs, except for ends.
-/// Cost     A check of every piece of the wanted moves, and three of the cutter at each position of a run.
+/// Ensures  Every wanted move that can be tilted (straight, checked, not inside a solid) lies in a run, except for its
+///          clean parts. Long moves are examined piece by piece. No position of a move is in two runs, except for ends.
+/// Cost     A check of every piece of the wanted moves, and three checks of the cutter at each position of a run.
 [[nodiscard]] std::vector<TiltRun> find_tilt_runs(const TiltJob& job, double spacing_mm);
 
-/// Returns the run with the directions of its tilts as another freedom has them.
+/// Returns the run with directions of tilt for another freedom.
 [[nodiscard]] TiltRun with_freedom(TiltRun run, TiltFreedom freedom);
 
-/// Returns wanted moves and those on the way before and after them, arcs and splines too.
+/// Returns the wanted moves and the moves shortly before and after them, including arcs and splines.
 [[nodiscard]] std::vector<bool> moves_near(const Toolpath& path, const std::vector<bool>& is_wanted,
                                            double arc_length_mm);
 

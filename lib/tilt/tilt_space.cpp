@@ -16,13 +16,13 @@
 namespace gouge {
 namespace {
 
-constexpr double kBend = 0.5;  // of the tolerance
+constexpr double kBend = 0.5;  // maximum error of the surface between two positions, as a share of the tolerance
 constexpr std::size_t kMaxRefusing = 24;
 constexpr int kMaxRaises = 12;
-constexpr double kLimitMargin_rad = 2e-4;  // positions keep so much of the limits for what lies between them
+constexpr double kLimitMargin_rad = 2e-4;  // margin of positions to the limits, for the motions between them
 constexpr double kSure_rad = 1e-7;
 constexpr int kMaxHalvings = 24;
-constexpr double kMaxShare = 0.97;  // of the tolerance, for a motion that is deeper than kMotionAimShare of it
+constexpr double kMaxShare = 0.97;  // share of the tolerance for a motion that is deeper than its share kMotionAimShare
 
 void learn(const Witness& witness, RefusingPoints& refusing) {
   refusing.insert(refusing.begin(), witness);
@@ -114,7 +114,7 @@ bool TiltSpace::is_refused(const Pose& pose, double deeper_mm, const CheckOption
   return true;
 }
 
-// A tool that rises by so much takes no point farther out of it.
+// If the tool rises by a distance, no point leaves it by more than that distance.
 bool TiltSpace::is_refused_by(RefusingPoints& refusing, std::size_t i, const Tilt& tilt) const {
   const CheckOptions options = options_for(positions_[i].tolerance_share);
   const Pose kept = kept_pose(i, tilt);
@@ -122,7 +122,7 @@ bool TiltSpace::is_refused_by(RefusingPoints& refusing, std::size_t i, const Til
   return task_.may_raise && tilt.norm() > 0 && stays_too_deep(i, kept, refusing);
 }
 
-// While a convex cutter rises the signed distance of a point is convex: nowhere more than at one of both ends.
+// While a convex cutter rises, the signed distance of a point is a convex function. Its maximum is at one of both ends.
 bool TiltSpace::stays_too_deep(std::size_t i, const Pose& kept, const RefusingPoints& refusing) const {
   if (!is_cutter_convex_) return false;
   const TiltPosition& at = positions_[i];
@@ -149,7 +149,7 @@ bool TiltSpace::is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusin
   if (refusing != nullptr && task_.may_raise && is_refused(pose, 0, options, *refusing)) return false;
   options.near_miss_mm = kAir_mm;
   options.gouge_gap_mm = kAnyGap_mm;
-  // From an end of the run, which is outside, clean motions lead to every position of a proven sequence.
+  // An end of the run is outside of solids. From there clean motions lead to every position of a proved sequence.
   const MoveVerdict verdict = task_.checker->check(options.law.at(pose), at.kind, *task_.tool, options, true);
   const bool is_of_tool = verdict.witness && verdict.witness->body != Body::head;
   if (refusing != nullptr && verdict.state == MoveState::gouge && is_of_tool) {
@@ -175,7 +175,8 @@ bool TiltSpace::stays_within_limits(std::size_t i, const Pose& from, std::size_t
   const Motion programmed = law.straight(positions_[i].programmed, positions_[k].programmed),
                tilted = law.straight(from, to);
   const TiltOptions& limits = task_.options;
-  // Between two instants an angle between axes is at most the mean of both and of what the axes turn.
+  // Between two instants, an angle between axes is at most half the sum of its end values and of the turns of both
+  // axes.
   const auto stays = [&](const auto& self, double t0, double t1, int level) -> bool {
     const double turn = (t1 - t0) * (programmed.turn_rad() + tilted.turn_rad());
     const Vec3 a0 = tilted.at(t0).axis, a1 = tilted.at(t1).axis;
@@ -199,8 +200,9 @@ bool TiltSpace::stays_within_limits(std::size_t i, const Pose& from, std::size_t
   return stays(stays, 0, 1, 0);
 }
 
-/// Let the axis turn by an angle on a straight way of the tip. A point of the tool at a distance from the tip then
-/// leaves its own straight way by distance * angle^2 / 8. The cut surface may be off by as much in between.
+/// A turn by an angle on a straight path of the tip bends the paths of the tool's other points. A point leaves its
+/// straight path by distance * angle^2 / 8, where the distance is that from the tip. The cut surface may be wrong by as
+/// much in between.
 double TiltSpace::largest_turn_rad(std::size_t i, std::size_t k) const {
   const double programmed = angle_between_rad(positions_[i].programmed.axis, positions_[k].programmed.axis);
   const double allowed_mm = kBend * task_.checker->options().tolerance_mm;
@@ -208,7 +210,8 @@ double TiltSpace::largest_turn_rad(std::size_t i, std::size_t k) const {
   return std::max(programmed, angle);
 }
 
-// Along the feed the frames of tilts turn about the axis, too, and states nothing about each other.
+// For lead and side tilts the directions of tilt follow the feed and also turn about the axis. Tilts of different
+// positions are then not comparable.
 double TiltSpace::largest_change_rad(std::size_t i) const {
   if (task_.options.freedom != TiltFreedom::both) return std::numeric_limits<double>::infinity();
   const double programmed = angle_between_rad(positions_[i].programmed.axis, positions_[i + 1].programmed.axis);
@@ -233,7 +236,7 @@ bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, 
   });
 }
 
-/// As programmed, by more than any motion that is certified clean.
+/// Returns whether the programmed position is deeper than any motion that is certified clean.
 bool TiltSpace::is_gouge(std::size_t i, MoveKind kind) const {
   CheckOptions options = options_for(1);
   options.tolerance_mm += options.resolution_mm + Tolerance::kWitness_mm;
@@ -246,7 +249,7 @@ bool TiltSpace::may_stay_programmed(std::size_t i) const {
   return positions_[i].is_fixed() ? positions_[i].stays_programmed() : is_free(i, Tilt::Zero());
 }
 
-// Programmed motions are not checked again (is_free_between): a gouge of the cutter alone is no matter of tilts.
+// Programmed motions are not checked again (is_free_between), because tilts do not affect a gouge of the cutter alone.
 bool TiltSpace::holds_back(std::size_t i) const {
   if (!positions_[i].stays_programmed()) return false;
   const auto is_open = [&](std::size_t from, std::size_t neighbour) {

@@ -10,7 +10,7 @@ namespace gouge {
 namespace {
 
 constexpr int kMaxHalvings = 40;
-constexpr double kLeast_mm = 1e-5;  // below, rounding would decide
+constexpr double kLeast_mm = 1e-5;  // smaller depths would depend on rounding
 
 bool is_same_form(const CompiledTool& a, const CompiledTool& b) {
   return a.elements.size() == b.elements.size() && std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(),

@@ -8,23 +8,24 @@
 
 namespace gouge {
 
-/// Without a gouge the tool may reach into a solid by at most this many times the allowed depth. Corners of 45 degrees
-/// and more, and thus all usual cutters, reach less than 3 times the depth. A blade or a tip of 30 degrees reaches
-/// farther.
+/// Maximum reach of a tool into a solid, as a multiple of the allowed depth, that does not count as a gouge. Corners of
+/// 45 degrees and more, and thus all usual cutters, reach less than 3 times the depth. A blade or a tip of 30 degrees
+/// reaches farther.
 inline constexpr double kReachPerDepth = 3;
 
 /// Bounds how far a tool reaches into a solid whose surface is nowhere deeper in the tool than a given depth.
 struct CertifiedDepth {
-  double depth_mm = 0;  ///< up to here the tool reaches at most kReachPerDepth times the given depth; 0: no such depth
-  double reach_mm = 0;  ///< at the given depth itself: at most this (kNoReach_mm: any amount)
+  double depth_mm = 0;  ///< at this depth the tool reaches at most kReachPerDepth times the given depth; 0: there is no
+                        ///< such depth
+  double reach_mm = 0;  ///< bound of the reach at the given depth; kNoReach_mm: any amount
   int halvings = 0;     ///< depth_mm = given depth x 2^(-halvings / 2)
 };
 
-/// Returns the largest depth of the row given depth x 2^(-k / 2) for which bound_reach(form, bare, depth) is at most
-/// kReachPerDepth times the given depth. Cost: bound_reach, once for a usual tool.
+/// Returns the largest depth of the sequence given depth x 2^(-k / 2) for which bound_reach(form, bare, depth) is at
+/// most kReachPerDepth times the given depth. Cost: bound_reach, once for a usual tool.
 [[nodiscard]] CertifiedDepth find_certified_depth(const CompiledTool& form, const CompiledTool& bare, double given_mm);
 
-/// Results of find_certified_depth for one tool, each computed once; may be queried from any thread. A copy starts
+/// Stored results of find_certified_depth for one tool. Each is computed once; any thread may query it. A copy starts
 /// empty.
 class CertifiedDepths {
  public:
@@ -34,7 +35,7 @@ class CertifiedDepths {
     known_.clear();
     return *this;
   }
-  /// Requires the same `form` and `bare` at every call.
+  /// Returns the result of find_certified_depth. Requires the same `form` and `bare` at every call.
   [[nodiscard]] CertifiedDepth at(const CompiledTool& form, const CompiledTool& bare, double given_mm) const;
 
  private:

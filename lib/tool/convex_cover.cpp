@@ -11,13 +11,12 @@
 namespace gouge {
 namespace {
 
-// Represents no limit.
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-// A contour of more lines and arcs than the first is covered by chords of it. There are at most as many as the second
-// if chords over kMaxHeld elements allow it.
+// A contour of more than kMaxExact lines and arcs is covered by its chords. Each chord spans at most kMaxHeld elements.
+// The tolerance grows until there are at most kMaxChords chords, if possible.
 constexpr std::size_t kMaxExact = 64, kMaxChords = 256, kMaxHeld = 64;
-constexpr double kMaxFill = 0.02;  // of the tool's size: the height of an overhang that is filled
-constexpr double kFinest = 1e-5;   // of the tool's size: how far the contour may lie off its chords, doubled as needed
+constexpr double kMaxFill = 0.02;  // maximum height of a filled overhang, as a share of the tool's size
+constexpr double kFinest = 1e-5;   // initial distance of the contour from its chords, as a share of the tool's size
 
 Vec2 direction_at(const BoundaryElement& e, const Vec2& point) {
   if (e.kind == ElementKind::segment) return (e.b - e.a).normalized();
@@ -30,7 +29,7 @@ bool is_rising(const BoundaryElement& e) {
          e.b.y() >= e.a.y();
 }
 
-/// Returns how far a line or arc is from the segment between two points at most.
+/// Returns the maximum distance of a line or arc from the segment between two points.
 double farthest_off(const BoundaryElement& e, const Vec2& from, const Vec2& to) {
   const Vec2 chord = to - from;
   const auto off = [&](const Vec2& p) {
@@ -41,8 +40,8 @@ double farthest_off(const BoundaryElement& e, const Vec2& from, const Vec2& to) 
   return std::max(off(e.a), off(e.b)) + rise;
 }
 
-/// Chords of a contour as segments whose `radius_mm` states how far the contour lies off them. Level lines stay as they
-/// are: steps begin and end pieces.
+/// Returns chords of a contour as segments. Their `radius_mm` is the maximum distance of the contour from them. Level
+/// lines are copied, because steps begin and end pieces.
 std::vector<BoundaryElement> chords_of(const std::vector<const BoundaryElement*>& curves, double max_off_mm) {
   std::vector<BoundaryElement> chords;
   for (std::size_t first = 0; first < curves.size();) {
@@ -67,7 +66,7 @@ std::vector<BoundaryElement> chords_of(const std::vector<const BoundaryElement*>
   return chords;
 }
 
-/// Consecutive elements that one piece can hold.
+/// Consecutive elements that fit in one piece.
 struct Run {
   std::vector<const BoundaryElement*> elements;
   double arc_radius_mm = 0;
@@ -79,11 +78,11 @@ struct Run {
     const bool is_concave = [](const BoundaryElement& x) { return x.kind == ElementKind::arc && x.is_reflex; }(e);
     if (is_concave || (last.kind == ElementKind::arc && last.is_reflex)) return false;
     if (corners + 3 >= CoverPiece::kMaxChain) return false;
-    if ((last.b - e.a).squaredNorm() > 0) return false;  // a step between them
+    if ((last.b - e.a).squaredNorm() > 0) return false;  // there is a step between them
     const double turn = cross(direction_at(last, last.b), direction_at(e, e.a));
     const bool has_arc = arc_radius_mm > 0 || e.kind == ElementKind::arc;
     if (has_arc && std::abs(turn) > Tolerance::kTangent) return false;
-    if (has_arc && corners > 0 && arc_radius_mm <= 0) return false;  // sharp corners cannot be rounded
+    if (has_arc && corners > 0 && arc_radius_mm <= 0) return false;  // sharp corners cannot become round
     if (e.kind == ElementKind::arc && arc_radius_mm > 0 &&
         std::abs(e.radius_mm - arc_radius_mm) > Tolerance::kRounding_mm)
       return false;
@@ -145,7 +144,7 @@ class CoverMaker {
     return true;
   }
 
-  // A bound for the chord holds for points within its radius too: distances change no faster.
+  // A bound for the chord also holds for points within its radius, because distances change no faster than positions.
   void take_chords() {
     double off = kFinest * cover_.size_mm;
     for (chords_ = chords_of(curves_, off); chords_.size() > kMaxChords && off < cover_.size_mm; off *= 2)
@@ -157,7 +156,7 @@ class CoverMaker {
   void add_runs() {
     Run run;
     for (const BoundaryElement* e : curves_) {
-      // A face looking up only ends a piece; one looking down begins the next.
+      // A face that looks up only ends a piece; a face that looks down begins the next one.
       const bool is_top = is_level(e->a, e->b) && e->b.x() < e->a.x();
       if (is_top || !run.takes(*e)) {
         add(run);
@@ -174,7 +173,7 @@ class CoverMaker {
     return end - by * Vec2(direction.y(), -direction.x());
   }
 
-  // A concave arc counts as its chord, which lies outside it.
+  // A concave arc is represented by its chord, which lies outside of it.
   static Vec2 length_at(const BoundaryElement& e, const Vec2& point) {
     return e.kind == ElementKind::arc && e.is_reflex ? Vec2((e.b - e.a).normalized()) : direction_at(e, point);
   }
@@ -207,8 +206,9 @@ class CoverMaker {
     keep(piece, has_face ? first.b.x() : first.a.x(), last.b.x(), has_face && outside <= Tolerance::kRounding_mm);
   }
 
-  // A line needs two points apart, or its direction is noise, and the chain must turn left everywhere. Halved arcs give
-  // one centre twice. The part outside of a chain with one point less is added to the radius.
+  // Removes points until every line has a direction and the chain turns left everywhere. Points that are too close give
+  // a direction that is only noise; halved arcs give one centre twice. Material outside of the shortened chain is added
+  // to the radius.
   void straighten(std::vector<Vec2>& chain) const {
     for (std::size_t k = 1; k + 1 < chain.size();) {
       const Vec2 in = chain[k] - chain[k - 1], out = chain[k + 1] - chain[k];
@@ -230,7 +230,7 @@ class CoverMaker {
     is_closed_.push_back(is_closed);
   }
 
-  // Contours that turn back in height: a cylinder for every stretch of heights between two corners.
+  // Covers a contour that turns back in height: one cylinder for each interval of heights between two corners.
   void add_cylinders() {
     std::vector<double> heights{tool_.z_min_mm, tool_.z_max_mm};
     for (const BoundaryElement* e : curves_) {
@@ -268,7 +268,7 @@ class CoverMaker {
     return e.kind == ElementKind::arc ? std::max(ends, e.center.x() + e.radius_mm) : ends + e.radius_mm;
   }
 
-  /// An upper bound of f over an element.
+  /// Returns an upper bound of f over an element.
   static double farthest_out(const CoverPiece& piece, const BoundaryElement& e) {
     const double ends = std::max(cover_distance(piece, e.a), cover_distance(piece, e.b));
     if (e.kind == ElementKind::segment) return ends + e.radius_mm;
@@ -277,7 +277,8 @@ class CoverMaker {
     return std::max(ends, all_round);
   }
 
-  // As far as the tool stays within the piece's own continuation, feet on that are free.
+  // Sets the range of valid feet. Closest points on the piece's continuation are valid up to the first element outside
+  // of it.
   void set_feet(CoverPiece& piece) const {
     piece.foot_lo_mm = -kEndless;
     piece.foot_hi_mm = kEndless;
@@ -290,8 +291,8 @@ class CoverMaker {
 
   const CompiledTool& tool_;
   std::vector<const BoundaryElement*> curves_;
-  std::vector<BoundaryElement> chords_;  // in place of the tool's elements, if those are many
-  std::vector<BoundaryElement> filled_;  // in place of the tool's elements, if those turn back by little
+  std::vector<BoundaryElement> chords_;  // in place of the tool's elements, if there are many
+  std::vector<BoundaryElement> filled_;  // in place of the tool's elements, if they turn back by little
   std::vector<double> start_radius_, end_radius_;
   std::vector<bool> is_closed_;
   ConvexCover cover_;

@@ -6,15 +6,15 @@
 
 #include "lib/tool/compiled_tool.h"
 
-// The tool as a stack of convex solids of revolution, for bounds that must be cheap. Each holds for the heights of its
-// slab. Its signed distance is convex, so that one subgradient bounds a whole triangle and a whole span of time. A
-// cover's bound is never below the true value. Where it is above (undercuts, hollow ends, heights next to a step) the
-// exact search decides. Proofs: docs/method/wide_sweep.md.
+// The tool as a stack of convex solids of revolution, for cheap bounds. Each solid is valid for the heights of its
+// slab. Its signed distance is convex, so one subgradient bounds a whole triangle over a whole span of time. A cover's
+// bound is never below the true value. If it is above it (undercuts, hollow ends, heights next to a step), the exact
+// search decides. Proofs: docs/method/wide_sweep.md.
 
 namespace gouge {
 
-/// The solid {(r, z) : dist((r, z), core) <= radius}. The core is the space on the left of a convex chain of points,
-/// continued beyond both its ends along its first and last segment.
+/// The solid {(r, z) : dist((r, z), core) <= radius}. The core is the region to the left of a convex chain of points.
+/// The chain continues beyond both ends along its first and last segment.
 ///
 /// Let f = dist(core) - radius, negative inside. In the core, dist is the largest signed distance to a line of the
 /// chain. Then for every q with z in [z_lo, z_hi]:
@@ -26,21 +26,21 @@ namespace gouge {
 struct CoverPiece {
   static constexpr std::size_t kMaxChain = 12;
   double z_lo_mm = 0, z_hi_mm = 0;
-  double foot_lo_mm = 0, foot_hi_mm = 0;                         ///< infinite where nothing follows
+  double foot_lo_mm = 0, foot_hi_mm = 0;                         ///< infinite if no element limits it
   double r_below_mm = 0, r_above_mm = 0;                         ///< 0: the whole end is free
-  double r_closed_mm = std::numeric_limits<double>::infinity();  ///< finite where the chain has the lower face
+  double r_closed_mm = std::numeric_limits<double>::infinity();  ///< finite if the chain contains the lower face
   double radius_mm = 0;
   std::vector<Vec2> chain;  ///< 2 to kMaxChain points
 };
 
 struct ConvexCover {
   std::vector<CoverPiece> pieces;  ///< from the tip up; empty for a tool without elements
-  double size_mm = 0;              ///< no point of the tool is farther from its tip
+  double size_mm = 0;              ///< maximum distance of the tool's points from its tip
 };
 
-/// Makes the cover. That of a contour of many elements stands off by more: it follows chords, so that its pieces stay
-/// few.
-/// Cost linear in the number of elements, and in the square of pieces, which are some hundred at the most.
+/// Makes the cover. For a contour of many elements it follows chords and is farther from the tool, so that there are
+/// few pieces.
+/// Cost linear in the number of elements, and in the square of the number of pieces, which is at most a few hundred.
 [[nodiscard]] ConvexCover make_convex_cover(const CompiledTool& tool);
 
 /// Returns f of a piece at (r, z).

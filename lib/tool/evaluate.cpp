@@ -27,9 +27,9 @@ ToolDistance from_vertex(const BoundaryElement& e, std::uint32_t index, const Ve
   return {sign * distance, index, e.a, normal};
 }
 
-// From the centre to the foot, unit. Within rounding of the centre the BSP cannot distinguish the sectors of
-// neighbouring elements. A point just outside its arc's own sector gets the nearer end. So the foot is always a point
-// of the tool and the normal one of its normals.
+// Returns the unit direction from the centre to the foot. Within rounding of the centre the BSP cannot distinguish the
+// sectors of neighbouring elements. For a point just outside of its arc's sector, the foot is the nearer end. So the
+// foot is always a point of the tool, and the normal is one of its normals.
 Vec2 direction_to_closest(const BoundaryElement& e, const Vec2& away, double distance) {
   const Vec2 to_a = e.a - e.center;
   const Vec2 to_b = e.b - e.center;
@@ -51,7 +51,7 @@ ToolDistance result(const BoundaryElement& e, std::uint32_t index, const Vec2& q
   return e.kind == ElementKind::vertex ? from_vertex(e, index, q) : from_arc(e, index, q);
 }
 
-/// The distance of `result`, to the last bit.
+/// Returns the same distance as `result`, to the last bit.
 double distance_of(const BoundaryElement& e, const Vec2& q) {
   if (e.kind == ElementKind::segment) return e.normal.dot(q - e.a);
   const bool is_vertex = e.kind == ElementKind::vertex;

@@ -23,8 +23,8 @@ const Vec2& nearer_end(const BoundaryElement& e, const Vec2& q) {
   return (q - e.b).squaredNorm() < (q - e.a).squaredNorm() ? e.b : e.a;
 }
 
-// A stretch of contour along which the height only rises or only falls, met by the ray from q along +r. A
-// stretch holds its lower end and not its upper one, so the ray counts a joint of two stretches once.
+// Returns whether the ray from q along +r can meet a stretch of contour on which the height only rises or only falls. A
+// stretch includes its lower end but not its upper end. So the ray counts a joint of two stretches once.
 bool holds_height(double from_z, double to_z, double z) { return (from_z <= z) != (to_z <= z); }
 
 int crossings_with_segment(const BoundaryElement& e, const Vec2& q) {
@@ -33,7 +33,7 @@ int crossings_with_segment(const BoundaryElement& e, const Vec2& q) {
   return (e.b.y() > e.a.y() ? left > 0 : left < 0) ? 1 : 0;
 }
 
-// Returns whether the contour rises where it passes `at` on an arc; at a pole `inward` decides, +1 for the start.
+// Returns whether the contour rises where it passes `at` on an arc. At a pole `inward` decides; it is +1 for the start.
 bool rises_at(const BoundaryElement& arc, const Vec2& at, double inward) {
   const double out = at.x() - arc.center.x();
   if (out > 0 || out < 0) return turn_of(arc) * out > 0;
@@ -79,14 +79,14 @@ ToolDistance evaluate_brute_force(const CompiledTool& tool, double r_mm, double 
   std::uint32_t nearest = 0;
   for (std::uint32_t i = 0; i < tool.elements.size(); ++i) {
     const double here = distance_to(tool.elements[i], q);
-    // At an equal distance the vertex is named, not the ends of its neighbours.
+    // At an equal distance a vertex has priority over the ends of its neighbours.
     if (here < distance || (!(here > distance) && tool.elements[i].kind == ElementKind::vertex)) nearest = i;
     if (here < distance) distance = here;
   }
   const BoundaryElement& e = tool.elements[nearest];
   const double sign = is_inside(tool, q) ? -1 : 1;
   ToolDistance result = evaluate_element(tool, nearest, r_mm, z_mm);
-  if (!has_point_within(e, q)) {  // the end of a smooth joint
+  if (!has_point_within(e, q)) {  // the nearest point is the end of a smooth joint
     result.foot = nearer_end(e, q);
     if (distance > 0) result.normal = sign / distance * (q - result.foot);
   }

@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kDeepest = 64;  // of a tree over 2^32 elements, halved at every level
+constexpr std::size_t kDeepest = 64;  // depth of a tree over 2^32 elements, halved at every level
 
 double signed_distance(const BoundaryElement& e, const Vec2& q) {
   if (e.kind == ElementKind::segment) return e.normal.dot(q - e.a);
@@ -56,7 +56,7 @@ class NearestElementSearch {
 
   void push(std::uint32_t stretch, double squared) { open_[open_count_++] = {stretch, squared}; }
 
-  // The nearer one is examined first.
+  // Pushes both halves so that the nearer one is examined first.
   void open_halves(std::uint32_t one, std::uint32_t other) {
     const double d = squared_distance(tool_.stretches[one], q_);
     const double e = squared_distance(tool_.stretches[other], q_);
@@ -69,7 +69,8 @@ class NearestElementSearch {
     }
   }
 
-  // Walks along the contour with the value of the last border: at least one element's domain holds every point.
+  // Walks along the contour and remembers the value at the last border. Every point is in the domain of at least one
+  // element.
   void look_at(const ContourStretch& stretch) {
     double behind = stretch.first > 0 ? side_of(tool_.borders[stretch.first - 1], q_) : 0;
     for (std::uint32_t k = stretch.first; k < stretch.last; ++k) {

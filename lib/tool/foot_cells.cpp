@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kMargin_rad = 1e-6;  // beyond the rays of a vertex: normals of neighbours are rounded
+constexpr double kMargin_rad = 1e-6;  // extension of a vertex cell, because the normals of its neighbours are rounded
 constexpr double kLargestTurn_rad = 0.5 * std::numbers::pi;
 
 Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -19,7 +19,7 @@ double angle_between(const Vec2& a, const Vec2& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
-/// Outward normal of an element at one of its ends; of a vertex its mean one.
+/// Returns the outward normal of an element at one of its ends; for a vertex its mean normal.
 Vec2 normal_at(const BoundaryElement& e, const Vec2& end) {
   if (e.kind != ElementKind::arc) return e.normal;
   const Vec2 out = (end - e.center).normalized();
@@ -50,7 +50,8 @@ FootCell of_arc(const BoundaryElement& e) {
   return round(e.center, e.normal, half, e.radius_mm, e.is_reflex ? 1.0 : -1.0);
 }
 
-/// The rays of a reflex corner lie between the normals of its neighbours; on the axis the mirrored contour is one.
+/// Returns the cell of a reflex corner. Its rays lie between the normals of its neighbours; on the axis the mirrored
+/// contour is a neighbour.
 FootCell of_corner(const CompiledTool& tool, std::size_t i) {
   const BoundaryElement& e = tool.elements[i];
   const auto mirrored = [](const Vec2& n) { return Vec2(-n.x(), n.y()); };
@@ -90,7 +91,7 @@ double FootCell::width_mm(double t) const {
 }
 
 double FootCell::farthest_mm(const Vec2& place, double t) const {
-  // Along a ray the distance is convex; about the centre it grows with the angle from the point.
+  // Along a ray the distance is convex. About the centre it increases with the angle from the point.
   double farthest = 0;
   const double length = std::min(t, longest_ray_mm());
   for (const double s : {from, to}) {
@@ -107,7 +108,7 @@ bool FootCell::rays_meet(const Vec2& place, double within_mm) const {
   const double half = 0.5 * (to - from);
   if (is_straight()) return half < within_mm;
   const double distance = (place - origin).norm();
-  // Away from a centre, a ray at too wide an angle only leads farther from the point.
+  // If the rays lead away from the centre, a ray at too wide an angle only moves away from the point.
   if (half >= kLargestTurn_rad || (side > 0 && distance * std::cos(half) < radius_mm)) return false;
   return distance * std::sin(half) < within_mm;
 }

@@ -9,10 +9,10 @@
 namespace gouge {
 namespace {
 
-constexpr double kLeast = 1e-5;  // regions that are less deep than this share of the height beyond are passed over
+constexpr double kLeast = 1e-5;  // regions that exceed the depth by less than this share of the height are ignored
 constexpr int kRows = 200, kColumns = 64, kSamples = 256;
 
-/// Nothing between two points of depths a and b is less deep than this: depth changes no faster than the distance.
+/// Returns a lower bound of the depth between two points of depths a and b. Depth changes no faster than the distance.
 double min_between(double a, double b, double distance) { return 0.5 * (a + b - distance); }
 
 }  // namespace
@@ -53,8 +53,8 @@ RegionFinder::RegionFinder(const CompiledTool& tool)
 
 double RegionFinder::depth_at(double r, double z) const { return -signed_distance_mm(tool_, std::abs(r), z); }
 
-// Local maxima of the depth off the axis: hollow cutters and undercut rings have them. Looked for upward from the
-// points of a grid that are no less deep than their neighbours.
+// Finds local maxima of the depth off the axis. Hollow cutters and undercut rings have them. The search climbs from the
+// grid points that are at least as deep as their neighbours.
 void RegionFinder::find_rings() {
   if (tool_.elements.empty()) return;
   const double height = tool_.z_max_mm - tool_.z_min_mm;
@@ -87,7 +87,7 @@ void RegionFinder::find_rings() {
   }
 }
 
-/// Up the depth from a point, by steps that are halved when none of them leads up.
+/// Climbs to larger depths from a point. Halves the step if no step leads up.
 RegionFinder::Ring RegionFinder::climb(Vec2 point) const {
   double depth = depth_at(point.x(), point.y());
   const double size = tool_.r_max_mm + tool_.z_max_mm - tool_.z_min_mm;
@@ -139,7 +139,7 @@ FreeRegions RegionFinder::at(double depth_mm) const {
   for (std::size_t k = 0; k < has_body_.size(); ++k) found.is_covered[k] = body_depth_mm_[k] > depth_mm + min_mm_;
   const double height = tool_.z_max_mm - tool_.z_min_mm;
   bool is_open = false;
-  // Around a point on the axis everything within its excess is free, or within its lack is not.
+  // A point on the axis decides for its surroundings: up to its excess all points are free, or up to its lack none is.
   for (double z = tool_.z_min_mm; z <= tool_.z_max_mm && height > 0;) {
     const double depth = depth_at(0, z), excess = depth - depth_mm;
     const bool is_free = excess > min_mm_;
@@ -150,7 +150,7 @@ FreeRegions RegionFinder::at(double depth_mm) const {
       if (depth > region.depth_mm) region.deepest = Vec2(0, z), region.depth_mm = depth;
     }
     is_open = is_free;
-    z += std::max(min_mm_, 0.95 * std::abs(excess));  // within the excess of a free point
+    z += std::max(min_mm_, 0.95 * std::abs(excess));  // stays within the excess of a free point
   }
   for (std::size_t k = 0; k < rings_.size(); ++k) {
     const Ring& ring = rings_[k];

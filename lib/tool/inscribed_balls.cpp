@@ -9,11 +9,12 @@
 namespace gouge {
 namespace {
 
-constexpr double kShrink = 0.97;  // where that takes long, a smaller ball will do
+constexpr double kShrink = 0.97;  // factor for a ball that needs many steps; a smaller ball is good enough
 constexpr int kMaxShrinks = 30, kQuickShrinks = 10;
-constexpr std::size_t kMaxStretches = 100'000;  // beyond, what would be cut further counts as having no ball
+constexpr std::size_t kMaxStretches = 100'000;  // beyond this number, a stretch that would be divided counts as having
+                                                // no ball
 
-/// Returns whether heights do not fall along the element.
+/// Returns whether heights do not decrease along the element.
 bool faces_outwards(const BoundaryElement& e) {
   if (e.kind == ElementKind::vertex) return true;
   if (e.kind == ElementKind::segment) return e.normal.x() >= -Tolerance::kExactDirection;
@@ -25,7 +26,7 @@ Box2 feet_of(const FootCell& cell) {
   Box2 box;
   for (const double s : {cell.from, cell.middle(), cell.to}) box.extend(cell.at(s, 0));
   if (cell.is_straight()) return box;
-  // An arc leaves the chords between the three by less than it is long.
+  // The distance of an arc from the chords between the three points is less than its length.
   const double length = cell.width_mm(0);
   return Box2(Vec2(box.min().array() - length), Vec2(box.max().array() + length));
 }
@@ -58,7 +59,7 @@ InscribedBalls::InscribedBalls(const CompiledTool& tool, double slack_mm)
 
 void InscribedBalls::cover(const CompiledTool& tool, const FootCell& cell) {
   const InscribedBall ball = inscribed_ball(tool, cell, cell.middle(), slack_mm_, 0.25 * slack_mm_);
-  // On the way from a foot to a depth of the radius the distance from the centre is largest at an end.
+  // From a foot to the depth of the radius, the distance from the centre is largest at one of the two ends.
   const bool has_ball =
       ball.radius_mm > 0 && cell.farthest_mm(ball.center, ball.radius_mm) <= ball.radius_mm + slack_mm_;
   if (has_ball || cell.width_mm(0) <= slack_mm_ || stretches_.size() >= kMaxStretches) {
@@ -82,7 +83,7 @@ std::vector<Box2> InscribedBalls::sharp_zones(double depth_mm) const {
     if (is_sharp) zones.back().extend(stretch.feet);
     is_open = is_sharp;
   }
-  // A point less deep than that is no farther from its foot.
+  // A point less deep than `depth_mm` is at most `depth_mm` from its foot.
   for (Box2& zone : zones) zone = Box2(Vec2(zone.min().array() - depth_mm), Vec2(zone.max().array() + depth_mm));
   return zones;
 }

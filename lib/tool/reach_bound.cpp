@@ -12,26 +12,27 @@
 namespace gouge {
 namespace {
 
-constexpr double kRegionRounding = 2e-5;  // of the height: what RegionFinder passes over, twice
-constexpr double kNearly = 0.01;          // of the depth: how nearly the largest ball is found
-constexpr double kFine = 0.02;            // of the bound: cells no wider are not cut
+constexpr double kRegionRounding = 2e-5;  // share of the height: twice the size of regions that RegionFinder ignores
+constexpr double kNearly = 0.01;          // share of the depth: accuracy of the largest ball
+constexpr double kFine = 0.02;            // share of the bound: cells this narrow are not divided
 constexpr std::size_t kAxisPoints = 128, kNeighbours = 4, kMaxCells = 5'000;
 constexpr int kHalvings = 30, kMaxJoints = 16;
-// Examines a ball, and how many an evaluation counts for: a tool of many teeth ends here, with a bound that is larger.
+// Maximum number of examined balls, and the number that one evaluation counts for. A tool of many teeth reaches the
+// maximum. It gets a larger bound.
 constexpr std::size_t kMaxLooks = 10'000'000, kLooksOfEvaluation = 30;
 
-/// All that is nearer to `center` than `free_mm` lies deeper than the given depth.
+/// A ball of the half plane. All points nearer to `center` than `free_mm` lie deeper than the given depth.
 struct Ball {
   Vec2 center = Vec2::Zero();
   double free_mm = 0;
-  bool is_joined = false;  // with an axis point that the check needs
+  bool is_joined = false;  // connected with a point of the axis that the check needs
 };
 
 struct CellBall {
   FootCell cell;
-  std::size_t ball = 0;  // its own, or the number of balls before it
+  std::size_t ball = 0;  // its own ball, or the number of balls before it
   bool has_ball = false;
-  bool is_covered = false;  // its own ball bounds it well enough
+  bool is_covered = false;  // its own ball is a good enough bound
 };
 
 class ReachSearch {
@@ -59,8 +60,8 @@ class ReachSearch {
     return -signed_distance_mm(form_, std::max(0.0, q.x()), q.y()) - depth_mm_ - Tolerance::kConstruction * size_mm_;
   }
 
-  /// The part of the largest ball touching the boundary at the middle ray's foot, or nearly, that is deeper than the
-  /// limit.
+  /// Returns a part of the largest ball that touches the boundary, or nearly, at the middle ray's foot. The part is
+  /// deeper than the given depth.
   [[nodiscard]] Ball own_ball(const FootCell& cell) const {
     looks_ += 4 * kLooksOfEvaluation;
     const InscribedBall ball = inscribed_ball(form_, cell, cell.middle(), depth_mm_, kNearly * depth_mm_);
@@ -68,8 +69,8 @@ class ReachSearch {
     return {ball.center, ball.radius_mm - depth_mm_ - Tolerance::kConstruction * size_mm_};
   }
 
-  /// Finds where every ray of the cell enters the ball. Points before that place are nearer than its foot. Points
-  /// behind it are joined with the ball along the ray, as they are deeper than its entry.
+  /// Bounds the distance of the cell's points to the ball, if every ray enters the ball. Points before the entry are
+  /// nearer than their foot. Points behind it are deeper than the entry, so the ray connects them with the ball.
   [[nodiscard]] static double bound_by_own(const FootCell& cell, const Ball& ball) {
     if (!(ball.free_mm > 0) || !cell.rays_meet(ball.center, ball.free_mm)) return kNoReach_mm;
     return std::max(0.0, cell.farthest_mm(ball.center, 0) - ball.free_mm);
@@ -97,7 +98,7 @@ class ReachSearch {
     cover(half_of(cell, true));
   }
 
-  /// Between a cell that has a ball and a next one of its element that has none lies the outermost one.
+  /// Adds the outermost ball between a cell with a ball and a neighbour in the same element without one.
   void add_end_of_balls(const FootCell& cell, bool has_ball) {
     if (cells_.empty() || cells_.back().has_ball == has_ball) return;
     const FootCell& before = cells_.back().cell;
@@ -109,7 +110,7 @@ class ReachSearch {
     for (int k = 0; k < kHalvings; ++k) {
       point.from = point.to = 0.5 * (with + without);
       const Ball ball = own_ball(point);
-      const bool is_wide = ball.free_mm > kFine * depth_mm_;  // a narrower one is hard to join
+      const bool is_wide = ball.free_mm > kFine * depth_mm_;  // a narrower ball is hard to connect
       (is_wide ? with : without) = point.from;
       if (is_wide) outermost = ball;
     }
@@ -131,7 +132,7 @@ class ReachSearch {
     return -signed_distance_mm(bare_, 0, ball.center.y()) > depth_mm_ + excess;
   }
 
-  /// Returns whether all of the straight line between two points is deeper than the given depth.
+  /// Returns whether the whole straight line between two points is deeper than the given depth.
   [[nodiscard]] bool are_joined(const Ball& a, const Ball& b, int joints = kMaxJoints) const {
     if (a.free_mm + b.free_mm > (a.center - b.center).norm()) return true;
     if (joints == 0 || is_tired()) return false;
@@ -141,7 +142,7 @@ class ReachSearch {
     return middle.free_mm > 0 && are_joined(a, middle, joints - 1) && are_joined(middle, b, joints - 1);
   }
 
-  /// From the points on the axis along the contour, both ways, until nothing more joins.
+  /// Connects balls along the contour, in both directions, from the points on the axis until no more can be connected.
   void join() {
     for (Ball& ball : balls_) ball.is_joined = is_asked(ball);
     for (bool is_new = true; is_new && !is_tired();) {
@@ -157,7 +158,7 @@ class ReachSearch {
     return to.is_joined = true;
   }
 
-  // A point that is not joined, for lack of a joint or of budget, bounds nothing.
+  // Stops the search for connections. Then a ball remains unconnected and bounds nothing.
   [[nodiscard]] bool is_tired() const { return looks_ > kMaxLooks; }
 
   bool join_any(Ball& ball) const {
@@ -173,7 +174,7 @@ class ReachSearch {
     return axis.free_mm > 0 && is_asked(axis) && (ball.is_joined = are_joined(axis, ball));
   }
 
-  /// A bound for all points of a cell, not looked for below cutoff_mm or `known_mm`.
+  /// Returns a bound for all points of a cell. The search stops as soon as it is below cutoff_mm or `known_mm`.
   [[nodiscard]] double bound(std::size_t k, double known_mm) {
     const CellBall& own = cells_[k];
     if (own.is_covered && balls_[own.ball].is_joined) return bound_by_own(own.cell, balls_[own.ball]);
@@ -191,7 +192,7 @@ class ReachSearch {
     for (std::size_t i = first; i < std::min(balls_.size(), near + kNeighbours); ++i) use(balls_[i]);
     if (is_tired()) return upper;
     looks_ += balls_.size();
-    for (std::size_t i = balls_.size(); i-- > 0 && upper > min_mm;) use(balls_[i]);  // the newest lie nearest
+    for (std::size_t i = balls_.size(); i-- > 0 && upper > min_mm;) use(balls_[i]);  // the newest balls are the nearest
     const double width = cell.width_mm(0) + cell.width_mm(std::min(ray, depth_mm_));
     if (upper <= min_mm || width < kFine * upper || budget < 2) return upper;
     budget -= 2;
@@ -209,12 +210,12 @@ class ReachSearch {
     return bound_by_all(cell, near, min_mm, budget);
   }
 
-  /// No point of the tool whose foot is in the cell is farther from it. If one at t were, the point at t of the middle
-  /// ray would be at least as deep as t less their distance.
+  /// Returns a bound of the distance of points with their foot in the cell from that foot. If one were at t, the middle
+  /// ray's point at t would be at least t less their distance deep.
   [[nodiscard]] double longest_ray(const FootCell& cell) const {
     const double longest = std::min(cell.longest_ray_mm(), size_mm_);
     for (double t = depth_mm_; t < longest; t *= 1.25) {
-      const Vec2 q = cell.at(cell.middle(), t);  // beyond the axis the mirrored tool goes on
+      const Vec2 q = cell.at(cell.middle(), t);  // beyond the axis the mirrored tool follows
       if (-signed_distance_mm(form_, std::abs(q.x()), q.y()) <
           t - cell.width_mm(t) - Tolerance::kConstruction * size_mm_)
         return t;

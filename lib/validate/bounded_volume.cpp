@@ -14,7 +14,7 @@
 namespace gouge::detail {
 namespace {
 
-/// Per triangle: the lowest triangle of its piece. Empty where edges have not two triangles each.
+/// Returns, for each triangle, the lowest triangle of its piece. Empty if an edge does not have exactly two triangles.
 std::vector<std::uint32_t> find_lowest_triangles(const IndexedMesh& mesh, std::size_t pieces) {
   std::vector<std::uint32_t> lowest(mesh.triangles.size(), 0);
   if (pieces == 1) return lowest;
@@ -28,9 +28,9 @@ std::vector<std::uint32_t> find_lowest_triangles(const IndexedMesh& mesh, std::s
   return lowest;
 }
 
-/// A piece's box, six times its volume, and the sum of the absolute values of all products in it.
+/// The box of a piece, six times its volume, and the sum of the absolute values of all products in that volume.
 struct MeasuredPiece {
-  std::uint32_t lowest = 0;  // its lowest triangle
+  std::uint32_t lowest = 0;  // index of its lowest triangle
   Box3 box;
   double six_volumes = 0, magnitude = 0;
 };
@@ -67,13 +67,14 @@ bool has_box_in_another(std::vector<MeasuredPiece> pieces) {
   return false;
 }
 
-/// The pieces that contain a point.
+/// A counter of the pieces that contain a given piece.
 class Nesting {
  public:
   Nesting(const IndexedMesh& mesh, const std::vector<std::uint32_t>& lowest)
       : mesh_(mesh), lowest_(lowest), near_(mesh, all_triangles(mesh)), crossings_(lowest.size(), 0) {}
 
-  /// Returns how many others a piece lies in; nothing where no ray along the axes from its first corners shows.
+  /// Returns the number of other pieces that contain a piece. Returns nothing if no ray along the axes from its first
+  /// corners decides it.
   std::optional<std::size_t> depth(std::uint32_t piece) {
     std::size_t tried = 0;
     for (std::uint32_t t = piece; t < lowest_.size() && tried < kMaxCorners; ++t) {
@@ -89,7 +90,8 @@ class Nesting {
  private:
   static constexpr std::size_t kMaxCorners = 12;
 
-  /// A point lies in those that a ray from it crosses an odd number of times.
+  /// Returns the number of other pieces that contain `point`. A piece contains it if the ray crosses the piece an odd
+  /// number of times.
   std::optional<std::size_t> count(std::uint32_t piece, const Vec3& point, int axis) {
     Box3 ray(point);
     ray.max()[axis] = std::numeric_limits<double>::infinity();
@@ -114,12 +116,12 @@ class Nesting {
   const IndexedMesh& mesh_;
   const std::vector<std::uint32_t>& lowest_;
   NearTriangles near_;
-  std::vector<std::uint8_t> crossings_;  // by lowest triangle: whether odd
+  std::vector<std::uint8_t> crossings_;  // by lowest triangle: 1 if the number of crossings is odd
 };
 
-/// Returns which way each piece faces; nothing where rounding decides the sign of a volume.
+/// Returns, for each piece, whether it faces outward. Returns nothing if rounding decides the sign of a volume.
 std::optional<std::vector<bool>> facings(const IndexedMesh& mesh, const std::vector<MeasuredPiece>& pieces) {
-  // Eight roundings a product and one for each sum on its way, doubled for the rounding of the magnitude.
+  // Eight roundings for each product and one for each later sum, doubled because the magnitude is rounded too.
   constexpr double kTwoRoundings = 2.3e-16, kUnderflow = 1e-200;
   const double share = kTwoRoundings * (static_cast<double>(mesh.triangles.size()) + 8);
   std::vector<bool> are_outward;

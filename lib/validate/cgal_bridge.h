@@ -9,22 +9,23 @@
 #include "lib/validate/repair_mesh.h"
 #include "lib/validate/validate_mesh.h"
 
-// The interface of cgal_self_intersections.cpp and cgal_repair.cpp, the only sources that include CGAL.
-// Exceptions of CGAL end there: each function returns an error (code "cgal-failed") instead.
+// The interface of cgal_self_intersections.cpp and cgal_repair.cpp, the only sources that include CGAL. CGAL's
+// exceptions do not leave them: each function returns an error (code "cgal-failed") instead.
 
 namespace gouge::detail {
 
-/// Returns those of `triangles` whose corners lie on one line. Exact.
+/// Returns the elements of `triangles` whose corners lie on one line. Exact.
 [[nodiscard]] Result<std::vector<std::uint32_t>> without_area(const IndexedMesh& mesh,
                                                               const std::vector<std::uint32_t>& triangles);
 
 using TrianglePair = std::pair<std::uint32_t, std::uint32_t>;  ///< the lower triangle first
 
-/// Returns those of `pairs` that have more in common than their shared corners. Exact. Requires triangles with area.
+/// Returns the elements of `pairs` whose triangles have more in common than their shared corners. Exact. Requires
+/// triangles with area.
 [[nodiscard]] Result<std::vector<TrianglePair>> crossing_pairs(const IndexedMesh& mesh,
                                                                const std::vector<TrianglePair>& pairs);
 
-/// Returns a point that two crossing triangles share, to rounding.
+/// Returns a common point of two crossing triangles, up to rounding.
 [[nodiscard]] Result<Vec3> meeting_point(const IndexedMesh& mesh, const TrianglePair& pair);
 
 struct VolumeFacts {
@@ -32,7 +33,8 @@ struct VolumeFacts {
   double volume_mm3 = 0;
 };
 
-/// Requires a closed, manifold, consistently oriented mesh that does not cross itself.
+/// Finds out whether the mesh bounds a volume, and its volume. Requires a closed, manifold, consistently oriented mesh
+/// that does not intersect itself.
 [[nodiscard]] Result<VolumeFacts> find_volume_facts(const IndexedMesh& mesh);
 
 struct CgalRepair {
@@ -40,7 +42,7 @@ struct CgalRepair {
   RepairSteps steps;
 };
 
-/// Returns the steps of repair_mesh that are CGAL's.
+/// Performs those steps of repair_mesh that use CGAL.
 [[nodiscard]] Result<CgalRepair> repair_with_cgal(const IndexedMesh& mesh, bool fills_holes);
 
 }  // namespace gouge::detail

@@ -9,9 +9,9 @@
 
 namespace gouge::detail {
 
-/// Runs `work`, in which CGAL neither prints nor aborts. Error (cgal-failed) where CGAL threw one. Its own words
-/// ("p1p2p3_2d!=COLLINEAR") do not help a user with a part to check. An exception for lack of memory passes through, as
-/// it is not an error of the mesh.
+/// Runs `work`; meanwhile CGAL neither prints nor aborts. Returns an error (cgal-failed) if CGAL throws an exception.
+/// CGAL's text ("p1p2p3_2d!=COLLINEAR") is left out, because it does not help a user with a part to check. An exception
+/// for lack of memory passes through, because it is not an error of the mesh.
 [[nodiscard]] Outcome run_guarded(const std::string& task, const std::function<void()>& work);
 
 /// Returns the value of `work`, or the error of run_guarded.

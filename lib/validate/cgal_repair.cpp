@@ -37,10 +37,11 @@ using Point = Kernel::Point_3;
 using SurfaceMesh = CGAL::Surface_mesh<Point>;
 using Polygon = std::array<std::size_t, 3>;
 
-// Below this many border edges a hole may fall back to CGAL's cubic search; above it that would take minutes.
+// Maximum number of border edges for which CGAL may use its cubic search. For larger holes that search would take
+// minutes.
 constexpr std::size_t kLongestCubicHole = 300;
 
-// CGAL must neither print nor abort while we are in it.
+// A guard: during its lifetime CGAL neither prints nor aborts.
 class QuietCgal {
  public:
   QuietCgal()
@@ -70,7 +71,7 @@ void to_soup(const IndexedMesh& mesh, std::vector<Point>& points, std::vector<Po
   for (const TriangleCorners& t : mesh.triangles) polygons.push_back({t[0], t[1], t[2]});
 }
 
-// Nothing where the triangles do not form a manifold surface.
+// Returns nothing if the triangles do not form a manifold surface.
 std::optional<SurfaceMesh> to_surface_mesh(const IndexedMesh& mesh) {
   SurfaceMesh surface;
   const auto counted = [](std::size_t count) { return static_cast<SurfaceMesh::size_type>(count); };
@@ -120,11 +121,11 @@ SurfaceMesh::Halfedge_index longest_side(const SurfaceMesh& surface, SurfaceMesh
   return longest;
 }
 
-// The corner of a face without area that lies between the two others splits the neighbour on its longest side. That is
-// an edge flip, by which no point of the surface moves. Nothing is lost either when a face without a neighbour there
-// goes.
+// Flips edges to remove faces without area. The middle corner of such a face splits the neighbour at its longest side.
+// Such an edge flip moves no point of the surface. A face without a neighbour at that side is removed, which loses
+// nothing.
 void flip_faces_without_area(SurfaceMesh& surface) {
-  constexpr std::size_t kMaxFlipsEach = 20;  // several faces on one line may pass their corners to and fro
+  constexpr std::size_t kMaxFlipsEach = 20;  // several faces on one line may exchange corners back and forth
   std::vector<SurfaceMesh::Face_index> open;
   pmp::degenerate_faces(surface, std::back_inserter(open));
   for (std::size_t left = kMaxFlipsEach * open.size(); left > 0 && !open.empty(); --left) {
@@ -146,8 +147,8 @@ void flip_faces_without_area(SurfaceMesh& surface) {
   }
 }
 
-// By flipping and collapsing edges: the surface stays where it is. Returns how many are gone. CGAL knows more methods
-// than flips alone, but gives up halfway on some surfaces.
+// Removes faces without area by flipping and collapsing edges, so the surface does not move. Returns the number of
+// removed faces. CGAL has more methods than flips alone, but it fails on some surfaces.
 std::size_t remove_faces_without_area(SurfaceMesh& surface) {
   const std::size_t count = count_faces_without_area(surface);
   if (count == 0) return 0;
@@ -161,7 +162,8 @@ std::size_t remove_faces_without_area(SurfaceMesh& surface) {
   return count - std::min(count, count_faces_without_area(surface));
 }
 
-// The rim of a lone triangle is not a hole: its filling would be the triangle's other side.
+// Returns whether the border surrounds a lone triangle. Such a border is not a hole: its filling would be the other
+// side of the triangle.
 bool is_rim_of_triangle(const SurfaceMesh& surface, SurfaceMesh::Halfedge_index rim) {
   const auto inside = surface.opposite(rim);
   const auto neighbours = CGAL::halfedges_around_face(inside, surface);
@@ -193,7 +195,7 @@ void fill_holes(SurfaceMesh& surface, bool fills_holes, RepairSteps& steps) {
   }
 }
 
-// Nesting decides where pieces do not cross; where they do, each closed piece faces outward by itself.
+// Orients pieces that do not cross by their nesting. If pieces cross, each closed piece faces outward by itself.
 void orient_as_one(SurfaceMesh& surface) {
   if (CGAL::is_closed(surface)) {
     pmp::orient_to_bound_a_volume(surface);
@@ -202,8 +204,8 @@ void orient_as_one(SurfaceMesh& surface) {
   }
 }
 
-// Returns whether CGAL can show which way a piece faces: not where the triangles about its uppermost corner lie in one
-// plane.
+// Returns whether CGAL can determine the facing of a piece. It cannot if the triangles at its uppermost corner lie in
+// one plane.
 bool has_facing(const SurfaceMesh& piece) {
   if (!CGAL::is_closed(piece)) return true;
   try {
@@ -214,8 +216,8 @@ bool has_facing(const SurfaceMesh& piece) {
   }
 }
 
-// Pieces whose facing cannot be determined (folded flat, they bound nothing) stay as they are and keep none of the
-// others from being turned.
+// Orients all pieces with a known facing. The other pieces are flat and bound nothing. They do not change and do not
+// prevent the turning of other pieces.
 void orient_outward(SurfaceMesh& surface, RepairSteps& steps) {
   SurfaceMesh attempt = surface;
   try {
@@ -257,7 +259,7 @@ Result<VolumeFacts> find_volume_facts(const IndexedMesh& mesh) {
     std::optional<SurfaceMesh> made = to_surface_mesh(mesh);
     if (!made) return make_error("cgal-failed", "the triangles do not form a manifold surface");
     SurfaceMesh& surface = *made;
-    remove_faces_without_area(surface);  // they bound nothing, and CGAL cannot show which way they face
+    remove_faces_without_area(surface);  // they bound nothing, and CGAL cannot determine their facing
     if (surface.number_of_faces() == 0 || !CGAL::is_closed(surface))
       return make_error("cgal-failed", "the surface is not closed");
     VolumeFacts facts;

@@ -19,7 +19,7 @@ using Triangle = Kernel::Triangle_3;
 
 Point to_point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-// Decides whether two triangles of a mesh have more in common than their shared corners.
+// Exact tests of whether two triangles of a mesh have more in common than their shared corners.
 class TrianglePairs {
  public:
   explicit TrianglePairs(const IndexedMesh& mesh) : mesh_(mesh) {}
@@ -34,10 +34,10 @@ class TrianglePairs {
     switch (shared_count(t, u)) {
       case 0:
         return CGAL::do_intersect(triangle(t), triangle(u));
-      case 1:  // away from the shared corner, one triangle's far side must meet the other triangle
+      case 1:  // the side opposite the shared corner of one triangle must meet the other triangle
         return CGAL::do_intersect(segment(a[1], a[2]), triangle(u)) ||
                CGAL::do_intersect(segment(b[1], b[2]), triangle(t));
-      case 2: {  // folded onto each other
+      case 2: {  // crossing means folded onto each other
         const Point p = point(a[0]), q = point(a[1]), r = point(a[2]), s = point(b[2]);
         return CGAL::coplanar(p, q, r, s) && CGAL::coplanar_orientation(p, q, r, s) == CGAL::POSITIVE;
       }
@@ -46,9 +46,9 @@ class TrianglePairs {
     }
   }
 
-  // Returns a point that two crossing triangles share, to rounding: where a side of one passes through the other. For
-  // triangles in one plane the middle of their common box is near enough. It is near a corner inside the other, or a
-  // crossing of sides.
+  // Returns a common point of two crossing triangles, up to rounding: the point where a side of one passes through the
+  // other. For triangles in one plane it is the middle of their common box. That is near a corner inside the other
+  // triangle or a crossing of sides.
   [[nodiscard]] Vec3 meeting_point(std::uint32_t t, std::uint32_t u) const {
     for (const auto& [one, other] : {std::pair(t, u), std::pair(u, t)}) {
       const TriangleCorners corners = shared_first(one, other);
@@ -56,7 +56,7 @@ class TrianglePairs {
       for (std::size_t k = 0; k < 3; ++k) {
         const Corner from = corners[k];
         const Corner to = corners[(k + 1) % 3];
-        if (shared > 0 && (k == 0 || k == 2)) continue;  // these sides start at the shared corner
+        if (shared > 0 && (k == 0 || k == 2)) continue;  // these sides contain the shared corner
         if (!CGAL::do_intersect(segment(from, to), triangle(other))) continue;
         if (const auto place = through_plane(mesh_.vertices[from], mesh_.vertices[to], other)) return *place;
       }
@@ -82,7 +82,7 @@ class TrianglePairs {
         std::count_if(corners.begin(), corners.end(), [&](Corner c) { return is_corner(c, u); }));
   }
 
-  // The corners of t, those it shares with u first.
+  // Returns the corners of t. The corners shared with u are first.
   [[nodiscard]] TriangleCorners shared_first(std::uint32_t t, std::uint32_t u) const {
     TriangleCorners corners = mesh_.triangles[t];
     std::stable_partition(corners.begin(), corners.end(), [&](Corner c) { return is_corner(c, u); });

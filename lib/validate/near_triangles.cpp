@@ -11,7 +11,7 @@ namespace gouge::detail {
 namespace {
 
 constexpr std::size_t kPartLeaves = 64;
-constexpr std::size_t kSortedWhole = 4096;  // leaves
+constexpr std::size_t kSortedWhole = 4096;  // number of leaves up to which one thread sorts a range
 
 }  // namespace
 
@@ -44,7 +44,7 @@ NearTriangles::NearTriangles(const IndexedMesh& mesh, const std::vector<std::uin
   cut(all);
 }
 
-// Ranges side by side as soon as there are many.
+// Sorts ranges in parallel as soon as there are many.
 void NearTriangles::sort(std::vector<Centre>& centres, const Range& all) {
   std::vector<Range> small, large{all};
   while (!large.empty()) {
@@ -70,7 +70,7 @@ void NearTriangles::sort_whole(std::vector<Centre>& centres, const Range& range)
   sort_whole(centres, range.right());
 }
 
-// By the median along the longest side of the box of the centres.
+// Divides at the median along the longest side of the box of the centres.
 void NearTriangles::halve(std::vector<Centre>& centres, const Range& range) {
   const auto first = centres.begin() + static_cast<std::ptrdiff_t>(range.first * kLanes);
   const auto middle = centres.begin() + static_cast<std::ptrdiff_t>(range.middle() * kLanes);

@@ -11,24 +11,26 @@ namespace gouge::detail {
 
 [[nodiscard]] std::vector<std::uint32_t> all_triangles(const IndexedMesh& mesh);
 
-/// Finds triangles of a mesh whose boxes meet: a binary tree of boxes, eight triangles a leaf, walked against
-/// itself. Boxes are exact, so that a far corner does not make near triangles meet.
+/// An index of a mesh's triangles whose boxes intersect. It traverses a binary tree of boxes, with eight triangles per
+/// leaf, against itself. Boxes are exact, so that far corners do not make the boxes of near triangles intersect.
 class NearTriangles {
  public:
-  /// Requires finite coordinates. Cost O(n log n); 70 bytes a triangle, 32 more meanwhile.
+  /// Builds the tree. Requires finite coordinates. Cost O(n log n); 70 bytes a triangle, and 32 more during the
+  /// construction.
   NearTriangles(const IndexedMesh& mesh, const std::vector<std::uint32_t>& triangles);
 
-  /// Pairs come in this many parts, which may be examined in any order and at once.
+  /// Returns the number of parts of the search for pairs. The parts may be searched in any order and at the same time.
   [[nodiscard]] std::size_t parts() const { return parts_.size(); }
 
-  /// Calls visit(t, u) for pairs of triangles whose boxes meet, each once over all parts, in no promised order.
-  /// Cost     O(n log n) over all parts for the surfaces of parts.
+  /// Calls visit(t, u) for pairs of triangles whose boxes intersect. Over all parts each pair is visited once, in no
+  /// guaranteed order.
+  /// Cost     O(n log n) over all parts for surfaces of real parts.
   template <typename Visit>
   void for_each_pair(std::size_t part, const Visit& visit) const {
     walk(parts_[part], {0, 0, leaves_.size()}, visit);
   }
 
-  /// Calls visit(t) for the triangles whose boxes meet a box, each once. Cost O(log n) and what there is to visit.
+  /// Calls visit(t) once for each triangle whose box intersects `box`. Cost O(log n) plus the visited triangles.
   template <typename Visit>
   void for_each_at(const Box3& box, const Visit& visit) const {
     if (!leaves_.empty()) look_at({0, 0, leaves_.size()}, box, visit);
@@ -44,7 +46,8 @@ class NearTriangles {
     std::size_t count = 0;
   };
 
-  /// A subtree: where its box is, and its leaves. The left child stands behind its parent, the right one behind that.
+  /// A subtree: the position of its box, and its leaves. The left child follows its parent; the right child follows the
+  /// left subtree.
   struct Range {
     std::size_t node = 0, first = 0, last = 0;
     [[nodiscard]] std::size_t size() const { return last - first; }
@@ -65,7 +68,7 @@ class NearTriangles {
   Box3 bound(const Range& range);
   void cut(const Range& range);
 
-  // Pairs of a leaf in `some` with itself or a later one in `all`.
+  // Visits the pairs of a leaf in `some` with itself or with a later leaf in `all`.
   template <typename Visit>
   void walk(const Range& some, const Range& all, const Visit& visit) const {
     if (all.last <= some.first || !boxes_[some.node].intersects(boxes_[all.node])) return;

@@ -14,7 +14,8 @@ namespace {
 
 using Coordinates = std::array<float, 9>;
 
-// The corners from the lowest on, in their cyclic order: equal for equal orientation.
+// Returns the coordinates of the corners, the lowest corner first, in cyclic order. They are equal for triangles with
+// equal orientation.
 Coordinates oriented(const IndexedMesh& mesh, const TriangleCorners& corners) {
   std::array<std::array<float, 3>, 3> points{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -27,7 +28,7 @@ Coordinates oriented(const IndexedMesh& mesh, const TriangleCorners& corners) {
   return all;
 }
 
-// Triangles of `after` that `before` has only the other way round.
+// Returns the number of triangles of `after` that `before` contains only with the opposite orientation.
 std::size_t count_turned(const IndexedMesh& before, const IndexedMesh& after) {
   if (before.triangles == after.triangles && before.vertices == after.vertices) return 0;
   std::vector<Coordinates> known;
@@ -48,7 +49,7 @@ Result<MeshRepair> repair_mesh(const IndexedMesh& mesh, const MeshValidation& be
                                const ProgressCall& progress) {
   MeshRepair repair;
   repair.before = before;
-  // In a sound mesh CGAL finds nothing to do but triangles without area.
+  // In a sound mesh CGAL could only remove triangles without area.
   if (before.is_sound() && !before.has_triangles_without_area) {
     repair.stl_bytes = binary_stl_bytes(mesh, options.unit);
   } else {

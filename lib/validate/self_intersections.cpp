@@ -20,7 +20,7 @@ std::array<Vec3, 3> points(const IndexedMesh& mesh, const TriangleCorners& t) {
   return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
 }
 
-/// Two triangles' corners, those they share first and in the same order.
+/// The corners of two triangles. The shared corners are first and in the same order.
 struct Aligned {
   Aligned(const TriangleCorners& t, const TriangleCorners& u) : one(t), other(u) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -49,11 +49,11 @@ bool is_surely_clear(const IndexedMesh& mesh, const TrianglePair& pair) {
     case 2:
       return share_surely_one_side(one, other);
     default:
-      return true;  // copies state nothing new
+      return true;  // a copy is not an intersection
   }
 }
 
-// The first of the triangles with the same corners, for all corners.
+// Returns, in increasing order, the first triangle of each set of triangles with the same corners.
 std::vector<std::uint32_t> originals(const IndexedMesh& mesh) {
   std::vector<std::pair<TriangleCorners, std::uint32_t>> sorted;
   sorted.reserve(mesh.triangles.size());
@@ -78,7 +78,7 @@ std::vector<std::uint32_t> without(const std::vector<std::uint32_t>& all, const 
   return left;
 }
 
-/// Pairs in the parts from `first` on that may cross, part by part.
+/// Returns the pairs in parts [first, last) that may cross, in the order of the parts.
 std::vector<TrianglePair> doubtful_pairs(const IndexedMesh& mesh, const NearTriangles& near, std::size_t first,
                                          std::size_t last) {
   std::vector<std::vector<TrianglePair>> found(last - first);

@@ -14,7 +14,7 @@ MeshValidation not_decided(MeshValidation judged, const Diagnostic& why) {
   return judged;
 }
 
-// CGAL knows all cases, at ten times the memory of the mesh.
+// Finds the volume. CGAL handles all cases but needs ten times the memory of the mesh, so it comes second.
 Result<detail::VolumeFacts> find_volume(const IndexedMesh& mesh, std::size_t pieces, bool has_triangles_without_area) {
   if (!has_triangles_without_area) {
     if (const auto does_bound = detail::does_bound_volume(mesh, pieces))

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMoreSamples = 4'000;
 
-/// S. Vigna's SplitMix64.
+/// A generator of pseudorandom numbers: S. Vigna's SplitMix64.
 class Draws {
  public:
   double share() { return static_cast<double>(next() >> 11) * 0x1p-53; }
@@ -32,7 +32,8 @@ class Draws {
   std::uint64_t state_ = 20260101;
 };
 
-/// The body that must not be deeper than `allowed_mm`: a form of the tool, or the heads (no contour).
+/// A body and a surface that must not be deeper in it than `allowed_mm`. The body is a form of the tool, or the heads
+/// (no contour).
 struct Target {
   const ToolContour* contour = nullptr;
   const TriangleOrder* surface = nullptr;
@@ -46,7 +47,8 @@ class Attack {
       : scene_(scene), orders_(orders), tools_(tools), claims_(claims) {
     for (const SolidDepth& head : scene.heads) {
       head_box_.extend(head.box());
-      looks_per_head_ += head.mesh().triangles.size() / 100;  // each query of a head takes time linear in its facets
+      looks_per_head_ += head.mesh().triangles.size() / 100;  // the time of each query of a head is linear in its
+                                                              // facets
     }
   }
 
@@ -71,7 +73,8 @@ class Attack {
       const bool is_turn = result.samples < unproved.size();
       const std::size_t move = is_turn ? unproved[result.samples] : bounded[draws_.below(bounded.size())];
       ++result.samples;
-      // Every end without a proof once (a plunge is deepest there), then instants at random, ends among them.
+      // First the end of each move without a proof, where a plunge is deepest. Then random instants, with ends among
+      // them.
       const double t = is_turn ? 1 : draws_.below(4) == 0 ? static_cast<double>(draws_.below(2)) : draws_.share();
       result.found = look_at(move, t);
     }
@@ -79,7 +82,7 @@ class Attack {
   }
 
  private:
-  /// The depth that the claim states for all points; none where it states nothing.
+  /// Returns the maximum depth that the claim of a move allows; nothing if it allows any depth.
   [[nodiscard]] std::optional<double> allowed_mm(std::size_t move) const {
     const std::size_t tool = scene_.path.moves[move].tool;
     if (tool >= tools_.size() || !tools_[tool]) return std::nullopt;
@@ -113,7 +116,7 @@ class Attack {
     return std::nullopt;
   }
 
-  /// Where the tool, or the heads, are at one instant.
+  /// The pose of the tool, or the frame of the heads, at one instant.
   struct Place {
     Pose pose;
     RigidTransform heads;
@@ -129,28 +132,28 @@ class Attack {
     return -target.contour->nearest(in_tool(place.pose, point)).signed_distance_mm;
   }
 
-  /// No point within `radius` of `center` is deeper.
+  /// Returns a bound of the depth of all points within `radius` of `center`.
   [[nodiscard]] double max_depth(const Target& target, const Place& place, const Vec3& center, double radius) const {
     if (target.contour != nullptr) return depth(target, place, center) + radius;
     return radius - head_box_.exteriorDistance(place.heads.inverse().point(center));
   }
 
-  /// A node of the order of triangles, or a part of one triangle.
+  /// A node of the triangle order, or a part of one triangle.
   struct Piece {
-    double max_mm = 0;  ///< no point of it is deeper
+    double max_mm = 0;  ///< bound of the depth of its points
     TriangleOrder::Node node;
-    std::array<Vec3, 3> corners;  ///< of a part of the one triangle of `node`
+    std::array<Vec3, 3> corners;  ///< of a part of the single triangle of `node`
   };
 
   /// The deepest point found at one instant.
   struct Deepest {
     double depth_mm = -1e300;
     Vec3 point = Vec3::Zero();
-    std::uint32_t triangle = 0;  ///< its place in the order
+    std::uint32_t triangle = 0;  ///< its position in the triangle order
   };
 
-  /// Goes down to the part that may be deepest and halves triangles. Ends when a point deeper than allowed is found,
-  /// none can be, or many parts were examined.
+  /// Returns the deepest found point. Examines first the part that may be deepest; divides nodes and triangles. Stops
+  /// when a point is deeper than allowed, no point can be deeper, or many parts were examined.
   [[nodiscard]] Deepest find_deepest(const Target& target, std::size_t move, double t) const {
     constexpr std::size_t kLooks = 300;
     const auto is_less = [](const Piece& a, const Piece& b) { return a.max_mm < b.max_mm; };
@@ -183,7 +186,7 @@ class Attack {
         continue;
       }
       const std::array<Vec3, 3>& c = piece.corners;
-      std::size_t k = 0;  // the longest edge: from corner k to the next
+      std::size_t k = 0;  // start of the longest edge, which ends at the next corner
       for (const std::size_t i : {1U, 2U})
         if ((c[(i + 1) % 3] - c[i]).squaredNorm() > (c[(k + 1) % 3] - c[k]).squaredNorm()) k = i;
       const Vec3 &from = c[k], &to = c[(k + 1) % 3], &apex = c[(k + 2) % 3], middle = (from + to) / 2;
@@ -193,7 +196,7 @@ class Attack {
     return best;
   }
 
-  /// Uphill from a point, over its triangle and over time, in steps that shrink.
+  /// Moves from a point to deeper ones, over its triangle and over time, in decreasing steps.
   [[nodiscard]] std::pair<Deepest, double> climb(const Target& target, std::size_t move, double t, Deepest best) const {
     const std::array<Vec3, 3> c = target.surface->corners(best.triangle);
     const Vec3 u = c[1] - c[0], v = c[2] - c[0];

@@ -19,18 +19,20 @@ struct Counterexample {
 };
 
 struct AttackResult {
-  std::size_t samples = 0;  ///< instants examined
-  std::size_t moves = 0;    ///< of how many moves, each without a proof at least once
+  std::size_t samples = 0;  ///< number of examined instants
+  std::size_t moves = 0;    ///< number of moves with a bound; each move without a proof was examined at least once
   std::optional<Counterexample> found;
 };
 
-/// Searches for points deeper than `claims` allow, at the end of every move without a proof and then at random instants
-/// of all moves. It finds the point of the surface that is deepest in the tool (or a head), best first. It climbs from
-/// there over its triangle and over time. A point that it does not find may exist all the same.
+/// Searches for points deeper than `claims` allow: at the end of every move without a proof, then at random instants of
+/// all moves. At an instant a best-first search finds the point of the surface that is deepest in the tool (or a head).
+/// From there it climbs to deeper points over its triangle and over time. Such points may exist even if the search
+/// finds none.
 ///
-/// `orders`     Those of the scene.
-/// `is_proved`  One a move.
-/// `seconds`    The minimum duration. With 0: these ends and some thousand instants more, the same on every run.
+/// `orders`     The triangle orders of the scene.
+/// `is_proved`  One entry for each move.
+/// `seconds`    The minimum duration. With 0: the ends of moves and a few thousand more instants, the same in every
+/// run.
 [[nodiscard]] AttackResult attack_claims(const ClaimedScene& scene, const SceneOrders& orders,
                                          const ClaimedTools& tools, const std::vector<MoveClaim>& claims,
                                          const std::vector<bool>& is_proved, double seconds);

@@ -11,7 +11,7 @@ SineCosine sine_cosine(const Bounds& angle) {
     Bounds& sum = k % 2 == 1 ? sine : cosine;
     sum = is_added ? sum + term : sum - term;
   }
-  // The derivatives of both are at most 1, so the remainder is at most |angle|^40 / 40!.
+  // All derivatives of sine and cosine are at most 1, so the remainder is at most |angle|^40 / 40!.
   const double rest = (CGAL::abs(term * angle) / Bounds(kTerms)).sup();
   const Bounds one(-1, 1);
   const auto within = [&](const Bounds& sum) {

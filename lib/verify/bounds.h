@@ -8,8 +8,8 @@
 
 #include "lib/geom/vec.h"
 
-// Numbers that are only known to lie between two doubles, by CGAL. A result computed from them holds the true value of
-// the formula, however the processor rounds. Every function that uses them runs under RoundsUpward.
+// Numbers that are only known to lie between two doubles, by CGAL. A result computed from them contains the true value
+// of the formula, with any rounding by the processor. Every function that uses them runs under RoundsUpward.
 
 namespace gouge {
 
@@ -38,9 +38,9 @@ inline Bounds dot(const Bounds3& a, const Bounds3& b) { return a[0] * b[0] + a[1
 inline Bounds3 cross(const Bounds3& a, const Bounds3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-/// CGAL's own turns the processor's rounding over for the lower end, and back, which takes longer than the roots.
-/// Rounded upward the root of x is at most sqrt(x) (1 + e), e = 2^-52, and sqrt(x) (1 + e) (1 - e) < sqrt(x).
-/// Values below zero, by rounding, count as zero.
+/// Returns bounds of the square root. CGAL's own function switches the rounding mode for the lower end and back, which
+/// takes longer than the roots. Rounded upward, the root of x is at most sqrt(x) (1 + e) with e = 2^-52, and sqrt(x) (1
+/// + e) (1 - e) < sqrt(x). Values below zero, which come from rounding, count as zero.
 inline Bounds square_root(const Bounds& x) {
   constexpr double e = 0x1p-52;
   const double lower = std::sqrt(std::max(0.0, x.inf())), upper = std::sqrt(std::max(0.0, x.sup()));
@@ -54,21 +54,20 @@ inline Bounds3 direction_of(const Bounds3& a) {
   return {a[0] / n, a[1] / n, a[2] / n};
 }
 
-/// Returns the hull of both.
+/// Returns the smallest interval that contains both.
 inline Bounds hull(const Bounds& a, const Bounds& b) {
   return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
 }
 inline Bounds3 hull(const Bounds3& a, const Bounds3& b) {
   return {hull(a[0], b[0]), hull(a[1], b[1]), hull(a[2], b[2])};
 }
-/// All that is `by` away or less.
+/// Returns the interval of all values within `by` of `a`.
 inline Bounds widened(const Bounds& a, double by) { return a + Bounds(-by, by); }
 inline Bounds3 widened(const Bounds3& a, double by) {
   return {widened(a[0], by), widened(a[1], by), widened(a[2], by)};
 }
 
-/// Sine and cosine of angles up to 8 by the Taylor polynomial. Its next term bounds the remainder, since the terms
-/// alternate and shrink from the 8th on.
+/// Sine and cosine of angles up to 8 by the Taylor polynomial. The next term of the series bounds the remainder.
 struct SineCosine {
   Bounds sine, cosine;
 };

@@ -12,10 +12,10 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kMovesPerBlock = 256, kMovesPerGroup = 32, kBlocksAtOnce = 64, kBytesPerBlock = 1U << 24U;
-constexpr std::string_view kNoProof = "\x09";  // all the steps of a move for which none was found
+constexpr std::string_view kNoProof = "\x09";  // the only step of a move without a proof
 constexpr std::uint64_t kTriesPerMove = 3'000, kTriesAlone = 300'000;
 
-/// The claims to prove for one move of a tool: its forms against the surfaces they must stay out of.
+/// The claims to prove for a move: pairs of a form of its tool and a surface, with the allowed depth.
 class Questions {
  public:
   Questions(const ClaimedScene& scene, const SceneOrders& orders) : scene_(scene), orders_(orders) {
@@ -24,7 +24,7 @@ class Questions {
     }
   }
 
-  /// Returns whether a proof can be about this move at all. The lemma of a certificate is about depths, not distances.
+  /// Returns whether a proof for this move is possible. The lemma of a certificate is about depths, not distances.
   [[nodiscard]] bool is_askable(std::size_t move, const MoveClaim& claim) const {
     const auto has_clearance = [](const ClaimedLimit& limit) { return limit.clearance_mm > 0; };
     if (std::ranges::any_of(scene_.limits, has_clearance)) return false;
@@ -32,7 +32,7 @@ class Questions {
     if (tool >= forms_.size() || !forms_[tool] || !forms_[tool]->is_closed) return false;
     return claims_clean(claim) || (claim.state == ClaimedState::gouge && claim.depth_upper_mm);
   }
-  /// Returns whether one proof may be about both.
+  /// Returns whether one proof can cover both moves.
   [[nodiscard]] bool is_alike(std::size_t a, const MoveClaim& of_a, std::size_t b, const MoveClaim& of_b) const {
     return claims_clean(of_a) && claims_clean(of_b) && scene_.path.moves[a].tool == scene_.path.moves[b].tool;
   }
@@ -51,7 +51,8 @@ class Questions {
     }
     return all;
   }
-  /// Poses of a group of moves; `of_piece` is the move of each piece. None where a motion is not defined.
+  /// Returns the pieces of motion of a group of moves; `of_piece` is the move of each piece. Returns nothing if a
+  /// motion is not defined.
   [[nodiscard]] std::optional<std::vector<MotionPiece>> pieces(std::size_t first, std::size_t count,
                                                                std::vector<std::size_t>& of_piece) const {
     if (scene_.axis_law != kGreatCircle) return std::nullopt;
@@ -117,7 +118,7 @@ class BlockMaker {
   }
 
  private:
-  // A group that cannot be proved together is proved in halves, down to single moves.
+  // Proves a group of moves. If that fails, proves its halves, down to single moves.
   void prove(std::size_t first, std::size_t count) {
     const std::uint64_t tries = count > 1 ? kTriesPerMove * count : kTriesAlone;
     std::vector<std::size_t> of_piece;
@@ -139,7 +140,7 @@ class BlockMaker {
   std::vector<ProofGroup> groups_;
 };
 
-/// Blocks are small enough to be read with little memory, however much the proof of their moves needed.
+/// Writes groups in blocks. Blocks are small, so that reading needs little memory even if the proofs are long.
 void add_blocks(const std::vector<ProofGroup>& groups, ZstdWriter& writer) {
   std::vector<ProofGroup> block;
   std::size_t bytes = 0;
@@ -183,7 +184,7 @@ class CertificateReader {
                    "was written with this result");
   }
 
-  /// The next block; without groups at the end.
+  /// Returns the groups of the next block; no groups at the end.
   [[nodiscard]] Result<std::vector<ProofGroup>> next() {
     const std::string length = stream_.take(4);
     if (length.size() != 4) return cut_short();
@@ -212,7 +213,7 @@ class CertificateReader {
   std::size_t moves_, min_move_ = 0;
 };
 
-/// Returns why a group does not prove what the result claims; nothing where it does.
+/// Returns the reason why a group does not prove the claims of the result; nothing if it proves them.
 std::optional<ProofRefutation> refute(const Questions& questions, const std::vector<MoveClaim>& claims,
                                       const ProofGroup& group) {
   for (std::size_t i = group.first; i < group.first + group.count; ++i) {

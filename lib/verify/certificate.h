@@ -15,15 +15,15 @@ namespace gouge {
 
 struct MadeCertificate {
   std::string bytes;
-  std::size_t proved = 0;               ///< moves it has a proof for
-  std::vector<std::size_t> not_proved;  ///< moves that claim a bound for which none was found
+  std::size_t proved = 0;               ///< number of moves with a proof
+  std::vector<std::size_t> not_proved;  ///< moves that claim a bound but have no proof
 };
 
-/// Makes a proof for every clean, near and gouging move, one for several moves where one will do.
+/// Makes a proof for every clean, near and gouging move. One proof covers several moves if possible.
 ///
-/// Requires `inputs`, the SHA-256 digits of the inputs of the result (64), which a reader compares.
-/// Ensures   The same bytes at any number of threads.
-/// Cost      Some hundred microseconds a move near the surface; a gouge, some milliseconds.
+/// Requires `inputs`, the 64 SHA-256 digits of the inputs of the result. A reader compares them.
+/// Ensures   The bytes are the same at any number of threads.
+/// Cost      A few hundred microseconds for a move near the surface; a few milliseconds for a gouge.
 [[nodiscard]] MadeCertificate make_certificate(const ClaimedScene& scene, const std::vector<MoveClaim>& claims,
                                                std::string_view inputs, const ProgressCall& progress);
 
@@ -35,9 +35,9 @@ struct ProofRefutation {
 
 enum class ProofState : std::uint8_t {
   missing,  ///< the certificate does not mention the move
-  open,     ///< it states that none was found
+  open,     ///< it states that no proof was found
   proved,
-  refuted,  ///< its content proves nothing
+  refuted,  ///< its steps do not prove the claim
 };
 
 struct CertificateReading {
@@ -45,10 +45,10 @@ struct CertificateReading {
   std::vector<ProofRefutation> refuted;
 };
 
-/// Proves anew what the certificate proves. The `orders` are those of the scene.
-/// Errors  The code certificate-invalid: it is not a certificate, is cut short or broken, or belongs to other inputs or
-///         another result. The message states which.
-/// Cost    Linear in its size once it is unpacked; memory for some thousand moves of it.
+/// Verifies all proofs of a certificate. `orders` are the triangle orders of the scene.
+/// Errors  certificate-invalid: the bytes are not a certificate, are incomplete or broken, or belong to other inputs or
+///         another result. The message states the case.
+/// Cost    Linear in the unpacked size; memory for a few thousand moves.
 [[nodiscard]] Result<CertificateReading> verify_certificate(const ClaimedScene& scene, const SceneOrders& orders,
                                                             const std::vector<MoveClaim>& claims,
                                                             std::string_view inputs, const std::string& name,

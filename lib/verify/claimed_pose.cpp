@@ -47,7 +47,7 @@ RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t)
   if (runs_by_joints(scene, move)) return {turn_by_joints(scene, move, t).toRotationMatrix(), at.tip};
   const Pose end = scene.path.moves[move].end;
   const Pose start = scene.path.moves[move].has_start ? scene.path.start_of(move) : end;
-  const auto carried = [&](const Vec3& axis) {  // the start's frame, carried along the great circle to `axis`
+  const auto carried = [&](const Vec3& axis) {  // the frame of the start, moved along the great circle to `axis`
     return shortest_turn(start.axis, axis) * turn_from_z(start.axis);
   };
   const Eigen::Matrix3d rest = (carried(end.axis).conjugate() * turn_from_z(end.axis)).toRotationMatrix();

@@ -6,20 +6,20 @@
 #include "lib/geom/pose.h"
 #include "lib/verify/claims.h"
 
-// Where the tool and its heads are, by the law of motion of a claim. Formulas of this module's own.
+// Poses of the tool and of its heads, by the law of motion of a claim. This module has its own formulas.
 
 namespace gouge {
 
-/// Returns the pose at t in [0, 1] of a move. By rotary joints where the claim names them for its kind of motion and
-/// the path has its angles, else on the great circle.
+/// Returns the pose at t in [0, 1] of a move. It follows the rotary joints if the claim names them for this kind of
+/// motion and the path has their angles. Otherwise it follows the great circle.
 [[nodiscard]] Pose claimed_pose(const ClaimedScene& scene, std::size_t move, double t);
 
-/// Returns the frame of the bodies that move with the tool at t. By rotary joints it is theirs. Else it is as
-/// docs/method/guarantee.md states. At a position the part's z axis is turned the shortest way to the tool's. In
-/// between it runs on the great circle, with the rest of the turn spread evenly.
+/// Returns the frame of the bodies that move with the tool at t. With rotary joints it is the frame of the joints.
+/// Otherwise docs/method/guarantee.md defines it. At a position the part's z axis turns the shortest way to the tool
+/// axis. Between positions it follows the great circle, and the rest of the turn is evenly distributed.
 [[nodiscard]] RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t);
 
-/// Returns the first move whose angles do not give the tool axes of the file at both ends; none: all do.
+/// Returns the first move whose angles do not give the tool axes of the file at both ends; nothing if all do.
 [[nodiscard]] std::optional<std::size_t> find_wrong_joints(const ClaimedScene& scene);
 
 }  // namespace gouge

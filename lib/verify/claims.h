@@ -11,7 +11,7 @@
 #include "lib/tool/tool_variants.h"
 #include "lib/verify/solid_depth.h"
 
-// The claims of a result and their subject: all inputs of a verification.
+// The claims of a result and their subject. They are all inputs of a verification.
 
 namespace gouge {
 
@@ -22,14 +22,14 @@ struct ClaimedWitness {
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  ///< mm, part coordinates; unit
   Body body = Body::cutter;
   bool is_fixture = false;
-  std::size_t mesh = 0;      ///< of the parts or of the fixtures
-  std::size_t triangle = 0;  ///< in the file, counted from 0
+  std::size_t mesh = 0;      ///< index among the parts or the fixtures
+  std::size_t triangle = 0;  ///< index in the file, from 0
 };
 
 struct MoveClaim {
   ClaimedState state = ClaimedState::clean;
   double depth_mm = 0;
-  std::optional<double> depth_upper_mm;  ///< none: unbounded, or by the state alone (clean)
+  std::optional<double> depth_upper_mm;  ///< nothing: unbounded, or bounded by the state alone (clean)
   std::optional<double> clearance_mm;
   std::optional<ClaimedWitness> witness;
 };
@@ -38,36 +38,37 @@ struct MoveClaim {
 struct ClaimedLimit {
   bool is_fixture = true;
   std::size_t mesh = 0;
-  double clearance_mm = 0;  ///< of the bare tool and of the heads from the mesh
-  double tolerance_mm = 0;  ///< how deep it may be in the tool, or within the clearance
+  double clearance_mm = 0;  ///< required distance of the bare tool and of the heads from the mesh
+  double tolerance_mm = 0;  ///< allowed depth of the mesh in the tool, or within the clearance
 };
 
-/// The law of motion that is evaluated here.
+/// The law of motion for which this module has proofs.
 inline constexpr const char* kGreatCircle = "great-circle";
 
-/// Rotary joints that run evenly from one position to the next, in place of the great circle.
+/// Rotary joints that turn evenly from one position to the next, in place of the great circle.
 struct ClaimedJoints {
-  Vec3 first = Vec3::UnitZ(), second = Vec3::UnitX();  ///< unit directions at 0, that nearer to the part first
+  Vec3 first = Vec3::UnitZ(), second = Vec3::UnitX();  ///< unit directions at angle 0; first the joint nearer to the
+                                                       ///< part
   bool in_feeds = false, in_rapids = false;
 };
 
-/// Referenced objects must outlive it. Lengths in mm.
+/// The subject of the claims. Referenced objects must outlive it. Lengths in mm.
 struct ClaimedScene {
   const Toolpath& path;
-  std::vector<const ToolVariants*> tools;  ///< one per Toolpath::tools; null: not defined
+  std::vector<const ToolVariants*> tools;  ///< one for each entry of Toolpath::tools; null: not defined
   std::span<const IndexedMesh> parts, fixtures;
   std::vector<SolidDepth> heads;        ///< bodies that move with the tool, in the tool's frame
-  std::string axis_law = kGreatCircle;  ///< how the axis runs; nothing is proved of another law than the great circle
-  bool is_dogleg = false;               ///< how rapids run
+  std::string axis_law = kGreatCircle;  ///< law of the tool axis; there are only proofs for the great circle
+  bool is_dogleg = false;               ///< each axis of a rapid moves at full speed until it arrives
   double tolerance_mm = 0.01, resolution_mm = 0.001;
   unsigned threads = 0;
   std::vector<ClaimedLimit> limits{};
-  std::optional<ClaimedJoints> joints{};  ///< with the angles of Toolpath::joints; none: the great circle
+  std::optional<ClaimedJoints> joints{};  ///< used with the angles of Toolpath::joints; nothing: the great circle
 
   [[nodiscard]] double largest_clean_mm() const { return tolerance_mm + resolution_mm; }
 };
 
-/// Returns whether a move of that state claims that nothing is deeper than tolerance + resolution.
+/// Returns whether a move with this claim has no depth larger than tolerance + resolution.
 [[nodiscard]] inline bool claims_clean(const MoveClaim& claim) {
   return claim.state == ClaimedState::clean || claim.state == ClaimedState::near;
 }

@@ -6,7 +6,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kAxisRounding = 4e-16;  // of a component of a unit vector that was written as doubles
+constexpr double kAxisRounding = 4e-16;  // error of a component of a unit vector that was written in doubles
 constexpr double kMaxPieces = 4096;
 
 PoseBounds bounds_of(const Pose& pose) { return {Bounds3(pose.tip), widened(Bounds3(pose.axis), kAxisRounding)}; }
@@ -16,18 +16,18 @@ PoseBounds midway(const PoseBounds& a, const PoseBounds& b) {
   return {midway(a.tip, b.tip), direction_of(a.axis + b.axis)};
 }
 
-/// For unit vectors. From the chord: asin x <= x + (pi / 2 - 1) x^3.
+/// Returns a bound of the angle between two unit vectors. From the chord: asin x <= x + (pi / 2 - 1) x^3.
 double largest_angle(const Bounds3& a, const Bounds3& b) {
   const Bounds c = length(b - a);
   return (c + Bounds(0.1428) * c * c * c).sup();
 }
 
-/// The axis at a share of a great circle. Where both ends all but agree anything between them will do.
+/// Returns the axis at a share of a great circle. If both ends almost agree, it returns all axes between them.
 Bounds3 axis_at(const PoseBounds& from, const PoseBounds& to, const Bounds& share) {
   const Bounds3 sum = from.axis + to.axis, difference = to.axis - from.axis;
   if (length(difference).sup() < 1e-7) return widened(hull(from.axis, to.axis), 1e-14);
-  // With m the middle and h half the angle: a(s) = cos((2 s - 1) h) m + sin((2 s - 1) h) n, n along the
-  // difference.
+  // With m the middle and h half the angle: a(s) = cos((2 s - 1) h) m + sin((2 s - 1) h) n, where n has the direction
+  // of the difference.
   const double half = std::atan2(length(difference).sup(), length(sum).sup());
   const Bounds h = widened(Bounds(half), 1e-13);
   const SineCosine at = sine_cosine((Bounds(2) * share - Bounds(1)) * h);
@@ -47,7 +47,7 @@ bool is_finite(const PathSpline& spline) {
 
 MotionPiece::MotionPiece(const PoseBounds& from, const PoseBounds& to) : ends_{from, to} { bound_chord(); }
 
-// A curve whose second derivative is no longer than M over a unit of time is within M / 8 of its chord.
+// A curve whose second derivative is at most M over a unit of time is within M / 8 of its chord.
 void MotionPiece::bound_chord() {
   const Bounds angle(largest_angle(ends_[0].axis, ends_[1].axis));
   bend_ = (angle * angle / Bounds(8)).sup();
@@ -149,7 +149,7 @@ std::vector<MotionPiece> MotionPiece::along_spline(const PoseBounds& from, const
   return pieces;
 }
 
-// All axes run at the speed that the longest way takes, until each arrives.
+// Makes the pieces of a rapid on which all axes move at the same speed until each of them arrives.
 std::vector<MotionPiece> MotionPiece::dogleg(const Pose& from, const Pose& to) {
   const Vec3 way = to.tip - from.tip;
   const double longest = way.cwiseAbs().maxCoeff();
@@ -182,7 +182,7 @@ std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std:
   const Move& move = path.moves[index];
   const bool has_path_here = move.has_start || move.is_linked;
   if (!is_finite(move.end) || (has_path_here && (index == 0 || !is_finite(path.start_of(index))))) return std::nullopt;
-  const PoseBounds end = bounds_of(move.end);  // after that: an interval is of numbers alone
+  const PoseBounds end = bounds_of(move.end);  // only after the test for finite numbers, because intervals need numbers
   if (!has_path_here) return std::vector<MotionPiece>{MotionPiece(end, end)};
   const Pose& start = path.start_of(index);
   const PoseBounds from = bounds_of(start);

@@ -14,8 +14,8 @@ Box3 box_around(std::span<const IndexedMesh> meshes) {
   return box;
 }
 
-/// Stretches of the axis deeper in the tool than `min_mm`, each joined within by steps that are shorter
-/// than what the point before lies deeper.
+/// Stretches of the axis that are deeper in the tool than `min_mm`. Each stretch was sampled with steps shorter than
+/// the excess depth of the point before, so all of it is deeper.
 using Stretches = std::vector<std::pair<double, double>>;
 
 Stretches deep_stretches(const ToolContour& tool, double min_mm) {
@@ -39,7 +39,7 @@ Stretches deep_stretches(const ToolContour& tool, double min_mm) {
   return all;
 }
 
-/// Returns whether every body has a point in a stretch.
+/// Returns whether a stretch reaches into every body.
 bool covers_bodies(const ToolContour& tool, const Stretches& stretches) {
   for (const Body body : {Body::cutter, Body::shank, Body::holder}) {
     double lo = 1e300, hi = -1e300;

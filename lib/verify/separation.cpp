@@ -9,7 +9,7 @@ namespace gouge {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Maximum gap between pieces of a contour; the way out of the tool must be shorter than the depth
+// Maximum gap between pieces of a contour. The path out of the tool must be shorter than the depth
 // (docs/method/verify.md).
 constexpr double kJoint_mm = 1e-9;
 constexpr std::ptrdiff_t kMaxPoses = 5;
@@ -84,8 +84,8 @@ void Separation::look_at(const SurfacePatch& patch, const TimeSpan& span) {
   bound_heights();
 }
 
-// The height above the tip is a product of two functions that are linear along the chords. Its deviation between the
-// values at the ends is added as twist, then the effects of sag and bend.
+// The height above the tip is a product of two functions that are linear along the chords. The margin has its deviation
+// between the end values (the twist), and the effects of sag and bend.
 void Separation::bound_heights() {
   z_lo_ = kInfinity;
   z_hi_ = -kInfinity;
@@ -118,7 +118,7 @@ void Separation::bound_heights() {
   z_hi_ = (Bounds(z_hi_) + Bounds(margin)).sup();
 }
 
-// The distance from the axis is |u x a|, with a unit a; |u x a - u' x a'| <= |u - u'| + |u'| |a - a'|.
+// The distance from the axis is |u x a|, with a unit vector a; |u x a - u' x a'| <= |u - u'| + |u'| |a - a'|.
 void Separation::bound_radii() {
   if (r_hi_ >= 0) return;
   const PoseBounds& pose = span_->poses.front();
@@ -173,7 +173,7 @@ void Separation::clip(bool is_ring) {
   longest_mm_ = square_root(far2).sup();
 }
 
-/// The largest out r + up z of the pieces; out >= 0.
+/// Returns a bound of out r + up z over the pieces; out >= 0.
 Bounds Separation::support(const Bounds& out, const Bounds& up) const {
   double top = -kInfinity;
   for (const Reach& reach : reaches_) {
@@ -233,8 +233,8 @@ bool Separation::is_separated_by(const Vec3& n, double depth_mm, bool is_ring) {
   return (Bounds(least) + Bounds(depth_mm) * size - Bounds(top) - drift).inf() >= 0;
 }
 
-/// Across the shortest way out of the tool, or to it, in the middle of the span; plain numbers, for any plane
-/// will do.
+/// Returns the direction of the shortest path out of the tool; for a point outside, the direction away from the tool.
+/// It uses the middle of the span. Plain doubles are sufficient, because any plane is valid.
 Vec3 Separation::away_from(const Vec3& point) const {
   const Pose& pose = span_->middle;
   const Vec3 u = point - pose.tip;

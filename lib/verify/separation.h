@@ -8,65 +8,67 @@
 #include "lib/verify/tool_contour.h"
 #include "lib/verify/triangle_order.h"
 
-// The one lemma of a certificate: a plane separates a part of the tool from a part of the surface, except for the
-// allowed depth. The page docs/method/verify.md states and proves it.
+// The only lemma of a certificate: a plane separates a part of the tool from a part of the surface, up to the allowed
+// depth. docs/method/verify.md states and proves it.
 
 namespace gouge {
 
-/// A triangle, a piece of one, or all triangles of a node.
+/// A triangle, a part of a triangle, or all triangles of a node.
 struct SurfacePatch {
   bool is_triangle = true;
   std::array<Vec3, 3> corners{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of a triangle
-  Vec3 center = Vec3::Zero(), half = Vec3::Zero();                        ///< of a node: within center +- half
-  Vec3 into = Vec3::Zero();                                               ///< normal into the solid; zero: none
-  double least = 0;                                                       ///< of a node: into . p is nowhere smaller
-  double radius_mm = 0;                                                   ///< no point is farther from the centre
+  Vec3 center = Vec3::Zero(), half = Vec3::Zero();                        ///< of a node: all corners are within center
+                                                                          ///< +- half
+  Vec3 into = Vec3::Zero();                                               ///< normal into the solid; zero: unknown
+  double least = 0;                                                       ///< of a node: minimum of into . p
+  double radius_mm = 0;                                                   ///< maximum distance of its points from the
+                                                                          ///< centre
 };
 [[nodiscard]] SurfacePatch triangle_patch(const std::array<Vec3, 3>& corners);
 [[nodiscard]] SurfacePatch node_patch(const TriangleOrder& order, const TriangleOrder::Node& node);
 
-/// A span of time: poses between which the tool moves along chords, but for a sag and a bend.
+/// A span of time. Between its poses the tool moves along chords, up to a sag and a bend.
 struct TimeSpan {
-  std::vector<PoseBounds> poses;  ///< one that holds all of them, or those in which pieces meet
+  std::vector<PoseBounds> poses;  ///< one pose that contains all of them, or the poses at which pieces meet
   double sag_mm = 0, bend = 0;
-  double twist_mm = 0;  ///< the largest |chord of the tip| |chord of the axis| / 4 of a piece
-  double path_mm = 0;   ///< no tip is farther from that of the first pose ...
-  double swing = 0;     ///< ... nor axis from its
-  Pose middle;          ///< about; where planes are looked for
+  double twist_mm = 0;  ///< maximum of |chord of the tip| |chord of the axis| / 4 over the pieces
+  double path_mm = 0;   ///< maximum distance of a tip from the tip of the first pose
+  double swing = 0;     ///< maximum distance of an axis from the axis of the first pose
+  Pose middle;          ///< approximate; planes are chosen there
 };
-/// Poses of consecutive pieces of a motion. More than a few of them are one pose, known less closely.
+/// Returns the poses of consecutive pieces of a motion. More than a few poses become one pose with wider bounds.
 [[nodiscard]] TimeSpan span_of(const MotionPiece* first, const MotionPiece* last);
 
-/// Ways to choose a plane, or to bound the depth otherwise. The numbers are those of
-/// docs/formats/certificate.md.
+/// Methods to choose a plane, or to bound the depth otherwise. The numbers are those of docs/formats/certificate.md.
 enum class ProofKind : std::uint8_t {
-  own_plane = 2,      ///< the surface's own
-  center_plane = 3,   ///< across the way from the patch's centre to the tool
-  closest_plane = 4,  ///< across the shortest way between a triangle and the tool
-  own_ring = 5,       ///< the same three, of the tool only what is no nearer to the axis than the patch
+  own_plane = 2,      ///< the plane along the surface itself, normal to `into`
+  center_plane = 3,   ///< perpendicular to the shortest path between the patch's centre and the tool
+  closest_plane = 4,  ///< perpendicular to the shortest path between a triangle and the tool
+  own_ring = 5,       ///< the same three planes, for the part of the tool that is at least as far from the axis as the
+                      ///< patch
   center_ring = 6,
   closest_ring = 7,
-  exit_point = 8,  ///< no point of the patch is farther than that from one point of the contour
+  exit_point = 8,  ///< all points of the patch are within the allowed depth of one point of the contour
 };
 
 class Separation {
  public:
-  /// Proves depths of up to `max_mm`. It examines the part of the contour that is that far or less from any point of a
-  /// patch.
+  /// Proves depths of up to `max_mm`. It examines the part of the contour within that distance of any point of a patch.
   Separation(const ToolContour& tool, double max_mm) : tool_(tool), max_mm_(max_mm) {}
 
-  /// Selects the patch and the span of the next queries; both must stay where they are.
+  /// Selects the patch and the span of the next queries. Both must outlive these queries.
   void look_at(const SurfacePatch& patch, const TimeSpan& span);
-  /// Returns whether it is proved that no point of the patch is deeper in the tool than `depth_mm` at any instant of
-  /// the span. Requires look_at, depth_mm <= max_mm, RoundsUpward.
+  /// Returns whether it is proved that all points of the patch are at most `depth_mm` deep in the tool during the span.
+  /// Requires look_at, depth_mm <= max_mm, RoundsUpward.
   [[nodiscard]] bool holds(ProofKind kind, double depth_mm);
 
-  /// Returns, for the last plane, the shares of the shortfall that are due to the patch and to the time.
+  /// Returns, for the last plane, the loss due to the size of the patch; time_loss_mm() is the loss due to the length
+  /// of time.
   [[nodiscard]] double patch_loss_mm() const { return patch_loss_; }
   [[nodiscard]] double time_loss_mm() const { return time_loss_; }
 
  private:
-  /// A piece of the contour, or a part of one, that may matter. It may include more than there is.
+  /// A piece of the contour, or a part of one, that may matter. It may be larger than that part.
   struct Reach {
     Bounds r0, z0, r1, z1;  ///< ends of a line; corners of a box around an arc
     const ToolContour::Piece* arc = nullptr;
@@ -85,11 +87,12 @@ class Separation {
   double max_mm_;
   const SurfacePatch* patch_ = nullptr;
   const TimeSpan* span_ = nullptr;
-  double z_lo_ = 0, z_hi_ = 0, r_lo_ = 0, r_hi_ = 0;  // of the patch, as seen from the tool
-  double reach_mm_ = 0;                               // no point of the patch is farther from the tip
+  double z_lo_ = 0, z_hi_ = 0, r_lo_ = 0, r_hi_ = 0;  // of the patch, in the frame of the tool
+  double reach_mm_ = 0;                               // maximum distance of the patch from the tip
   std::vector<Reach> reaches_;
-  bool is_clipped_ = false, is_clipped_ring_ = false;  // `reaches_` are those of the patch, of all or of its ring
-  double longest_mm_ = 0;                              // no point of `reaches_` is farther from the tip
+  bool is_clipped_ = false, is_clipped_ring_ = false;  // `reaches_` are for this patch, with all of the tool or with
+                                                       // its ring
+  double longest_mm_ = 0;                              // maximum distance of `reaches_` from the tip
   double patch_loss_ = 0, time_loss_ = 0;
 };
 

@@ -15,9 +15,10 @@
 namespace gouge {
 namespace {
 
-constexpr double kBeside_mm = 1e-7;  // of a triangle: where its sides are examined
-constexpr double kAround_mm = 1e-5;  // of a place on it: where the parts that meet there are examined
-constexpr double kOn_mm = 1e-9;      // a point that near to a triangle is on it
+constexpr double kBeside_mm = 1e-7;  // distance from a triangle at which both of its sides are tested
+constexpr double kAround_mm = 1e-5;  // distance from a point on a triangle at which the parts that meet there are
+                                     // tested
+constexpr double kOn_mm = 1e-9;      // a point this near to a triangle counts as on it
 constexpr int kDirections = 24;
 
 using Triangle = std::array<Vec3, 3>;
@@ -28,7 +29,7 @@ Box3 box_around(const Triangle& triangle) {
   return Box3(Vec3(box.min().array() - kOn_mm), Vec3(box.max().array() + kOn_mm));
 }
 
-/// Where the edges of `a` pass through or end on the plane of `b`, within `b`.
+/// Adds the points where the edges of `a` pass through the plane of `b` or end on it, within `b`.
 void add_piercings(const Triangle& a, const Triangle& b, std::vector<Vec3>& points) {
   const Vec3 normal = (b[1] - b[0]).cross(b[2] - b[0]).normalized();
   for (std::size_t k = 0; k < 3; ++k) {
@@ -46,7 +47,7 @@ bool is_in_plane(const Triangle& a, const Triangle& b) {
   return std::all_of(a.begin(), a.end(), [&](const Vec3& x) { return std::abs(normal.dot(x - b[0])) <= kOn_mm; });
 }
 
-/// Returns whether two triangles of one plane have more in common than a line: the part of `a` within the edges of `b`.
+/// Returns whether two triangles of one plane have more in common than a line. Clips `a` by the edges of `b`.
 bool is_overlapping(const Triangle& a, const Triangle& b) {
   const Vec3 normal = (b[1] - b[0]).cross(b[2] - b[0]).normalized();
   std::vector<Vec3> left(a.begin(), a.end());
@@ -73,7 +74,7 @@ Vec3 closest_on(const std::array<Vec3, 2>& segment, const Vec3& point) {
   return segment[0] + (length2 > 0 ? std::clamp(along.dot(point - segment[0]) / length2, 0.0, 1.0) : 0.0) * along;
 }
 
-/// Where two segments of one plane cross; nothing where they are parallel or miss each other.
+/// Returns the point where two segments of one plane cross; nothing if they are parallel or do not meet.
 std::optional<Vec3> crossing_of(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b) {
   const Vec3 u = a[1] - a[0], v = b[1] - b[0], w = b[0] - a[0];
   const Vec3 normal = u.cross(v);
@@ -90,7 +91,7 @@ SolidDepth::SolidDepth(const IndexedMesh& mesh) : mesh_(&mesh), box_(mesh.box())
   find_crossings();
 }
 
-/// By the boxes of triangles, in the order of their lowest x.
+/// Finds the triangles that meet. Compares the boxes of triangles, sorted by their lowest x.
 void SolidDepth::find_crossings() {
   std::vector<Box3> boxes(mesh_->triangles.size());
   for (std::uint32_t t = 0; t < boxes.size(); ++t) boxes[t] = box_around(corners(t));
@@ -167,7 +168,8 @@ bool SolidDepth::has_outside_beside(std::uint32_t triangle, const Vec3& point) c
   return is_outside(point + step) || is_outside(point - step);
 }
 
-/// On the triangle next to one of its points, in all directions.
+/// Returns whether the outside is next to the triangle near one of its points. Tests all directions in the plane of the
+/// triangle.
 bool SolidDepth::has_outside_around(std::uint32_t triangle, const Vec3& point) const {
   const Triangle own = corners(triangle);
   const Vec3 normal = face_normal(*mesh_, triangle);
@@ -181,8 +183,9 @@ bool SolidDepth::has_outside_around(std::uint32_t triangle, const Vec3& point) c
   return false;
 }
 
-/// The boundary's share of the triangle consists of parts between the segments where it meets others. So its nearest
-/// point is the foot of the point, or one of a segment, or a corner of a part.
+/// Returns the candidates for the nearest point of the boundary on a triangle. The boundary's part of the triangle is
+/// bounded by the segments where the triangle meets others. So the nearest point is the foot of the point, a foot on a
+/// segment, or a corner of a part.
 std::vector<Vec3> SolidDepth::places_on(std::uint32_t triangle, const Vec3& point) const {
   const Triangle own = corners(triangle);
   std::vector<Segment> segments = crossings_[triangle];

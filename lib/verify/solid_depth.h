@@ -9,17 +9,17 @@
 
 namespace gouge {
 
-/// Depth of points in a body given as a closed mesh: the distance to where the winding number falls to 0. Nested,
-/// overlapping and crossing shells are one body. By winding numbers over all triangles, without a tree.
+/// Depth of points in a body given as a closed mesh: the distance to the surface where the winding number becomes 0.
+/// Nested, overlapping and crossing shells are one body. It computes winding numbers over all triangles, without a
+/// tree.
 class SolidDepth {
  public:
-  /// The mesh must outlive it. Cost O(n log n), and the pairs of triangles whose boxes meet.
+  /// The mesh must outlive the object. Cost O(n log n), plus the pairs of triangles whose boxes intersect.
   explicit SolidDepth(const IndexedMesh& mesh);
 
   [[nodiscard]] const IndexedMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const Box3& box() const { return box_; }
-  /// Returns the depth at a point; 0 outside. Cost O(n); where triangles cross next to the point O(n) for each place
-  /// where they do.
+  /// Returns the depth at a point; 0 outside. Cost O(n), and O(n) for each crossing of triangles near the point.
   [[nodiscard]] double at(const Vec3& point) const;
   /// Returns the distance to the nearest triangle. Cost O(n).
   [[nodiscard]] double distance_to_surface(const Vec3& point) const;
@@ -40,7 +40,7 @@ class SolidDepth {
 
   const IndexedMesh* mesh_;
   Box3 box_;
-  std::vector<std::vector<Segment>> crossings_;  // by triangle: where it meets others
+  std::vector<std::vector<Segment>> crossings_;  // by triangle: the segments where it meets others
 };
 
 }  // namespace gouge

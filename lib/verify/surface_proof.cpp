@@ -8,11 +8,11 @@
 namespace gouge {
 namespace {
 
-constexpr int kDeepest = 160;  // cuts, one in the other
+constexpr int kDeepest = 160;  // maximum number of nested cuts
 
-/// A part of the surface: a node of several triangles, or a triangle, or a piece of one.
+/// A part of the surface: a node of several triangles, a triangle, or a part of a triangle.
 struct Place {
-  TriangleOrder::Node node;  // of two or more, else of no meaning
+  TriangleOrder::Node node;  // valid if it has two or more triangles
   std::array<Vec3, 3> corners{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   bool is_node = false;
 };
@@ -40,17 +40,17 @@ SurfacePatch patch_of(const TriangleOrder& order, const Place& place) {
   return place.is_node ? node_patch(order, place.node) : triangle_patch(place.corners);
 }
 
-/// A part of the time: some pieces, or a part of one.
+/// A part of the time: some pieces, or a part of one piece.
 struct Time {
   Time(const MotionPiece* begin, const MotionPiece* end, std::size_t index)
       : first(begin), last(end), piece(index), span(span_of(begin, end)) {}
   const MotionPiece *first, *last;
-  std::size_t piece;  // the index of the first
+  std::size_t piece;  // index of the first piece
   TimeSpan span;
   [[nodiscard]] bool is_one() const { return last - first == 1; }
 };
 
-/// Calls `part(half)` for both halves of a time until it states no.
+/// Calls `part(half)` for both halves of a time. Stops if a call returns false.
 template <typename Part>
 bool for_halves(const Time& time, const Part& part) {
   if (time.is_one()) {
@@ -66,7 +66,8 @@ class Finder {
  public:
   Finder(const ProofQuestion& question, std::uint64_t max_tries, std::string& steps)
       : question_(question),
-        depth_mm_(question.depth_mm + 0.9 * kProofSlack_mm),  // different rounding of other machines is in the rest
+        depth_mm_(question.depth_mm + 0.9 * kProofSlack_mm),  // the rest is a margin for different rounding on other
+                                                              // machines
         separation_(question.tool, question.depth_mm + kProofSlack_mm),
         left_(max_tries),
         steps_(steps) {}
@@ -98,7 +99,7 @@ class Finder {
   static double patch_reach(const SurfacePatch& patch, const Time& time) {
     return (patch.center - time.span.middle.tip).norm() + patch.radius_mm;
   }
-  // Size of the box that holds the poses.
+  // Returns the size of the box that contains the poses.
   static double vague(const Time& time) {
     if (time.span.poses.size() > 1) return 0;
     double wide = 0;

@@ -10,11 +10,11 @@
 namespace gouge {
 namespace {
 
-// Returns whether a monotone piece holds the height: its lower end and not its upper one, so that a joint counts
-// once.
+// Returns whether a monotone piece contains the height. It includes its lower end but not its upper end, so that a
+// joint counts once.
 bool holds_height(const ToolContour::Piece& p, double z) { return (p.a.y() <= z) != (p.b.y() <= z); }
 
-// Where a monotone piece that holds the height z passes it.
+// Returns the radius at which a monotone piece passes a height that it contains.
 double radius_at(const ToolContour::Piece& p, double z) {
   if (!p.is_arc) return p.a.x() + (z - p.a.y()) / (p.b.y() - p.a.y()) * (p.b.x() - p.a.x());
   const double up = z - p.center.y();
@@ -25,7 +25,7 @@ double radius_at(const ToolContour::Piece& p, double z) {
 Vec2 outward(const ToolContour::Piece& p, const Vec2& foot) {
   if (p.is_arc) return (p.is_hollow ? -1.0 : 1.0) * (foot - p.center) / p.radius_mm;
   const Vec2 along = p.b - p.a;
-  return Vec2(along.y(), -along.x()).normalized();  // the contour runs from the tip up, the tool on its left
+  return Vec2(along.y(), -along.x()).normalized();  // the contour runs from the tip up, with the tool on its left
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace gouge {
 
-/// A tool's contour as the verifier sees it: segments and arcs. Each arc is cut where it points along r or z, so that
-/// both coordinates only grow or only fall along a piece. Nothing else of a compiled tool is used.
+/// A tool's contour for the verifier: segments and arcs. Each arc is divided where its direction is along r or z, so
+/// that both coordinates are monotone along a piece. The verifier uses no other part of a compiled tool.
 class ToolContour {
  public:
   struct Piece {
@@ -20,14 +20,14 @@ class ToolContour {
     [[nodiscard]] double z_lo() const { return std::min(a.y(), b.y()); }
     [[nodiscard]] double z_hi() const { return std::max(a.y(), b.y()); }
     [[nodiscard]] double r_hi() const { return std::max(a.x(), b.x()); }
-    /// Returns the normal of the piece nearest to q.
+    /// Returns the point of the piece that is nearest to q.
     [[nodiscard]] Vec2 foot(const Vec2& q) const;
   };
 
   struct Nearest {
     double signed_distance_mm = 0;  ///< to the contour; negative inside
     Vec2 foot = Vec2::Zero();
-    Vec2 normal = Vec2::UnitX();  ///< unit, outward; about so on the contour itself
+    Vec2 normal = Vec2::UnitX();  ///< unit, outward; approximate on the contour itself
     Body body = Body::cutter;
   };
 
@@ -35,18 +35,18 @@ class ToolContour {
 
   [[nodiscard]] bool empty() const { return pieces_.empty(); }
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
-  /// No piece ends farther than this from where the next begins, nor the first and last from the axis: else
-  /// it bounds nothing.
+  /// Returns the maximum gap: between the end of a piece and the start of the next one, or between the axis and the
+  /// first or last piece. With a gap the contour bounds nothing.
   [[nodiscard]] double largest_gap_mm() const;
-  /// Finds the nearest point by examining every piece. The side follows from how often a ray along r crosses the
-  /// contour.
+  /// Finds the nearest point by examining every piece. The side is given by the number of times that a ray along r
+  /// crosses the contour.
   [[nodiscard]] Nearest nearest(const Vec2& q) const;
   [[nodiscard]] bool has(const Vec2& q) const;
   /// Returns the distance to the pieces of one body.
   [[nodiscard]] double distance_to(Body body, const Vec2& q) const;
-  /// Returns whether it has a corner that goes in, or a hollow arc: such a tool is not a convex body.
+  /// Returns whether the contour has a concave corner or a hollow arc. Such a tool is not convex.
   [[nodiscard]] bool is_stepped() const { return is_stepped_; }
-  /// Bounds the distance of all points from the tip.
+  /// Returns a bound of the distance of all points from the tip.
   [[nodiscard]] double size_mm() const { return size_mm_; }
 
  private:

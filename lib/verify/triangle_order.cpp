@@ -9,7 +9,7 @@ namespace gouge {
 namespace {
 
 constexpr std::uint32_t kMaxWithNormal = 512;
-constexpr double kEven = 0.95;  // cosine of the cone of normals
+constexpr double kEven = 0.95;  // cosine of the largest angle between normals and their mean
 
 }  // namespace
 
@@ -38,7 +38,7 @@ std::array<Vec3, 3> TriangleOrder::corners(std::uint32_t place) const {
   return {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
 }
 
-// The half with the smaller centres comes first, along the direction in which they spread most.
+// Sorts a node: the half with the smaller centres is first, along the direction of their largest extent.
 void TriangleOrder::sort(const Node& node, std::vector<Vec3>& centers, std::vector<std::uint32_t>& order) {
   if (node.size() < 2) return;
   Box3 box;
@@ -54,7 +54,7 @@ void TriangleOrder::sort(const Node& node, std::vector<Vec3>& centers, std::vect
   sort({node.middle(), node.last}, centers, order);
 }
 
-/// Returns the box of the node.
+/// Returns the box of a node, and sets the extents of the node and of all nodes below it.
 Box3 TriangleOrder::bound(const Node& node) {
   Box3 box;
   if (node.size() == 0) return box;

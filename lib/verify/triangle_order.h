@@ -10,8 +10,9 @@
 
 namespace gouge {
 
-/// All triangles of a set of meshes in an order in which near ones follow each other. A node is a range of that order;
-/// its two children are its halves. So the whole hierarchy is the order alone, and a proof need not name it.
+/// All triangles of a set of meshes, in an order in which near triangles follow one another. A node is a range of that
+/// order. Its two children are the halves of the range. So the order alone defines the whole hierarchy, and a proof
+/// does not need to contain it.
 class TriangleOrder {
  public:
   struct Node {
@@ -20,19 +21,20 @@ class TriangleOrder {
     [[nodiscard]] std::uint32_t middle() const { return first + (last - first) / 2; }
   };
 
-  /// Bounds of the triangles of a node of two or more.
+  /// Bounds of the triangles of a node with at least two triangles.
   struct Extent {
     Vec3 center = Vec3::Zero(), half = Vec3::Zero();  ///< every corner is within center +- half
-    Vec3 into = Vec3::Zero();                         ///< about the unit normal into the solid; zero: too uneven
-    double least = 0;                                 ///< into . p is nowhere smaller
+    Vec3 into = Vec3::Zero();                         ///< approximate unit normal into the solid; zero: the normals
+                                                      ///< differ too much
+    double least = 0;                                 ///< minimum of into . p
   };
 
-  /// The meshes must outlive it. Finite vertices. Cost: O(n log n), about 130 bytes a triangle.
+  /// The meshes must outlive the object. Requires finite vertices. Cost: O(n log n), about 130 bytes a triangle.
   explicit TriangleOrder(std::span<const IndexedMesh> meshes);
 
   [[nodiscard]] Node root() const { return {0, static_cast<std::uint32_t>(order_.size())}; }
   [[nodiscard]] const Extent& extent(const Node& node) const { return extents_[node.middle()]; }
-  /// Returns corners of the triangle at a place of the order.
+  /// Returns the corners of the triangle at a position of the order.
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t place) const;
 
  private:
@@ -44,17 +46,17 @@ class TriangleOrder {
 
   std::span<const IndexedMesh> meshes_;
   std::vector<Named> order_;
-  std::vector<Extent> extents_;  // by the middle of the node, which no two nodes share
+  std::vector<Extent> extents_;  // by the middle of the node, which is different for each node
 };
 
-/// Those of all parts and of all fixtures of a scene, which must outlive them.
+/// The triangle orders of all parts and of all fixtures of a scene. The scene must outlive them.
 struct SceneOrders {
   explicit SceneOrders(const ClaimedScene& scene) : parts(scene.parts), fixtures(scene.fixtures) {
     for (const ClaimedLimit& limit : scene.limits)
       limited.emplace_back((limit.is_fixture ? scene.fixtures : scene.parts).subspan(limit.mesh, 1));
   }
   TriangleOrder parts, fixtures;
-  std::vector<TriangleOrder> limited;  ///< one a limit of the scene, of its mesh alone
+  std::vector<TriangleOrder> limited;  ///< one for each limit of the scene, of its mesh alone
 };
 
 }  // namespace gouge

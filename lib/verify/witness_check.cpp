@@ -11,13 +11,13 @@
 namespace gouge {
 namespace {
 
-constexpr double kExact_mm = 1e-6;  // what the promise states a witness is true to
+constexpr double kExact_mm = 1e-6;  // promised accuracy of a witness
 
 std::string mm(double value) { return display_text(value, 7) + " mm"; }
 
 bool is_near(double a, double b) { return std::abs(a - b) <= kExact_mm; }
 
-/// Null: the mesh of the witness has no limit of its own.
+/// Returns the limit of the mesh of the witness; null: it has no limit of its own.
 const ClaimedLimit* limit_of(const ClaimedScene& scene, const ClaimedWitness& witness) {
   const auto found = std::ranges::find_if(scene.limits, [&](const ClaimedLimit& limit) {
     return limit.is_fixture == witness.is_fixture && limit.mesh == witness.mesh;
@@ -62,15 +62,15 @@ class WitnessChecker {
   [[nodiscard]] Pose pose() const { return claimed_pose(scene_, move_, w_.t); }
   [[nodiscard]] const ToolContour& contour() const { return w_.is_fixture ? tool_.fixture : tool_.part; }
 
-  /// The depth once the tool has given way by `shift`.
+  /// Returns the depth after the tool is moved away by `shift`.
   [[nodiscard]] double depth_with(const Vec3& shift) const {
     if (w_.body == Body::head) return depth_in_heads(scene_, head_frame(scene_, move_, w_.t), w_.point - shift);
     const double distance = contour().nearest(in_tool(pose(), w_.point - shift)).signed_distance_mm;
     return std::max(0.0, -distance);
   }
 
-  /// Returns how far below the clearance of its mesh the point is once the tool has given way; nothing where it has
-  /// none.
+  /// Returns how much the distance of the point is below the clearance of its mesh, after the tool is moved away.
+  /// Returns nothing if the mesh has no clearance.
   [[nodiscard]] std::optional<double> depth_in_clearance(const Vec3& shift) const {
     const ClaimedLimit* limit = limit_of(scene_, w_);
     if (limit == nullptr || !(limit->clearance_mm > 0)) return std::nullopt;

@@ -11,8 +11,8 @@
 namespace gouge {
 namespace {
 
-// zstd reports a lack of memory by null or a number in place of std::bad_alloc. Incomplete data must not pass for
-// complete.
+// Fails like an allocation without memory. zstd reports a lack of memory by null or an error number instead of
+// std::bad_alloc. Incomplete data must not pass as complete.
 void end_without_memory() { static_cast<void>(::operator new(PTRDIFF_MAX)); }
 
 template <class Context>
@@ -43,7 +43,7 @@ void ZstdWriter::run(std::string_view bytes, bool is_end) {
   for (bool is_done = false; !is_done;) {
     ZSTD_outBuffer out{room.data(), room.size(), 0};
     const std::size_t left = ZSTD_compressStream2(state_->context, &out, &in, is_end ? ZSTD_e_end : ZSTD_e_continue);
-    if (ZSTD_isError(left) != 0) end_without_memory();  // nothing else can be wrong with bytes that are to be packed
+    if (ZSTD_isError(left) != 0) end_without_memory();  // compression cannot fail for any other reason
     state_->out.append(room.data(), out.pos);
     is_done = (is_end ? left == 0 : in.pos == in.size);
   }
@@ -59,7 +59,7 @@ std::string ZstdWriter::finish() {
 struct ZstdReader::State {
   ZSTD_DCtx* context = made(ZSTD_createDCtx());
   ZSTD_inBuffer in{};
-  std::string ready;  // bytes read and not yet taken
+  std::string ready;  // decompressed bytes that are not yet taken
   bool is_broken = false, is_ended = false;
 
   void read() {

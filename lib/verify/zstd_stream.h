@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-// Zstandard, piece by piece.
+// Compression and decompression with Zstandard, piece by piece.
 
 namespace gouge {
 
@@ -14,7 +14,7 @@ class ZstdWriter {
   ZstdWriter();
   ~ZstdWriter();
   void add(std::string_view bytes);
-  /// Returns all of it; nothing may be added after it.
+  /// Returns all compressed bytes. Nothing may be added afterwards.
   [[nodiscard]] std::string finish();
 
  private:
@@ -25,13 +25,13 @@ class ZstdWriter {
 
 class ZstdReader {
  public:
-  /// `bytes` must outlive it.
+  /// `bytes` must outlive the object.
   explicit ZstdReader(std::string_view bytes);
   ~ZstdReader();
-  /// Returns the next `count` bytes; fewer where the stream ends, or where it is broken (is_broken).
+  /// Returns the next `count` bytes; fewer if the stream ends or is broken (is_broken).
   [[nodiscard]] std::string take(std::size_t count);
   [[nodiscard]] bool is_broken() const;
-  /// Returns whether nothing is left, and the check sum at the end was right.
+  /// Returns whether all bytes are taken and the checksum at the end is correct.
   [[nodiscard]] bool is_at_end();
 
  private:
