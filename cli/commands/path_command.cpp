@@ -24,7 +24,7 @@
 namespace gouge {
 namespace {
 
-// Content of `path info`, as text for people and as JSON. Lengths in the file's unit.
+// Functions for the output of `path info`, as text and as JSON. Lengths are in the file's unit.
 
 constexpr std::size_t kPathLabelWidth = 22;
 constexpr int kShownDecimals = 4;
