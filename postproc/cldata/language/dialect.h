@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-// Dialect of a CAM system that a file follows, recognised by its content or stated by the user. A dialect
-// is data: one row of traits that readers and writers use. No code depends on the dialect itself. Evidence for each
-// trait: docs/formats/.
+// The dialect of a CAM system that a file follows, recognised by its content or stated by the user. A dialect is data:
+// one row of traits for readers and writers. No code depends on the dialect itself. Evidence for each trait:
+// docs/formats/.
 
 namespace gouge {
 
@@ -28,7 +28,7 @@ enum class DialectKind : std::uint8_t {
   nci
 };
 
-/// Comments that state something.
+/// Kinds of comments that are statements.
 enum class CommentForm : std::uint8_t {
   none,
   creo,  ///< `$$->` and `REMARK ->` are statements
@@ -40,29 +40,29 @@ enum class ArcSense : std::uint8_t { right_handed, left_handed, unknown };
 /// Arguments of a CIRCLE or MOVARC.
 enum class ArcForm : std::uint8_t {
   apt,         ///< centre, vector, radius, and what NX writes after them
-  with_sweep,  ///< the same, or an eighth number: the sweep in degrees
-  ncl,         ///< NCCS NCL: any list that begins so
-  nci          ///< Mastercam NCI: made by its reader
+  with_sweep,  ///< like apt, or with an eighth number: the sweep in degrees
+  ncl,         ///< NCCS NCL: any list that begins like apt
+  nci          ///< Mastercam NCI: its reader makes the arguments
 };
 
-/// Sense of arcs of a stated vector.
+/// Sense of arcs with a stated vector.
 enum class ArcRule : std::uint8_t {
   by_vector,
-  by_vector_or_against,  ///< some posts turn a clockwise arc's vector round, others leave it
-  shorter_path           ///< the post-processor takes the shorter arc between two points, whatever the vector
+  by_vector_or_against,  ///< some posts reverse the vector of a clockwise arc, others keep it
+  shorter_path           ///< the post-processor takes the shorter arc between two points, independent of the vector
 };
 
 /// Meaning of the words and numbers of a CYCLE.
 enum class CycleForm : std::uint8_t { any, nx, depths, depths_without_rapto, creo, catia, clt, ncl, unknown };
 
-/// Places for FEDRAT while a cycle drills.
+/// Places where FEDRAT may occur while a cycle drills.
 enum class FeedInCycle : std::uint8_t { anywhere, nowhere, before_first_hole };
 
-/// Part of a cutter that the dialect can state.
+/// The data of a cutter that the dialect can state.
 enum class CutterForm : std::uint8_t { whole, with_diameter, without_angles, diameter_alone, none };
 
 struct Dialect {
-  DialectKind kind = DialectKind::apt;     ///< its row in the tables of dialects, and nothing else
+  DialectKind kind = DialectKind::apt;     ///< its row in the tables of dialects; it is used for nothing else
   std::string_view id = "apt";             ///< Toolpath::dialect, and what --dialect takes
   std::string_view title = "APT CL data";  ///< for people
   std::string_view format = "text";        ///< its row in the table of formats
