@@ -8,7 +8,7 @@
 
 // A twisted blade: an ellipse of half axes 20 x 3 mm carried up 60 mm while it turns by 35 degrees. A tapered ball
 // mills it in one spiral, with its axis 60 degrees from the surface normal. Every section is convex. So a ball on the
-// true surface enters the mesh only because of the twist (below 3 um) and the chords of the path (below 4 um).
+// true surface enters the mesh for two reasons only: the twist (below 3 um) and the chords of the path (below 4 um).
 
 namespace gouge::samples {
 namespace {

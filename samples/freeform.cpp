@@ -6,10 +6,10 @@
 #include "samples/cases.h"
 #include "samples/cl_text.h"
 
-// A wavy surface z = f(x, y) with a wall behind it, finished by a ball D10 with lead and tilt that vary along the path.
-// The centre of the ball lies at radius + kAllowance from the true surface along its normal. So chords of the mesh and
-// of the path (each below 5 um) stay within the tolerance. Where `dip` is not 0, the tool is pushed in along the
-// normal. The smallest radius of curvature is 20 mm, so the depth of the cut is `dip`.
+// A wavy surface z = f(x, y) with a wall behind it. A ball D10 finishes it, with lead and tilt that vary along the
+// path. The centre of the ball lies at radius + kAllowance from the true surface along its normal. So chords of the
+// mesh and of the path (each below 5 um) stay within the tolerance. Where `dip` is not 0, the tool is pushed in along
+// the normal. The smallest radius of curvature is 20 mm, so the depth of the cut is `dip`.
 
 namespace gouge::samples {
 namespace {

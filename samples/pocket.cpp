@@ -99,8 +99,8 @@ void write_clean_part(PocketPath& path) {
   path.clear_level(-10);
   path.feed(28, 8, kFloor);
   path.clear_level(kFloor);
-  // The corner arc of the tool (centre 2 above the floor) is clear of the fillet if the wall is at least 9 mm from the
-  // axis. The distance 9.2 leaves room for the fillet's chords.
+  // The centre of the tool's corner arc is 2 above the floor. The arc is clear of the fillet if the wall is at least 9
+  // mm from the axis. The distance 9.2 leaves room for the fillet's chords.
   path.contour(kHalfX - 9.2, kHalfY - 9.2, kCorner - 9.2, kFloor);
 }
 

@@ -56,7 +56,8 @@ using BodyProfiles = std::array<Profile, 3>;
 [[nodiscard]] Result<BodyProfiles> make_body_profiles(const ToolAssembly& tool);
 
 /// Returns the contour of the whole assembly without growth; faces between bodies are not part of it.
-/// Ensures  verify_profile is empty.  Errors as make_body_profiles, and those of unite.
+/// Ensures  verify_profile is empty.
+/// Errors   Those of make_body_profiles, and those of unite.
 [[nodiscard]] Result<Profile> make_profile(const ToolAssembly& tool);
 
 /// A segment at its position, cut off at the lowest extension or holder that it stands in.

@@ -247,8 +247,8 @@ class Builder {
     }
   }
 
-  // Estimates the cost of the tree below a region, up to a common factor: the share of points that come here times
-  // their number of steps.
+  // Estimates the cost of the tree below a region, up to a common factor. The estimate is the share of points that come
+  // here times their number of steps.
   double cost(const Region& region) const {
     if (region.candidates.size() <= 1) return 0;
     const double all = (high_ - low_).prod();

@@ -9,7 +9,7 @@
 #include "lib/path/apt_cutter.h"
 #include "toolmodels/profile.h"
 
-// The shapes of cutters by their catalogue dimensions. Lengths are in mm and angles in degrees; the tip is at (0, 0),
+// The shapes of cutters by their catalogue dimensions. Lengths are in mm and angles in degrees. The tip is at (0, 0),
 // and `length_mm` is the length from the tip to the top of the flutes. An optional field that is not given is 0.
 // Sketches: docs/formats/tool_library.md.
 

@@ -11,9 +11,9 @@
 namespace gouge {
 namespace {
 
-// A turn at an arc below Tolerance::kTangent is a tangency that was found to half of the digits, as where a growing arc
-// meets a line. The joint is then moved to its exact place. A joint between two segments is smooth only if they are in
-// line.
+// A turn at an arc below Tolerance::kTangent is a tangency that was found to half of the digits. An example is the
+// point at which a growing arc meets a line. The joint is then moved to its exact place. A joint between two segments
+// is smooth only if they are in line.
 constexpr double kLargestShift = 1e-3;  // maximum shift of such a joint, relative to the shorter element
 constexpr double kLargestSweep_rad = 150 * std::numbers::pi / 180;
 

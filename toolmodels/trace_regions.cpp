@@ -112,7 +112,8 @@ class Tracer {
     return std::max(0.0, length);
   }
 
-  // From the point at which another element is nearer, it stays nearer along the ray. So bisection finds that point.
+  // Returns the length of the ray on which its own element is the nearest. From the point at which another element is
+  // nearer, it stays nearer along the ray. So bisection finds that point.
   double length_in_region(const Ray& ray, double limit) const {
     const auto is_nearest = [&](double t) {
       const Vec2 q = ray.from + t * ray.direction;

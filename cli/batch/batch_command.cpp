@@ -104,7 +104,7 @@ class Batch {
     return std::nullopt;
   }
 
-  // All processes find the same error, so only the first one reports it.
+  // Reports the error. All processes find the same one, so only the first process prints it.
   int refuse(const Diagnostic& error) {
     if (ranks_->is_first()) return fail(err_, {error});
     return error.code == "usage" ? kExitUsage : kExitInput;

@@ -220,7 +220,7 @@ void BatchRun::write_queued() {
   is_stopped_ = true;
 }
 
-// If the system starts no thread, each job writes its own result.
+// Starts the thread that writes results. If the system starts no thread, each job writes its own result.
 BatchRun::Writer::Writer(BatchRun& batch) : batch_(batch) {
   try {
     thread_ = std::thread([this] { batch_.write_until_closed(); });

@@ -57,7 +57,7 @@ class ClaimTaker {
     }
   }
 
-  // With --warnings-as-errors a warning keeps the verdict open like an open fact.
+  // Adds warnings to the open facts. With --warnings-as-errors a warning keeps the verdict open like an open fact.
   void take_warnings() {
     for (const Diagnostic& note : record_.notes) {
       if (note.severity == Severity::warning) result_.open_facts.emplace_back("warnings");

@@ -23,8 +23,8 @@ namespace py = pybind11;
 [[nodiscard]] std::vector<Triangle> triangles_of(const py::handle& object);
 /// Returns the flags of a C-contiguous array of bool of shape (n,), or none for None.
 [[nodiscard]] std::span<const bool> flags_of(const py::handle& object, const std::string& name);
-/// Returns the pose in None, in a homogeneous float64 array of shape (4, 4) as in trimesh, or in an object with
-/// getRotation and getTranslation, such as the Transform of python-fcl.
+/// Returns the pose in `object`: None, a homogeneous float64 array of shape (4, 4) as in trimesh, or an object with
+/// getRotation and getTranslation. The Transform of python-fcl is such an object.
 [[nodiscard]] Transform pose_of(const py::handle& object);
 
 template <class T>

@@ -29,7 +29,7 @@ void add_colour_option(CLI::App& command, std::string& colour);
 /// Returns the view for output to a file: plain, with all findings unless a number is given. Errors: usage.
 [[nodiscard]] Result<FindingsView> understand(const ListingArguments& arguments);
 
-/// Returns the view for output to `out`: with colours if `out` has them, and with at most fifty findings if it is a
+/// Returns the view for output to `out`, with colours if `out` has them. It has at most fifty findings if `out` is a
 /// terminal and no number is given. Requires arguments that can be understood.
 [[nodiscard]] FindingsView view_on(std::ostream& out, const ListingArguments& arguments, bool has_statements);
 

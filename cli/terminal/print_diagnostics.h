@@ -44,8 +44,8 @@ void print_peak_memory(std::ostream& err);
 /// Prints `errors` and returns `status`.
 int fail(std::ostream& err, const Diagnostics& errors, int status);
 
-/// Prints `errors` and returns the status for them: that of a wrong command line if one of them has the code usage,
-/// else that of an input. An example of usage is a tool of --tool that the library lacks.
+/// Prints `errors` and returns the status for them. If one of them has the code usage, it is that of a wrong command
+/// line, else that of an input. An example of usage is a tool of --tool that the library lacks.
 int fail(std::ostream& err, const Diagnostics& errors);
 
 }  // namespace gouge

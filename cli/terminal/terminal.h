@@ -22,8 +22,8 @@ void choose_colour(std::ostream& stream, std::string_view word);
 /// Returns whether printed text on `stream` is coloured; false if choose_colour was not called for it.
 [[nodiscard]] bool is_coloured(std::ostream& stream);
 
-/// Prepares the standard streams; must be called once, before all else. A pipe without a reader and a file beyond the
-/// limit of the shell (ulimit -f) then cause failed writes, and do not end the program. A file that is opened later
+/// Prepares the standard streams; must be called once, before all else. Then a pipe without a reader, or a file beyond
+/// the limit of the shell (ulimit -f), causes failed writes. It does not end the program. A file that is opened later
 /// never takes the number of a closed standard stream (>&-). A write to such a stream fails.
 void prepare_standard_streams();
 

@@ -18,8 +18,8 @@
 namespace gouge {
 namespace {
 
-// Returns the differences of the set-ups of two runs, a sentence each: parts, fixtures, heads, placement, tools with
-// the same key, options, version of the program. Empty: their findings are directly comparable.
+// Returns the differences of the set-ups of two runs, a sentence each. Compared are parts, fixtures, heads, placement,
+// tools with the same key, options, and the version of the program. Empty: their findings are directly comparable.
 std::vector<std::string> setup_differences(const StoredResult& before, const StoredResult& after) {
   std::vector<std::string> all;
   for (const char* role : {"part", "fixture", "head"}) {

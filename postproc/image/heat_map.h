@@ -42,8 +42,8 @@ struct PictureSet {
 /// `words` point at the finding.
 void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words);
 
-/// Adds the right side of a finding's page: the section through the deepest point, and an enlarged region with the
-/// depth as an arrow with `words`. A buried tool has no deepest point, so one section of the whole tool is drawn.
+/// Adds the right side of a finding's page: the section through the deepest point, and an enlarged region. There an
+/// arrow with `words` shows the depth. A buried tool has no deepest point, so one section of the whole tool is drawn.
 void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words);
 
 /// Draws the depth of every move over its number. The certain depth is a bar in the colour of the body. The depth that

@@ -27,8 +27,8 @@ struct PlotPanel {
   void fit(const Box3& box);
 };
 
-/// Draws the frame with its name. For a panel along an axis it adds ticks with their coordinates along the edges, for
-/// any other panel the directions of x, y and z. Both have a bar of a round length. Coordinates are in `unit`.
+/// Draws the frame with its name. A panel along an axis gets ticks with their coordinates along the edges. Any other
+/// panel gets the directions of x, y and z. Both have a bar of a round length. Coordinates are in `unit`.
 void draw_frame(const PlotPanel& panel, LengthUnit unit, Drawing& drawing);
 
 /// Draws the parts as shaded surfaces, the nearest on top, in cells of two units. So the size of the panel, not the

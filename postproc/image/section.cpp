@@ -83,7 +83,7 @@ std::vector<SectionPlane> planes(const Pose& pose, const Vec3& point_part, doubl
 
 }  // namespace
 
-// Algorithm of Liang and Barsky.
+// Clips the line a b at the box by the algorithm of Liang and Barsky; empty if it is outside.
 std::optional<std::array<Vec2, 2>> clipped(const Vec2& a, const Vec2& b, const Area& box) {
   double t0 = 0;
   double t1 = 1;

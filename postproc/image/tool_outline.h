@@ -7,7 +7,8 @@
 
 namespace gouge {
 
-/// A part of the profile of a tool: a broken line (r, z) in mm, for a run of elements of one body, from the tip up.
+/// A part of the profile of a tool, for a run of elements of one body. It is a broken line (r, z) in mm, from the tip
+/// up.
 struct OutlineRun {
   Body body = Body::cutter;
   std::vector<Vec2> points;

@@ -14,8 +14,8 @@ void MotionChain::break_off() {
   last_uncertainty_ = nullptr;
 }
 
-// Links a position without a start to the last one, unless the tool may have been changed before it: another number, or
-// a loading of another cutter.
+// Links a position without a start to the last one, unless the tool may have been changed before it. Such a change is
+// another number, or a loading of another cutter.
 void MotionChain::attach_link(Move& move) {
   const bool can_link = std::exchange(can_link_, false);
   const bool was_loaded = std::exchange(was_loaded_, false);

@@ -9,8 +9,8 @@
 namespace gouge {
 
 /// Draws lead and side tilt of a run over the length of its path, before (dashed) and after (solid). The result is an
-/// inline SVG for the HTML report, with the colours of html_style.h. For a run of any length at most a few thousand
-/// points are drawn: the minimum, the maximum, the first and the last of each pixel.
+/// inline SVG for the HTML report, with the colours of html_style.h. At most a few thousand points are drawn for a run
+/// of any length. They are the minimum, the maximum, the first and the last of each pixel.
 /// The result is empty for a run of length 0 or of a length that is not finite.
 [[nodiscard]] std::string axis_chart(const TiltedRun& run, LengthUnit unit);
 

@@ -24,7 +24,8 @@ struct Finding {
   std::optional<Vec3> point;
   std::string message;      ///< without the location
   std::string fingerprint;  ///< 16 digits that depend on statement, tool and body, but not on the line
-  /// "new", "updated" (an acceptance concerns it, but does not accept it) or "unchanged" (accepted); empty: no --baseline.
+  /// "new", "updated" (an acceptance concerns it, but does not accept it) or "unchanged" (accepted). Empty: no
+  /// --baseline.
   std::string baseline_state;
   std::string justification;  ///< for an accepted finding: who accepted it and why
 };

@@ -18,8 +18,8 @@ namespace gouge {
 /// `path.apt:123: gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42 (7 moves, 118-124), operation ROUGH`
 [[nodiscard]] std::string findings_text(const ReportModel& model, const FindingsView& view = {});
 
-/// First lines such as "gouges: 4 findings in 126 of 2477 moves, ...": that of the result, and for a correction that of
-/// the path before.
+/// The first lines of a report, such as "gouges: 4 findings in 126 of 2477 moves, ...". `now` is that of the result,
+/// and `before` is that of the path before a correction.
 struct Headlines {
   std::string now, before;
 };

@@ -51,7 +51,8 @@ struct StoredResult {
 
 /// Returns the label of a tool by its key: "T1", a quoted name, or "the unnamed tool".
 [[nodiscard]] std::string stored_tool_label(const std::string& key);
-/// Returns a finding without its location, in the unit of its result: "0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118".
+/// Returns a finding without its location, in the unit of its result. An example is "0.213 mm cutter T1 at (12.3, 4.5,
+/// 6.7), move 118".
 [[nodiscard]] std::string stored_finding_text(const StoredResult& result, const EventRecord& finding);
 
 /// Reads the bytes of `file`.

@@ -1,4 +1,4 @@
-// Answers the queries of a haptic device, a thousand a second: how deep is the tool at the position of the hand, and
+// Answers the queries of a haptic device, a thousand a second. How deep is the tool at the position of the hand, and
 // which way is out? The hand circles over a part of 20 000 triangles and presses into it. Prints the rate and the
 // slowest result.
 

@@ -45,7 +45,7 @@ inline void verify_nodes(const CompiledTool& tool, std::vector<std::string>& bro
 }
 
 /// Returns the broken invariants of a compiled tool; empty for a valid tool. The invariants: indices are in range,
-/// every element is owned by a leaf, normals are unit vectors, elements join, and extent and core are those of the
+/// every element is owned by a leaf, normals are unit vectors, and elements join. Extent and core must be those of the
 /// elements.
 [[nodiscard]] inline std::vector<std::string> verify_tool(const CompiledTool& tool) {
   std::vector<std::string> broken;

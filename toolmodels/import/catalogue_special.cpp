@@ -57,8 +57,8 @@ class SpecialMaker : CatalogueMaker {
     return Cutter(SlittingSawCutter{at(diameter), at(flute_length), at(cap_diameter), at(cap_height)});
   }
 
-  // The diameter is that of the bottom. If the file gives the whole angle instead of half of it, the neck does not
-  // agree.
+  // Builds a dovetail cutter; the diameter is that of the bottom. If the file gives the whole angle instead of half of
+  // it, the neck does not agree.
   Result<Cutter> dovetail() {
     if (Outcome good = need({{flute_length, "flute length"}, {taper_angle, "taper angle"}}); !good) return good.error();
     check_neck(at(diameter) - 2 * at(flute_length) * std::tan(radians(at(taper_angle))),
@@ -81,7 +81,7 @@ class SpecialMaker : CatalogueMaker {
     return Cutter(LollipopCutter{at(diameter), at(neck), 0});
   }
 
-  // The diameter is that of the small end.
+  // Builds a cutter that rounds an edge; the diameter is that of the small end.
   Result<Cutter> radius() {
     if (Outcome good = need({{flute_length, "flute length"}, {corner_radius, "radius"}}); !good) return good.error();
     check_neck(at(diameter) + 2 * at(corner_radius), d_.text(diameter) + " and " + d_.text(corner_radius));
@@ -152,8 +152,8 @@ class SpecialMaker : CatalogueMaker {
     return Cutter(LensCutter{at(diameter), at(profile_radius), corner, at(flute_length)});
   }
 
-  // The arcs of the tip and of the upper end lie where a straight flank of the taper angle would touch them. The arc of
-  // the flank touches both.
+  // Builds a tapered segment cutter. The arcs of the tip and of the upper end lie where a straight flank of the taper
+  // angle would touch them. The arc of the flank touches both.
   Result<Cutter> taper_segment() {
     if (Outcome good =
             need({{flute_length, "flute length"}, {profile_radius, "profile radius"}, {taper_angle, "taper angle"}});

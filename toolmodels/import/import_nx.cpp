@@ -99,7 +99,8 @@ class RowImporter {
     return Done{};
   }
 
-  // HEI is the length of the tool up to its shank. The shank stands on it. HOFF is the length within the holder.
+  // Reads the lengths. HEI is the length of the tool up to its shank. The shank stands on it. HOFF is the length within
+  // the holder.
   Outcome read_lengths() {
     double values[5] = {};
     const char* fields[5] = {"HEI", "TSDIA", "TSLEN", "TSTLEN", "HOFF"};

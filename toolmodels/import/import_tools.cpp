@@ -7,7 +7,8 @@
 namespace gouge {
 namespace {
 
-// A holder_database.dat may begin with a FORMAT before any class.
+// Returns whether a line of the text begins as the first class of an NX library. A holder_database.dat may begin with a
+// FORMAT before any class.
 bool has_class_line(std::string_view text) {
   for (const std::string_view word : {"#CLASS", "FORMAT LIBRF"}) {
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1))

@@ -31,8 +31,8 @@ void distrust_cut_short(States& s);
 void distrust_last_line(States& s);
 /// Handles, at the end of the file, a last position without the axis that the positions before it have.
 void distrust_last_axis(States& s);
-/// Applies the effects of a statement that is not understood, on the statements before it and on the word that it was
-/// probably meant to be. It is a line of numbers, a word joined to other characters, or a misspelt word. Returns true
+/// Applies the effects of a statement that is not understood: a line of numbers, a word joined to other characters, or
+/// a misspelt word. They concern the statements before it, and the word that it was probably meant to be. Returns true
 /// if it can only be more positions of the previous statement, so that the next one is certain again.
 [[nodiscard]] bool take_misread(States& s, std::string_view text);
 /// Marks all facts stated before `statement`, whose word is `major`, as uncertain: see Uncertainty::unknown.

@@ -9,8 +9,8 @@
 
 #include "lib/base/units.h"
 
-// The major words of CL data that change the meaning of a motion, and those known to have no effect on the place of the
-// cutter. Every other word is `unknown`: kept in the file, counted and reported.
+// The major words of CL data. Listed are those that change the meaning of a motion, and those known to have no effect
+// on the place of the cutter. Every other word is `unknown`: kept in the file, counted and reported.
 
 // Also the words for units of length, alone or within a feed.
 
