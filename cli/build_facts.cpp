@@ -5,7 +5,7 @@
 
 #include "lib/base/instruction_sets.h"
 
-// GOUGE_VERSIONS and GOUGE_BUILD_TYPE come from CMakeLists.txt, as do GOUGE_MPI and the rest of a build.
+// CMakeLists.txt defines GOUGE_VERSIONS, GOUGE_BUILD_TYPE, GOUGE_MPI and the other facts of a build.
 
 namespace gouge {
 namespace {

@@ -4,7 +4,8 @@
 
 namespace gouge {
 
-/// Returns how this program was built and what it found here, a line each: compiler, libraries, instruction sets, MPI.
+/// Returns how this program was built and what it found on this machine, one line each: compiler, libraries,
+/// instruction sets, MPI.
 [[nodiscard]] std::string build_facts_text();
 
 }  // namespace gouge

@@ -19,7 +19,8 @@ struct ConfigRow {
   std::string key, value, origin;
 };
 
-// With the words of the project file among those typed: both lists show the origin of each value.
+// Returns the row of an option. Both lists together show the origin of each value: the project file and the options
+// typed.
 ConfigRow row_of(const CLI::Option& option, const ProjectFile* project, const std::vector<std::string>& typed) {
   ConfigRow row{option.get_lnames().front(), {}, {}};
   for (const std::string& value : option.results()) row.value += (row.value.empty() ? "" : ", ") + value;

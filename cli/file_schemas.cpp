@@ -25,7 +25,8 @@ Json schema_of(const OptionKind& kind) {
   return reference("text");
 }
 
-/// Returns the schemas of all options by their keys. `is_job`: null removes a value of the defaults.
+/// Returns the schemas of all options by their keys. With `is_job` they allow null, which removes a value of the
+/// defaults.
 Json option_schemas(bool is_job) {
   const Json none = {{"type", "null"}};
   Json all = Json::object();

@@ -2,7 +2,7 @@
 
 #include <string>
 
-// The JSON Schemas (draft 2020-12) of the files that a user writes, made from the tables of options.
+// The JSON Schemas (draft 2020-12) of the files that a user writes, generated from the tables of options.
 
 namespace gouge {
 

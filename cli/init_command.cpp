@@ -30,7 +30,7 @@ bool has_word(const std::string& name, std::initializer_list<const char*> words)
   return std::ranges::any_of(words, [&](const char* word) { return lower(name).find(word) != std::string::npos; });
 }
 
-/// The inputs in the working directory, by the names of the files.
+/// The inputs in the working directory, recognised by the names of the files.
 struct Folder {
   std::vector<std::string> parts, fixtures, heads, libraries, unclear;
 };
@@ -81,7 +81,7 @@ void put(Json& json, const std::string& key, const std::vector<std::string>& val
   }
 }
 
-// Options as typed; those that no project file may have are an error when it is read.
+// Returns the options as typed. Options that a project file must not have cause an error when it is read.
 Result<Json> typed_options(const std::vector<std::string>& words) {
   std::vector<std::string> line = {"check"};
   line.insert(line.end(), words.begin(), words.end());
@@ -112,7 +112,7 @@ Result<Json> typed_options(const std::vector<std::string>& words) {
   return json;
 }
 
-// Nothing was found and no option is given: an empty file would only stand in the way of the next try.
+// Describes that nothing was found and no option is given. An empty file would only hinder the next attempt.
 Diagnostic describe_nothing(const Folder& folder) {
   std::string message =
       "nothing to write: this folder has no part (the only .stl in it, or one with 'part' in its name), no fixture "

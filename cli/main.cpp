@@ -21,9 +21,10 @@ void report(std::string_view text) {
   [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-// An exception that nothing can catch ends the program with its message and kExitInternal, not with SIGABRT. Examples
-// are lack of memory in a destructor of the JSON library, or in the static initialiser of another one. Broken
-// assertions still abort: their core is the evidence of a bug. Allocates nothing, as there may be nothing to allocate.
+// Ends the program with its message and kExitInternal, not with SIGABRT, after an exception that no code can catch.
+// Examples are lack of memory in a destructor of the JSON library, or in a static initialiser of another library.
+// Broken assertions still abort, because their core dump is the evidence of a bug. Allocates nothing, as no memory may
+// be left.
 [[noreturn]] void end_orderly() noexcept {
   const std::type_info* thrown = abi::__cxa_current_exception_type();
   if (thrown != nullptr && (*thrown == typeid(std::bad_alloc) || *thrown == typeid(std::bad_array_new_length))) {
@@ -37,22 +38,22 @@ void report(std::string_view text) {
   ::_exit(gouge::kExitInternal);
 }
 
-// When glibc first unwinds the stack of an ending thread it loads a library, and aborts where there is no memory for
-// that. So the library is loaded here.
+// Loads the unwinder library. Otherwise glibc loads it when an ending thread first unwinds the stack, and aborts if
+// there is no memory for it.
 void load_unwinder() {
   void* frame = nullptr;
   ::backtrace(&frame, 1);
 }
 
-// The second one, which comes when this handler returns, takes the default action: a parent that waits for the program
-// sees which signal ended it.
+// Removes temporary names. The second signal, raised when this handler returns, takes the default action, so a parent
+// that waits for the program sees which signal ended it.
 void tidy_up_and_end(int signal) {
   gouge::remove_temporary_names();
   ::raise(signal);
 }
 
-// SIGINT (ctrl-C), SIGTERM and SIGHUP remove the temporary names of outputs before they end the program, as these
-// signals do. An ignored signal (nohup) stays ignored.
+// Makes SIGINT (ctrl-C), SIGTERM and SIGHUP remove the temporary names of outputs before they end the program. An
+// ignored signal (nohup) stays ignored.
 void tidy_up_on_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction old {
@@ -67,7 +68,7 @@ void tidy_up_on_signals() {
 
 void before_all(int, char**, char**) { std::set_terminate(end_orderly); }
 
-// Before the constructors of the libraries, which may run out of memory as well.
+// Runs before the constructors of the libraries, which may run out of memory too.
 [[gnu::section(".preinit_array"), gnu::used]] void (*const kBeforeAll)(int, char**, char**) = before_all;
 
 }  // namespace

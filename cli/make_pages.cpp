@@ -6,7 +6,7 @@
 #include "cli/pages/write_man.h"
 #include "cli/program.h"
 
-// make_pages FOLDER writes what `cmake --install` brings along: man1/*.1 and the completions of three shells.
+// make_pages FOLDER writes the files that `cmake --install` adds: man1/*.1 and the completions of three shells.
 
 int main(int argc, char** argv) {
   if (argc != 2) {

@@ -28,7 +28,7 @@ void describe_program(CLI::App& app) {
   app.footer("Help of a command: gougecheck help check");
 }
 
-// For every command that runs: those that only group others print nothing.
+// Adds --color to every command that runs. Commands that only group others print nothing.
 void add_colour_below(CLI::App& app, std::string& colour) {
   for (CLI::App* command : app.get_subcommands({})) {
     if (command->get_subcommands({}).empty()) add_colour_option(*command, colour);

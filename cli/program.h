@@ -37,13 +37,13 @@ struct Arguments {
   bool is_without_project = false;
 };
 
-/// The table of all commands and their options, and the place their values go to.
+/// The table of all commands and their options, and the variables for their values.
 struct Program {
   Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// Returns the value of --color, also of a wrong command line; auto without one.
+  /// Returns the value of --color, even for a wrong command line; auto if it is not given.
   [[nodiscard]] std::string colour() const;
 
   Arguments arguments;

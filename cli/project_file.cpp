@@ -37,7 +37,7 @@ const WordRules& project_rules() {
   return rules;
 }
 
-/// An open file, closed at the end.
+/// An open file, closed by the destructor.
 class Handle {
  public:
   explicit Handle(const std::string& path) : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
@@ -52,7 +52,8 @@ class Handle {
   int number_;
 };
 
-// The file that was examined is the one that is read, whatever stands at its name meanwhile.
+// Reads a file that only its owner can write. The handle ensures that the examined file is the one that is read, even
+// if the name changes its meaning.
 Result<std::string> read_own_file(const std::string& name) {
   constexpr std::size_t kMost = 1'000'000;
   const auto unreadable = [&](const std::string& why) {
@@ -82,7 +83,7 @@ Result<std::string> read_own_file(const std::string& name) {
   }
 }
 
-/// The folders that are examined, from the working directory up, as they are named from there: "", "../", ...
+/// Returns the folders to search, from the working directory up, named relative to it: "", "../", ...
 std::vector<std::string> folders_to_search() {
   std::error_code failed;
   fs::path at = fs::current_path(failed);

@@ -14,16 +14,16 @@ inline constexpr const char* kProjectFileName = "gougecheck.json";
 
 /// One option that a project file sets.
 struct ProjectOption {
-  std::string key;                 ///< its long name, without --
+  std::string key;                 ///< long name of the option, without --
   std::vector<std::string> words;  ///< "--fixture=a.stl", "--fixture=b.stl"
   std::size_t line = 0;
 
-  /// Returns the value for people: "a.stl, b.stl"; for a flag "yes".
+  /// Returns the value for display: "a.stl, b.stl"; "yes" for a flag.
   [[nodiscard]] std::string value() const;
 };
 
 struct ProjectFile {
-  InputFile input;                     ///< named from the working directory: "../gougecheck.json"
+  InputFile input;                     ///< named relative to the working directory: "../gougecheck.json"
   std::vector<ProjectOption> options;  ///< in the order of project_keys
 
   [[nodiscard]] const ProjectOption* option(const std::string& key) const;
@@ -32,18 +32,18 @@ struct ProjectFile {
 /// Returns all options that a project file may set, in the order of the tables.
 [[nodiscard]] const std::vector<OptionKind>& project_options();
 
-/// Returns their keys in a project file.
+/// Returns the keys of these options in a project file.
 [[nodiscard]] std::vector<std::string> project_keys();
 
-/// Finds the project file that holds in the working directory. It is the nearest one from there up to the root of its
-/// repository (the folder with .git). Without a repository only the working directory is searched. None where there is
-/// none.
-/// Errors: project-foreign where it belongs to another user or everybody may write it, project-unreadable.
+/// Finds the project file for the working directory. It is the nearest one from there up to the root of the repository
+/// (the folder with .git). Without a repository only the working directory is searched. Returns none if there is no
+/// such file.
+/// Errors: project-foreign if it belongs to another user or everybody may write it, project-unreadable.
 [[nodiscard]] Result<std::optional<ProjectFile>> find_project_file();
 
-/// Reads the options of a project file called `name`, whose files are below `folder`.
-/// Errors, with the line: project-syntax, project-duplicate-key, project-option, json-too-deep, json-too-long. With
-/// project-option there is no such option, no project file may set it, or its value is of the wrong kind.
+/// Reads the options of a project file with the name `name`, whose files are below `folder`.
+/// Errors, with the line: project-syntax, project-duplicate-key, project-option, json-too-deep, json-too-long. The code
+/// project-option means that there is no such option, no project file may set it, or its value is of the wrong kind.
 [[nodiscard]] Result<ProjectFile> read_project_file(const std::string& name, const std::string& folder,
                                                     const std::string& bytes);
 

@@ -14,7 +14,8 @@ bool is_of_project(const std::vector<std::string>& words) {
   return words.size() > 1 && (words[1] == "check" || words[1] == "correct");
 }
 
-// Files are named; of all else the value is stated, as the verdict follows it.
+// Returns the text that reports an option. For files it has only the name; for other options also the value, because
+// the verdict depends on it.
 std::string told(const ProjectOption& option) {
   constexpr std::string_view kFiles[] = {"part", "fixture", "head", "tools", "allow-overlap"};
   const bool is_file = std::ranges::find(kFiles, option.key) != std::end(kFiles);
@@ -65,7 +66,8 @@ void ProjectLine::add(const ProjectFile& project, const std::vector<std::string>
   for (const ProjectOption& option : project.options) {
     const auto is_typed = [&](const std::string& key) { return std::ranges::find(typed, key) != typed.end(); };
     if (is_typed(option.key) || command.get_option_no_throw("--" + option.key) == nullptr) continue;
-    if (option.key == "allow-overlap" && is_typed("fixture")) continue;  // it names fixtures of the file
+    // the option names fixtures of the project file
+    if (option.key == "allow-overlap" && is_typed("fixture")) continue;
     words.insert(words.end(), option.words.begin(), option.words.end());
     added_.push_back(option);
   }

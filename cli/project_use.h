@@ -12,18 +12,19 @@ class App;
 
 namespace gouge {
 
-/// The command line of a `check` or `correct`, with what a project file adds to it.
+/// The command line of a `check` or `correct`, with the options that a project file adds.
 class ProjectLine {
  public:
-  /// `words`: the whole command line, the program's name first. Another command, a command line that is wrong, and
-  /// --no-config leave it as it is. Errors: those of find_project_file.
+  /// `words` is the whole command line, beginning with the program's name. It stays unchanged for another command, for
+  /// a wrong command line, and with --no-config. Errors: those of find_project_file.
   [[nodiscard]] static Result<ProjectLine> make(const std::vector<std::string>& words);
 
-  /// Returns the words with the options of the project file that the command line does not state, behind the command.
+  /// Returns the words of the command line. After the command they have the options of the project file that the
+  /// command line does not state.
   [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
-  /// Returns none where no file was found, or nothing of it is used.
+  /// Returns the use of the project file; none if no file was found, or none of its options is used.
   [[nodiscard]] const std::optional<ProjectUse>& use() const { return use_; }
-  /// Returns an error about an option from the file with its place there; others as they are.
+  /// Returns the error with its place in the project file if it concerns an option from there; other errors unchanged.
   [[nodiscard]] Diagnostic located(const Diagnostic& error) const;
 
  private:
@@ -34,11 +35,11 @@ class ProjectLine {
   std::optional<ProjectUse> use_;
 };
 
-/// --no-config of `check` and `correct`.
+/// Adds --no-config to `check` or `correct`.
 void add_no_config_option(CLI::App& command, bool& is_without);
 
-/// Returns the long names of the options that `words` gives to a command, its name first. Nothing where they cannot be
-/// parsed or request help. Options that are needed may be missing.
+/// Returns the long names of the options in `words`, which begins with the name of the command. Returns nothing if they
+/// cannot be parsed or request help. Required options may be missing.
 [[nodiscard]] std::optional<std::vector<std::string>> options_typed(const std::vector<std::string>& words);
 
 }  // namespace gouge

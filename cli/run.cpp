@@ -29,7 +29,7 @@
 namespace gouge {
 namespace {
 
-/// Applies --threads to the whole command. False where the number is too large.
+/// Applies --threads to the whole command. Returns false if the number is too large.
 bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& err) {
   std::uint64_t threads = 0;
   if (app.got_subcommand("check")) threads = arguments.check.job.threads;
@@ -46,7 +46,7 @@ bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& 
   return true;
 }
 
-/// Shows the command of its project file. An error in a value from there is found here, where its line is known.
+/// Tells the command about its project file. An error in a value from that file is found here, where its line is known.
 std::optional<Diagnostic> take_project(const ProjectLine& line, const CLI::App& app, Arguments& arguments) {
   const bool is_check = app.got_subcommand("check");
   JobArguments& job = is_check ? arguments.check.job : arguments.correct.job;
@@ -75,7 +75,8 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   return run_self_command(app, arguments.self, out, err);
 }
 
-// Text for people may end early (`| head -1`); undelivered data is a failure that its command has reported.
+// Returns the status after output. Printed text may end early (`| head -1`), but undelivered data is a failure, which
+// its command has reported.
 int after_printing(int status, std::ostream& out, std::ostream& err) {
   out.flush();
   if (out || status == kExitInternal || is_reader_gone()) return status;
@@ -95,11 +96,11 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     if (!line) return fail(err, {line.error()});
     try {
       std::vector<std::string> reversed(line->words().rbegin(), line->words().rend());
-      if (!reversed.empty()) reversed.pop_back();  // the program's name
+      if (!reversed.empty()) reversed.pop_back();  // drops the program's name
       app.parse(std::move(reversed));
     } catch (const CLI::ParseError& error) {
       choose_colour(err, program.colour());
-      // --help and --version come as errors of status 0.
+      // CLI11 reports --help and --version as errors of status 0.
       if (error.get_exit_code() == 0) return after_printing(app.exit(error, out, err), out, err);
       const std::optional<Diagnostic> empty = find_misread_value(app, words);
       return fail(err, {empty ? *empty : line->located(describe_parse_error(app, error, words))});

@@ -4,8 +4,8 @@
 
 namespace gouge {
 
-/// Runs the whole command line: parses it, runs the one command requested, and returns its exit status
-/// (lib/base/exit_code.h). Nothing is printed but to `out` (results) and `err` (errors, progress).
+/// Runs the whole command line: parses it, runs the command requested, and returns its exit status
+/// (lib/base/exit_code.h). Prints only to `out` (results) and `err` (errors, progress).
 [[nodiscard]] int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

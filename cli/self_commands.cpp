@@ -23,7 +23,7 @@ void add_words(CLI::App& command, SelfArguments& arguments) {
       ->type_name("COMMAND");
 }
 
-// Errors: usage, naming the word that is not a command.
+// Returns the command that the words name. Errors: usage, with the word that is not a command.
 Result<const CLI::App*> command_called(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* at = &app;
   for (const std::string& word : words) {
@@ -88,7 +88,7 @@ int run_self_command(const CLI::App& app, const SelfArguments& arguments, std::o
   if (app.got_subcommand("man")) {
     out << write_man(document(**command));
   } else {
-    // Not help() of the command: that prints the help of the one that was parsed, which is this one.
+    // help() of the command cannot be used: it prints the help of the parsed command, which is `help` itself.
     out << app.get_formatter()->make_help(*command, document(**command).name, CLI::AppFormatMode::Normal);
   }
   return kExitClean;

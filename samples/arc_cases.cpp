@@ -7,17 +7,16 @@
 #include "samples/cases.h"
 #include "samples/cl_text.h"
 
-// One motion with arcs of both senses, written in dialects that do not agree on how an arc is stated: clockwise
-// about its vector (NX), counter-clockwise (Creo), with its end point inside the statement and a tangent
-// (CATIA).
+// One motion with arcs of both senses, written in dialects that state an arc in different ways. In NX it runs clockwise
+// about its vector, in Creo counter-clockwise. CATIA has a tangent, and the end point inside the statement.
 
 namespace gouge::samples {
 namespace {
 
 constexpr double kCut = 5;       // z of the arcs
-constexpr double kWide = 14;     // radius of the one that would meet the second post the wrong way round
-constexpr double kClose = 6.2;   // radius of the one that comes too near to the first
-constexpr double kEnd_deg = 10;  // both run between this angle and 180 degrees less it
+constexpr double kWide = 14;     // radius of the arc that would meet the second post if it ran the other way round
+constexpr double kClose = 6.2;   // radius of the arc that comes too near to the first post
+constexpr double kEnd_deg = 10;  // both arcs run between this angle and 180 degrees minus this angle
 constexpr const char* kArcFlatD10 =
     R"({"units":"mm","tools":[{"number":1,"name":"flat D10","cutter":{"shape":"flat","diameter":10,"length":25},
   "shank":[{"lower_diameter":10,"upper_diameter":10,"length":25}],
@@ -42,7 +41,7 @@ std::size_t next_line(const ClText& cl) {
   return static_cast<std::size_t>(std::count(cl.text().begin(), cl.text().end(), '\n')) + 1;
 }
 
-/// An arc about the z axis from its radius and two angles; returns the line its statement begins on.
+/// Writes an arc about the z axis from its radius and two angles. Returns the line on which its statement begins.
 using WriteArc = std::size_t (*)(ClText& cl, double radius, double from_deg, double to_deg);
 
 std::size_t write_nx_arc(ClText& cl, double radius, double from_deg, double to_deg) {
@@ -77,8 +76,8 @@ struct Dialect {
   std::size_t arcs_without_goto;
 };
 
-// The cutter's corner edge passes the post's corner (1, 1) at kClose - sqrt(2) from the axis, inside its
-// radius.
+// The cutter's corner edge passes the corner (1, 1) of the post at kClose - sqrt(2) from the tool axis, inside the
+// cutter's radius.
 Sample make_arcs(const Dialect& dialect) {
   Sample sample;
   sample.name = dialect.name;

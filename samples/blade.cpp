@@ -6,10 +6,9 @@
 #include "samples/cases.h"
 #include "samples/cl_text.h"
 
-// A twisted blade: an ellipse of half axes 20 x 3 mm carried up 60 mm while it turns by 35 degrees, milled in
-// one spiral by a tapered ball whose axis leans 60 degrees from the surface normal. Every section is convex,
-// so a ball on the true surface never enters the mesh but for the twist (below 3 um) and the chords of the
-// path (below 4 um).
+// A twisted blade: an ellipse of half axes 20 x 3 mm carried up 60 mm while it turns by 35 degrees. A tapered ball
+// mills it in one spiral, with its axis 60 degrees from the surface normal. Every section is convex. So a ball on the
+// true surface enters the mesh for two reasons only: the twist (below 3 um) and the chords of the path (below 4 um).
 
 namespace gouge::samples {
 namespace {
@@ -66,7 +65,7 @@ BladePosition blade_position(double u, double z, double push) {
   return p;
 }
 
-/// How far u may go from here: 1.5 mm, or less where the normal turns by more than 0.08.
+/// Returns the step of u from here: 1.5 mm, or less if the normal would turn by more than 0.08.
 double step_at(double u) {
   const double c = std::cos(u), s = std::sin(u);
   const double length = std::sqrt(kA * kA * s * s + kB * kB * c * c);
@@ -89,7 +88,7 @@ std::vector<BladePosition> make_spiral() {
       ++pushed_in_second;
     }
     spiral.push_back(blade_position(u, z, push));
-    // The edges are sharp: the step must suit where it ends as well as where it begins.
+    // The edges are sharp, so the step must be small enough for both of its ends.
     const double step = std::min(step_at(u), step_at(u + step_at(u)));
     u += step;
     z -= 4 * step / kBladeTurn;
@@ -114,7 +113,7 @@ Sample make_blade() {
 )";
   sample.parts.push_back({"blade.stl", make_blade_part()});
   sample.check_exit = 1;
-  RigidTransform block;  // what the MSYS below states: X along +Y, Y along -X
+  RigidTransform block;  // the transformation that the MSYS below states: X along +Y, Y along -X
   block.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   block.shift = Vec3(10, 20, 5);
   ClText cl(ClText::Form::nx, block.inverse());

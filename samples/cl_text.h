@@ -6,24 +6,25 @@
 
 #include "lib/geom/pose.h"
 
-// Writes cutter-location text and remembers which line each position stands on.
+// A writer of cutter-location text that remembers the line of each position.
 
 namespace gouge::samples {
 
 class ClText {
  public:
   enum class Form {
-    apt,      ///< "GOTO/ 1.00000, 2.00000, 3.00000, 0.0000000, ...", the axis always there
-    apt_xyz,  ///< three numbers, the axis is +Z
-    nx        ///< "GOTO/1.0000,2.0000,...", the axis only when it changes
+    apt,      ///< "GOTO/ 1.00000, 2.00000, 3.00000, 0.0000000, ...", always with the axis
+    apt_xyz,  ///< three numbers; the axis is +Z
+    nx        ///< "GOTO/1.0000,2.0000,...", with the axis only if it changes
   };
 
-  /// `to_block` takes part coordinates to those written (the inverse of an MSYS).
+  /// Begins an empty text. `to_block` maps part coordinates to the coordinates that are written (the inverse of an
+  /// MSYS).
   explicit ClText(Form form, const RigidTransform& to_block = {}) : form_(form), to_block_(to_block) {}
 
   void line(std::string_view text);
 
-  /// Writes a position (a rapid one after RAPID) and returns the line its GOTO stands on.
+  /// Writes a position (a rapid one after RAPID). Returns the line of its GOTO.
   std::size_t feed(const Pose& pose);
   std::size_t rapid(const Pose& pose);
 

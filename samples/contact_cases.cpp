@@ -5,7 +5,7 @@
 #include "samples/cases.h"
 #include "samples/cl_text.h"
 
-// Small samples in which tool and part touch, and one in inches.
+// Small samples in which tool and part touch, and one sample in inches.
 
 namespace gouge::samples {
 namespace {

@@ -6,11 +6,10 @@
 #include "samples/cases.h"
 #include "samples/cl_text.h"
 
-// A wavy surface z = f(x, y) with a wall behind it, finished by a ball D10 with lead and tilt that vary along
-// the path. The ball's centre lies at radius + kAllowance from the true surface along its normal, so that
-// chords of the mesh and of the path (each below 5 um) stay within the tolerance. Where `dip` states so the
-// tool is pushed in along the normal; the smallest radius of curvature is 20 mm, so the depth of the cut is
-// the push.
+// A wavy surface z = f(x, y) with a wall behind it. A ball D10 finishes it, with lead and tilt that vary along the
+// path. The centre of the ball lies at radius + kAllowance from the true surface along its normal. So chords of the
+// mesh and of the path (each below 5 um) stay within the tolerance. Where `dip` is not 0, the tool is pushed in along
+// the normal. The smallest radius of curvature is 20 mm, so the depth of the cut is `dip`.
 
 namespace gouge::samples {
 namespace {
@@ -20,7 +19,7 @@ constexpr double kRadius = 5, kAllowance = 0.005;
 constexpr double kWallX = 106, kWallTop = 57.5, kHolderStart = 50;
 constexpr int kPasses = 25;
 
-/// How finely the part is tessellated and the path is sampled; the shapes stay the same.
+/// The density of the part's triangles and of the path's positions; the shapes do not depend on it.
 struct Density {
   int columns = 142, rows = 134, per_pass = 97;
 };
@@ -37,8 +36,8 @@ Vec3 freeform_normal(double x, double y) {
   return Vec3(-dx, -dy, 1).normalized();
 }
 
-/// Away from the wall in the passes near it, except in the last one, where the axis is upright: there the
-/// holder's lower face reaches below the top of the wall.
+/// Returns the tool axis. In the passes near the wall it leans away from the wall, except in the last pass, in which it
+/// is upright. There the lower face of the holder reaches below the top of the wall.
 Vec3 tool_axis(int pass, double x, double y) {
   if (pass == kPasses - 1) return Vec3::UnitZ();
   const double s = std::clamp((x - 50) / 34, 0.0, 1.0);
@@ -48,8 +47,8 @@ Vec3 tool_axis(int pass, double x, double y) {
   return Vec3(std::tan(tilt_deg * kTurn / 360), std::tan(lead_deg * kTurn / 360), 1).normalized();
 }
 
-/// How far the tool is pushed below the surface, mm: a slow dive, one bad point, a level stretch. j counts 96ths of
-/// the pass.
+/// Returns the depth of the tool below the surface in mm: a slow dive, one bad point, a stretch of constant depth. j
+/// counts 96ths of the pass.
 double dip(int pass, double j) {
   if (pass == 6 && j >= 30 && j <= 42) return std::min(0.3, 0.05 * std::min(j - 29, 43 - j));
   if (pass == 12 && std::abs(j - 50) < 0.01) return 0.5;
@@ -91,8 +90,8 @@ Solid make_freeform_part(const Density& density) {
 
 struct FreeformPosition {
   Pose pose;
-  double cutter_depth = 0;  ///< of the resting cutter; below 0: clear
-  double holder_depth = 0;  ///< of the resting holder in the wall's top, where the axis is upright
+  double cutter_depth = 0;  ///< depth of the resting cutter; below 0: clear
+  double holder_depth = 0;  ///< depth of the resting holder in the top of the wall, where the axis is upright
 };
 
 FreeformPosition freeform_position(int pass, int index, const Density& density) {
@@ -109,7 +108,7 @@ FreeformPosition freeform_position(int pass, int index, const Density& density) 
   return p;
 }
 
-/// The finding for the move between two positions; depths are largest at one of its ends.
+/// Adds the finding for the move between two positions. The depth is largest at one of its ends.
 void add_finding(Sample& sample, std::size_t line, const FreeformPosition& a, const FreeformPosition& b) {
   const double holder = std::max(a.holder_depth, b.holder_depth);
   const double cutter = std::max(a.cutter_depth, b.cutter_depth);
@@ -173,7 +172,7 @@ Sample make_with(const Density& density, const std::string& name) {
 
 void put_long_path(std::size_t moves, const PutText& put) {
   constexpr int kSteps = 399;
-  constexpr std::size_t kColumns = 23;  // none of them under the wall
+  constexpr std::size_t kColumns = 23;  // number of columns, none of which is under the wall
   put("PARTNO/LONG SAMPLE\nUNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/12000.000, RPM, CLW\n");
   for (std::size_t done = 0, pass = 0; done < moves; ++pass) {
     const std::size_t column = pass % kColumns, round = pass / kColumns;

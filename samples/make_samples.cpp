@@ -9,9 +9,9 @@
 #include "samples/cases.h"
 #include "samples/write_sample.h"
 
-// make_samples FOLDER: writes every sample and index.txt into FOLDER; make_samples FOLDER large: the one to measure
-// with; make_samples FOLDER long MOVES: FOLDER/freeform and in it long.apt, of as many moves. A program of its own, not
-// part of the tool.
+// A program that is not part of the tool. make_samples FOLDER writes every sample and index.txt into FOLDER.
+// make_samples FOLDER large writes the sample for measurements. make_samples FOLDER long MOVES writes FOLDER/freeform
+// with a file long.apt of MOVES moves.
 
 namespace {
 

@@ -4,16 +4,17 @@
 #include "samples/cases.h"
 #include "samples/cl_text.h"
 
-// A block with a pocket whose floor edge has a fillet of 3 mm, cleared by a bull-nose D16 r2 down to the
-// floor itself: the flat of the tool lies exactly on it. The wall is at 40 x 20 (half sizes), the floor at z
-// = -15, the top at z = 0; a clamp 12 mm high stands on the block.
+// A block with a pocket whose floor edge has a fillet of 3 mm. A bull-nose D16 r2 clears it down to the floor: the flat
+// of the tool lies exactly on the floor. The wall is at 40 x 20 (half sizes), the floor at z = -15, the top at z = 0. A
+// clamp 12 mm high stands on the block.
 
 namespace gouge::samples {
 namespace {
 
 constexpr double kHalfX = 40, kHalfY = 20, kCorner = 12, kFillet = 3, kFloor = -15;
 
-/// Rectangle with rounded corners at height z, every corner of `steps` chords, from the corner at (+x, +y).
+/// Returns a rectangle with rounded corners at height z. It begins at the corner at (+x, +y); each corner has `steps`
+/// chords.
 Ring rounded(double half_x, double half_y, double radius, double z, int steps) {
   Ring ring;
   for (int corner = 0; corner < 4; ++corner) {
@@ -98,8 +99,8 @@ void write_clean_part(PocketPath& path) {
   path.clear_level(-10);
   path.feed(28, 8, kFloor);
   path.clear_level(kFloor);
-  // The corner arc of the tool (centre 2 above the floor) is clear of the fillet when the wall is 9 mm or
-  // more from the axis; 9.2 leaves room for the fillet's chords.
+  // The centre of the tool's corner arc is 2 above the floor. The arc is clear of the fillet if the wall is at least 9
+  // mm from the axis. The distance 9.2 leaves room for the fillet's chords.
   path.contour(kHalfX - 9.2, kHalfY - 9.2, kCorner - 9.2, kFloor);
 }
 
@@ -122,10 +123,10 @@ Sample make_pocket() {
   sample.check_exit = 1;
   PocketPath path;
   write_clean_part(path);
-  // At z = -13.9 the corner arc is above the fillet's centre, so the side may come to 0.05 mm of the wall.
+  // At z = -13.9 the corner arc is above the fillet's centre, so the side may come to within 0.05 mm of the wall.
   path.contour(kHalfX - 8.05, kHalfY - 8.05, kCorner - 8.05, -13.9);
   path.feed(0, -11.95, -13.9);
-  // The side is 0.2 into the straight wall; the corner arc is deepest there too, above the fillet.
+  // The side is 0.2 mm deep in the straight wall. The corner arc, which is above the fillet, is deepest at the wall too.
   for (const std::size_t line : {path.feed(1, -12.2, -13.9), path.feed(2, -11.95, -13.9)}) {
     sample.findings.push_back({line, "gouge", "cutter", "part", 0.1999, 0.2001});
   }

@@ -6,8 +6,8 @@
 
 #include "samples/solids.h"
 
-// A sample: generated input together with the verdict it must get. The verdicts come from the formulas the
-// shapes are made of, never from running the checker, so that they can prove it wrong.
+// A sample: generated input together with the verdict that a check must give. The verdicts follow from the formulas of
+// the shapes, never from a run of the checker, so that they can prove it wrong.
 
 namespace gouge::samples {
 
@@ -16,28 +16,29 @@ struct NamedSolid {
   Solid solid;
 };
 
-/// Expected report of the move whose statement begins on `line`. Lengths in the toolpath's unit.
+/// Expected report of the move whose statement begins on `line`. Lengths are in the unit of the toolpath.
 struct ExpectedFinding {
   std::size_t line = 0;
   std::string state = "gouge";  ///< gouge or buried
   std::string body = "cutter";
   std::string against = "part";
-  double depth_min = 0, depth_max = 0;  ///< the true depth lies between; both 0 for buried
+  double depth_min = 0, depth_max = 0;  ///< limits of the true depth; both are 0 for buried
 };
 
 struct Sample {
   std::string name;   ///< also the name of its folder and toolpath
-  std::string about;  ///< one sentence for people
+  std::string about;  ///< one sentence that describes the sample
   std::string toolpath_file;
-  std::string toolpath;  ///< text
-  std::string tools;     ///< library, JSON text
+  std::string toolpath;  ///< text of the toolpath
+  std::string tools;     ///< tool library, as JSON text
   std::string unit = "mm";
   std::vector<NamedSolid> parts, fixtures;
-  double overlap = 0;             ///< how deep fixture and part penetrate each other; 0: not at all
+  double overlap = 0;             ///< penetration depth of fixture and part; 0: they do not penetrate
   std::vector<NamedSolid> heads;  ///< in the tool's frame; used by `check` only
   int check_exit = 0, correct_exit = 0;
   std::size_t moves = 0;
-  std::vector<ExpectedFinding> findings;  ///< one per move that is not clean, by line; all others are clean
+  /// one for each move that is not clean, ordered by line; all other moves are clean
+  std::vector<ExpectedFinding> findings;
 };
 
 }  // namespace gouge::samples

@@ -3,21 +3,21 @@
 #include "samples/cases.h"
 #include "samples/cl_text.h"
 
-// A set-up that is wrong, under a path that is right.
+// A sample with a wrong set-up and a correct path.
 
 namespace gouge::samples {
 namespace {
 
 constexpr double kSunk = 2;
 
-/// A block with a pocket, y from 0 to 60.
+/// Returns a block with a pocket, y from 0 to 60.
 Solid make_block() {
   const std::array<double, 4> x = {0, 20, 80, 100}, y = {0, 15, 45, 60};
   const std::array<double, 3> z = {0, 25, 40};
   return make_grid_solid(x, y, z, [](int i, int j, int k) { return i != 1 || j != 1 || k != 1; });
 }
 
-/// A vise jaw whose nose reaches into the block.
+/// Returns a vise jaw whose nose reaches into the block.
 Solid make_jaw() {
   const std::array<double, 2> x = {10, 90};
   const std::array<double, 3> y = {-40, -20, kSunk}, z = {-10, 5, 30};

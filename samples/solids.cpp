@@ -52,7 +52,7 @@ Solid make_grid_solid(std::span<const double> x, std::span<const double> y, std:
     return is_solid(c[0], c[1], c[2]);
   };
   Solid solid;
-  // The face between a filled cell and an empty neighbour along `axis`, on side 0 (low) or 1 (high).
+  // Adds the face between a filled cell and an empty neighbour along `axis`, on side 0 (low) or 1 (high).
   const auto add_face = [&](const std::array<int, 3>& cell, std::size_t axis, int side) {
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
     const auto corner = [&](int du, int dv) {

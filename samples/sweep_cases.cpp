@@ -5,7 +5,7 @@
 #include "samples/cases.h"
 #include "samples/cl_text.h"
 
-// Small samples in which the motion, not the positions, decides.
+// Small samples in which the motion decides, not the positions.
 
 namespace gouge::samples {
 namespace {
@@ -71,8 +71,8 @@ Sample make_between_swing() {
   "holder":[{"lower_diameter":30,"upper_diameter":30,"length":30}]}]}
 )",
       1);
-  // The post's top corner (1, 11..13, 41) comes deepest when the axis points along (1, 0, 41): sqrt(41^2 + 1)
-  // along the axis, and the holder begins at 40.
+  // The top corner (1, 11..13, 41) of the post is deepest when the axis points along (1, 0, 41). Its distance along the
+  // axis is then sqrt(41^2 + 1), and the holder begins at 40.
   const std::array<double, 4> x = {-30, -1, 1, 30}, y = {-30, 11, 13, 30};
   const std::array<double, 3> z = {-12, -2, 41};
   sample.parts.push_back(
@@ -87,9 +87,9 @@ Sample make_between_swing() {
   return sample;
 }
 
-// Both axes lean by s, 45 degrees to either side of x. On the great circle the axis between them leans by
-// atan(tan s cos 45). Where a rotary table turns and its tilt stands, it leans by s, and the holder, of radius 16, comes
-// 1 mm deep over the post's front edge (x, 0, 60).
+// Both axes lean by s, 45 degrees to either side of x. On the great circle the axis between them leans by atan(tan s
+// cos 45). If a rotary table turns while its tilt stands still, the axis leans by s. Then the holder, of radius 16, is
+// 1 mm deep over the front edge (x, 0, 60) of the post.
 Sample make_pole_crossing() {
   Sample sample = small_case(
       "pole_crossing",
@@ -124,8 +124,8 @@ Sample make_between_head() {
   "holder":[{"lower_diameter":30,"upper_diameter":30,"length":60}]}]}
 )",
       1);
-  // The head's lower face is 100 above the tip. The post's top edges (+-1, 16.5..18.5, 101) come deepest when
-  // the axis points along (+-1, 0, 101); they pass the holder, of radius 15, at 16.5.
+  // The lower face of the head is 100 above the tip. The top edges (+-1, 16.5..18.5, 101) of the post are deepest when
+  // the axis points along (+-1, 0, 101). They pass the holder, of radius 15, at 16.5.
   const std::array<double, 4> x = {-30, -1, 1, 30}, y = {-30, 16.5, 18.5, 30};
   const std::array<double, 3> z = {-12, -1.5, 101};
   sample.parts.push_back(
@@ -149,7 +149,7 @@ Sample make_thin_post() {
       {"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); })});
   ClText cl = start_text(sample);
   cl.feed({Vec3(-60, 0, 4), Vec3::UnitZ()});
-  // On the axis the depth is the tool's radius: the post reaches 6 mm above the tip.
+  // On the axis the depth is equal to the tool's radius: the post reaches 6 mm above the tip.
   sample.findings.push_back({cl.rapid({Vec3(60, 0, 4), Vec3::UnitZ()}), "gouge", "cutter", "part", 2.999, 3.0001});
   finish_sweep(sample, cl);
   return sample;
@@ -164,7 +164,7 @@ Sample make_buried() {
   for (const double x : {0.0, 10.0}) {
     sample.findings.push_back({cl.feed({Vec3(x, 0, 0), Vec3::UnitZ()}), "buried", "cutter", "part", 0, 0});
   }
-  // Where the face is in the middle of the holder, a point on the axis is as deep as the holder's radius.
+  // The face is at the middle of the holder here, so a point on the axis has the holder's radius as its depth.
   sample.findings.push_back({cl.rapid({Vec3(10, 0, 320), Vec3::UnitZ()}), "gouge", "holder", "part", 14.999, 15.0001});
   cl.rapid({Vec3(0, 0, 330), Vec3::UnitZ()});
   finish_sweep(sample, cl);

@@ -8,13 +8,14 @@
 
 namespace gouge::samples {
 
-/// The expected verdict as JSON text; the form is described in docs/develop/testing.md.
+/// Returns the expected verdict as JSON text; the format is described in docs/develop/testing.md.
 [[nodiscard]] std::string expected_json(const Sample& sample);
 
 /// Writes the sample's files into `folder`/`sample.name`. Errors: those of write_file and make_folder.
 [[nodiscard]] Outcome write_sample(const Sample& sample, const std::string& folder);
 
-/// One line per sample for shell scripts: name, exit of check, exit of correct, toolpath, options.
+/// Returns one line for each sample for shell scripts: name, exit status of check, exit status of correct, toolpath,
+/// options.
 [[nodiscard]] std::string index_text(const std::vector<Sample>& samples);
 
 }  // namespace gouge::samples

@@ -38,10 +38,10 @@ class CurveCutter {
   }
 
  private:
-  // The earliest vertex within the slack, or a new one.
+  // Returns the earliest vertex at most twice the slack away from `p`, or adds one.
   std::size_t vertex(Vec2 p) {
     if (std::abs(p.x()) <= slack_) p.x() = 0;
-    // By the place along a direction in which hardly any two corners of a tool stand level.
+    // Vertices are sorted by their place along a direction in which hardly any two corners of a tool have equal places.
     const double place = std::cos(1.0) * p.x() + std::sin(1.0) * p.y();
     std::size_t found = made_.vertices.size();
     for (auto at = places_.lower_bound(place - 3 * slack_); at != places_.end() && at->first <= place + 3 * slack_;
@@ -53,7 +53,8 @@ class CurveCutter {
     return found;
   }
 
-  // Looked for among all vertices, so that two curves along one another are cut at the same ones.
+  // Cuts curve i at all vertices on it. The search covers all vertices, so that curves that overlap are cut at the same
+  // ones.
   void cut(std::size_t i, const Eigen::AlignedBox2d& box, const BoxTree& vertex_tree) {
     const ProfileElement& curve = curves_[i];
     const auto [first, last] = ends_[i];
@@ -78,7 +79,7 @@ class CurveCutter {
     if (middle(piece).x() > slack_) made_.pieces.push_back({piece, from, to});
   }
 
-  // For two pieces between the same vertices.
+  // Returns whether two pieces between the same two vertices lie on each other.
   [[nodiscard]] bool coincide(const CurvePiece& p, const CurvePiece& q) const {
     return (middle(p.curve) - middle(q.curve)).norm() <= 4 * slack_;
   }
@@ -105,7 +106,7 @@ class CurveCutter {
   const std::vector<ProfileElement>& curves_;
   double slack_;
   Arrangement made_;
-  std::multimap<double, std::size_t> places_;  // of the vertices
+  std::multimap<double, std::size_t> places_;  // the vertices, by place along the direction of vertex()
   std::vector<std::pair<std::size_t, std::size_t>> ends_;
 };
 
@@ -141,7 +142,7 @@ class Walker {
  private:
   struct Step {
     std::size_t piece;
-    std::vector<std::size_t> next;  // candidates, the best last
+    std::vector<std::size_t> next;  // candidates for the next piece; the best is last
   };
 
   [[nodiscard]] bool is_on_axis(std::size_t vertex) const { return !(vertices_[vertex].x() > 0); }
@@ -189,7 +190,7 @@ class Walker {
 
   const std::vector<Vec2>& vertices_;
   const std::vector<CurvePiece>& pieces_;
-  std::vector<std::vector<std::size_t>> leaving_;  // by vertex, the pieces that start there
+  std::vector<std::vector<std::size_t>> leaving_;  // for each vertex, the pieces that start there
   std::vector<bool> is_used_;
   std::vector<Step> path_;
   double top_ = -1e300;

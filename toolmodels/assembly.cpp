@@ -66,7 +66,7 @@ Outcome check_extensions(const ToolAssembly& tool) {
   return Done{};
 }
 
-// As wide as it ends.
+// Extends the cutter upwards by `length_mm`, with the diameter of its upper end.
 void go_on(Profile& cutter, double length_mm) {
   if (!(length_mm > 0)) return;
   const Vec2 top = cutter.elements.back().a;
@@ -75,7 +75,7 @@ void go_on(Profile& cutter, double length_mm) {
   cutter.elements.push_back(make_segment(Body::cutter, end, Vec2(0, end.y())));
 }
 
-/// Their diameter at the top; 0 of flutes that have no profile.
+/// Returns the diameter of the flutes at their top; 0 if the flutes have no valid profile.
 double flutes_width_mm(const Cutter& cutter) {
   const Result<Profile> flutes = make_cutter_profile(cutter);
   return flutes ? 2 * flutes->elements.back().a.x() : 0;

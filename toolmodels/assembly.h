@@ -9,8 +9,8 @@
 #include "toolmodels/cutter.h"
 #include "toolmodels/profile.h"
 
-// A tool assembly by its dimensions: cutter, shank segments, extensions, holder segments, each standing on
-// the one before. Diameters may grow and shrink, with or without a step between segments (thesis 2.4.18.3).
+// A tool assembly by its dimensions: cutter, shank segments, extensions and holder segments. Each stands on the one
+// before. Diameters may grow and shrink, with or without a step between segments (thesis 2.4.18.3).
 
 namespace gouge {
 
@@ -19,7 +19,7 @@ struct ToolSegment {
   double lower_diameter_mm = 0, upper_diameter_mm = 0, length_mm = 0;
 };
 
-/// An extension or arbor between shank and holder. For clearances it counts as one of the two.
+/// An extension or arbor between shank and holder. For clearances it counts as shank or as holder.
 struct ToolExtension {
   std::string name;
   Body counts_as = Body::holder;  ///< shank or holder
@@ -33,62 +33,66 @@ struct ToolAssembly {
   std::vector<ToolSegment> shank{};   ///< from the cutter up; may be empty
   std::vector<ToolSegment> holder{};  ///< from the shank (or the extensions) up; may be empty
   std::vector<ToolExtension> extensions{};
-  /// Stick-out of the tool from its lowest extension or holder. The shank above is inside and left out. 0: they stand
-  /// on the shank's end.
+  /// Stick-out of the tool from its lowest extension or holder. The shank above that height is inside, and left out. 0:
+  /// extensions and holder stand on the end of the shank.
   double stickout_mm = 0;
   double gauge_length_mm = 0;  ///< tip to gauge line; reported, not checked. 0: not given
-  /// Length of the cutter above its flutes, as wide as they end: set by extended_up alone, in no library file.
+  /// Length of an extension of the cutter above its flutes, with the diameter of their top. Only extended_up sets it;
+  /// library files do not contain it.
   double cutter_goes_on_mm = 0;
-  /// Names the part of its description that was left out and may be a body; empty: none. Not written to library files.
+  /// Name of a part of the tool's description that was left out and may be a body; empty: none. Not written to library
+  /// files.
   std::string uncertainty{};
 };
 
-/// Per body its own closed contour at its position; index by Body. No elements: the tool has no such body.
+/// The closed contour of each body, at its position in the tool; the index is Body. A contour without elements: the
+/// tool has no such body.
 using BodyProfiles = std::array<Profile, 3>;
 
 /// Errors   (1) Those of make_cutter_profile. (2) For a segment tool-dimension-not-positive, tool-dimension-too-large.
-///          (3) tool-stickout: less than the flutes, or more than the shank reaches. (4) tool-extension: one that
-///          counts as shank above one that counts as holder. The message begins with the tool and the field ("tool T3
-///          "slot": shank 2: ...").
+///          (3) tool-stickout: the stick-out is shorter than the flutes, or longer than the shank. (4) tool-extension:
+///          an extension that counts as shank stands above one that counts as holder. The message begins with the tool
+///          and the field ("tool T3 "slot": shank 2: ...").
 [[nodiscard]] Result<BodyProfiles> make_body_profiles(const ToolAssembly& tool);
 
-/// Returns the contour of the whole assembly without growth; faces between bodies vanish.
-/// Ensures  verify_profile is empty.  Errors as make_body_profiles, and those of unite.
+/// Returns the contour of the whole assembly without growth; faces between bodies are not part of it.
+/// Ensures  verify_profile is empty.
+/// Errors   Those of make_body_profiles, and those of unite.
 [[nodiscard]] Result<Profile> make_profile(const ToolAssembly& tool);
 
-/// A segment at its position, cut where the tool goes into what holds it.
+/// A segment at its position, cut off at the lowest extension or holder that it stands in.
 struct PositionedSegment {
   Body body = Body::shank;
   std::string name;  ///< "shank 2", "arbor 1", "holder 3"
   ToolSegment segment;
-  double z_mm = 0;  ///< of its lower end
+  double z_mm = 0;  ///< height of its lower end
 };
 
 /// Returns every segment above the cutter, from the tip side up. Requires a tool that make_body_profiles accepts.
 [[nodiscard]] std::vector<PositionedSegment> position_segments(const ToolAssembly& tool);
 
-/// Returns the length from the tip to the lowest extension or holder; to the top when there is neither. Requires as
-/// position_segments.
+/// Returns the length from the tip to the lowest extension or holder, or to the top if the tool has neither. Requires a
+/// tool that make_body_profiles accepts.
 [[nodiscard]] double stickout_mm(const ToolAssembly& tool);
 /// Returns the length from tip to top.
 [[nodiscard]] double height_mm(const ToolAssembly& tool);
 
-/// Returns the tool with its top body extended, as wide as it ends, until `height_mm` above the tip (when it is not
-/// that high already). For a tool of flutes alone that is the cutter.
+/// Returns the tool with its top body extended to `height_mm` above the tip, with the diameter of its upper end. A tool
+/// that is already that high stays the same. The top body of a tool of flutes alone is the cutter.
 ///
-/// Ensures  Let height be at least the largest distance of a point of the scene from any tip, plus the tool's largest
-///          radius. Then depths are those of the tool that goes on without end: no point comes nearer to the new top
-///          than to its side. Proof: docs/guide/tools.md.
+/// Ensures  Let `height_mm` be at least the largest distance of a point of the scene from any tip, plus the largest
+///          radius of the tool. Then depths are equal to those of a tool that continues without end: no point comes
+///          nearer to the new top than to its side. Proof: docs/guide/tools.md.
 [[nodiscard]] ToolAssembly extended_up(const ToolAssembly& tool, double height_mm);
 
-/// Returns the tool standing out `longer_mm` farther. Extensions and holder go up. The shank below them goes on, as
-/// wide as it ends, where it is not long enough. A tool of flutes alone gets a shank.
+/// Returns the tool with a stick-out that is larger by `longer_mm`. Extensions and holder move up. A shank that is too
+/// short is extended with the diameter of its upper end. A tool of flutes alone gets a shank.
 [[nodiscard]] ToolAssembly with_longer_stickout(const ToolAssembly& tool, double longer_mm);
 
-/// Flutes and shank, as far as what holds them may let them stand out; see ToolAssembly::stickout_mm.
+/// Returns the height up to which flutes and shank reach: the maximum stick-out; see ToolAssembly::stickout_mm.
 [[nodiscard]] double shank_end_mm(const ToolAssembly& tool);
 
-/// Returns how messages and pictures call the tool: T3 "slot", T3, or "slot".
+/// Returns the name of the tool in messages and pictures: T3 "slot", T3, or "slot".
 [[nodiscard]] std::string label(const ToolAssembly& tool);
 
 }  // namespace gouge

@@ -9,7 +9,7 @@ Eigen::AlignedBox2d box_around(const ProfileElement& e, double margin_mm) {
   Eigen::AlignedBox2d box(e.a);
   box.extend(e.b);
   if (e.is_arc && sweep_rad(e) < std::numbers::pi) {
-    // Within the rectangle over the chord that is as high as the arc.
+    // The arc lies within the rectangle over its chord that has the height of the arc.
     const Vec2 rise = sample(e, 2)[1] - 0.5 * (e.a + e.b);
     box.extend(Vec2(e.a + rise));
     box.extend(Vec2(e.b + rise));

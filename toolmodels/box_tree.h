@@ -6,11 +6,11 @@
 
 namespace gouge::detail {
 
-/// Returns a box that an element lies in, larger on each side by `margin_mm`.
+/// Returns a box that contains the element, enlarged on each side by `margin_mm`.
 [[nodiscard]] Eigen::AlignedBox2d box_around(const ProfileElement& element, double margin_mm);
 
-/// Finds those of many boxes that meet a box. They are paired as they follow each other, so this is quick for boxes
-/// along a contour. It takes about as many steps as boxes are met, times the logarithm of their number.
+/// A tree that finds which of many boxes meet a given box. Neighbours in the list are paired, so a search is quick for
+/// boxes along a contour. Its number of steps is about the number of boxes that are met, times the logarithm of all.
 class BoxTree {
  public:
   explicit BoxTree(const std::vector<Eigen::AlignedBox2d>& boxes);

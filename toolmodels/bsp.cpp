@@ -18,8 +18,8 @@ using detail::DirectedLine;
 using detail::DistanceForm;
 using Element = std::uint32_t;
 
-// A cell of the subdivision with the elements that may still be nearest. Per domain line and per element it has the
-// side on which it lies (0: on both, or not known).
+// A cell of the subdivision, with the elements that may be nearest somewhere in it. For each domain line and each
+// element it has the side on which the cell lies (0: on both sides, or unknown).
 struct Region {
   ConvexCell cell;
   std::vector<Element> candidates;
@@ -33,8 +33,8 @@ struct Cut {
   CutKind kind = CutKind::domain_line;
   DirectedLine line;
   BspNode node;
-  std::size_t index = 0;          // domain line, or element
-  Element first = 0, second = 0;  // bisector
+  std::size_t index = 0;          // number of the domain line or of the element
+  Element first = 0, second = 0;  // the elements of the bisector
 };
 
 class Builder {
@@ -64,7 +64,7 @@ class Builder {
   }
 
  private:
-  // ---- what is known of a region
+  // ---- facts known about a region
 
   void learn_sides(Region& region) const {
     for (const Element e : region.candidates) {
@@ -101,7 +101,7 @@ class Builder {
                        [&](const detail::DomainBound& b) { return region.line_side[b.line] == b.sign; });
   }
 
-  // |distance of a| <= |distance of b| all over the region, a being valid there.
+  // Returns whether |distance of a| <= |distance of b| all over the region. Requires a to be valid there.
   bool dominates(Element a, Element b, const Region& region) const {
     const std::size_t corners = region.cell.corners().size();
     work_ += forms_[a].is_linear && forms_[b].is_linear ? corners : corners * corners;
@@ -121,7 +121,7 @@ class Builder {
     std::vector<Element> kept;
     for (const Element e : region.candidates)
       if (!is_outside_domain(e, region)) kept.push_back(e);
-    if (kept.empty()) kept.push_back(nearest_in(region));  // a sliver between two shared lines
+    if (kept.empty()) kept.push_back(nearest_in(region));  // a sliver between two shared lines leaves no candidate
     for (std::size_t i = 0; i < kept.size(); ++i) {
       if (!is_inside_domain(kept[i], region)) continue;
       const Element strong = kept[i];
@@ -134,7 +134,7 @@ class Builder {
     }
   }
 
-  // Pairs whose bisector misses the region altogether.
+  // Drops one candidate of a pair whose bisector misses the region. Returns whether there was such a pair.
   bool drop_decided(Region& region) const {
     for (const Element a : region.candidates)
       for (const Element b : region.candidates) {
@@ -217,7 +217,7 @@ class Builder {
       }
   }
 
-  // The region on one side of a cut, reduced.
+  // Returns the part of the region on one side of a cut, with its candidates reduced.
   Region part(const Region& region, const Cut& cut, int sign) const {
     Region child = region;
     const bool is_line = cut.kind != CutKind::element_circle && cut.index != kNoLine;
@@ -232,7 +232,8 @@ class Builder {
     return child;
   }
 
-  // Around the disc a square, beyond it (within the arc's domain) the chord.
+  // Clips the cell to a square around the disc if it lies within the circle. Otherwise, within the arc's domain, clips
+  // it to the outer side of the chord.
   void clip_by_circle(Region& child, std::size_t element, int sign) const {
     const BoundaryElement& e = elements_[element];
     const bool is_within = (sign < 0) != e.is_reflex;
@@ -246,7 +247,8 @@ class Builder {
     }
   }
 
-  // Expected cost below a region, up to a common factor: how often points come here times how long they stay.
+  // Estimates the cost of the tree below a region, up to a common factor. The estimate is the share of points that come
+  // here times their number of steps.
   double cost(const Region& region) const {
     if (region.candidates.size() <= 1) return 0;
     const double all = (high_ - low_).prod();
@@ -285,7 +287,7 @@ class Builder {
     return static_cast<std::int32_t>(index);
   }
 
-  static constexpr std::size_t kFewCandidates = 5;  // more, and straight cuts are the better ones
+  static constexpr std::size_t kFewCandidates = 5;  // with more candidates, straight cuts are better
   static constexpr std::size_t kMaxWork =
       2'000'000;  // corners examined: three times what the largest of 240 random tools takes
   static constexpr std::size_t kNoLine = static_cast<std::size_t>(-1);
@@ -307,7 +309,7 @@ std::vector<BspNode> build_bsp(const std::vector<BoundaryElement>& elements) {
 }
 
 std::size_t bsp_depth(const std::vector<BspNode>& nodes) {
-  // Children stand behind their parents, so one pass from the back knows every depth below.
+  // Children are stored behind their parents, so one pass from the back computes all depths.
   std::vector<std::size_t> below(nodes.size(), 1);
   for (std::size_t i = nodes.size(); i-- > 0;)
     for (const std::int32_t child : {nodes[i].negative, nodes[i].positive})

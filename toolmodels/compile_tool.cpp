@@ -25,7 +25,7 @@ void set_extent(CompiledTool& tool) {
     tool.z_max_mm = std::max({tool.z_max_mm, e.a.y(), e.b.y()});
     tool.r_max_mm = std::max({tool.r_max_mm, e.a.x(), e.b.x()});
     if (e.kind != ElementKind::arc) continue;
-    // An arc may reach beyond its ends: over its lowest, highest and widest point.
+    // An arc may reach beyond its ends if it contains its lowest, highest or widest point.
     const auto reaches = [&](const Vec2& direction) {
       const double turn = e.is_reflex ? -1 : 1;
       return turn * cross(e.a - e.center, direction) > 0 && turn * cross(direction, e.b - e.center) > 0;
@@ -39,7 +39,7 @@ void set_extent(CompiledTool& tool) {
 double depth_on_axis(const CompiledTool& tool, double z) { return -signed_distance_mm(tool, 0, z); }
 
 // Finds the deepest of evenly spaced points, then halves the spacing around it. The depth is 1-Lipschitz, so the result
-// is within one spacing of the best depth, and in practice at it.
+// is within one spacing of the largest depth. In practice it is equal to it.
 double deepest_on_axis(const CompiledTool& tool, double low, double high) {
   constexpr int kSamples = 512;
   double step = (high - low) / kSamples;
@@ -63,7 +63,7 @@ void set_core(CompiledTool& tool) {
   }
   if (low >= high) std::swap(low, high);
   double best = deepest_on_axis(tool, low, high);
-  // The axis may pass through nothing but the hollow of the cutter.
+  // Between these heights the axis may be only in the hollow of the cutter.
   if (!(depth_on_axis(tool, best) > 0)) best = deepest_on_axis(tool, tool.z_min_mm, tool.z_max_mm);
   tool.core = Vec2(0, best);
   tool.core_depth_mm = depth_on_axis(tool, best);
@@ -109,7 +109,7 @@ Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& b
   return variants;
 }
 
-// The contour moved away from the axis, and closed at both ends.
+// Returns the contour moved away from the axis, with its ends joined to the axis.
 Profile moved_out(const Profile& body, double farther_mm) {
   Profile wide;
   if (body.elements.empty()) return wide;

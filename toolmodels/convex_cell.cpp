@@ -9,14 +9,14 @@ namespace gouge::detail {
 namespace {
 
 constexpr double kMinNorm = 1e-300;
-constexpr double kCellSlack = 1e-13;  // of the size; two of these keep results within 1e-12
+constexpr double kCellSlack = 1e-13;  // relative to the size; two of these slacks keep results within 1e-12
 
 double value(const DirectedLine& line, const Vec3& c) {
   return c.z() > 0 ? line.at(c.head<2>()) : line.direction.dot(c.head<2>());
 }
 
 Vec3 between(const Vec3& p, double vp, const Vec3& q, double vq) {
-  // Positive combination of the homogeneous corners on which the line's value vanishes.
+  // The combination of both homogeneous corners, with positive weights, at which the line's value is zero.
   const Vec3 mix = std::abs(vq) * p + std::abs(vp) * q;
   if (mix.z() > 0) return mix / mix.z();
   return Vec3(mix.x(), mix.y(), 0) / std::max(mix.head<2>().norm(), kMinNorm);
@@ -61,9 +61,9 @@ ConvexCell ConvexCell::clipped(const DirectedLine& line, int sign) const {
   return part;
 }
 
-// Corners where nearly parallel lines meet lie so far away that values there, with their slack, state nothing of the
-// points near the tool. So the cut's own point, where the tool is, becomes a corner wherever it lies amid the new edge.
-// It is also the only point of an edge between two opposite directions.
+// Adds the point `line.through` of a cut as a corner if it lies inside the new edge. Nearly parallel lines meet far
+// away, where the slack makes values useless for points near the tool. An edge between two opposite directions has no
+// other finite point.
 void ConvexCell::add_corner_amid(const DirectedLine& line) {
   const Vec2 along(-line.direction.y(), line.direction.x());
   const auto is_on_line = [&](const Vec3& c) { return std::abs(value(line, c)) <= slack_at(c); };

@@ -4,12 +4,12 @@
 
 #include "lib/geom/vec.h"
 
-// A convex, possibly unbounded cell of the half plane. Corners are homogeneous: (x, y, 1) is a point,
-// (x, y, 0) with unit length a direction in which the cell goes on forever.
+// A convex, possibly unbounded cell of the half plane. Corners are homogeneous: (x, y, 1) is a point, and (x, y, 0) of
+// unit length is a direction in which the cell is unbounded.
 
 namespace gouge::detail {
 
-/// value(q) = direction . (q - through), direction of unit length.
+/// A line with a direction of unit length; value(q) = direction . (q - through).
 struct DirectedLine {
   Vec2 through = Vec2::Zero();
   Vec2 direction = Vec2::Zero();
@@ -18,12 +18,12 @@ struct DirectedLine {
 };
 
 struct CellSides {
-  bool has_negative = false, has_positive = false;  ///< by more than the slack
+  bool has_negative = false, has_positive = false;  ///< a corner lies on this side by more than the slack
 };
 
 class ConvexCell {
  public:
-  /// The half plane r >= 0. `size_mm` is the length that slacks and samples refer to.
+  /// Makes the cell of the half plane r >= 0. Slacks and samples are relative to the length `size_mm`.
   explicit ConvexCell(double size_mm);
 
   [[nodiscard]] const std::vector<Vec3>& corners() const { return corners_; }
@@ -33,7 +33,7 @@ class ConvexCell {
   /// Returns points of the cell: finite corners, and their mean moved along the directions.
   [[nodiscard]] std::vector<Vec2> samples() const;
   [[nodiscard]] double area_within(const Vec2& low, const Vec2& high) const;
-  /// Returns the rounding allowed at a corner: grows with its distance from the tool.
+  /// Returns the rounding allowed at a corner; it grows with the distance of the corner from the tool.
   [[nodiscard]] double slack_at(const Vec3& corner) const;
 
  private:

@@ -5,14 +5,14 @@
 #include "lib/base/tolerance.h"
 #include "toolmodels/cutter_shapes.h"
 
-// The shapes of one corner: a bottom line, a corner arc, a straight side.
+// Contours of the cutters that have one corner: a bottom line, a corner arc, a straight side.
 
 namespace gouge::detail {
 namespace {
 
 bool is_plain(const AptCutter& t) { return std::abs(t.alpha_deg) <= 0 && std::abs(t.beta_deg) <= 0; }
 
-// Common form of all shapes here: the bottom line at alpha, the corner arc, the side at beta.
+// The common form of these cutters: the bottom line at the angle alpha, the corner arc, the side at the angle beta.
 struct Corner {
   Vec2 center;
   double radius_mm;
@@ -69,7 +69,7 @@ Result<Profile> make_plain(double diameter_mm, double corner_radius_mm, double t
   return make_from_corner({{diameter_mm / 2 - c, c}, c, 0, taper_deg, length_mm});
 }
 
-// Centre of the circle of radius r that touches the bottom line and the side from within.
+// Returns the centre of the circle of radius r that touches the bottom line and the side from within.
 Vec2 apt_center(const AptCutter& t) {
   const double sa = sine(t.alpha_deg), ca = cosine(t.alpha_deg);
   const double sb = sine(t.beta_deg), cb = cosine(t.beta_deg);
@@ -86,7 +86,7 @@ Outcome check_apt(const AptCutter& t) {
     return make_error("tool-corner-radius-negative", "r is " + mm(t.r_mm) + "; it must not be negative");
   if (Outcome good = check_length("h", t.h_mm); !good) return good;
   if (Outcome good = check_angle("alpha", t.alpha_deg, -90, 90); !good) return good;
-  // Bottom line and side must come together at the corner.
+  // The bottom line and the side must meet at the corner.
   const double lowest = std::max(-90.0, -90 - t.alpha_deg), highest = std::min(90.0, 90 - t.alpha_deg);
   if (!(t.beta_deg > lowest && t.beta_deg < highest))
     return make_error("tool-angle-out-of-range",
@@ -133,7 +133,7 @@ std::string apt_contradiction(const AptCutter& t) {
   const double slack = 1e-3 * std::max(t.d_mm, t.r_mm);  // files round to three or four digits
   const auto is_near = [&](double found, double expected) { return std::abs(found - expected) <= slack; };
   const bool is_given = std::abs(t.e_mm) > 0 || std::abs(t.f_mm) > 0;
-  // Some writers have the diameter of the flat tip in e, of the sharp cutter without regard to its angles.
+  // Some writers state in e the diameter of the flat tip, computed as if both angles were 0.
   const bool is_tip_diameter =
       is_near(t.e_mm, t.d_mm - 2 * t.r_mm) && (is_near(t.f_mm, t.r_mm) || is_near(t.f_mm, center.y()));
   if (!is_given || is_tip_diameter || (is_near(t.e_mm, center.x()) && is_near(t.f_mm, center.y()))) return {};

@@ -4,14 +4,14 @@
 
 #include "toolmodels/cutter.h"
 
-// The dimensions of every shape under the names they have in the library file: reader, writer and
-// descriptions follow this one list.
+// The dimensions of every shape, with their names in the library file. The reader, the writer and the descriptions use
+// this one list.
 
 namespace gouge::detail {
 
 enum class FieldKind { length, angle };
 
-/// A field of a shape. `otherwise`: its value when the file leaves it out; empty: it must be there.
+/// A field of a shape. `otherwise` is its value if the file leaves it out; empty: the field is required.
 struct CutterField {
   const char* key;
   FieldKind kind;

@@ -4,7 +4,7 @@
 #include "lib/base/number_text.h"
 #include "toolmodels/cutter_shapes.h"
 
-// The shapes that are polygons with rounded corners.
+// Contours of the cutters that are polygons with rounded corners.
 
 namespace gouge::detail {
 namespace {
@@ -38,7 +38,7 @@ Outcome check_recess(const FaceMillCutter& t) {
   return Done{};
 }
 
-// Where the leaning edge of a face mill ends.
+// Returns the upper end of the leaning edge of a face mill.
 Vec2 edge_top(const FaceMillCutter& t) {
   const double largest = std::max(t.largest_diameter_mm, t.diameter_mm);
   if (!(t.taper_angle_deg > 0)) return {largest / 2, 0};
@@ -61,7 +61,8 @@ Outcome check_edge(const FaceMillCutter& t) {
   return Done{};
 }
 
-// Returns how far from a corner of `between_deg` degrees an arc of the radius touches its sides.
+// Returns the distance from a corner of `between_deg` degrees to the points where an arc of this radius touches its
+// sides.
 double trim(double radius_mm, double between_deg) { return radius_mm * cotangent(between_deg / 2); }
 
 Outcome check_face_corner(const FaceMillCutter& t) {

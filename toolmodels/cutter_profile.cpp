@@ -3,7 +3,7 @@
 
 #include "toolmodels/cutter_shapes.h"
 
-// The free profile: points and arcs.
+// The contour of a free profile, which consists of points and arcs.
 
 namespace gouge::detail {
 namespace {
@@ -31,7 +31,7 @@ Outcome check_point(const ProfileCutter& t, std::size_t i) {
   return Done{};
 }
 
-// The centre is on the left of a convex arc, on the right of a concave one.
+// Returns the centre of an arc: on the left of the chord for a convex arc, on the right for a concave one.
 Vec2 center_of(const Vec2& from, const Vec2& to, double radius_mm, bool is_concave) {
   const Vec2 chord = to - from;
   const double half = 0.5 * chord.norm();
@@ -54,7 +54,7 @@ Result<Profile> make_shape(const ProfileCutter& t) {
   ContourMaker contour(at, size);
   for (const ProfilePoint& p : t.points) {
     const Vec2 to(p.r_mm, p.z_mm);
-    // An arc over half a circle, to within rounding, has its centre in the middle.
+    // An arc of half a circle, up to rounding, has its centre in the middle of the chord.
     const double radius = std::max(p.radius_mm, 0.5 * (to - at).norm());
     if (p.shape == SegmentShape::straight)
       contour.line_to(to);

@@ -4,12 +4,12 @@
 #include "lib/base/tolerance.h"
 #include "toolmodels/cutter_shapes.h"
 
-// The shapes of circle segments: lollipop, barrel, oval, lens.
+// Contours of the cutters that are made of circle segments: lollipop, barrel, oval, lens.
 
 namespace gouge::detail {
 namespace {
 
-// The flank of a barrel mill.
+// The flank of a barrel mill, as an arc.
 struct Flank {
   Vec2 center;
   double radius_mm;
@@ -19,7 +19,8 @@ struct Flank {
     const double h = z - center.y();
     return center.x() + std::sqrt((radius_mm - h) * (radius_mm + h));
   }
-  // Corner arcs between the tip plane and the flank begin on the axis at this radius.
+  // Returns the largest possible radius of the corner arc. An arc of this radius between the tip plane and the flank
+  // begins on the axis.
   [[nodiscard]] double largest_corner_mm() const {
     return (radius_mm * radius_mm - center.squaredNorm()) / (2 * (radius_mm - center.y()));
   }

@@ -5,39 +5,41 @@
 #include "lib/base/tolerance.h"
 #include "toolmodels/cutter.h"
 
-// Builds the contour of each shape, by family, and the checks they share.
+// Functions that build the contours of the shapes, by family, and the checks that they share.
 
 namespace gouge::detail {
 
-constexpr double kLargest_mm = 1e5;                      ///< keeps every later square far from overflow
-constexpr double kRelativeSlack = Tolerance::kRounding;  ///< dimensions closer than this to a limit are at the limit
+constexpr double kLargest_mm = 1e5;  ///< this limit keeps all later squares far from overflow
+/// a dimension this close to a limit, relative to it, is at the limit
+constexpr double kRelativeSlack = Tolerance::kRounding;
 
-/// Returns "12.5 mm", rounded to what a reader can use.
+/// Returns "12.5 mm", rounded to digits that are useful for a reader.
 [[nodiscard]] std::string mm(double value_mm);
 [[nodiscard]] double radians(double degrees);
 [[nodiscard]] double sine(double degrees);
 /// Returns the cosine, exact at 0 and 90 degrees.
 [[nodiscard]] double cosine(double degrees);
 
-/// Checks a dimension that may be left out: 0 or more, finite and not absurdly large.
+/// Checks an optional dimension: 0 or more, finite and not absurdly large.
 [[nodiscard]] Outcome check_not_negative(const std::string& field, double value_mm);
-/// Checks that an angle is between the limits, which are not allowed themselves.
+/// Checks that an angle lies between two limits, both excluded.
 [[nodiscard]] Outcome check_angle(const std::string& field, double value_deg, double low_deg, double high_deg);
 [[nodiscard]] Outcome check_corner_radius(double radius_mm, double diameter_mm);
 
 /// Reports that the flutes end within `what`, such as "the tip".
 [[nodiscard]] Diagnostic too_short(double length_mm, const std::string& what, double at_min_mm);
-/// Dimensions that exclude each other.
+/// Reports dimensions that exclude each other.
 [[nodiscard]] Diagnostic contradict(const std::string& message);
 
-/// The contour from its parts, which must follow each other; parts of no length are left out.
+/// Builds a contour from parts, each of which begins at the end of the one before; parts of length 0 are left out.
 class ContourMaker {
  public:
   ContourMaker(const Vec2& start, double size_mm) : at_(start), slack_(kRelativeSlack * size_mm) {}
 
   void line_to(const Vec2& to);
   void arc_to(const Vec2& to, const Vec2& center, double radius_mm, bool is_concave = false);
-  /// Closes the contour level to the axis. The contour is checked as a whole; an error states it is broken at `what`.
+  /// Joins the contour to the axis by a horizontal line and checks it as a whole. An error states that it is broken at
+  /// `what`.
   [[nodiscard]] Result<Profile> close(const std::string& what);
 
  private:
@@ -48,14 +50,14 @@ class ContourMaker {
   Profile profile_;
 };
 
-/// A corner of a polygon, with the radius it is rounded by.
+/// A corner of a polygon, with the radius of its rounding.
 struct RoundedCorner {
   Vec2 at = Vec2::Zero();
   double radius_mm = 0;
 };
 
-/// Returns the polygon from the axis to the axis with its corners rounded. Requires radii that leave room for one
-/// another, which the caller has checked by name.
+/// Returns the polygon, which begins and ends on the axis, with its corners rounded. Requires radii small enough that
+/// neighbouring arcs do not overlap; the caller checks this and names the dimensions.
 [[nodiscard]] Result<Profile> make_rounded(const std::vector<RoundedCorner>& corners, const std::string& what);
 
 [[nodiscard]] Result<Profile> make_shape(const FlatCutter& cutter);
@@ -76,7 +78,7 @@ struct RoundedCorner {
 [[nodiscard]] Result<Profile> make_shape(const LensCutter& cutter);
 [[nodiscard]] Result<Profile> make_shape(const ProfileCutter& cutter);
 
-/// Returns the height at which a chamfer's cone reaches its diameter, and a lollipop's ball its neck.
+/// Returns the height at which the cone of a chamfer mill reaches its diameter, or the ball of a lollipop its neck.
 [[nodiscard]] double cone_height_mm(const ChamferCutter& cutter);
 [[nodiscard]] double ball_height_mm(const LollipopCutter& cutter);
 

@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-// Returns how captions abbreviate a field; nothing for one that stands elsewhere.
+// Returns the abbreviation of a field in captions; nothing for a field that captions state elsewhere.
 std::string_view word_of(std::string_view key) {
   static constexpr std::pair<std::string_view, std::string_view> kWords[] = {{"diameter", "D"},
                                                                              {"d", "D"},

@@ -49,7 +49,7 @@ void fill_region(Drawing& drawing, const CompiledTool& tool, const TracedRegion&
   drawing.items.emplace_back(DrawnShape{std::move(points), region_colour(tool.elements[region.element], region)});
 }
 
-// The part of the chord ab within the window, if any.
+// Returns the part of the chord ab within the window, if any.
 std::optional<std::pair<Vec2, Vec2>> clipped(const Vec2& a, const Vec2& b, const ProfileView& view) {
   double first = 0, last = 1;
   for (const int axis : {0, 1}) {
@@ -67,7 +67,7 @@ std::optional<std::pair<Vec2, Vec2>> clipped(const Vec2& a, const Vec2& b, const
   return std::pair<Vec2, Vec2>(a + first * (b - a), a + last * (b - a));
 }
 
-// A broken line within the window; `is_drawn` states of each point whether the line runs through it.
+// Draws a broken line within the window; `is_drawn` states for each point whether the line runs through it.
 void draw_within(Drawing& drawing, const std::vector<Vec2>& points, const std::vector<bool>& is_drawn,
                  const ProfileView& view, const DrawnLine& style) {
   DrawnLine line = style;
@@ -95,7 +95,7 @@ void outline_region(Drawing& drawing, const TracedRegion& region, const ProfileV
   draw_within(drawing, region.far_points, region.is_bisector, view, {{}, kBisector, 1.2, false, {}});
 }
 
-// The normals at the ends of a region, where it meets its neighbour on the contour.
+// Draws the normals at both ends of a region, where it borders on the regions of its neighbours along the contour.
 void draw_seams(Drawing& drawing, const TracedRegion& region, const ProfileView& view) {
   for (const std::size_t i : {std::size_t{0}, region.near_points.size() - 1})
     draw_within(drawing, {region.near_points[i], region.far_points[i]}, {true, true}, view,
@@ -137,7 +137,7 @@ void draw_arrow(Drawing& drawing, const Vec2& from, const Vec2& to, const Colour
 }
 
 void draw_regions(Drawing& drawing, const CompiledTool& tool, const ProfileView& view, bool with_outside) {
-  // Traced beyond the window: an element outside of it may be the nearest one inside.
+  // The traced area is larger than the window, because an element outside the window may be the nearest one inside.
   const Vec2 margin = 2 * (view.high - view.low);
   const Vec2 low = view.low.cwiseMin(Vec2(0, tool.z_min_mm)) - margin;
   const Vec2 high = view.high.cwiseMax(Vec2(tool.r_max_mm, tool.z_max_mm)) + margin;

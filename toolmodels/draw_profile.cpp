@@ -16,8 +16,8 @@ namespace {
 using detail::ProfileView;
 
 constexpr double kWidth = 1500, kHeight = 1000;
-constexpr double kProfileTop = 120, kProfileBottom = 930;  // of both panels
-constexpr double kAssemblyMiddle = 430;                    // the axis of the left panel
+constexpr double kProfileTop = 120, kProfileBottom = 930;  // vertical extent of both panels
+constexpr double kAssemblyMiddle = 430;                    // horizontal position of the axis in the left panel
 constexpr double kTipLeft = 880, kTipRight = 1460;
 constexpr Colour kProfileInk{25, 28, 35, 1};
 constexpr Colour kProfileFaint{120, 124, 132, 1};
@@ -104,7 +104,7 @@ class Sheet {
     detail::draw_text(drawing_, {x - 9, 0.5 * (from.y() + to.y()) + 5}, text, 14, TextAnchor::right);
   }
 
-  // Heights of the bodies one above the other, the whole to the left of them.
+  // Draws the lengths of the bodies one above the other, and the length of the whole tool to the left of them.
   void draw_lengths(const ProfileView& view) {
     const double left = view.mirrored(Vec2(compiled_.r_max_mm, 0)).x() - 30;
     double bodies_drawn = 0;
@@ -130,7 +130,7 @@ class Sheet {
                                                                    : "D " + length(lower) + " to " + length(upper);
   }
 
-  // Where the flutes are widest, which for an arc may lie between its ends.
+  // Returns the widest point of the flutes, which on an arc may lie between its ends.
   [[nodiscard]] Vec2 widest_of_cutter() const {
     Vec2 widest = Vec2::Zero();
     for (const ProfileElement& e : bodies_[0].elements)
@@ -162,7 +162,7 @@ class Sheet {
     return labels;
   }
 
-  // At the right of the tool, pushed apart upward where segments are short.
+  // Writes the diameters at the right of the tool; labels of short segments are moved upwards, so that none overlap.
   void draw_diameters(const ProfileView& view) {
     const double x = view.at(Vec2(compiled_.r_max_mm, 0)).x() + 34;
     double lowest = kProfileBottom + 40;
@@ -199,7 +199,7 @@ class Sheet {
     draw_radius(view, widest);
   }
 
-  // The part of the flutes that is more than a straight side.
+  // Returns the range of heights of the flutes without their straight side.
   [[nodiscard]] std::pair<double, double> heights_of_tip() const {
     double low = 0, high = 0;
     const std::vector<ProfileElement>& flutes = bodies_[0].elements;
@@ -211,7 +211,7 @@ class Sheet {
     return {low, high};
   }
 
-  // Half of the diameter, from the axis, below the tip.
+  // Draws the length from the axis to the widest point, below the tip.
   void draw_radius(const ProfileView& view, const Vec2& widest) {
     const double y = kProfileBottom - 56;
     const Vec2 from(kTipLeft, y), to(view.at(widest).x(), y);
@@ -219,7 +219,7 @@ class Sheet {
     detail::draw_line(drawing_, above, to + Vec2(0, 8), kProfileFaint, 1, {4, 4});
     detail::draw_arrow(drawing_, to - Vec2(60, 0), to, kProfileInk, 1);
     detail::draw_line(drawing_, from, to - Vec2(60, 0), kProfileInk, 1);
-    // The title gives the nominal diameter, which in a tapered tool is not that of the widest point.
+    // The title gives the nominal diameter, which for a tapered tool differs from the diameter at the widest point.
     const bool is_nominal = std::abs(nominal_size(tool_.cutter).diameter_mm - 2 * widest.x()) < 1e-3;
     detail::draw_text(drawing_, {0.5 * (from.x() + to.x()), y - 6},
                       (is_nominal ? "D/2 = " : "widest D/2 = ") + length(widest.x()), 15, TextAnchor::middle, true);

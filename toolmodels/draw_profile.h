@@ -10,20 +10,20 @@
 
 namespace gouge {
 
-/// Draws a sheet about one tool. On the left is the assembly with its bodies in colour, its Voronoi regions and
-/// dimensions. On the right is the tip, enlarged, with the regions inside and outside and the correction directions as
-/// arrows. These are the way out for a point at each grid point. After thesis figures 21 and 22.
+/// Draws a sheet about one tool, after thesis figures 21 and 22. On the left is the assembly with its bodies in colour,
+/// its Voronoi regions and dimensions. On the right is the tip, enlarged, with the regions inside and outside. Arrows
+/// at the points of a grid show the directions of correction: the shortest way out.
 ///
 /// Ensures  The same tool gives the same drawing; dimensions are written in `unit`.
 /// Errors   Those of make_body_profiles.
 [[nodiscard]] Result<Drawing> draw_profile(const ToolAssembly& tool, LengthUnit unit);
 
-/// Returns every tool in a field of its own, in rows: the whole assembly small, its cutter large, name and dimensions.
+/// Draws every tool in a field of its own, in rows: the whole assembly small, its cutter large, name and dimensions.
 ///
 /// Errors   Those of make_body_profiles.
 [[nodiscard]] Result<Drawing> draw_sheet(const std::vector<const ToolAssembly*>& tools, LengthUnit unit);
 
-/// Returns "cutter flat D 10 mm, ..." in one line: what captions and lists state of a tool.
+/// Returns the cutter in one line for captions and lists: "cutter flat D 10 mm, ...".
 [[nodiscard]] std::string describe_cutter(const Cutter& cutter, LengthUnit unit);
 
 }  // namespace gouge

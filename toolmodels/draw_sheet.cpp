@@ -12,7 +12,7 @@ namespace {
 using detail::ProfileView;
 
 constexpr double kFieldWidth = 620, kFieldHeight = 520;
-constexpr double kSheetTop = 104, kSheetBottom = 470;  // of the pictures within a field
+constexpr double kSheetTop = 104, kSheetBottom = 470;  // vertical extent of the pictures within a field
 constexpr Colour kSheetInk{25, 28, 35, 1};
 constexpr Colour kSheetFaint{170, 174, 182, 1};
 
@@ -21,7 +21,7 @@ std::string number(double value_mm, LengthUnit unit) {
   return exact_text(std::round(value_mm / mm_per(unit) * digits) / digits);
 }
 
-// A text that fits into a field.
+// Returns the text cut off after `most` characters, so that it fits into a field.
 std::string shortened(const std::string& text, std::size_t most) {
   return text.size() <= most ? text : text.substr(0, most - 3) + "...";
 }
@@ -87,7 +87,7 @@ class Field {
       if (!bodies[i].elements.empty()) fill(bodies[i], static_cast<Body>(i), view);
   }
 
-  // The left half plain, the right half with its regions.
+  // Draws the left half plain, and the right half with its regions.
   void draw_cutter(const Profile& cutter) {
     const ProfileView view = view_of(cutter, 270, 590);
     const CompiledTool compiled = compile_tool("", cutter);

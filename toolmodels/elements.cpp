@@ -11,9 +11,10 @@
 namespace gouge {
 namespace {
 
-// A turn at an arc below this is a tangency found to half the digits, as where a growing arc meets a line. The joint is
-// then put where it belongs. Between segments a joint is smooth only when it is straight.
-constexpr double kLargestShift = 1e-3;  // of the shorter element, by which a joint may be put right
+// A turn at an arc below Tolerance::kTangent is a tangency that was found to half of the digits. An example is the
+// point at which a growing arc meets a line. The joint is then moved to its exact place. A joint between two segments
+// is smooth only if they are in line.
+constexpr double kLargestShift = 1e-3;  // maximum shift of such a joint, relative to the shorter element
 constexpr double kLargestSweep_rad = 150 * std::numbers::pi / 180;
 
 BoundaryElement boundary(const ProfileElement& e) {
@@ -29,15 +30,15 @@ BoundaryElement boundary(const ProfileElement& e) {
   return element;
 }
 
-// Compares how much the contour bends to the left behind a point where it turns back with its bend before it. Both are
-// seen in the direction they share. Above 0 the difference encloses a crack, below 0 a blade.
+// Returns the difference of the bends of the contour behind and before a point where it turns back, seen in one
+// direction. Above 0 the contour encloses a crack there, below 0 a blade.
 double opening(const ProfileElement& e, const ProfileElement& next) {
   const auto bend = [](const ProfileElement& p) { return p.is_arc ? (p.is_concave ? -1 : 1) / p.radius_mm : 0.0; };
   return bend(next) + bend(e);
 }
 
 struct Joint {
-  Vec2 at, before, after;  // position, and directions of travel
+  Vec2 at, before, after;  // position, and the directions of travel before and after it
   Body body = Body::cutter;
   double smooth_turn = Tolerance::kExactDirection;
   double opening = 0;
@@ -52,7 +53,7 @@ std::optional<BoundaryElement> vertex(const Joint& joint) {
   element.kind = ElementKind::vertex;
   element.body = joint.body;
   element.a = element.b = joint.at;
-  // At a cusp the rounding of the turn states nothing.
+  // At a cusp the sign of the turn is only rounding.
   const bool is_cusp = is_along && is_back && std::abs(joint.opening) > 0;
   element.is_reflex = is_cusp ? joint.opening > 0 : turn < 0;
   const Vec2 mean = outward_normal(joint.before) + outward_normal(joint.after);
@@ -80,8 +81,8 @@ Vec2 mirrored_travel(const Vec2& direction) { return {direction.x(), -direction.
 
 double length_of(const BoundaryElement& e) { return (e.b - e.a).norm(); }
 
-// Finds where two elements that join smoothly have one normal. On an arc beside a segment the circle has the segment's
-// normal there; between two arcs it is on the line of their centres.
+// Returns the point at which two elements that join smoothly have the same normal. For an arc and a segment it is the
+// point of the circle with the segment's normal. For two arcs it lies on the line of their centres.
 Vec2 joint_position(const BoundaryElement& e, const BoundaryElement& next) {
   const BoundaryElement& arc = e.kind == ElementKind::arc ? e : next;
   const BoundaryElement& other = e.kind == ElementKind::arc ? next : e;
@@ -124,7 +125,7 @@ std::vector<BoundaryElement> make_elements(const Profile& profile) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     elements.push_back(boundary(parts[i]));
     if (i + 1 == parts.size()) break;
-    // Between two bodies the lower one names the vertex.
+    // A vertex between two bodies belongs to the lower one.
     const double smooth_turn =
         parts[i].is_arc || parts[i + 1].is_arc ? Tolerance::kTangent : Tolerance::kExactDirection;
     add(vertex({parts[i].b, end_direction(parts[i]), start_direction(parts[i + 1]), parts[i].body, smooth_turn,

@@ -13,7 +13,7 @@ double tangent_of(double degrees) { return std::tan(degrees * (std::numbers::pi 
 
 std::string cutter_mm(double value) { return exact_text(std::round(value * 1e6) / 1e6) + " mm"; }
 
-// Highest point that the corner can reach. The part above is the side.
+// Returns the largest height that the corner can reach. The part above it is the side.
 double tip_height(const AptCutter& c) {
   return c.d_mm / 2 * tangent_of(std::clamp(c.alpha_deg, 0.0, 89.0)) + 2 * c.r_mm;
 }
@@ -24,7 +24,7 @@ double assumed_height(const AptCutter& c) {
   return std::min(usual, 0.9 * (c.d_mm / 2) / tangent_of(-c.beta_deg));
 }
 
-// A height that is just the tip's is what writers put that do not know it.
+// Returns whether the height is only that of the tip. Writers that do not know the height of the tool state this one.
 bool ends_within_tip(AptCutter cutter) {
   constexpr double kShorter = 1 - 1e-6;
   cutter.h_mm *= kShorter;
@@ -32,7 +32,7 @@ bool ends_within_tip(AptCutter cutter) {
   return !profile && (profile.error().code == "tool-length-too-short");
 }
 
-// Above the flutes the same contour goes on, but does not cut.
+// Divides the contour at the flute length. The part above does not cut, and becomes the shank.
 void split_shank(ToolAssembly& tool, AptCutter cutter, double flute_length_mm) {
   const Result<Profile> whole = make_cutter_profile(cutter);
   const double height = cutter.h_mm;

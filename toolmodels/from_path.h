@@ -11,15 +11,15 @@ namespace gouge {
 
 struct ToolFromPath {
   ToolAssembly tool;
-  Diagnostics notes;  ///< what had to be assumed
+  Diagnostics notes;  ///< assumptions that were necessary
 };
 
-/// Makes a tool assembly from a toolpath's own words, which `tool.cutter` must hold. CL data knows no holder. The
-/// `holder` (may be empty) is put on top, and the part above the flutes is shank. A height that is missing is the flute
-/// length. Without one, or when it ends within the tip, it is replaced by max(5 d, 50 mm) and reported. APT's default
-/// of 5 would leave most of the tool out of the check.
+/// Makes a tool assembly from the statements of a toolpath, which `tool.cutter` must hold. CL data states no holder, so
+/// `holder` (may be empty) is put on top. The part above the flutes is shank. A height that is missing is taken to be
+/// the flute length. If that is missing too, or the height ends within the tip, it is replaced by max(5 d, 50 mm) and
+/// reported. The default of APT, 5, would leave most of the tool out of the check.
 ///
-/// Errors   Those of make_cutter_profile, naming the tool.
+/// Errors   Those of make_cutter_profile, with the name of the tool.
 [[nodiscard]] Result<ToolFromPath> make_tool_from_path(const PathTool& tool, const std::vector<ToolSegment>& holder);
 
 }  // namespace gouge

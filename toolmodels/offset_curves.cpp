@@ -28,7 +28,7 @@ ProfileElement moved_out(const ProfileElement& e, double growth) {
   return moved;
 }
 
-// Returns whether growth leaves anything of the element: a hollow no wider than the growth closes.
+// Returns whether the element is still there after the growth: a hollow that is not wider than the growth is closed.
 bool survives(const ProfileElement& e, double growth, double slack) {
   return !e.is_arc || !e.is_concave || e.radius_mm > growth + slack;
 }
@@ -59,7 +59,8 @@ std::vector<Vec2> meet_line_circle(const ProfileElement& line, const ProfileElem
   return {foot - half_chord * u, foot + half_chord * u};
 }
 
-// Measured from the smaller circle, which keeps its digits beside one that is all but straight.
+// Returns where two circles meet. Coordinates are computed from the smaller circle, whose digits are kept if the other
+// is almost straight.
 std::vector<Vec2> meet_circles(const ProfileElement& one, const ProfileElement& other, double slack) {
   const bool is_first_smaller = one.radius_mm < other.radius_mm;
   const ProfileElement& c = is_first_smaller ? one : other;
@@ -89,7 +90,7 @@ std::vector<ProfileElement> offset_curves(const Profile& profile, double growth)
     const Vec2 after = outward_normal(start_direction(e));
     if (i > 0)
       add_corner(elements[i - 1].body, e.a, outward_normal(end_direction(elements[i - 1])), after, growth, curves);
-    else if (cross(mirrored(after), after) > 0)  // a tip on the axis: the half of its arc at r >= 0
+    else if (cross(mirrored(after), after) > 0)  // a tip on the axis has the half of its arc at r >= 0
       add_corner(e.body, e.a, Vec2(0, -1), after, growth, curves);
     if (survives(e, growth, slack)) curves.push_back(moved_out(e, growth));
   }

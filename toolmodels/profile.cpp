@@ -11,14 +11,15 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMaxNamed = 100;  // a contour may cross itself as often as the square of its elements
+// limits the messages: the number of crossings may be the square of the number of elements
+constexpr std::size_t kMaxNamed = 100;
 
 Vec2 direction_at(const ProfileElement& element, const Vec2& point) {
   const Vec2 out = (point - element.center) / element.radius_mm;
   return element.is_concave ? Vec2(out.y(), -out.x()) : Vec2(-out.y(), out.x());
 }
 
-// Returns whether an arc runs over its outermost point in a direction, between its ends.
+// Returns whether an arc contains its outermost point in a direction, between its ends.
 bool reaches(const ProfileElement& arc, const Vec2& direction) {
   ProfileElement part = arc;
   part.b = arc.center + arc.radius_mm * direction;
@@ -72,7 +73,7 @@ void verify_shape(const Profile& profile, double slack, std::vector<std::string>
   std::vector<std::size_t> owner;
   const std::vector<Vec2> points = outline_with_owners(profile, owner);
   if (doubled_area(points) <= 0) broken.push_back("the solid is not on the left of the contour");
-  // A contour may leave the axis as steeply as it likes, so near its ends it may be near the axis.
+  // A contour may leave the axis at any angle, so points next to its ends may be close to the axis.
   const auto is_near_end = [&](const Vec2& p) {
     return std::min((p - points.front()).norm(), (p - points.back()).norm()) <= 1e3 * slack;
   };
@@ -163,8 +164,8 @@ double size_of(const Profile& profile) {
 bool is_single_valued(const Profile& profile) {
   const double slack = Tolerance::kRounding;
   return std::all_of(profile.elements.begin(), profile.elements.end(), [&](const ProfileElement& e) {
-    // The height never falls along the contour. Directions on an arc of half a circle at most are all between
-    // those at its ends, once the middle one shows which way round.
+    // The height must not fall anywhere along the contour. On an arc of at most half a circle all directions lie
+    // between those at its ends. The direction at the middle shows on which side.
     return start_direction(e).y() >= -slack && end_direction(e).y() >= -slack &&
            sweep_rad(e) <= std::numbers::pi + slack && (!e.is_arc || direction_at(e, sample(e, 2)[1]).y() >= -slack);
   });

@@ -8,7 +8,7 @@
 
 // The boundary of a tool's half section: segments and circular arcs in the (r, z) half plane, r >= 0, mm. The contour
 // starts on the axis at the tip and ends on the axis at the top; the axis closes it. The solid is on its left. So
-// convex arcs run counter-clockwise and concave ones clockwise.
+// convex arcs run counter-clockwise, and concave ones clockwise.
 //
 //      z ^ <--------+
 //        |  solid   |
@@ -50,17 +50,18 @@ struct Profile {
 /// Returns the element as points: its two ends for a segment, `steps` + 1 points for an arc.
 [[nodiscard]] std::vector<Vec2> sample(const ProfileElement& element, int steps);
 
-/// Returns the largest coordinate of the contour: what "relative to the tool's size" refers to.
+/// Returns the largest coordinate of the contour. Tolerances relative to the tool's size refer to this length.
 [[nodiscard]] double size_of(const Profile& profile);
 
-/// Returns true when every height has one radius: the solid is {r <= rho(z)}. No undercut seen along the radius.
+/// Returns whether every height has one radius: the solid is {r <= rho(z)}, and has no undercut in the radial
+/// direction.
 [[nodiscard]] bool is_single_valued(const Profile& profile);
 
-/// Returns broken invariants, empty when the contour is a closed half section. (1) It starts and ends on the axis and
+/// Returns the broken invariants; empty if the contour is a closed half section. (1) It starts and ends on the axis and
 /// touches it nowhere else. (2) Elements join end to start, have length, and lie on their circles. (3) They do not
-/// cross or touch, and keep the solid on the left. At most a hundred or so crossings are named.
-/// Cost     O(n log n) for n elements whose boxes are apart, at worst quadratic. Arcs are examined as polygons of 48
-///          chords.
+/// cross or touch, and the solid is on their left. At most about a hundred crossings are named.
+/// Cost     O(n log n) for n elements whose boxes do not meet, in the worst case quadratic. Arcs are examined as
+///          polygons of 48 chords.
 [[nodiscard]] std::vector<std::string> verify_profile(const Profile& profile);
 
 }  // namespace gouge

@@ -23,8 +23,8 @@ const char* type_word(const Json& value) {
   return value.is_null() ? "null" : "true or false";
 }
 
-// One value of the file and where it stands. The first error sticks; after it every result is empty, so the
-// readers below need no test after each step.
+// A reader of values that knows where each stands in the file. It keeps the first error, and then returns empty values,
+// so the functions below need no test after each step.
 class Reader {
  public:
   Reader(std::string file, JsonLines lines) : lines_(std::move(lines)) { library_.file = std::move(file); }
@@ -49,12 +49,12 @@ class Reader {
             library_.file, lines_.at(pointer + "/" + key)));
   }
 
-  // Behind "tool T1", which the printed doubt begins with.
+  // Returns the message without its beginning "tool T1", because the doubt is printed after the name of the tool.
   static std::string without_owner(const std::string& message) {
     return message.substr(std::min(message.find(" has a key "), message.size()));
   }
 
-  // A key that was mistyped may have been a body.
+  // Returns the first unknown key, because a mistyped key may have described a body.
   [[nodiscard]] std::string first_unknown_key(std::size_t notes_before) const {
     for (std::size_t i = notes_before; i < library_.notes.size(); ++i)
       if (library_.notes[i].code == "library-unknown-key")
@@ -144,7 +144,7 @@ class Reader {
     }
   }
 
-  // A holder alone is checked on a cutter that is beyond doubt.
+  // Checks a holder alone, on a cutter that is certainly valid.
   void check_holder(const NamedHolder& holder, const std::string& pointer, const std::string& who) {
     const ToolAssembly probe{std::nullopt, holder.name, FlatCutter{1, 1}, {}, holder.segments};
     const Result<BodyProfiles> bodies = make_body_profiles(probe);
@@ -224,7 +224,7 @@ class Reader {
            who + ": holder \"" + name + "\" is neither among \"holders\" nor an earlier tool with a holder", pointer);
   }
 
-  // As ToolLibrary finds it, which examines one tool after the other.
+  // Returns the holder that ToolLibrary::holder_called finds; that function searches the tools one by one.
   const std::vector<ToolSegment>* holder_called(const std::string& name) const {
     if (const auto holder = holders_.find(name); holder != holders_.end())
       return &library_.holders[holder->second].segments;
@@ -341,7 +341,7 @@ class Reader {
 
   JsonLines lines_;
   ToolLibrary library_;
-  std::unordered_set<int> numbers_;                       // taken
+  std::unordered_set<int> numbers_;                       // tool numbers already in use
   std::unordered_map<std::string, std::size_t> by_name_;  // the first tool of each name
   std::unordered_map<std::string, std::size_t> holders_;  // the first holder of each name
   std::optional<Diagnostic> error_;

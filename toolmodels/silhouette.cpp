@@ -19,7 +19,8 @@ std::vector<Vec2> profile_outline(const Profile& profile) {
   return points;
 }
 
-// The widest point of the piece from `a` to `b` within `low` to `high`; negative where none of it is there.
+// Returns the largest radius of the piece from `a` to `b` between the heights `low` and `high`; negative if the piece
+// does not reach them.
 double widest_within(const Vec2& a, const Vec2& b, double low, double high) {
   const Vec2& bottom = a.y() < b.y() ? a : b;
   const Vec2& top = a.y() < b.y() ? b : a;
@@ -33,7 +34,7 @@ double widest_within(const Vec2& a, const Vec2& b, double low, double high) {
   return std::max(at(low), at(high));
 }
 
-// The widest point of an outline within a range of heights; negative where it has none.
+// The largest radius of an outline within a range of heights; negative where the outline does not reach them.
 class Widths {
  public:
   explicit Widths(const std::vector<Vec2>& points) : points_(points), tree_(boxes_of(points)) {}
@@ -60,7 +61,7 @@ class Widths {
 
 }  // namespace
 
-// Between two corners of both outlines the difference runs straight, so its largest value is at a corner of one.
+// Between neighbouring corner heights of both outlines the difference is linear, so its maximum is at a corner height.
 double reach_beyond_mm(const Cutter& cutter, const Cutter& other) {
   const Result<Profile> mine = make_cutter_profile(cutter), theirs = make_cutter_profile(other);
   if (!mine || !theirs) return 0;

@@ -2,16 +2,17 @@
 
 #include "toolmodels/cutter.h"
 
-// The outlines of two cutters compared with each other, as when a toolpath and a library describe one tool.
+// Comparison of the outlines of two cutters, for a tool that both a toolpath and a library describe.
 
 namespace gouge {
 
-/// Returns how far `cutter` reaches out of `other` across the axis at its worst. Both stand on their tips, and are
-/// compared up to the lower of both heights. 0 where it stays within, and where one of them makes no profile.
+/// Returns the maximum distance, across the axis, by which `cutter` reaches out of `other`. Both stand on their tips,
+/// and are compared up to the smaller of both heights. Returns 0 if `cutter` stays within `other`, or if one of them
+/// has no valid profile.
 ///
 /// Units    mm
-/// Ensures  Heights that differ by 0.001 mm count as the same, so that a bottom that is flat but for rounding is no
-///          reach. Arcs are compared as polygons, to within 1e-5 of their radius.
+/// Ensures  Heights that differ by 0.001 mm count as equal, so that rounding in a flat bottom has no effect. Arcs are
+///          compared as polygons, to within 1e-5 of their radius.
 /// Cost     O(n log n) for outlines of n corners.
 [[nodiscard]] double reach_beyond_mm(const Cutter& cutter, const Cutter& other);
 

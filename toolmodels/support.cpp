@@ -13,17 +13,17 @@ namespace gouge {
 namespace {
 
 constexpr double kEndless = 1e300;
-constexpr std::size_t kMaxOfAnyContour = 1000;  // elements, of which every pair is examined
-constexpr int kHalvings = 40;                   // of an element, to where it comes before a plane
-constexpr double kNearlyHorizontal = 1e-6;      // below this a foot may be bounded by a horizontal plane
+constexpr std::size_t kMaxOfAnyContour = 1000;  // maximum number of elements for a test of every pair
+constexpr int kHalvings = 40;                   // of an element, to find where it comes before a plane
+constexpr double kNearlyHorizontal = 1e-6;      // |n| along r below which a foot may be bounded by a horizontal plane
 
-// The tangent planes of one element. All have a normal between n0 and n1 and touch the circle about `center` (radius 0
-// for a vertex and a segment). The two normals of a segment are one.
+// The tangent planes of one element. Each has a normal between n0 and n1 and touches the circle about `center` (radius
+// 0 for a vertex or a segment). For a segment both normals are equal.
 struct Planes {
   Vec2 n0, n1, center;
   double radius_mm;
 
-  // Largest height of p above any of the planes; convex in p.
+  // Returns the largest height of p above any of the planes; convex in p.
   [[nodiscard]] double reach(const Vec2& p) const {
     const Vec2 away = p - center;
     const bool is_between = cross(n0, away) > 0 && cross(away, n1) > 0;
@@ -45,7 +45,7 @@ class Support {
       if (!elements_[i].is_reflex) elements_[i].support = range(i);
   }
 
-  /// For a contour that turns back in height: tests every pair of elements.
+  /// Tests every pair of elements. For a contour that turns back in height.
   void set_all_of_any_contour() {
     for (std::size_t i = 0; i < elements_.size(); ++i)
       if (!elements_[i].is_reflex) elements_[i].support = range_of_any_contour(i);
@@ -73,14 +73,15 @@ class Support {
     return planes.reach(e.a) <= slack_ && planes.reach(e.b) <= slack_;
   }
 
-  // An arc none of whose normals is among those of the planes is highest at one of its ends.
+  // Returns whether no normal of the arc is among those of the planes. Such an arc has its largest height at one of its
+  // ends.
   static bool is_flatter(const BoundaryElement& arc, const Planes& planes) {
     const Vec2 u = arc.a - arc.center;
     const Vec2 v = arc.b - arc.center;
     return cross(planes.n1, u) >= 0 || cross(v, planes.n0) >= 0;
   }
 
-  // The height above a plane is convex, so it is largest at a corner of the box.
+  // Tests the corners of the box: the height above a plane is convex, so it is largest at a corner.
   bool is_all_behind(const ContourStretch& s, const Planes& planes) const {
     const Vec2 left(-s.along.y(), s.along.x());
     for (const double u : {s.low.x(), s.high.x()})
@@ -93,7 +94,7 @@ class Support {
     return stretches_.size() > 1 && is_all_behind(s, planes);
   }
 
-  // The last element before number `end`, and the first from number `begin` on, that is not behind the planes.
+  // Returns the last element before number `end`, or the first from number `begin` on, that is not behind the planes.
   std::optional<std::size_t> last_ahead(std::size_t stretch, std::size_t end, const Planes& planes) const {
     const ContourStretch& s = stretches_[stretch];
     if (s.first >= end || is_passed_over(s, planes)) return std::nullopt;
@@ -119,9 +120,9 @@ class Support {
 
   enum class End { a, b };
 
-  // Returns the height up to which an element stays behind the planes, from that end of it on. It is the end's own
-  // height where the element comes before them at once. The search halves the element: its result is proved, but may
-  // not be the largest.
+  // Returns the height up to which an element stays behind the planes, starting from the end `from`. If the element
+  // comes before them at once, that is the height of this end. The search halves the element. Its result is proved, but
+  // may not be the largest.
   double behind_until(const BoundaryElement& e, const Planes& planes, End from) const {
     BoundaryElement part = e;
     const Vec2& start = from == End::a ? part.a : part.b;
@@ -135,7 +136,8 @@ class Support {
     return behind > 0 ? point_at(e, from == End::a ? behind : 1 - behind).y() : start.y();
   }
 
-  // From a to b, of an arc of less than half a circle by its angle.
+  // Returns the point at a share of the way from a to b. On an arc, which is less than half a circle, the share is that
+  // of the angle.
   static Vec2 point_at(const BoundaryElement& e, double share) {
     if (e.kind != ElementKind::arc) return e.a + share * (e.b - e.a);
     const Vec2 u = e.a - e.center, v = e.b - e.center;
@@ -155,7 +157,7 @@ class Support {
     return claim;
   }
 
-  // The planes whose normals do not point to the axis; nothing where all do.
+  // Returns the planes if at least one of their normals does not point to the axis; else nothing.
   static std::optional<Planes> outward(Planes planes) {
     if (planes.n0.x() < 0 && planes.n1.x() < 0) return std::nullopt;
     if (planes.n0.x() < 0) planes.n0 = Vec2(0, -1);
@@ -163,14 +165,15 @@ class Support {
     return planes;
   }
 
-  // A triangle about an arc: its ends, and where the tangents there meet; of other elements the ends alone.
+  // Returns a triangle about an arc: its ends, and the point where the tangents there meet. For other elements it is
+  // the two ends.
   static std::array<Vec2, 3> corners_about(const BoundaryElement& e) {
     if (e.kind != ElementKind::arc) return {e.a, e.b, e.b};
     const Vec2 middle = 0.5 * (e.a + e.b) - e.center;
     return {e.a, e.b, Vec2(e.center + e.radius_mm * e.radius_mm / middle.squaredNorm() * middle)};
   }
 
-  // An arc may reach over its ends only where it has a pole.
+  // Returns the range of heights. An arc reaches beyond the heights of its ends only if it contains a pole.
   static Heights heights_of(const BoundaryElement& e) {
     const bool has_pole = e.kind == ElementKind::arc && (e.a.x() < e.center.x()) != (e.b.x() < e.center.x());
     const bool is_low = has_pole && 0.5 * (e.a + e.b).y() < e.center.y();
@@ -178,8 +181,8 @@ class Support {
     return {is_low ? e.center.y() - e.radius_mm : low, has_pole && !is_low ? e.center.y() + e.radius_mm : high};
   }
 
-  // No point of a solid is farther from the axis than all of its contour at that height. So it suffices that all of the
-  // contour at the heights of the range is behind the planes.
+  // No point of a solid is farther from the axis than all points of its contour at the same height. So it suffices that
+  // all of the contour at the heights of the range is behind the planes.
   SupportRange range_of_any_contour(std::size_t i) const {
     const std::optional<Planes> own = outward(planes(i));
     if (!own) return {};
@@ -211,7 +214,7 @@ class Support {
     return std::ranges::all_of(corners, [&](const Vec2& p) { return planes.reach(p) <= slack_; });
   }
 
-  // Bounds from above how far from the axis the contour without element i is, just above a height or just below it.
+  // Returns an upper bound of the radius of the contour without element i, just above a height or just below it.
   double widest_beside(std::size_t i, double z, int up) const {
     double widest = 0;
     for (std::size_t j = 0; j < elements_.size(); ++j) {
@@ -230,7 +233,7 @@ class Support {
     return widest;
   }
 
-  // Radius of the solid just below the height at which element i begins: 0 when nothing is below.
+  // Returns the radius of the solid just below the height at which element i begins; 0 if there is nothing below.
   double radius_below(std::size_t i) const {
     const double z = elements_[i].a.y();
     for (std::size_t j = i; j-- > 0;)
@@ -251,8 +254,8 @@ class Support {
     return has_equator ? e.center.x() + e.radius_mm : ends;
   }
 
-  // Handles a horizontal face that looks down. Outside the radius below it, a point above it may leave through it. A
-  // point below it is free as long as nothing down there is wider.
+  // Computes the range of a horizontal face that looks down. A point above the face may leave through it if it is
+  // outside the radius of the solid below. A point below the face is free if nothing below it is wider.
   SupportRange below_step(std::size_t i) const {
     SupportRange claim{-kEndless, kEndless, radius_below(i)};
     const double z = elements_[i].a.y();
@@ -276,10 +279,10 @@ class Support {
 
   std::vector<BoundaryElement>& elements_;
   double slack_;
-  std::vector<ContourStretch> stretches_;  // of few elements one, which is never passed over
+  std::vector<ContourStretch> stretches_;  // few elements are one stretch, which is never skipped
 };
 
-// The lowest point of an element: an end, or for an arc the point below its centre.
+// Returns the lowest point of an element: an end, or for an arc possibly the point below its centre.
 Vec2 lowest_of(const ProfileElement& e) {
   Vec2 lowest = e.b.y() < e.a.y() ? e.b : e.a;
   const Vec2 pole = e.center - Vec2(0, e.radius_mm);
@@ -289,8 +292,9 @@ Vec2 lowest_of(const ProfileElement& e) {
   return sweep_rad(part) < sweep_rad(e) ? pole : lowest;
 }
 
-// Runs from the axis level to the lowest point, then along the contour. Nothing when the rest has two radii at one
-// height. The contour before that point stays within: it starts on the axis, above the fill, and crosses nothing.
+// Returns the contour with a horizontal line from the axis to its lowest point instead of the part before that point.
+// Returns nothing if the rest has two radii at one height. The replaced part is within the fill: it starts on the axis,
+// above the line, and crosses nothing.
 std::optional<Profile> with_filled_underside(const Profile& profile) {
   const std::vector<ProfileElement>& parts = profile.elements;
   std::size_t first = 0;
@@ -312,7 +316,8 @@ bool is_same(const BoundaryElement& e, const BoundaryElement& o) {
   return e.kind == o.kind && e.is_reflex == o.is_reflex && e.a == o.a && e.b == o.b && e.center == o.center;
 }
 
-// The planes of a vertex are those between its neighbours' normals, so these must be the same too.
+// Returns whether both elements have the same planes. The planes of a vertex lie between its neighbours' normals, so
+// these must be equal too.
 bool has_same_planes(const std::vector<BoundaryElement>& p, std::size_t i, const std::vector<BoundaryElement>& q,
                      std::size_t j) {
   if (!is_same(p[i], q[j])) return false;
@@ -321,14 +326,14 @@ bool has_same_planes(const std::vector<BoundaryElement>& p, std::size_t i, const
          is_same(p[i + 1], q[j + 1]);
 }
 
-// For a contour of many elements that turns back in height: the value of the tool with its underside filled. A solid is
-// never deeper than a larger one.
+// Sets the ranges of a contour of many elements that turns back in height to those with its underside filled. A solid
+// is never deeper than a larger one.
 void set_ranges_of_filled(const Profile& profile, std::vector<BoundaryElement>& elements) {
   const std::optional<Profile> filled = with_filled_underside(profile);
   if (!filled) return;
   std::vector<BoundaryElement> outer = make_elements(*filled);
   Support(*filled, outer).set_all();
-  // Both contours run through the elements they share in one order, the filled one from some element on.
+  // The elements that both contours share have the same order in both.
   for (std::size_t i = 0, j = 0; i < elements.size(); ++i) {
     std::size_t k = j;
     while (k < outer.size() && !has_same_planes(elements, i, outer, k)) ++k;

@@ -9,50 +9,51 @@
 #include "lib/base/units.h"
 #include "toolmodels/assembly.h"
 
-// The project's own tool library file: JSON, one unit for the file, segments from the tip side up.
+// The tool library file of this project: JSON, with one unit for the file, and segments listed from the tip side up.
 // Format: docs/formats/tool_library.md.
 
 namespace gouge {
 
-/// A holder by itself, to be put on tools that have none.
+/// A holder without a tool, for tools that have none.
 struct NamedHolder {
   std::string name;
   std::vector<ToolSegment> segments;
 };
 
-/// Returns the number in "3" or "T3", as people write tools; nothing for anything else.
+/// Returns the number in "3" or "T3", the forms in which users write tools; nothing for any other text.
 [[nodiscard]] std::optional<int> tool_number(std::string_view text);
 
 struct ToolLibrary {
-  std::string file;  ///< as the user named it
+  std::string file;  ///< path as the user gave it
   LengthUnit unit = LengthUnit::mm;
-  std::vector<ToolAssembly> tools;  ///< mm
+  std::vector<ToolAssembly> tools;  ///< lengths in mm
   std::vector<NamedHolder> holders;
-  Diagnostics notes;                ///< warnings: keys that are not known, and the like
-  std::vector<int> shared_numbers;  ///< shared by several tools of an imported file; the first keeps it
+  Diagnostics notes;  ///< warnings, such as unknown keys
+  /// numbers that several tools of an imported file share; the first tool keeps the number
+  std::vector<int> shared_numbers;
 
-  /// Returns the tool of that number; null when there is none.
+  /// Returns the tool with that number; null if there is none.
   [[nodiscard]] const ToolAssembly* with_number(int number) const;
   [[nodiscard]] const ToolAssembly* with_name(std::string_view name) const;
-  /// Returns the tool that people mean by `name`: the one of that name, else of that number, written 3 or T3.
+  /// Returns the tool that a user means by `name`: the one with that name, else with that number, written 3 or T3.
   [[nodiscard]] const ToolAssembly* called(std::string_view name) const;
-  /// Segments of the holder called `name`, or of the holder of the tool called so; null when there is
+  /// Returns the segments of the holder with this name, or of the holder of the tool with this name; null if there is
   /// neither.
   [[nodiscard]] const std::vector<ToolSegment>* holder_called(std::string_view name) const;
-  /// Describes the result of holder_called: "ER16, ball D10", or "none".
+  /// Returns the names that holder_called accepts: "ER16, ball D10", or "none".
   [[nodiscard]] std::string holder_names() const;
 };
 
-/// Reads a tool library. Every tool is built once to see that it can be. One that cannot is an error that names tool
-/// and field.
+/// Reads a tool library. Every tool is built once as a test. If that fails, the error names the tool and the field.
 ///
 /// Errors   With file and line: json-too-deep, json-too-long, library-syntax, library-field, library-duplicate-key,
-///          library-duplicate-number, library-empty. Also those of make_body_profiles. With library-field a field is
-///          missing, of the wrong kind, or an unknown shape, unit or holder.
+///          library-duplicate-number, library-empty. Also those of make_body_profiles. The code library-field means
+///          that a field is missing or of the wrong kind, or names an unknown shape, unit or holder.
 /// Warnings in `notes`: library-unknown-key, library-duplicate-name, cutter-contradiction.
 [[nodiscard]] Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view bytes);
 
-/// Returns the library as a file, in its unit, that reads back as the same library. Ends with a line break.
+/// Returns the text of a library file, in the unit of the library, that reads back as the same library. It ends with a
+/// line break.
 [[nodiscard]] std::string write_tool_library(const ToolLibrary& library);
 
 }  // namespace gouge

@@ -25,10 +25,10 @@ Vec2 turned(const Vec2& u, double angle) {
   return {c * u.x() - s * u.y(), s * u.x() + c * u.y()};
 }
 
-// Rays stand closer near the ends, where a bisector may run almost along them.
+// Returns the place of ray i. Rays are closer to each other near the ends, where a bisector may run almost along them.
 double share(int i, int steps) { return 0.5 * (1 - std::cos(std::numbers::pi * i / steps)); }
 
-// With many elements each is small in the picture.
+// Reduces the number of steps if there are many elements, because each is then small in the picture.
 int steps_of(int usual, std::size_t elements) {
   constexpr int kUsualElements = 64, kFewest = 4;
   return std::max(kFewest, usual * kUsualElements / std::max(kUsualElements, static_cast<int>(elements)));
@@ -98,7 +98,7 @@ class Tracer {
     return {-before.x(), before.y()};
   }
 
-  // Returns how far a ray runs before it leaves the window; 0 when it starts outside.
+  // Returns the length of a ray up to the border of the window; 0 if it starts outside.
   double length_in_window(const Ray& ray) const {
     constexpr double kNoSpeed = 1e-15;
     double length = 1e300;
@@ -112,7 +112,8 @@ class Tracer {
     return std::max(0.0, length);
   }
 
-  // Once another element is nearer it stays so along the ray, so halving finds the point.
+  // Returns the length of the ray on which its own element is the nearest. From the point at which another element is
+  // nearer, it stays nearer along the ray. So bisection finds that point.
   double length_in_region(const Ray& ray, double limit) const {
     const auto is_nearest = [&](double t) {
       const Vec2 q = ray.from + t * ray.direction;
@@ -143,7 +144,7 @@ namespace {
 
 constexpr std::uint32_t kFewElements = 4;
 
-// The corners of a rectangle around an element: its chord, moved out by the height of its arc.
+// Returns the corners of a rectangle around an element: its chord, moved out by the height of its arc.
 std::array<Vec2, 4> corners_around(const BoundaryElement& e) {
   if (e.kind != ElementKind::arc) return {e.a, e.b, e.a, e.b};
   const Vec2 top = e.center + e.radius_mm * e.normal;

@@ -14,11 +14,11 @@
 namespace gouge {
 namespace {
 
-constexpr double kNudge = 3e-10;  // of the size: growth that breaks a tie no one can see
+constexpr double kNudge = 3e-10;  // additional growth, relative to the size, that breaks a tie too small to be seen
 
-// A body in the form that its distances are computed from.
+// A body in the form from which its distances are computed.
 struct Solid {
-  CompiledTool tool;  // without a BSP: a few look-ups at each element do not pay for one
+  CompiledTool tool;  // has no BSP, because it is used for only a few look-ups for each element
   double growth_mm = 0;
 };
 
@@ -43,7 +43,7 @@ Profile merge_neighbours(const std::vector<ProfileElement>& elements, double sla
   return merged;
 }
 
-// Deeper than rounding in one of the offset bodies.
+// Returns whether a point is inside one of the offset bodies by more than rounding.
 bool is_covered(const Vec2& q, const std::vector<Solid>& solids, double slack) {
   return std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) {
     return evaluate_by_stretches(solid.tool, q.x(), q.y()).signed_distance_mm < solid.growth_mm - slack;

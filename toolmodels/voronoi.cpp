@@ -26,7 +26,7 @@ double at_corner(const DistanceForm& f, const Vec3& c) {
   return is_point ? f.sign * (c.head<2>() - f.center).norm() + f.shift : f.sign;
 }
 
-// The tangent plane of a circular form at `touch`; lies above a concave form and below a convex one.
+// Returns the tangent plane of a circular form at `touch`. It lies above a concave form and below a convex one.
 std::optional<DistanceForm> tangent_form(const DistanceForm& f, const Vec2& touch) {
   const Vec2 away = touch - f.center;
   const double length = away.norm();
@@ -68,7 +68,7 @@ Comparison straight(const DirectedLine& line) {
   return c;
 }
 
-// square (v0 + gradient . x)^2 + round |x|^2, x = q - origin.
+// Returns the curve square (v0 + gradient . x)^2 + round |x|^2 = 0 with x = q - origin.
 Comparison curved(const Vec2& origin, double v0, const Vec2& gradient, double square, double round) {
   Comparison c;
   c.curve.origin = origin;
@@ -80,7 +80,7 @@ Comparison curved(const Vec2& origin, double v0, const Vec2& gradient, double sq
   return c;
 }
 
-// gradient . (q - origin) + offset as a unit line through the foot of the origin.
+// Returns the line gradient . (q - origin) + offset = 0 with a unit direction; `through` is the foot of the origin.
 DirectedLine line_of(const Vec2& origin, const Vec2& gradient, double offset) {
   const double length = gradient.norm();
   return {origin - offset / (length * length) * gradient, gradient / length};
@@ -93,7 +93,8 @@ Comparison compare_linear(const DistanceForm& f, const DistanceForm& g) {
   return straight(line_of(f.through, gradient, offset));
 }
 
-// sign A + shift against a line: A = m with m linear; a parabola with its focus at the centre.
+// Compares sign A + shift with a line, where A is the distance from a centre. The curve is A = m with m linear: a
+// parabola with its focus at the centre.
 Comparison compare_circle_line(const DistanceForm& f, const DistanceForm& g, const ConvexCell& cell) {
   const Vec2 slope = f.sign * g.direction;
   const double offset = f.sign * (g.direction.dot(f.center - g.through) - f.shift);
@@ -104,8 +105,8 @@ Comparison compare_circle_line(const DistanceForm& f, const DistanceForm& g, con
   return curved(f.center, offset, slope, -f.sign, f.sign);
 }
 
-// A against B + k with k >= 0, A = |x - w|, B = |x|, x = q - origin: one branch of a hyperbola. The `factor` is 1 when
-// the first is A.
+// Compares A with B + k for k >= 0, where A = |x - w|, B = |x| and x = q - origin. The curve is one branch of a
+// hyperbola. `factor` is 1 if the first distance is A.
 Comparison compare_difference(const Vec2& origin, const Vec2& w, double k, double factor, const ConvexCell& cell) {
   const double distance = w.norm();
   if (k >= distance) return decided(factor > 0);
@@ -119,7 +120,7 @@ Comparison compare_difference(const Vec2& origin, const Vec2& w, double k, doubl
   return curved(origin, constant / distance, -2 / distance * w, factor, -factor * share * share);
 }
 
-// A + B against k: an ellipse. `factor` is 1 when the first is nearer inside it.
+// Compares A + B with k. The curve is an ellipse. `factor` is 1 if the first distance is smaller inside it.
 Comparison compare_sum(const Vec2& origin, const Vec2& w, double k, double factor) {
   const double distance = w.norm();
   if (k <= distance) return decided(factor < 0);
@@ -130,7 +131,7 @@ Comparison compare_sum(const Vec2& origin, const Vec2& w, double k, double facto
 Comparison compare_circles(const DistanceForm& f, const DistanceForm& g, const ConvexCell& cell) {
   const double k = f.sign * (g.shift - f.shift);
   if (f.sign * g.sign < 0) {
-    // About the centre that is nearer to its own boundary: the other may be hundreds of sizes away.
+    // The origin is the centre that is nearer to its own boundary, because the other may be hundreds of sizes away.
     return std::abs(g.shift) <= std::abs(f.shift) ? compare_sum(g.center, f.center - g.center, k, f.sign)
                                                   : compare_sum(f.center, g.center - f.center, k, f.sign);
   }

@@ -35,7 +35,8 @@ class LibraryWriter {
     return result;
   }
 
-  // The text must read back as the very same millimetres, which one division does not guarantee.
+  // Returns the length in the file's unit. It must read back as exactly the same millimetres, which a single division
+  // does not guarantee.
   [[nodiscard]] double length(double value_mm) const {
     const double value = value_mm / factor_;
     for (const double near : {value, std::nextafter(value, 1e300), std::nextafter(value, -1e300)})

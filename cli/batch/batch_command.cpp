@@ -45,7 +45,7 @@ StopOn stop_on(const BatchArguments& arguments) {
   return arguments.stop_on == "gouge" ? StopOn::gouge : StopOn::error;
 }
 
-/// One run of the command, step by step. Every step that fails prints why and leaves the exit status.
+/// One run of the command, step by step. A step that fails prints the reason and returns the exit status.
 class Batch {
  public:
   Batch(const BatchArguments& arguments, std::ostream& out, std::ostream& err)
@@ -55,7 +55,7 @@ class Batch {
     Result<std::unique_ptr<Ranks>> ranks = make_ranks();
     if (!ranks) return fail(err_, {ranks.error()});
     ranks_ = std::move(*ranks);
-    // Every process reads the list; the first one alone writes what belongs to all.
+    // Every process reads the list, but only the first one writes the files that all share.
     int status = prepare().value_or(kExitClean);
     if (ranks_->is_first() && status == kExitClean && !arguments_.is_rehearsal) status = open().value_or(kExitClean);
     if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
@@ -80,14 +80,15 @@ class Batch {
     is_stopped_ = ranks_->largest(batch.is_stopped() || is_stopped_ ? 1 : 0) != 0;
     if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
     if (ranks_->is_first()) status = finish();
-    // mpirun ends all processes when one ends with another status than 0: the first represents all, as the last.
+    // mpirun ends all processes as soon as one ends with a status other than 0. So only the first one, which ends last,
+    // returns the common status.
     const int worst = ranks_->largest(status);
     return ranks_->is_first() ? worst : kExitClean;
   }
 
-  /// Returns whether the jobs have run, whatever came of them, and the results stand.
+  /// Returns whether the jobs have run, with any outcome, and their results are written.
   [[nodiscard]] bool is_done() const { return is_done_; }
-  /// Returns whether nothing was done, as another program has the folder or its store at the moment.
+  /// Returns whether nothing was done because another program has the folder or its store open.
   [[nodiscard]] bool is_busy() const { return is_busy_; }
 
  private:
@@ -103,7 +104,7 @@ class Batch {
     return std::nullopt;
   }
 
-  // All processes find the same, so the first states it.
+  // Reports the error. All processes find the same one, so only the first process prints it.
   int refuse(const Diagnostic& error) {
     if (ranks_->is_first()) return fail(err_, {error});
     return error.code == "usage" ? kExitUsage : kExitInput;
@@ -169,7 +170,7 @@ class Batch {
     return fail(err_, {error}, is_usage ? kExitUsage : kExitInternal);
   }
 
-  // Its results would be dropped.
+  // Finds whether the store has the results of another shard, which this run would drop.
   std::optional<Diagnostic> find_other_shard() {
     const Result<BatchIdentity> its = store_->identity();
     if (!its) return its.error();
@@ -181,7 +182,8 @@ class Batch {
         arguments_.folder);
   }
 
-  // Corrected toolpaths of somebody else's that jobs would replace; of a report its own command ensures it.
+  // Finds a corrected toolpath that a job would replace, but that no batch wrote. For a report, the command of the job
+  // tests this.
   [[nodiscard]] std::optional<Diagnostic> find_foreign() const {
     if (arguments_.is_forced) return std::nullopt;
     std::vector<std::string> files;
@@ -198,7 +200,7 @@ class Batch {
     return stored;
   }
 
-  // For processes other than the first, which collects their results at the end.
+  // Opens the store of a process other than the first. The first one collects the results at the end.
   std::optional<int> open_own_store() {
     Result<ResultStore> store = ResultStore::open(store_of_rank(ranks_->rank()));
     if (!store) return fail(err_, {store.error()}, kExitInternal);
@@ -211,7 +213,8 @@ class Batch {
     return arguments_.folder + "/results-rank-" + std::to_string(rank) + ".sqlite";
   }
 
-  // Results of other processes, of this run or of one that was interrupted, into the store; then their stores go.
+  // Moves the results of other processes, of this run or of an interrupted one, into the store, and removes their
+  // stores.
   Outcome take_in_ranks() {
     constexpr int kMaxRanks = 100'000;
     std::error_code ignored;
@@ -277,7 +280,7 @@ class Batch {
     return numbers;
   }
 
-  // A job that fails now must not leave the path that it once wrote.
+  // Removes the corrected path that a job wrote in an earlier run. Otherwise it would stay if the job fails now.
   void remove_corrected(const StoredJob& job) const {
     std::error_code ignored;
     for (const JobOutput& output : job.outputs) {
@@ -333,7 +336,7 @@ class Batch {
   }
 
   std::unique_ptr<Ranks> ranks_;
-  // A file that changed while the batch ran: each verdict is that of the content its job read.
+  // Warns of a file that changed while the batch ran. Each verdict holds for the content that its job read.
   void warn_of_two_contents(const std::vector<JobResult>& results) const {
     const std::optional<TwoContents> two = find_two_contents(results);
     if (!two) return;
@@ -343,7 +346,7 @@ class Batch {
                               two->input.name)});
   }
 
-  // With or without shards, results are in the order of the jobs that run here.
+  // Returns the results of the jobs with these numbers, in the order of `all`.
   [[nodiscard]] std::vector<JobResult> results_of(const std::set<std::size_t>& numbers,
                                                   const std::vector<JobResult>& all) const {
     std::vector<JobResult> some;
@@ -375,7 +378,7 @@ int run_batch(const BatchArguments& arguments, std::ostream& out, std::ostream& 
     return fail(err, {make_error("usage",
                                  "gougecheck batch needs JOBS or --watch, and not both; see gougecheck batch --help")});
   if (arguments.watch.empty()) return Batch(arguments, out, err).run();
-  // Each run takes what has not changed from the store, so that only what is new is checked.
+  // Each run takes results of unchanged jobs from the store, so that only new or changed toolpaths are checked.
   int status = kExitClean;
   const Outcome watched = watch_toolpaths(arguments.watch, [&](const std::vector<std::string>& files) {
     BatchArguments now = arguments;
@@ -384,7 +387,7 @@ int run_batch(const BatchArguments& arguments, std::ostream& out, std::ostream& 
     Batch batch(now, out, err);
     status = batch.run();
     out.flush();
-    // Somebody who looks into the store must not end a night's watch.
+    // If another program has the store open for a moment, the watch must not end.
     if (batch.is_busy()) return AfterRun::again;
     return batch.is_done() && out.good() ? AfterRun::go_on : AfterRun::end;
   });

@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kWorkEnding = ".work";
-constexpr std::size_t kHashDigits = 64;  // of SHA-256
+constexpr std::size_t kHashDigits = 64;  // length of a SHA-256
 
 std::string host_name() {
   std::array<char, 256> name{};
@@ -42,7 +42,8 @@ Result<ManifestEntry> describe(const fs::path& file) {
   return describe_file(file.has_parent_path() ? file.parent_path().string() : ".", file.filename().string());
 }
 
-// Files by name, each once, as two options may name the same one.
+// Returns the SHA-256 of `text` and the files with their checksums. Each file counts once, as two options may name the
+// same one.
 std::string key_of(const std::string& text, const std::set<std::pair<std::string, std::string>>& files) {
   Sha256 hash;
   hash.add(text);
@@ -56,12 +57,12 @@ std::set<std::pair<std::string, std::string>> checksums_of(const std::vector<Inp
   return files;
 }
 
-/// Lists the outputs of a job that has ended, with the hashes of what stands there now.
+/// Lists the outputs of a job that has ended, with the hashes of their present content.
 class OutputLister {
  public:
   OutputLister(const BatchJob& job, const std::string& folder) : job_(job), folder_(folder) {}
 
-  // Not where one of them cannot be read: then the result may not be used again.
+  // Returns nothing if an output cannot be read. Then the result must not be used again.
   std::optional<std::vector<JobOutput>> run() {
     for (const Output& output : outputs_of(job_.job(), job_.output())) {
       if (output.file.empty()) continue;
@@ -83,7 +84,7 @@ class OutputLister {
   void add(const std::string& file) {
     const fs::path path(file);
     std::error_code ignored;
-    // Output to a pipe or a device cannot be read again.
+    // Outputs to a pipe or a device cannot be read again.
     const Result<ManifestEntry> entry =
         fs::is_regular_file(path, ignored) ? describe(path) : make_error("file-unreadable", "is no plain file", file);
     if (!entry) {
@@ -176,7 +177,7 @@ JobRun run_job(const BatchJob& job, const std::string& text, const std::string& 
   std::ostringstream out, err;
   std::string work_file;
   std::optional<WorkStore> work;
-  // Its name is a hash of what the job has read, not of what the files hold now.
+  // The name of the work file is a hash of the content that the job has read, which the files may no longer have.
   const auto checkpoints_of = [&](const std::vector<InputFile>& inputs) -> CheckpointStore* {
     work_file = folder + "/" + kWorkFolder + "/" + key_of(text, checksums_of(inputs)) + std::string(kWorkEnding);
     return &work.emplace(work_file, chunk);
@@ -213,7 +214,7 @@ void remove_work(const std::string& folder) {
     if (is_own) files.push_back(entry->path().string());
   }
   for (const std::string& file : files) remove_work_store(file);
-  ::rmdir(below.c_str());  // where it is a folder, and nothing else is in it
+  ::rmdir(below.c_str());  // has an effect only if it is an empty folder
 }
 
 }  // namespace gouge

@@ -22,7 +22,7 @@ using ListJson = nlohmann::json;
 
 constexpr std::size_t kLongestName = 100;
 
-// Rejected names: a name is used for folders too.
+// Returns why a job cannot have this name. The name is used for folders too.
 std::optional<std::string> why_no_name(const std::string& name) {
   if (name.empty()) return "is empty";
   if (name.size() > kLongestName) return "has more than " + std::to_string(kLongestName) + " bytes";
@@ -33,7 +33,8 @@ std::optional<std::string> why_no_name(const std::string& name) {
   return std::nullopt;
 }
 
-// A file that is there is itself, as browsers write "path [1].apt".
+// Returns whether a name is a pattern. The name of an existing file is not a pattern, because browsers write "path
+// [1].apt".
 bool is_pattern(const std::string& file) {
   std::error_code ignored;
   return file.find_first_of("*?[") != std::string::npos && !fs::exists(file, ignored);
@@ -60,8 +61,8 @@ void place_outputs(BatchJob& job, const BatchFolder& folder) {
   }
 }
 
-// The parser insists on an output; where the job names none it is below the folder of the batch, and no word of the
-// job.
+// The parser requires an output. If the job names none, its output is below the folder of the batch, and is not among
+// the words of the job.
 constexpr const char* kNoOutput = "\x01";
 
 Result<BatchJob> make_job(std::string name, const std::string& command, std::vector<std::string> words,
@@ -123,7 +124,7 @@ class JobListReader {
       read_job(defaults, (*jobs)[k], "/jobs/" + std::to_string(k));
   }
 
-  // The value of a key and where it stands: in the job, else in the defaults.
+  // The value of a key, with its place: in the job, else in the defaults.
   struct Field {
     const ListJson* value = nullptr;
     std::string pointer;
@@ -154,7 +155,8 @@ class JobListReader {
     }
   }
 
-  // The system would read a name up to a null, which is another file than the one that was examined.
+  // Returns whether the value can be the name of a file. The system reads a name only up to a null character, so such a
+  // name would lead to another file than the one examined.
   static bool is_named(const ListJson& value) {
     return value.is_string() && !value.get_ref<const std::string&>().empty() &&
            value.get_ref<const std::string&>().find('\0') == std::string::npos;
@@ -245,7 +247,7 @@ class JobListReader {
   std::vector<BatchJob> jobs_;
 };
 
-/// Looks for files that one job writes and another one, or the batch itself, reads or writes.
+/// Finds files that one job writes and that another job, or the batch itself, reads or writes.
 class CollisionSearch {
  public:
   CollisionSearch(const std::vector<BatchJob>& jobs, const BatchFolder& folder, const std::string& list)
@@ -272,7 +274,7 @@ class CollisionSearch {
     return at;
   }
 
-  // An input that can be read only once cannot serve two jobs.
+  // Adds the inputs of a job. Two jobs cannot read an input that can be read only once.
   std::optional<Diagnostic> add_inputs(const BatchJob& job) {
     for (const InputOption& input : inputs_of(job.job())) {
       if (input.file.empty()) continue;
@@ -313,7 +315,7 @@ class CollisionSearch {
   const std::vector<BatchJob>& jobs_;
   const BatchFolder& folder_;
   const std::string& list_;
-  std::map<std::string, std::string> inputs_, outputs_;  // by where a name leads: what it is
+  std::map<std::string, std::string> inputs_, outputs_;  // by canonical place: the description of the file
   std::map<std::string, std::string> known_;
 };
 

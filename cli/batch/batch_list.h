@@ -12,10 +12,10 @@
 
 namespace gouge {
 
-/// One job of a batch, understood as far as its words go: the files it names may be missing.
+/// One job of a batch. Its words are understood, but its files may be missing.
 struct BatchJob {
   std::string name;
-  std::size_t line = 0;            ///< of the job list; 0: it stands on the command line
+  std::size_t line = 0;            ///< line in the job list; 0: the job is on the command line
   std::vector<std::string> words;  ///< its options as a command line, without outputs below the folder of the batch
   bool has_report = true;
   std::variant<CheckArguments, CorrectArguments> arguments;
@@ -23,31 +23,31 @@ struct BatchJob {
   [[nodiscard]] const char* command() const { return arguments.index() == 0 ? "check" : "correct"; }
   [[nodiscard]] JobArguments& job();
   [[nodiscard]] const JobArguments& job() const;
-  /// Returns where a corrected toolpath goes; empty for `check`.
+  /// Returns the file for a corrected toolpath; empty for `check`.
   [[nodiscard]] std::string output() const;
 };
 
-/// Places for the output of a batch's jobs.
+/// Folder for the output of a batch's jobs.
 struct BatchFolder {
   std::string path;
-  bool has_reports = true;  ///< false: of no job, whatever it states
+  bool has_reports = true;  ///< false: no job has a report, even if it requests one
 
   [[nodiscard]] std::string report_of(const std::string& job) const { return path + "/reports/" + job; }
-  /// Returns the name of a corrected toolpath below `path`.
+  /// Returns the name of a job's corrected toolpath, relative to `path`.
   [[nodiscard]] static std::string corrected_name(const BatchJob& job);
 };
 
-/// Reads a job list (docs/formats/batch.md). Relative files in it are below its folder. Errors: the first thing that is
-/// wrong with it, with its line: jobs-syntax, jobs-duplicate-key, jobs-field, jobs-option, and those of reading a file.
+/// Reads a job list (docs/formats/batch.md). Relative files in it are below its folder. Errors: the first error in it,
+/// with its line: jobs-syntax, jobs-duplicate-key, jobs-field, jobs-option, and those of reading a file.
 [[nodiscard]] Result<std::vector<BatchJob>> read_job_list(const std::string& file, const BatchFolder& folder);
 
-/// Jobs that check each of `toolpaths` with the same options, named after their files. Errors: usage.
+/// Returns jobs that check each of `toolpaths` with the same options, named after their files. Errors: usage.
 [[nodiscard]] Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& toolpaths,
                                                       const std::vector<std::string>& words, const BatchFolder& folder);
 
-/// Returns why these jobs cannot run together. An output of one is an input or an output of another, or is the job list
-/// (empty: there is none). Or it lies in the folder of the batch without being its own. Or two jobs are to read one
-/// pipe. Code: usage.
+/// Returns why these jobs cannot run together. An output of one job is an input or an output of another, or the job
+/// list `list` (empty: there is none). Or it lies in the folder of the batch, but not at the place for this job. Or two
+/// jobs read one pipe. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_jobs_in_the_way(const std::vector<BatchJob>& jobs,
                                                              const BatchFolder& folder, const std::string& list);
 

@@ -16,10 +16,10 @@
 namespace gouge {
 namespace {
 
-// Memory of a job without files, and of a byte of an STL or a toolpath with its data structures
+// Memory of a job without its files, and for each byte of an STL or a toolpath with its data structures
 // (docs/develop/benchmarks.md).
 constexpr std::uint64_t kBytesOfJob = 60'000'000, kPerMeshByte = 5, kPerPathByte = 25;
-// Memory of a long path during its check: the rest is in files (docs/method/scaling.md).
+// Maximum memory of a long path during its check; the rest of the path is in files (docs/method/scaling.md).
 constexpr std::uint64_t kMaxOfCheckedPath = 1'500'000'000;
 
 std::uint64_t bytes_of(const std::string& file) {
@@ -150,7 +150,8 @@ std::optional<std::size_t> BatchRun::take(int list, const JobQueue& queue, std::
   return number;
 }
 
-// Others do the rest, so its scene may be released; work that comes back is expected anew.
+// Releases the scene of a group whose remaining jobs other processes run. If a job of the group comes back, the scene
+// is expected again.
 void BatchRun::leave_group(int list, const JobQueue& queue) {
   Group& group = groups_.at(static_cast<std::size_t>(list));
   for (std::size_t position = group.first; position < group.end; ++position) {
@@ -187,7 +188,8 @@ void BatchRun::note(std::size_t number, JobRun&& run) {
   progress_.show(rate, done_, all_);
 }
 
-// A disk takes milliseconds to make sure of a result. Other jobs run meanwhile, and their results are written together.
+// Writes results in a thread of its own. A disk takes milliseconds to store a result safely. Other jobs run meanwhile,
+// and their results are written together.
 void BatchRun::write_until_closed() {
   std::unique_lock lock(guard_);
   while (!is_closed_) {
@@ -218,7 +220,7 @@ void BatchRun::write_queued() {
   is_stopped_ = true;
 }
 
-// Where no thread may begin, each job writes its own result.
+// Starts the thread that writes results. If the system starts no thread, each job writes its own result.
 BatchRun::Writer::Writer(BatchRun& batch) : batch_(batch) {
   try {
     thread_ = std::thread([this] { batch_.write_until_closed(); });
@@ -236,7 +238,7 @@ BatchRun::Writer::~Writer() {
   if (thread_.joinable()) thread_.join();
 }
 
-// A job that needs more than there is runs alone.
+// Waits for memory. A job that needs more than the total runs alone.
 BatchRun::Room::Room(BatchRun& batch, std::uint64_t bytes) : batch_(batch), bytes_(bytes) {
   std::unique_lock lock(batch_.guard_);
   batch_.room_.wait(lock,

@@ -20,52 +20,52 @@ namespace gouge {
 
 enum class StopOn { nothing, error, gouge };
 
-/// Returns whether no other job is to begin after one that ended so.
+/// Returns whether a job that ended with this status stops the batch: no other job begins.
 [[nodiscard]] bool is_reason_to_stop(StopOn what, std::optional<int> status);
 
 struct BatchOptions {
   std::string folder;
   std::size_t jobs_at_once = 1;
-  std::uint64_t memory_bytes = 0;  ///< that all running jobs may need together, as estimated
+  std::uint64_t memory_bytes = 0;  ///< estimated memory that all running jobs together may need
   StopOn stop_on = StopOn::nothing;
-  std::size_t chunk = 0;         ///< moves after which a long job keeps what is done
-  MeshCopies* copies = nullptr;  ///< where meshes are read from; none: where they are
+  std::size_t chunk = 0;         ///< number of moves after which a long job stores its state
+  MeshCopies* copies = nullptr;  ///< source of meshes; null: they are read from their own places
 };
 
-/// Jobs in the order in which they begin; jobs of one scene are neighbours, and a group.
+/// Jobs in the order in which they begin. Jobs of one scene are neighbours and form a group.
 struct JobQueue {
   std::vector<std::size_t> numbers;
   std::vector<std::size_t> group_ends;  ///< one past the last position of each group
-  std::vector<std::uint64_t> work;      ///< of each, computed in bytes of its path
+  std::vector<std::uint64_t> work;      ///< of each job, in bytes of its path
 };
 
 struct BatchPlan {
-  JobQueue alone;     ///< one after the other, each with all threads of its process
-  JobQueue together;  ///< side by side, each with one thread
+  JobQueue alone;     ///< run one after the other, each with all threads of its process
+  JobQueue together;  ///< run side by side, each with one thread
 };
 
-/// Runs jobs side by side and commits each result to the store as soon as it is there, while others run. Jobs of one
+/// Runs jobs side by side and commits each result to the store as soon as it is complete, while others run. Jobs of one
 /// scene run next to each other, large jobs first. A job that is larger than a fair share of all work runs alone, with
 /// all threads.
 class BatchRun {
  public:
-  /// All must outlive it. `texts`: job_text of each job.
+  /// All arguments must outlive the object. `texts` has the job_text of each job.
   BatchRun(const std::vector<BatchJob>& jobs, const std::vector<std::string>& texts, const BatchOptions& options,
            ResultStore& store, Progress& progress, Ranks& ranks);
 
-  /// Returns how the jobs of these numbers are run.
+  /// Returns the order and the grouping in which the jobs with these numbers run.
   [[nodiscard]] BatchPlan plan(const std::vector<std::size_t>& numbers) const;
-  /// Runs those jobs of the plan that are this process's. Errors: of the store; jobs that were running end first, no
-  /// other begins.
+  /// Runs the jobs of the plan that this process receives. Errors: those of the store. After an error, running jobs
+  /// end, and no other job begins.
   [[nodiscard]] Outcome run(const BatchPlan& plan);
-  /// Returns whether jobs were left because of --stop-on.
+  /// Returns whether some jobs were not run because of --stop-on.
   [[nodiscard]] bool is_stopped() const { return is_stopped_; }
 
  private:
   struct Size {
     std::uint64_t path_bytes = 0, memory_bytes = 0;
   };
-  /// Positions of the group of a queue that this process is in.
+  /// Positions of the group of a queue in which this process works.
   struct Group {
     std::size_t first = 0, end = 0;
   };
@@ -80,7 +80,7 @@ class BatchRun {
   void write_queued();
   void write_until_closed();
 
-  /// Writes queued results while it lives.
+  /// Writes queued results as long as it exists.
   class Writer {
    public:
     explicit Writer(BatchRun& batch);
@@ -93,7 +93,7 @@ class BatchRun {
     std::thread thread_;
   };
 
-  /// Memory that a job needs while it runs; waits until there is so much.
+  /// Reserves the memory that a job needs while it runs. Its constructor waits until so much is free.
   class Room {
    public:
     Room(BatchRun& batch, std::uint64_t bytes);
@@ -114,14 +114,14 @@ class BatchRun {
   Ranks& ranks_;
   SceneStore scenes_;
   std::mutex taking_;
-  std::array<Group, 2> groups_{};  // of each queue of the plan
-  std::vector<bool> is_expected_;  // by number: may still be given to this process
+  std::array<Group, 2> groups_{};  // one for each queue of the plan
+  std::vector<bool> is_expected_;  // for each job number, whether this process may still receive the job
   std::vector<Size> sizes_;
-  std::mutex writing_;  // of the store
-  std::mutex guard_;    // of all that follows
+  std::mutex writing_;  // guards the store
+  std::mutex guard_;    // guards all members that follow
   std::condition_variable room_, news_;
   std::vector<ResultStore::Numbered> queued_;
-  std::vector<std::string> work_files_;  // of these
+  std::vector<std::string> work_files_;  // work files of the queued results
   bool is_closed_ = false;
   bool has_writer_ = false;  // set before any job begins
   std::uint64_t in_use_ = 0;

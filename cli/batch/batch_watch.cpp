@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr double kNanosecond_s = 1 / 1e9;
 constexpr int kWhileUnsettled_ms = 300;
-constexpr int kWhileQuiet_ms = 5000;  // network drives show nothing of what others write there
+// maximum pause: for network drives the system does not report what other machines write
+constexpr int kWhileQuiet_ms = 5000;
 
 double now_s() {
   timespec clock{};
@@ -27,7 +28,7 @@ double now_s() {
   return static_cast<double>(clock.tv_sec) + kNanosecond_s * static_cast<double>(clock.tv_nsec);
 }
 
-/// The system's word that something happens in a folder; where it gives none, only time passes.
+/// The notifications of the system about changes in a folder. Without notifications, `wait` only waits.
 class FolderNews {
  public:
   explicit FolderNews(const std::string& folder) : handle_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {

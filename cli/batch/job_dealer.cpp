@@ -27,7 +27,7 @@ JobDealer::Rest JobDealer::next_group() {
   return {first, group_ends_[begun_++]};
 }
 
-// The later half, as jobs of a group are sorted by size: who comes to help has the small ones to end with.
+// Takes the later half, because jobs of a group are sorted by size: the helping process receives the small jobs.
 JobDealer::Rest JobDealer::half_of_largest() {
   Rest& largest = *std::ranges::max_element(rests_, {}, [&](const Rest& rest) { return work_of(rest); });
   if (largest.is_empty()) return {};

@@ -26,7 +26,7 @@ Diagnostic unfit(const std::string& folder, const std::string& message) {
   return make_error("merge-unfit", message, folder);
 }
 
-/// Content of a shard.
+/// The content of a shard's folder.
 struct Share {
   std::string folder;
   BatchIdentity identity;
@@ -55,7 +55,7 @@ Result<Share> read_share(const std::string& folder) {
   return Share{folder, std::move(*identity), std::move(*results)};
 }
 
-// By a second name where that is possible, else by a copy, that takes its place when it is whole.
+// Makes a second name (hard link) of the file if possible, else a copy, which is put in place when it is complete.
 Outcome put_copy(const std::string& from, const std::string& to) {
   if (Outcome made = make_folder(fs::path(to).parent_path().string()); !made) return made;
   std::error_code error;
@@ -133,7 +133,8 @@ class Merge {
     return std::nullopt;
   }
 
-  // No single run reads two contents of one file: then some verdicts are of another part than others.
+  // Finds a file of which the shards read different contents, as no single run does. Then some verdicts hold for
+  // another part than others.
   [[nodiscard]] std::optional<Diagnostic> find_other_content() const {
     const std::optional<TwoContents> two = find_two_contents(results_);
     if (!two) return std::nullopt;
@@ -206,7 +207,8 @@ class Merge {
   std::ostream& out_;
   std::ostream& err_;
   std::vector<Share> shares_;
-  std::map<std::size_t, std::pair<std::size_t, std::size_t>> from_;  // number of a job: its share, its index there
+  // for each job number: its share and its index there
+  std::map<std::size_t, std::pair<std::size_t, std::size_t>> from_;
   std::optional<BatchIdentity> whole_;
   std::vector<JobResult> results_;
 };

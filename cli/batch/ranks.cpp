@@ -32,7 +32,8 @@ class OneProcess : public Ranks {
   std::array<JobDealer, 2> dealers_;
 };
 
-// Returns how many processes mpirun started, by Open MPI's and by MPICH's word; 0: it was not mpirun.
+// Returns how many processes mpirun started, from the environment variables of Open MPI and MPICH; 0: mpirun did not
+// start this one.
 long long processes_started() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
     if (const char* size = std::getenv(name)) return parse_integer(size).value_or(0);

@@ -10,21 +10,22 @@
 #include "cli/batch/job_dealer.h"
 #include "cli/batch/ranks.h"
 
-// The only file that knows MPI; a shared module of its own.
+// The only file that uses MPI; it is built as a shared module.
 
 namespace gouge {
 namespace {
 
 constexpr int kAsk = 1, kAnswer = 2;  // tags of messages
-constexpr std::int64_t kNoMore = -1;  // instead of a list: this process requests no more jobs
-// A process whose next request comes so soon has short jobs and gets more at once: one process serves many
+constexpr std::int64_t kNoMore = -1;  // in place of a list number: this process requests no more jobs
+// A process that requests again within this time has short jobs, and receives more at once. One process serves many
 // (docs/method/scaling.md).
 constexpr std::chrono::milliseconds kSoon{4};
 constexpr std::chrono::microseconds kPause{200}, kLongestPause{1000};
-constexpr int kPausesBetween = 16;  // two questions, of who results: each pause takes the processor some 10 us
+// approximate number of pauses between two requests; each costs some 10 us of processor time
+constexpr int kPausesBetween = 16;
 
-/// Positions are handed out by a thread of rank 0, which serves requests while the others of that process work. A
-/// process that waits sleeps in between: MPI itself would keep a core busy.
+/// A thread of rank 0 distributes the positions. It serves requests while the other threads of that process work. A
+/// process that waits sleeps in between, because MPI itself would keep a core busy.
 class MpiRanks : public Ranks {
  public:
   MpiRanks() {
@@ -58,7 +59,7 @@ class MpiRanks : public Ranks {
       const std::scoped_lock lock(dealing_);
       dealers_.at(static_cast<std::size_t>(list)) = JobDealer(group_ends, work, static_cast<std::size_t>(count_));
     }
-    static_cast<void>(largest(0));  // no rank sends before
+    static_cast<void>(largest(0));  // no rank sends a request before rank 0 is ready
   }
 
   [[nodiscard]] std::optional<std::size_t> take(int list, std::size_t most) override {
@@ -92,13 +93,13 @@ class MpiRanks : public Ranks {
   }
 
  private:
-  /// Positions of a list that this process was given and has not taken.
+  /// Positions of a list that this process has received but not yet taken.
   struct Given {
     std::int64_t next = 0, end = 0, at_once = 1;
     std::chrono::steady_clock::time_point asked;
   };
-  using Question = std::array<std::int64_t, 2>;  // a list, and how many of it
-  using Answer = std::array<std::int64_t, 2>;    // the first of them, and how many
+  using Question = std::array<std::int64_t, 2>;  // a list, and the number of positions requested
+  using Answer = std::array<std::int64_t, 2>;    // the first position, and the number of positions
 
   void ask(int list, Given& given, std::int64_t most) {
     if (rank_ == 0) {
@@ -161,10 +162,10 @@ class MpiRanks : public Ranks {
   }
 
   int rank_ = 0, count_ = 1;
-  bool is_dealt_ = false;  // in turn, as MPI has no threads here: rank 0 has those of positions 0, n, 2n, ...
+  bool is_dealt_ = false;  // positions are fixed because this MPI allows no threads: rank 0 has 0, n, 2n, ...
   std::array<Given, 2> given_;
-  std::mutex guard_;    // of given_
-  std::mutex dealing_;  // of dealers_
+  std::mutex guard_;    // guards given_
+  std::mutex dealing_;  // guards dealers_
   std::array<JobDealer, 2> dealers_;
   std::thread server_;
 };
@@ -172,5 +173,5 @@ class MpiRanks : public Ranks {
 }  // namespace
 }  // namespace gouge
 
-/// The processes of MPI_COMM_WORLD; the caller's to delete. To be called once in a process.
+/// Returns the processes of MPI_COMM_WORLD; the caller deletes them. Must be called only once in a process.
 extern "C" __attribute__((visibility("default"))) gouge::Ranks* gougecheck_mpi_ranks() { return new gouge::MpiRanks; }

@@ -14,7 +14,7 @@
 
 namespace gouge {
 
-/// Properties of a file that change when it is written.
+/// Properties of a file that change when the file is written.
 struct FileStamp {
   std::int64_t time_ns = 0;
   off_t bytes = 0;
@@ -23,20 +23,20 @@ struct FileStamp {
 };
 using FileStamps = std::map<std::string, FileStamp>;
 
-/// The files of a folder, and which of them are no longer being written: neither size nor time has changed for a
-/// second. Hidden and temporary ones (~, .tmp, .part, ...) are passed over.
+/// The files of a folder that are no longer being written: their size and time have not changed for a second. Hidden
+/// and temporary files (~, .tmp, .part, ...) are ignored.
 class SettledFiles {
  public:
-  /// `place`: a folder, or a pattern for the names in one.
+  /// `place` is a folder, or a pattern for the names in a folder.
   explicit SettledFiles(const std::string& place);
 
   [[nodiscard]] const std::string& folder() const { return folder_; }
-  /// Returns whether `place` is a folder, and no pattern for the names in one.
+  /// Returns whether `place` is a folder, not a pattern.
   [[nodiscard]] bool is_whole_folder() const { return is_whole_folder_; }
-  /// Examines the folder. The time `now_s` is of a clock that never goes back, whatever the times of the files are. A
-  /// copy keeps the time of its original.
+  /// Examines the folder. The time `now_s` must come from a clock that never goes back. It is independent of the times
+  /// of the files, as a copy keeps the time of its original.
   [[nodiscard]] FileStamps look(double now_s);
-  /// Returns whether the last look found some file that is yet to settle.
+  /// Returns whether the last call of `look` found a file that is not settled yet.
   [[nodiscard]] bool is_unsettled() const { return is_unsettled_; }
 
  private:
@@ -50,22 +50,22 @@ class SettledFiles {
   bool is_unsettled_ = false, is_whole_folder_ = false;
 };
 
-/// The store in the folder of a batch.
+/// Name of the store in the folder of a batch.
 inline constexpr const char* kStoreName = "results.sqlite";
 
 /// Writes index.html, summary.csv, summary.json, junit.xml and findings.sarif, all of them or none. Requires that
 /// `folder` is open. Errors: those of ReportFolder.
 [[nodiscard]] Outcome write_batch_files(ReportFolder& folder, const std::vector<JobResult>& results);
 
-/// Returns the first of `files`, below `folder`, that is there though no job of the store wrote it as it is. In a batch
-/// that was interrupted they are its own: it found none before it began. Code: report-foreign.
+/// Returns the first of `files`, below `folder`, that exists with other content than a job of the store wrote. In an
+/// interrupted batch all of them are its own, because it found none before it began. Code: report-foreign.
 [[nodiscard]] std::optional<Diagnostic> find_foreign_output(const std::vector<std::string>& files,
                                                             const std::string& folder, const ResultStore& store);
 
-/// The table of the jobs; on a terminal its first rows.
+/// Prints the table of the jobs; on a terminal only its first rows.
 void print_batch(std::ostream& out, const std::vector<JobResult>& results);
 
-/// The errors of jobs that came to no result, as their commands reported them: all that -q leaves.
+/// Prints the errors of jobs without a result, as their commands reported them. With -q nothing else is printed.
 void print_failures(std::ostream& err, const std::vector<JobResult>& results);
 
 }  // namespace gouge

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two that accept at once must not lose what the other has written: one at a time in a folder.
+/// A lock of a folder. If two processes accept at once, it keeps one from losing the entries of the other.
 class FolderLock {
  public:
   explicit FolderLock(const std::string& file) {
@@ -43,7 +43,8 @@ class FolderLock {
   int handle_ = -1;
 };
 
-// SOURCE_DATE_EPOCH where it is set: https://reproducible-builds.org/specs/source-date-epoch/
+// Returns the date of today, or of SOURCE_DATE_EPOCH if it is set:
+// https://reproducible-builds.org/specs/source-date-epoch/
 std::string today() {
   std::time_t now = std::time(nullptr);
   const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
@@ -67,7 +68,7 @@ bool is_date(const std::string& text) {
 
 bool is_blank(const std::string& text) { return text.find_first_not_of(" \t\r\n") == std::string::npos; }
 
-/// Finds missing or wrong options beside the result.
+/// Finds an option other than the result that is missing or wrong.
 std::optional<Diagnostic> find_wrong_word(const AcceptArguments& a) {
   if (a.findings.empty()) {
     if (a.reason.empty() && a.by.empty() && a.date.empty() && a.output.empty()) return std::nullopt;
@@ -95,7 +96,7 @@ void list(const StoredResult& result, std::ostream& out) {
   out << count_text(findings.size(), "finding") << " in " << printable(result.file) << "\n";
 }
 
-/// The existing entries of the file; none where there is no file.
+/// Returns the existing entries of the file; none if there is no file.
 Result<std::vector<Acceptance>> read_existing(const std::string& file, const InputLimit& limit) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(file, ignored))) return std::vector<Acceptance>();

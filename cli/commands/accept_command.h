@@ -15,8 +15,8 @@ namespace gouge {
 
 struct AcceptArguments {
   std::string result;
-  std::vector<std::uint32_t> findings;  ///< none: list them
-  std::string reason, by, date;         ///< empty date: today
+  std::vector<std::uint32_t> findings;  ///< numbers of findings to accept; empty: list all findings
+  std::string reason, by, date;         ///< an empty date means today
   std::string output;
   InputLimit input;
 };

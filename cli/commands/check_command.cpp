@@ -94,7 +94,7 @@ std::optional<Diagnostic> find_wrong_value(const CheckArguments& arguments) {
 
 namespace {
 
-/// Runs the searches that the options of `check` add to its report.
+/// Runs the searches by which the options of `check` extend its report.
 Result<ReportParts> find_parts(const CheckArguments& arguments, const StickoutOptions& stickout,
                                const CheckResult& result, JobPipeline& run) {
   ReportParts parts;

@@ -15,12 +15,12 @@ struct CheckArguments {
   std::string stickout_step = "1", stickout_limit = "200";
 };
 
-/// Returns the rows that `check` has beside job_options().
+/// Returns the option rows of `check` that are not in job_options().
 [[nodiscard]] const OptionRows<CheckArguments>& check_options();
 
 void add_check_options(CLI::App& command, CheckArguments& arguments);
 
-/// Finds the first value that its option does not allow, before anything is read. Code: usage.
+/// Finds the first value that its option does not allow, before any input is read. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_wrong_value(const CheckArguments& arguments);
 
 /// Runs `gougecheck check`. Returns the exit status.

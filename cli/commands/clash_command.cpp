@@ -16,7 +16,7 @@
 namespace gouge {
 namespace {
 
-/// The options, understood. Errors (code usage): names the option, the typed text and the expected one.
+/// Returns the parsed options. Errors (code usage) name the option, the typed text and the expected one.
 Result<std::pair<ClashOptions, RigidTransform>> understand(const ClashArguments& a) {
   std::pair<ClashOptions, RigidTransform> understood;
   const Result<double> tolerance = understand_length("--tolerance", a.tolerance, Minimum::zero);

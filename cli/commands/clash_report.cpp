@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-/// "(0, 0.6, 0.8)": a direction has no unit.
+/// Returns "(0, 0.6, 0.8)"; a direction has no unit.
 std::string direction_text(const Vec3& direction) {
   return "(" + display_text(direction.x(), 3) + ", " + display_text(direction.y(), 3) + ", " +
          display_text(direction.z(), 3) + ")";

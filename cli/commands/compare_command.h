@@ -15,14 +15,14 @@ namespace gouge {
 struct CompareArguments : Verbosity {
   std::string before, after;
   std::string same_within = "0.001";
-  std::string html_file, json_file;  ///< "-" writes to standard output alone
+  std::string html_file, json_file;  ///< "-": standard output, which then has nothing else
   InputLimit input;
 };
 
 void add_compare_options(CLI::App& command, CompareArguments& arguments);
 
-/// Runs `gougecheck compare`, which reports what changed from one result to another. Returns the exit status: 0 nothing
-/// is new or deeper, 1 something is, 2 wrong command line, 3 unreadable. Also 4 something was not checked any more, 5
+/// Runs `gougecheck compare`, which reports the changes from one result to another. Returns the exit status: 0 no gouge
+/// is new or deeper, 1 some is, 2 wrong command line, 3 unreadable. Others are 4 something is no longer checked, 5
 /// output unwritable.
 [[nodiscard]] int run_compare(const CompareArguments& arguments, std::ostream& out, std::ostream& err);
 

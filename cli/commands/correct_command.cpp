@@ -21,7 +21,8 @@
 namespace gouge {
 namespace {
 
-/// The bytes of each change. Those of one statement are given once, as a list of positions is long.
+/// The bytes of each change in the file. Those of one statement are given only once, because a list of positions is
+/// long.
 class ChangeTexts {
  public:
   ChangeTexts(const Toolpath& before, const std::vector<PathChange>& changes, const Toolpath& after,
@@ -30,7 +31,7 @@ class ChangeTexts {
     for (const PathChange& change : changes) change_of_[change.move] = &change;
   }
 
-  /// Requires calls in the order of the records.
+  /// Fills in the bytes of a change. Requires calls in the order of the records.
   void put_into(CorrectedRecord& record, const ChangeRecord& of) {
     if (change_of_[of.move] == nullptr) return;
     if (of.move != move_) next_ = 0;
@@ -63,7 +64,8 @@ class ChangeTexts {
 
   RecordTexts texts_;
   std::vector<const PathChange*> change_of_;
-  std::size_t move_ = kNone, next_ = 0;  // the move requested last, and the first of its positions not yet requested
+  // the move of the last call, and the first of its positions that was not yet used
+  std::size_t move_ = kNone, next_ = 0;
   const char *last_old_ = nullptr, *last_new_ = nullptr;
 };
 
@@ -74,7 +76,7 @@ struct BeforeCorrection {
   const SceneFiles& files;
 };
 
-/// Returns the gouge of a move as the cause of a change. For a buried move no surface is named.
+/// Returns the gouge of a move as the cause of a change. For a buried move it names no surface.
 CauseRecord cause_of(std::size_t move, const BeforeCorrection& before) {
   const MoveVerdict& verdict = before.result.verdicts[move];
   CauseRecord cause;
@@ -136,7 +138,7 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   return facts;
 }
 
-/// Notes axes outside the cone. Tilts stay inside it; programmed axes stay as they are.
+/// Adds notes of axes outside the cone. Tilts stay inside it, but programmed axes stay as they are.
 void add_axes_outside(const Toolpath& path, const std::optional<AxisCone>& cone, Diagnostics& notes) {
   if (!cone) return;
   const AxesOutside outside = find_axes_outside(path, *cone);
@@ -149,7 +151,8 @@ void add_axes_outside(const Toolpath& path, const std::optional<AxisCone>& cone,
       path.file, path.moves[outside.first_move].line));
 }
 
-/// Adds a note for each run that is not tilted, the first as a warning: it is a correction, but not the one requested.
+/// Adds a note for each run that is not tilted. The first one is a warning, because the correction is not the one
+/// requested.
 void add_not_tilted(const Toolpath& path, const std::vector<NotTilted>& runs, Diagnostics& notes) {
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const std::size_t first = path.moves[runs[k].first].line, last = path.moves[runs[k].last].line;
@@ -160,20 +163,21 @@ void add_not_tilted(const Toolpath& path, const std::vector<NotTilted>& runs, Di
   }
 }
 
-/// Stock that a lift leaves is not a gouge, so that only a warning reports it.
+/// Adds a warning of stock that a lift leaves. Such stock is not a gouge, so no finding reports it.
 void add_left_stock(const Toolpath& path, const CorrectionFacts& facts, Diagnostics& notes) {
   if (facts.stock.empty()) return;
   notes.push_back(make_warning("stock-left", stock_text(facts, path.unit), path.file, facts.stock.front().first_line));
 }
 
-/// A correction that moves thousands of positions out of a part that lies elsewhere is of no use.
+/// Returns the error if the part lies elsewhere than the path. A correction that moves thousands of positions out of it
+/// is useless.
 std::optional<Diagnostic> find_misfit(const Toolpath& path, const CheckResult& result) {
   const std::optional<std::string> misfit = describe_misfit(path, result.fit);
   if (!misfit || !is_beyond_correction(result.fit)) return std::nullopt;
   return make_error("path-misfit", *misfit + "; nothing was written; --force corrects all the same", path.file);
 }
 
-/// Builds the content that `correct` adds to its report.
+/// Returns the content that `correct` adds to its report.
 ReportParts parts_of(const CorrectArguments& arguments, const CorrectOptions& options, const RotaryLimit& limit,
                      const LawfulCorrection& corrected, const BeforeCorrection& before, std::string_view text) {
   const Correction& correction = corrected.correction;

@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// Finds the first value that its option does not allow, before anything is read. Code: usage.
+/// Finds the first value that its option does not allow, before any input is read. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_wrong_value(const CorrectArguments& arguments);
 
 /// Runs `gougecheck correct`. Returns the exit status.

@@ -12,26 +12,26 @@
 
 namespace gouge {
 
-/// The steps that `check` and `correct` share: load, check, report, write. Each returns a value; nothing that a step
-/// returned is changed by a later one.
+/// The steps that `check` and `correct` share: load, check, report, write. Each returns a value, and no later step
+/// changes it.
 class JobPipeline {
  public:
-  /// All must outlive the run. `corrected` is where the corrected toolpath goes, or empty.
+  /// All arguments must outlive the run. `corrected` is the file for the corrected toolpath, or empty.
   JobPipeline(const JobArguments& arguments, const JobOptions& options, const std::string& corrected,
               const JobContext& context);
 
-  /// Opens the outputs, reads all inputs and compares the fixtures with the parts. Returns the exit status where the
-  /// run ends here, with the errors printed; otherwise none.
+  /// Opens the outputs, reads all inputs and compares the fixtures with the parts. If the run must end here, prints the
+  /// errors and returns the exit status; otherwise returns none.
   [[nodiscard]] std::optional<int> load();
 
-  /// Checks the path as it was read. Requires that `load` returned none, as do all that follow.
+  /// Checks the path as it was read. This and all functions below require that `load` returned none.
   [[nodiscard]] CheckResult check();
 
-  /// Builds the report of `result` for `path`, with what is accepted of it. Both must outlive it.
+  /// Builds the report of `result` for `path`, with the accepted findings. Both must outlive the report.
   [[nodiscard]] ReportModel report(const Toolpath& path, const CheckResult& result, ReportParts parts) const;
 
-  /// Prints the warnings, writes every output and prints the findings. Returns the exit status. `last_notes`: printed
-  /// after those of the report, not with -q; `spent`: printed with -v.
+  /// Prints the warnings, writes every output and prints the findings. Returns the exit status. `last_notes` are
+  /// printed after those of the report, but not with -q; `spent` is printed with -v.
   [[nodiscard]] int write(const ReportModel& model, const Diagnostics& last_notes = {}, const std::string& spent = {});
 
   /// Ends the progress line and prints `error`. Returns the exit status.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kOfBatch[] = {"threads", "progress", "quiet", "verbose", "report"};
 
-/// A program of one command, with places for its values.
+/// A parser for one command, with the variables for its values.
 struct CommandParser {
   explicit CommandParser(const std::string& command) {
     program.name(kProgramName);
@@ -59,7 +59,7 @@ const WordRules& job_rules() {
   return rules;
 }
 
-// One for each command, as making one costs more than a small job list.
+// Returns a table that is made once for each command, because making one costs more than reading a small job list.
 const CLI::App& option_table(const std::string& command) {
   static const CommandParser check("check"), correct("correct");
   return (command == "check" ? check : correct).command();
@@ -114,7 +114,7 @@ Outcome JobWords::add(const std::string& given, const nlohmann::json& value) {
     return wrong("\"" + key + "\" is " + kind_of(value) + "; expected a text or a number");
   const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
   if (text.empty()) return wrong("\"" + key + "\" is empty; expected a value, or leave it out");
-  // The system would read a name up to there, which is another file than the one that was examined.
+  // The system reads a name only up to this character, so the name would lead to another file than the one examined.
   if (text.find('\0') != std::string::npos)
     return wrong("\"" + key + "\" holds the character U+0000; expected a text without it");
   const std::string type = option->get_type_name();

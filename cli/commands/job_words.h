@@ -22,35 +22,35 @@ using CommandArguments = std::variant<CheckArguments, CorrectArguments>;
 /// Options that a file may set, and the codes of its errors.
 struct WordRules {
   std::string error_code;
-  /// Returns why an option of the command cannot stand in the file; nothing where it can.
+  /// Returns why a file cannot set an option of the command; nothing if it can.
   std::optional<std::string> (*why_not)(const CLI::Option& option);
-  std::string why_no_dash;  ///< why a file cannot be -
+  std::string why_no_dash;  ///< why a file of a job cannot be -
 };
 /// Returns the rules of a job list.
 [[nodiscard]] const WordRules& job_rules();
 
-/// Returns the table of options of "check" or "correct", as files set them.
+/// Returns the table of options of "check" or "correct" that a file may set.
 [[nodiscard]] const CLI::App& option_table(const std::string& command);
 
-/// Returns the long name of the option that `key` of a file sets: its own, but for `harmless_words`, the list of
+/// Returns the long name of the option that `key` of a file sets. Both are equal, except `harmless_words` for
 /// --harmless-word.
 [[nodiscard]] std::string option_of_key(const std::string& key);
-/// Does the reverse.
+/// Returns the key of a file for the long name of an option.
 [[nodiscard]] std::string key_of_option(const std::string& name);
 
-/// The options of `check` or `correct` as the values of a job list or a project file give them.
+/// The options of `check` or `correct`, built from the values of a job list or a project file.
 class JobWords {
  public:
-  /// `command`: "check" or "correct". `folder`: that relative files are below; empty: the working directory.
+  /// `command` is "check" or "correct". `folder` is the folder of relative files; empty: the working directory.
   JobWords(std::string command, std::string folder, const WordRules& rules = job_rules())
       : command_(std::move(command)), folder_(std::move(folder)), rules_(&rules) {}
 
   /// Adds "--key=value" for a text or a number, one for each entry of a list, and "--key" for a flag that is true. An
-  /// option that is given by body may be an object: {"shank": 0.5, "holder": 1}.
-  /// Errors: the rules' code, without a file, naming the key. The command does not have it, it cannot stand in the
-  /// file, or its value is of the wrong kind.
+  /// option whose value depends on the body may be an object: {"shank": 0.5, "holder": 1}.
+  /// Errors: the code of the rules, without a file, with the key. The command does not have the option, a file must not
+  /// set it, or its value is of the wrong kind.
   [[nodiscard]] Outcome add(const std::string& key, const nlohmann::json& value);
-  /// Returns `file` below the folder, if it is relative.
+  /// Returns `file` below the folder if it is relative.
   [[nodiscard]] std::string located(const std::string& file) const;
   [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
 
@@ -64,7 +64,7 @@ class JobWords {
   std::vector<std::string> words_;
 };
 
-/// Parses and understands `words` as the command line of `command`. Errors: usage, as the program states it.
+/// Parses and understands `words` as the command line of `command`. Errors: usage, with the text of the program.
 [[nodiscard]] Result<CommandArguments> parse_command(const std::string& command, const std::vector<std::string>& words);
 
 }  // namespace gouge

@@ -79,7 +79,7 @@ struct Gap {
   double rad = 0;
 };
 
-/// Gaps of the moves of a kind whose rotary joints move.
+/// Returns the gaps of all moves, rapid or not, in which a rotary joint moves.
 std::vector<Gap> gaps_of(const Machine& machine, const Toolpath& path, const JointPath& joints, bool is_rapid) {
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {

@@ -34,8 +34,8 @@ struct PathMachineArguments {
 void add_path_laws_options(CLI::App& command, PathMachineArguments& arguments);
 void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments);
 
-/// Runs `gougecheck path laws`, which reports how far the laws of motion are apart on a path. Or runs `gougecheck path
-/// joints`, which lists the joints of every record. Returns the exit status.
+/// Runs `gougecheck path laws`, which reports the difference between the laws of motion on a path. Or runs `gougecheck
+/// path joints`, which lists the joints of every record. Returns the exit status.
 [[nodiscard]] int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

@@ -29,7 +29,8 @@ OutputTable outputs_of(const MeshArguments& arguments) {
   return asked_for({{"--repair", arguments.repair_file}, {"--json", arguments.json_file}});
 }
 
-// The repair requested, kept to be written when it is an improvement. Returns the exit status if it failed.
+// Runs the requested repair. Keeps the result for output if it is an improvement. Returns the exit status if the repair
+// failed.
 std::optional<int> repair(const MeshArguments& arguments, const IndexedMesh& mesh, MeshInfo& info,
                           PendingOutputs& outputs, Progress& progress, std::ostream& err) {
   RepairOptions options;
@@ -47,7 +48,7 @@ std::optional<int> repair(const MeshArguments& arguments, const IndexedMesh& mes
   return std::nullopt;
 }
 
-// Files first, then the terminal.
+// Writes the files first, then prints to the terminal.
 bool deliver(const MeshArguments& arguments, const MeshInfo& info, PendingOutputs& outputs, std::ostream& out,
              std::ostream& err) {
   Outcome written = arguments.json_file.empty() ? Done{} : outputs.add(arguments.json_file, mesh_info_json(info));

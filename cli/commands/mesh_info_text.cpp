@@ -14,7 +14,7 @@ std::string mesh_row(const std::string& name, const std::string& value) {
   return "  " + padded(name, kMeshLabelWidth - 1) + " " + printable(value) + "\n";
 }
 
-// Writes lengths, areas and volumes of the mesh in the unit of its file.
+// Texts of lengths, areas and volumes of the mesh in the unit of its file.
 class Lengths {
  public:
   explicit Lengths(LengthUnit unit) : unit_(unit), decimals_(facts_of(unit).decimals) {}

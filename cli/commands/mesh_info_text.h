@@ -9,31 +9,31 @@
 
 namespace gouge {
 
-/// Effect of joining near vertices.
+/// Effect of joining vertices that are close to each other.
 struct MeshWeld {
   double reach_mm = 0;
   std::size_t vertices_joined = 0;
   double largest_shift_mm = 0;
   std::size_t triangles_collapsed = 0;
-  MeshValidation judged;  ///< of the joined mesh
+  MeshValidation judged;  ///< verdict on the joined mesh
 };
 
 /// Content of the report of `gougecheck mesh`.
 struct MeshInfo {
   std::string file;
-  LengthUnit unit = LengthUnit::mm;  ///< of the file, and of every length shown
+  LengthUnit unit = LengthUnit::mm;  ///< unit of the file, and of every length shown
   StlFormat format = StlFormat::binary;
-  Diagnostics notes;                 ///< of reading and structure
-  MeshValidation judged;             ///< of the file as it is
-  std::optional<MeshWeld> weld;      ///< when requested
-  std::optional<MeshRepair> repair;  ///< when requested and not failed
-  std::string written_file;          ///< the repaired STL; empty when none was written
+  Diagnostics notes;                 ///< about reading and structure
+  MeshValidation judged;             ///< verdict on the unchanged mesh of the file
+  std::optional<MeshWeld> weld;      ///< set if requested
+  std::optional<MeshRepair> repair;  ///< set if requested and not failed
+  std::string written_file;          ///< the file with the repaired mesh; empty if none was written
 };
 
-/// Returns a table of facts, the verdict and what it means for a check, and what a repair did.
+/// Returns a table of facts, the verdict, its meaning for a check, and the result of a repair.
 [[nodiscard]] std::string mesh_info_text(const MeshInfo& info);
 
-/// Returns the same for programs; described in docs/formats/stl.md. Lengths in the file's unit.
+/// Returns the report as JSON; described in docs/formats/stl.md. Lengths are in the unit of the file.
 [[nodiscard]] std::string mesh_info_json(const MeshInfo& info);
 
 }  // namespace gouge

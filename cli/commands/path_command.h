@@ -18,11 +18,11 @@ struct PathArguments {
   ReadingArguments reading;
   InputLimit input;
   std::string json_file;
-  std::string output, to;          ///< convert and plot
-  std::vector<std::string> parts;  ///< plot
+  std::string output, to;          ///< for convert and plot
+  std::vector<std::string> parts;  ///< for plot
   std::string place, stl_units;
   bool is_info = false, is_convert = false, is_machine = false;
-  PathMachineArguments machine;  ///< laws and joints
+  PathMachineArguments machine;  ///< for laws and joints
 };
 
 void add_path_options(CLI::App& command, PathArguments& arguments);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kMaxSeconds = 1e6;
 
-/// For a result whose inputs are unchanged.
+/// Verifies a result whose inputs are unchanged.
 class Verifier {
  public:
   Verifier(const Job& job, const ClaimedResult& result, Progress& progress)
@@ -29,7 +29,7 @@ class Verifier {
     done_.has_heads = !scene_.heads.empty();
   }
 
-  /// Errors: certificate-invalid.
+  /// Verifies the result and its certificate. Errors: certificate-invalid.
   Result<Verification> run(const std::string& certificate_name, std::string_view certificate, double seconds) {
     for (const std::string& what : find_contradictions(result_)) refute(std::nullopt, what);
     if (scene_.path.moves.size() != result_.totals.moves) {
@@ -108,7 +108,7 @@ class Verifier {
   Verification done_;
 };
 
-/// The inputs that are not what the result was made from.
+/// Returns the inputs that differ from those of the result.
 Result<std::vector<Verification::Refuted>> find_changed(const ClaimedResult& result, std::uint64_t max_bytes) {
   std::vector<Verification::Refuted> changed;
   for (const InputFile& input : result.inputs) {

@@ -29,7 +29,7 @@ struct VerifyArguments : Verbosity {
 
 void add_verify_options(CLI::App& command, VerifyArguments& arguments);
 
-/// Runs `gougecheck verify`, which tests whether a result is right, by means that share nothing with the check but the
+/// Runs `gougecheck verify`, which tests whether a result is correct. It shares no code with the check except the
 /// readers of files. Returns the exit status: 0 verified, 1 refuted, 2 wrong command line, 3 unreadable, 4 not
 /// everything is covered.
 [[nodiscard]] int run_verify(const VerifyArguments& arguments, std::ostream& out, std::ostream& err);
@@ -37,24 +37,24 @@ void add_verify_options(CLI::App& command, VerifyArguments& arguments);
 /// Result of a verification.
 struct Verification {
   struct Refuted {
-    std::optional<std::size_t> move = {};  ///< none: of the result as a whole
+    std::optional<std::size_t> move = {};  ///< none: the result as a whole
     std::optional<double> t = {};
-    std::optional<Vec3> point = {};  ///< mm
+    std::optional<Vec3> point = {};  ///< in mm
     std::string what = {};
   };
   std::vector<Refuted> refuted;
-  std::size_t witnesses = 0;  ///< that were recomputed
+  std::size_t witnesses = 0;  ///< number of recomputed witnesses
   bool has_certificate = false;
-  std::size_t proved_clean = 0, proved_gouges = 0;    ///< moves whose bound is proved
-  std::size_t sampled_clean = 0, sampled_gouges = 0;  ///< moves whose bound is only sampled
-  std::vector<std::size_t> without_proof;             ///< clean moves the certificate has no proof for
-  std::size_t uncovered = 0;                          ///< moves that claim nothing that could be verified
+  std::size_t proved_clean = 0, proved_gouges = 0;    ///< numbers of moves whose bound is proved
+  std::size_t sampled_clean = 0, sampled_gouges = 0;  ///< numbers of moves whose bound is only sampled
+  std::vector<std::size_t> without_proof;             ///< clean moves for which the certificate has no proof
+  std::size_t uncovered = 0;                          ///< number of moves without a claim that could be verified
   OutsideCheck outside;
   AttackResult attack;
   bool has_heads = false;
 };
 
-/// Returns 0, 1 or 4.
+/// Returns the exit status: 0, 1 or 4.
 [[nodiscard]] int exit_status(const Verification& verification);
 
 /// Returns a line for each refutation, then the verified, the sampled and the uncovered parts.

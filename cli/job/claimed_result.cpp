@@ -14,7 +14,7 @@
 namespace gouge {
 namespace {
 
-/// A file where the result names it, or beside the result.
+/// Returns the name of a file as stated by the result, or its place relative to the result if only that exists.
 std::string found_at(const std::string& name, const std::string& result_file) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -22,13 +22,13 @@ std::string found_at(const std::string& name, const std::string& result_file) {
   return !fs::exists(name, error) && fs::exists(beside, error) ? beside.string() : name;
 }
 
-/// Takes from a record what a verification needs. `root` places the errors.
+/// Takes from a record the data that a verification needs. `root` gives errors their place.
 class ClaimTaker {
  public:
   ClaimTaker(const std::string& file, const JsonField& root, const ResultRecord& record)
       : file_(file), root_(root), record_(record) {}
 
-  // After the first error, which `root` keeps, of no meaning.
+  // Returns the claims. After the first error, which `root` keeps, they mean nothing.
   ClaimedResult take() {
     result_.mm_per_unit = mm_per(record_.unit);
     result_.program = std::string(kProgramName) + " " + record_.program.version;
@@ -57,7 +57,7 @@ class ClaimTaker {
     }
   }
 
-  // With --warnings-as-errors a warning is as open as a fact.
+  // Adds warnings to the open facts. With --warnings-as-errors a warning keeps the verdict open like an open fact.
   void take_warnings() {
     for (const Diagnostic& note : record_.notes) {
       if (note.severity == Severity::warning) result_.open_facts.emplace_back("warnings");
@@ -67,7 +67,7 @@ class ClaimTaker {
   void take_input(const JsonField& field, const InputFile& input) {
     JobArguments& a = result_.arguments;
     const std::string& role = input.role;
-    if (role == "baseline" || role == "project") return;  // no verdict depends on the bytes of these
+    if (role == "baseline" || role == "project") return;  // no verdict depends on the bytes of these two
     if (input.name.empty() || input.name.find('\0') != std::string::npos) field.at("name").fail("the name of a file");
     const std::string name = found_at(input.name, file_);
     result_.inputs.push_back({role, name, input.bytes, input.checksum});
@@ -154,7 +154,7 @@ class ClaimTaker {
   JsonField root_;
   const ResultRecord& record_;
   std::vector<std::string> named_parts_, named_fixtures_;
-  std::map<std::string, std::size_t> meshes_;  // by role and name: which of its kind
+  std::map<std::string, std::size_t> meshes_;  // by role and name: its index among the meshes of its kind
   ClaimedResult result_;
 };
 
@@ -162,9 +162,9 @@ Diagnostic invalid(const std::string& file, const std::string& found) {
   return make_error("result-invalid", found + "; expected the JSON of 'gougecheck check --json'", file);
 }
 
-/// Findings and moves must show the same: every gouge is in a finding, and a finding's worst move is as it states.
+/// Compares findings and moves. Every gouge must be in a finding, and the worst move of a finding must have its state.
 void compare_findings(const ClaimedResult& result, std::vector<std::string>& all) {
-  std::vector<std::pair<std::size_t, std::size_t>> gouges;  // of findings: first and last move
+  std::vector<std::pair<std::size_t, std::size_t>> gouges;  // first and last moves of the findings of gouges
   for (const ClaimedResult::Finding& finding : result.findings) {
     const auto claim = result.claims.find(finding.worst_move);
     const bool is_in = finding.first_move <= finding.worst_move && finding.worst_move <= finding.last_move;
@@ -174,7 +174,8 @@ void compare_findings(const ClaimedResult& result, std::vector<std::string>& all
     if (finding.state == ClaimedState::gouge) gouges.emplace_back(finding.first_move, finding.last_move);
   }
   std::sort(gouges.begin(), gouges.end());
-  std::size_t next = 0, reach = 0;  // findings begun at or before a move; where the farthest of these ends
+  // number of findings that begin at or before the move; the largest last move of these
+  std::size_t next = 0, reach = 0;
   bool has_begun = false;
   for (const auto& [move, claim] : result.claims) {
     if (claim.state != ClaimedState::gouge) continue;
@@ -184,7 +185,7 @@ void compare_findings(const ClaimedResult& result, std::vector<std::string>& all
   }
 }
 
-/// Finds impossible totals. It ignores which gouges were accepted.
+/// Finds a verdict that contradicts the totals. It ignores which gouges were accepted.
 std::optional<std::string> find_wrong_verdict(const ClaimedResult& result) {
   const TotalsRecord& total = result.totals;
   const bool is_open =
@@ -200,7 +201,7 @@ std::optional<std::string> find_wrong_verdict(const ClaimedResult& result) {
   return "its exit status is " + std::to_string(result.exit_status) + ", that of its verdict " + std::to_string(status);
 }
 
-/// Compares the totals with the moves that are listed.
+/// Compares the totals with the listed moves.
 void compare_totals(const ClaimedResult& result, std::vector<std::string>& all) {
   const TotalsRecord& t = result.totals;
   const std::array totals = {t.clean, t.near, t.gouge, t.buried, t.not_checked, t.not_certified};

@@ -11,24 +11,24 @@
 #include "postproc/record/result_record.h"
 #include "postproc/report/report_model.h"
 
-// A result as JSON, read back: the inputs of the check, its options, and its claims.
+// A result that is read back from JSON: the inputs of the check, its options, and its claims.
 
 namespace gouge {
 
 struct ClaimedResult {
-  JobArguments arguments;  ///< files, tools and how they are read, as of the command that wrote the result
+  JobArguments arguments;  ///< files, tools and options for reading them, as given to the command that wrote the result
   JobOptions options;
   std::vector<InputFile> inputs;
   std::string program;  ///< name and version
-  std::string verdict;  ///< its word
+  std::string verdict;  ///< the word that the result states
   int exit_status = 0;
   bool has_baseline = false;              ///< some gouges may be accepted
-  std::vector<std::string> open_facts;    ///< assumptions that it calls open
-  std::vector<std::string> hidden_facts;  ///< contradicted or unknown ones that it does not
+  std::vector<std::string> open_facts;    ///< assumptions that the result calls open
+  std::vector<std::string> hidden_facts;  ///< contradicted or unknown assumptions that it does not call open
   double mm_per_unit = 1;
-  TotalsRecord totals;                       ///< as it states, whatever the toolpath has
-  std::map<std::size_t, MoveClaim> claims;   ///< of every move that is not clean
-  std::map<std::size_t, std::size_t> lines;  ///< of these
+  TotalsRecord totals;                       ///< as the result states them, independent of the toolpath
+  std::map<std::size_t, MoveClaim> claims;   ///< claims of all moves that are not clean
+  std::map<std::size_t, std::size_t> lines;  ///< lines of these moves
   bool names_a_move_twice = false;
 
   struct Finding {
@@ -41,13 +41,13 @@ struct ClaimedResult {
   [[nodiscard]] std::vector<MoveClaim> claims_of(std::size_t path_moves) const;
 };
 
-/// Reads the result `file`. Inputs that are not where the result states are looked for beside it.
+/// Reads the result `file`. An input that is not at the stated place is searched for beside the result.
 /// Errors  (1) Those of JSON (result-syntax, result-duplicate-key, json-too-deep, json-too-long). (2) result-invalid:
-///         it is not a result of `check`, or has an impossible option. (3) result-field with the line: a value that is
+///         it is not a result of `check`, or has an impossible option. (3) result-field with the line: a value is
 ///         missing or not as expected.
 [[nodiscard]] Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_view bytes);
 
-/// Returns contradictions within a result, its verdict included; none where all fits.
+/// Returns contradictions within a result and with its verdict; none if it is consistent.
 [[nodiscard]] std::vector<std::string> find_contradictions(const ClaimedResult& result);
 
 }  // namespace gouge

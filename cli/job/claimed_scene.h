@@ -6,7 +6,7 @@
 #include "cli/job/job.h"
 #include "lib/verify/certificate.h"
 
-// Input of a verification: a job and the result of its check.
+// The input of a verification: a job and the result of its check.
 
 namespace gouge {
 
@@ -17,10 +17,11 @@ namespace gouge {
 
 [[nodiscard]] std::vector<MoveClaim> claims_of(const CheckResult& result);
 
-/// Returns the SHA-256 of the roles and checksums of all inputs, in their order. A certificate is about these.
+/// Returns the SHA-256 of the roles and checksums of all inputs, in their order. A certificate holds for inputs with
+/// this digest.
 [[nodiscard]] std::string inputs_digest(const std::vector<InputFile>& inputs);
 
-/// Returns the warning for moves without a proof. Requires that there are some.
+/// Returns the warning about moves without a proof. Requires that there is such a move.
 [[nodiscard]] Diagnostic describe_unproved(const Job& job, const MadeCertificate& certificate);
 
 }  // namespace gouge

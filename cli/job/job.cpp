@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::size_t kDigits = 32;
 
-// 32 hexadecimal digits, the same for equal units and equal places of the STL files, however they were typed.
+// Returns 32 hexadecimal digits that are equal for equal units and equal places of the STL files, in any notation.
 std::string placement_identity(const RigidTransform& place, LengthUnit stl_unit) {
   std::string text = unit_name(stl_unit);
   for (int row = 0; row < 3; ++row) {
@@ -39,8 +39,8 @@ std::string placement_identity(const RigidTransform& place, LengthUnit stl_unit)
   return sha256_of(text).substr(0, kDigits);
 }
 
-// Sets ToolFacts::identity and ::bodies of a tool as it is checked, by its dimensions, whatever its name and number.
-// With `is_extended_up` the top body goes on without end.
+// Sets ToolFacts::identity and ::bodies of a tool from its dimensions, independent of its name and number. With
+// `is_extended_up` its top body has no end.
 void identify_tool(const ToolAssembly& tool, bool is_extended_up, ToolFacts& facts) {
   ToolLibrary library;
   library.tools = {tool};
@@ -235,7 +235,7 @@ CheckSetup Job::setup(const PreparedScene& prepared) const {
 
 namespace {
 
-/// The options in force beside CheckOptions, as they were typed.
+/// Returns the options in force that are not in CheckOptions, as they were typed.
 std::vector<OptionText> options_in_force(const JobArguments& arguments) {
   std::vector<OptionText> options = recorded_options(arguments.reading, reading_options());
   std::ranges::move(recorded_options(arguments, job_options()), std::back_inserter(options));
@@ -296,7 +296,7 @@ Result<Toolpath> read_again(const Job& job, const std::string& file, std::string
   ReadOutcome outcome = read_toolpath(file, std::move(bytes), reading);
   if (!outcome.toolpath) return outcome.errors.front();
   if (job.machine) static_cast<void>(choose_joints_of(*job.machine, *outcome.toolpath));
-  // The dialect was given here; how that of the first file is known is what counts.
+  // The dialect was given in this call. The report must state how the dialect of the first file is known.
   copy_facts(Subject::dialect, job.toolpath.assumptions, outcome.toolpath->assumptions);
   return std::move(*outcome.toolpath);
 }

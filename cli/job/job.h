@@ -16,7 +16,7 @@
 
 namespace gouge {
 
-/// Content that a command adds to the report of a job beside the verdicts.
+/// Content that a command adds to the report of a job, besides the verdicts.
 struct ReportParts {
   std::optional<CorrectionFacts> correction = {};
   std::vector<OptionText> more_options = {};
@@ -28,19 +28,20 @@ struct ReportParts {
   std::string_view certificate_bytes = {};
 };
 
-/// Everything a check needs, read and understood. Tools point into `variants`: move a Job, do not copy it.
+/// All inputs of a check, read and understood. Tools point into `variants`: move a Job, do not copy it.
 struct Job {
   JobOptions options;
   Toolpath toolpath;
-  std::shared_ptr<const SceneFiles> files;              ///< parts, fixtures and heads; other jobs may share it
-  std::vector<std::optional<ToolAssembly>> assemblies;  ///< one per Toolpath::tools; empty where it has no definition
-  std::vector<std::optional<ToolVariants>> variants;    ///< of these
+  std::shared_ptr<const SceneFiles> files;  ///< parts, fixtures and heads; other jobs may share them
+  /// one for each of Toolpath::tools; empty if the tool has no definition
+  std::vector<std::optional<ToolAssembly>> assemblies;
+  std::vector<std::optional<ToolVariants>> variants;  ///< compiled from `assemblies`
   std::vector<InputFile> inputs;
   std::vector<ToolFacts> tool_facts;
-  SetupBasis basis;                     ///< how the inputs are known
-  std::optional<Machine> machine = {};  ///< of --machine
+  SetupBasis basis;                     ///< how each input is known
+  std::optional<Machine> machine = {};  ///< the machine of --machine
   Diagnostics notes;
-  std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< of the work on it
+  std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< start of the work on the job
 
   Job() = default;
   Job(Job&&) = default;
@@ -51,14 +52,14 @@ struct Job {
   [[nodiscard]] const Scene& scene() const { return files->scene; }
   [[nodiscard]] const std::vector<HeadBody>& heads() const { return files->heads; }
   [[nodiscard]] std::vector<const ToolVariants*> tools() const;
-  /// Does --extend-up for a tool of this job. The tool becomes as high as the farthest point of the scene, and the
-  /// widest radius more. So its end is nearest to nothing.
+  /// Applies --extend-up to a tool of this job. The new height of the tool is the distance of the farthest point of the
+  /// scene plus the largest radius. So no point is nearest to its end.
   [[nodiscard]] ToolAssembly without_end(const ToolAssembly& tool) const;
-  /// Returns the set-up of the check. The scene of the job is `prepared`; both must outlive the result.
+  /// Returns the set-up of the check. `prepared` is the scene of the job; both must outlive the result.
   [[nodiscard]] CheckSetup setup(const PreparedScene& prepared) const;
-  /// Returns the requested unit, else the toolpath's.
+  /// Returns the requested unit, else that of the toolpath.
   [[nodiscard]] LengthUnit stl_unit(const JobArguments& arguments) const;
-  /// Returns the report of `result`, which must outlive it, like the job.
+  /// Returns the report of `result`. Both the job and `result` must outlive it.
   [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,
                                    ReportParts parts) const;
 };
@@ -68,13 +69,13 @@ struct LoadedJob {
   Diagnostics errors;
 };
 
-/// Reads toolpath and tools, and takes the meshes from `scenes`. All errors of one kind of input are reported, not the
-/// first alone.
+/// Reads toolpath and tools, and takes the meshes from `scenes`. Reports all errors of one kind of input, not only the
+/// first.
 [[nodiscard]] LoadedJob load_job(const JobArguments& arguments, const JobOptions& options, Progress& progress,
                                  const SceneSource& scenes = load_scene);
 
-/// Reads the `bytes` of a corrected toolpath, to be called `file`, as the path of `job` was read, of which it was made.
-/// Errors: those of the reader; they would be errors of this program.
+/// Reads the `bytes` of a corrected toolpath, which gets the name `file`, as the path of `job` was read. Errors: those
+/// of the reader, which would be errors of this program.
 [[nodiscard]] Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes);
 
 }  // namespace gouge

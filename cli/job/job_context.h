@@ -12,15 +12,16 @@ struct InputFile;
 struct ReportModel;
 class CheckpointStore;
 
-/// Environment of one run of `check` or `correct`: its streams, the source of its meshes, and who receives
-/// the result beside its outputs.
+/// Environment of one run of `check` or `correct`: its streams, the source of its meshes, and a receiver of the result
+/// besides its outputs.
 struct JobContext {
   std::ostream& out;
   std::ostream& err;
   SceneSource scenes = load_scene;
-  /// Called once all outputs stand; not where there is no result, or one of them could not be written. Empty: none.
+  /// Called as soon as all outputs are written; not called if there is no result, or an output could not be written.
+  /// Empty: none.
   std::function<void(const ReportModel&)> on_result = {};
-  /// Returns where a check of these inputs keeps what is done of it; may return null. Empty: nowhere.
+  /// Returns the store in which a check of these inputs keeps its state; may return null. Empty: no state is kept.
   std::function<CheckpointStore*(const std::vector<InputFile>&)> checkpoints_of = {};
 };
 

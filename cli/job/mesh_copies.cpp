@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kInUse = "/in-use";
-constexpr std::size_t kHashDigits = 64;  // of SHA-256
+constexpr std::size_t kHashDigits = 64;  // length of a SHA-256
 
-/// A file that is open until this ends, and its lock with it.
+/// An open file, which is closed by the destructor; its lock ends too.
 class OpenFile {
  public:
   OpenFile(const std::string& path, int flags) : handle_(::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0600)) {}
@@ -55,7 +55,8 @@ bool write_all(int handle, std::string_view bytes) {
   return true;
 }
 
-// Identity of a file as it is now: a new version or another file of its name has another change time.
+// Returns the identity of the present version of a file. A new version, or another file with this name, has another
+// change time.
 std::string key_of(const std::string& path, const struct stat& info) {
   std::error_code ignored;
   std::string text = fs::absolute(path, ignored).string();
@@ -89,7 +90,7 @@ MeshCopies::MeshCopies(const std::string& folder) {
 
 MeshCopies::~MeshCopies() {
   if (in_use_ < 0) return;
-  // If several end at once, the last one gets it.
+  // If several processes end at once, only the last one gets this lock.
   if (lock(in_use_, LOCK_EX | LOCK_NB)) {
     remove_copies(folder_);
     ::unlink((folder_ + kInUse).c_str());
@@ -116,7 +117,7 @@ void MeshCopies::open() {
     if (!is_alone && errno != EWOULDBLOCK) return note("has no locks", errno);
     struct stat locked {};
     const auto is_there = [&] { return ::fstat(in_use.handle(), &locked) == 0 && locked.st_nlink > 0; };
-    if (is_alone && is_there()) remove_copies(folder_);  // of those that were killed
+    if (is_alone && is_there()) remove_copies(folder_);  // copies of killed processes
     if (!lock(in_use.handle(), LOCK_SH)) return note("has no locks", errno);
     if (!is_there()) continue;
     in_use_ = in_use.release();
@@ -131,7 +132,7 @@ Result<FileView> MeshCopies::view(const std::string& path, std::uint64_t max_byt
                              static_cast<std::uint64_t>(info.st_size) <= max_bytes;
   if (!may_be_copied) return view_file(path, max_bytes);
   const std::string copy = folder_ + "/" + key_of(path, info);
-  // The copying process holds its lock; it contains the hash once the copy is complete.
+  // The process that copies holds the lock of this file, which contains the hash as soon as the copy is complete.
   OpenFile hash_file(copy + ".sha256", O_RDWR | O_CREAT);
   if (hash_file.handle() < 0 || !lock(hash_file.handle(), LOCK_EX)) {
     note("cannot be written", errno);

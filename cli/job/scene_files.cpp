@@ -80,8 +80,8 @@ class SceneLoader {
     }
   }
 
-  // The checksum of a large file takes as long as its welding: side by side where there are threads for both. Each
-  // lets go of the file when it is done with it.
+  // Computes the checksum and loads the mesh side by side if there are two threads, because for a large file both take
+  // equally long. Each of them releases the file as soon as possible.
   Result<LoadedMesh> describe_and_load(const char* role, const std::string& name, FileView view,
                                        const MeshPlacement& placement) {
     InputFile input;

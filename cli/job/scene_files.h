@@ -20,32 +20,32 @@
 
 namespace gouge {
 
-/// STL files that a job is checked against, and the way to read them.
+/// The STL files for the check of a job, and options for reading them.
 struct SceneRequest {
   std::vector<std::string> parts, fixtures, heads;
   LengthUnit unit = LengthUnit::mm;
-  RigidTransform place;    ///< of parts and fixtures; heads are in the tool's frame
-  std::string place_text;  ///< the same, as the user typed it
+  RigidTransform place;    ///< place of parts and fixtures; heads are in the frame of the tool
+  std::string place_text;  ///< the place as the user typed it
   std::uint64_t max_bytes = 0;
   unsigned threads = 0;
-  MeshCopies* copies = nullptr;  ///< where files are read from; none: where they are
+  MeshCopies* copies = nullptr;  ///< source of copies; null: files are read from their own places
   std::vector<MeshLimit> limits{};
 
   /// Returns a key that is equal for requests that read the same files in the same way.
   [[nodiscard]] std::string key() const;
 };
 
-/// The meshes that were read. They are immutable, so that several jobs may share them, from any thread.
+/// The meshes that were read. They are immutable, so several jobs may share them, from any thread.
 class SceneFiles {
  public:
   Scene scene;
-  std::vector<HeadBody> heads;    ///< in the tool's frame
+  std::vector<HeadBody> heads;    ///< in the frame of the tool
   std::vector<InputFile> inputs;  ///< in the order parts, fixtures, heads
   std::vector<MeshFacts> parts, fixtures, head_facts;
   Diagnostics notes;
-  Diagnostics errors;  ///< where there is one the rest is of no use
+  Diagnostics errors;  ///< if there is an error, the other members are useless
 
-  /// Returns the scene with its indices, made at the first call. `threads` as in for_each_chunk.
+  /// Returns the scene with its indices, which are made in the first call. `threads` as in for_each_chunk.
   [[nodiscard]] const PreparedScene& prepared(unsigned threads, const ProgressCall& progress = {}) const;
 
  private:
@@ -53,7 +53,7 @@ class SceneFiles {
   mutable std::optional<PreparedScene> prepared_;
 };
 
-/// Reads every file. All errors are in the result, not the first alone.
+/// Reads every file. The result has all errors, not only the first.
 [[nodiscard]] std::shared_ptr<const SceneFiles> load_scene(const SceneRequest& request, Progress& progress);
 
 /// Source of a job's scene: load_scene, or a store that several jobs share.

@@ -3,7 +3,7 @@
 namespace gouge {
 
 std::string SceneStore::group_of(const JobArguments& a) {
-  // The unit is its own, or the toolpath's.
+  // The unit is that of the option, or that of the toolpath.
   return a.stl_units + '\n' +
          SceneRequest{a.parts, a.fixtures, a.heads, LengthUnit::mm, {}, a.place, a.input.max_bytes, 0}.key();
 }

@@ -11,20 +11,21 @@
 
 namespace gouge {
 
-/// Scenes that several jobs share. Each is read and indexed once, by the first job that needs it, while others that
-/// want the same wait. It is released when the last job that may request it is done. May be used from several threads.
+/// Scenes that several jobs share. The first job that needs a scene reads and indexes it, while other jobs that need it
+/// wait. It is released after the last job that may request it. May be used from several threads.
 class SceneStore {
  public:
-  /// Files are read from `copies`, which must outlive it; none: where they are.
+  /// `copies` are the source of files and must outlive the store; null: files are read from their own places.
   explicit SceneStore(MeshCopies* copies = nullptr) : copies_(copies) {}
 
-  /// One more job will request the scene of these arguments.
+  /// Registers one more job that will request the scene of these arguments.
   void expect(const JobArguments& arguments);
-  /// A job that was expected is done with it.
+  /// Releases the scene for one of the registered jobs.
   void release(const JobArguments& arguments);
-  /// Returns where a job of these arguments has its scene from; the store must outlive it.
+  /// Returns the source of the scene for a job with these arguments. The store must outlive it.
   [[nodiscard]] SceneSource source(const JobArguments& arguments);
-  /// Returns a key that is equal for jobs that may share a scene. It states the files that they name and how.
+  /// Returns a key that is equal for jobs that may share a scene. It contains the names of the files and the options
+  /// for reading them.
   [[nodiscard]] static std::string group_of(const JobArguments& arguments);
 
  private:
@@ -34,7 +35,8 @@ class SceneStore {
   };
   struct Group {
     std::size_t jobs = 0;
-    std::map<std::string, std::shared_ptr<Entry>> entries;  // by SceneRequest::key, as units may come from the toolpath
+    // by SceneRequest::key, because units may come from the toolpath
+    std::map<std::string, std::shared_ptr<Entry>> entries;
   };
 
   MeshCopies* copies_;

@@ -17,7 +17,7 @@ namespace gouge {
 
 namespace {
 
-constexpr double kGap_mm = 0.01;  // of a depth that is a warning
+constexpr double kGap_mm = 0.01;  // allowed gap of the bounds of a depth that is a warning
 
 std::string overlap_text(const Clash& clash, const std::string& part, const std::string& fixture, LengthUnit unit) {
   const std::string advice = "; check the set-up, or allow it with --allow-overlap " + fixture;
@@ -85,8 +85,8 @@ Result<std::vector<StickoutFacts>> find_stickouts_of(const Job& job, const Prepa
 
 namespace {
 
-constexpr double kSlowest = 0.001;                             // of degrees a minute: 120 days for half a turn
-constexpr double kRadPerSecond = std::numbers::pi / 180 / 60;  // of a degree a minute
+constexpr double kSlowest = 0.001;                             // in degrees a minute: half a turn takes 120 days
+constexpr double kRadPerSecond = std::numbers::pi / 180 / 60;  // one degree a minute
 
 std::vector<std::size_t> origins_of(const Toolpath& before, const std::vector<PathChange>& changes) {
   const std::vector<MovesAfter> spans = moves_after(before.moves.size(), changes);

@@ -24,7 +24,7 @@ gouge::BodyStrategies to_strategies(const std::string& name) {
        {Strategy::weighted, Strategy::axis, Strategy::tilt, Strategy::normal, Strategy::trim}) {
     if (name != gouge::strategy_name(strategy)) continue;
     gouge::BodyStrategies all = gouge::BodyStrategies::all(strategy);
-    // A cutter that gouges is inside the surface that it shall keep to: no tilt about the contact frees it.
+    // A cutter that gouges is inside the surface that it has to touch, so no tilt about the contact frees it.
     if (strategy == Strategy::tilt)
       all.of[static_cast<std::size_t>(gouge::Body::cutter)] = gouge::BodyStrategies::kOfCutter;
     return all;
@@ -90,7 +90,8 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
   return result;
 }
 
-/// A correction rewrites the statements of a file: those of a path from memory are made here.
+/// Returns the path with statements. A correction rewrites the statements of a file, so a path from memory gets its
+/// statements here.
 Path with_statements(const Path& path) {
   if (!path.content().is_from_memory) return path;
   gouge::ReadOptions as_apt;

@@ -41,7 +41,7 @@ gouge::MeshFacts facts_of(const Mesh& mesh) {
   return facts;
 }
 
-/// The path with a tool for moves for which its file names none.
+/// Returns the path with an additional tool for moves for which its file names none.
 Path with_every_tool_named(const Path& path) {
   const gouge::Moves& moves = path.content().path.moves;
   const auto is_unnamed = [](const gouge::Move& move) { return move.tool == gouge::kNone; };
@@ -64,7 +64,7 @@ gouge::ToolFacts facts_of(const gouge::ToolAssembly& tool) {
   return facts;
 }
 
-/// Vouched facts and strictness as requested, and whether each mesh is solid.
+/// Returns the basis of the set-up: vouched facts and strictness as requested, and whether each mesh is solid.
 gouge::SetupBasis basis_of(const Scene& scene, const PathTools& tools, const CheckOptions& options) {
   gouge::SetupBasis basis;
   basis.inputs = tools.assumptions;
@@ -87,7 +87,7 @@ gouge::SetupBasis basis_of(const Scene& scene, const PathTools& tools, const Che
   return basis;
 }
 
-/// The machine that the options name; null: none.
+/// Returns the machine that the options name; null: none.
 std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
   const gouge::StatedMachine stated = {options.machine, options.feed_law, options.rapid_law};
   std::optional<gouge::ChosenMachine> chosen =
@@ -102,7 +102,7 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
   return std::make_shared<const PathMachine>(std::move(made));
 }
 
-/// The path with the joints of a machine, and warnings where it cannot run them.
+/// Returns the path with the joints of a machine, and with warnings if the machine cannot run it.
 Path with_joints(const Path& path, const PathMachine& machine) {
   gouge::Toolpath jointed = path.content().path;
   gouge::Diagnostics notes = gouge::choose_joints_of(machine.chosen.machine, jointed);

@@ -10,12 +10,12 @@
 
 namespace gougecheck {
 
-/// The tools of one path, compiled as the options state. They must stay where they are.
+/// The compiled tools of one path. Other objects point to them, so they must not move.
 struct PathTools {
-  std::vector<std::optional<gouge::ToolVariants>> variants;  // one per Toolpath::tools; empty: no definition
+  std::vector<std::optional<gouge::ToolVariants>> variants;  // one for each of Toolpath::tools; empty: no definition
   std::vector<gouge::ToolFacts> facts;
   gouge::Diagnostics notes;
-  gouge::Assumptions assumptions;  // of the tools and their holders
+  gouge::Assumptions assumptions;  // about the tools and their holders
   std::string file;                // of the library; empty: from memory
 
   [[nodiscard]] std::vector<const gouge::ToolVariants*> pointers() const;
@@ -24,11 +24,11 @@ struct PathTools {
 /// The machine of a check.
 struct PathMachine {
   gouge::ChosenMachine chosen;
-  std::vector<gouge::OptionText> options;     // as the program records them
-  std::optional<gouge::InputFile> file = {};  // none: a preset
+  std::vector<gouge::OptionText> options;     // the options as the program records them
+  std::optional<gouge::InputFile> file = {};  // none: the machine is a preset
 };
 
-/// All that a path is checked with, shared by the reports on it. Immutable.
+/// All inputs of the check of a path, shared by the reports on it. Immutable.
 struct CheckedPath {
   Path path;
   Scene scene;
@@ -37,24 +37,24 @@ struct CheckedPath {
   gouge::SetupBasis basis;
   std::shared_ptr<const PathMachine> machine;  // null: the axis turns on the great circle
 
-  /// Returns the set-up. Path and tools must outlive it, like `heads`, which are none.
+  /// Returns the set-up, which has no heads. Path and tools must outlive it.
   [[nodiscard]] gouge::CheckSetup setup() const;
   [[nodiscard]] gouge::ReportModel model(const gouge::CheckResult& result) const;
-  /// Returns the files that were read for it.
+  /// Returns the names of the files that were read for this check.
   [[nodiscard]] std::vector<std::string> inputs() const;
 };
 
-/// Errors: a length that is negative, too long or no number.
+/// Converts the options. Errors: a length that is negative, too long or not a number.
 [[nodiscard]] gouge::CheckOptions to_check_options(const CheckOptions& options);
 
 /// Compiles a tool for `options`. Errors: those of make_tool_variants.
 [[nodiscard]] gouge::ToolVariants compile(const gouge::ToolAssembly& tool, const gouge::CheckOptions& options,
                                           bool has_wide = false);
 
-/// Prepares a check of every move with this tool. Errors: tool-ambiguous, where the path calls several.
+/// Prepares a check of every move with this tool. Errors: tool-ambiguous, if the path calls several tools.
 [[nodiscard]] CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, const CheckOptions& options);
-/// Prepares a check with each tool by number or name, else as the path defines it. Errors: no-tool, where none is
-/// defined.
+/// Prepares a check in which each tool comes from the library by number or name, else from the path's own definition.
+/// Errors: no-tool, if neither defines it.
 [[nodiscard]] CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& library,
                                   const CheckOptions& options);
 

@@ -17,8 +17,8 @@
 #include "postproc/formats/read_toolpath.h"
 #include "toolmodels/tool_library.h"
 
-// Content of the public classes, for the sources of this module. A Result becomes a value or an Error here, and nowhere
-// below.
+// Content of the public classes, for the sources of this module. Here a Result becomes a value or is thrown as an
+// Error; code below this module does not throw.
 
 namespace gougecheck {
 
@@ -36,10 +36,10 @@ T value_or_raise(gouge::Result<T>&& result) {
 [[nodiscard]] inline gouge::Vec3 to_vector(const Vec3& v) { return {v[0], v[1], v[2]}; }
 [[nodiscard]] inline Vec3 to_array(const gouge::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// Returns a pose that a check can use, with a unit axis. Nothing for other numbers.
+/// Returns a pose that a check can use, with a unit axis; nothing if the numbers do not give one.
 [[nodiscard]] std::optional<gouge::Pose> to_pose(const Vec3& tip, const Vec3& axis);
 
-/// Meshes with all that checks make of them, once, when first requested and from any thread. Stays where it is.
+/// Meshes with the indices of checks, which are made once, at the first request and from any thread. Must not move.
 class SceneIndex {
  public:
   explicit SceneIndex(gouge::Scene scene) : scene_(std::move(scene)) {}
@@ -62,18 +62,18 @@ struct Mesh::Content {
 
   [[nodiscard]] const gouge::IndexedMesh& mesh() const { return index.scene().parts.front(); }
 
-  SceneIndex index;  // of the mesh as the only part
+  SceneIndex index;  // index of the mesh as the only part
   gouge::MeshFindings findings;
   gouge::Diagnostics notes;
   std::string file;               // empty: from memory
-  bool has_unknown_unit = false;  // of a file read without a unit: a check takes that of its path
+  bool has_unknown_unit = false;  // read from a file without a unit: a check takes the unit of its path
   mutable std::once_flag inch_once;
-  mutable std::shared_ptr<const Content> in_inches;  // the same file read in inches
+  mutable std::shared_ptr<const Content> in_inches;  // the mesh of the same file, read in inches
 };
 
-/// For those who make meshes of other meshes.
+/// Access for code that makes meshes from other meshes.
 struct MeshAccess {
-  /// Returns a mesh of unknown unit taken in `unit`, mm or inch; the same mesh where its unit is known.
+  /// Returns a mesh of unknown unit as read in `unit`, mm or inch; a mesh of known unit stays the same.
   [[nodiscard]] static Mesh in(const Mesh& mesh, gouge::LengthUnit unit);
 };
 
@@ -82,14 +82,15 @@ struct Scene::Content {
   std::vector<double> fixture_clearances;
   std::shared_ptr<const SceneIndex> index;
 
-  /// Returns true where a file of it was read without a unit.
+  /// Returns whether one of its files was read without a unit.
   [[nodiscard]] bool has_unknown_unit() const;
 
   mutable std::once_flag inch_once;
-  mutable std::optional<Scene> in_inches;  // the same with its files read in inches
+  mutable std::optional<Scene> in_inches;  // the same scene with these files read in inches
 };
 
-/// Returns the scene with its meshes of unknown unit taken in `unit`: the same scene for mm, and where there are none.
+/// Returns the scene with its meshes of unknown unit read in `unit`. For mm, or if it has no such mesh, that is the
+/// same scene.
 /// Cost     A copy of those meshes, made once for each of them.
 [[nodiscard]] Scene scene_in(const Scene& scene, gouge::LengthUnit unit);
 
@@ -110,10 +111,10 @@ struct Path::Content {
   std::vector<std::uint32_t> lines;
 };
 
-/// For those who make paths of other paths.
+/// Access for code that makes paths from other paths.
 struct PathAccess {
   [[nodiscard]] static Path from(gouge::Toolpath path, bool is_from_memory);
-  /// Reads the bytes of a file called `name` as `options` state.
+  /// Reads the bytes of a file with the name `name` by the `options`.
   [[nodiscard]] static Path from_bytes(const std::string& name, std::string bytes,
                                        const gouge::ReadOptions& options = {});
 };

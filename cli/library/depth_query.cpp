@@ -9,7 +9,7 @@
 namespace gougecheck {
 namespace {
 
-constexpr std::size_t kChunk = 16;  // positions; a fixed number, so that nothing depends on the threads
+constexpr std::size_t kChunk = 16;  // positions; a fixed number, so that results do not depend on the number of threads
 
 gouge::CheckOptions exact(const CheckOptions& options) {
   gouge::CheckOptions result = to_check_options(options);

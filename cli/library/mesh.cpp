@@ -43,7 +43,7 @@ void require_mesh_reach(const gouge::IndexedMesh& mesh) {
   if (const auto error = gouge::find_too_far(mesh, "mesh", kAdvice)) raise(*error);
 }
 
-// Triangles left out when the mesh was made are no longer visible in it.
+// Returns the mesh scaled by a factor. Triangles that were left out are not visible in it, so their counts are copied.
 std::shared_ptr<Mesh::Content> scaled(const Mesh::Content& given, double factor) {
   gouge::IndexedMesh mesh = given.mesh();
   for (gouge::Vec3& vertex : mesh.vertices) vertex *= factor;

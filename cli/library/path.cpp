@@ -35,7 +35,7 @@ void append(std::string& text, const gouge::Vec3& v) {
   }
 }
 
-/// Positions and axes to the last digit; without feeds, which a path from memory does not have.
+/// Returns positions and axes with all digits as APT, without feeds, which a path from memory does not have.
 std::string apt_text(const gouge::Toolpath& path) {
   std::string text = "UNITS/MM\nMULTAX\nLOADTL/1\n";
   for (const gouge::Move& move : path.moves) {

@@ -52,7 +52,7 @@ Tool::Tool(std::string_view shape, const std::map<std::string, double>& dimensio
   if (!shank.empty()) tool["shank"] = segments_json(shank);
   if (!holder.empty()) tool["holder"] = segments_json(holder);
   gouge::ToolLibrary library = library_of(tool, "mm");
-  // A dimension that the shape does not have would be left out, and the tool another one than was meant.
+  // An unknown dimension would be ignored, and the tool would not be the intended one.
   for (const gouge::Diagnostic& note : library.notes) {
     if (note.code == "library-unknown-key") raise(gouge::make_error("library-field", note.message, "tool"));
   }

@@ -34,7 +34,7 @@ std::optional<gouge::Pose> to_pose(const Vec3& tip, const Vec3& axis) {
   const double length = direction.norm();
   if (!std::isfinite(length) || !(length > 0) || !gouge::is_within_reach(point)) return std::nullopt;
   const gouge::Vec3 unit = direction / length;
-  // A length that overflows or underflows has no digits left.
+  // A vector whose length overflows or underflows has no exact digits left.
   if (std::abs(unit.norm() - 1) > gouge::Tolerance::kRounding) return std::nullopt;
   return gouge::Pose{point, unit};
 }

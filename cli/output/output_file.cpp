@@ -24,7 +24,8 @@ std::optional<std::string> why_closed(const fs::path& path, int wanted) {
   return std::strerror(errno);
 }
 
-// A file is written beside its place and renamed, so its folder must be open to us.
+// Returns why a file cannot be written. A file is written beside its place and renamed, so its folder must be writable
+// for us.
 std::optional<std::string> why_unwritable(const std::string& named) {
   const Result<std::string> target = follow_links(named);
   if (!target) return "its symbolic links go in a circle";

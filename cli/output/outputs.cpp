@@ -92,7 +92,7 @@ Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, cons
   if (report_) {
     if (Outcome put = report_->commit(); !put) return put;
   }
-  progress.end();  // what goes to standard output may share the terminal with it
+  progress.end();  // the line may share the terminal with standard output
   return pending.commit(out);
 }
 

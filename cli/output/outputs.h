@@ -16,45 +16,45 @@ namespace gouge {
 
 struct ReportModel;
 
-/// One output of a command line. Whatever protects files, keeps standard output apart or writes follows these
-/// tables alone, so an output that is in none cannot be requested.
+/// One output of a command line. All code that protects files, keeps standard output separate or writes uses these
+/// tables. So an output that is in no table cannot be requested.
 struct Output {
   enum class Kind { file, report_folder };
 
   std::string option;  ///< "--csv"
-  std::string file;    ///< as the user named it; "-": standard output, for a file
+  std::string file;    ///< as the user named it; "-" for a file: standard output
   Kind kind = Kind::file;
-  void (*write)(const ReportModel&, const PutText&) = nullptr;  ///< of `check` and `correct`, for a file
-  WriteScene write_scene = nullptr;                             ///< in place of it, for an exported scene
+  void (*write)(const ReportModel&, const PutText&) = nullptr;  ///< for a file of `check` and `correct`
+  WriteScene write_scene = nullptr;                             ///< in place of `write`, for an exported scene
 };
 
 using OutputTable = std::vector<Output>;
 
-/// Returns the outputs requested of `check` and `correct`, where `corrected` is what -o names, or empty.
+/// Returns the outputs requested of `check` and `correct`; `corrected` is the file of -o, or empty.
 [[nodiscard]] OutputTable outputs_of(const JobArguments& arguments, const std::string& corrected);
 
-/// Returns those of `outputs` that are requested: without empty names.
+/// Returns the outputs that are requested: those with a name that is not empty.
 [[nodiscard]] OutputTable asked_for(const OutputTable& outputs);
 
-/// Returns whether one of them is "-", so that standard output belongs to it alone. Errors: usage, for more than one.
+/// Returns whether one of them is "-": standard output then has nothing else. Errors: usage, if more than one is.
 [[nodiscard]] Result<bool> is_stdout_taken(const OutputTable& outputs);
 
 /// Returns the folder of --report, or empty.
 [[nodiscard]] std::string report_folder_of(const OutputTable& outputs);
 
-/// The outputs of one run of `check` or `correct`. All are complete before any is put in its place;
-/// the terminal comes last.
+/// The outputs of one run of `check` or `correct`. All are complete before any is put in its place; the terminal is
+/// last.
 class JobOutputs {
  public:
-  /// `corrected` is where the corrected toolpath goes, or empty.
+  /// `corrected` is the file for the corrected toolpath, or empty.
   JobOutputs(const JobArguments& arguments, const std::string& corrected);
 
-  /// Prints errors of the outputs before the work, and returns the exit status. None where all is well; the report's
-  /// folder, if it exists, is then locked.
+  /// Prints errors of the outputs before the work, and returns the exit status; returns none if there is no error. The
+  /// folder of the report, if it exists, is then locked.
   [[nodiscard]] std::optional<int> refuse(std::ostream& err);
 
   /// Writes every file requested, then prints the findings. The `scene` is that of the job. A file that cannot be
-  /// written is reported on `err`. Returns whether all was written, and delivered where it is standard output's.
+  /// written is reported on `err`. Returns whether all was written, and delivered in the case of standard output.
   [[nodiscard]] bool write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
                            std::ostream& out, std::ostream& err);
 

@@ -14,11 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that may be written: of an option itself, or one of a report.
+/// A file that may be written: the file of an option, or one of the files of a report.
 struct Target {
   const Output* output;
   std::string file;
-  std::string name;  ///< within the folder of a report; else empty
+  std::string name;  ///< its name in the folder of a report; else empty
 };
 
 bool is_file(const std::string& name) { return !name.empty() && name != "-"; }
@@ -32,7 +32,7 @@ std::vector<Target> targets_of(const Output& output) {
   return targets;
 }
 
-// Where a name leads, also where nothing stands yet.
+// Returns the place to which a name leads, also if no file exists there yet.
 fs::path path_of(const std::string& name) {
   const Result<std::string> target = follow_links(name);
   std::error_code ignored;
@@ -59,7 +59,7 @@ std::string collision_with_input(const Target& target, const InputOption& input)
          input.file + "'; name another folder";
 }
 
-// `target` is of a later option than `earlier`.
+// Describes a collision. `target` belongs to a later option than `earlier`.
 std::string collision_with_output(const Target& target, const Target& earlier) {
   const bool is_report = earlier.name.empty() && target.output->kind == Output::Kind::report_folder;
   const Target& file = is_report ? earlier : target;

@@ -22,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPrefix = ".gougecheck-report-";  // of names a file has for a moment
+constexpr const char* kPrefix = ".gougecheck-report-";  // of temporary names of files
 constexpr std::uintmax_t kLargestManifest = 1 << 16;
 
-// Reads a manifest; none where the file is not a manifest of ours. Errors: one that cannot be read may be ours or not.
+// Reads a manifest; none if the file is not a manifest of ours. Errors: a file that cannot be read, as it may be ours.
 Result<std::optional<ReportManifest>> manifest_of(const std::string& path) {
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(path, error);
@@ -59,7 +59,7 @@ Outcome ReportFolder::lock() {
   lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0)
     return make_error("folder-unwritable", "cannot read the folder: " + std::string(std::strerror(errno)), folder_);
-  // Where a file system has no locks, the user must avoid two reports at once.
+  // On a file system without locks, the user must avoid two reports at once.
   if (::flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return Done{};
   ::close(std::exchange(lock_, -1));
   return make_error(
@@ -155,7 +155,7 @@ Outcome ReportFolder::remove_older() {
 }
 
 Outcome ReportFolder::commit() {
-  // Until the last file stands, each may be the old one or the new one.
+  // Until the last file is in its place, each file may be the old one or the new one.
   ReportManifest either{present_, false};
   either.files.insert(either.files.end(), new_.begin(), new_.end());
   if (Outcome put = put_manifest(either); !put) return put;
@@ -235,7 +235,8 @@ Result<ManifestEntry> describe_file(const std::string& folder, const std::string
 }
 
 const std::vector<std::string>& names_of_report() {
-  // event_1.png to event_9.png: a report has fewer, and a longer number may be a date in a user's own file.
+  // Pictures are event_1.png to event_9.png. A report has no more, and a longer number may be a date in a file of the
+  // user.
   static const std::vector<std::string> kNames = {
       "report.html",          "result.json", "moves.csv",   "before_after.png", "tilt_field.png", "heat_map.png",
       "depth_along_path.png", "event_1.png", "event_2.png", "event_3.png",      "event_4.png",    "event_5.png",

@@ -11,13 +11,14 @@
 #include "lib/base/staged_file.h"
 #include "postproc/report/named_file.h"
 
-// The manifest.json of a report's folder, which lists the report's own files (docs/formats/report_folder.md).
+// The manifest.json in the folder of a report, which lists the files that belong to the report
+// (docs/formats/report_folder.md).
 
 namespace gouge {
 
 inline constexpr const char* kManifestName = "manifest.json";
 
-/// A content a file of the report may have.
+/// A content that a file of the report may have.
 struct ManifestEntry {
   std::string name;
   std::uint64_t bytes = 0;
@@ -35,45 +36,46 @@ struct ReportManifest {
 
 [[nodiscard]] std::string write_manifest(const ReportManifest& manifest);
 
-/// Reads a manifest. None where `text` is not a manifest of ours.
+/// Reads a manifest. Returns none if `text` is not a manifest of ours.
 [[nodiscard]] std::optional<ReportManifest> read_manifest(std::string_view text);
 
 [[nodiscard]] ManifestEntry describe_bytes(std::string name, std::string_view bytes);
 
-/// Returns the file `name` of `folder` as it is, read in pieces. Errors: file-unreadable.
+/// Returns name, size and hash of the file `name` of `folder`, which is read in pieces. Errors: file-unreadable.
 [[nodiscard]] Result<ManifestEntry> describe_file(const std::string& folder, const std::string& name);
 
-/// Returns every name a report may write into its folder: report.html, result.json, moves.csv, the pictures, and the
-/// manifest. No other file of a folder is the report's.
+/// Returns every name that a report may write into its folder: report.html, result.json, moves.csv, the pictures, and
+/// the manifest. All other files in the folder do not belong to the report.
 [[nodiscard]] const std::vector<std::string>& names_of_report();
 
-/// Returns the same for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.
+/// Returns the names for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.
 [[nodiscard]] const std::vector<std::string>& names_of_batch();
 
-/// The folder of --report, in which a new report takes the place of an older one and of nothing else. The manifest of
-/// an older report states its files, by name and content. All other files under a name of the report's are foreign, and
-/// refused unless `is_forced`. A process that is killed at any instant leaves a folder whose manifest knows every file
-/// of the report in it. Order of calls: open, stage, commit.
+/// The folder of --report, in which a new report replaces an older one and nothing else. The manifest of the older
+/// report states its files, by name and content. Every other file with a name of a report is foreign, and refused
+/// unless `is_forced`. A process that is killed at any instant leaves a folder whose manifest has every file of the
+/// report in it. Order of calls: open, stage, commit.
 class ReportFolder {
  public:
-  /// `names`: those it may write, of which no other file of the folder is; they must outlive it.
+  /// `names` are the names that the report may write; no other file in the folder belongs to it. They must outlive the
+  /// object.
   ReportFolder(std::string folder, bool is_forced, const std::vector<std::string>& names = names_of_report())
       : folder_(std::move(folder)), is_forced_(is_forced), names_(names) {}
   ReportFolder(const ReportFolder&) = delete;
   ReportFolder& operator=(const ReportFolder&) = delete;
-  /// Without commit() the folder is as it was, and was not made.
+  /// Restores the folder if commit() was not called; a folder that was made is removed.
   ~ReportFolder();
 
-  /// Locks the folder, if it exists, until the end, and finds what stands in the way of a report. Changes
-  /// nothing. Errors: report-busy (another process has it), report-foreign.
+  /// Locks the folder, if it exists, until the end, and finds files that prevent a report. Changes nothing. Errors:
+  /// report-busy (another process has the folder), report-foreign.
   [[nodiscard]] Outcome open();
 
-  /// Makes the folder if need be, opens it again, and writes all of `files` beside their places, with no name
-  /// yet. Errors: folder-unwritable, file-unwritable, and those of open().
+  /// Makes the folder if necessary, opens it again, and writes all of `files` beside their places, without a name yet.
+  /// Errors: folder-unwritable, file-unwritable, and those of open().
   [[nodiscard]] Outcome stage(const std::vector<NamedFile>& files);
 
-  /// Puts every file in its place and removes those of the older report that the new one has not. Errors:
-  /// file-unwritable, where some files may be new and others old.
+  /// Puts every file in its place and removes the files of the older report that the new one does not have. Errors:
+  /// file-unwritable; then some files may be new and others old.
   [[nodiscard]] Outcome commit();
 
  private:
@@ -89,9 +91,9 @@ class ReportFolder {
   std::string folder_;
   bool is_forced_;
   const std::vector<std::string>& names_;
-  int lock_ = -1;                       // the folder, locked
-  std::vector<std::string> made_;       // folders made for it, the outermost first
-  std::vector<ManifestEntry> present_;  // files under names of the report, as they are
+  int lock_ = -1;                       // handle of the locked folder
+  std::vector<std::string> made_;       // folders made for the report, the outermost first
+  std::vector<ManifestEntry> present_;  // present files with names of the report
   std::vector<ManifestEntry> new_;
   std::vector<StagedFile> staged_;
 };

@@ -42,7 +42,7 @@ std::vector<std::string> words_of(const std::vector<CommandDoc>& commands) {
   return words;
 }
 
-// Values after each option, one line of a case each.
+// Returns the line of a case statement that completes the values of an option.
 std::string value_case(const OptionDoc& option) {
   std::string text = "        " + bash_words(option.names, "|") + ") ";
   switch (completed_of(option)) {

@@ -3,7 +3,7 @@
 namespace gouge {
 namespace {
 
-// The last words that are commands state where the cursor is.
+// The function returns the command at the cursor: the last words of the line that are commands.
 constexpr const char* kAt = R"(
 function __gougecheck_command
     set -l at gougecheck

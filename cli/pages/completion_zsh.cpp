@@ -5,7 +5,7 @@
 namespace gouge {
 namespace {
 
-// In the specs of _arguments brackets and colons end what they stand in.
+// Escapes brackets and colons, which end a part of a spec of _arguments.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {

@@ -7,7 +7,8 @@
 namespace gouge {
 namespace {
 
-// A backslash begins an escape. A point or quote at the beginning of a line begins a request. A typed hyphen is "\-".
+// Escapes a text for roff. A backslash begins an escape. A point or quote at the beginning of a line begins a request.
+// A typed hyphen is "\-".
 std::string roff(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -115,7 +116,7 @@ class ManPage {
     text_ += "\n" + roff(option.full_description()) + "\n";
   }
 
-  // Lines that begin with a blank are examples.
+  // Writes the examples and notes. Lines of the footer that begin with a blank are examples.
   void footer() {
     std::string example, rest;
     for (const std::string& one : lines_of(command_.footer)) {
@@ -128,7 +129,7 @@ class ManPage {
     }
     if (rest.empty()) return;
     section("NOTES");
-    text_ += rest.substr(rest.find('\n') + 1);  // a paragraph begins there by itself
+    text_ += rest.substr(rest.find('\n') + 1);  // the section begins with a paragraph anyway
   }
 
   void see_also() {

@@ -6,11 +6,11 @@
 
 namespace gouge {
 
-/// Writes the manual page of a command (section 1, in the man macros of roff). It has name, synopsis, description,
+/// Returns the manual page of a command (section 1, in the man macros of roff). It has name, synopsis, description,
 /// commands, options by group, examples, notes, and see also.
 [[nodiscard]] std::string write_man(const CommandDoc& command);
 
-/// Returns "gougecheck-tool-import", which with ".1" is the name of the page's file.
+/// Returns "gougecheck-tool-import"; with ".1" this is the name of the page's file.
 [[nodiscard]] std::string man_name(const CommandDoc& command);
 
 }  // namespace gouge

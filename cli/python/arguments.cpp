@@ -5,7 +5,7 @@
 namespace gougecheck::python {
 namespace {
 
-// Text of a value, short enough for a message.
+// Returns the text of a value, shortened for a message.
 std::string shown(const py::handle& object) {
   constexpr std::size_t kMost = 60;
   const std::string text = py::repr(object).cast<std::string>();

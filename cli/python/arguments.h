@@ -17,23 +17,23 @@ namespace py = pybind11;
 /// Throws the TypeError "NAME: expected WANTED, got VALUE (TYPE)".
 [[noreturn]] void refuse_argument(const std::string& name, const std::string& wanted, const py::handle& got);
 
-/// Returns a number, also an int or a NumPy scalar; no bool and no text.
+/// Returns a number; an int or a NumPy scalar is accepted, but no bool and no text.
 [[nodiscard]] double number_of(const py::handle& object, const std::string& name);
-/// Returns a str.
+/// Returns the text of a str.
 [[nodiscard]] std::string text_of(const py::handle& object, const std::string& name);
-/// Returns a str or an object with __fspath__.
+/// Returns the path in a str or an object with __fspath__.
 [[nodiscard]] std::string file_of(const py::handle& object, const std::string& name = "file");
-/// Returns a Mesh, or a sequence of them.
+/// Returns the meshes of a Mesh or a sequence of them.
 [[nodiscard]] std::vector<Mesh> meshes_of(const py::handle& object, const std::string& name,
                                           const std::string& wanted = "a Mesh or a list of Mesh");
-/// Returns an object of the bound class T, of which `wanted` is the name: "a Tool".
+/// Returns an object of the bound class T; `wanted` is its name in messages: "a Tool".
 template <class T>
 [[nodiscard]] const T& bound(const py::handle& object, const std::string& name, const std::string& wanted) {
   if (!py::isinstance<T>(object)) refuse_argument(name, wanted, object);
   return object.cast<const T&>();
 }
 
-/// The keywords of one call of `function`. Each is taken by its name; the rest is refused by `finish`.
+/// The keywords of one call of `function`. Each is taken by its name; `finish` refuses the rest.
 class Keywords {
  public:
   Keywords(std::string function, const py::kwargs& given);
@@ -41,15 +41,15 @@ class Keywords {
   [[nodiscard]] double number(const char* name, double otherwise);
   [[nodiscard]] std::optional<double> number_or_none(const char* name);
   [[nodiscard]] std::string text(const char* name, const std::string& otherwise);
-  /// Returns a sequence of texts; empty where it is not given.
+  /// Returns a sequence of texts; empty if it is not given.
   [[nodiscard]] std::vector<std::string> texts(const char* name);
   [[nodiscard]] bool flag(const char* name, bool otherwise);
   /// Returns a whole number of 0 or more.
   [[nodiscard]] unsigned count(const char* name, unsigned otherwise);
-  /// Returns the object as it is; None where it is not given.
+  /// Returns the object unchanged; None if it is not given.
   [[nodiscard]] py::object object(const char* name);
 
-  /// Requires that every keyword was taken. Throws the TypeError that names one that was not.
+  /// Requires that every keyword was taken. Otherwise throws a TypeError that names one that was not.
   void finish() const;
 
  private:

@@ -53,7 +53,7 @@ Asked asked(const py::object& path, const py::object& part, const py::object& to
   return {its_path, scene_of(part, fixtures), is_tool ? tool.cast<const Tool*>() : nullptr, library, options};
 }
 
-// Arguments that check and correct share, except near_miss.
+// Takes the options that check and correct share, except near_miss.
 CheckOptions take_options(Keywords& keywords) {
   const CheckOptions defaults;
   CheckOptions options;

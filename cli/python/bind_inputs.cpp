@@ -50,7 +50,7 @@ Tool make_tool(const std::string& shape, const py::kwargs& keywords) {
   return {shape, dimensions, segments_of(shank, "shank"), segments_of(holder, "holder")};
 }
 
-// A number is the name of a tool as well.
+// Returns the name of a tool, which may also be given as a number.
 std::string tool_name(const py::object& name) {
   const bool is_number = py::hasattr(name, "__index__") && !py::isinstance<py::bool_>(name);
   return is_number ? std::string(py::str(name)) : text_of(name, "name");
@@ -132,7 +132,7 @@ void bind_tools(py::module_& module) {
       .def("to_json", &Tool::to_json, "A tool library that reads back as the same tool.")
       .def("__repr__", [](const Tool& self) { return "<gougecheck.Tool '" + self.name() + "'>"; });
   for (const std::string& shape : tool_shapes()) {
-    if (shape == "profile") continue;  // its points are a list: from_json
+    if (shape == "profile") continue;  // the points of a profile are a list: use from_json
     const std::string doc = "A cutter of the shape '" + shape + "'; see docs/formats/tool_library.md for its keywords.";
     tool.def_static(
         shape.c_str(), [shape](const py::kwargs& keywords) { return make_tool(shape, keywords); }, doc.c_str());

@@ -13,7 +13,7 @@ const char* verdict_name(Verdict verdict) {
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
-/// A property that is a view into the report.
+/// Adds a property that is a view into the report.
 template <class T>
 void add_view(py::class_<Report>& report, const char* name, std::span<const T> (Report::*get)() const,
               const char* doc) {

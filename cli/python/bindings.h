@@ -2,7 +2,8 @@
 
 #include <pybind11/pybind11.h>
 
-// One function for each source of the module, called in this order: a docstring may name only types that are known.
+// One function for each source of the module. The order of the calls matters, as a docstring may only name types that
+// are already bound.
 
 namespace gougecheck::python {
 

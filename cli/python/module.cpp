@@ -14,7 +14,7 @@ py::str note_text(const Note& note) { return note.text; }
 }  // namespace
 
 void bind_errors(py::module_& module) {
-  // A ValueError with code, file and line beside the message.
+  // A ValueError that has code, file and line besides the message.
   static PyObject* const error = PyErr_NewExceptionWithDoc(
       "gougecheck.Error",
       "Input that cannot be used. Attributes: code (stable, as in docs/errors.md), file (str, "

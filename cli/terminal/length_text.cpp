@@ -24,17 +24,17 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-// A check reaches no farther; a longer length is a mistake.
+// Returns the length if it is within the reach of a check; a longer one is a mistake.
 std::optional<double> within_reach(double length_mm) {
   return std::abs(length_mm) <= kFarthest_mm ? std::optional(length_mm) : std::nullopt;
 }
 
 Eigen::Matrix3d turn(double degrees, const Vec3& axis) {
-  // Exact; sine and cosine of a huge angle are anything, and rounded below would be no rotation.
+  // fmod is exact. Sine and cosine of a huge angle are unreliable, and rounding them below would give no rotation.
   degrees = std::fmod(degrees, 360);
   const double quarters = degrees / 90;
   const double whole = std::round(quarters);
-  // Quarter turns are exact, so that a part set on its side keeps its coordinates.
+  // Quarter turns are exact, so that a part on its side keeps its coordinates.
   if (std::abs(quarters - whole) < Tolerance::kFewRoundings) {
     const Eigen::Matrix3d exact = Eigen::AngleAxisd(whole * M_PI / 2, axis).toRotationMatrix();
     return exact.unaryExpr([](double x) { return std::round(x); });

@@ -38,7 +38,7 @@ void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& v
   if (warnings > kMost) err << "gougecheck: " << warnings - kMost << " more warnings; -v shows all\n";
 }
 
-// Not getrusage: its peak begins with that of the program which started this one.
+// Does not use getrusage: its peak begins with that of the program which started this one.
 std::optional<std::size_t> peak_memory_bytes() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {

@@ -16,7 +16,7 @@ namespace {
 using std::chrono::milliseconds;
 constexpr milliseconds kQuietStart{400};
 constexpr milliseconds kRedraw{100};
-constexpr double kMinElapsed_s = 1;  // before it a time left would be a guess
+constexpr double kMinElapsed_s = 1;  // earlier, a remaining time would be a guess
 
 }  // namespace
 
@@ -37,7 +37,7 @@ Progress::Progress(std::ostream& err, ProgressMode mode)
   try {
     ticker_ = std::jthread([this](const std::stop_token& stop) { redraw_while_open(stop); });
   } catch (const std::system_error&) {
-    // Where no thread may begin, the line is drawn when the work reports.
+    // If the system starts no thread, the line is drawn when the work reports.
   }
 }
 
@@ -89,7 +89,7 @@ void Progress::draw(Clock::time_point now) {
     const double elapsed_s = seconds(now - first_counted_);
     err_ << done_ << " of " << total_ << " (" << done_ * 100 / total_ << " %)";
     if (done_ > 0 && done_ < total_ && elapsed_s > kMinElapsed_s) {
-      // The rest is taken to be as fast as the part done at the last count.
+      // Assumes that the rest is as fast as the part that was done at the last count.
       const double all_s =
           seconds(counted_ - first_counted_) * static_cast<double>(total_) / static_cast<double>(done_);
       err_ << ", about " << duration_text(std::max(1.0, all_s - elapsed_s)) << " left";

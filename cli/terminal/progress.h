@@ -18,9 +18,9 @@ enum class ProgressMode { automatic, always, never };
 /// Reads the word of --progress: auto, always or never.
 [[nodiscard]] ProgressMode understand_progress(std::string_view word);
 
-/// One line on standard error that is drawn over and over while long work runs, and wiped at its end. It shows the
-/// stage, how much of it is done and about how long the rest of it takes. Where nothing counts it, the line shows for
-/// how long it runs. Automatic: only where standard error is a terminal. Silent for work shorter than a moment.
+/// One line on standard error that is redrawn while long work runs, and wiped at its end. It shows the stage, the part
+/// done and the approximate remaining time. If the work is not counted, it shows the time so far. In automatic mode it
+/// is shown only if standard error is a terminal. Short work shows nothing.
 class Progress {
  public:
   Progress(std::ostream& err, ProgressMode mode);
@@ -28,13 +28,13 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Begins a stage, as in "reading part.stl", with nothing that counts it.
+  /// Begins a stage that is not counted, such as "reading part.stl".
   void begin(std::string_view stage);
   void show(std::string_view stage, std::size_t done, std::size_t total);
-  /// Wipes the line. To be called before anything else is printed.
+  /// Wipes the line. Must be called before any other output.
   void end();
 
-  /// Returns the callback for work in libraries; empty where nothing is to be shown.
+  /// Returns the callback for work in libraries; empty if nothing is shown.
   [[nodiscard]] ProgressCall call();
 
  private:
@@ -46,16 +46,16 @@ class Progress {
 
   std::ostream& err_;
   bool is_on_ = false;
-  std::mutex guard_;  // of all that follows
+  std::mutex guard_;  // guards all members that follow
   bool is_drawn_ = false;
-  std::string stage_;  // empty: nothing is being done
+  std::string stage_;  // empty: no stage runs
   std::size_t done_ = 0, total_ = 0;
   Clock::time_point began_, first_counted_, counted_, drawn_;
   std::condition_variable_any closed_;
-  std::jthread ticker_;  // draws while nothing reports
+  std::jthread ticker_;  // redraws the line between two reports
 };
 
-/// Returns "7 s", "3 min", "2.5 h": of a time left, never less than it seems.
+/// Returns "7 s", "3 min" or "2.5 h" for a remaining time. Seconds and minutes are rounded up.
 [[nodiscard]] std::string duration_text(double seconds);
 
 }  // namespace gouge

@@ -5,26 +5,26 @@
 
 #include "lib/base/diagnostic.h"
 
-// Properties of output streams: terminal or not, and colours. They are stored with the stream, so that code that
-// prints needs nothing but the stream.
+// Properties of output streams: terminal or not, and colours. They are stored with the stream, so that code which
+// prints needs only the stream.
 
-// Sets how the system treats a program whose outputs end before it does.
+// Functions for a program whose outputs end before it does.
 
 namespace gouge {
 
 /// Returns whether `stream` is standard output or standard error and these are a terminal.
 [[nodiscard]] bool is_terminal(const std::ostream& stream);
 
-/// --color: `word` is auto, always or never. Auto: on a terminal, unless the environment has NO_COLOR with a value
-/// (no-color.org) or states TERM=dumb.
+/// Applies --color to a stream; `word` is auto, always or never. Auto means colours on a terminal, unless the
+/// environment has NO_COLOR with a value (no-color.org) or TERM=dumb.
 void choose_colour(std::ostream& stream, std::string_view word);
 
-/// Returns whether text for people on `stream` is coloured; not where nothing was chosen.
+/// Returns whether printed text on `stream` is coloured; false if choose_colour was not called for it.
 [[nodiscard]] bool is_coloured(std::ostream& stream);
 
-/// Prepares the standard streams; to be called once, first of all. A pipe without a reader and a file beyond the limit
-/// of the shell (ulimit -f) then become failed writes. They do not end the program. A standard stream that is closed
-/// (>&-) is never taken by a file that is opened later. A write to it fails.
+/// Prepares the standard streams; must be called once, before all else. Then a pipe without a reader, or a file beyond
+/// the limit of the shell (ulimit -f), causes failed writes. It does not end the program. A file that is opened later
+/// never takes the number of a closed standard stream (>&-). A write to such a stream fails.
 void prepare_standard_streams();
 
 /// Returns whether standard output is a pipe without a reader, as in `gougecheck check ... | head -1`.

@@ -41,7 +41,7 @@ std::string describe(const ToolAssembly& tool, LengthUnit unit) {
   return text;
 }
 
-// To a millionth: finer than what counts as a difference, coarser than what a change of unit leaves over.
+// Rounds to a millionth: finer than a difference that counts, coarser than the rounding of a change of unit.
 std::string rounded_text(double mm, LengthUnit unit) { return exact_text(std::round(mm / mm_per(unit) * 1e6) / 1e6); }
 
 std::string size_text(double diameter_mm, double corner_mm, LengthUnit unit) {
@@ -161,7 +161,8 @@ class Resolver {
     result_.assumptions.push_back(std::move(of_holder));
   }
 
-  // A number that was mistyped names no tool of the path, and the tool that was meant comes from elsewhere.
+  // Adds a contradicted assumption if --tool names only numbers that the path does not load. After a mistyped number
+  // the intended tool would come from elsewhere.
   void assume_names(const std::vector<bool>& is_used) {
     std::vector<std::string> loaded, named;
     for (std::size_t i = 0; i < path_.tools.size(); ++i) {
@@ -225,7 +226,7 @@ class Resolver {
                                          path_.file, tool.line));
   }
 
-  // Takes the tool for unknown where the library left out a part of it, or has several tools of its number.
+  // Marks the tool as unknown if the library left out a part of it, or has several tools with its number.
   void mark_library_uncertain(const PathTool& tool, const ToolAssembly& known) {
     const auto& shared = library_->shared_numbers;
     const bool is_found_by_number = !is_named(tool) && tool.number && known.number == tool.number;
@@ -236,8 +237,8 @@ class Resolver {
     if (!uncertainty_.empty()) basis_ = Basis::unknown;
   }
 
-  // The library's tool is checked. Where it is smaller than the file's, a gouge of the file's would be missed; where it
-  // is larger, none is.
+  // Compares the tool of the library, which is checked, with that of the file. If it is smaller, a gouge of the file's
+  // tool could be missed; if it is larger, no gouge is missed.
   void compare(const PathTool& tool, const ToolAssembly& known) {
     const ToolAssembly* const named = tool.name.empty() ? nullptr : library_->with_name(tool.name);
     if (named != nullptr && named != &known && known.name != tool.name)
@@ -259,13 +260,14 @@ class Resolver {
                       size_text(diameter, corner, path_.unit), is_smaller);
   }
 
-  // Returns how far the file's tool reaches out of the library's.
+  // Returns the distance by which the file's tool reaches out of the library's tool.
   [[nodiscard]] double reach_mm(const PathTool& tool, const ToolAssembly& known) const {
     const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
     return made ? reach_beyond_mm(made->tool.cutter, known.cutter) : 0;
   }
 
-  // The diameter of a tapered ball may be that of the ball, or that where its flank meets the plane of the tip.
+  // Returns that distance for a tapered ball. Its diameter may be that of the ball, or the one at which its flank meets
+  // the tip plane. This function assumes that the file's diameter is that of the ball.
   [[nodiscard]] double reach_of_ball_mm(const PathTool& tool, const ToolAssembly& known) const {
     constexpr double kBall_mm = 1e-4;
     PathTool ball = tool;
@@ -279,7 +281,7 @@ class Resolver {
     return reach_mm(ball, known);
   }
 
-  // Same size, but another taper or tip.
+  // Compares two tools of the same size, which may have another taper or tip.
   void compare_outlines(const PathTool& tool, const ToolAssembly& known) {
     constexpr int kWhole = 7;
     const CutterStatement& c = *tool.cutter;
@@ -333,12 +335,12 @@ class Resolver {
   const Toolpath& path_;
   const ToolLibrary* library_;
   std::map<int, const ToolAssembly*> named_;
-  std::pair<std::string, const ToolAssembly*> unnamed_;  // what moves without a tool are called and get
-  const ToolAssembly* every_ = nullptr;                  // what all tools of the path are; null: each has its own
+  std::pair<std::string, const ToolAssembly*> unnamed_;  // the name of the tool for moves without one, and that tool
+  const ToolAssembly* every_ = nullptr;  // the tool in place of all tools of the path; null: each has its own
   std::vector<ToolSegment> holder_;
-  Basis basis_ = Basis::stated;  // of the tool being resolved, as is ...
-  std::string contradiction_;    // ... what contradicts it
-  std::string uncertainty_;      // ... and what of it is not known
+  Basis basis_ = Basis::stated;  // of the tool being resolved, like the next two members
+  std::string contradiction_;    // contradictions about it
+  std::string uncertainty_;      // unknown facts about it
   ResolvedTools result_;
 };
 

@@ -13,25 +13,26 @@ namespace gouge {
 
 /// The resolved tools of a toolpath.
 struct ResolvedTools {
-  std::vector<std::optional<ToolAssembly>> assemblies;  ///< one per Toolpath::tools
+  std::vector<std::optional<ToolAssembly>> assemblies;  ///< one for each of Toolpath::tools
   std::vector<ToolFacts> facts;
   Diagnostics notes;
-  Assumptions assumptions;  ///< the tool and the holder of each tool that has moves
+  Assumptions assumptions;  ///< about the tool and the holder of each tool that has moves
 };
 
-/// Finds each tool of the path. It is the one that `--tool N=NAME` names, else the library's of its number, else of its
-/// name. Else it is the tool that CUTTER or TLDATA in the path states. NAME may be a number of the library, 3 or T3. A
-/// tool of `--tool NAME` must be in the library; the option is otherwise ReadOptions::unnamed_tool. The `holder` is put
-/// on tools that have none.
+/// Finds each tool of the path. It is the tool of `--tool N=NAME`, else the one in the library with its number, else
+/// the one with its name. Otherwise it is the tool that CUTTER or TLDATA in the path states. NAME may be a number of
+/// the library, 3 or T3. A tool of `--tool NAME` must be in the library; for other uses of the option see
+/// ReadOptions::unnamed_tool. The `holder` is put on tools that have none.
 ///
-/// A tool of the library that is smaller anywhere than the path's own definition of it contradicts that. So does a name
-/// that is of another tool of the library, or a --tool for numbers none of which the path loads.
+/// The tool is contradicted if the one of the library is anywhere smaller than the definition in the path. It is also
+/// contradicted if its name belongs to another tool of the library, or if --tool names only numbers that the path does
+/// not load.
 /// Errors   (1) usage: a --tool or --holder that names nothing. (2) Those of make_profile for a tool of the path.
 [[nodiscard]] Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* library,
                                                   const std::vector<std::string>& tool_names,
                                                   const std::string& holder);
 
-/// Returns the same where every tool of the path is `tool`.
+/// Resolves a path in which `tool` takes the place of every tool.
 [[nodiscard]] Result<ResolvedTools> resolve_given(const Toolpath& path, const ToolAssembly& tool);
 
 }  // namespace gouge

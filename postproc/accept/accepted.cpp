@@ -63,8 +63,8 @@ Json entry_json(const Acceptance& a) {
           {"setup", setup_json(a.setup)},   {"moves", std::move(moves)}};
 }
 
-// Text of the entry without its seal, its keys in their alphabetical order: white space and the order of keys do not
-// matter.
+// Returns the seal of an entry: the hash of its text without the seal. Keys are in alphabetical order, so white space
+// and the order of keys have no effect.
 std::string seal_of(const nlohmann::json& entry) {
   return "sha256:" + sha256_of(entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
@@ -198,16 +198,14 @@ std::string write_accepted(const std::vector<Acceptance>& entries) {
 
 namespace {
 
-// As far as the depths of a text read back in another unit may be from what they were.
-
-// The one reason of a gouge that leaves nothing open.
+// Returns whether the reason is that of a clearance: the only reason with which a gouge can be accepted.
 bool is_of_clearance(const std::string& reason) { return reason.starts_with("the clearance of the "); }
 
 class Accepter {
  public:
   Accepter(const StoredResult& result, const EventRecord& finding) : result_(result), finding_(finding) {}
 
-  /// Returns the reason that keeps it from being accepted; none: it can be.
+  /// Returns the reason why the finding cannot be accepted; none: it can be.
   [[nodiscard]] std::optional<std::string> why_impossible() const {
     if (finding_.state == MoveState::buried)
       return "the tool is buried: there is no depth that a later one could be compared with";
@@ -248,7 +246,7 @@ class Accepter {
   }
 
  private:
-  // Over all findings that are alike.
+  // Returns for each motion how often it gouges, over all findings with the same state, tool, body and counterpart.
   [[nodiscard]] std::map<std::string, std::size_t> passes_of_motions() const {
     std::map<std::string, std::size_t> passes;
     for (const EventRecord& other : result_.findings) {
@@ -266,7 +264,7 @@ class Accepter {
   const EventRecord& finding_;
 };
 
-// Returns whether all of its motions are accepted as often as they gouge.
+// Returns whether one of its motions is already accepted as often as it gouges.
 bool is_accepted_already(const Acceptance& made, const std::vector<Acceptance>& accepted) {
   std::map<std::string, std::size_t> times;
   for (const Acceptance& other : accepted) {

@@ -14,30 +14,30 @@
 
 namespace gouge {
 
-/// A motion that may gouge, and how deep at most.
+/// A motion that may gouge, with its maximum depth.
 struct AcceptedMove {
   std::string motion;  ///< motion_key
   double depth_mm = 0, depth_upper_mm = 0;
-  std::optional<double> overcut_upper_mm;  ///< none: none was measured
-  std::size_t passes = 1;                  ///< how often this motion gouged in the result: it may not do so more often
+  std::optional<double> overcut_upper_mm;  ///< none: it was not measured
+  std::size_t passes = 1;  ///< how often this motion gouged in the result; the maximum for a later result
 };
 
 struct Acceptance {
   std::string reason, by, date;
-  std::string finding, toolpath, statement;  ///< for people: the accepted finding, and its place
+  std::string finding, toolpath, statement;  ///< for the reader of the file: the accepted finding, and its place
   std::size_t line = 0;
-  std::string tool, body, against;  ///< the tool by its key
+  std::string tool, body, against;  ///< the tool is given by its key
   AcceptedSetup setup;
   std::vector<AcceptedMove> moves;
 };
 
 /// Reads the bytes of `file`.
 /// Errors, with the line: accepted-syntax, accepted-duplicate-key, json-too-deep, json-too-long. (1) accepted-format:
-/// not such a file. (2) accepted-field: missing or not as expected. (3) accepted-edited: an entry that is not as it was
-/// written, or is there twice.
+/// it is not a file of accepted findings. (2) accepted-field: a field is missing or not as expected. (3)
+/// accepted-edited: an entry was changed after it was written, or is there twice.
 [[nodiscard]] Result<std::vector<Acceptance>> read_accepted(const std::string& file, std::string_view bytes);
 
-/// Returns the file, each entry with a seal of its contents. Reads back as the same entries.
+/// Returns the text of the file, in which each entry has a seal of its contents. It reads back as the same entries.
 [[nodiscard]] std::string write_accepted(const std::vector<Acceptance>& entries);
 
 /// The person, reason and date of an acceptance.
@@ -45,9 +45,9 @@ struct AcceptanceNote {
   std::string reason, by, date;
 };
 
-/// Accepts finding `number` of a result, beside what `accepted` has already.
-/// Errors: (1) usage: no finding of that number. (2) accept-impossible: buried, a depth that is not certified, or a
-/// tool that is not known and so cannot be compared later. (3) accept-twice: it is accepted already.
+/// Accepts finding `number` of a result, in addition to the entries in `accepted`.
+/// Errors: (1) usage: no finding has this number. (2) accept-impossible: the tool is buried, a depth is not certified,
+/// or the tool is unknown and so cannot be compared later. (3) accept-twice: it is accepted already.
 [[nodiscard]] Result<Acceptance> accept_finding(const StoredResult& result, std::size_t number,
                                                 const AcceptanceNote& note, const std::vector<Acceptance>& accepted);
 

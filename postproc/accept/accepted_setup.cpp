@@ -20,7 +20,7 @@ std::vector<std::string> checksums(const Inputs& inputs, std::string_view role) 
   return all;
 }
 
-// A length in inches comes back from its text in millimetres but for the last bit.
+// Returns whether two lengths are equal except for the last bit, by which a length in inches may change as text in mm.
 bool is_same_length(double a_mm, double b_mm) {
   return std::abs(a_mm - b_mm) <= Tolerance::kFewRoundings * std::max(std::abs(a_mm), std::abs(b_mm));
 }
@@ -33,7 +33,7 @@ std::vector<std::string> limits_of(const ReportModel& model) {
   return all;
 }
 
-// As StoredOptions::law.
+// Returns the data of StoredOptions::law.
 std::vector<std::string> law_of(const ReportModel& model) {
   std::vector<std::string> all = checksums(model.inputs, "machine");
   for (const OptionText& option : model.more_options) {

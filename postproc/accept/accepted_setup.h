@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// All that the depth of a motion depends on beside the motion. Checksums are of whole files, sorted.
+/// All data on which the depth of a motion depends, besides the motion. Checksums are those of whole files, sorted.
 struct AcceptedSetup {
   std::vector<std::string> parts, fixtures, heads;
   std::string placement;  ///< ReportModel::placement
@@ -21,13 +21,13 @@ struct AcceptedSetup {
   std::vector<std::string> law{};     ///< StoredOptions::law
 };
 
-/// Returns the set-up of a stored result; `tool` is the identity of the finding's.
+/// Returns the set-up of a stored result; `tool` is the identity of the finding's tool.
 [[nodiscard]] AcceptedSetup setup_of(const StoredResult& result, const std::string& tool);
 /// Returns the set-up of a check that was just made.
 [[nodiscard]] AcceptedSetup setup_of(const ReportModel& model, const std::string& tool);
 
-/// Returns the first change of the set-up since an acceptance, a sentence ("the part is another one"); none: nothing.
-/// The tool is not examined. Lengths of the sentence are in `unit`.
+/// Returns the first change of the set-up since an acceptance, as a sentence ("the part is another one"); none: no
+/// change. The tool is not compared. Lengths in the sentence are in `unit`.
 [[nodiscard]] std::optional<std::string> find_change(const AcceptedSetup& accepted, const AcceptedSetup& now,
                                                      LengthUnit unit);
 

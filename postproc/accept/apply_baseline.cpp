@@ -23,16 +23,16 @@ struct Offer {
   bool is_used = false;
 };
 
-/// Acceptances of one key.
+/// The acceptances with the same key.
 struct Slot {
   std::vector<Offer> offers;
-  std::size_t passes = 0, used = 0;  ///< how often it may gouge, and does
+  std::size_t passes = 0, used = 0;  ///< how often it may gouge, and how often it does
 };
 
 /// Result for one move.
 struct MoveAnswer {
-  std::optional<std::size_t> entry;  ///< that accepts it
-  std::set<std::size_t> of_motion;   ///< entries that are of its motion
+  std::optional<std::size_t> entry;  ///< the entry that accepts the move
+  std::set<std::size_t> of_motion;   ///< entries with the same motion
   std::string why_not;
 };
 
@@ -114,7 +114,7 @@ class Baseline {
     return judged;
   }
 
-  // The accepted finding has changed: none of its moves is accepted any more.
+  // Voids an entry whose finding has changed: none of its moves is accepted any more.
   void void_entry(std::size_t k, const std::string& why) {
     BaselineEntry& entry = facts_.entries[k];
     if (entry.use != BaselineEntry::Use::unused) return;
@@ -162,7 +162,8 @@ class Baseline {
     return answer;
   }
 
-  // Both depths are of one motion in one set-up, so that they can differ by how closely they are known alone.
+  // Returns why a move is deeper than accepted. Both depths belong to one motion in one set-up, so they can differ only
+  // by the gap between their certified bounds.
   [[nodiscard]] std::optional<std::string> why_deeper(const MoveVerdict& now, const AcceptedMove& then) const {
     const LengthUnit unit = model_.toolpath->unit;
     const auto is_within = [](double a_mm, double b_mm) {

@@ -22,7 +22,7 @@ td.picture img { width: 96px; height: 60px; object-fit: cover; border: 1px solid
 @media print { #tools { display: none; } }
 )css";
 
-// Cells carry what they are sorted by in data-v where that is not their text.
+// A cell whose text is not its sort key has the key in data-v.
 constexpr const char* kScript = R"js(
 const table = document.querySelector("table"), body = table.tBodies[0], rows = [...body.rows];
 const value = (row, k) => { const c = row.cells[k], v = c.dataset.v ?? c.textContent; return v !== "" && !isNaN(v) ? +v : v; };

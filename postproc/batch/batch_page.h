@@ -7,9 +7,9 @@
 
 namespace gouge {
 
-/// Writes index.html of a batch: one row a job, the worst first. Rows are sortable by any column and filtered by a
-/// word, and have the heat map and a link to the job's report. Needs no network; without scripts the table stands as it
-/// is.
+/// Returns index.html of a batch: one row for each job, the worst first. Rows can be sorted by any column and filtered
+/// by a word. They have the heat map and a link to the job's report. The page needs no network; without scripts the
+/// table is static.
 [[nodiscard]] std::string write_batch_page(const std::vector<JobResult>& jobs);
 
 }  // namespace gouge

@@ -12,7 +12,7 @@ namespace {
 
 using TableRow = std::array<std::string, 6>;
 
-// Long enough for people to compare, short enough for a line.
+// Returns a time with enough digits to compare jobs, but short enough for a line.
 std::string time_text(double seconds) { return fixed_text(seconds, seconds < 10 ? 2 : seconds < 100 ? 1 : 0) + " s"; }
 
 TableRow text_row(const JobResult& job) {

@@ -7,8 +7,8 @@
 
 namespace gouge {
 
-/// Returns text that `batch` prints: a table of its jobs, the worst first, and one line that counts them. Names from
-/// outside are made printable. `most`: rows at most; those left out are counted.
+/// Returns the text that `batch` prints: a table of its jobs, the worst first, and one line with their numbers. Names
+/// from outside are made printable. `most` is the maximum number of rows; the number of omitted ones is stated.
 [[nodiscard]] std::string batch_text(const std::vector<JobResult>& jobs, std::size_t most);
 
 /// Returns "0.213 mm at line 123", or nothing.

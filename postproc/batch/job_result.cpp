@@ -39,7 +39,8 @@ const char* JobResult::verdict() const {
   if (*status == kExitClean)
     return verdict_name(gouge_findings() > 0 ? OverallVerdict::accepted_gouges : OverallVerdict::clean);
   if (*status == kExitNotChecked) return verdict_name(OverallVerdict::not_fully_checked);
-  // `correct` refuses with it what plainly does not fit; then nothing was examined to the end.
+  // `correct` also has this status if it refuses a path that clearly does not fit the part; then no check was
+  // completed.
   if (*status == kExitGouges && !unit.empty()) return verdict_name(OverallVerdict::gouges);
   return "failed";
 }

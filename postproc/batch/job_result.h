@@ -12,7 +12,7 @@ namespace gouge {
 
 /// A file that a job has written.
 struct JobOutput {
-  std::string file;  ///< below the folder of the batch, or as the job names it
+  std::string file;  ///< relative to the folder of the batch, or as the job names it
   std::uint64_t bytes = 0;
   std::string sha256;
 
@@ -22,31 +22,31 @@ struct JobOutput {
 /// Result of one job of a batch. Lengths are in the unit of its toolpath.
 struct JobResult {
   std::string name, command;
-  std::string toolpath;           ///< as the job names it
+  std::string toolpath;           ///< name in the job
   std::optional<int> status;      ///< the exit status of its command; none: it has not run
-  std::string unit;               ///< of the toolpath; empty: it could not be read
-  StateCounts counts;             ///< of its moves
-  std::optional<double> deepest;  ///< gouge; none: there is none
-  double deepest_mm = 0;          ///< the same
-  std::size_t deepest_line = 0;   ///< of the toolpath
+  std::string unit;               ///< unit of the toolpath; empty: it could not be read
+  StateCounts counts;             ///< of the moves
+  std::optional<double> deepest;  ///< depth of the deepest gouge; none: there is no gouge
+  double deepest_mm = 0;          ///< the same depth in mm
+  std::size_t deepest_line = 0;   ///< its line in the toolpath
   std::vector<Finding> findings;
   std::vector<JunitCase> cases;
-  std::string beside;    ///< notes and warnings beside the verdict, a line each
-  Diagnostics warnings;  ///< of a job without a result its errors
+  std::string beside;    ///< notes and warnings besides the verdict, one in each line
+  Diagnostics warnings;  ///< for a job without a result: its errors
   std::vector<InputFile> inputs;
   std::vector<JobOutput> outputs;
-  std::string report;       ///< its report.html below the folder of the batch; empty: none
-  std::string key;          ///< SHA-256 of all that the result depends on; empty: it may not be used again
-  std::string messages;     ///< the text of its command on standard error
-  bool is_altered = false;  ///< a store gave back other rows than were put into it: its result is not valid
+  std::string report;    ///< its report.html relative to the folder of the batch; empty: none
+  std::string key;       ///< SHA-256 of all data on which the result depends; empty: the result must not be used again
+  std::string messages;  ///< text of its command on standard error
+  bool is_altered = false;  ///< a store returned other rows than were stored: the result is not valid
   // Fields that may differ between two runs of the same job.
   double seconds = 0;
-  double memory_mb = 0;  ///< at the peak of the process until its end
+  double memory_mb = 0;  ///< peak memory of the process until the end of the job
   std::string host;
   int rank = 0;
 
   [[nodiscard]] std::size_t moves() const;
-  /// Returns how many of its findings are gouges or a buried tool.
+  /// Returns the number of its findings that are gouges or a buried tool.
   [[nodiscard]] std::size_t gouge_findings() const;
   /// Returns its warnings as text; for a job without a result the errors that its command reported.
   [[nodiscard]] std::vector<std::string> remarks() const;
@@ -54,28 +54,28 @@ struct JobResult {
   [[nodiscard]] const char* verdict() const;
 };
 
-/// Returns the order of exit statuses from the worst: 5, 2, 3, 1, 4, 0. A job that has not run counts as 4.
+/// Returns the rank of an exit status, from the worst: 5, 2, 3, 1, 4, 0. A job that has not run counts as 4.
 [[nodiscard]] int severity_of(std::optional<int> status);
 
 /// Returns the exit status of a batch: that of its worst job.
 [[nodiscard]] int batch_status(const std::vector<JobResult>& jobs);
 
-/// Indices of `jobs`, the worst first: by status, then by depth, then in their order.
+/// Returns the indices of `jobs`, the worst first: by status, then by depth, then in their order.
 [[nodiscard]] std::vector<std::size_t> worst_first(const std::vector<JobResult>& jobs);
 
-/// Returns the number of jobs there are of each verdict: "3 clean, 2 gouges, 1 failed".
+/// Returns the number of jobs with each verdict: "3 clean, 2 gouges, 1 failed".
 [[nodiscard]] std::string verdict_counts(const std::vector<JobResult>& jobs);
 
 /// A file of which two jobs read different contents.
 struct TwoContents {
-  InputFile input;                    ///< as the second one read it
+  InputFile input;                    ///< as the second job read it
   std::size_t first = 0, second = 0;  ///< indices of the jobs
 };
 
-/// Returns the first such file; none where every verdict is of the same contents.
+/// Returns the first such file; none if every verdict holds for the same contents.
 [[nodiscard]] std::optional<TwoContents> find_two_contents(const std::vector<JobResult>& jobs);
 
-/// Takes over everything of a report that a batch keeps.
+/// Copies into `result` all data of a report that a batch keeps.
 void take_report(const ReportModel& model, JobResult& result);
 
 }  // namespace gouge

@@ -18,8 +18,8 @@
 namespace gouge {
 namespace {
 
-// Differences of two runs beside their paths, a sentence each: parts, fixtures, heads, placement, tools of one name,
-// options, the version of the program. Empty: what they found can be compared as it is.
+// Returns the differences of the set-ups of two runs, a sentence each. Compared are parts, fixtures, heads, placement,
+// tools with the same key, options, and the version of the program. Empty: their findings are directly comparable.
 std::vector<std::string> setup_differences(const StoredResult& before, const StoredResult& after) {
   std::vector<std::string> all;
   for (const char* role : {"part", "fixture", "head"}) {
@@ -70,10 +70,10 @@ DepthBounds overcut_of(const MoveRecord& move) {
   return {*move.overcut_mm, move.overcut_upper_mm.value_or(kAny_mm)};
 }
 
-/// Moves of the new path between two motions that the old one has too.
+/// The moves of the new path between two neighbouring motions that the old path has too.
 struct Stretch {
   std::size_t first = 0, end = 0;
-  std::optional<bool> has_grown = {};  ///< none: not requested yet
+  std::optional<bool> has_grown = {};  ///< none: not computed yet
 };
 
 class Comparer {
@@ -128,7 +128,7 @@ class Comparer {
       }
     }
     std::size_t wider = 0;
-    std::string of_one_move;  // moves that became deeper, where the finding as a whole did not
+    std::string of_one_move;  // a move that became deeper although the finding as a whole did not
     Stretch stretch;
     const WitnessGrid places(before_, was, kSamePlace_mm);
     for (const MoveRecord* move : after_.moves_of(after_.findings[n])) {
@@ -164,7 +164,8 @@ class Comparer {
     return made;
   }
 
-  // Returns whether something gouged at the place of a move; of a buried tool nothing states where.
+  // Returns whether there was a gouge at the place of a move. For a buried tool no place is known, so the result is
+  // true.
   [[nodiscard]] static bool is_there(const WitnessGrid& places, const MoveRecord& move) {
     if (!move.witness) return true;
     bool is_there = false;
@@ -172,8 +173,8 @@ class Comparer {
     return is_there;
   }
 
-  // Returns whether more moves gouge between the nearest motions that both paths have than did there. Where the depth
-  // is the same over an area, its deepest point may be anywhere in it, so that places alone state little.
+  // Returns whether, between the nearest motions that both paths have, more moves gouge than before. If the depth is
+  // equal over an area, its deepest point may be anywhere in the area. So places alone are not sufficient.
   [[nodiscard]] bool has_grown(std::size_t n, const std::vector<std::size_t>& was, Stretch& stretch) const {
     if (stretch.has_grown) return *stretch.has_grown;
     const std::vector<std::size_t>& other = motions_.after_to_before;
@@ -186,7 +187,7 @@ class Comparer {
     return *stretch.has_grown;
   }
 
-  // `last` is that of the move before, and stays as long as it is the same one.
+  // Returns the stretch of a move. `last` is that of the previous move, and is returned again if the move is in it.
   [[nodiscard]] Stretch& stretch_of(std::size_t move, Stretch& last) const {
     if (move >= last.first && move < last.end) return last;
     const std::vector<std::size_t>& other = motions_.after_to_before;
@@ -203,7 +204,7 @@ class Comparer {
     return count;
   }
 
-  // One motion in both runs; `then` is null where it was clean.
+  // Compares one motion in both runs; `then` is null if it was clean.
   [[nodiscard]] bool is_deeper(const MoveRecord& now, const MoveRecord* then) const {
     const bool was_found = then != nullptr && (then->state == MoveState::gouge || then->state == MoveState::buried);
     if (!was_found) return is_above(depth_of(now).low, before_.options.tolerance_mm + before_.options.resolution_mm);

@@ -11,33 +11,34 @@ namespace gouge {
 
 enum class Change { fresh, deeper, not_checked, gone, shallower, same };
 inline constexpr std::size_t kChanges = 6;
-/// Returns "new", "deeper", "not-checked-any-more", "gone", "shallower", "same"
+/// Returns "new", "deeper", "not-checked-any-more", "gone", "shallower" or "same".
 [[nodiscard]] const char* change_name(Change change);
 
 /// A finding of the new run with the earlier findings that match it, or a finding of the old run that is gone.
 struct ComparedFinding {
   Change change = Change::same;
-  std::vector<std::size_t> before;  ///< indices of the old run's findings
-  std::vector<std::size_t> after;   ///< of the new run's: one, or none for gone and not_checked
-  std::string why;                  ///< of deeper and not_checked; may be empty
+  std::vector<std::size_t> before;  ///< indices of findings of the old run
+  std::vector<std::size_t> after;   ///< indices of findings of the new run: one, or none for gone and not_checked
+  std::string why;                  ///< reason of deeper and not_checked; may be empty
 };
 
 struct Comparison {
   const StoredResult* before = nullptr;
   const StoredResult* after = nullptr;
-  /// First those of the new run in the order of its path, then the others in the order of the old one's.
+  /// First the findings of the new run in the order of its path, then the others in the order of the old path.
   std::vector<ComparedFinding> findings;
   std::vector<std::string> differences;  ///< between the set-ups of both runs, a sentence each
-  std::size_t open_moves = 0;            ///< of the new run, neither checked nor left out as requested
+  /// number of moves of the new run that are not checked, except those excluded on request
+  std::size_t open_moves = 0;
 
   [[nodiscard]] std::size_t count(Change change) const;
-  /// Returns 1 where something is new or deeper. Else 4 where the new run leaves something unchecked or has open moves;
+  /// Returns 1 if a finding is new or deeper. Else returns 4 if the new run left a finding unchecked or has open moves;
   /// else 0.
   [[nodiscard]] ExitCode exit_status() const;
 };
 
 struct CompareOptions {
-  double same_within_mm = 0.001;  ///< depths that differ by no more are the same
+  double same_within_mm = 0.001;  ///< depths that differ by at most this count as equal
 };
 
 /// Compares two results, which must outlive the comparison. The rules of matching: docs/formats/compare.md.

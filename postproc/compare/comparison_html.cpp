@@ -9,7 +9,7 @@ namespace {
 struct Section {
   Change change;
   const char* title;
-  const char* css;  ///< of its number
+  const char* css;  ///< CSS class of the number
 };
 
 constexpr Section kSections[] = {{Change::fresh, "New", "bad"},

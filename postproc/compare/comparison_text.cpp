@@ -27,7 +27,7 @@ bool is_buried(const StoredResult& result, const std::vector<std::size_t>& findi
   return std::ranges::any_of(findings, [&](std::size_t k) { return result.findings[k].state == MoveState::buried; });
 }
 
-// Value of the old run, in the unit of the new one.
+// Returns the depth in the old run, in the unit of the new one.
 std::string depth_before(const Comparison& c, const ComparedFinding& one) {
   if (is_buried(*c.before, one.before)) return "buried before";
   return depth_text(deepest_mm(*c.before, one.before), c.after->record.unit) + " before";

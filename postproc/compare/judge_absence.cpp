@@ -44,7 +44,7 @@ class AbsenceJudge {
       if (tool.identity && std::ranges::find(tool.bodies, finding_.body) == tool.bodies.end())
         return stored_tool_label(finding_.tool) + " has no " + body_name(finding_.body);
     }
-    // Another tool that runs the same motion is checked as itself.
+    // If another tool runs the same motion, that motion is checked with the other tool.
     if (!has_tool && !has_every_motion()) return "the path has no " + stored_tool_label(finding_.tool);
     return std::nullopt;
   }
@@ -85,7 +85,8 @@ class AbsenceJudge {
     const std::size_t now = motions_.before_to_after[move.move];
     if (now != kNone) return if_open(now);
     const std::vector<std::size_t>& kept = motions_.before_to_after;
-    std::size_t from = move.move, to = move.move;  // what is around it as it was; to: kept.size() where there is none
+    // the nearest kept motions around it; `to` is kept.size() if there is none
+    std::size_t from = move.move, to = move.move;
     while (from > 0 && kept[from] == kNone) --from;
     while (to < kept.size() && kept[to] == kNone) ++to;
     const bool is_begun = kept[from] != kNone, is_ended = to < kept.size();
@@ -94,7 +95,7 @@ class AbsenceJudge {
     for (std::size_t k = first; k < end; ++k) {
       if (Why why = if_open(k)) return why;
     }
-    // A substitute must have its operation and tool, and about its size.
+    // Moves that replace the motion must have its operation and tool, and at least half as many moves.
     const RunRecord& run = before_.run_of(move.move);
     const std::size_t old_moves = before_.moves_like(run, is_begun ? from + 1 : 0, to);
     if (2 * after_.moves_like(run, first, end) < old_moves) return "its motion is not in the new path";
@@ -108,7 +109,7 @@ class AbsenceJudge {
     if (found->state == MoveState::not_checked || found->state == MoveState::not_certified)
       return line + "is " + (found->state == MoveState::not_checked ? "not checked: " : "not certified: ") +
              found->reason;
-    // A motion reports its deepest body only.
+    // A motion reports only its deepest body.
     const bool is_other =
         !found->witness || found->witness->body != finding_.body || found->witness->against != finding_.against;
     if (is_other && (!found->witness || move_depth(*found) > before_.options.tolerance_mm))

@@ -18,7 +18,7 @@ bool is_alike(const EventRecord& a, const EventRecord& b) {
   return a.tool == b.tool && a.body == b.body && a.against == b.against;
 }
 
-// Findings of one run whose motions are none of the other's.
+// Returns the findings of one run whose motions do not occur in the other run.
 std::vector<std::size_t> without_motion(const StoredResult& result, const std::vector<std::size_t>& other_move) {
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < result.findings.size(); ++k) {
@@ -62,7 +62,7 @@ class Matcher {
     }
   }
 
-  // To the nearest of the finding's statements.
+  // Matches a finding with the nearest old one that has the same statement.
   void by_statement(const WitnessGrid& before, const std::vector<std::size_t>& changed) {
     std::set<std::size_t> taken;
     for (const std::size_t n : changed) {
@@ -83,7 +83,7 @@ class Matcher {
     taken_ = std::move(taken);
   }
 
-  // To all that are there: a path that was made anew splits findings and joins them.
+  // Matches a finding with all old ones at its place, because a path that was computed anew splits and joins findings.
   void by_place(const WitnessGrid& before, const std::vector<std::size_t>& changed) {
     for (const std::size_t n : changed) {
       if (!matched_[n].empty()) continue;
@@ -123,7 +123,7 @@ WitnessGrid::WitnessGrid(const StoredResult& result, const std::vector<std::size
 }
 
 WitnessGrid::Cell WitnessGrid::cell_of(const Vec3& point) const {
-  constexpr double kFarthest = 1e15;  // within what an integer holds
+  constexpr double kFarthest = 1e15;  // within the range of an integer
   Cell cell{};
   for (std::size_t k = 0; k < cell.size(); ++k) {
     const double at = std::floor(point[static_cast<Eigen::Index>(k)] / reach_mm_);
@@ -141,7 +141,7 @@ struct Sides {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-// In the order of `before`.
+// Returns the motions that occur exactly once in both lists, in the order of `before`.
 Pairs unique_pairs(const std::vector<std::string_view>& before, const std::vector<std::string_view>& after) {
   std::unordered_map<std::string_view, Sides> all;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -163,9 +163,10 @@ Pairs unique_pairs(const std::vector<std::string_view>& before, const std::vecto
   return pairs;
 }
 
-// The longest subsequence whose second numbers increase (Schensted 1961).
+// Returns the longest subsequence whose second numbers increase (Schensted 1961).
 Pairs increasing(const Pairs& pairs) {
-  std::vector<std::size_t> ends, previous(pairs.size(), kNone);  // ends[k]: of a subsequence of length k + 1
+  // ends[k]: last element of a subsequence of length k + 1
+  std::vector<std::size_t> ends, previous(pairs.size(), kNone);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto at = std::ranges::lower_bound(ends, pairs[i].second, {}, [&](std::size_t k) { return pairs[k].second; });
     if (at != ends.begin()) previous[i] = *(at - 1);

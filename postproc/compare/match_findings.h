@@ -11,30 +11,31 @@
 
 namespace gouge {
 
-/// Pairs of equal moves of two paths; kNone where there is none. Both vectors are increasing where they are not
-/// kNone, and each is the inverse of the other.
+/// Pairs of equal moves of two paths; kNone for a move without a partner. Apart from kNone both vectors are increasing,
+/// and each is the inverse of the other.
 struct MotionAlignment {
   std::vector<std::size_t> before_to_after, after_to_before;
 };
 
-/// Aligns two lists of motions. Motions that are equal at both ends are paired first. Between them those are paired
-/// that occur once in both, as many as stand in one order, and equal motions beside them. Cost: n log n. Source: B.
-/// Cohen's patience diff (2005).
+/// Aligns two lists of motions. Motions that are equal at both ends are paired first. Of the rest, motions that occur
+/// exactly once in both lists are paired: the longest sequence of them that has the same order in both. Equal motions
+/// next to a pair are paired too. Cost: n log n. Source: B. Cohen's patience diff (2005).
 [[nodiscard]] MotionAlignment align_motions(const std::vector<std::string_view>& before,
                                             const std::vector<std::string_view>& after);
 
-/// Maximum distance of two witnesses at one place of the part, and with one statement at that.
+/// Maximum distance of two witnesses that count as the same place of the part; the second value holds if they also have
+/// the same statement.
 inline constexpr double kSamePlace_mm = 1, kSameStatement_mm = 10;
 
-/// Returns for each finding of the new run the findings of the old run that it was, in order. All are of one tool, body
-/// and counterpart. They match by the motions that gouge in both. Findings whose motions are none of the other run's
-/// match by statement and place, then by place alone. Another motion at the place of a finding that is still checked is
-/// a finding of its own.
+/// Returns, for each finding of the new run, the matching findings of the old run, in order. All have the same tool,
+/// body and counterpart. They match by the motions that gouge in both runs. A finding whose motions do not occur in the
+/// other run matches by statement and place, then by place alone. If the motions of an old finding are still checked,
+/// another motion at its place is a new finding.
 [[nodiscard]] std::vector<std::vector<std::size_t>> match_findings(const StoredResult& before,
                                                                    const StoredResult& after,
                                                                    const MotionAlignment& motions);
 
-/// The witnesses of findings by place, so that those near a point are found without examining all.
+/// The witnesses of findings by place, for a search near a point that does not examine all of them.
 class WitnessGrid {
  public:
   struct Near {
@@ -42,10 +43,10 @@ class WitnessGrid {
     const MoveRecord* move = nullptr;
   };
 
-  /// Builds the grid of these findings, for points up to `reach_mm` (above 0) away. `result` must outlive it.
+  /// Builds the grid of these findings, for searches up to `reach_mm` (above 0). `result` must outlive it.
   WitnessGrid(const StoredResult& result, const std::vector<std::size_t>& findings, double reach_mm);
 
-  /// Calls `call(near, distance in mm)` for each within reach, in an order that depends on the witnesses alone.
+  /// Calls `call(near, distance in mm)` for each witness within reach, in an order that depends only on the witnesses.
   template <class Call>
   void for_each_near(const Vec3& point, Call&& call) const {
     const Cell middle = cell_of(point);

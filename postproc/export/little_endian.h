@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// Appends numbers to bytes, the lowest byte first on any machine. -0 becomes 0.
+/// Bytes to which numbers are appended, the lowest byte first on any machine. -0 becomes 0.
 class LittleEndian {
  public:
   void u8(std::uint8_t value) { bytes_ += static_cast<char>(value); }

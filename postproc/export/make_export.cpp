@@ -14,11 +14,11 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMaxStations = 200'000;  // moves of the path that are kept
-constexpr std::size_t kMaxPoints = 2000;       // gouged ones that are known beforehand
-constexpr std::size_t kMaxFindings = 50;       // examined for tools
+constexpr std::size_t kMaxStations = 200'000;  // maximum number of moves of the path that are kept
+constexpr std::size_t kMaxPoints = 2000;       // maximum number of gouged points that guide the refinement
+constexpr std::size_t kMaxFindings = 50;       // maximum number of findings whose tools are shown
 
-/// The meshes a surface consists of, without values; some may be empty.
+/// Returns the meshes of which a surface consists, without values; some may be empty.
 std::vector<ExportMesh> split(const ViewerMesh& mesh, std::size_t count) {
   std::vector<ExportMesh> out(count);
   std::vector<std::uint32_t> place(mesh.positions.size());
@@ -73,7 +73,7 @@ class ExportMaker {
     }
   }
 
-  // Each tool once, where it is at its worst finding.
+  // Adds each tool once, at its worst finding.
   void add_tools() {
     std::set<std::size_t> shown;
     for (const PictureEvent& event : worst_events(input_, kMaxFindings)) {
@@ -132,7 +132,7 @@ class ExportMaker {
   void add_path() {
     const Station* last = nullptr;
     const std::vector<Station> stations = stations_of(input_, scene_.part_size_mm() / 2000, kMaxStations);
-    bool is_open = false;  // the last line goes on
+    bool is_open = false;  // the last line continues
     for (const Station& station : stations) {
       if (station.is_start || last == nullptr) {
         last = &station;

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Numbers of the glTF 2.0 specification.
+// Constants of the glTF 2.0 specification.
 constexpr int kFloat = 5126, kUnsignedInt = 5125, kUnsignedShort = 5123;
 constexpr int kArrayBuffer = 34962, kElementBuffer = 34963;
 constexpr int kLines = 1, kTriangles = 4;
@@ -23,7 +23,7 @@ constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2, kJsonChunk = 0x4E4F53
 constexpr std::uint16_t kMaxShort = 65535;
 constexpr std::uint64_t kMaxBytes = 0xFFFFFFFF;
 
-// glTF colours are linear, those of the pictures are of a screen (IEC 61966-2-1).
+// Converts a colour channel of a picture, which is meant for a screen (IEC 61966-2-1), to the linear one of glTF.
 double linear(double channel) {
   const double c = channel / 255;
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
@@ -56,7 +56,7 @@ class GlbWriter {
     for (const ExportMesh& mesh : scene_.meshes) children.push_back(add_node(mesh.name, add_surface(mesh)));
     add_path(children);
     Json root = {{"name", "gougecheck"}};
-    // x to x, y to -z, z to y; millimetres to metres.
+    // This maps x to x, y to -z and z to y, and millimetres to metres.
     root["rotation"] = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
     root["scale"] = {0.001, 0.001, 0.001};
     if (!children.empty()) root["children"] = children;
@@ -80,7 +80,7 @@ class GlbWriter {
     return accessors_.size() - 1;
   }
 
-  // Positions state what they span, as they are written.
+  // Adds positions with their minimum and maximum, computed from the written values.
   std::size_t add_positions(const std::vector<Vec3>& points) {
     LittleEndian data;
     Eigen::Vector3f least = points.front().cast<float>(), most = least;
@@ -133,7 +133,7 @@ class GlbWriter {
     return meshes_.size() - 1;
   }
 
-  // All lines of one state and kind are one mesh, so that they can be hidden together.
+  // Adds the path. All lines of one state and kind are one mesh, so that a viewer can hide them together.
   void add_path(Json& children) {
     std::map<std::pair<MoveState, bool>, std::vector<const ExportLine*>> groups;
     for (const ExportLine& line : scene_.lines) groups[{line.state, line.is_rapid}].push_back(&line);
@@ -164,7 +164,7 @@ class GlbWriter {
     }
   }
 
-  // Lists may not be empty.
+  // Returns the file. An empty list is not allowed in glTF, so it is left out.
   [[nodiscard]] Result<std::string> file() const {
     Json json = {{"asset", {{"version", "2.0"}, {"generator", std::string(kProgramName) + " " + kProgramVersion}}},
                  {"scene", 0},

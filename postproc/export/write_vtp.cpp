@@ -5,7 +5,8 @@
 namespace gouge {
 namespace {
 
-/// The arrays of a PolyData: points of the surfaces, then of the path; lines before triangles, as VTK orders cells.
+/// The arrays of a PolyData: points of the surfaces, then of the path. Lines precede triangles, which is the order of
+/// cells in VTK.
 class PolyData {
  public:
   explicit PolyData(const ExportScene& scene) : mm_(mm_per(scene.unit)) {
@@ -40,7 +41,7 @@ class PolyData {
     points_count_ += mesh.positions.size();
   }
 
-  // A cell for each segment, so that each has its move.
+  // Adds a line. Each segment is a cell, so that each has its move.
   void add_line(const ExportLine& line) {
     for (std::size_t k = 0; k < line.points.size(); ++k) {
       points_.f64(line.points[k] / mm_);

@@ -4,9 +4,9 @@
 
 #include "postproc/cldata/reading/read_cl_data.h"
 
-// Reads cutter-location files: APT CL data in the forms CAM systems write it, Siemens NX CLSF, binary NCCS,
-// Mastercam NCI. The dialect is recognized by the content, never by the file's name, or by the user. docs/formats/
-// states what is understood of each.
+// Reads cutter-location files: APT CL data in the forms of CAM systems, Siemens NX CLSF, binary NCCS, Mastercam NCI.
+// The dialect is recognised by the content, never by the file's name, or stated by the user. docs/formats/ states which
+// parts of each are understood.
 
 namespace gouge {
 
@@ -17,10 +17,10 @@ namespace gouge {
 ///          path-part-program, path-unterminated, path-number, path-count, path-axis, path-cutter, path-tools,
 ///          path-statement, path-frame, path-range, path-more-errors.
 /// Cost     One pass, about 300 MB/s on one core. Memory is the file, 96 bytes for each move and 12 for each statement.
-///          None of them is copied while it grows where lines have one position each. That is at most 12 times the file
-///          for the shortest positions there are (GOTO/1,1,1), 3 times for usual ones of five axes. It is 18 times for
-///          lists of positions of one digit, and 39 for such holes, each of which is four moves. For long paths most of
-///          it is not in memory but in files (lib/base/paged_memory.h).
+///          If lines have one position each, no array is copied while it grows. That is at most 12 times the file for
+///          the shortest positions (GOTO/1,1,1), and 3 times for usual positions of five axes. It is 18 times for lists
+///          of positions of one digit, and 39 times for such holes, each of which is four moves. For long paths most of
+///          this data is not in memory but in files (lib/base/paged_memory.h).
 [[nodiscard]] ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const ReadOptions& options = {},
                                         const ProgressCall& progress = {});
 

@@ -50,10 +50,10 @@ Decimals decimals_by(const Toolpath& path, const MotionRecords& records) {
   return {text.coordinate_decimals(), text.axis_decimals()};
 }
 
-// For numbers without decimals: the resolution of a double at a part's size.
+// Returns the decimals for numbers without decimals: the resolution of a double at the size of a part.
 Decimals decimals_of_records(const Toolpath&, const MotionRecords&) { return {7, 9}; }
 
-// In order of trust. Text takes every file.
+// In order of reliability. The text format accepts every file.
 constexpr std::array<ToolpathFormat, 3> kFormats = {{
     {.id = "nccs-records",
      .recognise = recognise_by<is_nccs_binary, DialectKind::nccs_binary>,

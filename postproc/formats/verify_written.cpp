@@ -12,7 +12,7 @@ namespace gouge {
 namespace {
 
 constexpr double kWrittenAxis = 1e-4;
-constexpr double kSameFeed = 1e-4;  // relative
+constexpr double kSameFeed = 1e-4;  // relative difference
 
 std::string feed_name(const Feed& feed) {
   switch (feed.unit) {
@@ -30,7 +30,7 @@ std::string feed_name(const Feed& feed) {
   return "at a feed that is not stated";
 }
 
-// The written file, read again.
+// Compares the written file, read again, with the expected motions.
 struct Verification {
   const Toolpath& path;
   const Dialect& target;
@@ -44,8 +44,8 @@ struct Verification {
   [[nodiscard]] std::optional<Diagnostic> find_other_feed() const;
 };
 
-// A tool that the result does not name or define is not checked, or reported. Shapes are compared where the dialect
-// states them whole.
+// Returns whether a move has the expected tool. A tool that the result does not name or define is not checked, or is
+// reported. Shapes are compared if the dialect states them whole.
 bool Verification::is_same_tool(const Move& found, const Move& meant) const {
   constexpr double kSameSize_mm = 2e-3, kSameAngle_deg = 1e-3;
   if (found.tool == kNone) return true;
@@ -79,10 +79,10 @@ std::optional<Diagnostic> Verification::find_other_tool() const {
   return std::nullopt;
 }
 
-// A feed motion that becomes rapid, or one at another feed, breaks tools: nothing is written then.
+// Finds a feed motion that becomes rapid, or has another feed. It would break tools, so nothing is written then.
 std::optional<Diagnostic> Verification::find_other_feed() const {
   if (target.has_positions_alone) return std::nullopt;
-  // Binary NCCS files state their feeds, like their positions, without a unit.
+  // Binary NCCS files state feeds without a unit, and positions too.
   const bool has_no_unit = target.is_binary;
   const double scale = has_no_unit ? factor() : 1;
   for (std::size_t i = 0; i < std::min(again.moves.size(), expected.size()); ++i) {

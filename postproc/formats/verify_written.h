@@ -12,7 +12,7 @@ namespace gouge {
 /// Expected reading of one written position.
 struct ExpectedMotion {
   Pose end;
-  std::size_t move = 0;  ///< of the path that was written
+  std::size_t move = 0;  ///< move of the original path
   bool is_alone = false;
   bool is_checked = true;
   Feed feed;
@@ -20,10 +20,10 @@ struct ExpectedMotion {
   Vec3 axis = Vec3::UnitZ();
 };
 
-/// Reads the written file as any file would be and compares it with the expected motions. Differences are noted in
-/// `written`, except for `lost_breaks` positions, which are noted already.
+/// Reads the written file like any other file, and compares it with the expected motions. Differences are noted in
+/// `written`, except `lost_breaks` positions, which are noted already.
 ///
-/// Errors   A motion with another tool, or that is rapid or at another feed. Then nothing may be written.
+/// Errors   A motion has another tool, is rapid, or has another feed. Then nothing may be written.
 [[nodiscard]] std::optional<Diagnostic> verify_written(const Toolpath& path, const Dialect& target,
                                                        const std::vector<ExpectedMotion>& expected,
                                                        std::size_t lost_breaks, WrittenToolpath& written);

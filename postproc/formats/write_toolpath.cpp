@@ -20,11 +20,11 @@ namespace {
 
 bool is_after_retract(const Move& move) { return kind_of(move.not_checked_reason) == ReasonKind::after_retract; }
 
-// Motions that end where the file states although they are not checked. Only their start or the cutter's side of the
-// contour is in doubt.
+// Returns whether a motion ends where the file states, although it may not be checked. Then only its start or the
+// cutter's side of the contour is uncertain.
 bool is_understood(const Move& move) { return is_motion_known(move.not_checked_reason) || is_after_retract(move); }
 
-// The file or the user states of every compensated position that it is the cutter's centre.
+// Returns whether the file or the user states that all compensated positions are those of the cutter's centre.
 bool are_on_centre(const Toolpath& path, const MotionRecords& records) {
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const bool is_compensated = records.of_move[i].cutcom != CutcomSide::none;
@@ -37,7 +37,7 @@ bool is_tilted(const Move& move) {
   return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > Tolerance::kExactDirection;
 }
 
-// The dialect cannot state the whole shape of this cutter.
+// Returns whether the dialect cannot state the whole shape of a cutter.
 bool loses_shape(CutterForm form, const PathTool& tool) {
   if (!tool.cutter) return tool.stated_diameter_mm > 0 && form != CutterForm::diameter_alone;
   switch (form) {
@@ -86,15 +86,15 @@ class PathWriter {
   std::unique_ptr<MotionSink> sink_;
   WrittenToolpath written_;
   std::size_t tool_ = kNone, operation_ = kNone;
-  Feed feed_;                 // in force in what was written
-  bool is_feed_due_ = false;  // to be stated again before the next feed motion
+  Feed feed_;                 // feed in force in the written file
+  bool is_feed_due_ = false;  // the feed must be stated again before the next feed motion
   std::optional<Diagnostic> feed_error_;
   CutcomSide cutcom_ = CutcomSide::none;
-  bool is_checked_ = true;  // the move being written
+  bool is_checked_ = true;  // whether the move being written is checked
   std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, lost_cutcoms_ = 0, lost_feeds_ = 0, unstated_feeds_ = 0;
   std::size_t lost_arcs_ = 0, splines_ = 0, cycles_ = 0;
   std::vector<ExpectedMotion> expected_;
-  std::size_t index_ = 0;  // of the move being written
+  std::size_t index_ = 0;  // index of the move being written
 };
 
 std::optional<Diagnostic> PathWriter::find_obstacle() const {
@@ -173,8 +173,8 @@ void PathWriter::expect(const Pose& end, bool is_alone, double sweep_rad) {
   expected_.push_back(expected);
 }
 
-// Half a turn, and a whole one of a helix, fit whichever way round they are read. Some writers of the dialect that
-// states sweeps mean the other way. There such arcs are written in parts.
+// Writes an arc. Half a turn, and a whole turn of a helix, can be read with either sense. Some writers of the dialect
+// that states sweeps mean the opposite sense, so such arcs are written in parts in this dialect.
 bool PathWriter::write_arc(std::size_t index) {
   constexpr double kHalfTurn = std::numbers::pi, kNear_rad = 0.2;
   const Move& move = path_.moves[index];
@@ -209,12 +209,12 @@ void PathWriter::write_cutcom(std::size_t index) {
   cutcom_ = side;
 }
 
-// RAPID holds for one motion only.
+// Writes a RAPID, which holds for only one motion.
 void PathWriter::write_rapid() {
   if (path_.moves[index_].feed_unit == FeedUnit::rapid && !sink_->make_rapid()) ++lost_rapids_;
 }
 
-// A new block of NX has no feed; elsewhere the old one is still in force, and stated again.
+// A new block of NX has no feed. In other dialects the old feed stays in force, and is stated again.
 void PathWriter::forget_feed() {
   is_feed_due_ = true;
   if (target_.has_blocks) feed_ = {};
@@ -225,7 +225,7 @@ void PathWriter::refuse_feed(const Move& move, const std::string& what) {
   feed_error_ = make_error("convert-feed", what, path_.file, move.line);
 }
 
-// FEDRAT is modal: a motion without one would run at the feed of those before it.
+// Writes a FEDRAT. It is modal: a motion without one would run at the previous feed.
 void PathWriter::write_feed(const Move& move) {
   const Feed feed = move.feed();
   const bool is_same = feed.unit == feed_.unit && !(std::abs(feed.mm - feed_.mm) > 0);
@@ -299,7 +299,7 @@ void PathWriter::write_move(std::size_t index) {
   write_motion(index);
 }
 
-// "3 arcs written ...", "1 arc written ...": `what` goes with both.
+// Adds a note with a count: "3 arcs written ...", "1 arc written ...". `what` must fit both forms.
 void PathWriter::note(const char* code, std::size_t count, const std::string& noun, const std::string& what) {
   if (count == 0) return;
   written_.notes.push_back(make_warning(code, count_text(count, noun) + " " + what, path_.file));

@@ -6,25 +6,25 @@
 #include "lib/path/toolpath.h"
 #include "postproc/cldata/language/dialect.h"
 
-// Writes a neutral toolpath anew in a dialect, and states what the dialect cannot carry. Motions, tools, feeds
-// and the names of operations are written; spindle, coolant and comments are not. To change a file and keep
-// the rest of its bytes there is write_corrected.h.
+// Writes a neutral toolpath as a new file in a dialect, and states what the dialect cannot express. Motions, tools,
+// feeds and names of operations are written, but not spindle, coolant and comments. write_corrected.h changes a file
+// and keeps the rest of its bytes.
 
 namespace gouge {
 
 struct WrittenToolpath {
   std::string bytes;
-  Diagnostics notes;  ///< losses and changes: codes convert-...
+  Diagnostics notes;  ///< losses and changes, with codes convert-...
 };
 
-/// Writes lengths in the unit of `path`, and positions in part coordinates. Digits are those of the dialect, or of the
-/// source file where it has more. Arcs and splines that the dialect cannot state become chords within kChordError_mm.
+/// Writes lengths in the unit of `path`, and positions in part coordinates. The number of digits is that of the
+/// dialect, or of the source file if it has more. Arcs and splines that the dialect cannot state become chords within
+/// kChordError_mm.
 ///
-/// Ensures  The bytes, read again, hold the same motions to the last digit written. Where they do not, a note states
-///          so.
-/// Errors   (1) convert-not-understood: the path holds motions that are not understood, so that no dialect can hold
-///          them. (2) convert-dialect: `target` is read only (Mastercam NCI), or has no tool axis (CLT) and the path
-///          needs one.
+/// Ensures  The bytes, read again, give the same motions to the last written digit. A note states each exception.
+/// Errors   (1) convert-not-understood: the path has motions that are not understood, so no dialect can express them.
+///          (2) convert-dialect: `target` is read only (Mastercam NCI), or has no tool axis (CLT) and the path needs
+///          one.
 /// Cost     One pass to write and one to read.
 [[nodiscard]] Result<WrittenToolpath> write_toolpath(const Toolpath& path, const Dialect& target);
 

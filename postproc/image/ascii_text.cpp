@@ -9,13 +9,13 @@
 namespace gouge {
 namespace {
 
-// U+00C0 to U+017F without their accents, one character each; letters that need two are handled before.
+// U+00C0 to U+017F without their accents, one character each; letters that become two are handled before.
 constexpr std::string_view kLatin =
     "AAAAAAACEEEEIIIIDNOOOOOxOUUUUYPsaaaaaaaceeeeiiiidnooooo/"
     "ouuuuypyAaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlLlLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUu"
     "UuUuUuUuUuWwYyYZzZzZzs";
 
-// Characters that are written the same way.
+// Characters with a fixed replacement.
 constexpr std::pair<std::u32string_view, const char*> kSigns[] = {
     {U"\xA0", " "},         {U"\xB0", "deg"},        {U"\xB1", "+-"},
     {U"\xB2", "^2"},        {U"\xB5\x3BC", "u"},     {U"\xB7\x2022", "."},

@@ -14,9 +14,9 @@
 #include "postproc/image/mask_painter.h"
 #include "postproc/image/render_drawing.h"
 
-// Everything is painted kSupersampling times larger and averaged down.
+// Pictures are painted kSupersampling times larger and then averaged down.
 
-// libpng's simplified interface: it gives its errors back as text, where the full one would jump over
+// This file uses libpng's simplified interface, which returns its errors as text. The full interface would jump over
 // destructors.
 
 namespace gouge {
@@ -25,10 +25,10 @@ namespace {
 
 constexpr double kLargestSide = 16384;
 constexpr double kCapHeightOfSize = 0.70;   // of the font's size, as in common sans-serif fonts
-constexpr double kCapHeightOfEm = 0.729;    // of DejaVu Sans
-constexpr double kHersheyCapHeight = 21.0;  // of the letters of strokes at scale 1
+constexpr double kCapHeightOfEm = 0.729;    // the same for DejaVu Sans, relative to the em square
+constexpr double kHersheyCapHeight = 21.0;  // in the units of Hershey's stroke letters at scale 1
 
-// Pixels of the large picture; x and y may lie outside of it.
+// An area of the enlarged picture; x and y may lie outside of the picture.
 struct PixelArea {
   int x = 0, y = 0, width = 0, height = 0;
 
@@ -40,12 +40,13 @@ struct PixelArea {
 };
 
 MaskPoint mask_point(const Vec2& p) {
-  // Far outside the picture a coordinate only has to stay outside; this keeps it within the painter's integers.
+  // Far outside the picture the exact value of a coordinate does not matter. The limit keeps it within the painter's
+  // integers.
   const auto to_units = [](double x) {
     return static_cast<int>(
         std::lround(std::clamp(x, -4.0 * kLargestSide, 4.0 * kLargestSide) * kSupersampling * kMaskUnits));
   };
-  // Picture units count from the left top corner of a pixel, the painter's from its centre.
+  // Picture units begin at the left top corner of a pixel, but the painter's begin at its centre.
   return {to_units(p.x()) - kMaskUnits / 2, to_units(p.y()) - kMaskUnits / 2};
 }
 
@@ -63,7 +64,7 @@ void shift_to(const PixelArea& seen, std::vector<MaskPoint>& points) {
   }
 }
 
-// Cuts a line into the strokes its dash pattern leaves. An empty or useless pattern leaves it whole.
+// Cuts a line into the strokes of its dash pattern. An empty or invalid pattern leaves it whole.
 std::vector<std::vector<Vec2>> cut_dashes(const DrawnLine& line) {
   std::vector<Vec2> points = line.points;
   if (line.is_closed && !points.empty()) points.push_back(points.front());
@@ -98,7 +99,7 @@ std::vector<std::vector<Vec2>> cut_dashes(const DrawnLine& line) {
   return strokes;
 }
 
-// Paints one picture. The first thing that fails is kept and ends the picture in png().
+// A painter of one picture. It keeps its first error, which png() returns.
 class Painter {
  public:
   Painter(const MaskPainter& masks, int width, int height, const Colour& background)
@@ -161,7 +162,7 @@ class Painter {
                         share_before(text.anchor) * installed_font().width(text.text, text.is_bold) * size;
     const double whole = std::floor(left);
     const TextMask letters = installed_font().draw(text.text, std::min(size, 4096.0), text.is_bold, left - whole);
-    // The base line lies between two pixels of the picture: feet that end there are sharp.
+    // The base line is between two pixels of the picture, so that letters that end there are sharp.
     const int base = static_cast<int>(std::lround(std::clamp(text.at.y(), -1e5, 1e5))) * kSupersampling;
     const PixelArea area{static_cast<int>(whole) + letters.left, base + letters.top, letters.width, letters.height};
     blend(area, text.colour, [&](Mask& mask, const PixelArea& seen) -> Outcome {
@@ -173,7 +174,7 @@ class Painter {
     });
   }
 
-  // Without any font installed: letters of strokes, which are ASCII only.
+  // Draws text if no font is installed: with stroke letters, which are only ASCII.
   void draw_strokes(const DrawnText& text) {
     const std::string ascii = ascii_text(text.text);
     const int thickness = stroke_of(text.size, text.is_bold);
@@ -222,7 +223,7 @@ class Painter {
            (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) * 3;
   }
 
-  // Returns how many levels of a mask are 0 before one that is not, or some of them.
+  // Returns the number of levels that are 0 before the first other one, or a part of that number.
   static int untouched_of(const std::uint8_t* levels, int count) {
     constexpr int kTogether = 8;
     int untouched = 0;
@@ -234,8 +235,8 @@ class Painter {
     return untouched > 0 || *levels != 0 ? untouched : 1;
   }
 
-  // Paints `draw` into a mask over `area` and lays the colour over the picture through it. So overlapping strokes of
-  // one item do not add up.
+  // Paints `draw` into a mask over `area`, and lays the colour over the picture through the mask. So overlapping
+  // strokes of one item do not add up.
   template <class Draw>
   void blend(const PixelArea& area, const Colour& colour, const Draw& draw) {
     const PixelArea seen = area.within(width_, height_);
@@ -252,14 +253,14 @@ class Painter {
     for (int y = 0; y < seen.height; ++y) {
       std::uint8_t* at = pixel(seen.x, seen.y + y);
       for (int x = 0; x < seen.width; ++x, at += 3, ++level) {
-        const int untouched = untouched_of(level, seen.width - x);  // most of the mask of a frame
+        const int untouched = untouched_of(level, seen.width - x);  // this skips most of the mask of a frame
         if (untouched > 0) {
           x += untouched - 1;
           at += 3 * (untouched - 1);
           level += untouched - 1;
           continue;
         }
-        const int alpha = *level * opacity;  // of 255 * 256
+        const int alpha = *level * opacity;  // its maximum is 255 * 256
         for (std::size_t k = 0; k < 3; ++k)
           at[k] = static_cast<std::uint8_t>((at[k] * (65280 - alpha) + paint[k] * alpha + 32640) / 65280);
       }
@@ -267,7 +268,7 @@ class Painter {
   }
 
   const MaskPainter& masks_;
-  int width_, height_;  // of the large picture
+  int width_, height_;  // size of the enlarged picture
   std::vector<std::uint8_t> rgb_;
   std::optional<Diagnostic> failure_;
 };
@@ -277,7 +278,7 @@ class Painter {
 double text_width(const std::string& text, double size, bool is_bold) {
   if (installed_font().has_letters()) return installed_font().width(text, is_bold) * Painter::em_of(size);
   const Result<const MaskPainter*> masks = mask_painter();
-  if (!masks) return 0;  // render_png states so
+  if (!masks) return 0;  // render_png reports the error
   return (*masks)->width(ascii_text(text), Painter::scale_of(size)) / kSupersampling +
          (is_bold ? static_cast<double>(Painter::stroke_of(size, true)) / kSupersampling : 0.0);
 }
@@ -304,14 +305,14 @@ Result<std::string> encode_png(const std::uint8_t* rgb, int width, int height) {
   image.width = static_cast<png_uint_32>(width);
   image.height = static_cast<png_uint_32>(height);
   image.format = PNG_FORMAT_RGB;
-  // A third of the time, for files 5 to 20 % larger.
+  // This takes a third of the time, for files that are 5 to 20 % larger.
   image.flags = PNG_IMAGE_FLAG_FAST;
-  // The largest size it can have. A request to libpng for the true one would compress everything twice.
+  // The maximum size of the file. A request to libpng for its actual size would compress it twice.
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string bytes(size, '\0');
   constexpr int kRowsAsTheyAre = 0;
   if (png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb, kRowsAsTheyAre, nullptr) == 0) {
-    // "out of memory" from libpng, "insufficient memory" from zlib.
+    // The texts are "out of memory" from libpng and "insufficient memory" from zlib.
     const bool is_memory = std::string_view(image.message).find("memory") != std::string_view::npos;
     return make_error(is_memory ? "out-of-memory" : "picture-not-encoded",
                       std::string("the picture could not be encoded: ") + image.message);

@@ -19,14 +19,15 @@ namespace gouge {
 namespace {
 
 constexpr Area kCloseUp{152, 142, 830, 742};
-// A close-up may be seen from this many directions, on each of two heights. Gouges within this share of its height
-// about the finding are examined. Surfaces nearer than one of this many pixels hide nothing.
+// Number of directions from which a close-up may be seen, at each of two elevations. Gouges around the finding, within
+// this share of the picture's height, are considered. A surface that is nearer to a point than one of this many pixels
+// does not hide it.
 constexpr int kSides = 12;
 constexpr double kNear = 0.15;
 constexpr int kProbeWidth = 120, kProbeHeight = 108;
 
-// For a finding of a head: the heads as far as they are shown, with the finding and the tool's tip. Also the part where
-// a head is buried in it.
+// Returns the view of a finding of a head. It shows the heads, up to the shown distance, the finding and the tool's
+// tip. If a head is buried in the part, it shows the part too.
 View head_view(const PictureSet& set, const PictureEvent& event, const Vec3& toward, int width, int height) {
   View view = make_view(toward, event.pose.axis, width, height);
   const double reach = head_reach_mm(set, event);
@@ -50,7 +51,7 @@ View tool_view(const PictureSet& set, const PictureEvent& event, const Vec3& tow
   const double height_mm = std::clamp(reach, std::min(8 * event.depth_mm, reach), std::max(1.1 * part_mm, 1e-3));
   View view = make_view(toward, event.pose.axis, width, height);
   view.mm_per_pixel = height_mm / height;
-  // A little of the tool above the finding, most of the part around it.
+  // The view shows a little of the tool above the finding, and mostly the part around it.
   const double lift = std::min(0.18 * height_mm, 0.5 * variants_of(set, event).bare.z_max_mm);
   view.centre = event.at + view.up * lift;
   return view;
@@ -60,7 +61,7 @@ View close_view(const PictureSet& set, const PictureEvent& event, const Vec3& to
   return event.head ? head_view(set, event, toward, width, height) : tool_view(set, event, toward, width, height);
 }
 
-// Returns how much of the gouged surface about the finding is visible and faces the viewer.
+// Returns the share of the gouged surface around the finding that is visible and faces the viewer.
 double gouged_share(const PictureSet& set, const std::vector<GougeWitness>& gouges, const Vec3& toward,
                     double clear_mm) {
   double seen = 0, all = 0;
@@ -102,7 +103,7 @@ Vec3 best_direction(const PictureSet& set, const PictureEvent& event) {
   return best;
 }
 
-// `words` in a box on the side that `clear_of` leaves free, with a line to the target.
+// Adds `words` in a box, on the side that leaves `clear_of` free, with a line to the target.
 void add_callout(Page& page, const Area& area, const Vec2& target, const Vec2& clear_of, const std::string& words) {
   const double width = text_width(words, 21, true) + 28;
   const bool is_left = clear_of.x() < area.middle().x();
@@ -130,7 +131,7 @@ void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, 
   lay_glass(raster, buffer, tool_surface(variants.bare, event.pose), PictureScene(set.input.heads, event.heads));
   page.rasters.push_back({static_cast<int>(kCloseUp.x), static_cast<int>(kCloseUp.y), std::move(raster)});
   const Vec2 target = on_page(kCloseUp, view.project(event.at));
-  // A head's finding may be far from the tool, which must be seen as well.
+  // The finding of a head may be far from the tool, which must be visible too.
   const Vec2 tip = on_page(kCloseUp, view.project(event.pose.tip));
   add_callout(page, kCloseUp, target, event.head ? tip : target, words);
   page.frame(kCloseUp, kSoftInk, 1);

@@ -15,7 +15,7 @@ constexpr std::array<Colour, 6> kRamp{
 
 constexpr double kRootRatio = 100;
 
-// A number that is round already, with as many decimals as it has.
+// Returns a round number with all its decimals.
 std::string length_digits(double value) {
   std::string text = fixed_text(value, 9);
   while (text.back() == '0') text.pop_back();

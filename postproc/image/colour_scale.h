@@ -16,24 +16,24 @@ inline constexpr Colour kHairline{206, 211, 217, 1};
 inline constexpr Colour kAlarm{178, 24, 43, 1};
 inline constexpr Colour kCalm{34, 120, 84, 1};
 
-/// Returns the colour of a body of the tool, in every picture the same.
+/// Returns the colour of a body of the tool, which is the same in every picture.
 [[nodiscard]] Colour body_colour(int body);
 
-/// Depth to colour: pale yellow just above `low`, through orange and red to dark purple at `high`. Lightness falls
-/// steadily, so the order survives a black-and-white print.
-/// When the worst depth is a hundred times the tolerance and more, lengths along the scale grow with the square root of
-/// the depth. Otherwise one holder collision would hide every small gouge.
+/// A map from depth to colour: pale yellow just above `low`, through orange and red to dark purple at `high`. Lightness
+/// falls steadily, so the order is visible in a black-and-white print.
+/// If the worst depth is at least a hundred times the tolerance, lengths on the scale grow with the square root of the
+/// depth. Otherwise one holder collision would hide every small gouge.
 struct ColourScale {
   double low_mm = 0, high_mm = 1;
   bool is_root = false;
   /// Returns the place on the scale from 0 (depth 0) to 1 (high_mm).
   [[nodiscard]] double place(double depth_mm) const;
-  /// Returns the depth at a point.
+  /// Returns the depth at a place on the scale.
   [[nodiscard]] double depth_at(double place) const;
   [[nodiscard]] Colour at(double depth_mm) const;
 };
 
-/// Round depths for the scale's ticks in the unit, from 0 up, at least `gap` apart on the scale.
+/// A tick of the scale at a round depth. Ticks are in the unit, from 0 up, and at least `gap` apart on the scale.
 struct Tick {
   double depth_mm = 0;
   std::string text;
@@ -47,9 +47,9 @@ struct Tick {
 [[nodiscard]] double round_up(double value);
 /// Returns 1, 2 or 5 times a power of ten, not above `value`. Requires value > 0.
 [[nodiscard]] double round_down(double value);
-/// Steps of 1, 2 or 5 times a power of ten that cut [0, high] into about `count` pieces.
+/// Returns a step of 1, 2 or 5 times a power of ten that cuts [0, high] into about `count` pieces.
 [[nodiscard]] double round_step(double high, int count);
-/// Returns a number with as many decimals as a step needs: "0.25" for steps of 0.05.
+/// Returns a number with the decimals that a step needs: "0.25" for steps of 0.05.
 [[nodiscard]] std::string tick_text(double value, double step);
 
 }  // namespace gouge

@@ -12,9 +12,9 @@ namespace {
 constexpr Colour kNotCheckedFill{226, 229, 233, 1};
 constexpr Colour kNotCertifiedFill{252, 232, 190, 1};
 constexpr Colour kBuriedFill{64, 20, 84, 1};
-constexpr double kWithinTolerance = 0.5;  // opacity of depths of moves that do not gouge
+constexpr double kWithinTolerance = 0.5;  // opacity of the bars of moves that do not gouge
 
-// Content of one column of the strip: one move, or the worst of several.
+// A column of the strip shows one move, or the worst of several.
 constexpr Colour kProvedFill{33, 125, 90, 0.30};
 
 struct Column {
@@ -64,7 +64,7 @@ class Strip {
             area_.height};
   }
 
-  // Stretches of one state as one box, so that no seams show between columns.
+  // Draws neighbouring columns with the same state as one box, so that no seams show between them.
   template <class Flag>
   void draw_sections(Page& page, const Flag& has_flag, const Colour& fill) const {
     for (std::size_t i = 0; i < columns_.size();) {
@@ -135,7 +135,7 @@ class Strip {
   void draw_tolerance(Page& page) const {
     const double tolerance_mm = set_.model.options.tolerance_mm;
     const double y = y_of(tolerance_mm);
-    // Clean moves are proved to end in this band at the latest.
+    // For a clean move it is proved that its depth does not exceed this band.
     const double limit = y_of(tolerance_mm + set_.model.options.resolution_mm);
     page.box({area_.x, limit, area_.width, y - limit}, {178, 24, 43, 0.13});
     page.line({area_.x, y}, {area_.right() + 8, y}, kAlarm, 1.5, {9, 6});
@@ -150,7 +150,7 @@ class Strip {
     for (const PictureEvent& event : set_.events) {
       double x = x_of(static_cast<double>(event.event.worst_move) + 0.5);
       const double y = std::max(y_of(event.depth_mm) - 22, area_.y + 12);
-      // Markers of neighbouring events move aside rather than cover each other.
+      // Markers of neighbouring events are moved apart, so that they do not cover each other.
       for (int k = 1; k < 40; ++k) {
         const bool is_free = std::ranges::none_of(used, [&](double other) { return std::abs(other - x) < 27; });
         if (is_free) break;
@@ -172,7 +172,7 @@ class Strip {
   ColourScale scale_;
 };
 
-// Draws the operation and tool at work, as a row of labelled spans above the strip.
+// Draws the present operation and tool as a row of labelled spans above the strip.
 void draw_operations(Page& page, const PictureSet& set, const Area& area) {
   const Toolpath& path = *set.input.toolpath;
   const Moves& moves = path.moves;

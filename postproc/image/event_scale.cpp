@@ -9,10 +9,10 @@ namespace gouge {
 
 namespace {
 
-constexpr double kReach = 1.2;  // of the parts' size
+constexpr double kReach = 1.2;  // relative to the size of the parts
 constexpr double kFilled = 0.84;
 
-// Radius of the body that gouges: what a picture of it should be scaled to.
+// Returns the radius of the body that gouges, which determines the scale of its picture.
 double body_radius(const CompiledTool& tool, Body body) {
   double radius = 0;
   for (const OutlineRun& run : tool_outline(tool)) {
@@ -62,13 +62,14 @@ double FlatExtent::mm_per_unit(double width, double height) const {
 
 namespace {
 
-// Colours of a correction cover the path before it, so that both halves can be compared.
+// Returns the worst depth for the colours. For a correction it includes the path before it, so that both halves are
+// comparable.
 double worst_depth(const ReportModel& model, const CheckedToolpath& input) {
   const CheckResult* before = model.has_correction ? model.correction.result_before : nullptr;
   return std::max(input.result->worst_depth_mm, before != nullptr ? before->worst_depth_mm : 0.0);
 }
 
-/// Maximum of the coloured quantity: an overcut, or the depth of a gouge without one or of a head.
+/// Returns the maximum of the coloured quantity: an overcut, or the depth of a gouge without one or of a head.
 double worst_on_surface(const CheckResult& result) {
   double worst = 0;
   for (const MoveVerdict& v : result.verdicts) {

@@ -15,7 +15,7 @@ namespace {
 constexpr Area kWhole{1016, 142, 548, 400};
 constexpr Area kDetail{1016, 582, 548, 390};
 
-// The depth between the tool's boundary and the surface, with arrow heads when there is room for them.
+// Adds an arrow for the depth between the tool's boundary and the surface, with arrow heads if there is room for them.
 void add_depth_arrow(Page& page, const SectionPanel& panel, const SectionPlane& plane, const PictureEvent& event,
                      const std::string& words) {
   const Vec2 from = panel.place(plane.flat(event.at));
@@ -34,7 +34,7 @@ void add_depth_arrow(Page& page, const SectionPanel& panel, const SectionPlane& 
   page.disc(from, 3.2, kAlarm);
   const double width = text_width(words, 18, true) + 20;
   const Vec2 middle = 0.5 * (from + to);
-  // A head moves away in any direction, also across.
+  // A head may move away in any direction, also sideways in the picture.
   const double gap = event.head ? 26 + 0.5 * std::abs(to.x() - from.x()) : 26;
   const bool is_right = middle.x() + gap + 4 + width < panel.area.right() - 8;
   const Area box{is_right ? middle.x() + gap : middle.x() - gap - width, middle.y() - 15, width, 30};
@@ -60,7 +60,7 @@ bool has_inside(const PictureSet& set) {
   return is_closed(set.model.parts) && is_closed(set.model.fixtures) && !set.model.parts.empty();
 }
 
-// The section with the heads in it.
+// Returns the section, including the heads.
 Section cut(const PictureSet& set, const PictureEvent& event, double size_mm) {
   std::optional<Vec3> way_out;
   if (event.head && event.has_witness) way_out = event.witness.normal;
@@ -69,8 +69,8 @@ Section cut(const PictureSet& set, const PictureEvent& event, double size_mm) {
   return section;
 }
 
-// The heads as far as they are shown, the finding and the tool's tip; tool and part too where a head is
-// buried in it.
+// Returns the panel of a finding of a head. It shows the heads, up to the shown distance, the finding and the tool's
+// tip. If a head is buried, it shows tool and part too.
 SectionPanel head_panel(const PictureSet& set, const PictureEvent& event, const Section& section, const Area& area) {
   const Vec2 at = section.plane.flat(event.at);
   const double reach = head_reach_mm(set, event);
@@ -115,7 +115,7 @@ std::string whole_title(const PictureSet& set, const SectionPlane& plane) {
   return "Section along the depth, " + depth_text(beside, set.model.toolpath->unit) + " beside the tool axis";
 }
 
-// Frames in `whole` what `detail` enlarges.
+// Draws a frame in `whole` around the area that `detail` enlarges.
 void frame_detail(Page& page, const SectionPanel& whole, const SectionPanel& detail) {
   const Vec2 target = whole.place(detail.centre);
   const double half_width = 0.5 * kDetail.width * detail.mm_per_unit / whole.mm_per_unit;
@@ -140,7 +140,7 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
   const SectionPlane& plane = section.plane;
   const LengthUnit unit = set.model.toolpath->unit;
   const Vec2 at = plane.flat(event.at);
-  // The body that gouges with some room around it, the finding well inside the panel.
+  // The panel shows the body that gouges with some room around it, and the finding well inside.
   const double size = tool_size_mm(set, event);
   const SectionPanel whole = event.head
                                  ? head_panel(set, event, section, kWhole)

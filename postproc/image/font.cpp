@@ -19,16 +19,16 @@
 #include FT_OUTLINE_H
 #include FT_SYSTEM_H
 
-// The only file that knows FreeType.
+// The only file that uses FreeType.
 
 namespace gouge {
 namespace {
 
 constexpr double kBoxAdvance = 0.6, kBoxSide = 0.05, kBoxHeight = 0.73,
-                 kBoxStroke = 0.05;  // in units of the size
+                 kBoxStroke = 0.05;  // relative to the font size
 
-// A character without a glyph that takes no room shows nothing: marks that choose a variant of the one
-// before.
+// Returns whether a character without a glyph takes no room and so shows nothing. Such characters choose a variant of
+// the previous one.
 bool takes_no_width(std::string_view text, std::size_t at, const CodePoint& c) {
   return display_width(text.substr(at, c.bytes)) == 0;
 }
@@ -129,8 +129,8 @@ class Font::Files {
     return {nullptr, 0};
   }
 
-  // Calls place(face, glyph, x) for every letter, with no face for a box, and returns where the text ends. Both are in
-  // units of the size, from the design of the font, so that widths grow with it exactly.
+  // Calls place(face, glyph, x) for every letter, with no face for a box, and returns the end of the text. Positions
+  // are in units of the font size, from the design of the font, so that widths are exactly proportional to the size.
   template <class Place>
   double lay_out(std::string_view words, bool is_bold, const Place& place) const {
     const std::string text = printable(words);
@@ -155,7 +155,7 @@ class Font::Files {
     return x;
   }
 
-  // Only one thread may use FreeType's faces at a time.
+  // Only one thread at a time may use the faces of FreeType.
   mutable std::mutex mutex;
 
  private:
@@ -182,7 +182,8 @@ class Font::Files {
     return static_cast<double>(units.x) / face->units_per_EM;
   }
 
-  // Where memory is lacking FreeType omits parts (kerning, a glyph). The picture would differ without any sign of it.
+  // Without memory FreeType omits parts (kerning, a glyph), and the picture would differ without a message. So the
+  // failure is noted.
   static void* resize(FT_Memory memory, void* block, long bytes) {
     void* const got = std::realloc(block, static_cast<std::size_t>(bytes));
     if (got == nullptr && bytes > 0) static_cast<Files*>(memory->user)->is_short_of_memory_ = true;
@@ -196,7 +197,7 @@ class Font::Files {
   FT_Library library_ = nullptr;
   std::vector<FT_Face> all_, regular_, bold_;
   std::atomic<bool> is_short_of_memory_ = false;
-  std::string unreadable_;  // a font file; empty: none
+  std::string unreadable_;  // a font file that cannot be read; empty: none
 };
 
 Font::Font(const std::vector<std::string>& regular_files, const std::vector<std::string>& bold_files)
@@ -231,7 +232,7 @@ TextMask Font::draw(std::string_view text, double size, bool is_bold, double shi
 }
 
 const Font& installed_font() {
-  // Where Debian, Fedora and Arch keep them.
+  // The places of the fonts in Debian, Fedora and Arch.
   static const Font font(
       {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
        "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc",

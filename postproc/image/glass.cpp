@@ -29,12 +29,12 @@ Colour glass_colour(const View& view, Vec3 normal, int body) {
   return {lit(colour.r), lit(colour.g), lit(colour.b), 1};
 }
 
-/// Pixels of a picture.
+/// A range of pixels of a picture.
 struct PixelRange {
-  int left = 0, top = 0, right = 0, bottom = 0;  ///< the last two behind the last
+  int left = 0, top = 0, right = 0, bottom = 0;  ///< right and bottom are one past the last pixel
 };
 
-/// Restricts a view to these pixels.
+/// Returns the view restricted to these pixels.
 View part_of(const View& view, const PixelRange& range) {
   View out = view;
   out.width = std::max(0, range.right - range.left);
@@ -44,12 +44,13 @@ View part_of(const View& view, const PixelRange& range) {
   return out;
 }
 
-constexpr int kOutline = 2;  // pixels wide, of a supersampled picture
+constexpr int kOutline = 2;  // width in pixels of a supersampled picture
 
-/// The pane that a body lays over the part. It is drawn for some pixels of the picture; in no other is it seen.
+/// The transparent image of a body over the part. It is drawn only for the pixels of a range; outside, the body is not
+/// visible.
 class Pane {
  public:
-  /// `body_of`: of a face.
+  /// `body_of` returns the body of a face.
   template <class BodyOf>
   Pane(const SurfaceBuffer& part, const PixelRange& range, SurfaceBuffer buffer, const BodyOf& body_of)
       : part_(part), range_(range), buffer_(std::move(buffer)), stride_(buffer_.view.width + kOutline) {
@@ -60,7 +61,7 @@ class Pane {
       for (int x = 0; x < buffer_.view.width; ++x) {
         if (faces[x] != kNoFace) bodies[x] = static_cast<std::int8_t>(body_of(faces[x]));
       }
-      // The edge of the picture is not an outline.
+      // An outline does not run along the edge of the picture.
       if (range.right == part.view.width && buffer_.view.width >= kOutline)
         std::copy_n(bodies + buffer_.view.width - kOutline, kOutline, bodies + buffer_.view.width);
     }
@@ -69,7 +70,7 @@ class Pane {
                 bodies_.data() + body_index(0, buffer_.view.height));
   }
 
-  /// `coat_of(i, is_hidden)`: what colours pixel i of the buffer.
+  /// Paints a pixel. `coat_of(i, is_hidden)` returns the colour for pixel i of the buffer.
   template <class CoatOf>
   void paint(Raster& raster, int x, int y, const CoatOf& coat_of) const {
     if (!is_within(x, y)) return;
@@ -103,7 +104,7 @@ class Pane {
   PixelRange range_;
   SurfaceBuffer buffer_;
   int stride_;
-  std::vector<std::int8_t> bodies_;  ///< by pixel of the range and of a border behind it; -1: none
+  std::vector<std::int8_t> bodies_;  ///< for each pixel of the range and of a border behind it; -1: none
 };
 
 class ToolPane {
@@ -136,10 +137,11 @@ class ToolPane {
 
   Pane pane_;
   const ToolSurface& tool_;
-  std::vector<std::array<Coat, 2>> coats_;  ///< by face: where it is seen, and behind the part
+  std::vector<std::array<Coat, 2>> coats_;  ///< for each face: if it is visible, and if it is behind the part
 };
 
-/// Clearer than a tool: a head is large, and the surface that it gouges lies behind it.
+/// The pane of a head. It is more transparent than that of a tool, because a head is large and hides the surface that
+/// it gouges.
 class HeadPane {
  public:
   HeadPane(const SurfaceBuffer& part, const PictureScene& heads)
@@ -170,7 +172,7 @@ void draw_glass_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuf
   });
 }
 
-/// The pixels that a tool may change: those it is seen in and, for its outline, two more.
+/// Returns the pixels that a tool may change: those in which it is visible, and two more for its outline.
 PixelRange pixels_of(const ToolSurface& tool, const View& view) {
   constexpr double kFar = std::numeric_limits<double>::max();
   Vec2 low(kFar, kFar), high(-kFar, -kFar);

@@ -7,9 +7,9 @@
 
 namespace gouge {
 
-/// Lays the tool and the heads (both in part coordinates) over the picture of a part, like clear glass. The nearer is
-/// over the farther, with a faint trace where the part hides them. Lines run along their outlines and the edges of the
-/// heads.
+/// Lays the tool and the heads (both in part coordinates) over the picture of a part, like clear glass. The nearer body
+/// is over the farther one; where the part hides them, a faint trace remains. Lines show their outlines and the edges
+/// of the heads.
 void lay_glass(Raster& raster, const SurfaceBuffer& part, const ToolSurface& tool, const PictureScene& heads);
 
 }  // namespace gouge

@@ -15,7 +15,7 @@ namespace gouge {
 namespace {
 
 constexpr double kContentTop = 118;
-// On shallow gouges depth and overcut agree.
+// The overcut is stated only if depth and overcut differ by this factor. For shallow gouges they agree.
 constexpr double kNoteworthy = 1.02;
 constexpr double kContentBottom = kPageHeight - 24;
 
@@ -26,8 +26,8 @@ View view_for(const PictureSet& set, const Vec3& toward, const Area& area) {
   return view;
 }
 
-// Draws one view into `area` and hands it back for the labels. Where nothing gouges, the path can be shown in place of
-// depths: a part without colours alone would look the same wherever the path runs.
+// Draws one view into `area` and returns it for the labels. Without gouges the path can be shown in place of depths.
+// Otherwise a part without colours would look the same for every path.
 View add_view(Page& page, const PictureSet& set, const Vec3& toward, const Area& area, bool shows_path) {
   const View view = view_for(set, toward, area);
   const SurfaceBuffer buffer = draw_surface(set.scene, view);
@@ -47,13 +47,14 @@ View add_view(Page& page, const PictureSet& set, const Vec3& toward, const Area&
   return view;
 }
 
-// The part must not run into triad and scale below it. In flat views they stand beside it, on the left.
+// Returns the area for the part, which must not overlap the triad and the scale. These are below it, or on its left in
+// flat views.
 Area above_furniture(const Area& area) {
   if (area.width > 2 * area.height) return {area.x + 120, area.y, area.width - 120, area.height - 34};
   return {area.x, area.y, area.width, area.height - 90};
 }
 
-// The worse of both views' scales, mm a pixel.
+// Returns the larger of both views' scales, in mm for a pixel.
 double scale_in(const PictureSet& set, const std::array<Area, 2>& areas) {
   double worst = 0;
   for (std::size_t i = 0; i < set.directions.size() && i < areas.size(); ++i) {
@@ -202,7 +203,7 @@ Page draw_heat_map(const PictureSet& set) {
                         caption_lines(set.model, *set.input.toolpath));
   const LengthUnit unit = set.model.toolpath->unit;
   const double height = kContentBottom - kContentTop;
-  // Side by side or one above the other, whichever shows the part larger.
+  // The views are side by side or one above the other: the layout that shows the part larger.
   std::array<Area, 2> areas{Area{36, kContentTop, 768, height}, Area{820, kContentTop, 548, height}};
   const double half = 0.5 * (height - 16);
   const std::array<Area, 2> rows{Area{36, kContentTop, 1332, half}, Area{36, kContentTop + half + 16, 1332, half}};

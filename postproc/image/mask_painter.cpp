@@ -7,7 +7,8 @@
 namespace gouge {
 
 Result<const MaskPainter*> mask_painter() {
-  // Where OpenCV was built with OpenBLAS, that starts a thread for every core as it is loaded. Masks need no algebra.
+  // If OpenCV was built with OpenBLAS, the latter starts a thread for every core when it is loaded. Masks need no
+  // algebra.
   [[maybe_unused]] static const int is_set = ::setenv("OPENBLAS_NUM_THREADS", "1", 0);
   const Result<void*> make = find_function("gougecheck_pictures.so", "gougecheck_mask_painter");
   if (!make) return make.error();

@@ -3,7 +3,7 @@
 
 #include "postproc/image/mask_painter.h"
 
-// The only file that knows OpenCV; a shared module of its own.
+// The only file that uses OpenCV; it is built as a shared module.
 
 namespace gouge {
 namespace {
@@ -24,7 +24,7 @@ Outcome painted(const Paint& paint) {
     return Done{};
   } catch (const cv::Exception& failure) {
     const bool is_memory = failure.code == cv::Error::StsNoMem;
-    Diagnostic error;  // this module has nothing of the others but their headers
+    Diagnostic error;  // this module uses only headers of the others
     error.code = is_memory ? "out-of-memory" : "picture-not-encoded";
     error.message = std::string("the picture could not be painted: ") + failure.what();
     return error;
@@ -33,7 +33,7 @@ Outcome painted(const Paint& paint) {
 
 class OpenCvPainter : public MaskPainter {
  public:
-  // Threads are started by for_each_chunk alone, which knows how many may be and does without.
+  // Only for_each_chunk starts threads, because it knows their maximum number and can do without any.
   OpenCvPainter() { cv::setNumThreads(1); }
 
   Outcome draw(Mask& mask, const std::vector<std::vector<MaskPoint>>& strokes, int thickness) const override {
@@ -61,7 +61,7 @@ class OpenCvPainter : public MaskPainter {
 
   [[nodiscard]] double width(const std::string& ascii, double scale) const override {
     double pixels = 0;
-    // At a fixed large scale, so that widths grow smoothly with the size.
+    // Measures at a fixed large scale, so that widths grow smoothly with the size.
     constexpr double kMeasured = 4;
     const Outcome measured = painted([&] {
       int base_line = 0;

@@ -46,7 +46,7 @@ namespace {
 
 bool is_of_number(char c) { return (c >= '0' && c <= '9') || c == '.'; }
 
-// Both ends of a cut text, less what is left of a number that the cut goes through.
+// Returns both ends of a text, without the remaining digits of a number that the cut divides.
 std::string without_middle(const std::string& text, std::size_t head, std::size_t tail) {
   while (head > 0 && is_of_number(text[head - 1]) && is_of_number(text[head])) --head;
   while (tail < text.size() && is_of_number(text[tail]) && is_of_number(text[tail - 1])) ++tail;
@@ -155,7 +155,7 @@ void add_triad(Page& page, const Vec2& at, const View& view, double size) {
   std::vector<Axis> axes{{Vec3::UnitX(), "X", {192, 57, 43, 1}},
                          {Vec3::UnitY(), "Y", {39, 134, 74, 1}},
                          {Vec3::UnitZ(), "Z", {36, 93, 173, 1}}};
-  // The one that points at the viewer is painted last.
+  // The axis that points at the viewer is painted last.
   std::sort(axes.begin(), axes.end(), [&](const Axis& a, const Axis& b) {
     const double za = a.direction.dot(view.toward);
     const double zb = b.direction.dot(view.toward);
@@ -191,7 +191,7 @@ void add_marker(Page& page, const Area& area, const Vec2& target, int number, bo
   bool is_found = false;
   for (const double distance : {44.0, 60.0, 80.0, 105.0, 135.0, 170.0}) {
     for (int k = 0; k < 16 && !is_found; ++k) {
-      // Up and to the right first, then alternately to both sides of it.
+      // The first place is up and to the right; the next ones alternate between both sides of that direction.
       const double turn = (k % 2 == 0 ? 1 : -1) * ((k + 1) / 2) * std::numbers::pi / 8;
       const double angle = -std::numbers::pi / 4 + turn;
       const Vec2 centre = target + distance * Vec2(std::cos(angle), std::sin(angle));

@@ -8,7 +8,7 @@
 #include "postproc/image/raster.h"
 #include "postproc/image/view.h"
 
-// Titles, scales and labels that the pictures share. Coordinates in picture units.
+// Titles, scales and labels that all pictures use. Coordinates are in picture units.
 
 namespace gouge {
 
@@ -25,7 +25,7 @@ struct Area {
 struct Page {
   Drawing drawing;
   std::vector<PlacedRaster> rasters;
-  std::vector<Area> taken;  ///< by labels, so that later ones keep clear of them
+  std::vector<Area> taken;  ///< areas of labels, which later labels do not cover
 
   void line(const Vec2& a, const Vec2& b, const Colour& colour, double width = 1, std::vector<double> dashes = {});
   void shape(std::vector<Vec2> points, const Colour& fill);
@@ -40,29 +40,29 @@ struct Page {
 [[nodiscard]] Page make_page(const std::string& title, const std::string& verdict, const Colour& verdict_colour,
                              const std::vector<std::string>& lines);
 
-/// Returns `words`, shortened with "..." in the middle when wider than `width`, never within a number.
+/// Returns `words`, shortened with "..." in the middle if they are wider than `width`, but never within a number.
 [[nodiscard]] std::string fitted(const std::string& words, double size, double width, bool is_bold = false);
 
-/// Returns `size`, or a smaller one with which `words` are at most as wide as `width`: for texts that must not be
+/// Returns `size`, or a smaller size at which `words` are at most as wide as `width`, for texts that must not be
 /// shortened.
 [[nodiscard]] double fitting_size(const std::string& words, double size, double width, bool is_bold = false);
 
 /// Adds a vertical bar with numbers, grey below the tolerance.
 void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit, const std::string& title);
-/// Adds a bar of a round length in the view's scale, with its left end at `at`. The view's pixels are supersampled
-/// ones. The `max_width` is that of the bar alone.
+/// Adds a bar of a round length in the view's scale, with its left end at `at`. The pixels of the view are supersampled
+/// ones. `max_width` limits the bar without its words.
 void add_scale_bar(Page& page, const Vec2& at, const View& view, LengthUnit unit, double max_width);
 /// Returns the width of the bar with its words.
 [[nodiscard]] double scale_bar_width(const View& view, LengthUnit unit, double max_width);
-/// Adds the directions of x, y and z as the view sees them.
+/// Adds the directions of x, y and z in the view.
 void add_triad(Page& page, const Vec2& at, const View& view, double size);
 
-/// Returns the point of a picture for a point of a view whose raster lies at `area`.
+/// Returns the point of a picture for a point of a view whose raster is at `area`.
 [[nodiscard]] inline Vec2 on_page(const Area& area, const Vec3& projected) {
   return {area.x + projected.x() / kSupersampling, area.y + projected.y() / kSupersampling};
 }
 
-/// Adds a numbered disc beside `target` that covers no other label, with a line to it. It stays within `area`.
+/// Adds a numbered disc beside `target`, with a line to it. It covers no other label, and stays within `area`.
 void add_marker(Page& page, const Area& area, const Vec2& target, int number, bool is_hidden);
 
 }  // namespace gouge

@@ -20,8 +20,8 @@ namespace gouge {
 namespace {
 
 constexpr double kWidth = 1600, kHeight = 1000, kMargin = 24, kTitle = 84;
-constexpr double kAxisShare = 0.04;      // length of a drawn tool axis as a share of the box's diagonal
-constexpr std::size_t kAxesDrawn = 400;  // at most, evenly over the path
+constexpr double kAxisShare = 0.04;      // length of a drawn tool axis, relative to the box's diagonal
+constexpr std::size_t kAxesDrawn = 400;  // maximum number of axes, evenly distributed over the path
 constexpr double kPathFont = 16;
 
 const Colour kPathInk{40, 44, 52, 1};
@@ -33,7 +33,7 @@ struct Ink {
   std::vector<double> dashes;
 };
 
-// In the order of MoveKind, then what cannot be checked.
+// In the order of MoveKind, then moves that cannot be checked.
 const std::array<Ink, 5> kInks = {{{"feed", {25, 95, 180, 1}, {}},
                                    {"rapid", {225, 140, 20, 1}, {6, 4}},
                                    {"arc", {20, 140, 95, 1}, {}},
@@ -170,7 +170,7 @@ class Overlay {
     const int y = static_cast<int>(std::floor(p.y())) + dy;
     if (x < 0 || y < 0 || x >= buffer_.view.width || y >= buffer_.view.height) return;
     const std::size_t i = buffer_.index(x, y);
-    const double slack = 4 * buffer_.view.mm_per_pixel;  // what lies on a surface seen at a slant
+    const double slack = 4 * buffer_.view.mm_per_pixel;  // for points on a surface that is seen at an angle
     if (p.z() + slack < static_cast<double>(buffer_.z[i])) return;
     marks_[i] = std::max(marks_[i], static_cast<std::uint8_t>(mark));
   }

@@ -90,7 +90,7 @@ std::vector<GougeWitness> gouge_witnesses(const CheckedToolpath& input, std::siz
     const MoveVerdict& verdict = verdicts[gouging[k]];
     const Motion motion = input.options.law.of(*input.toolpath, gouging[k]);
     const double travel = motion.is_defined() ? path_length_mm(motion) : 0;
-    // A trace is about as wide as the root of its depth.
+    // The width of a trace is about proportional to the square root of its depth.
     const double weight = std::max(travel, verdict.depth_mm) * std::sqrt(std::max(verdict.depth_mm, 0.0));
     out.push_back({verdict.witness->point, verdict.witness->normal, weight});
   }

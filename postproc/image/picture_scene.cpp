@@ -12,8 +12,8 @@
 namespace gouge {
 namespace {
 
-constexpr double kSmoothCosine = 0.819;  // of 35 degrees
-constexpr std::size_t kLargestFan = 64;  // triangles of a vertex examined for its smooth normal
+constexpr double kSmoothCosine = 0.819;  // cosine of 35 degrees
+constexpr std::size_t kLargestFan = 64;  // maximum number of triangles at a vertex for its smooth normal
 
 using Normal = Eigen::Vector3f;
 

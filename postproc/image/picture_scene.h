@@ -15,23 +15,25 @@
 
 namespace gouge {
 
-/// Returns whether two directions of any length are within the angle of that cosine, which is positive.
+/// Returns whether the angle between two directions of any length is within the one with this cosine, which is
+/// positive.
 [[nodiscard]] inline bool is_smooth_between(const Vec3& a, const Vec3& b, double min_cosine) {
   const double dot = a.dot(b);
   return dot > 0 && dot * dot >= min_cosine * min_cosine * a.squaredNorm() * b.squaredNorm();
 }
 
-/// Parts and fixtures, or heads, as one list of faces and one of vertices. The meshes stay where they are.
+/// Parts and fixtures, or heads, as one list of faces and one list of vertices. The meshes are not copied.
 class PictureScene {
  public:
-  /// Ends of a sharp edge or a border, in the list of vertices.
+  /// The ends of a sharp edge or a border, as indices of vertices.
   struct Edge {
     std::uint32_t a = 0, b = 0;
   };
 
-  /// The scene must outlive it. Cost: O(n), 36 bytes a triangle, and 14 that the scene keeps.
+  /// Builds the list of a scene, which must outlive it. Cost: O(n), 36 bytes for each triangle, and 14 that the scene
+  /// keeps.
   explicit PictureScene(const PreparedScene& scene);
-  /// Heads where `to_part` brings them. They must outlive it.
+  /// Builds the list of heads at the place to which `to_part` moves them. The heads must outlive it.
   PictureScene(std::span<const HeadBody> heads, const RigidTransform& to_part);
   PictureScene(const PictureScene&) = delete;
   PictureScene& operator=(const PictureScene&) = delete;
@@ -39,35 +41,35 @@ class PictureScene {
   /// Returns the number of faces, which are in the order of the obstacles.
   [[nodiscard]] std::uint32_t face_count() const;
   [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t face) const;
-  /// Returns the faces that reach into the view, and some that only come near.
+  /// Returns the faces that reach into the view, and some that only come near it.
   [[nodiscard]] std::vector<std::uint32_t> faces_in(const View& view) const;
   /// Returns the unit normals at the three corners, smooth across edges that bend less than 35 degrees.
   [[nodiscard]] const std::array<Eigen::Vector3f, 3>& normals(std::uint32_t face) const { return normals_[face]; }
-  /// Returns the normal of the face alone, twice its area long.
+  /// Returns the normal of the face alone; its length is twice the area.
   [[nodiscard]] Vec3 area_normal(std::uint32_t face) const;
-  /// Returns the obstacle that it is of. Requires a scene that was made of obstacles.
+  /// Returns the obstacle to which the face belongs. Requires a scene made of obstacles.
   [[nodiscard]] Against against(std::uint32_t face) const {
     const auto next = std::upper_bound(first_faces_.begin(), first_faces_.end(), face);
     return static_cast<Against>(next - first_faces_.begin() - 1);
   }
-  /// Returns true for the surface that the cutter makes, and for heads.
+  /// Returns true for the surface that the cutter machines, and for heads.
   [[nodiscard]] bool is_of_workpiece(std::uint32_t face) const {
     return first_faces_.empty() || rule_of(against(face)).is_workpiece;
   }
-  /// Returns the mesh of the face, counted through all obstacles.
+  /// Returns the index of the mesh of the face, counted through all obstacles.
   [[nodiscard]] std::uint32_t mesh_of(std::uint32_t face) const;
-  /// Returns the clearance of the mesh of the face, mm; 0: none. Requires a scene that was made of obstacles.
+  /// Returns the clearance of the mesh of the face, mm; 0: none. Requires a scene made of obstacles.
   [[nodiscard]] double clearance_mm(std::uint32_t face) const { return clearances_mm_[mesh_of(face)]; }
 
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   [[nodiscard]] const Vec3& vertex(std::uint32_t index) const;
   [[nodiscard]] std::uint32_t vertex_count() const;
-  /// Returns corners of a face, in the list of vertices.
+  /// Returns the corners of a face, as indices of vertices.
   [[nodiscard]] std::array<std::uint32_t, 3> corner_vertices(std::uint32_t face) const;
 
   /// Returns the vertices of each part, which a picture should show whole.
   [[nodiscard]] std::span<const std::span<const Vec3>> part_points() const { return part_points_; }
-  /// Across the parts, mm; 10 without any.
+  /// Returns the diagonal of the parts, mm; 10 if there are no parts.
   [[nodiscard]] double part_size_mm() const { return part_box_.isEmpty() ? 10 : part_box_.diagonal().norm(); }
 
  private:
@@ -81,7 +83,7 @@ class PictureScene {
       const TriangleCorners& c = triangles[triangle];
       return (vertices[c[1]] - vertices[c[0]]).cross(vertices[c[2]] - vertices[c[0]]);
     }
-    /// `area`: area_normal of each triangle.
+    /// Computes the normals of a triangle's corners; `area` has the area_normal of each triangle.
     [[nodiscard]] std::array<Eigen::Vector3f, 3> normals(std::uint32_t triangle, std::span<const Vec3> area) const;
   };
 
@@ -90,14 +92,14 @@ class PictureScene {
   void find_edges(const Mesh& mesh, const IndexedMesh& indices);
   [[nodiscard]] const Mesh& owner_of(std::uint32_t face) const;
 
-  const PreparedScene* prepared_ = nullptr;  ///< none of heads
-  std::vector<double> clearances_mm_;        // by mesh
+  const PreparedScene* prepared_ = nullptr;  ///< null for heads
+  std::vector<double> clearances_mm_;        // for each mesh
   std::vector<Mesh> meshes_;
-  std::deque<std::vector<Vec3>> moved_;  ///< vertices of heads
+  std::deque<std::vector<Vec3>> moved_;  ///< moved vertices of heads
   std::vector<Edge> edges_;
   std::vector<std::array<Eigen::Vector3f, 3>> normals_;
   std::vector<std::span<const Vec3>> part_points_;
-  std::vector<std::uint32_t> first_faces_;  // of each obstacle; none: heads
+  std::vector<std::uint32_t> first_faces_;  // first face of each obstacle; empty for heads
   Box3 part_box_;
 };
 

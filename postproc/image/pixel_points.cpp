@@ -13,7 +13,7 @@
 namespace gouge {
 namespace {
 
-// Every second bit of a number, side by side.
+// Returns every second bit of a number, joined.
 std::uint32_t even_bits(std::uint32_t code) {
   code &= 0x55555555U;
   code = (code | (code >> 1)) & 0x33333333U;
@@ -22,21 +22,22 @@ std::uint32_t even_bits(std::uint32_t code) {
   return (code | (code >> 8)) & 0x0000FFFFU;
 }
 
-/// A surface point that a picture is coloured by: one for neighbouring pixels (2 x 2) that lie on one piece of surface.
+/// A surface point for which a colour is computed: one for neighbouring pixels (2 x 2) that show one piece of surface.
 struct PixelPoint {
-  int x = 0, y = 0;  ///< it lies in the middle of this pixel, the first of those it is for
-  /// Pixels served, within the square of 2 x 2 pixels that has this one: bit x + 2 y.
+  int x = 0, y = 0;  ///< it lies in the middle of this pixel, the first of those that it serves
+  /// The pixels that it serves, within the square of 2 x 2 pixels that contains this one: bit x + 2 y.
   std::uint8_t covers = 0;
 };
 
-constexpr int kSide = 8;  // of a square, in blocks of 2 x 2 pixels
+constexpr int kSide = 8;  // side of a square, in blocks of 2 x 2 pixels
 
-/// Some blocks of a picture that are examined together: its first.
+/// A square of blocks of a picture that are examined together; it is given by its first block.
 struct Square {
   int column = 0, row = 0;
 };
 
-// Those that cover a grid, along Morton's curve: neighbours in the list are neighbours in the grid.
+// Returns the squares that cover a grid, in the order of Morton's curve: neighbours in the list are neighbours in the
+// grid.
 std::vector<Square> squares_of(int width, int height) {
   const int columns = (width + kSide - 1) / kSide, rows = (height + kSide - 1) / kSide;
   const auto side = std::bit_ceil(static_cast<std::uint32_t>(std::max({columns, rows, 1})));
@@ -49,7 +50,7 @@ std::vector<Square> squares_of(int width, int height) {
   return squares;
 }
 
-// Calls `at(column, row)` for every block of a square within the grid, along the same curve.
+// Calls `at(column, row)` for every block of a square within the grid, in the order of the same curve.
 template <class At>
 void for_each_block(const Square& square, int width, int height, At&& at) {
   constexpr std::uint32_t kPlaces = kSide * kSide;
@@ -64,7 +65,8 @@ void for_each_block(const Square& square, int width, int height, At&& at) {
   }
 }
 
-// The points of all pixels of the squares that show a face. Neighbours in the list are neighbours in the picture.
+// Returns the points of all pixels of the squares that show a face. Neighbours in the list are neighbours in the
+// picture.
 std::vector<PixelPoint> points_in(const SurfaceBuffer& buffer, const std::vector<Square>& squares) {
   std::vector<PixelPoint> points;
   points.reserve(squares.size() * kSide * kSide + 64);
@@ -74,7 +76,7 @@ std::vector<PixelPoint> points_in(const SurfaceBuffer& buffer, const std::vector
     const std::size_t lead = buffer.index(2 * column, 2 * row);
     const float z = buffer.z[lead];
     const bool has_lead = buffer.face[lead] != kNoFace;
-    std::uint8_t covers = 0;  // what the lead represents
+    std::uint8_t covers = 0;  // pixels for which the first pixel's point is used
     std::array<PixelPoint, 4> alone;
     std::size_t more = 0;
     for (int k = 0; k < 4; ++k) {
@@ -97,18 +99,18 @@ std::vector<PixelPoint> points_in(const SurfaceBuffer& buffer, const std::vector
 
 std::vector<Square> squares_of(const View& view) { return squares_of((view.width + 1) / 2, (view.height + 1) / 2); }
 
-/// Least and most depth of what a square of a view shows; nothing where it shows none.
+/// Minimum and maximum depth of the surface in a square of a view; empty if it shows no surface.
 struct Slab {
   float least = std::numeric_limits<float>::max(), most = std::numeric_limits<float>::lowest();
 };
 
-/// The slabs of all squares of a view, row by row as its pixels lie in memory.
+/// The slabs of all squares of a view, in the row order of its pixels.
 class Slabs {
  public:
   explicit Slabs(const SurfaceBuffer& buffer)
       : columns_((buffer.view.width + kPixels - 1) / kPixels),
         slabs_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(buffer.view.height / kPixels + 1)) {
-    // A lane for each pixel of a row of a square, so that they are examined in one.
+    // Each pixel of a row has a lane, so that a row of squares is examined at once.
     const auto padded = static_cast<std::size_t>(columns_ * kPixels),
                width = static_cast<std::size_t>(buffer.view.width);
     std::vector<float> least(padded), most(padded);
@@ -148,20 +150,20 @@ class Slabs {
   std::vector<Slab> slabs_;
 };
 
-/// Squares that are queried about as balls of one radius.
+/// Squares that are tested as balls with a common radius.
 struct Balls {
   double radius_mm;
   std::vector<Vec3> centres{};
-  std::vector<std::size_t> of{};  ///< the square of each
+  std::vector<std::size_t> of{};  ///< the square of each ball
 };
 
-// Those where the field may be more than nothing. Each is queried as a ball about the surface it shows. Where that is
-// deep, at an edge of the part, a ball bounds little and the square stays.
+// Returns the squares where the field may be above 0. Each is tested as a ball about the surface in it. If that surface
+// spans a large depth, at an edge of the part, a ball would be a poor bound, so the square is kept.
 template <class Field>
 std::vector<Square> squares_with(const Field& field, const SurfaceBuffer& buffer) {
   const View& view = buffer.view;
   const double half_mm = kSide * view.mm_per_pixel;
-  // Separates faces seen from above or at a slant from steep ones.
+  // One radius is for faces seen from above or at an angle, the other for steep faces.
   std::array<Balls, 2> balls{Balls{1.75 * half_mm}, Balls{3 * half_mm}};
   const Slabs slabs(buffer);
   std::vector<Square> asked;
@@ -192,7 +194,7 @@ std::vector<Square> squares_with(const Field& field, const SurfaceBuffer& buffer
   return kept;
 }
 
-// A value for every pixel from one for every point; 0 where nothing is seen. Empty where all are 0.
+// Returns a value for every pixel from the values of the points; 0 where there is no surface. Empty if all are 0.
 std::vector<float> spread(const SurfaceBuffer& buffer, const std::vector<PixelPoint>& points,
                           const std::vector<float>& values) {
   std::vector<float> out;

@@ -8,10 +8,11 @@
 
 namespace gouge {
 
-/// Returns the depth for every pixel of a buffer, mm; 0 where nothing is seen or gouged. Empty where nothing is gouged.
+/// Returns the depth in mm for every pixel of a buffer: 0 where the pixel shows no surface or no gouge. Returns an
+/// empty vector if the field has no gouge.
 [[nodiscard]] std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& scene,
                                                  const SurfaceBuffer& buffer);
-/// Returns the same of overcuts.
+/// Returns the same for overcuts.
 [[nodiscard]] std::vector<float> overcut_on_pixels(const OvercutField& field, const PictureScene& scene,
                                                    const SurfaceBuffer& buffer);
 

@@ -27,9 +27,10 @@ void add_line(Drawing& drawing, const Vec2& a, const Vec2& b, const Colour& colo
   drawing.items.emplace_back(DrawnLine{{a, b}, colour, width, false, {}});
 }
 
-// Ticks at round coordinates of the axis that runs along one edge of the panel.
+// Draws ticks at round coordinates of the axis that runs along one edge of the panel.
 void draw_ticks(const PlotPanel& panel, LengthUnit unit, bool is_horizontal, Drawing& drawing) {
-  constexpr double kApart = 90;  // drawing units between ticks, at least half of it
+  // target distance between ticks in drawing units; the actual one is at least half of it
+  constexpr double kApart = 90;
   const double per_unit = panel.scale * mm_per(unit);
   const double step = round_length(kApart / per_unit);
   const double low = is_horizontal ? panel.x + kLeft - 8 : panel.y + kTop;
@@ -51,7 +52,7 @@ void draw_ticks(const PlotPanel& panel, LengthUnit unit, bool is_horizontal, Dra
   }
 }
 
-// A bar of a round length, about a seventh of the panel, at its upper right.
+// Draws a bar of a round length, about a seventh of the panel, at the upper right.
 void draw_scale(const PlotPanel& panel, LengthUnit unit, Drawing& drawing) {
   const double per_unit = panel.scale * mm_per(unit);
   const double length = round_length(panel.width / 5 / per_unit);
@@ -86,7 +87,7 @@ class ShadedCells {
         shades_(depths_.size(), 0) {}
 
   void add(const IndexedMesh& mesh) {
-    const Vec3 view = panel_.right.cross(panel_.up);  // towards the eye
+    const Vec3 view = panel_.right.cross(panel_.up);  // direction towards the eye
     const Vec3 light = (view + 0.5 * panel_.up - 0.4 * panel_.right).normalized();
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
       std::array<Vec3, 3> corners;
@@ -119,7 +120,7 @@ class ShadedCells {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
 
-  // Every cell whose centre the triangle covers.
+  // Adds the shade to every cell whose centre the triangle covers.
   void add(const std::array<Vec3, 3>& p, std::uint8_t shade) {
     const double area = (p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) - (p[2].x() - p[0].x()) * (p[1].y() - p[0].y());
     if (!(std::abs(area) > 0)) return;

@@ -10,10 +10,10 @@
 
 namespace gouge {
 
-/// Every picture is painted this many times larger in each direction and then averaged down.
+/// Factor by which every picture is painted larger in each direction, before it is averaged down.
 inline constexpr int kSupersampling = 2;
 
-/// Rows from the top; three bytes (red, green, blue) a pixel.
+/// The pixels of a picture in rows from the top; three bytes (red, green, blue) for each pixel.
 struct Raster {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;
@@ -36,7 +36,8 @@ struct Raster {
   }
 };
 
-/// A raster of kSupersampling times the size it takes in the picture, its left top corner at (x, y) there.
+/// A raster with kSupersampling times the size that it has in the picture. Its left top corner is at (x, y) in the
+/// picture.
 struct PlacedRaster {
   int x = 0, y = 0;
   Raster raster;

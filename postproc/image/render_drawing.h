@@ -9,20 +9,20 @@
 
 namespace gouge {
 
-/// Returns the drawing as the bytes of a PNG file, one pixel a picture unit, lines and text smoothed. The same drawing
-/// gives the same bytes on every run and at any number of threads. Text is drawn with installed_font (font.h). Where no
-/// font is installed, it is drawn with strokes that know ASCII only (ascii_text.h).
-/// Errors   (1) picture-size: a side below 1 or above 16384. (2) picture-not-encoded, out-of-memory.
+/// Returns the drawing as the bytes of a PNG file, one pixel for a picture unit, with smoothed lines and text. The same
+/// drawing gives the same bytes on every run and with any number of threads. Text is drawn with installed_font
+/// (font.h). If no font is installed, it is drawn in stroke letters, which are only ASCII (ascii_text.h).
+/// Errors   (1) picture-size: a side is below 1 or above 16384. (2) picture-not-encoded, out-of-memory.
 [[nodiscard]] Result<std::string> render_png(const Drawing& drawing);
 
-/// Returns the same with pictures laid under the drawing, in the order given. Parts outside are cut off.
+/// Returns the same with pictures under the drawing, in the given order. Parts outside the drawing are cut off.
 [[nodiscard]] Result<std::string> render_png(const Drawing& drawing, const std::vector<PlacedRaster>& underlay);
 
-/// Returns the width that render_png gives a text, in picture units.
+/// Returns the width of a text in render_png, in picture units.
 [[nodiscard]] double text_width(const std::string& text, double size, bool is_bold = false);
 
-/// Returns the drawing as an SVG 1.1 document, one user unit a picture unit. Points that are not finite are left out;
-/// text is escaped and keeps its UTF-8.
+/// Returns the drawing as an SVG 1.1 document, one user unit for a picture unit. Points that are not finite are left
+/// out. Text is escaped and keeps its UTF-8.
 [[nodiscard]] std::string render_svg(const Drawing& drawing);
 
 }  // namespace gouge

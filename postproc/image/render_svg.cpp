@@ -11,7 +11,8 @@
 namespace gouge {
 namespace {
 
-// Two decimals are finer than any screen or printer at these sizes and keep the files small.
+// Returns a number with two decimals. That is finer than any screen or printer at these sizes, and keeps the files
+// small.
 std::string number(double value) {
   std::string text = fixed_text(value, 2);
   while (text.back() == '0') text.pop_back();

@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// A path and the fields of what it gouges. `input`, and what it points at, must outlive it.
+/// A path and the fields of its gouges. `input`, and the objects to which it points, must outlive it.
 struct PicturedPath {
   explicit PicturedPath(const CheckedToolpath& of) : input(of), depths(of), overcuts(of, depths) {}
 
@@ -19,8 +19,8 @@ struct PicturedPath {
 
 /// Source of the pictures and the 3D view of a report, made once for both.
 ///
-/// Shape    The `input` belongs to model.toolpath and model.result. The same for the path as read is `before`. It is
-///          used only for a correction and may be empty. All, and the objects they point at, must outlive it.
+/// Shape    `input` belongs to model.toolpath and model.result, and `before` to the path as read. `before` is used only
+///          for a correction and may be empty. All of them, and the objects to which they point, must outlive it.
 struct ReportScene {
   ReportScene(const ReportModel& of, const CheckedToolpath& input, const CheckedToolpath& path_before = {})
       : model(of), scene(*input.prepared), path(input) {
@@ -31,7 +31,7 @@ struct ReportScene {
   const ReportModel& model;
   PictureScene scene;
   PicturedPath path;
-  std::optional<PicturedPath> before;  ///< only of a correction
+  std::optional<PicturedPath> before;  ///< set only for a correction
 };
 
 }  // namespace gouge

@@ -10,15 +10,16 @@
 namespace gouge {
 namespace {
 
-// Beyond this sine of its angle to the plane through the axis a direction would end off the outline in it.
+// Maximum sine of the angle between a direction and the plane through the axis. For a larger angle, the direction would
+// not end on the outline in this plane.
 constexpr double kInPlane = 0.05;
-constexpr double kBeside = 1e-4;  // of the size: planes beside one that runs along faces
+constexpr double kBeside = 1e-4;  // relative to the size: distance of planes beside one that runs along faces
 
 Vec3 normal_of(const SectionPlane& plane) { return plane.pose.axis.cross(plane.u); }
 
 std::optional<SectionLine> cut_triangle(const std::array<Vec3, 3>& corners, const SectionPlane& plane) {
   const Vec3 normal = normal_of(plane);
-  // Points on the plane count as above it, so that every cut triangle has two cut sides.
+  // Points on the plane count as above it, so that every triangle that is cut has two cut sides.
   const auto height = [&](const Vec3& p) { return (p - plane.pose.tip).dot(normal) - plane.offset_mm; };
   std::array<Vec2, 2> ends{Vec2::Zero(), Vec2::Zero()};
   std::size_t found = 0;
@@ -61,7 +62,7 @@ std::vector<Vec3> around(const Vec3& axis) {
   return {e1, e2, e1 + e2, e1 - e2};
 }
 
-// The planes that a section may be cut in, through the point and along the axis.
+// Returns the possible planes of a section, through the point and along the axis.
 std::vector<SectionPlane> planes(const Pose& pose, const Vec3& point_part, double size_mm,
                                  const std::optional<Vec3>& way_out) {
   const Vec3 d = point_part - pose.tip;
@@ -82,12 +83,12 @@ std::vector<SectionPlane> planes(const Pose& pose, const Vec3& point_part, doubl
 
 }  // namespace
 
-// Liang and Barsky.
+// Clips the line a b at the box by the algorithm of Liang and Barsky; empty if it is outside.
 std::optional<std::array<Vec2, 2>> clipped(const Vec2& a, const Vec2& b, const Area& box) {
   double t0 = 0;
   double t1 = 1;
   const Vec2 d = b - a;
-  const auto cut = [&](double p, double q) {  // keeps p t <= q
+  const auto cut = [&](double p, double q) {  // keeps the part with p t <= q
     if (p < 0)
       t0 = std::max(t0, q / p);
     else if (p > 0)
@@ -133,7 +134,7 @@ Section make_section(const PreparedScene& scene, const Pose& pose, const Vec3& p
       one.plane.offset_mm += side * size_mm;
       one.lines = cut_scene(scene, one.plane);
       const double length = length_near(one.lines, one.plane.flat(point_part), size_mm);
-      // The plane itself unless a hair beside it shows clearly more: it ran along a face.
+      // The plane itself is used, unless one close beside it shows clearly more. Then the plane ran along a face.
       if (most >= 0 && length <= most + 0.2 * size_mm) continue;
       most = length;
       best = std::move(one);

@@ -13,15 +13,15 @@
 namespace gouge {
 namespace {
 
-constexpr int kHatch = 20, kHatchWidth = 2;  // pixels of a supersampled picture
-constexpr int kPieces = 48;                  // of a straight flank that a plane beside the axis cuts in a curve
+constexpr int kHatch = 20, kHatchWidth = 2;  // in pixels of a supersampled picture
+constexpr int kPieces = 48;  // number of pieces of a straight flank, which a plane beside the axis cuts in a curve
 
 void clipped_line(Page& page, const Area& box, const Vec2& a, const Vec2& b, const Colour& colour, double width,
                   const std::vector<double>& dashes = {}) {
   if (const auto seen = clipped(a, b, box)) page.line((*seen)[0], (*seen)[1], colour, width, dashes);
 }
 
-// Per raster row the points where an outline crosses it; an odd number means nothing and is
+// Returns, for each raster row, the points where an outline crosses it. An odd number has no meaning, so the row is
 // dropped.
 std::vector<std::vector<double>> crossings(const SectionPanel& panel, const std::vector<SectionLine>& lines, int rows) {
   std::vector<std::vector<double>> out(static_cast<std::size_t>(rows));
@@ -51,7 +51,7 @@ Body body_at(const std::array<BodyRange, 3>& ranges, double z) {
   return Body::cutter;
 }
 
-// The inside of an outline, row by row from the left.
+// The inside of an outline, which is read row by row from the left.
 class InsideOf {
  public:
   InsideOf(const SectionPanel& panel, const std::vector<SectionLine>& lines, int rows)
@@ -72,7 +72,7 @@ class InsideOf {
   std::size_t next_ = 0;
 };
 
-/// Where a panel shows the tool, and which body of it.
+/// The pixels of a panel that show the tool, and the body that they show.
 class ToolBodies {
  public:
   ToolBodies(const SectionPanel& panel, double beside_mm, const CompiledTool& tool, int width, int height)
@@ -88,11 +88,11 @@ class ToolBodies {
     }
   }
 
-  /// For each pixel whether the tool is seen there.
+  /// Returns, for each pixel of a row, whether it shows the tool.
   [[nodiscard]] std::span<const std::uint8_t> row(int y) const {
     return std::span(is_inside_).subspan(index(0, y), static_cast<std::size_t>(width_));
   }
-  /// The body that is seen in a row: they lie one above the other.
+  /// Returns the body in a row, because bodies lie one above the other.
   [[nodiscard]] int body_of_row(int y) const { return static_cast<int>(body_at(ranges_, place(0, y).y())); }
 
  private:
@@ -101,7 +101,7 @@ class ToolBodies {
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
-  /// The middle of a pixel, or of a square of pixels (x and y in halves).
+  /// Returns the middle of a pixel, or of a square of pixels (with half values of x and y).
   [[nodiscard]] Vec2 place(double x, double y) const {
     return {panel_.centre.x() + (x + 0.5 - 0.5 * width_) / kSupersampling * panel_.mm_per_unit,
             panel_.centre.y() - (y + 0.5 - 0.5 * height_) / kSupersampling * panel_.mm_per_unit};
@@ -111,7 +111,8 @@ class ToolBodies {
     return signed_distance_mm(tool_, r, p.y());
   }
 
-  // A pixel of a square is nearer to the boundary than the square's middle by at most its distance from the middle.
+  // The distance of a pixel in a square differs from that of the square's middle by at most the pixel's distance from
+  // the middle.
   void fill(int x, int y, int side) {
     if (x >= width_ || y >= height_) return;
     const double middle = 0.5 * (side - 1);
@@ -139,15 +140,15 @@ class ToolBodies {
 
 using Pixel = std::array<std::uint8_t, 3>;
 
-constexpr std::size_t kKindsOfTool = 4;  // none, then the bodies
+constexpr std::size_t kKindsOfTool = 4;  // none, and the three bodies
 
-/// The colour of every kind of pixel. There are few, so that each is mixed once and not at every pixel.
+/// The colour of every kind of pixel. There are few kinds, so each colour is mixed once, not for every pixel.
 class SectionColours {
  public:
   SectionColours() {
     for (std::size_t k = 0; k < colours_.size(); ++k) colours_[k] = mixed(k);
   }
-  /// `tool_body`: -1 for none.
+  /// Returns the colour; `tool_body` is -1 if there is no tool.
   [[nodiscard]] const Pixel& at(bool is_material, bool is_hatch, bool is_head, int tool_body) const {
     return colours_[index(is_material, is_hatch, is_head, tool_body)];
   }
@@ -210,7 +211,8 @@ Raster paint_panel(const SectionPanel& panel, const Section& section, bool is_cl
   return raster;
 }
 
-// Returns the profile (r, z) as the plane shows it: |u| for r. Points nearer to the axis than the plane are not in it.
+// Returns the profile (r, z) as the plane shows it, with |u| in place of r. Points nearer to the axis than the plane
+// are left out.
 std::vector<std::array<Vec2, 2>> seen_profile(const std::vector<Vec2>& points, double beside_mm) {
   std::vector<std::array<Vec2, 2>> out;
   const double least = std::abs(beside_mm);
@@ -250,7 +252,7 @@ void draw_outline(Page& page, const SectionPanel& panel, double beside_mm, const
   }
 }
 
-// Dashes along lines of short pieces.
+// Draws dashes along lines that consist of short pieces.
 void draw_clearance(Page& page, const SectionPanel& panel, double beside_mm, const CompiledTool& tool,
                     double clearance_mm) {
   constexpr double kDash = 6, kGap = 4;

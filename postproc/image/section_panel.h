@@ -9,7 +9,7 @@ namespace gouge {
 /// Content of one section panel.
 struct SectionPanel {
   Area area;
-  Vec2 centre = Vec2::Zero();  ///< of the plane, in the middle of the panel
+  Vec2 centre = Vec2::Zero();  ///< point of the plane in the middle of the panel
   double mm_per_unit = 1;
   [[nodiscard]] Vec2 place(const Vec2& p) const {
     return {area.middle().x() + (p.x() - centre.x()) / mm_per_unit,
@@ -17,9 +17,9 @@ struct SectionPanel {
   }
 };
 
-/// Paints material (only where `is_closed`, else just its outline), the tool, the heads and where they overlap with
+/// Paints the material (only if `is_closed`, else just its outline), the tool, the heads and their overlap with
 /// material. Clearances or stock to leave may make the checked outline larger than the tool. Then that outline is
-/// dashed. The `clearance_mm` is of the mesh, around all of the tool.
+/// dashed. `clearance_mm` is that of the mesh, around the whole tool.
 void draw_section(Page& page, const SectionPanel& panel, const Section& section, bool is_closed,
                   const CompiledTool& bare, const CompiledTool& checked, double clearance_mm = 0);
 

@@ -15,8 +15,8 @@ struct Offset {
   int x, y;
 };
 
-// Two rings of neighbours, in pixels of a supersampled picture; even, so that every second pixel of every second row
-// knows all of its own.
+// Two rings of neighbours, in pixels of a supersampled picture. Offsets are even, so that for every second pixel of
+// every second row all neighbours are such pixels too.
 constexpr std::array<Offset, 16> kNeighbours{{{6, 0},
                                               {4, 4},
                                               {0, 6},
@@ -33,16 +33,16 @@ constexpr std::array<Offset, 16> kNeighbours{{{6, 0},
                                               {-8, -20},
                                               {8, -20},
                                               {20, -8}}};
-constexpr float kPerReach = 1.0F / 40;  // of the pixels, up to which a surface hides the sky
-constexpr int kBlock = 2;               // pixels a side that share a light where they show one piece of surface
-constexpr int kBorder = 10;             // blocks a neighbour may be outside the picture
-constexpr float kNothing = -1e15F;      // as deep as where nothing is seen
-constexpr double kAlike = 0.998;        // of faces so nearly in line that their light looks the same
+constexpr float kPerReach = 1.0F / 40;  // inverse of the distance in pixels up to which a surface hides the sky
+constexpr int kBlock = 2;           // side in pixels of a block, which has one light if it shows one piece of surface
+constexpr int kBorder = 10;         // maximum distance of a neighbour outside the picture, in blocks
+constexpr float kNothing = -1e15F;  // depth of a block without surface
+constexpr double kAlike = 0.998;    // cosine between faces that are so nearly in line that their light looks the same
 
 Vec3 key_light() { return Vec3(-0.45, 0.75, 0.75).normalized(); }
 Vec3 fill_light() { return Vec3(0.8, 0.1, 0.6).normalized(); }
 
-/// The depth of the first pixel of every block, with a border of nothing.
+/// The depth of the first pixel of every block, with an empty border.
 class BlockDepths {
  public:
   explicit BlockDepths(const SurfaceBuffer& buffer)
@@ -74,13 +74,13 @@ class BlockDepths {
   std::vector<float> z_;
 };
 
-/// Values of a run of blocks, each a list. Normals are as the view sees them, x right, y down and z towards the viewer.
-/// The other values are the share of the sky that their surroundings hide, 0 to 1, and their light.
+/// Values of a row of blocks, each in a list. Normals are in the frame of the view: x right, y down and z towards the
+/// viewer. The other values are the share of the sky that the surroundings hide, 0 to 1, and the light.
 struct LitBlocks {
   explicit LitBlocks(std::size_t count) : x(count), y(count), z(count), hidden(count), light(count) {}
   std::vector<float> x, y, z, hidden, light;
 
-  /// Normals of any length, to either side.
+  /// Sets a normal of any length, on either side of the surface.
   void set(std::size_t at, const Eigen::Vector3f& right_up_toward) {
     x[at] = right_up_toward.x();
     y[at] = -right_up_toward.y();
@@ -88,7 +88,7 @@ struct LitBlocks {
   }
 };
 
-// Makes the normals unit and turns them to the viewer.
+// Makes the normals unit vectors and turns them to the viewer.
 GOUGE_WIDE void turn_to_viewer(LitBlocks& lit, std::size_t at, std::size_t count) {
   float* const x = lit.x.data() + at;
   float* const y = lit.y.data() + at;
@@ -103,11 +103,12 @@ GOUGE_WIDE void turn_to_viewer(LitBlocks& lit, std::size_t at, std::size_t count
   }
 }
 
-constexpr float kRise = 0.12F;         // a surface that rises less over another hides none of its sky
-constexpr std::size_t kTogether = 32;  // blocks examined in one, for mostly nothing hides any of them
-constexpr float kMinRiseSquare = 0.0143F, kMaxReachSquare = 1601.0F;  // a little wider than kRise and kPerReach
+constexpr float kRise = 0.12F;         // a surface that rises less over another one hides none of its sky
+constexpr std::size_t kTogether = 32;  // number of blocks tested at once, because usually none of them is hidden
+// squares of slightly wider limits than kRise and kPerReach
+constexpr float kMinRiseSquare = 0.0143F, kMaxReachSquare = 1601.0F;
 
-// Share of the sky that one neighbour hides over each of `count` blocks from `at` on.
+// Adds the share of the sky that one neighbour hides for each of `count` blocks from `at` on.
 GOUGE_WIDE void add_hidden(const float* z, const float* neighbour, const Offset& o, float per_mm, LitBlocks& lit,
                            std::size_t at, std::size_t count) {
   const auto ox = static_cast<float>(o.x), oy = static_cast<float>(o.y), across = ox * ox + oy * oy;
@@ -136,7 +137,7 @@ GOUGE_WIDE void add_hidden(const float* z, const float* neighbour, const Offset&
   }
 }
 
-// light_on, less what the surroundings hide: corners and grooves get their depth from it.
+// Computes light_on reduced by the share that the surroundings hide, which makes corners and grooves visible.
 GOUGE_WIDE void find_light(LitBlocks& lit, std::size_t at, std::size_t count) {
   const Eigen::Vector3f key = key_light().cast<float>(), fill = fill_light().cast<float>();
   const float* const x = lit.x.data() + at;
@@ -153,7 +154,8 @@ GOUGE_WIDE void find_light(LitBlocks& lit, std::size_t at, std::size_t count) {
   }
 }
 
-// The light of `count` blocks from one on, whose normals are those from `at` on. `z` are the blocks' own.
+// Computes the light of `count` blocks from (column, row) on, whose normals begin at `at`. `z` has the depths of the
+// blocks.
 void light_blocks(const BlockDepths& blocks, int column, int row, const float* z, float per_mm, LitBlocks& lit,
                   std::size_t at, std::size_t count) {
   turn_to_viewer(lit, at, count);
@@ -167,7 +169,7 @@ void put(std::uint8_t* pixel, const Colour& colour, double light) {
   for (std::size_t k = 0; k < 3; ++k) pixel[k] = colour_level(std::clamp(parts[k] * light, 0.0, 255.0));
 }
 
-/// Paints the rows of a picture, a row of blocks at a time.
+/// A painter of the rows of a picture, one row of blocks at a time.
 class Shader {
  public:
   Shader(const PictureScene& scene, const SurfaceBuffer& buffer, const std::vector<float>& depth_mm,
@@ -183,7 +185,7 @@ class Shader {
 
   void paint(Raster& raster, int row) {
     const int y = kBlock * row;
-    int first = blocks_.columns, last = 0;  // with surface
+    int first = blocks_.columns, last = 0;  // range of columns with surface
     const std::uint32_t* const faces = buffer_.face.data() + buffer_.index(0, y);
     for (int column = 0; column < blocks_.columns; ++column) {
       const std::uint32_t face = faces[kBlock * column];
@@ -201,7 +203,8 @@ class Shader {
  private:
   [[nodiscard]] float per_mm() const { return static_cast<float>(1 / buffer_.view.mm_per_pixel); }
 
-  /// Pixels of one face mostly follow each other, so the last result is kept.
+  /// Returns whether two faces have the same light. Pixels of one face mostly follow each other, so the last result is
+  /// kept.
   [[nodiscard]] bool is_alike(std::uint32_t face, std::uint32_t lead) {
     if (face == lead) return true;
     if (face != compared_face_ || lead != compared_lead_) {
@@ -213,14 +216,15 @@ class Shader {
     return is_alike_;
   }
 
-  /// The normals of the faces of a row or two of a picture are kept.
+  /// Returns the normal of a face. Those of the faces in a row or two of the picture are kept.
   [[nodiscard]] const Vec3& area_normal(std::uint32_t face) {
     AreaNormal& known = area_normals_[face % area_normals_.size()];
     if (known.face != face) known = {face, scene_.area_normal(face)};
     return known.normal;
   }
 
-  // Most blocks show one face and one depth; they are painted here, the others by paint_block.
+  // Paints a row of blocks. Most blocks show one face and one depth and are painted here; paint_block paints the
+  // others.
   void paint_blocks(Raster& raster, int row) {
     const int y = kBlock * row;
     const bool is_whole = y + 1 < raster.height;
@@ -284,7 +288,7 @@ class Shader {
   }
 
   void colour(std::uint8_t* pixel, std::uint32_t face, float depth_mm, double light) const {
-    // Gouges have less contrast, so that their colour can be compared with the bar everywhere.
+    // Gouges have less contrast, so that their colour is comparable with the colour bar everywhere.
     if (depth_mm > 0) return put(pixel, scale_.at(static_cast<double>(depth_mm)), 0.55 + 0.42 * light);
     put(pixel, scene_.is_of_workpiece(face) ? kPartGrey : kFixtureGrey, 0.12 + 0.97 * light);
   }

@@ -11,13 +11,13 @@
 
 namespace gouge {
 
-/// Shades the surface of a buffer in a soft light, with sharp edges drawn faintly. Untouched surface is grey, gouged
-/// surface has the colour of its depth (0: untouched). The list `depth_mm` has one value a pixel or is empty. Four
+/// Shades the surface of a buffer in a soft light, with faint lines at sharp edges. Untouched surface is grey, and
+/// gouged surface has the colour of its depth (0: untouched). `depth_mm` has one value for each pixel or is empty. Four
 /// pixels that show one piece of surface, or faces nearly in line, share their light.
 [[nodiscard]] Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer, const std::vector<float>& depth_mm,
                            const ColourScale& scale);
 
-/// Returns a level of a colour from a value in [0, 255].
+/// Returns a level of a colour for a value in [0, 255].
 [[nodiscard]] inline std::uint8_t colour_level(double value) { return static_cast<std::uint8_t>(value + 0.5); }
 
 /// A colour to lay over pixels.
@@ -37,7 +37,7 @@ class Coat {
 /// Lays `colour` over one pixel.
 void blend_pixel(Raster& raster, int x, int y, const Colour& colour, double opacity);
 
-/// Returns how bright a surface is whose unit normal has these parts as a view sees it, 0 to about 1.
+/// Returns the brightness of a surface, 0 to about 1; its unit normal has these components in the frame of a view.
 [[nodiscard]] double light_on(double right, double up, double toward);
 
 }  // namespace gouge

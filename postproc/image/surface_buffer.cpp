@@ -11,16 +11,16 @@
 namespace gouge {
 namespace {
 
-constexpr int kBandRows = 16;  // those of a large picture stay in a processor's own memory
+constexpr int kBandRows = 16;  // so many rows of a large picture fit into the cache of a core
 
 struct RowRange {
-  int first = 0, last = -1;  // inclusive
+  int first = 0, last = -1;  // both inclusive
 };
 
-// Rows whose middles a face reaches. There are none where no middle of a pixel lies between its sides, as for most
-// faces that are smaller than a pixel.
+// Returns the rows whose middles a face reaches. There are none if no middle of a pixel lies between its sides, as for
+// most faces that are smaller than a pixel.
 RowRange rows_of(const Vec3& a, const Vec3& b, const Vec3& c, int height) {
-  constexpr double kSlack = 1e-6;  // pixels: more than what draw_face gives
+  constexpr double kSlack = 1e-6;  // in pixels: more than the slack of draw_face
   const double low = std::min({a.y(), b.y(), c.y()}) - kSlack - 0.5;
   const double high = std::max({a.y(), b.y(), c.y()}) + kSlack - 0.5;
   if (!(high >= 0) || !(low <= height)) return {};
@@ -36,8 +36,8 @@ double cross(const Vec3& a, const Vec3& b, double x, double y) {
 
 constexpr int kLanes = 8;
 
-// Pixels of a row, of which those from `low` to before `high` are drawn: depth `at` where k is 0, and `step` more from
-// one to the next.
+// Draws the pixels from `low` to before `high` of a row. The depth is `at` for k = 0, and `step` more for each next
+// pixel.
 inline void draw_run(float* z, std::uint32_t* faces, double at, double step, std::int32_t low, std::int32_t high,
                      std::size_t count, std::uint32_t face) {
   for (std::size_t k = 0; k < count; ++k) {
@@ -49,7 +49,7 @@ inline void draw_run(float* z, std::uint32_t* faces, double at, double step, std
   }
 }
 
-/// One side of a face bounds a row of pixels: at or beyond `bound`, which grows from row to row.
+/// A bound that one side of a face sets for a row of pixels. `per_row` is its change from row to row.
 struct SideBound {
   double bound = 0, per_row = 0;
 };
@@ -57,8 +57,8 @@ struct SideBound {
 GOUGE_WIDE void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t face,
                           const RowRange& rows) {
   const double area = cross(a, b, c.x(), c.y());
-  if (!(std::abs(area) > 0)) return;  // seen edge on
-  // Barycentric coordinates are linear; each bounds a row from one side. The slack closes the hair-line gaps that
+  if (!(std::abs(area) > 0)) return;  // the face is seen edge on
+  // Barycentric coordinates are linear, so each bounds a row from one side. The slack closes the fine gaps that
   // rounding would leave between neighbours.
   constexpr double kSlack = Tolerance::kRounding;
   const double per_area = 1 / area, y0 = rows.first + 0.5;
@@ -73,7 +73,7 @@ GOUGE_WIDE void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, c
     double at, along, down;
   };
   const std::array<Side, 3> sides{{{u, du, du_down}, {v, dv, dv_down}, {1 - u - v, -du - dv, -du_down - dv_down}}};
-  for (std::size_t k = 0; k < 3; ++k) {  // keeps at + along x + down y >= -slack
+  for (std::size_t k = 0; k < 3; ++k) {  // keeps the pixels with at + along x + down y >= -slack
     const Side& side = sides[k];
     const double inverse = -1 / side.along;
     if (side.along > 0)
@@ -95,8 +95,8 @@ GOUGE_WIDE void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, c
     if (!(low <= high)) continue;
     const int first = static_cast<int>(std::ceil(low)), last = static_cast<int>(std::floor(high));
     if (first > last) continue;
-    // Whole lanes, as most runs are short and would spend their time on the remainder. The pixels beside the run stay
-    // as they are.
+    // Whole lanes are drawn, because most runs are short and would spend their time on the remainder. The pixels beside
+    // the run stay unchanged.
     const int count = last + 1 - first, whole = (count + kLanes - 1) / kLanes * kLanes;
     const int from = whole <= width ? std::min(first, width - whole) : first;
     const std::size_t i = buffer.index(from, y);
@@ -105,7 +105,7 @@ GOUGE_WIDE void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, c
   }
 }
 
-/// `corners_of`: of a face, in part coordinates. `faces`: in increasing order.
+/// Draws faces. `corners_of` returns the corners of a face in part coordinates. `faces` is in increasing order.
 template <class CornersOf>
 SurfaceBuffer draw_faces(const View& view, const std::vector<std::uint32_t>& faces, const CornersOf& corners_of) {
   SurfaceBuffer buffer;
@@ -130,7 +130,7 @@ SurfaceBuffer draw_faces(const View& view, const std::vector<std::uint32_t>& fac
   for_each_chunk(bands, 1, 0, [&](std::size_t first, std::size_t last) {
     for (std::size_t band = first; band < last; ++band) {
       const int top = static_cast<int>(band) * kBandRows;
-      // Emptied here, so that a band is at hand where its faces are drawn.
+      // A band is emptied here, so that it is in the cache when its faces are drawn.
       const std::size_t begin = buffer.index(0, top), end = buffer.index(0, std::min(top + kBandRows, view.height));
       std::fill(buffer.z.data() + begin, buffer.z.data() + end, std::numeric_limits<float>::lowest());
       std::fill(buffer.face.data() + begin, buffer.face.data() + end, kNoFace);

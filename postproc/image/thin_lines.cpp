@@ -10,9 +10,10 @@
 namespace gouge {
 namespace {
 
-constexpr double kSame = 0.1;           // picture units: a tenth of a pixel is not seen
-constexpr double kCellsPerUnit = 2;     // finer than a line is wide
-constexpr std::size_t kMaxPassed = 64;  // points that one segment may represent: bounds the work for each
+constexpr double kSame = 0.1;        // in picture units: a tenth of a pixel is invisible
+constexpr double kCellsPerUnit = 2;  // finer than the width of a line
+// maximum number of points that one segment replaces; it bounds the work for each
+constexpr std::size_t kMaxPassed = 64;
 constexpr std::uint8_t kNoInk = 255;
 
 }  // namespace
@@ -68,7 +69,7 @@ void ThinLines::draw(const Vec2& a, const Vec2& b) {
   is_joined_ = true;
 }
 
-// Inks the cells under the segment; false where all of them were of this ink already.
+// Inks the cells under the segment. Returns false if all of them had this ink already.
 bool ThinLines::cover(const Vec2& a, const Vec2& b) {
   const int steps = std::max(1, static_cast<int>(std::ceil(2 * kCellsPerUnit * (b - a).norm())));
   bool is_new = false;

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kFieldTop = 118, kFieldBottom = kPageHeight - 24;
-constexpr double kAxisLength = 130;  // of the longest axis on the page
-constexpr double kAxisGap = 7;       // between the tips of two axes on the page
-constexpr double kLeast_rad = 1e-3;  // an axis that is tilted less is as programmed
+constexpr double kAxisLength = 130;  // length of the drawn axes on the page
+constexpr double kAxisGap = 7;       // minimum distance of the tips of two axes on the page
+constexpr double kLeast_rad = 1e-3;  // an axis with a smaller tilt counts as the programmed one
 
 /// The tool at the end of a move of a tilted run.
 struct TiltedPose {
@@ -27,7 +27,7 @@ struct TiltedPose {
   double tilt_rad = 0;
 };
 
-/// From the curve of the run: both axes by their angles forward and to the left.
+/// Returns the tilt at a place of the run, from its curve: the difference of both axes in lead and side tilt.
 double tilt_at(const TiltedRun& run, double length_mm) {
   const auto behind = std::ranges::lower_bound(run.curve, length_mm, {}, &TiltPlace::length_mm);
   if (run.curve.empty()) return 0;
@@ -49,7 +49,8 @@ std::vector<TiltedPose> tilted_poses(const ReportModel& model) {
   return poses;
 }
 
-/// Nearer ones over farther ones, and no two whose tips are closer on the page than is seen apart.
+/// Returns some of the poses, in the order of their depth in the view. No two of them have tips that are too close on
+/// the page.
 std::vector<TiltedPose> spread(std::vector<TiltedPose> poses, const View& view) {
   std::ranges::stable_sort(poses, {}, [&](const TiltedPose& at) { return view.project(at.pose.tip).z(); });
   std::vector<TiltedPose> kept;
@@ -64,7 +65,7 @@ std::vector<TiltedPose> spread(std::vector<TiltedPose> poses, const View& view) 
   return kept;
 }
 
-// Sideways: where the axes are seen at their length and lean.
+// Returns a direction from the side, in which the axes show their length and lean.
 Vec3 direction_to_look(const std::vector<TiltedPose>& poses) {
   Vec3 axis = Vec3::Zero(), way = Vec3::Zero();
   for (const TiltedPose& at : poses) axis += at.pose.axis;
@@ -94,7 +95,7 @@ Page draw_tilt_field(const PictureSet& set) {
   Raster raster = shade(set.scene, buffer, {}, set.surface_scale);
   lay_path(raster, buffer, *set.input.toolpath, *set.input.result);
   page.rasters.push_back({static_cast<int>(area.x), static_cast<int>(area.y), std::move(raster)});
-  // The scale is one of lengths; here a millimetre is a degree.
+  // The scale is made for lengths; here a millimetre stands for a degree.
   const ColourScale scale{0, round_up(std::max(tilts.tilt_rad.value / kDegree, 0.1)), false};
   const double length_mm = kAxisLength * kSupersampling * view.mm_per_pixel;
   for (const TiltedPose& at : spread(poses, view)) {

@@ -13,7 +13,7 @@ namespace gouge {
 namespace {
 
 constexpr int kOutlineSides = 96;
-constexpr double kArcStep = 0.06;  // radians
+constexpr double kArcStep = 0.06;  // in radians
 
 void append_arc(std::vector<Vec2>& points, const BoundaryElement& e) {
   const Vec2 from = e.a - e.center;
@@ -29,7 +29,7 @@ void append_arc(std::vector<Vec2>& points, const BoundaryElement& e) {
   points.push_back(e.b);
 }
 
-// About `centre` the shorter way from `from` to `to`, both of one radius.
+// Returns points on the shorter arc about `centre` from `from` to `to`, which have the same distance from it.
 std::vector<Vec2> arc_about(const Vec2& centre, const Vec2& from, const Vec2& to) {
   BoundaryElement arc;
   arc.center = centre;
@@ -40,7 +40,7 @@ std::vector<Vec2> arc_about(const Vec2& centre, const Vec2& from, const Vec2& to
   return points;
 }
 
-// The outer side of an element at both ends.
+// Returns the outward directions of an element at both of its ends.
 std::array<Vec2, 2> outward(const BoundaryElement& e) {
   if (e.kind == ElementKind::segment) return {e.normal, e.normal};
   const double sign = e.is_reflex ? -1 : 1;
@@ -54,7 +54,7 @@ std::vector<std::vector<Vec2>> outline_at(const CompiledTool& tool, double dista
   constexpr int kStepsOfSegment = 64;
   std::vector<std::vector<Vec2>> pieces;
   const auto add = [&](std::vector<Vec2> points) {
-    // Beside reflex corners pieces reach into what is nearer to another one.
+    // Beside reflex corners, pieces reach into the region that is nearer to another element.
     std::erase_if(points, [&](const Vec2& p) {
       return p.x() < 0 || signed_distance_mm(tool, p.x(), p.y()) < (1 - kInside) * distance_mm;
     });

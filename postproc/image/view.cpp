@@ -14,7 +14,7 @@ View make_view(const Vec3& toward, const Vec3& up_hint, int width, int height) {
   View view;
   view.toward = toward.normalized();
   Vec3 right = up_hint.cross(view.toward);
-  // Looking along the hint leaves "up" open; y, then x, are what people expect then.
+  // In a view along the hint, "up" is open. People then expect y, and after that x.
   if (right.norm() < Tolerance::kNoSide) right = Vec3::UnitY().cross(view.toward);
   if (right.norm() < Tolerance::kNoSide) right = Vec3::UnitX().cross(view.toward);
   view.right = right.normalized();
@@ -45,9 +45,9 @@ void fit_view(View& view, std::span<const std::span<const Vec3>> points, double 
 
 namespace {
 
-constexpr double kDistinctCosine = 0.643;  // of 50 degrees
+constexpr double kDistinctCosine = 0.643;  // cosine of 50 degrees
 constexpr std::size_t kMaxWitnessesSeen = 400;
-constexpr double kClear = 0.01;  // of the parts' size: what lies as near to a point does not hide it
+constexpr double kClear = 0.01;  // relative to the size of the parts: surfaces this close to a point do not hide it
 
 struct Candidate {
   Vec3 toward;
@@ -79,7 +79,7 @@ std::vector<Candidate> candidates(const Vec3& axis) {
   return out;
 }
 
-// Returns how much of the gouged surface is visible.
+// Returns the weight of the gouged surface that is visible.
 double gouged_area(const CheckedToolpath& input, const std::vector<GougeWitness>& gouges, const Vec3& toward,
                    double clear_mm) {
   double area = 0;
@@ -110,8 +110,8 @@ std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureS
     }
     max_gouged = std::max(max_gouged, c.gouged);
     c.score = weight > 0 ? 0.6 * seen / weight : 0;
-    c.score += 0.25 * c.toward.dot(axis);      // the side the tool comes from is the one people know
-    if (i < 8) c.score += 0.45;                // corners show a body better than faces do
+    c.score += 0.25 * c.toward.dot(axis);      // people know the view from the tool's side
+    if (i < 8) c.score += 0.45;                // a body is easier to recognise from a corner than from a face
     if (c.toward.z() > -0.1) c.score += 0.15;  // people examine parts from above
     c.score -= 1e-3 * static_cast<double>(i);
   }

@@ -6,10 +6,10 @@
 
 namespace gouge {
 
-/// Parallel projection onto pixels: x right, y down, z towards the viewer in mm. Part coordinates.
+/// A parallel projection of part coordinates onto pixels: x right, y down, z towards the viewer in mm.
 struct View {
-  Vec3 right = Vec3::UnitX(), up = Vec3::UnitY(), toward = Vec3::UnitZ();  ///< unit and square to each other
-  Vec3 centre = Vec3::Zero();                                              ///< what the middle of the picture shows
+  Vec3 right = Vec3::UnitX(), up = Vec3::UnitY(), toward = Vec3::UnitZ();  ///< perpendicular unit vectors
+  Vec3 centre = Vec3::Zero();                                              ///< point in the middle of the picture
   double mm_per_pixel = 1;
   int width = 1, height = 1;
 
@@ -22,10 +22,11 @@ struct View {
   }
 };
 
-/// Returns a view from the direction `toward` with `up_hint` pointing up as far as it can. Requires `toward` not zero.
+/// Returns a view from the direction `toward` in which `up_hint` points up as far as possible. Requires `toward` not
+/// zero.
 [[nodiscard]] View make_view(const Vec3& toward, const Vec3& up_hint, int width, int height);
 
-/// Moves and scales the view so that all points are seen with `margin` (a fraction of the side) left around.
+/// Moves and scales the view so that all points are visible, with a margin (`margin` is a fraction of the side).
 void fit_view(View& view, std::span<const std::span<const Vec3>> points, double margin);
 
 }  // namespace gouge

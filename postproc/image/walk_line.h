@@ -7,8 +7,8 @@
 
 namespace gouge {
 
-/// Calls `at(point)` along a line between two projected points, in steps of at most a pixel (longer ones on lines of
-/// more than 20,000 pixels).
+/// Calls `at(point)` along a line between two projected points, in steps of at most a pixel (longer for lines of more
+/// than 20,000 pixels).
 template <class At>
 void walk_line(const Vec3& a, const Vec3& b, At&& at) {
   constexpr double kMaxSteps = 20'000;
@@ -17,8 +17,8 @@ void walk_line(const Vec3& a, const Vec3& b, At&& at) {
   for (int s = 0; s <= steps; ++s) at(Vec3(a + (b - a) * (static_cast<double>(s) / steps)));
 }
 
-/// Calls `put(point, x, y)` for the pixels of such a line within the picture, two of them side by side across its main
-/// direction.
+/// Calls `put(point, x, y)` for the pixels of such a line within the picture, two of them side by side, perpendicular
+/// to its main direction.
 template <class Put>
 void walk_two_wide(const Vec3& a, const Vec3& b, int width, int height, Put&& put) {
   const bool is_steep = std::abs(b.x() - a.x()) < std::abs(b.y() - a.y());

@@ -6,10 +6,10 @@
 
 namespace gouge {
 
-/// Side of the path to which CUTCOM takes the cutter; unknown where it states only that it does.
+/// Side of the path on which CUTCOM puts the cutter; unknown if it does not state the side.
 enum class CutcomSide : std::uint8_t { none, left, right, unknown };
 
-/// Returns the word that states it.
+/// Returns the word for the side.
 [[nodiscard]] constexpr const char* cutcom_word(CutcomSide side) {
   constexpr std::array<const char*, 4> kWords = {"OFF", "LEFT", "RIGHT", "ON"};
   return kWords[static_cast<std::size_t>(side)];

@@ -7,13 +7,13 @@
 
 namespace gouge {
 
-/// New text for the bytes [first_byte, last_byte) of a toolpath file. Where both are equal it is inserted there.
+/// New text for the bytes [first_byte, last_byte) of a toolpath file. If both are equal, the text is inserted there.
 struct Edit {
   std::size_t first_byte = 0, last_byte = 0;
   std::string text;
 };
 
-/// In the order of the file; none overlaps the next one.
+/// Edits in the order of the file, without overlaps.
 using Edits = std::vector<Edit>;
 
 /// Returns the file with its edits made. All other bytes stay.

@@ -4,7 +4,8 @@
 
 namespace gouge {
 
-// The machine does not go home between two positions only because a FROM, a CUTTER or another sequence stands there.
+// Breaks the motion. A FROM, a CUTTER or another sequence alone does not mean that the machine goes home between two
+// positions.
 void MotionChain::break_off() {
   is_broken_ = is_broken_ || last_pose_.has_value();
   if (last_pose_) can_link_ = unknown_start_ == nullptr && last_uncertainty_ == nullptr && !builder_.path.moves.empty();
@@ -13,7 +14,8 @@ void MotionChain::break_off() {
   last_uncertainty_ = nullptr;
 }
 
-// To a position alone, unless a tool may have been changed before it: another number, or a loading of another cutter.
+// Links a position without a start to the last one, unless the tool may have been changed before it. Such a change is
+// another number, or a loading of another cutter.
 void MotionChain::attach_link(Move& move) {
   const bool can_link = std::exchange(can_link_, false);
   const bool was_loaded = std::exchange(was_loaded_, false);

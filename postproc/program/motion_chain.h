@@ -6,16 +6,16 @@
 
 namespace gouge {
 
-/// Place of the tool, and the connection of the next motion with the last one.
+/// Position of the tool, and the connection of the next motion with the last one.
 class MotionChain {
  public:
   explicit MotionChain(PathBuilder& builder) : builder_(builder) {}
 
-  /// Returns the last pose in part coordinates; nothing: the next position is alone.
+  /// Returns the last pose in part coordinates; nothing: no motion leads to the next position.
   [[nodiscard]] const std::optional<Pose>& last_pose() const { return last_pose_; }
-  /// Returns why the next motion's start is not known, or null.
+  /// Returns why the start of the next motion is unknown, or null.
   [[nodiscard]] const char* unknown_start() const { return unknown_start_; }
-  /// Returns why the last position was an unknown place, or null.
+  /// Returns why the place of the last position is unknown, or null.
   [[nodiscard]] const char* last_uncertainty() const { return last_uncertainty_; }
   [[nodiscard]] bool is_start_certain() const {
     return last_pose_ && unknown_start_ == nullptr && last_uncertainty_ == nullptr;
@@ -23,20 +23,21 @@ class MotionChain {
   [[nodiscard]] bool was_from() const { return was_from_; }
 
   void lose_start(const char* reason) { unknown_start_ = reason; }
-  /// The next motion starts at last_pose() after all.
+  /// Makes the next motion start at last_pose() after all.
   void find_start() { unknown_start_ = nullptr; }
-  /// Returns where there is one.
+  /// Marks the start of the next motion as unknown if there is a last pose.
   void lose_last_pose(const char* reason) {
     if (last_pose_) unknown_start_ = reason;
   }
-  /// Nothing is swept from the last position to the next.
+  /// Breaks the motion: nothing is swept from the last position to the next.
   void break_off();
-  /// Nor was the tool at the last position before it came to the next one.
+  /// Forbids a link: the tool may not have been at the last position when it moved to the next one.
   void forbid_link() { can_link_ = false; }
   void note_loading() { was_loaded_ = true; }
-  /// `move` is about to become the last one; `doubt` is why it is an unknown place, or null.
+  /// Makes the end of `move`, which is about to become the last move, the last pose. `uncertainty` is why that place is
+  /// unknown, or null.
   void advance(Move& move, const char* uncertainty);
-  /// A motion of unknown end.
+  /// Handles a motion with an unknown end, which is reported at `end`.
   void stand(const Pose& end, const char* reason);
   void note_from(bool is_from) { was_from_ = is_from; }
   void write_note() const;
@@ -48,9 +49,9 @@ class MotionChain {
   std::optional<Pose> last_pose_;
   const char* unknown_start_ = nullptr;
   const char* last_uncertainty_ = nullptr;
-  bool was_from_ = false;  // the last move was FROM
+  bool was_from_ = false;  // whether the last move was a FROM
   bool is_broken_ = false;
-  bool can_link_ = false;    // the motion broke off at the end of the last move
+  bool can_link_ = false;    // the motion was broken at the end of the last move
   bool was_loaded_ = false;  // a tool was loaded since the last move
   Tally not_swept_;
 };

@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kShareThatDecides = 0.02;  // of a file, to expect the same of its rest
+constexpr double kShareThatDecides = 0.02;  // share of a file after which its rest is expected to be similar
 constexpr double kFirstGrowth = 4, kMinGrowth = 1.125, kMargin = 1.01;
 
 }  // namespace

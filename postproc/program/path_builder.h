@@ -7,11 +7,11 @@
 
 #include "lib/path/toolpath.h"
 
-// Builds a toolpath for the readers of all formats.
+// Builder of toolpaths for the readers of all formats.
 
 namespace gouge {
 
-/// Count of something seen in a file, and the line of the first.
+/// Number of occurrences of a fact in a file, and the line of the first one.
 struct Tally {
   std::size_t count = 0, first_line = 0;
 
@@ -20,7 +20,7 @@ struct Tally {
   }
 };
 
-/// A toolpath while its file is read, statement by statement.
+/// A toolpath during the reading of its file, statement by statement.
 class PathBuilder {
  public:
   /// Requires Toolpath::file and Toolpath::source. `path_read` must outlive the object.
@@ -31,12 +31,12 @@ class PathBuilder {
   [[nodiscard]] std::size_t index() const { return path.statements.size() - 1; }
   [[nodiscard]] std::size_t moves() const { return path.moves.size(); }
 
-  /// A note of how often something was seen in the file: `noun` in the number that was counted, then `rest`. Nothing
-  /// where it never was.
+  /// Adds a note of how often a fact occurs in the file: the number with `noun`, then `rest`. Adds nothing if it does
+  /// not occur.
   void report(Severity severity, const char* code, const Tally& seen, std::string_view noun, std::string_view rest);
 
-  /// Gives `all` memory for `more`, or for as many as the rest of the file holds if it goes on like this. Growing by
-  /// doubling would need three times the memory while it copies.
+  /// Gives `all` memory for `more` items, or for as many as the rest of the file is expected to have. Growth by
+  /// doubling would need three times the memory during the copy.
   template <class Things>
   void make_room(Things& all, std::size_t more = 1) const {
     const std::size_t needed = all.size() + more;
@@ -51,7 +51,7 @@ class PathBuilder {
   std::size_t read_bytes_ = 0;
 };
 
-/// The operation of the positions that follow. One without a position is none.
+/// The operation of later positions. An operation without a position does not appear in the path.
 class OperationState {
  public:
   explicit OperationState(PathBuilder& builder) : builder_(builder) {}
@@ -61,7 +61,7 @@ class OperationState {
     line_ = line;
     is_new_ = true;
   }
-  /// Returns, at a motion, its operation in Toolpath::operations, or kNone.
+  /// Returns, at a motion, the index of its operation in Toolpath::operations, or kNone.
   [[nodiscard]] std::size_t resolve() {
     if (!std::exchange(is_new_, false)) return index_;
     index_ = builder_.path.operations.size();

@@ -4,7 +4,7 @@
 #include "postproc/record/field_kinds.h"
 #include "postproc/record/words.h"
 
-// The fields of the section "correction", as result_fields.h describes those of the rest.
+// The fields of the section "correction", described like the other ones in result_fields.h.
 
 namespace gouge {
 
@@ -81,7 +81,7 @@ void describe(F& f, R& r) {
   f.count("line", r.line);
 }
 
-/// `power`: the angle is per length to that power.
+/// Describes an angle; it is relative to a length to the power `power`.
 template <typename F, RecordOf<AngleRecord> R>
 void describe_angle(F& f, R& r, int power) {
   f.per_length("rad", r.rad, power);
@@ -94,7 +94,7 @@ void describe(F& f, R& r) {
   describe_angle(f, r, 0);
 }
 
-/// An angle per length.
+/// An angle relative to a length.
 template <typename R>
 struct PerLength {
   R& angle;

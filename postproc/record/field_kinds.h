@@ -5,11 +5,11 @@
 
 namespace gouge {
 
-/// R is Of, constant or not: the writer visits constant records.
+/// R is Of or constant Of; the writer visits constant records.
 template <typename R, typename Of>
 concept RecordOf = std::same_as<std::remove_const_t<R>, Of>;
 
-/// Limit of a number.
+/// Lower limit of a number.
 enum class Sign { any, non_negative };
 
 }  // namespace gouge

@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-/// Visits the fields of a record and takes each from one object of a JSON text.
+/// A visitor that takes each field of a record from one object of a JSON text.
 class RecordReader {
  public:
   RecordReader(const JsonField& object, double mm_per_unit) : object_(object), mm_per_unit_(mm_per_unit) {}

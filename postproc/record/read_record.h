@@ -9,16 +9,17 @@
 
 namespace gouge {
 
-/// A result file and its text, which places errors found in the record.
+/// A result file and its text, which gives errors in the record their place.
 struct ReadRecord {
   JsonFile json;
   ResultRecord record;
 };
 
-/// Reads the bytes of `file`: every field that write_record writes, each of its kind and within its limits. Keys beyond
-/// these are passed over. The digest is not compared (result_digest.h).
-/// Errors, with the line: result-syntax, result-duplicate-key, json-too-deep, json-too-long; result-format (no result of
-/// this program, or of another version of the format), result-field (a value that is missing or not as expected).
+/// Reads the bytes of `file`: every field that write_record writes, each with its kind and within its limits. Other
+/// keys are ignored. The digest is not compared (result_digest.h).
+/// Errors, with the line: result-syntax, result-duplicate-key, json-too-deep, json-too-long. Also result-format (it is
+/// not a result of this program, or has another version of the format), and result-field (a value is missing or not as
+/// expected).
 [[nodiscard]] Result<ReadRecord> read_record(const std::string& file, std::string_view bytes);
 
 }  // namespace gouge

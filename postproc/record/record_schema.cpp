@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Visits the fields of a record and states the kind and the limits of each.
+/// A visitor that states the kind and the limits of each field of a record.
 class SchemaMaker {
  public:
   void constant(const char* key, const char* value) { add(key, {{"const", value}}); }

@@ -5,12 +5,12 @@
 #include "postproc/record/result_record.h"
 #include "postproc/record/words.h"
 
-// The fields of a result in the order of the file: each with its name, its kind and its limits. The writer
-// (write_record.cpp), the reader (read_record.cpp) and the schema (record_schema.cpp) visit this description, so that a
-// field is added here and nowhere else.
+// The fields of a result in the order of the file, each with its name, its kind and its limits. The writer
+// (write_record.cpp), the reader (read_record.cpp) and the schema (record_schema.cpp) visit this description. So a new
+// field is added only here.
 //
 // `f` visits the fields of one object. Fields of the kind `length` are in the unit of the toolpath in the file. `Sign`
-// limits a number. A field of an `optional_` kind is null where it has no value.
+// limits a number. A field of an `optional_` kind is null if it has no value.
 
 namespace gouge {
 

@@ -17,13 +17,13 @@
 #include "lib/path/toolpath.h"
 #include "postproc/record/correction_record.h"
 
-// The result of a check or a correction as `--json` writes it: the data of docs/formats/report_json.md, field by field.
-// result_fields.h describes the fields once; the writer, the reader and the schema follow that description. Lengths are
-// in mm here and in the unit of the toolpath in the file.
+// The result of a check or a correction in the form of `--json`: the data of docs/formats/report_json.md, field by
+// field. result_fields.h describes the fields once for the writer, the reader and the schema. Lengths are in mm here,
+// and in the unit of the toolpath in the file.
 
 namespace gouge {
 
-/// A file that was read.
+/// An input file of the run.
 struct InputFile {
   std::string role;  ///< "toolpath", "machine", "part", "fixture", "head", "tools", "baseline", "project", ...
   std::string name;  ///< as the user named it
@@ -31,14 +31,14 @@ struct InputFile {
   std::string checksum;  ///< "sha256:" and 64 hexadecimal digits
 };
 
-/// Options by name, each with its texts: one, or several of an option that is repeated. In the order of the file.
+/// Options by name, each with its texts: one, or several for a repeated option. They have the order of the file.
 using OptionTexts = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
 struct OptionsRecord {
   double tolerance_mm = 0, resolution_mm = 0, stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0,
          near_miss_mm = 0;
   std::string rapid;
-  OptionTexts more;  ///< beside these
+  OptionTexts more;  ///< options other than these
 };
 
 struct MovesByKind {
@@ -65,7 +65,7 @@ struct ToolRecord {
   std::optional<std::size_t> number;
   std::string name, defined_in, description;
   std::size_t line = 0;
-  std::string key;                      ///< tool_key
+  std::string key;                      ///< the text of tool_key
   std::optional<std::string> identity;  ///< ToolFacts::identity; none: the tool is not defined
   std::vector<Body> bodies;
 };
@@ -74,11 +74,11 @@ struct TotalsRecord {
   std::size_t moves = 0, clean = 0, near = 0, gouge = 0, buried = 0, not_checked = 0, not_certified = 0,
               left_out_as_asked = 0;
   double worst_depth_mm = 0, worst_overcut_mm = 0;
-  std::optional<double> worst_overcut_upper_mm;  ///< none: no bound
+  std::optional<double> worst_overcut_upper_mm;  ///< none: there is no bound
   std::optional<std::size_t> worst_move;
-  std::optional<double> largest_gap_mm;  ///< none: no bound
+  std::optional<double> largest_gap_mm;  ///< none: there is no bound
   std::size_t wide_gaps = 0;
-  std::optional<double> largest_overcut_gap_mm;  ///< none: no bound
+  std::optional<double> largest_overcut_gap_mm;  ///< none: there is no bound
   std::size_t wide_overcut_gaps = 0;
 };
 
@@ -150,15 +150,15 @@ struct CuresRecord {
   LiftCureRecord lift;
 };
 
-/// A finding, or a run of moves of another state.
+/// A finding, or a run of moves with another state.
 struct EventRecord {
-  std::optional<std::size_t> number;  ///< finding_numbers; none: not a gouge
+  std::optional<std::size_t> number;  ///< number in finding_numbers; none: it is not a finding
   MoveState state = MoveState::gouge;
   std::size_t first_move = 0, last_move = 0;
   std::size_t moves = 1;
   std::size_t worst_move = 0, line = 0;
   std::string tool;
-  std::optional<std::size_t> tool_index;  ///< into ResultRecord::tools; none: no tool
+  std::optional<std::size_t> tool_index;  ///< index into ResultRecord::tools; none: no tool
   Body body = Body::cutter;
   Against against = Against::part;
   std::optional<std::string> obstacle;
@@ -181,21 +181,21 @@ struct WitnessRecord {
   std::size_t triangle = 0;
 };
 
-/// A move that is not clean.
+/// Data of a move that is not clean.
 struct MoveRecord {
   std::size_t move = 0, line = 0;
   MoveKind kind = MoveKind::feed;
   std::string tool, operation, statement;
-  std::string motion;  ///< motion_key
+  std::string motion;  ///< the text of motion_key
   MoveState state = MoveState::gouge;
-  std::optional<double> depth_mm, depth_upper_mm;      ///< none: not measured, or no bound was reached
+  std::optional<double> depth_mm, depth_upper_mm;      ///< none: not measured, or there is no bound
   std::optional<double> overcut_mm, overcut_upper_mm;  ///< none: not measured
   std::optional<double> clearance_mm;
   std::optional<WitnessRecord> witness;
   std::string reason;
 };
 
-/// Moves of one operation and tool, up to the next run.
+/// Consecutive moves with the same operation and tool, up to the next run.
 struct RunRecord {
   std::size_t first_move = 0;
   std::string operation, tool;
@@ -211,7 +211,7 @@ inline constexpr int kResultVersion = 1;
 
 struct ResultRecord {
   ProgramRecord program;
-  std::string verdict;  ///< verdict_name
+  std::string verdict;  ///< the text of verdict_name
   int exit_status = 0;
   std::string guarantee;
   Assumptions assumptions;
@@ -229,15 +229,17 @@ struct ResultRecord {
   std::optional<BaselineRecord> baseline;
   std::vector<EventRecord> events;
   std::vector<ReasonRecord> reasons;
-  std::vector<MoveRecord> moves;  ///< those that are not clean, in path order
+  std::vector<MoveRecord> moves;  ///< moves that are not clean, in path order
   std::optional<CorrectionRecord> correction;
   Diagnostics notes;
-  std::vector<RunRecord> runs;       ///< of all moves
-  std::vector<std::string> motions;  ///< the first kListedDigits of each motion_key, kMotionsOfText moves a text
+  std::vector<RunRecord> runs;  ///< runs of all moves
+  /// the first kListedDigits of each motion_key; one text has those of kMotionsOfText moves
+  std::vector<std::string> motions;
 
   /// Returns how many moves `motions` lists.
   [[nodiscard]] std::size_t listed_motions() const;
-  /// Returns the listed digits of a move. Requires move < listed_motions(), and texts that are full but the last.
+  /// Returns the listed digits of a move. Requires move < listed_motions(), and texts that are all full except the
+  /// last.
   [[nodiscard]] std::string_view motion(std::size_t move) const;
   /// Returns the listed digits of all moves. The record must outlive them.
   [[nodiscard]] std::vector<std::string_view> motion_list() const;

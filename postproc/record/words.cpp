@@ -13,7 +13,7 @@
 namespace gouge {
 namespace {
 
-/// Returns the names of all values of an enumeration, of which `last` is the last.
+/// Returns the names of all values of an enumeration; `last` is its last value.
 template <typename Enum>
 Words names_up_to(Enum last, const char* (*name_of)(Enum)) {
   Words words;

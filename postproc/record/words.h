@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-// The words that fields of a result may have, in the order of their enumerations.
+// The possible words of fields of a result, in the order of their enumerations.
 
 namespace gouge {
 

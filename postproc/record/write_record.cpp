@@ -10,7 +10,8 @@
 namespace gouge {
 namespace {
 
-/// Visits the fields of a record and appends each to a text. A document in memory would take several times the text.
+/// A visitor that appends each field of a record to a text. A document in memory would need several times the memory of
+/// the text.
 class RecordWriter {
  public:
   void constant(const char* key, const char* value) { put(key, quoted(value)); }
@@ -132,7 +133,7 @@ class RecordWriter {
 
   static std::string quoted(std::string_view value) { return nlohmann::json(valid_utf8(value)).dump(); }
   static std::string number_text(double value) { return nlohmann::json(value).dump(); }
-  // A bound that was never reached has no number.
+  // Returns a length as text; null for a bound that was never reached, which has no number.
   [[nodiscard]] std::string length_text(double value_mm) const {
     const double value = value_mm / mm_per_unit_;
     return std::isfinite(value) ? number_text(value + 0.0) : kNull;
@@ -177,7 +178,7 @@ class RecordWriter {
 
   std::string text_;
   std::size_t depth_ = 0;
-  bool is_empty_ = true;  // the innermost object or list, so far
+  bool is_empty_ = true;  // whether the innermost object or list is still empty
   double mm_per_unit_ = 1;
 };
 

@@ -6,9 +6,9 @@
 
 namespace gouge {
 
-/// Returns the text of a result file: the fields of result_fields.h, indented by one blank a level, and the digest.
-/// Lengths are written in the unit of the toolpath, numbers so that they read back exactly. Bytes that are no UTF-8
-/// become U+FFFD. Cost: linear in the text.
+/// Returns the text of a result file: the fields of result_fields.h, indented by one blank for each level, and the
+/// digest. Lengths are in the unit of the toolpath, and numbers read back exactly. Bytes that are not UTF-8 become
+/// U+FFFD. Cost: linear in the text.
 [[nodiscard]] std::string write_record(const ResultRecord& record);
 
 }  // namespace gouge

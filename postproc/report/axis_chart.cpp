@@ -30,7 +30,7 @@ constexpr std::array<Series, 4> kSeries = {&TiltPlace::lead_before_rad, &TiltPla
 
 std::string number(double value) { return display_text(value, 1); }
 
-/// 1, 2 or 5 times a power of ten, so that at most `most` of them make `span`.
+/// Returns a step of 1, 2 or 5 times a power of ten, such that at most `most` steps fill `span`.
 double tick_step(double span, double most) {
   double power = 1;
   while (power * most > span) power /= 10;
@@ -75,7 +75,7 @@ class AxisChart {
     std::string out = "<svg class=\"axes\" viewBox=\"0 0 " + size + "\" role=\"img\" aria-label=\"Lead and side tilt " +
                       "over the length of the path\">\n";
     Range lead = range(kSeries[0], kSeries[2]), side = range(kSeries[1], kSeries[3]);
-    // One span for both, so that slopes can be compared.
+    // Both panels have the same span, so that slopes are comparable.
     const double span = std::max({lead.high - lead.low, side.high - side.low, kMinSpan_deg}) * (1 + 2 * kAir);
     lead.widen_to(span);
     side.widen_to(span);
@@ -92,7 +92,7 @@ class AxisChart {
     return top + kPanel * (range.high - angle) / (range.high - range.low);
   }
 
-  /// Keeps the places that change the picture. More than a pixel can hold would look the same.
+  /// Keeps the places that change the picture. More places than a pixel can show would not change it.
   void keep_what_shows() {
     const std::vector<TiltPlace>& all = run_.curve;
     for (std::size_t from = 0; from < all.size();) {
@@ -274,7 +274,7 @@ class AxisSection {
     const std::size_t first = moves[run.first].line, last = moves[run.last - 1].line;
     const std::string lines = first == last ? "Line " + std::to_string(first)
                                             : "Lines " + std::to_string(first) + " to " + std::to_string(last);
-    // Two decimals of a millimetre are enough of a length that people compare with others.
+    // Two decimals of a millimetre are sufficient for a length that people compare with others.
     const std::string length = display_text((run.end_mm - run.begin_mm) / mm_per(unit_), facts_of(unit_).decimals - 1) +
                                " " + unit_name(unit_);
     const std::string caption =

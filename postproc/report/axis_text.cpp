@@ -12,7 +12,7 @@ namespace {
 constexpr double kMinPlain = 0.001;
 constexpr double kDegreesOfText = 180 / std::numbers::pi;
 
-// As with three digits of each: 9.996 is 10.
+// Returns a value with three digits. They are those of the rounded value: 9.996 is 10.0.
 std::string three_digits(double value) {
   if (!(value > 0)) return "0";
   int power = 0;

@@ -4,31 +4,31 @@
 #include <string>
 #include <vector>
 
-// Effect of accepted findings on a result: plain data, made by postproc/accept.
+// Effect of accepted findings on a result, as plain data made by postproc/accept.
 
 namespace gouge {
 
-/// An acceptance of the file of --baseline.
+/// An acceptance in the file of --baseline.
 struct BaselineEntry {
   enum class Use { applied, unused, voided };
 
-  std::string by, date, reason;  ///< as given when it was accepted
-  std::string finding;           ///< the accepted finding, for people
-  Use use = Use::unused;         ///< unused: nothing gouges any more where it was accepted
-  std::string why;               ///< voided: what changed
+  std::string by, date, reason;  ///< as given at the acceptance
+  std::string finding;           ///< description of the accepted finding
+  Use use = Use::unused;         ///< unused: the accepted motions no longer gouge
+  std::string why;               ///< if voided: the change that voids it
 };
 
-/// Acceptance of one of CheckResult::events.
+/// The acceptance of one of CheckResult::events.
 struct EventAcceptance {
-  std::vector<std::size_t> entries;  ///< of BaselineFacts::entries, that accept its moves
-  bool is_accepted = false;          ///< every move of it is accepted
-  std::string why_not;               ///< where some entry is of it and it is not accepted; else empty
+  std::vector<std::size_t> entries;  ///< indices into BaselineFacts::entries of those that accept its moves
+  bool is_accepted = false;          ///< every one of its moves is accepted
+  std::string why_not;               ///< reason if an entry concerns it but it is not accepted; else empty
 };
 
 struct BaselineFacts {
   std::string file;  ///< as the user named it; empty: no --baseline
   std::vector<BaselineEntry> entries;
-  std::vector<EventAcceptance> events;  ///< one of each of CheckResult::events
+  std::vector<EventAcceptance> events;  ///< one for each of CheckResult::events
   std::size_t accepted_moves = 0;
 
   [[nodiscard]] bool is_given() const { return !file.empty(); }

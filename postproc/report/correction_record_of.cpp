@@ -14,7 +14,7 @@ AngleRecord angle_of(const LargestOfMoves& largest, const Toolpath& path) {
   return record;
 }
 
-/// A feed of next to nothing takes no time that a number states.
+/// Returns the time, or none if it is not finite because a feed is almost 0.
 std::optional<double> seconds_of(const std::optional<double>& time) {
   return time && std::isfinite(*time) ? time : std::nullopt;
 }

@@ -7,9 +7,8 @@
 namespace gouge {
 namespace {
 
-// Returns whether a spreadsheet might take the text for a formula. It begins with =, +, - or @, also in full width,
-// behind blanks, quotes and the apostrophe that hides one. Tabs and carriage returns begin a cell of their own in some
-// spreadsheets.
+// Returns whether a spreadsheet may take the text for a formula. It begins with =, +, - or @, also in full width, after
+// blanks, quotes and an apostrophe that hides one. Tabs and carriage returns begin a new cell in some spreadsheets.
 bool may_be_formula(std::string_view text) {
   using namespace std::string_view_literals;
   for (std::size_t at = 0; at < text.size();) {
@@ -24,8 +23,8 @@ bool may_be_formula(std::string_view text) {
 
 }  // namespace
 
-// Also tests behind the separators of other locales. There a row is split at semicolons, tabs and line ends without
-// regard to quotes that begin within it.
+// Tests the text after separators of other locales too. There a row is split at semicolons, tabs and line ends, even
+// within quotes that begin in the middle of it.
 std::string without_formula(std::string_view text) {
   if (text.empty() || parse_number(text)) return std::string(text);
   std::string out;

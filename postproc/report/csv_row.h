@@ -11,11 +11,11 @@
 
 namespace gouge {
 
-/// Returns text from a file, which a stranger may have written for the spreadsheet that opens ours. Puts an apostrophe
-/// in front of a possible formula (docs/formats/csv.md).
+/// Returns a text from a file in a form that is safe in a spreadsheet, because its author may be a stranger. A possible
+/// formula gets an apostrophe before it (docs/formats/csv.md).
 [[nodiscard]] std::string without_formula(std::string_view text);
 
-/// Appends one row of RFC 4180 to a text.
+/// A writer of one row of RFC 4180 that appends it to a text.
 class CsvRow {
  public:
   explicit CsvRow(std::string& out) : out_(out) {}
@@ -23,7 +23,7 @@ class CsvRow {
   CsvRow(const CsvRow&) = delete;
   CsvRow& operator=(const CsvRow&) = delete;
 
-  /// A word of our own, which needs no quotes.
+  /// Adds a word of this program, which needs no quotes.
   void word(std::string_view value) {
     begin_cell();
     out_ += value;
@@ -38,7 +38,7 @@ class CsvRow {
     }
     out_ += '"';
   }
-  // A bound that was never reached is not a number, and a row cannot state it.
+  // Adds a number. A bound that was never reached is not finite, and its cell stays empty.
   void number(double value) { std::isfinite(value) ? word(exact_text(value)) : word({}); }
   void count(std::size_t value) {
     std::array<char, 24> digits{};

@@ -104,7 +104,7 @@ std::vector<Finding> list_findings(const ReportModel& model) { return FindingLis
 
 namespace {
 
-// Deeper is larger: the distance of a near miss is below zero.
+// Returns the rank of an event: the deeper, the larger. The distance of a near miss counts as negative.
 double rank_of(const ReportModel& model, std::size_t index) {
   const Event& event = model.result->events[index];
   const MoveVerdict& verdict = model.result->verdicts[event.worst_move];

@@ -19,7 +19,7 @@ bool is_finding(const Event& event) {
   return event.state != MoveState::not_checked && event.state != MoveState::not_certified;
 }
 
-// The largest overcut of the moves of a finding, as in the key of the heat map.
+// Returns the largest overcut of the moves of a finding, as in the key of the heat map.
 double overcut_of(const ReportModel& model, const Event& event) {
   double largest = 0;
   if (event.state != MoveState::gouge) return largest;
@@ -57,14 +57,14 @@ class FindingsTable {
   }
 
  private:
-  // Buried tools have no depth and come first. Near misses come last, the nearest first.
+  // Returns the rank. Buried tools have no depth and come first. Near misses come last, the nearest first.
   [[nodiscard]] double rank(const Event& event) const {
     const MoveVerdict& worst = model_.result->verdicts[event.worst_move];
     if (event.state == MoveState::buried) return std::numeric_limits<double>::infinity();
     return event.state == MoveState::near_miss ? -worst.clearance_mm.value_or(0) : worst.depth_mm;
   }
 
-  // Input of the script; lengths in the path's unit.
+  // Returns the attributes for the script; lengths are in the path's unit.
   [[nodiscard]] std::string attributes(const Event& event) const {
     const auto add = [](const char* name, const std::string& value) {
       return std::string(" data-") + name + "=\"" + xml_escaped(value) + "\"";
@@ -136,13 +136,13 @@ class FindingsTable {
   std::vector<std::size_t> numbers_;
 };
 
-/// Counts of an operation or a tool.
+/// Counts for an operation or a tool.
 struct Share {
   std::size_t moves = 0, findings = 0, cured = 0;
   double depth_mm = 0, overcut_mm = 0;
 };
 
-/// Counts each operation or tool: `of(move)` is its index; moves without one come last.
+/// Counts for each operation or tool; `of(move)` is its index. Moves without one are counted last.
 template <class Of>
 std::vector<Share> shares_of(const ReportModel& model, std::size_t count, Of&& of) {
   std::vector<Share> shares(count + 1);

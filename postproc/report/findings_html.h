@@ -8,12 +8,12 @@
 
 namespace gouge {
 
-/// Writes the findings of a report as HTML, the worst first. A script sorts and filters them and keeps many of them
-/// quick to scroll. Without it they are pages that fold. The `pictures` are linked from the findings they show. Empty
-/// where there are none.
+/// Returns the findings of a report as HTML, the worst first. A script sorts and filters them, and keeps scrolling fast
+/// if there are many. Without a script they are pages that fold. `pictures` are linked from their findings. Empty if
+/// there are no findings.
 [[nodiscard]] std::string findings_html(const ReportModel& model, const std::vector<NamedFile>& pictures);
 
-/// Moves, findings, deepest and overcut of each operation and of each tool, as HTML. Empty without findings.
+/// Returns moves, findings, depth and overcut for each operation and each tool, as HTML. Empty without findings.
 [[nodiscard]] std::string summaries_html(const ReportModel& model);
 
 }  // namespace gouge

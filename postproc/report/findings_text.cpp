@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kNoteworthy = 1.02;
 
-// Names and reasons in a line are from outside: none may end it, begin another one or move the cursor.
+// Returns the text as one line. Its names and reasons come from files, so they must not contain line ends or control
+// the cursor.
 std::string line(const std::string& text) { return printable(text) + "\n"; }
 
 std::string bodies(const ReportModel& model) {
@@ -29,13 +30,13 @@ std::string bodies(const ReportModel& model) {
   return text;
 }
 
-/// A result and the path it is of.
+/// A result and its path.
 struct Checked {
   const Toolpath& path;
   const CheckResult& result;
 };
 
-// Counts all gouges, accepted or not.
+// Returns the words about the deepest of all gouges, accepted or not.
 std::string deepest_words(const Checked& checked, const CheckOptions& limits) {
   const CheckResult& result = checked.result;
   if (result.worst_move >= result.verdicts.size()) return {};
@@ -44,13 +45,15 @@ std::string deepest_words(const Checked& checked, const CheckOptions& limits) {
 }
 
 std::string overcut_words(const ReportModel& model) {
-  // On shallow gouges both measures agree; where the tool is deeper in than it is thick, only overcut shows it.
+  // For shallow gouges depth and overcut agree. If the tool is deeper in the part than it is thick, only the overcut
+  // shows it.
   const CheckResult& result = *model.result;
   const bool is_noteworthy = result.worst_overcut_mm > kNoteworthy * result.worst_depth_mm;
   return is_noteworthy ? ", overcut " + overcut_range_text(model) : std::string();
 }
 
-// Moves and facts that keep a verdict without gouges from being clean. `model`: null for a path before its correction.
+// Returns the moves and facts that prevent a clean verdict without gouges. `model` is null for a path before its
+// correction.
 std::string open_words(const CheckResult& result, const ReportModel* model) {
   const StateCounts& n = result.counts;
   const std::size_t moves = n.not_checked - n.skipped + n.not_certified;
@@ -66,7 +69,7 @@ std::string open_words(const CheckResult& result, const ReportModel* model) {
   return text;
 }
 
-// `accepting`: the model whose baseline counts; null: none does.
+// Returns the first line. `accepting` is the model whose baseline applies; null: none.
 std::string headline(const Checked& checked, const CheckOptions& limits, const std::string& overcut,
                      const ReportModel* accepting) {
   const CheckResult& result = checked.result;
@@ -95,7 +98,7 @@ std::string headline(const Checked& checked, const CheckOptions& limits, const s
   return text;
 }
 
-// The word before the colon states it all: that is what a terminal shows in colour.
+// Returns the line of the verdict. The word before the colon is the verdict, which a terminal shows in colour.
 std::string verdict_line(const std::string& text, OverallVerdict verdict, bool is_coloured) {
   const Paint paint = verdict == OverallVerdict::clean    ? Paint::clean
                       : verdict == OverallVerdict::gouges ? Paint::error
@@ -160,7 +163,7 @@ std::string correction_lines(const ReportModel& model) {
   return line(text) + written_line(correction) + (correction.axes ? axis_lines(model) : std::string());
 }
 
-/// The lines before the summary.
+/// A writer of the lines before the summary.
 class FindingsWriter {
  public:
   FindingsWriter(const ReportModel& model, const FindingsView& view) : model_(model), view_(view) {}
@@ -178,7 +181,7 @@ class FindingsWriter {
   }
 
  private:
-  // The word before the first colon of `what` is its kind.
+  // Adds a line; the word before the first colon of `what` is its kind.
   void add(const Toolpath& path, std::size_t at, const std::string& what, Paint paint) {
     const std::string shown = printable(what);
     const std::size_t end = shown.find(':') + 1;
@@ -200,7 +203,7 @@ class FindingsWriter {
     if (const FindingCures* cures = cures_of(model_, index)) text_ += line("  cured by " + cure_text(model_, *cures));
   }
 
-  // As compilers quote sources: the number of the line, a bar, the line.
+  // Adds the statement in the format of compilers: the number of the line, a bar, the line.
   void add_statement(std::size_t move) {
     if (!view_.has_statements) return;
     constexpr std::size_t kDigits = 6;

@@ -8,14 +8,14 @@ namespace gouge {
 
 struct HtmlColumn {
   std::string title;
-  const char* css = "";  ///< "n": numbers, to the right; "k": never broken
+  const char* css = "";  ///< "n": right-aligned numbers; "k": no line breaks
 };
 
 /// Returns a cell with escaped text.
 [[nodiscard]] std::string html_cell(const std::string& text, const char* css = "");
 
-/// A table of rows, the first page of it open. The others fold away and open with a click, without a script; a page
-/// that is folded costs a browser nothing to lay out. Rows beyond the last page are counted and left to CSV and JSON.
+/// A table of rows in pages, of which the first is open. The others are folded and open with a click, without a script.
+/// A browser does not lay out a folded page. Rows beyond the last page are counted; CSV and JSON have them.
 class HtmlTable {
  public:
   static constexpr std::size_t kRowsOfPage = 200;
@@ -23,9 +23,9 @@ class HtmlTable {
 
   explicit HtmlTable(std::vector<HtmlColumn> columns) : columns_(std::move(columns)) {}
 
-  /// Returns whether the next row still has a page. A row that is not needed must be counted by skip().
+  /// Returns whether the last page has room for the next row. A row without room must be counted with skip().
   [[nodiscard]] bool has_room() const { return rows_ < kMaxRows; }
-  /// `attributes`: of the row, each with a blank before it.
+  /// Adds a row. Each of its `attributes` has a blank before it.
   void add(const std::string& cells, const std::string& attributes = {});
   void skip() { ++skipped_; }
 
@@ -39,7 +39,7 @@ class HtmlTable {
   std::size_t rows_ = 0, skipped_ = 0;
 };
 
-/// Style sheet of the HTML report, for screens in light and dark rooms alike and for paper.
+/// Style sheet of the HTML report, for light and dark screens and for paper.
 inline constexpr const char* kHtmlStyle = R"css(
 :root { --ink: #20262e; --soft: #5f6873; --line: #dde1e6; --paper: #ffffff; --ground: #eef0f3; --alarm: #b2182b;
   --calm: #227854; --open: #a66e0c; --link: #1f5f99; }

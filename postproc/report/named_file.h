@@ -5,12 +5,12 @@
 
 namespace gouge {
 
-/// A file still to be written: its name without a folder, a title for people, and its bytes.
+/// A file that is not written yet: its name without a folder, a title, and its bytes.
 struct NamedFile {
   std::string name;
   std::string bytes;
-  std::string title;                                ///< what it shows, one short sentence; may be empty
-  std::size_t move = static_cast<std::size_t>(-1);  ///< for the picture of a finding its worst move
+  std::string title;                                ///< one short sentence about its content; may be empty
+  std::size_t move = static_cast<std::size_t>(-1);  ///< for the picture of a finding: its worst move
 };
 
 }  // namespace gouge

@@ -15,7 +15,7 @@
 namespace gouge {
 namespace {
 
-/// A bound that was never reached has no number.
+/// Returns the value, or none for a bound that was never reached.
 std::optional<double> finite(double value_mm) {
   return std::isfinite(value_mm) ? std::optional(value_mm) : std::nullopt;
 }
@@ -24,7 +24,7 @@ std::optional<std::size_t> index_below(std::size_t index, std::size_t end) {
   return index < end ? std::optional(index) : std::nullopt;
 }
 
-/// Fills the sections that describe moves and findings.
+/// Fills the sections about moves and findings.
 class RecordMaker {
  public:
   explicit RecordMaker(const ReportModel& model) : model_(model), path_(*model.toolpath), result_(*model.result) {}
@@ -49,7 +49,7 @@ class RecordMaker {
       }
     }
     record.operations = path_.operations.size();
-    // Two words that are no UTF-8 may become one.
+    // Two words that are not UTF-8 may become equal.
     for (const auto& [word, count] : path_.words_not_understood) record.words_not_understood[valid_utf8(word)] += count;
     return record;
   }
@@ -211,7 +211,7 @@ class RecordMaker {
     return record;
   }
 
-  /// Returns the statement of a move without its line end and without all beyond 2000 bytes.
+  /// Returns the statement of a move without its line end, cut after 2000 bytes.
   [[nodiscard]] std::string statement(const Move& move) const {
     constexpr std::size_t kMaxBytes = 2000;
     std::string_view text = statement_text(path_, move).substr(0, kMaxBytes);

@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// Returns the content of a result file. Cost: linear in the moves; statements are copied, the path is not.
+/// Returns the content of a result file. Cost: linear in the moves. Statements are copied, but the path is not.
 [[nodiscard]] ResultRecord record_of(const ReportModel& model);
 
 /// Returns the section "correction"; none for a check.

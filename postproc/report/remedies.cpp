@@ -66,7 +66,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 
 std::string tilt_words(const TiltCure& tilt) {
-  // Rounded up: it is what the machine must be able to do.
+  // The angle is rounded up, because the machine must be able to reach it.
   constexpr double kDecimals = 100;
   if (tilt.tilt_rad) {
     const double degrees = std::ceil(*tilt.tilt_rad / kDegree * kDecimals - Tolerance::kRounding) / kDecimals;

@@ -21,10 +21,10 @@ InputFile describe_input(std::string role, std::string name, std::string_view by
 
 namespace {
 
-// Moves that could not be checked or certified, but for rapids left out on request.
+// Returns whether moves could not be checked or certified, except rapids excluded on request.
 bool has_open_moves(const StateCounts& n) { return n.not_checked > n.skipped || n.not_certified > 0; }
 
-// Lists the fixtures that must be kept at a distance.
+// Returns the fixtures from which a distance must be kept.
 std::string clearances_text(const ReportModel& model) {
   std::string text;
   for (const MeshFacts& mesh : model.fixtures) {
@@ -35,7 +35,7 @@ std::string clearances_text(const ReportModel& model) {
   return text;
 }
 
-// The warnings in the notes where --warnings-as-errors is in force, else 0.
+// Returns the number of warnings in the notes if --warnings-as-errors is in force, else 0.
 std::size_t warnings_as_errors(const ReportModel& model) {
   if (std::ranges::find(model.more_options, "warnings-as-errors", &OptionText::name) == model.more_options.end())
     return 0;
@@ -124,7 +124,7 @@ std::vector<std::string> reservations(const ReportModel& model) {
   for (const Diagnostic& note : model.notes) {
     if (note.code == kProjectFile || note.code == kLengthsInMm) all.push_back(note.message);
   }
-  // "Clean" is what is left of the path, not the part.
+  // "Clean" is the verdict on the remaining path; the part may have uncut material.
   if (std::string uncut = uncut_text(model.correction, model.toolpath->unit); !uncut.empty())
     all.push_back(std::move(uncut));
   if (std::string moved = moved_cuts_text(model.correction, model.toolpath->unit); !moved.empty())
@@ -149,7 +149,7 @@ std::string closest_approach_words(const std::optional<double>& distance_mm, Len
   constexpr double kTouch_mm = 0.01;
   if (!distance_mm) return "not within " + length_text(ClosestApproach::kFar_mm, unit);
   if (*distance_mm <= kTouch_mm) return "touching";
-  // Rounded up: it is as near as that.
+  // The distance is rounded up, so that "within" is true.
   const int decimals = facts_of(unit).decimals - 1;
   const double steps = std::pow(10, decimals);
   const double reported = std::ceil(*distance_mm / mm_per(unit) * steps - Tolerance::kWitness_mm) / steps;

@@ -21,73 +21,74 @@
 #include "postproc/report/baseline_facts.h"
 #include "postproc/report/sign_off.h"
 
-// Data that all writers of a report share. Lengths are in mm here and converted to the toolpath's
-// unit when they are written. The model points at the toolpath and the verdicts; they must outlive it.
+// Data for all writers of a report. Lengths are in mm here, and converted to the unit of the toolpath on output. The
+// model points to the toolpath and the verdicts, which must outlive it.
 
 namespace gouge {
 
 inline constexpr const char* kProgramVersion = "0.1.0";
 
-/// Describes a file that was read, so that a reader of the report can see which one it was.
+/// Describes an input file, so that a reader of the report can identify it.
 [[nodiscard]] InputFile describe_input(std::string role, std::string name, std::string_view bytes);
 
 struct MeshFacts {
   std::string name;  ///< as the user named it
   std::size_t triangles = 0, vertices = 0;
-  std::size_t dropped = 0;  ///< degenerate triangles of the file that have no area
+  std::size_t dropped = 0;  ///< number of triangles of the file without area
   bool is_closed = false;
-  std::string meaning;      ///< what that means for the result, a sentence; may be empty
-  Assumption solid = {};    ///< whether it bounds a solid
-  double clearance_mm = 0;  ///< distance that the tool and the heads keep from it
+  std::string meaning;      ///< consequence for the result, as a sentence; may be empty
+  Assumption solid = {};    ///< whether the mesh bounds a solid
+  double clearance_mm = 0;  ///< distance that the tool and the heads must keep from it
 };
 
-/// One entry per Toolpath::tools, in its order.
+/// Facts about one tool; one entry for each of Toolpath::tools, in its order.
 struct ToolFacts {
   std::string name;
-  std::string defined_in;         ///< "tools.json", "path.apt:12"; empty: nowhere, so it could not be checked
-  std::string description;        ///< for people: "ball D10, holder D32"; may be empty
-  bool has_holder = true;         ///< false: none is given, so none was checked
-  std::string identity = {};      ///< the same for tools of the same dimensions, 32 digits; empty: not defined
-  std::vector<Body> bodies = {};  ///< of those that are checked
+  /// "tools.json", "path.apt:12"; empty: there is no definition, so the tool could not be checked
+  std::string defined_in;
+  std::string description;        ///< such as "ball D10, holder D32"; may be empty
+  bool has_holder = true;         ///< false: no holder is given, so none was checked
+  std::string identity = {};      ///< 32 digits, equal for tools with equal dimensions; empty: not defined
+  std::vector<Body> bodies = {};  ///< the bodies that are checked
 };
 
-/// Smoothness of the tool axis before and after a correction. Moves are those of the path before in `before`, and
-/// of the corrected one in `after` and `tilts`.
+/// Smoothness of the tool axis before and after a correction. In `before`, moves are those of the original path. In
+/// `after` and `tilts` they are those of the corrected path.
 struct AxisFacts {
   AxisQuality before, after;
   AxisTilts tilts;
   std::optional<double> max_rotary_deg_per_min;  ///< none: not given
 
-  /// Returns false where the axis stands and no limit was given: then people need not read of it.
+  /// Returns false if the axis does not turn and no limit was given. Then a report need not mention it.
   [[nodiscard]] bool is_of_interest() const {
     return before.has_turns() || after.has_turns() || tilts.positions > 0 || max_rotary_deg_per_min;
   }
 };
 
 struct CorrectionFacts {
-  std::string output_file;                  ///< empty: none was written
-  std::string_view output_bytes;            ///< the corrected toolpath, as it goes there
+  std::string output_file;                  ///< empty: no file was written
+  std::string_view output_bytes;            ///< the corrected toolpath as written to that file
   std::string strategy;                     ///< as requested
   double max_shift_mm = 0;                  ///< 0: no limit
-  std::optional<double> max_side_shift_mm;  ///< none: by the depth
+  std::optional<double> max_side_shift_mm;  ///< none: it depends on the depth
   double rapid_clearance_mm = 0;
-  std::size_t curves = 0;          ///< arcs and splines that became straight moves ...
-  std::size_t straight_moves = 0;  ///< ... and how many, those of `changes` among them
+  std::size_t curves = 0;          ///< number of arcs and splines that became straight moves
+  std::size_t straight_moves = 0;  ///< number of these straight moves, including those of `changes`
   std::vector<CorrectedRecord> changes;
   std::vector<Uncorrected> uncorrected;
   std::vector<Uncut> uncut;
-  std::vector<StockStretch> stock;             ///< more than is allowed of each stretch
+  std::vector<StockStretch> stock;             ///< stretches with more stock than allowed
   std::vector<LowRapid> low_rapids;            ///< in path order
-  std::vector<WrittenStatement> written;       ///< every other statement is the same to the byte
+  std::vector<WrittenStatement> written;       ///< all other statements are equal to the byte
   std::optional<AxisFacts> axes;               ///< none: not measured
   const Toolpath* toolpath_before = nullptr;   ///< the path as read
-  const CheckResult* result_before = nullptr;  ///< its verdicts
+  const CheckResult* result_before = nullptr;  ///< verdicts on that path
 };
 
 /// Result of --find-stickout for one tool.
 struct StickoutFacts {
   ToolStickout found;
-  std::optional<double> shank_end_mm;  ///< how far its flutes and shank reach; none: not stated
+  std::optional<double> shank_end_mm;  ///< height up to which flutes and shank reach; none: not stated
 };
 
 struct OptionText {
@@ -98,60 +99,59 @@ struct ReportModel {
   SignOff sign_off;
   std::vector<InputFile> inputs;
   CheckOptions options;
-  std::string placement;                   ///< the same for equal units and places of STL files, 32 digits
-  std::vector<OptionText> more_options;    ///< in force beside `options`: "place", "stl-units", ...
-  const Toolpath* toolpath = nullptr;      ///< what was checked; for a correction the corrected path
-  const CheckResult* result = nullptr;     ///< its verdicts
+  std::string placement;                   ///< 32 digits, equal for equal units and places of STL files
+  std::vector<OptionText> more_options;    ///< options in force that are not in `options`: "place", "stl-units", ...
+  const Toolpath* toolpath = nullptr;      ///< the checked path; for a correction the corrected path
+  const CheckResult* result = nullptr;     ///< verdicts on that path
   std::vector<MeshFacts> parts, fixtures;  ///< as in Scene
   std::vector<MeshFacts> heads;            ///< the files of --head, in their order
   std::vector<ToolFacts> tools;            ///< as in Toolpath::tools
-  Diagnostics notes;                       ///< warnings and notes of all inputs
+  Diagnostics notes;                       ///< warnings and notes about all inputs
   bool has_correction = false;
   CorrectionFacts correction;
-  std::string_view certificate_bytes;  ///< of --certificate
-  double seconds = 0;                  ///< spent from the first file read to this report; only JUnit has it
+  std::string_view certificate_bytes;               ///< content of --certificate
+  double seconds = 0;                               ///< time from the first file read to this report; only JUnit has it
   std::optional<StickoutOptions> stickout_options;  ///< none: not requested
   std::vector<StickoutFacts> stickouts;
   std::optional<CureOptions> cure_options;  ///< none: not requested
-  std::vector<FindingCures> cures;          ///< by event, in their order
+  std::vector<FindingCures> cures;          ///< for each event, in their order
   BaselineFacts baseline;
 };
 
-/// In the order of verdict_words().
+/// Verdict on a result, in the order of verdict_words().
 enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 
-/// Returns the verdict. Gouges and buried tools come first, then anything not checked that was not left out on request,
-/// and assumptions that are open.
+/// Returns the verdict. Gouges and buried tools decide first. Next are moves that are not checked, except those
+/// excluded on request, and open assumptions.
 [[nodiscard]] OverallVerdict overall_verdict(const CheckResult& result);
-/// Returns the same with accepted gouges, which come last of all that is not clean, and with warnings that count as
-/// errors.
+/// Returns the verdict with accepted gouges, which come last before clean, and with warnings that count as errors.
 [[nodiscard]] OverallVerdict overall_verdict(const ReportModel& model);
 /// Returns clean, gouges, not-fully-checked or accepted-gouges.
 [[nodiscard]] const char* verdict_name(OverallVerdict verdict);
-/// Returns the exit status of `check` and `correct`.
+/// Returns the exit status of `check` and `correct` for a verdict.
 [[nodiscard]] ExitCode exit_status(OverallVerdict verdict);
 
-/// Returns the guarantee in the toolpath's unit, with the moves it does not cover when something was not checked. It
+/// Returns the guarantee in the toolpath's unit, and the moves to which it does not apply, if some were not checked. It
 /// begins "no gouge deeper than tolerance + resolution = 0.011 mm is missed". It ends "and where none is reported the
 /// tool reaches at most 3 times that into a solid".
 [[nodiscard]] std::string guarantee_text(const ReportModel& model);
 
-/// Returns one sentence for each assumption that keeps the verdict from being clean: which, why, and what to do.
+/// Returns one sentence for each assumption that prevents a clean verdict, with its reason and remedy.
 [[nodiscard]] std::vector<std::string> open_facts(const ReportModel& model);
 
-/// Returns reservations about the verdict, a sentence each. (1) The option that settles why moves are not checked
-/// (remedies.h). (2) That the path may not belong to the part. (3) That tools have no holder.
+/// Returns reservations about the verdict, a sentence each. (1) An option settles the reason why moves are not checked
+/// (remedies.h). (2) The path may not belong to the part. (3) Tools have no holder.
 [[nodiscard]] std::vector<std::string> reservations(const ReportModel& model);
 
-/// Returns a distance of ClosestApproach, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm",
-/// "not within 20 mm".
+/// Returns a distance of ClosestApproach, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm"
+/// or "not within 20 mm".
 [[nodiscard]] std::string closest_approach_words(const std::optional<double>& distance_mm, LengthUnit unit);
 
 /// Returns "seen nearest, the tool is touching; half of the 400 cutting positions examined (of 2425) are within 0.83
-/// mm". Empty without closeness.
+/// mm". Empty if there is no ClosestApproach.
 [[nodiscard]] std::string closest_approach_text(const ReportModel& model);
 
-/// Moves that share a reason for not being checked or certified, in order of their first move.
+/// Moves with the same reason for not being checked or certified, in the order of their first moves.
 struct ReasonGroup {
   MoveState state = MoveState::not_checked;
   std::string reason;

@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-// Power of ten of the first digit, found by comparing so that no rounding of a logarithm enters.
+// Returns the power of ten of the first digit. It is found by comparison, without the rounding of a logarithm.
 int first_digit(double value) {
   int power = 0;
   for (double x = std::abs(value); x >= 10 && power < 300; x /= 10) ++power;
@@ -20,7 +20,7 @@ int first_digit(double value) {
 
 constexpr int kMaxDecimals = 12;
 
-// For a length with its unit.
+// Returns the number in a length with its unit.
 double number_in(const std::string& text) { return parse_number(text.substr(0, text.find(' '))).value_or(0); }
 
 int decimals_of(const std::string& text) {
@@ -37,7 +37,7 @@ const MeshFacts* facts_of(const ReportModel& model, const Witness& witness) {
   return witness.mesh < meshes.size() ? &meshes[witness.mesh] : nullptr;
 }
 
-// A depth against a mesh with a clearance counts from there.
+// Returns the words for a clearance. A depth against a mesh with a clearance is measured from the clearance.
 std::string clearance_phrase(const ReportModel& model, const Witness& witness) {
   const double clearance_mm = mesh_clearance_mm(model, witness);
   if (!(clearance_mm > 0)) return {};
@@ -64,7 +64,7 @@ std::string depth_text(double length_mm, LengthUnit unit) {
   const double value = length_mm / mm_per(unit);
   if (!std::isfinite(value)) return "any depth";
   const int usual = unit == LengthUnit::inch ? 4 : 3;
-  // Below a millionth of a millimetre it is rounding, whose digits would only look like a finding.
+  // A length below a millionth of a millimetre is rounding. Its digits would look like a finding.
   const bool is_reported = length_mm >= Tolerance::kWitness_mm;
   const int decimals = is_reported ? std::clamp(1 - first_digit(value), usual, kMaxDecimals) : usual;
   return display_text(value, decimals, Zeros::kept) + " " + unit_name(unit);

@@ -10,7 +10,7 @@ namespace gouge {
 
 namespace {
 
-/// The length examined before `stickout_mm`.
+/// Returns the length that was examined before `stickout_mm`.
 double one_step_less(const ReportModel& model, const StickoutFacts& tool, double stickout_mm) {
   const double step = model.stickout_options->step_mm;
   return std::max(tool.found.now_mm, stickout_mm - step);

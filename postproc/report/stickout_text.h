@@ -11,12 +11,12 @@ namespace gouge {
 [[nodiscard]] std::string stickout_need_text(const ReportModel& model, const StickoutFacts& tool,
                                              const StickoutNeed& need);
 
-/// Returns the operations that need more than the tool has, where it has several.
+/// Returns the operations that need a longer stick-out than the tool has, if there are several operations.
 [[nodiscard]] std::vector<OperationStickout> operations_in_need(const StickoutFacts& tool);
-/// Returns the name of the operation, or its number where it has none.
+/// Returns the name of the operation, or its number if it has no name.
 [[nodiscard]] std::string stickout_operation_label(const ReportModel& model, std::size_t operation);
 
-/// Returns a line for each tool, and for each of its operations in need.
+/// Returns a line for each tool, and for each of its operations that need a longer stick-out.
 [[nodiscard]] std::string stickout_lines(const ReportModel& model);
 
 }  // namespace gouge

@@ -11,12 +11,12 @@
 namespace gouge {
 namespace {
 
-/// The distance of two bounds, and its requested maximum.
+/// The difference of two bounds, and its requested maximum.
 struct Gap {
   double mm = 0, asked_mm = 0;
 };
 
-// `gap_of` a verdict, where it has one.
+// Summarises the gaps of all verdicts. `gap_of` returns the gap of a verdict, if it has one.
 template <class GapOf>
 Gaps gaps_of(const ReportModel& model, const GapOf& gap_of) {
   Gaps gaps;

@@ -22,7 +22,7 @@ void add_witness(CsvRow& row, const Witness& witness, LengthUnit unit) {
   for (int k = 0; k < 3; ++k) row.number(witness.normal[k]);
 }
 
-/// Texts of the toolpath as they stand in cells, each made once.
+/// Texts of the toolpath in the form of cells; each is made once.
 struct PathCells {
   explicit PathCells(const Toolpath& path) {
     for (std::size_t i = 0; i < path.tools.size(); ++i) tools.push_back(without_formula(tool_key(path, i)));

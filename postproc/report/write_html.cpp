@@ -28,7 +28,7 @@ std::string figure(const NamedFile& picture) {
 
 std::string lengths_text(const Vec3& v, LengthUnit unit) { return point_text(v, unit) + " " + unit_name(unit); }
 
-/// Equal ones keep their order.
+/// Returns the records, the largest first. Equal ones keep their order.
 template <typename Record>
 std::vector<const Record*> largest_first(const std::vector<Record>& records, double Record::*size) {
   std::vector<const Record*> sorted;
@@ -78,7 +78,7 @@ class HtmlReport {
                        : verdict == OverallVerdict::gouges        ? "Gouges"
                                                                   : "Not fully checked";
     auto [headline, before] = headlines(model_);
-    headline.erase(0, headline.find(": ") + 2);  // the word of the banner
+    headline.erase(0, headline.find(": ") + 2);  // the banner has this word already
     if (!before.empty()) before = "<p class=\"soft\">Before the correction: " + xml_escaped(before) + ".</p>\n";
     const std::string guarantee = guarantee_text(model_);
     return std::string("<div class=\"banner ") + verdict_name(verdict) + "\"><strong>" + word + "</strong><div>" +

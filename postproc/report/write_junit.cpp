@@ -106,7 +106,7 @@ JunitCase case_of(const ReportModel& model, const Case& one) {
   return made;
 }
 
-// A test of its own: facts concern the whole path, not an operation.
+// Returns a separate test case for facts, because they concern the whole path, not an operation.
 JunitCase open_case(const std::vector<std::string>& facts) {
   JunitCase made;
   made.name = "assumptions";
@@ -114,7 +114,7 @@ JunitCase open_case(const std::vector<std::string>& facts) {
   return made;
 }
 
-// Build servers show it, but it fails no test.
+// Returns text that build servers show, but that fails no test.
 std::string beside_the_verdict(const ReportModel& model) {
   std::string text;
   for (std::size_t k = 0; k < model.result->events.size(); ++k) {
@@ -133,7 +133,7 @@ std::string beside_the_verdict(const ReportModel& model) {
 
 std::string seconds_text(double seconds) { return fixed_text(seconds, 3); }
 
-// Line by line, as an escaped line end is a blank.
+// Escapes a text line by line, because an escaped line end would become a blank.
 std::string lines_escaped(const std::string& text) {
   std::string escaped;
   for (std::size_t at = 0; at < text.size();) {

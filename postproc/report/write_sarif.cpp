@@ -98,7 +98,7 @@ class SarifReport {
     results_.push_back(std::move(result));
   }
 
-  // An empty list: examined and not accepted.
+  // Returns the suppressions of a finding. An empty list means that it was reviewed and not accepted.
   [[nodiscard]] static Json suppressions(const Finding& finding) {
     if (finding.justification.empty()) return Json::array();
     return Json::array(

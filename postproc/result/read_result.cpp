@@ -11,7 +11,7 @@ namespace {
 
 bool is_finding(MoveState state) { return state == MoveState::gouge || state == MoveState::buried; }
 
-/// Finds values of a record that contradict others, and collects its findings. `root` places the errors.
+/// Finds values of a record that contradict others, and collects its findings. `root` gives errors their place.
 class RecordJudge {
  public:
   RecordJudge(const JsonField& root, const ResultRecord& record)
@@ -96,8 +96,8 @@ class RecordJudge {
   JsonField root_;
   const ResultRecord& record_;
   std::size_t path_moves_;
-  std::size_t next_move_ = 0;    // behind the events so far
-  std::size_t in_findings_ = 0;  // moves
+  std::size_t next_move_ = 0;    // the first move after the events so far
+  std::size_t in_findings_ = 0;  // number of moves in findings
 };
 
 StoredOptions options_of(const ResultRecord& record) {
@@ -117,7 +117,7 @@ StoredOptions options_of(const ResultRecord& record) {
   return stored;
 }
 
-/// Returns the error of a digest that is not that of the bytes.
+/// Returns the error if the digest does not match the bytes.
 std::optional<Diagnostic> find_wrong_digest(const std::string& file, std::string_view bytes) {
   switch (check_digest(bytes)) {
     case DigestState::missing:

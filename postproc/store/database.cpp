@@ -55,7 +55,7 @@ struct Database::State {
   static int bind(sqlite3_stmt* statement, int at, const Cell& cell) {
     if (const auto* whole = std::get_if<std::int64_t>(&cell)) return sqlite3_bind_int64(statement, at, *whole);
     if (const auto* number = std::get_if<double>(&cell)) return sqlite3_bind_double(statement, at, *number);
-    // SQLITE_STATIC: bound data outlives the call.
+    // SQLITE_STATIC is possible, because bound data outlives the call.
     if (const auto* text = std::get_if<std::string_view>(&cell))
       return sqlite3_bind_text64(statement, at, text->data() == nullptr ? "" : text->data(), text->size(), nullptr,
                                  SQLITE_UTF8);
@@ -93,7 +93,7 @@ Result<Database> Database::open(const std::string& path) {
     database.state_->fail(result);
     return *database.error();
   }
-  constexpr int kPatience_ms = 2000;  // with somebody who looks into the store
+  constexpr int kPatience_ms = 2000;  // time to wait for another program that reads the store
   sqlite3_busy_timeout(opened, kPatience_ms);
   database.run("PRAGMA locking_mode=EXCLUSIVE");
   if (database.error()) return *database.error();
@@ -101,8 +101,8 @@ Result<Database> Database::open(const std::string& path) {
 }
 
 void Database::begin_writing() {
-  // One process alone, so that a write-ahead log needs no shared memory and works on network drives too. Synchronous:
-  // committed data stands also after the power fails.
+  // Only one process uses the file, so a write-ahead log needs no shared memory and works on network drives too. With
+  // synchronous=FULL, committed data survives a power failure.
   for (const char* setting : {"PRAGMA journal_mode=WAL", "PRAGMA synchronous=FULL", "BEGIN EXCLUSIVE", "COMMIT"})
     run(setting);
 }

@@ -18,7 +18,7 @@ namespace gouge {
 /// A value of a row. Text need not be UTF-8.
 using Cell = std::variant<std::nullptr_t, std::int64_t, double, std::string_view>;
 
-/// One row of a result. Columns count from 0; NULL reads as 0 or empty.
+/// One row of a query. Columns count from 0; NULL is read as 0 or empty.
 class Row {
  public:
   explicit Row(sqlite3_stmt* statement) : statement_(statement) {}
@@ -32,22 +32,22 @@ class Row {
   sqlite3_stmt* statement_;
 };
 
-/// An SQLite file of this process alone. A change is on the disk once its transaction is committed. A kill at any
-/// instant leaves the last committed state. The first error sticks: after it nothing is done.
+/// An SQLite file that only this process uses. A change is on the disk as soon as its transaction is committed. A kill
+/// at any instant leaves the last committed state. After the first error all functions do nothing.
 class Database {
  public:
-  /// Makes the file where there is none. Errors: store-busy (another process has it), store-unreadable,
-  /// store-unwritable.
+  /// Opens the file, or makes it. Errors: store-busy (another process has it open), store-unreadable, store-unwritable.
   [[nodiscard]] static Result<Database> open(const std::string& path);
   Database(Database&&) noexcept;
   Database& operator=(Database&&) = delete;
   ~Database();
 
-  /// To be called once, before the first change: an open file that is only read stays as it is.
+  /// Prepares the file for changes. Must be called once, before the first change. A file that is only read stays
+  /// unchanged.
   void begin_writing();
   void run(std::string_view sql, const std::vector<Cell>& values = {});
   void each(std::string_view sql, const std::vector<Cell>& values, const std::function<void(const Row&)>& use);
-  /// Runs `changes` in one transaction: all of them, or none. Errors: those of open.
+  /// Runs `changes` in one transaction: all of them are made, or none. Errors: those of open.
   [[nodiscard]] Outcome change(const std::function<void()>& changes);
   [[nodiscard]] const std::optional<Diagnostic>& error() const;
 
@@ -57,15 +57,15 @@ class Database {
   std::unique_ptr<State> state_;
 };
 
-/// PRAGMA user_version of a store: other tables have another number.
+/// The PRAGMA user_version of a store. Stores with other tables have another number.
 inline constexpr int kStoreVersion = 3;
-/// PRAGMA application_id: "goug".
+/// The PRAGMA application_id of a store: "goug".
 inline constexpr int kStoreApplication = 0x676f7567;
 
-/// Those that hold rows of a job beside `jobs`, each with a column `job`.
+/// The tables other than `jobs` that have rows of a job, each with a column `job`.
 inline constexpr std::string_view kTablesOfJob[] = {"counts", "findings", "cases", "warnings", "inputs", "outputs"};
 
-/// docs/formats/batch_store.md states what each column means.
+/// The statements that create the tables. docs/formats/batch_store.md states the meaning of each column.
 inline constexpr std::string_view kCreateTables[] = {
     "CREATE TABLE runs(run INTEGER PRIMARY KEY, version TEXT NOT NULL, build TEXT NOT NULL, list TEXT NOT NULL, "
     "jobs INTEGER NOT NULL, is_ended INTEGER NOT NULL)",

@@ -24,7 +24,7 @@ constexpr std::pair<MoveState, std::size_t StateCounts::*> kCounts[] = {
     {MoveState::not_certified, &StateCounts::not_certified}};
 constexpr std::string_view kSkipped = "skipped";
 
-/// Takes a statement and its values, the first of which is the number of the job.
+/// A function that takes a statement and its values, the first of which is the number of the job.
 using PutRow = std::function<void(std::string_view sql, const std::vector<Cell>& values)>;
 
 void put_findings(const PutRow& put, std::int64_t job, const std::vector<Finding>& findings) {
@@ -113,7 +113,7 @@ void read_count(const Row& row, JobResult& job) {
   }
 }
 
-// Without what may differ between two runs of the job.
+// Returns the cells of a job's row without the columns that may differ between two runs.
 std::vector<Cell> job_cells(std::int64_t job, const JobResult& r) {
   return {job,
           r.name,
@@ -141,7 +141,7 @@ void put_rows_beside(const PutRow& put, std::int64_t job, const JobResult& resul
   put_lists(put, job, result);
 }
 
-// As SQLite gives it back: it stores -0 as 0 and a value that is not a number as NULL.
+// Returns a cell as text, as SQLite returns the value: -0 as 0, and a value that is not a number as NULL.
 std::string text_of(const Cell& cell) {
   if (const auto* number = std::get_if<std::int64_t>(&cell)) return "i" + std::to_string(*number);
   if (const auto* number = std::get_if<double>(&cell); number != nullptr && !std::isnan(*number))
@@ -151,7 +151,7 @@ std::string text_of(const Cell& cell) {
   return "n";
 }
 
-// For all rows of a job, without its number in the list.
+// Returns the digest of all rows of a job; the job's number in the list does not enter.
 std::string digest_of(const JobResult& result) {
   Sha256 digest;
   const PutRow add = [&](std::string_view sql, const std::vector<Cell>& values) {
@@ -163,7 +163,7 @@ std::string digest_of(const JobResult& result) {
   return digest.finish();
 }
 
-/// Columns of a job's row that its other rows contain as well: only queries read them.
+/// Columns of a job's row whose data its other rows have too; only queries use them.
 struct StatedAgain {
   std::string name, verdict;
   std::int64_t moves = 0, findings = 0;

@@ -87,7 +87,7 @@ Outcome ResultStore::begin(const BatchIdentity& batch) {
   return begun ? refresh() : begun;
 }
 
-// By way of negative numbers, as no two jobs may have the same one in between.
+// Renumbers jobs by their names. It uses negative numbers in between, so that two jobs never have the same number.
 void ResultStore::renumber(const BatchIdentity& batch) {
   std::map<std::string, std::int64_t> now;
   for (std::size_t k = 0; k < batch.names.size(); ++k)
@@ -177,7 +177,7 @@ Result<BatchIdentity> ResultStore::identity() {
 
 Outcome ResultStore::end() {
   const Outcome ended = database_.change([&] { database_.run("UPDATE runs SET is_ended = 1"); });
-  // One file, which programs that may not write beside it can read.
+  // The store becomes a single file, which programs without write access to its folder can read.
   if (ended) database_.run("PRAGMA journal_mode=DELETE");
   return ended;
 }

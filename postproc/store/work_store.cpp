@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A disk may give back other bytes than it was given, and they would be verdicts.
+// Returns the digest of a checkpoint. A disk may return other bytes than were written, which would become wrong
+// verdicts.
 std::string digest_of(std::string_view stage, std::size_t stretch, std::string_view bytes) {
   Sha256 digest;
   digest.add(stage);
@@ -45,7 +46,7 @@ void WorkStore::keep(std::string_view stage, std::size_t stretch, std::string_vi
     database_->run("INSERT OR REPLACE INTO stretches VALUES(?, ?, ?, ?)",
                    {stage, static_cast<std::int64_t>(stretch), bytes, std::string_view(digest)});
   });
-  static_cast<void>(kept);  // else the job goes on without
+  static_cast<void>(kept);  // without it the job still runs
 }
 
 void WorkStore::open() {

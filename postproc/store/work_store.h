@@ -10,19 +10,19 @@
 
 namespace gouge {
 
-/// Checkpoints of one long job, stretch by stretch, in a database of its own, each stretch committed and synchronised
-/// when it is there. The file is opened, or made, at the job's first query: short jobs make none. Where that fails
-/// nothing is kept; a file that is damaged is begun anew.
+/// Checkpoints of one long job, stretch by stretch, in a separate database. Each stretch is committed and synchronised
+/// as soon as it is complete. The first query of the job opens or makes the file, so short jobs make none. If that
+/// fails, nothing is kept. A damaged file is begun anew.
 class WorkStore : public CheckpointStore {
  public:
-  /// `path`: a name that states which work it is, to the contents of its inputs. Its folder is made when needed.
+  /// `path` is a name that identifies the work, including the contents of its inputs. Its folder is made if necessary.
   WorkStore(std::string path, std::size_t items) : path_(std::move(path)), items_(items) {}
 
   [[nodiscard]] std::size_t items() const override { return items_; }
   [[nodiscard]] std::optional<std::string> find(std::string_view stage, std::size_t stretch) override;
   void keep(std::string_view stage, std::size_t stretch, std::string_view bytes) override;
 
-  /// Returns whether anything was read or kept: there may be a file.
+  /// Returns whether checkpoints were read or kept, so that there may be a file.
   [[nodiscard]] bool is_used() const { return is_opened_; }
 
  private:
@@ -36,7 +36,7 @@ class WorkStore : public CheckpointStore {
   bool is_opened_ = false;
 };
 
-/// Removes the file of a WorkStore that is closed, and the files of SQLite beside it.
+/// Removes the file of a closed WorkStore, and the files of SQLite beside it.
 void remove_work_store(const std::string& path);
 
 }  // namespace gouge

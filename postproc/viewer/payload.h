@@ -11,15 +11,15 @@
 
 namespace gouge {
 
-/// Scene data for a browser: a JSON text and numbers beside it, deflated as one and written as base64.
+/// Scene data for a browser: a JSON text and its numbers, deflated together and written as base64.
 ///
-/// Before deflating it has three parts, one after the other. The first is the length of the JSON text, a little-endian
-/// number of four bytes. The text and the planes of numbers follow. A plane is the lowest byte of each number, then the
-/// next of each. Neighbours are alike then, which deflates well. The JSON names each run of planes by the byte at which
-/// it begins, its count and its width.
+/// Before compression it has three parts, one after the other. The first is the length of the JSON text, a
+/// little-endian number of four bytes. The text and the planes of numbers follow. A plane has the lowest byte of each
+/// number, then the next byte of each, and so on. Then neighbouring bytes are similar, which compresses well. The JSON
+/// names each run of planes by its first byte, its count and its width.
 class Payload {
  public:
-  /// `count` numbers below 256^bytes as they are, number(i) of each i in turn. Returns what the JSON states of them.
+  /// Adds `count` numbers below 256^bytes: number(i) for each i in turn. Returns their description for the JSON.
   template <typename Number>
   nlohmann::ordered_json add(std::size_t count, int bytes, const Number& number) {
     const std::size_t at = planes_.size();
@@ -32,11 +32,11 @@ class Payload {
     return {{"at", at}, {"count", count}, {"bytes", bytes}};
   }
   nlohmann::ordered_json add(std::span<const std::uint32_t> numbers, int bytes);
-  /// Adds each number as its difference from the one before it, modulo 256^bytes. Small ones are near 0 and near the
-  /// top, and are folded (0, -1, 1, -2, ...) to be small.
+  /// Adds each number as its difference from the previous one, modulo 256^bytes. Small differences are near 0 and near
+  /// the top. They are folded (0, -1, 1, -2, ...), so that all of them become small.
   nlohmann::ordered_json add_differences(std::span<const std::uint32_t> numbers, int bytes);
 
-  /// Returns base64 of the deflated whole. Errors: page-not-packed, where there is no memory for it.
+  /// Returns base64 of the compressed data. Errors: page-not-packed, if there is no memory for it.
   [[nodiscard]] Result<std::string> text(const nlohmann::ordered_json& json) const;
 
  private:

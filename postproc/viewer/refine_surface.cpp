@@ -10,11 +10,13 @@ namespace gouge {
 
 namespace {
 
-constexpr double kLooks = 60'000;                      // points that are examined
-constexpr std::size_t kMaxTriangles = 150'000;         // that may be added
-constexpr double kFinest = 1.0 / 400, kCoarser = 1.4;  // of the parts' size; what follows where that is too many
-constexpr double kMinApart = 1e-6;                     // of the parts' size: points of a flat part without area
-constexpr int kMaxCuts = 24;                           // of a triangle, one in the other
+constexpr double kLooks = 60'000;               // number of points that are examined
+constexpr std::size_t kMaxTriangles = 150'000;  // maximum number of triangles that are added
+// relative to the size of the parts, and the factor if that gives too many
+constexpr double kFinest = 1.0 / 400, kCoarser = 1.4;
+// relative to the size of the parts: minimum distance of points on a flat part without area
+constexpr double kMinApart = 1e-6;
+constexpr int kMaxCuts = 24;  // maximum depth of repeated cuts of a triangle
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -29,11 +31,11 @@ double area_of(const ViewerMesh& mesh) {
   return area;
 }
 
-/// Points spread over the surface, about `apart_mm` from each other; one at least in the middle of each triangle that
-/// is not far smaller.
+/// Returns points that are spread over the surface, about `apart_mm` from each other. There is at least one in the
+/// middle of each triangle that is not much smaller.
 std::vector<SurfacePoint> spread_points(const ViewerMesh& mesh, double apart_mm) {
   std::vector<SurfacePoint> points;
-  double skipped = 0;  // area of triangles without a point
+  double skipped = 0;  // area of triangles without a point so far
   for (const Triangle& t : mesh.triangles) {
     std::array<Vec3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.positions[t[k]];
@@ -63,7 +65,7 @@ std::vector<SurfacePoint> spread_points(const ViewerMesh& mesh, double apart_mm)
   return points;
 }
 
-/// Cuts triangles in two to four until no edge near a gouge is longer than it should be.
+/// Cuts triangles into two to four until no edge near a gouge is too long.
 class Cutter {
  public:
   Cutter(ViewerMesh& mesh, const GougedCells& cells, double finest_mm)
@@ -71,7 +73,7 @@ class Cutter {
     triangles_.reserve(mesh.triangles.size());
   }
 
-  /// False where it comes to too many: then nothing is changed.
+  /// Cuts the triangles. Returns false if there would be too many; then nothing is changed.
   bool run() {
     const std::size_t vertices = out_.positions.size();
     for (const Triangle& t : out_.triangles) {
@@ -89,7 +91,7 @@ class Cutter {
  private:
   static constexpr std::uint32_t kWhole = 0xFFFFFFFFU;
 
-  // Returns the middle of an edge that is to be cut, else kWhole. The position of the edge alone decides.
+  // Returns the middle of an edge that must be cut, else kWhole. The decision depends only on the position of the edge.
   std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
     const double length = (out_.positions[a] - out_.positions[b]).norm();
     if (length <= finest_mm_) return kWhole;
@@ -107,7 +109,7 @@ class Cutter {
   }
 
   void cut(const Triangle& t, int depth) {
-    std::array<std::uint32_t, 3> m{kWhole, kWhole, kWhole};  // m[k]: between k and k + 1
+    std::array<std::uint32_t, 3> m{kWhole, kWhole, kWhole};  // m[k]: middle of the edge between k and k + 1
     int cuts = 0;
     for (std::size_t k = 0; k < 3 && depth < kMaxCuts; ++k) {
       m[k] = middle(t[k], t[(k + 1) % 3]);
@@ -120,7 +122,7 @@ class Cutter {
       for (std::size_t k = 0; k < 3; ++k) go(t[k], m[k], m[(k + 2) % 3]);
       return go(m[0], m[1], m[2]);
     }
-    std::size_t k = 0;  // one cut: the edge that is cut; two: so that k and k + 1 are cut
+    std::size_t k = 0;  // with one cut: the edge that is cut; with two: the first of two consecutive edges that are cut
     while (m[k] == kWhole || (cuts == 2 && m[(k + 1) % 3] == kWhole)) ++k;
     const std::uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
     if (cuts == 1) {
@@ -140,7 +142,8 @@ class Cutter {
   std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
-// At vertices a little inside of a triangle, as what is measured along the normal is nothing on a sharp edge.
+// Returns a point for each vertex, slightly inside of a triangle. At a sharp edge itself a ray along the normal would
+// measure nothing.
 std::vector<SurfacePoint> vertex_points(const ViewerMesh& mesh, const std::vector<std::uint32_t>& vertices) {
   constexpr double kInside = 0.02;
   std::vector<std::uint32_t> owner(mesh.positions.size(), 0);
@@ -237,7 +240,8 @@ bool GougedCells::is_near(const Vec3& at, double reach_mm) const {
     ++level;
   }
   const Cell c = cell_of(at, side);
-  // A cell that has a point lies in larger ones that have it too: mostly one of those is examined, and found empty.
+  // If a cell has a point, the larger cells around it have it too. So one of those is tested first, and is usually
+  // empty.
   for (const std::size_t up : {std::size_t{4}, std::size_t{2}, std::size_t{0}}) {
     if (level + up >= levels_.size()) continue;
     if (!has_any(levels_[level + up], {(c.x - 1) >> up, (c.y - 1) >> up, (c.z - 1) >> up},

@@ -15,7 +15,7 @@ std::uint32_t rounded(double value, double top) {
   return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0, top)));
 }
 
-/// Box and step of a grid of `levels` + 1 places along the longest side.
+/// Origin and step of a grid with `levels` + 1 places along the longest side of a box.
 struct Grid {
   Vec3 origin = Vec3::Zero();
   double step = 1;
@@ -32,7 +32,7 @@ struct Grid {
   [[nodiscard]] Json json() const { return {{"origin", {origin.x(), origin.y(), origin.z()}}, {"step", step}}; }
 };
 
-/// A unit direction on the square of an octahedron unfolded, `top` + 1 places a side.
+/// Returns a unit direction as a place on the square of an unfolded octahedron with `top` + 1 places along each side.
 std::array<std::uint32_t, 2> octahedral(const Vec3& n, double top) {
   const double sum = std::abs(n.x()) + std::abs(n.y()) + std::abs(n.z());
   double x = sum > 0 ? n.x() / sum : 0, y = sum > 0 ? n.y() / sum : 0;
@@ -49,14 +49,14 @@ Json write_directions(Payload& payload, const Directions& directions, int bytes)
   std::array<Numbers, 2> parts;
   for (Numbers& part : parts) part.reserve(directions.size());
   for (const auto& d : directions) {
-    const double top = bytes == 1 ? 254 : 65534;  // even: the six axes are met exactly
+    const double top = bytes == 1 ? 254 : 65534;  // even, so that the six axes are exact
     const auto place = octahedral(d.template cast<double>(), top);
     for (std::size_t k = 0; k < 2; ++k) parts[k].push_back(place[k]);
   }
   return {payload.add_differences(parts[0], bytes), payload.add_differences(parts[1], bytes)};
 }
 
-// Returns how far back the vertex of each corner is from the first that no triangle has named yet; 0: it is that one.
+// Writes each corner as the distance back from the first vertex that no triangle has used so far; 0: it is that vertex.
 Json write_corners(Payload& payload, const ViewerMesh& mesh) {
   std::uint32_t next = 0;
   return payload.add(3 * mesh.triangles.size(), 4, [&](std::size_t i) {
@@ -128,7 +128,7 @@ Json write_path(Payload& payload, const std::vector<Station>& stations, const Ch
                                           : static_cast<std::uint32_t>(std::min<std::size_t>(move(s).tool, 0xFFFF));
                              }),
                              2);
-  // The state in the lower three bits, then the kind in two, then whether no motion leads here.
+  // The state is in the lower three bits, then the kind in two, then whether no motion leads to the station.
   out["states"] = payload.add(each([&](const Station& s) {
                                 return static_cast<std::uint32_t>(verdict(s).state) |
                                        static_cast<std::uint32_t>(move(s).kind) << 3 | (s.is_start ? 32U : 0U);

@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-// Every third bit, from the lowest 21 of a number.
+// Spreads the lowest 21 bits of a number to every third bit.
 std::uint64_t spread_bits(std::uint64_t x) {
   x &= 0x1FFFFFU;
   x = (x | x << 32) & 0x1F00000000FFFFU;
@@ -19,7 +19,8 @@ std::uint64_t spread_bits(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249U;
 }
 
-// Along Morton's curve through their box: fields are quick where neighbours in the list are neighbours in space.
+// Returns the order of the points along Morton's curve through their box. Fields are fast if neighbours in the list are
+// neighbours in space.
 std::vector<std::uint32_t> in_space(const std::vector<SurfacePoint>& points) {
   Box3 box;
   for (const SurfacePoint& p : points) box.extend(p.at);
@@ -39,7 +40,7 @@ std::vector<std::uint32_t> in_space(const std::vector<SurfacePoint>& points) {
 
 }  // namespace
 
-// Most points of a surface lie far from what gouges it, and it is cheaper to see that than to follow a ray.
+// Drops points that are far from all gouges. Most points are, and this test is cheaper than a ray.
 void SurfaceValues::drop_untouched(const std::vector<SurfacePoint>& points, std::vector<std::uint32_t>& order) const {
   std::vector<Vec3> places;
   places.reserve(order.size());

@@ -6,25 +6,26 @@
 
 namespace gouge {
 
-/// A point of the surface that a colour is wanted for.
+/// A point of the surface that needs a colour.
 struct SurfacePoint {
   Vec3 at = Vec3::Zero();
-  Vec3 normal = Vec3::UnitZ();  ///< outward, unit
-  std::size_t mesh = 0;         ///< among parts, then fixtures
+  Vec3 normal = Vec3::UnitZ();  ///< outward unit vector
+  std::size_t mesh = 0;         ///< index among the parts, then the fixtures
 };
 
-/// Quantity of a point: the colour of the pictures, the depth, or the overcut alone (0 where none is known).
+/// Quantity at a point: that of the pictures, the depth, or only the overcut (0 if it is unknown).
 enum class SurfaceQuantity : std::uint8_t { pictured, depth, overcut };
 
-/// The coloured quantity in the pictures of one path, at any point: the overcut, or the depth where no move has one.
+/// The coloured quantity in the pictures of one path, at any point: the overcut, or the depth if no move has an
+/// overcut.
 class SurfaceValues {
  public:
-  /// `path` and what it points at must outlive it.
+  /// `path`, and the objects to which it points, must outlive it.
   explicit SurfaceValues(const PicturedPath& path) : path_(path) {}
 
   [[nodiscard]] bool is_overcut() const { return !path_.overcuts.is_empty(); }
   [[nodiscard]] bool is_empty() const { return path_.depths.is_empty(); }
-  /// Returns values in mm; 0 where nothing gouges. Quick for any order of the points.
+  /// Returns values in mm; 0 where there is no gouge. It is fast for any order of the points.
   [[nodiscard]] std::vector<float> at(const std::vector<SurfacePoint>& points,
                                       SurfaceQuantity quantity = SurfaceQuantity::pictured) const;
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kMaxEdges = 300'000;
 constexpr float kSameNormal = 0.9999F;
-constexpr std::size_t kMoreVertices = 200'000;  // along sharp edges, and where the surface is cut finer
+constexpr std::size_t kMoreVertices = 200'000;  // additional vertices along sharp edges and by refinement
 
 }  // namespace
 
@@ -26,7 +26,7 @@ ViewerMesh ViewerMesh::from(const PictureScene& scene) {
   out.positions.reserve(vertices);
   out.normals.reserve(vertices);
   out.mesh_of.reserve(vertices);
-  // By vertex of the scene the last copy made of it, and by copy the one before.
+  // For each vertex of the scene its last copy, and for each copy the previous copy.
   std::vector<std::uint32_t> latest(scene.vertex_count(), kNoVertex), before;
   before.reserve(scene.vertex_count());
   for (std::uint32_t f = 0; f < faces; ++f) {
@@ -59,7 +59,7 @@ ViewerMesh ViewerMesh::from(const PictureScene& scene) {
 
 namespace {
 
-constexpr std::size_t kMaxChords = 64;  // of a curve
+constexpr std::size_t kMaxChords = 64;  // maximum number of chords of a curve
 
 void add_motion(const CheckedToolpath& input, std::size_t move, double error_mm, std::vector<Station>& out) {
   const Toolpath& path = *input.toolpath;

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-// The files beside this one that go into a page, put here by the build (postproc/embed_text.cmake).
+// Files in this folder that become part of a page. The build embeds them (postproc/embed_text.cmake).
 
 namespace gouge {
 

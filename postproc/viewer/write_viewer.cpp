@@ -20,8 +20,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMaxStations = 200'000;  // moves of a path that are shown
-constexpr std::size_t kMaxPoints = 2000;       // gouged ones that are known beforehand
+constexpr std::size_t kMaxStations = 200'000;  // maximum number of moves of a path that are shown
+constexpr std::size_t kMaxPoints = 2000;       // maximum number of gouged points that guide the refinement
 
 Json colour_json(const Colour& c) { return {c.r, c.g, c.b}; }
 
@@ -59,7 +59,7 @@ Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 class ViewerWriter {
  public:
-  static constexpr std::size_t kSteps = 4;  // the surface, what gouges it, all else, and the text
+  static constexpr std::size_t kSteps = 4;  // the surface, its gouges, all other data, and the text
 
   ViewerWriter(const ReportScene& shown, const ProgressCall& progress)
       : model_(shown.model),
@@ -94,7 +94,7 @@ class ViewerWriter {
     return text;
   }
 
-  /// That so many steps are done.
+  /// Reports that so many steps are done.
   void tell(std::size_t done) const {
     if (progress_) progress_("drawing the 3D view", done, kSteps);
   }
@@ -120,7 +120,7 @@ class ViewerWriter {
     json_["surface"]["meshes"] = meshes_json(mesh);
   }
 
-  // Name, kind, and how many triangles, in their order.
+  // Returns name, kind and number of triangles for each mesh, in their order.
   [[nodiscard]] Json meshes_json(const ViewerMesh& mesh) const {
     std::vector<std::size_t> counts(model_.parts.size() + model_.fixtures.size(), 0);
     for (const auto& t : mesh.triangles) ++counts[mesh.mesh_of[t[0]]];
@@ -153,7 +153,7 @@ class ViewerWriter {
     json_["paths"] = out;
   }
 
-  // As the heat map's first.
+  // Returns the first direction of view, which is that of the heat map.
   [[nodiscard]] Json first_view() const {
     const std::vector<PictureEvent> events = worst_events(input_, kEventsOfReport);
     return vector_json(choose_directions(input_, scene_, events, 1).front());
@@ -170,7 +170,7 @@ class ViewerWriter {
   bool is_overcut_ = false;
 };
 
-// The view stands behind what the page has to show where the view cannot.
+// Returns the page. The script is after the content that the page shows without the view.
 std::string viewer_page(const std::string& scene) {
   std::string page = "<style>\n";
   page += kViewerStyle;
@@ -178,7 +178,7 @@ std::string viewer_page(const std::string& scene) {
   page += kViewerMarkup;
   page += "<script type=\"text/plain\" id=\"desk-data\">";
   page += scene;
-  // The table of findings follows it in the page and supplies the first one.
+  // The table of findings follows in the page and supplies the first finding.
   page += "</script>\n<script>\n\"use strict\";\ndocument.addEventListener(\"DOMContentLoaded\", () => {\n";
   page += kViewerScript;
   return page + "});\n</script>\n";
@@ -200,7 +200,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLinesAround = 3;
-constexpr std::size_t kLongestLine = 160;  // characters quoted of a line
+constexpr std::size_t kLongestLine = 160;  // maximum number of characters quoted from a line
 constexpr std::size_t kMaxLines = 24;
 
 Json scaled_json(const Vec3& v, double scale) {
@@ -216,7 +216,7 @@ std::string line_of(std::string_view source, std::size_t first, std::size_t last
   return text;
 }
 
-/// The statement of a move and the lines around it; nothing of a binary file.
+/// Returns the statement of a move and the lines around it; nothing for a binary file.
 Json quote_of(const Toolpath& path, const Move& move) {
   if (move.statement == kNone || move.statement >= path.statements.size()) return nullptr;
   const SourceStatement& statement = path.statements[move.statement];

@@ -1,5 +1,5 @@
-// Checks a path that is in memory against a part that is: a ball end mill that crosses a block, once above it and once
-// too deep. Prints every gouge with its witness; exit status 1 where there is one.
+// Checks a path in memory against a part in memory: a ball end mill crosses a block, once above it and once too deep.
+// Prints every gouge with its witness. The exit status is 1 if there is a gouge.
 
 #include <cstdio>
 #include <vector>
@@ -10,7 +10,7 @@ using gougecheck::Vec3;
 
 namespace {
 
-// A block from (0, 0, -10) to (40, 20, 0), mm: its top is the plane z = 0.
+// Returns a block from (0, 0, -10) to (40, 20, 0), mm; its top is the plane z = 0.
 gougecheck::Mesh block() {
   const std::vector<Vec3> corners = {{0, 0, -10}, {40, 0, -10}, {40, 20, -10}, {0, 20, -10},
                                      {0, 0, 0},   {40, 0, 0},   {40, 20, 0},   {0, 20, 0}};
@@ -25,7 +25,7 @@ int main() {
   try {
     const gougecheck::Tool tool("ball", {{"diameter", 10}, {"length", 30}}, {{10, 10, 20}}, {{32, 32, 40}});
     const std::vector<Vec3> tips = {{-10, 10, 0.5}, {50, 10, 0.5}, {50, 12, 5}, {50, 12, -0.25}, {-10, 12, -0.25}};
-    const std::vector<Vec3> axes = {{0, 0, 1}};  // one for all
+    const std::vector<Vec3> axes = {{0, 0, 1}};  // one axis for all positions
     const gougecheck::Path path(tips, axes);
     const gougecheck::Report report = gougecheck::check(path, block(), tool);
     for (std::size_t move = 0; move < report.size(); ++move) {

@@ -1,5 +1,6 @@
-// Queries of a haptic device, a thousand a second: how deep is the tool where the hand is, and which way is out?
-// The hand circles over a part of 20 000 triangles and presses into it. Prints the rate and the slowest result.
+// Answers the queries of a haptic device, a thousand a second. How deep is the tool at the position of the hand, and
+// which way is out? The hand circles over a part of 20 000 triangles and presses into it. Prints the rate and the
+// slowest result.
 
 #include <algorithm>
 #include <chrono>
@@ -13,7 +14,7 @@ using gougecheck::Vec3;
 
 namespace {
 
-// A bowl of n * n squares, 80 mm wide: a surface without an inside, as scans are.
+// Returns a bowl of n * n squares, 80 mm wide: a surface without an inside, like a scan.
 gougecheck::Mesh bowl(std::uint32_t n) {
   std::vector<Vec3> vertices;
   std::vector<gougecheck::Triangle> faces;
@@ -44,7 +45,7 @@ int main() {
       const auto before = Clock::now();
       const gougecheck::Contact contact = query.at(tip, {0, 0, 1});
       slowest = std::max(slowest, std::chrono::duration<double>(Clock::now() - before).count());
-      deepest = std::max(deepest, contact.depth);  // the force: contact.depth along contact.normal
+      deepest = std::max(deepest, contact.depth);  // the force would be contact.depth along contact.normal
     }
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     std::printf("%.0f poses a second, the slowest took %.2f ms; deepest %.3f mm\n", kTicks / seconds, 1e3 * slowest,

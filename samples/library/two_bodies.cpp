@@ -1,5 +1,6 @@
-// Do two bodies of a set-up penetrate, how deep, and which shift frees them? STL files, or two cubes of 10 mm of which
-// one is turned by 45 degrees and pushed 1 mm into the other. Exit status 1 where they penetrate.
+// Answers whether two bodies of a set-up penetrate, how deep, and which shift frees them. The bodies are STL files, or
+// two cubes of 10 mm. One of the cubes is turned by 45 degrees and pushed 1 mm into the other. The exit status is 1 if
+// they penetrate.
 
 #include <cmath>
 #include <cstdio>

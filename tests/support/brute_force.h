@@ -8,8 +8,8 @@
 #include "lib/motion/motion.h"
 #include "lib/tool/evaluate.h"
 
-// The slow, obvious reference: every triangle, many instants, no tree, no planes, only that the signed
-// distance changes by no more than the distance moved.
+// A slow and simple reference. It tests every triangle at many instants, without a tree and without planes. It uses
+// only that the signed distance changes by no more than the distance moved.
 
 namespace gouge {
 namespace brute_force {
@@ -50,7 +50,8 @@ inline double mesh_depth(const CompiledTool& tool, const Pose& pose, const std::
 
 }  // namespace brute_force
 
-/// Largest depth over a triangle at one pose, found to `accuracy_mm` from below.
+/// Returns the largest depth over a triangle at one pose. The result is at most `accuracy_mm` too small, and never too
+/// large.
 [[nodiscard]] inline double triangle_depth(const CompiledTool& tool, const Pose& pose,
                                            const std::array<Vec3, 3>& triangle, double accuracy_mm) {
   double best = 0;
@@ -59,11 +60,11 @@ inline double mesh_depth(const CompiledTool& tool, const Pose& pose, const std::
 }
 
 struct BruteForceDepth {
-  double depth_mm = 0;  ///< a lower bound of the true depth, nearer with more steps
+  double depth_mm = 0;  ///< a lower bound of the true depth, closer to it with more steps
   double t = 0;
 };
 
-/// Largest depth of the move at `steps` + 1 evenly spread instants, against parts and fixtures.
+/// Returns the largest depth of the move at `steps` + 1 evenly spread instants, against parts and fixtures.
 [[nodiscard]] inline BruteForceDepth brute_force_depth(const Motion& motion, const ToolVariants& tool,
                                                        const Scene& scene, std::size_t steps, double accuracy_mm) {
   BruteForceDepth result;

@@ -5,8 +5,8 @@
 
 #include "lib/mesh/indexed_mesh.h"
 
-// The tests' own inside: how often a ray leaves a closed solid, by the textbook (Moeller and Trumbore), for a direction
-// that hits no edge. Header only.
+// An inside test for tests only: counts how often a ray leaves a closed solid, with the textbook method of Moeller and
+// Trumbore. The direction of the ray must hit no edge. Header only.
 
 namespace gouge::test {
 

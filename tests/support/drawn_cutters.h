@@ -11,7 +11,7 @@
 #include "tests/support/scatter.h"
 #include "toolmodels/cutter.h"
 
-// Free profiles of any number of points: traced cutters, and ones of many teeth.
+// Free profiles of any number of points: traced cutters, and cutters of many teeth.
 
 namespace gouge::test {
 
@@ -22,7 +22,7 @@ struct Drawn {
 
 inline ProfilePoint at(double r, double z) { return {ProfilePoint::SegmentShape::straight, r, z}; }
 
-// A ball of 10 mm and its flank, as a measuring machine traces them.
+// Returns a ball of 10 mm and its flank, as traced by a measuring machine.
 inline Drawn traced(std::size_t count, double noise_mm) {
   Drawn drawn{"traced", {}};
   Scatter random(3);
@@ -42,7 +42,7 @@ inline Drawn toothed(const std::string& name, std::size_t count, double inner, d
   return drawn;
 }
 
-// Rings that hang over one another: two radii at one height.
+// Returns rings that overhang one another: the profile has two radii at one height.
 inline Drawn hooked(std::size_t count) {
   Drawn drawn{"hooked", {at(0, 0), at(4, 0)}};
   for (std::size_t i = 0; drawn.points.size() + 4 <= count; ++i) {

@@ -11,8 +11,8 @@
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
-// Boxes of whole coordinates, some of them inside out, in one mesh: shells that nest, overlap, share faces and cross.
-// The inside and its boundary are counted cell by cell, without a triangle. Header only.
+// Boxes with integer coordinates, some of them inside out, in one mesh: shells that nest, overlap, share faces and
+// cross. The inside and its boundary are counted cell by cell, without triangles. Header only.
 
 namespace gouge::test {
 
@@ -20,7 +20,7 @@ class LatticeBoxes {
  public:
   static constexpr int kSide = 12;
 
-  /// A few boxes; `has_cavities`: half of those behind the first face inward.
+  /// Makes `count` boxes. With `has_cavities` about half of those after the first face inward.
   LatticeBoxes(Scatter& random, std::size_t count, bool has_cavities) {
     for (std::size_t k = 0; k < count; ++k) {
       One one;
@@ -47,20 +47,21 @@ class LatticeBoxes {
     return all;
   }
 
-  /// Off all faces.
+  /// Returns whether a point, which must not lie on a face, is inside.
   [[nodiscard]] bool is_inside(const Vec3& point) const {
     Cell at{};
     for (std::size_t a = 0; a < 3; ++a) at[a] = static_cast<int>(std::floor(point[static_cast<Eigen::Index>(a)]));
     return winding(at) != 0;
   }
 
-  /// From a point on either side to where the winding number changes between 0 and another.
+  /// Returns the distance from a point on either side to the surface on which the winding number changes between 0 and
+  /// another.
   [[nodiscard]] double distance_mm(const Vec3& point) const {
     double least2 = 1e300;
     for (const Box3& face : faces_) least2 = std::min(least2, face.squaredExteriorDistance(point));
     return std::sqrt(least2);
   }
-  /// 0 outside.
+  /// Returns the distance to that surface for a point inside, 0 for a point outside.
   [[nodiscard]] double depth_mm(const Vec3& point) const { return is_inside(point) ? distance_mm(point) : 0; }
 
  private:

@@ -2,7 +2,7 @@
 
 #include "lib/motion/motion_law.h"
 
-// Motions under the law of CL data: the axis on the great circle.
+// Motions under the law of CL data: the axis moves on the great circle.
 
 namespace gouge::test {
 
@@ -12,7 +12,7 @@ namespace gouge::test {
   return MotionLaw(RapidMode::dogleg).between(from, to, MoveKind::rapid);
 }
 
-/// `curve`: an arc or a spline.
+/// Returns the motion along a curve: an arc or a spline.
 template <typename Curve>
 [[nodiscard]] Motion along(const Pose& from, const Pose& to, const Curve& curve) {
   return MotionLaw().along(from, to, curve);

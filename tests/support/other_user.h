@@ -8,8 +8,9 @@ namespace gouge::testing_support {
 
 inline constexpr unsigned kNobody = 65534;
 
-/// Runs `act` in a process of its own that belongs to the user without rights, when the tests run as root. Returns its
-/// result, 0 to 255; -1 where it did not end by itself. Expectations within are lost: return them.
+/// Runs `act` in a process of its own. If the tests run as root, the process belongs to the user without rights.
+/// Returns the result of `act`, 0 to 255, or -1 if the process did not end by itself. Expectations in `act` are lost,
+/// so return their results.
 template <class Act>
 [[nodiscard]] int as_nobody(const Act& act) {
   const pid_t child = ::fork();

@@ -4,13 +4,13 @@
 
 #include "lib/path/toolpath.h"
 
-// Toolpaths by their positions, for tests below the reader. Header only.
+// Builds toolpaths from positions, for tests of the libraries below the reader. Header only.
 
 namespace gouge::paths {
 
 inline Pose upright(double x, double y, double z) { return {Vec3(x, y, z), Vec3::UnitZ()}; }
 
-/// A path of one tool through the given positions; the first is a position alone.
+/// Returns a path of one tool through the given positions; the first is a position without a motion.
 inline Toolpath through(const std::vector<Pose>& poses, MoveKind kind = MoveKind::feed) {
   Toolpath path;
   path.file = "test.apt";

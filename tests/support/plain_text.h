@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-// Texts as tests examine them.
+// Functions that prepare texts for tests.
 
 namespace gouge {
 
@@ -15,7 +15,7 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Without the terminal's colours, from each escape to its m.
+/// Returns the text without the colours of the terminal: without all parts from an escape character to the next m.
 inline std::string without_colours(const std::string& text) {
   std::string plain;
   for (std::size_t at = 0; at < text.size(); ++at) {

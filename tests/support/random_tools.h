@@ -16,8 +16,8 @@
 #include "toolmodels/elements.h"
 #include "toolmodels/unite.h"
 
-// Random valid tools, the same for a seed on every run. They are assemblies of every shape of cutter, with and without
-// offset, and profiles drawn freely. The profiles have convex and concave arcs, fillets, undercuts, necks, hollow
+// Random valid tools; a seed gives the same tool on every run. They are assemblies with cutters of every shape, with
+// and without offset, and free profiles. The profiles have convex and concave arcs, fillets, undercuts, necks, hollow
 // bottoms and steps a millionth of the tool's size. They also have corners on a grid, where distances tie exactly.
 
 namespace gouge::test {
@@ -39,7 +39,7 @@ inline ProfileElement bulged(const Vec2& p, const Vec2& q, double bulge, Body bo
   return bulge > 0 ? make_convex_arc(body, p, q, center, radius) : make_concave_arc(body, p, q, center, radius);
 }
 
-/// Returns whether the elements keep clear of each other, so that the contour is simple beyond doubt.
+/// Returns whether the elements keep a distance from each other, so that the contour certainly does not cross itself.
 inline bool is_clear_of_itself(const Profile& profile) {
   constexpr int kSteps = 64;
   const std::vector<ProfileElement>& parts = profile.elements;
@@ -62,7 +62,7 @@ inline bool is_clear_of_itself(const Profile& profile) {
 
 struct FreeStyle {
   bool has_arcs = true, has_undercuts = true, is_hollow = true, is_on_grid = false;
-  double smallest_step = 0.05;  ///< of the mean step
+  double smallest_step = 0.05;  ///< relative to the mean step
 };
 
 inline std::vector<Vec2> random_corners(Scatter& random, const FreeStyle& style) {
@@ -85,7 +85,7 @@ inline std::vector<Vec2> random_corners(Scatter& random, const FreeStyle& style)
   return corners;
 }
 
-/// A corner rounded by an arc that touches both sides, when there is room for it.
+/// Rounds a corner by an arc that touches both sides, if there is room for it.
 inline void fillet(Scatter& random, const Vec2& before, const Vec2& corner, const Vec2& after, Vec2& a, Vec2& b,
                    double& bulge) {
   const Vec2 in = corner - before, out = after - corner;
@@ -125,7 +125,7 @@ inline Profile random_free_profile(Scatter& random, const FreeStyle& style) {
   }
 }
 
-/// A staircase of cylinders with steps down to a millionth of the size: nothing to round, nothing to cross.
+/// Returns a staircase of cylinders with steps down to a millionth of the size. It has no arcs and cannot cross itself.
 inline Profile random_staircase(Scatter& random) {
   Profile profile;
   Vec2 at(0, 0);
@@ -154,7 +154,7 @@ inline std::vector<ToolSegment> random_segments(Scatter& random, std::uint64_t m
   return list;
 }
 
-// Dimensions that often make a tool; those that do not are refused by make_body_profiles.
+// Returns a cutter with random dimensions that are often valid. make_body_profiles refuses the others.
 inline Cutter random_cutter(Scatter& random) {
   const double d = random.in(0.5, 40), length = random.in(0.8 * d, 60 + d);
   const double corner = random.in(0, d / 2);
@@ -205,7 +205,7 @@ inline Cutter random_cutter(Scatter& random) {
   }
 }
 
-/// The union of bodies offset by what `most` allows each; nothing when they do not make one tool.
+/// Returns the union of the bodies, each offset by at most its value in `most`; nothing if they do not make one tool.
 inline std::optional<Profile> united(Scatter& random, const std::vector<const Profile*>& bodies,
                                      const std::vector<double>& most) {
   std::vector<OffsetBody> offset;
@@ -229,7 +229,7 @@ inline Profile random_assembly_profile(Scatter& random) {
   }
 }
 
-// Offset undercuts may close and hollows fill, but one contour remains.
+// Returns the contour of an offset profile. Its undercuts may close and its hollows may fill, but it stays one contour.
 inline Profile random_offset_profile(Scatter& random) {
   for (;;) {
     const bool is_free = random.next() % 2 == 0;

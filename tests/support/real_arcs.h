@@ -2,20 +2,20 @@
 
 #include <ostream>
 
-// One arc of a real file of each dialect, its numbers typed in. Header only.
+// One arc from a real file of each dialect, with its original numbers. Header only.
 
 namespace gouge::real_arcs {
 
 struct ArcCase {
   const char* name;
-  const char* text;  // its second move is the arc
+  const char* text;  // the second move is the arc
   double sweep_deg;
   double axis_z;
 };
 
 inline void PrintTo(const ArcCase& c, std::ostream* out) { *out << c.name; }
 
-// The arc after each of these lines goes on smoothly only in the dialect's own sense.
+// The arc after each of these lines continues smoothly only in the sense of its dialect.
 inline const ArcCase kArcs[] = {
     {"Nx",
      "TOOL PATH/A,TOOL,B\nGOTO/1434.9836,124.9400,465.0\nGOTO/1409.0996,55.1317,465.0\n"

@@ -15,13 +15,14 @@
 #include "lib/tool/compiled_tool.h"
 #include "tests/support/reference_contour.h"
 
-// Depths by other means than the check's. The pose follows from the meaning of a move, and the tool's distance from its
-// contour alone. The surface is sampled at many instants, with the maximum change of a distance between them. Shares
-// with the check no formula, no tree, no plane. Header only.
+// Depths computed by other means than those of the check. The pose follows from the meaning of a move, and the tool's
+// distance only from its contour. The surface is sampled at many instants, with a bound of the change of a distance
+// between them. The check and this file share no formula, no tree and no planes. Header only.
 
 namespace gouge::reference {
 
-/// The pose of a straight move at t: tip linear, axis on the great circle at constant rate.
+/// Returns the pose of a straight move at t: the tip moves linearly, and the axis turns on the great circle at constant
+/// rate.
 inline Pose pose_at(const Pose& from, const Pose& to, double t) {
   Pose pose;
   pose.tip = (1 - t) * from.tip + t * to.tip;
@@ -33,8 +34,8 @@ inline Pose pose_at(const Pose& from, const Pose& to, double t) {
   return pose;
 }
 
-/// Returns the tool axis of a head of two rotary axes that run evenly. C turns about z, the shorter way round, and A
-/// about the x axis that C has turned.
+/// A head with two rotary axes that run at constant rates. C turns about z, the shorter way round. A turns about the x
+/// axis as turned by C.
 class Rotaries {
  public:
   Rotaries(const Vec3& from, const Vec3& to)
@@ -43,7 +44,7 @@ class Rotaries {
     dc_ = c1 - c0_;
     while (dc_ > std::numbers::pi) dc_ -= 2 * std::numbers::pi;
     while (dc_ < -std::numbers::pi) dc_ += 2 * std::numbers::pi;
-    // Upright, C may have any angle: that of the other end.
+    // For an upright axis C may have any angle, so it is that of the other end.
     if (std::hypot(from.x(), from.y()) < 1e-12) c0_ = c1;
     if (std::min(std::hypot(from.x(), from.y()), std::hypot(to.x(), to.y())) < 1e-12) dc_ = 0;
     da_ = std::acos(std::clamp(to.z(), -1.0, 1.0)) - a0_;
@@ -62,14 +63,14 @@ class Rotaries {
   double c0_, a0_, dc_ = 0, da_ = 0;
 };
 
-/// A move by its meaning: straight, or along the arc or spline that it names.
+/// A move by its meaning: straight, or along the arc or spline to which it points.
 struct Movement {
   Pose from, to;
   const PathArc* arc = nullptr;
   const PathSpline* spline = nullptr;
-  std::optional<Rotaries> rotaries;  ///< where the axis does not turn on the great circle
+  std::optional<Rotaries> rotaries;  ///< set if the axis does not turn on the great circle
 
-  /// At least how far the tool turns.
+  /// Returns an upper bound of the angle by which the tool turns.
   [[nodiscard]] double turn_rad() const {
     if (rotaries) return rotaries->turn_rad();
     return 2 * std::atan2((to.axis - from.axis).norm(), (to.axis + from.axis).norm());
@@ -83,7 +84,7 @@ struct Movement {
     return pose;
   }
 
-  /// At least the length of the tip's path.
+  /// Returns an upper bound of the length of the tip's path.
   [[nodiscard]] double length() const {
     if (arc != nullptr) {
       const Vec3 a = from.tip - arc->center, b = to.tip - arc->center;
@@ -100,7 +101,8 @@ struct Movement {
   }
 
  private:
-  // Turned by a quaternion; the distance from the axis and the height along it change evenly.
+  // Returns the tip on an arc, turned by a quaternion. Distance from the axis and height along it change at constant
+  // rates.
   [[nodiscard]] Vec3 on_arc(double t) const {
     const Vec3 a = from.tip - arc->center, b = to.tip - arc->center;
     const double h0 = a.dot(arc->axis), h1 = b.dot(arc->axis);
@@ -110,7 +112,7 @@ struct Movement {
     return arc->center + (h0 + t * (h1 - h0)) * arc->axis + (1 + t * (r1 - r0) / r0) * (turn * out);
   }
 
-  // By repeated halfway points (de Casteljau).
+  // Returns the tip on a spline, by repeated linear interpolation (de Casteljau).
   [[nodiscard]] Vec3 on_spline(double t) const {
     std::size_t k = 0;
     while (k + 1 < spline->pieces.size() && t > spline->pieces[k].u1) ++k;
@@ -124,7 +126,7 @@ struct Movement {
   }
 };
 
-/// For a path's move; one without a start rests.
+/// Returns the movement of a path's move; a move without a start rests at its end.
 inline Movement movement(const Toolpath& path, std::size_t index) {
   const Move& move = path.moves[index];
   Movement m{move.has_start ? path.start_of(index) : move.end, move.end, nullptr, nullptr, std::nullopt};
@@ -152,12 +154,12 @@ struct Found {
 };
 
 struct Effort {
-  int steps = 64;              ///< instants, evenly spread, both ends included
-  double accuracy_mm = 0.003;  ///< what is known to be shallower than the mark plus this is not looked into
-  int looks = 700;             ///< points an instant may cost, the largest bound first
+  int steps = 64;              ///< evenly spread instants, both ends included
+  double accuracy_mm = 0.003;  ///< depths below the mark plus this are not refined
+  int looks = 700;             ///< maximum number of points for an instant; those with the largest bound come first
 };
 
-/// The deepest point that can be found in a move; a lower bound of the truth.
+/// A search for the deepest point in a move; its result is a lower bound of the true depth.
 class Search {
  public:
   Search(const Contour& tool, const Movement& movement, const std::vector<IndexedMesh>& meshes, const Effort& effort)
@@ -172,7 +174,7 @@ class Search {
     }
   }
 
-  /// A point no deeper than `mark_mm` serves only as a place to climb from.
+  /// Runs the search. A point no deeper than `mark_mm` is used only as a starting point of a climb.
   Found run(double mark_mm) {
     mark_ = mark_mm;
     std::vector<std::size_t> all(pieces_.size());
@@ -215,7 +217,7 @@ class Search {
       box.extend(pose.tip);
       box.extend(Vec3(pose.tip + tool_.top_mm() * pose.axis));
     }
-    // The axis between two instants leaves the hull of its ends by the height of the arc.
+    // Between two instants the axis leaves the hull of its two positions by at most the height of the arc.
     const bool is_straight = movement_.arc == nullptr && movement_.spline == nullptr;
     const double more = tool_.widest_mm() + tool_.top_mm() * (1 - std::cos(turn_ / 2)) + (is_straight ? 0 : length_);
     return Box3(box.min() - Vec3::Constant(more), box.max() + Vec3::Constant(more));
@@ -231,7 +233,8 @@ class Search {
     pieces_.push_back(piece);
   }
 
-  // Returns how far a point can move against the tool between two instants `share` of the move apart.
+  // Returns an upper bound of the motion of a point relative to the tool, between two instants `share` of the move
+  // apart.
   [[nodiscard]] double travel(const Vec3& p, double share) const {
     const bool is_straight = movement_.arc == nullptr && movement_.spline == nullptr;
     const double far = std::max((p - from_.tip).norm(), (p - to_.tip).norm()) + (is_straight ? 0 : length_);
@@ -290,12 +293,12 @@ class Search {
     const Vec2 middle = (uv[0] + uv[1] + uv[2]) / 3.0;
     const double here = try_place(pose, t, piece, middle, best);
     for (const Vec2& corner : uv) try_place(pose, t, piece, corner, best);
-    // The pieces of a triangle quartered k times are 2^k times smaller than it.
+    // After k divisions into four, the pieces of a triangle are 2^k times smaller than the triangle.
     const double scale = std::max((uv[1] - uv[0]).cwiseAbs().maxCoeff(), (uv[2] - uv[0]).cwiseAbs().maxCoeff());
     open.push({here + scale * pieces_[piece].radius, piece, uv});
   }
 
-  // From a sample to the top of its hill, over the triangle and over time.
+  // Climbs from a sample to the top of its hill, over the triangle and over time.
   [[nodiscard]] Place climb(Place best) const {
     double step = 1.0 / effort_.steps, size = 0.1;
     for (int round = 0; round < 60 && step > 1e-12; ++round) {
@@ -324,7 +327,7 @@ class Search {
   std::vector<Place> best_of_;
 };
 
-/// The deepest point of parts and fixtures in a move, as far as it can be found.
+/// Returns the deepest point of parts and fixtures in a move, as far as the search finds it.
 inline Found deepest(const Contour& against_part, const Contour& against_fixture, const Movement& movement,
                      const Scene& scene, double mark_mm, const Effort& effort = {}) {
   const Found part = Search(against_part, movement, scene.parts, effort).run(mark_mm);

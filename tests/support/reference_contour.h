@@ -7,12 +7,13 @@
 #include "lib/geom/pose.h"
 #include "lib/tool/compiled_tool.h"
 
-// A tool's signed distance from its contour alone, for reference.h.
+// The signed distance of a tool, computed only from its contour, for reference.h.
 
 namespace gouge::reference {
 
-/// The half profile of a tool as lines and arcs, with distances by examining each. Inside is where a ray away from
-/// the axis crosses the profile an odd number of times: undercuts and hollows count as what they are.
+/// The half profile of a tool as lines and arcs. Distances are computed by examining each of them. A point is inside if
+/// a ray from it, away from the axis, crosses the profile an odd number of times. So undercuts and hollows have their
+/// exact shape.
 class Contour {
  public:
   explicit Contour(const CompiledTool& tool) {
@@ -26,7 +27,7 @@ class Contour {
     }
   }
 
-  /// Returns how deep (r, z) is in the solid: distance to the boundary, negative outside.
+  /// Returns the depth of (r, z) in the solid: the distance to the boundary, negative outside.
   [[nodiscard]] double depth(double r, double z) const {
     const Vec2 q(r, z);
     double nearest2 = 1e300;
@@ -43,7 +44,7 @@ class Contour {
     return is_inside ? std::sqrt(nearest2) : -std::sqrt(nearest2);
   }
 
-  /// Distance to the nearest piece of one body.
+  /// Returns the distance to the nearest piece of one body.
   [[nodiscard]] double distance_to(Body body, double r, double z) const {
     double nearest = 1e300;
     for (const Piece& p : pieces_) {
@@ -69,7 +70,7 @@ class Contour {
     Body body = Body::cutter;
     Vec2 a, b, c;
     double radius = 0;
-    double turn = 0;  ///< arcs: > 0 when they run counter-clockwise from a to b
+    double turn = 0;  ///< arcs: > 0 if they run counter-clockwise from a to b
   };
 
   static double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -98,12 +99,12 @@ class Contour {
     return std::sqrt(std::min((q - p.a).squaredNorm(), (q - p.b).squaredNorm()));
   }
 
-  // A stretch of the profile that is met once at every height from a to b. It is a line, or an arc no farther than to
-  // its highest or lowest point.
+  // A stretch of the profile with one point at every height from a to b. It is a line, or an arc up to its highest or
+  // lowest point.
   struct Side {
     Vec2 a, b, c;
     double radius = 0;
-    double travel = 0;  ///< arcs: +1 on the far side of the centre from the axis, -1 on the near one
+    double travel = 0;  ///< arcs: +1 on the side of the centre away from the axis, -1 on the side of the axis
   };
 
   void add_sides(const Piece& p) {

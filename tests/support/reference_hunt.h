@@ -10,13 +10,13 @@
 
 #include "tests/support/reference.h"
 
-// A hunt for the deepest point of a surface in a moving solid, for very many moves. It is best first over time and
-// surface at once, by the maximum change of a distance. A climb from the best places follows. A lower bound of the
-// truth that costs about a millisecond. Header only.
+// A search for the deepest point of a surface in a moving solid, for very many moves. It is a best-first search over
+// time and surface together, with a bound of the change of a distance. A climb from the best places follows. The result
+// is a lower bound of the true depth, and takes about a millisecond. Header only.
 
 namespace gouge::reference {
 
-/// Volume of the cone from p over the mesh, as the part of a full sphere that the mesh fills: 1 inside, 0 outside.
+/// Returns the solid angle of the mesh seen from p, as a share of the full sphere: 1 inside, 0 outside.
 inline double solid_angle_share(const IndexedMesh& mesh, const Vec3& p) {
   double sum = 0;
   for (const TriangleCorners& t : mesh.triangles) {
@@ -27,7 +27,7 @@ inline double solid_angle_share(const IndexedMesh& mesh, const Vec3& p) {
   return sum / (4 * std::numbers::pi);
 }
 
-/// The tool along a move.
+/// The solid of a tool along a move.
 class MovingTool {
  public:
   MovingTool(const Contour& contour, const Movement& movement) : contour_(contour), movement_(movement) {}
@@ -43,9 +43,9 @@ class MovingTool {
   const Movement& movement_;
 };
 
-/// A head along a move. At every position it is turned from upright the shortest way. Between two the axis takes it
-/// along, and the rest of the turn about the axis is spread evenly over the move (docs/method/guarantee.md). Rotary
-/// axes turn it as they do.
+/// The solid of a head along a move. At every position it is turned from upright the shortest way. Between two
+/// positions it turns with the axis. The rest of the turn about the axis is spread evenly over the move
+/// (docs/method/guarantee.md). If the move has rotary axes, the head turns with them.
 class MovingHead {
  public:
   MovingHead(const IndexedMesh& head, const Movement& movement) : head_(head), movement_(movement) {
@@ -102,7 +102,7 @@ class Hunt {
     }
   }
 
-  /// A point no deeper than `mark_mm` serves only as a place to climb from.
+  /// Runs the search. A point no deeper than `mark_mm` is used only as a starting point of a climb.
   Found run(double mark_mm) {
     for (std::uint32_t i = 0; i < triangles_.size(); ++i)
       offer({0, 0, 1, i, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}}, mark_mm);
@@ -157,7 +157,8 @@ class Hunt {
     const double t = 0.5 * (cell.t0 + cell.t1);
     const auto frame = solid_.frame(t);
     const Vec3 tip = solid_.movement().at(t).tip;
-    // Half of the span before t and half behind; the tip stays within half a length of where it is at t.
+    // The time differs by at most half of the span from t. In that time the tip moves by at most half of its path in
+    // the span.
     cell.travel =
         0.5 * (cell.t1 - cell.t0) * (length_ + turn_ * ((middle - tip).norm() + 0.5 * (cell.t1 - cell.t0) * length_));
     const double depth = solid_.depth(frame, middle);
@@ -166,7 +167,7 @@ class Hunt {
     if (cell.bound > mark_mm) open_.push(cell);
   }
 
-  // The three best places of different triangles.
+  // Keeps the place if it is among the three best places of different triangles.
   void keep(const Place& place) {
     for (std::size_t k = 0; k < places_.size(); ++k) {
       if (place.depth > places_[k].depth) {
@@ -209,8 +210,8 @@ class Hunt {
     }
   }
 
-  // Climbs from a place to the top of its hill, over the triangle and over time. Steps of one length go along the
-  // coordinates, and in a dozen random directions, since hills have ridges.
+  // Climbs from a place to the top of its hill, over the triangle and over time. Steps of equal length go along the
+  // coordinates and in a dozen random directions, because hills have ridges.
   [[nodiscard]] Place climb(Place best) const {
     constexpr double kShortest_mm = 1e-7;
     const auto& [a, b, c] = triangles_[best.triangle];

@@ -9,7 +9,7 @@
 
 namespace gouge::test {
 
-/// A contour (r, z) from the axis to the axis, turned about it in `sides` steps.
+/// Returns the mesh of a contour (r, z), from the axis to the axis, that is turned about the axis in `sides` steps.
 inline IndexedMesh turned(const std::vector<Vec2>& contour, std::size_t sides) {
   IndexedMesh mesh;
   for (std::size_t i = 0; i < contour.size(); ++i) {
@@ -32,9 +32,9 @@ inline IndexedMesh turned(const std::vector<Vec2>& contour, std::size_t sides) {
   return mesh;
 }
 
-/// Heads that fill much of the space that they turn through, from 5 mm above the tip on. They are a rounded cylinder, a
-/// spindle nose with a neck and a flange, a bumpy ball and a box about the axis. Others are two drums with a gap
-/// between them, and a ring around nothing.
+/// Returns heads that fill much of the space through which they turn, from 5 mm above the tip on. They are a rounded
+/// cylinder, a spindle nose with a neck and a flange, a bumpy ball and a box about the axis. Others are two drums with
+/// a gap between them, and a ring with an empty middle.
 inline std::vector<IndexedMesh> heads_around_the_axis() {
   std::vector<Vec2> rounded{{0, 5}};
   for (int i = 0; i <= 12; ++i) {

@@ -10,8 +10,8 @@
 
 namespace gouge::test {
 
-/// A head of two rotary axes: C turns about z, A about the x axis that C has turned. At 0 the tool is upright. Between
-/// two positions both run evenly from one angle to the other, C the shorter way round.
+/// The law of a head with two rotary axes: C turns about z, and A about the x axis as turned by C. At 0 the tool is
+/// upright. Between two positions both run at constant rates from one angle to the other, C the shorter way round.
 class RotaryHeadLaw : public AxisLaw {
  public:
   [[nodiscard]] std::shared_ptr<const AxisPath> between(const Vec3& from, const Vec3& to) const override {
@@ -31,7 +31,7 @@ class RotaryHeadLaw : public AxisLaw {
       return (Eigen::AngleAxisd(c0_ + t * dc_, Vec3::UnitZ()) * Eigen::AngleAxisd(a0_ + t * da_, Vec3::UnitX()))
           .toRotationMatrix();
     }
-    // Both turn about directions that are square to each other; that of A turns with C.
+    // The directions of both axes are perpendicular to each other; that of A turns with C.
     [[nodiscard]] double turn_rate_rad(double /*t0*/, double /*t1*/) const override { return std::hypot(dc_, da_); }
     [[nodiscard]] double turn_acceleration_rad(double /*t0*/, double /*t1*/) const override {
       return std::abs(dc_ * da_);

@@ -8,8 +8,9 @@
 
 namespace gouge::test {
 
-/// Random numbers, points and directions for tests. They are the same for a seed on every machine and with every
-/// standard library, whose distributions differ. The generator is SplitMix64 by Steele, Lea and Flood.
+/// Random numbers, points and directions for tests. A seed gives the same values on every machine and with every
+/// standard library, although the distributions of these libraries differ. The generator is SplitMix64 by Steele, Lea
+/// and Flood.
 class Scatter {
  public:
   explicit Scatter(std::uint64_t seed) : state_(seed) {}
@@ -24,19 +25,19 @@ class Scatter {
   double in(double low, double high) { return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1.0p-53); }
   bool is(double share) { return in(0, 1) < share; }
 
-  /// In the cube about the origin whose half side is `size`.
+  /// Returns a point in the cube about the origin whose half side is `size`.
   Vec3 point(double size) {
     const double x = in(-size, size), y = in(-size, size), z = in(-size, size);
     return {x, y, z};
   }
-  /// Unit vector, all directions alike.
+  /// Returns a unit vector; all directions are equally likely.
   Vec3 direction() {
     for (;;) {
       const Vec3 v = point(1);
       if (v.squaredNorm() < 1 && v.squaredNorm() > 1e-6) return v.normalized();
     }
   }
-  /// Unit vector, upright but for `lean`.
+  /// Returns a unit vector that is upright except for a deviation of at most `lean` in x and y.
   Vec3 axis(double lean) {
     const double x = in(-lean, lean), y = in(-lean, lean);
     return Vec3(x, y, 1).normalized();

@@ -9,24 +9,24 @@
 
 #include "lib/mesh/indexed_mesh.h"
 
-// Named small meshes for tests: mm, triangles counter-clockwise seen from outside unless the name states
-// otherwise. Header only: include it, link lib/mesh (or any room above it).
+// Named small meshes for tests: mm, triangles counter-clockwise seen from outside unless the name states otherwise.
+// Header only: include it, and link lib/mesh or a library that uses it.
 
 namespace gouge::shapes {
 
-/// Adds a triangle by its corner indices; the index in the file is its place in the list.
+/// Adds a triangle by its corner indices. Its index in the file is its place in the list.
 inline void add_triangle(IndexedMesh& mesh, std::size_t a, std::size_t b, std::size_t c) {
   mesh.file_triangle.push_back(static_cast<std::uint32_t>(mesh.triangles.size()));
   mesh.triangles.push_back({static_cast<Corner>(a), static_cast<Corner>(b), static_cast<Corner>(c)});
 }
 
-/// Quadrilateral a b c d (counter-clockwise) as the triangles a b c and a c d.
+/// Adds a quadrilateral a b c d (counter-clockwise) as the triangles a b c and a c d.
 inline void add_quad(IndexedMesh& mesh, std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
   add_triangle(mesh, a, b, c);
   add_triangle(mesh, a, c, d);
 }
 
-/// Closed box, 8 vertices and 12 triangles. The last two triangles are the top (z = high.z).
+/// Returns a closed box of 8 vertices and 12 triangles. The last two triangles are the top (z = high.z).
 inline IndexedMesh box(const Vec3& low, const Vec3& high) {
   IndexedMesh mesh;
   mesh.name = "box";
@@ -43,10 +43,10 @@ inline IndexedMesh box(const Vec3& low, const Vec3& high) {
   return mesh;
 }
 
-/// Cube [0, size]^3.
+/// Returns the cube [0, size]^3.
 inline IndexedMesh cube(double size = 10) { return box(Vec3::Zero(), Vec3::Constant(size)); }
 
-/// Cube without its top: 4 boundary edges.
+/// Returns a cube without its top; it has 4 boundary edges.
 inline IndexedMesh open_cube(double size = 10) {
   IndexedMesh mesh = cube(size);
   mesh.triangles.resize(10);
@@ -54,7 +54,7 @@ inline IndexedMesh open_cube(double size = 10) {
   return mesh;
 }
 
-/// Corners at the origin and at `size` on each axis; volume size^3 / 6.
+/// Returns a tetrahedron with corners at the origin and at `size` on each axis; its volume is size^3 / 6.
 inline IndexedMesh tetrahedron(double size = 10) {
   IndexedMesh mesh;
   mesh.name = "tetrahedron";
@@ -66,19 +66,19 @@ inline IndexedMesh tetrahedron(double size = 10) {
   return mesh;
 }
 
-/// The same surface with every triangle turned over.
+/// Returns the same surface with every triangle turned over.
 inline IndexedMesh inside_out(IndexedMesh mesh) {
   for (TriangleCorners& corners : mesh.triangles) std::swap(corners[1], corners[2]);
   return mesh;
 }
 
-/// Moved by `shift`.
+/// Returns the mesh moved by `shift`.
 inline IndexedMesh moved(IndexedMesh mesh, const Vec3& shift) {
   for (Vec3& v : mesh.vertices) v += shift;
   return mesh;
 }
 
-/// Both in one mesh. Vertices at identical places become one, as welding would do.
+/// Returns both meshes in one. Vertices with equal coordinates become one, as in welding.
 inline IndexedMesh joined(IndexedMesh mesh, const IndexedMesh& other) {
   std::vector<std::size_t> place;
   for (const Vec3& v : other.vertices) {
@@ -91,27 +91,27 @@ inline IndexedMesh joined(IndexedMesh mesh, const IndexedMesh& other) {
   return mesh;
 }
 
-/// Two cubes that share exactly one edge, which four triangles use (not manifold).
+/// Returns two cubes that share exactly one edge, which four triangles use (not manifold).
 inline IndexedMesh cubes_touching_at_edge(double size = 10) {
   return joined(cube(size), moved(cube(size), Vec3(size, size, 0)));
 }
 
-/// Two cubes that share exactly one vertex.
+/// Returns two cubes that share exactly one vertex.
 inline IndexedMesh cubes_touching_at_vertex(double size = 10) {
   return joined(cube(size), moved(cube(size), Vec3::Constant(size)));
 }
 
-/// Two cubes, the second shifted by half a size along each axis: their surfaces cross.
+/// Returns two cubes, the second shifted by half a size along each axis; their surfaces cross.
 inline IndexedMesh cubes_crossing(double size = 10) {
   return joined(cube(size), moved(cube(size), Vec3::Constant(size / 2)));
 }
 
-/// A cube with a cubic cavity in its middle (two shells, one solid).
+/// Returns a cube with a cubic cavity in its middle (two shells, one solid).
 inline IndexedMesh hollow_cube(double size = 10) {
   return joined(cube(size), inside_out(box(Vec3::Constant(size / 4), Vec3::Constant(size * 3 / 4))));
 }
 
-/// Sphere about the origin by latitude and longitude; vertices lie on the sphere.
+/// Returns a sphere about the origin by latitude and longitude; vertices lie on the sphere.
 inline IndexedMesh sphere(double radius = 10, std::size_t rings = 16, std::size_t sectors = 32) {
   IndexedMesh mesh;
   mesh.name = "sphere";
@@ -138,7 +138,7 @@ inline IndexedMesh sphere(double radius = 10, std::size_t rings = 16, std::size_
   return mesh;
 }
 
-/// Ring about the z axis (genus 1).
+/// Returns a ring about the z axis (genus 1).
 inline IndexedMesh torus(double major = 20, double minor = 5, std::size_t around = 24, std::size_t tube = 12) {
   IndexedMesh mesh;
   mesh.name = "torus";
@@ -161,7 +161,8 @@ inline IndexedMesh torus(double major = 20, double minor = 5, std::size_t around
   return mesh;
 }
 
-/// Closed cone with its base in z = 0 and its apex at (0, 0, height): 2 n needle triangles when n is large.
+/// Returns a closed cone with its base in z = 0 and its apex at (0, 0, height). For a large n its 2 n triangles are
+/// needles.
 inline IndexedMesh needle_fan(std::size_t n = 720, double radius = 10, double height = 5) {
   IndexedMesh mesh;
   mesh.name = "needle fan";
@@ -179,7 +180,7 @@ inline IndexedMesh needle_fan(std::size_t n = 720, double radius = 10, double he
   return mesh;
 }
 
-/// Open horizontal rectangle [0, x] x [0, y] at height z, seen from above, cut into nx by ny quadrilaterals.
+/// Returns an open horizontal rectangle [0, x] x [0, y] at height z that looks up, cut into nx by ny quadrilaterals.
 inline IndexedMesh sheet(double x, double y, double z, std::size_t nx = 1, std::size_t ny = 1) {
   IndexedMesh mesh;
   mesh.name = "sheet";

@@ -9,11 +9,11 @@
 
 #include "tests/support/shapes.h"
 
-// Closed solids that are far from convex, for the shallow-penetration core. Header only.
+// Closed solids that are far from convex, for tests of the shallow-penetration core. Header only.
 
 namespace gouge::shapes {
 
-/// Prism over a star of `points` points: acute edges, reflex edges, vertices of mixed sign.
+/// Returns a prism over a star of `points` points: acute edges, reflex edges, vertices with edges of both kinds.
 inline IndexedMesh star_prism(std::size_t points = 5, double outer = 20, double inner = 8, double height = 12) {
   IndexedMesh mesh;
   mesh.name = "star";
@@ -36,7 +36,7 @@ inline IndexedMesh star_prism(std::size_t points = 5, double outer = 20, double 
   return mesh;
 }
 
-/// Sphere whose radius goes in and out with both angles: hills, hollows and saddles.
+/// Returns a sphere whose radius varies with both angles: hills, hollows and saddles.
 inline IndexedMesh bumpy_sphere(double radius = 30, double bump = 4, std::size_t rings = 24, std::size_t sectors = 50) {
   IndexedMesh mesh = sphere(radius, rings, sectors);
   mesh.name = "bumpy sphere";
@@ -47,7 +47,7 @@ inline IndexedMesh bumpy_sphere(double radius = 30, double bump = 4, std::size_t
   return mesh;
 }
 
-/// Block with a slot along y, open at the top: walls as thin as `wall`.
+/// Returns a block with a slot along y that is open at the top; its walls are `wall` thick.
 inline IndexedMesh slotted_block(double wall = 1, double slot = 6, double height = 10, double length = 20) {
   const std::vector<std::pair<double, double>> outline = {{0, 0},
                                                           {2 * wall + slot, 0},
@@ -72,8 +72,8 @@ inline IndexedMesh slotted_block(double wall = 1, double slot = 6, double height
   return mesh;
 }
 
-/// Block [-half, half]^2 x [-height, 0] with a blind hole of `radius` and `depth` about z, of `corners` flat walls, a
-/// multiple of 8. Its corners lie on the radius.
+/// Returns a block [-half, half]^2 x [-height, 0] with a blind hole of `radius` and `depth` about z. The hole has
+/// `corners` flat walls, a multiple of 8, and its corners lie on the radius.
 inline IndexedMesh bored_block(double radius, double depth, double half = 50, double height = 30,
                                std::size_t corners = 64) {
   IndexedMesh mesh;
@@ -105,7 +105,7 @@ inline IndexedMesh bored_block(double radius, double depth, double half = 50, do
   return mesh;
 }
 
-/// Every triangle cut into four, `times` times; the surface stays the same.
+/// Returns the mesh with every triangle cut into four, `times` times; the surface stays the same.
 inline IndexedMesh refined(const IndexedMesh& coarse, int times) {
   if (times == 0) return coarse;
   IndexedMesh all;

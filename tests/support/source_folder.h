@@ -4,8 +4,8 @@
 
 namespace gouge {
 
-// The folder of the checkout, without a slash at its end.
-// In a source of its own: the name on every test's command line would keep ccache from serving two checkouts.
+// Returns the folder of the checkout, without a slash at its end. The function has a source file of its own. If the
+// path were on the command line of every test, ccache could not serve two checkouts.
 [[nodiscard]] std::string source_folder();
 
 }  // namespace gouge

@@ -8,12 +8,12 @@
 #include "lib/base/number_text.h"
 #include "lib/mesh/indexed_mesh.h"
 
-// STL files made by hand, so that tests can spoil them.
+// Writes STL files by hand, so that tests can damage them.
 
 namespace gouge::shapes {
 
-/// Binary STL bytes with this header text (padded with blanks to 80), count and triangles of nine
-/// coordinates.
+/// Returns the bytes of a binary STL file with this header text (padded with blanks to 80), this count, and triangles
+/// of nine coordinates.
 inline std::string binary_stl(const std::string& header, std::uint32_t count,
                               const std::vector<std::vector<float>>& triangles) {
   const auto append = [](std::string& bytes, std::uint32_t word) {
@@ -30,7 +30,7 @@ inline std::string binary_stl(const std::string& header, std::uint32_t count,
   return bytes;
 }
 
-/// The mesh as ASCII STL with exact numbers.
+/// Returns the mesh as ASCII STL with exact numbers.
 inline std::string ascii_stl(const IndexedMesh& mesh, const std::string& name = "test") {
   std::string text = "solid " + name + "\n";
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

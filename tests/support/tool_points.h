@@ -7,7 +7,7 @@
 #include "lib/tool/evaluate.h"
 #include "tests/support/scatter.h"
 
-// Points of the half plane at which a tool's results are most likely to be wrong.
+// Points of the half plane at which results for a tool are most likely to be wrong.
 
 namespace gouge::test {
 
@@ -15,7 +15,7 @@ inline double extent_mm(const CompiledTool& tool) { return std::max({tool.r_max_
 
 inline Vec2 in_half_plane(const Vec2& p) { return {std::abs(p.x()), p.y()}; }
 
-/// Between two points with different leaves, as near to the border of their regions as doubles go.
+/// Returns a point between two points with different leaves, as near to the border of their regions as doubles allow.
 inline Vec2 on_bisector(const CompiledTool& tool, Vec2 p, Vec2 q) {
   const std::uint32_t mine = evaluate(tool, p.x(), p.y()).element;
   if (evaluate(tool, q.x(), q.y()).element == mine) return p;
@@ -27,8 +27,8 @@ inline Vec2 on_bisector(const CompiledTool& tool, Vec2 p, Vec2 q) {
   return p;
 }
 
-/// Points around the tool, far away, on the axis, and at every scale about the boundary and its corners. Also points
-/// straight off the middle of an element (at a tiny step's far side too), and on bisectors.
+/// Returns a point around the tool, far away, on the axis, or at any scale about the boundary and its corners. Others
+/// are points along the normal at the middle of an element, also behind a tiny step, and points on bisectors.
 inline Vec2 random_tool_point(Scatter& random, const CompiledTool& tool) {
   const double size = extent_mm(tool);
   const auto around = [&] {

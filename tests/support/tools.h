@@ -6,7 +6,7 @@
 #include "toolmodels/assembly.h"
 #include "toolmodels/compile_tool.h"
 
-// Named tools for tests, compiled. Each with a shank and a holder of two segments.
+// Named tools for tests, compiled, each with a shank and a holder of two segments.
 
 namespace gouge::tools {
 
@@ -30,10 +30,10 @@ inline ToolVariants bull(double diameter = 16, double corner = 2) {
   return variants(assembly(BullNoseCutter{diameter, corner, 30}, diameter));
 }
 inline ToolVariants tapered() { return variants(assembly(TaperedCutter{4, 2, 5, 30}, 8)); }
-/// Narrower above the cutter, so that the contour has a shoulder facing up and reflex corners.
+/// Returns a tool that is narrower above the cutter, so that its contour has a shoulder facing up and reflex corners.
 inline ToolVariants necked() { return variants(assembly(FlatCutter{12, 10}, 6)); }
 
-/// Undercut, hollow below, concave, pointed, round all over: the shapes beyond end mills.
+/// Returns the shapes beyond end mills: undercut, hollow below, concave, pointed, round everywhere.
 inline std::vector<ToolVariants> shapes() {
   std::vector<ToolVariants> made;
   for (const Cutter& cutter : std::vector<Cutter>{

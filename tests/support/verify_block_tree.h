@@ -79,7 +79,8 @@ class BlockTreeVerifier {
   std::vector<std::string> broken_;
 };
 
-/// Broken invariants, one sentence each: every triangle in exactly one leaf, every bound holds.
+/// Returns the broken invariants, one sentence each. The invariants: every triangle is in exactly one leaf, and every
+/// bound holds.
 [[nodiscard]] inline std::vector<std::string> verify_tree(const BlockTree& tree) {
   return BlockTreeVerifier(tree).run();
 }

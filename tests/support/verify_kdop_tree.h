@@ -21,7 +21,7 @@ inline void verify_children(const KdopTree& tree, std::size_t n, std::vector<std
   }
 }
 
-/// One line for every broken invariant: an item in no leaf or two, a child outside its parent.
+/// Returns one line for every broken invariant: an item in no leaf or two, a child outside its parent.
 [[nodiscard]] inline std::vector<std::string> verify_kdop_tree(const KdopTree& tree) {
   std::vector<std::string> broken;
   std::vector<std::uint32_t> seen(tree.order.size(), 0);

@@ -44,8 +44,9 @@ inline void verify_nodes(const CompiledTool& tool, std::vector<std::string>& bro
     if (!is_owner[i] && !tool.nodes.empty()) broken.push_back(named(i) + " owns no region");
 }
 
-/// Broken invariants of a compiled tool: indices in range, every element owned by some leaf, unit normals, elements
-/// that join, extent and core that fit. Empty for a sound tool.
+/// Returns the broken invariants of a compiled tool; empty for a valid tool. The invariants: indices are in range,
+/// every element is owned by a leaf, normals are unit vectors, and elements join. Extent and core must be those of the
+/// elements.
 [[nodiscard]] inline std::vector<std::string> verify_tool(const CompiledTool& tool) {
   std::vector<std::string> broken;
   if (tool.elements.empty()) {

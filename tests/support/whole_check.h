@@ -5,11 +5,11 @@
 
 #include "lib/certify/motion_checker.h"
 
-// The whole check for tests of one tool. Header only.
+// Runs the whole check for tests of one tool. Header only.
 
 namespace gouge {
 
-/// A setup with what it refers to. The scene and the tool must outlive it.
+/// A setup together with the data to which it refers, except the scene and the tool, which must outlive it.
 struct OwnSetup {
   std::vector<HeadBody> heads;
   CheckOptions options;

@@ -80,7 +80,8 @@ class CutterMaker : CatalogueMaker {
     return Cutter(BullNoseCutter{at(diameter), at(corner_radius), at(flute_length)});
   }
 
-  // The tip diameter is never used where the other numbers already state it.
+  // Reports a tip diameter that differs from the one that follows from the other numbers. The shape is built from those
+  // alone.
   void check_tip(double expected_mm, const std::string& believed) {
     if (!d_[tip_diameter] || std::abs(at(tip_diameter) - expected_mm) <= kAgree_mm) return;
     contradiction(d_.text(tip_diameter) + " does not follow from the other numbers, which give " +

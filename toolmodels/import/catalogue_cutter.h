@@ -7,21 +7,21 @@
 #include "toolmodels/assembly.h"
 #include "toolmodels/import/dimensions.h"
 
-// From catalogue dimensions to the cutter shapes of this project, where these are exactly the tool.
+// Converts catalogue dimensions to a cutter shape of this project that describes the same tool exactly.
 
 namespace gouge {
 
-/// Dimensions that count, and their meaning.
+/// Shapes of catalogues; a shape determines which dimensions count, and their meaning.
 enum class CatalogueShape {
   flat,
   ball,
   bull_nose,
-  tapered,       ///< diameter is where the side, going on down, meets the tip plane
+  tapered,       ///< diameter is that at which the side, extended downwards, meets the tip plane
   tapered_ball,  ///< diameter is that of the ball at the tip
-  chamfer,       ///< diameter is the largest; a cone from tip_diameter up to it, then straight
-  drill,         ///< a point of point_angle
-  face,          ///< an edge leaning outward by taper_angle up to the largest diameter, or none
-  full,          ///< threads and edges that are taken as a full cylinder, which is reported
+  chamfer,       ///< diameter is the largest; a cone from tip_diameter up to it, then a cylinder
+  drill,         ///< a conical point of point_angle, then a cylinder
+  face,          ///< an edge that leans outward by taper_angle up to the largest diameter, or no such edge
+  full,          ///< threads and edges, which are taken as a full cylinder; this is reported
   slot,
   saw,
   dovetail,  ///< diameter is that of the bottom
@@ -40,7 +40,8 @@ struct CatalogueCutter {
   double top_diameter_mm = 0;
 };
 
-/// Errors   import-field, and those of make_cutter_profile; without the tool's name, which the caller knows.
+/// Errors   import-field, and those of make_cutter_profile. The message does not name the tool; the caller adds the
+///          name.
 /// Notes    import-contradiction, import-guess.
 [[nodiscard]] Result<CatalogueCutter> make_catalogue_cutter(CatalogueShape shape, const Dimensions& dimensions,
                                                             Diagnostics& notes);

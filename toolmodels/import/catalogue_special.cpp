@@ -36,7 +36,7 @@ class SpecialMaker : CatalogueMaker {
     return Done{};
   }
 
-  // Both names for the corner at the tip.
+  // Returns the radius of the corner at the tip, which has two names in catalogues.
   [[nodiscard]] double lower_corner() const { return at(lower_radius) > 0 ? at(lower_radius) : at(corner_radius); }
 
   void check_neck(double expected_mm, const std::string& follows_from) {
@@ -57,7 +57,8 @@ class SpecialMaker : CatalogueMaker {
     return Cutter(SlittingSawCutter{at(diameter), at(flute_length), at(cap_diameter), at(cap_height)});
   }
 
-  // The diameter is that of the bottom; a whole angle in place of the half one shows in the neck.
+  // Builds a dovetail cutter; the diameter is that of the bottom. If the file gives the whole angle instead of half of
+  // it, the neck does not agree.
   Result<Cutter> dovetail() {
     if (Outcome good = need({{flute_length, "flute length"}, {taper_angle, "taper angle"}}); !good) return good.error();
     check_neck(at(diameter) - 2 * at(flute_length) * std::tan(radians(at(taper_angle))),
@@ -80,14 +81,14 @@ class SpecialMaker : CatalogueMaker {
     return Cutter(LollipopCutter{at(diameter), at(neck), 0});
   }
 
-  // The diameter is that of the small end.
+  // Builds a cutter that rounds an edge; the diameter is that of the small end.
   Result<Cutter> radius() {
     if (Outcome good = need({{flute_length, "flute length"}, {corner_radius, "radius"}}); !good) return good.error();
     check_neck(at(diameter) + 2 * at(corner_radius), d_.text(diameter) + " and " + d_.text(corner_radius));
     return Cutter(RadiusCutter{at(diameter), at(tip_length), at(corner_radius), 0, at(flute_length)});
   }
 
-  // Pilot with its point, then a cone of the included angle up to the body.
+  // Builds the pilot with its point, then a cone of the included angle up to the body.
   Result<Cutter> center_drill() {
     if (Outcome good = need({{flute_length, "flute length"},
                              {point_angle, "point angle"},
@@ -119,8 +120,8 @@ class SpecialMaker : CatalogueMaker {
         BarrelCutter{at(diameter), at(profile_radius), lower_corner(), 0, at(axial_distance), at(flute_length)});
   }
 
-  // Some files leave the tip's radius out; the flutes end where the flank touches the diameter, which gives
-  // it.
+  // Builds an oval. Some files leave the radius of the tip out. It then follows from the flute length, as the flutes
+  // end where the flank touches the cylinder.
   Result<Cutter> oval() {
     if (Outcome good = need({{flute_length, "flute length"}, {profile_radius, "profile radius"}}); !good)
       return good.error();
@@ -151,8 +152,8 @@ class SpecialMaker : CatalogueMaker {
     return Cutter(LensCutter{at(diameter), at(profile_radius), corner, at(flute_length)});
   }
 
-  // Tip and upper arc lie where a straight flank of the taper angle would touch them; the flank's arc touches
-  // both.
+  // Builds a tapered segment cutter. The arcs of the tip and of the upper end lie where a straight flank of the taper
+  // angle would touch them. The arc of the flank touches both.
   Result<Cutter> taper_segment() {
     if (Outcome good =
             need({{flute_length, "flute length"}, {profile_radius, "profile radius"}, {taper_angle, "taper angle"}});

@@ -4,13 +4,14 @@
 
 namespace gouge {
 
-/// Input that makers of cutters share: the dimensions of a file, and the notes on them.
+/// Input that the builders of cutters share: the dimensions of a file, and the notes about them.
 class CatalogueMaker {
  public:
   CatalogueMaker(const Dimensions& d, Diagnostics& notes) : d_(d), notes_(notes) {}
 
  protected:
-  // Files round to a few decimals, in inches too; beyond this two numbers state different things.
+  // Two numbers that differ by more than this contradict each other. Files round numbers to a few decimals, also in
+  // inches.
   static constexpr double kAgree_mm = 5e-3;
 
   [[nodiscard]] double at(Dimension dimension) const { return d_.value_or(dimension, 0); }
@@ -24,8 +25,8 @@ class CatalogueMaker {
   Diagnostics& notes_;
 };
 
-/// The shapes beyond end mills, drills and chamfers: slot and dovetail mills, lollipops, saws, radius mills,
-/// centre drills, circle segments. Requires signs that have been checked.
+/// Makes the cutter of a shape other than end mills, drills and chamfers. These are slot and dovetail mills, lollipops,
+/// saws, radius mills, centre drills and circle segments. Requires that the signs of the dimensions have been checked.
 ///
 /// Errors   import-field: a dimension that is missing or impossible.
 /// Notes    import-contradiction, import-guess.

@@ -7,14 +7,14 @@ namespace {
 
 using enum Dimension;
 
-// Lengths that differ by less are the same, rounded differently.
+// Lengths that differ by less than this are one length, rounded differently.
 constexpr double kSameShape_mm = 1e-4;
 
 Diagnostic guess(const std::string& message) { return make_note("import-guess", message); }
 
 Diagnostic field(const std::string& message) { return make_error("import-field", message); }
 
-// Where the holder begins, above the tip.
+// The height above the tip at which the holder begins.
 struct Stickout {
   double length_mm = 0;
   std::string text;  ///< "LB 40 mm"
@@ -52,7 +52,7 @@ double diameter_at(const ToolSegment& s, double height_mm) {
   return s.lower_diameter_mm + (s.upper_diameter_mm - s.lower_diameter_mm) * (height_mm / s.length_mm);
 }
 
-// An entering angle is the taper angle measured from the other side.
+// Adds the taper angle that follows from an entering angle, which is measured from the tip plane instead of the axis.
 Dimensions with_taper(Dimensions d) {
   const double entering = d.value_or(entering_angle, 0);
   if (entering > 0 && entering < 90 && !(d.value_or(taper_angle, 0) > 0))
@@ -60,8 +60,8 @@ Dimensions with_taper(Dimensions d) {
   return d;
 }
 
-// A drill whose format has no flute length has flutes up to the end of the tool, or to the holder. That is the largest
-// tool it can be, unless something wider stands on the flutes.
+// Adds the flute length of a drill whose format has none: up to the end of the tool, or to the holder. The result is
+// the largest tool that it can be, unless a wider body stands on the flutes.
 Dimensions with_flutes(const CatalogueTool& tool, bool has_holder, const ImportOptions& options, Diagnostics& notes) {
   Dimensions d = tool.dimensions;
   const bool is_open = tool.shape == CatalogueShape::drill && !d[flute_length] && tool.shaft.empty();

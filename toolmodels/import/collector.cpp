@@ -103,7 +103,8 @@ std::string lower(std::string text) {
   return text;
 }
 
-// The entries of a folder that have this name: the one that has it exactly, else all that differ in case alone.
+// Returns the entries of a folder with this name: the entry with exactly this name, else all that differ from it in
+// case alone.
 std::vector<std::string> entries_called(const fs::path& folder, const std::string& name) {
   std::error_code failed;
   if (name == ".." || fs::exists(fs::symlink_status(folder / name, failed))) return {name};
@@ -122,7 +123,8 @@ struct Place {
   std::optional<Diagnostic> ambiguous;
 };
 
-// `name` below `folder`, spelled as in the folder; as given where there is none.
+// Returns the path of `name` below `folder`, spelled as the entries of the folder. Returns it as given if there is no
+// such file.
 Place find_ignoring_case(const fs::path& folder, const fs::path& name) {
   fs::path at = folder;
   for (const fs::path& step : name) {

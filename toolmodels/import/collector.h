@@ -11,23 +11,23 @@
 
 namespace gouge {
 
-/// Turns catalogue tools into the library's, and keeps account of what had to be stated about each. Numbers
-/// stay unique: the first tool of a number keeps it.
+/// Adds catalogue tools to the library, and collects the notes about each. Tool numbers stay unique: the first tool
+/// with a number keeps it.
 class Collector {
  public:
   Collector(std::string file, const ImportOptions& options);
 
   void add(CatalogueTool tool);
   void add_holder(NamedHolder holder, LengthUnit unit, std::size_t line);
-  /// `who` was left out because its shape cannot be expressed.
+  /// Reports that the tool `who` was left out because its shape cannot be expressed.
   void leave_out(const std::string& who, const std::string& shape, std::size_t line);
-  /// A diagnostic about `who`, with file and line filled in.
+  /// Adds a diagnostic about the tool `who`, with file and line.
   void report(const std::string& who, const Diagnostic& diagnostic, std::size_t line);
 
   [[nodiscard]] const ImportOptions& options() const { return options_; }
   [[nodiscard]] const std::string& file() const { return made_.library.file; }
 
-  /// States so in the notes when nothing is left.
+  /// Returns the library with its notes. Adds a note if the library has no tool.
   [[nodiscard]] ImportedTools finish();
 
  private:
@@ -36,26 +36,26 @@ class Collector {
 
   const ImportOptions& options_;
   ImportedTools made_;
-  std::unordered_set<int> numbers_;  // taken
+  std::unordered_set<int> numbers_;  // tool numbers already in use
   bool is_all_inch_ = true;
 };
 
-/// Returns how messages call a tool of another program's file: its number and name as far as it has them.
+/// Returns the name of a tool of another program's file in messages: its number and its name, as far as it has them.
 [[nodiscard]] std::string tool_label(const std::optional<int>& number, const std::string& name);
 
-/// Returns a tool number that this project can hold.
+/// Returns the number if this project can store it as a tool number.
 [[nodiscard]] std::optional<int> tool_number(long long number);
 
 struct BesideFile {
-  std::string path;  ///< where it was found; the first place that was tried where it was not
+  std::string path;  ///< path of the file; if there is no such file, the first path that was tried
   std::string bytes;
 };
 
-/// Reads the file that a tool library names `name`: in the library's folder, else in the folder Bit beside that, where
-/// FreeCAD keeps them. Where none has exactly this name, upper and lower case count as equal.
+/// Reads the file that a tool library names `name`. The places are the library's folder, then the folder Bit beside
+/// that folder, where FreeCAD keeps such files. If neither has exactly this name, upper and lower case count as equal.
 ///
-/// Errors   (1) file-not-found with both places. (2) import-beside where several files differ in case alone. (3) Those
-///          of read_file.
+/// Errors   (1) file-not-found, with both places. (2) import-beside: several files differ in case alone. (3) Those of
+///          read_file.
 [[nodiscard]] Result<BesideFile> read_beside(const std::string& library_file, const std::string& name,
                                              std::uint64_t max_bytes);
 

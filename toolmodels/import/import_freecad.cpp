@@ -31,10 +31,11 @@ std::optional<CatalogueShape> freecad_shape(const std::string& word) {
   return std::nullopt;
 }
 
-// Returns which of two shapes with the dimensions of one file contains the other. None where neither does.
+// Returns which of two shapes with the dimensions of one file contains the other; nothing if neither does.
 std::optional<CatalogueShape> larger_shape(CatalogueShape a, CatalogueShape b) {
   using enum CatalogueShape;
-  // Each contains those behind it: the cylinder of the flutes, one with rounded corners, one with a round end.
+  // Each of these contains all that follow: a full cylinder of the flutes, then cylinders with rounded corners or a
+  // round end.
   static constexpr CatalogueShape kMills[] = {full, flat, bull_nose, ball};
   const auto rank = [](CatalogueShape shape) { return std::find(std::begin(kMills), std::end(kMills), shape); };
   if (rank(a) != std::end(kMills) && rank(b) != std::end(kMills)) return rank(a) < rank(b) ? a : b;
@@ -45,7 +46,7 @@ std::optional<CatalogueShape> larger_shape(CatalogueShape a, CatalogueShape b) {
   return std::nullopt;
 }
 
-// FreeCAD's angles of tapers and edges are INCLUDED angles, the catalogue's are half of them.
+// A parameter of FreeCAD. Its angles of tapers and edges are INCLUDED angles; those of the catalogue are half of them.
 struct Parameter {
   Dimension dimension;
   double factor = 1;
@@ -109,7 +110,7 @@ class BitImporter {
   }
 
  private:
-  // "shape-type" and the name of the file in "shape" both state the shape.
+  // Reads the shape, which both "shape-type" and the name of the file in "shape" may state.
   bool read_shape() {
     std::string type = detail::text_of(json_.root, "shape-type");
     const std::string file_name = stem(detail::text_of(json_.root, "shape"));
@@ -164,8 +165,9 @@ class BitImporter {
     return Done{};
   }
 
-  // Half of an included angle and the rest to a right angle are the same for 60 degrees alone. A dovetail's
-  // tip diameter is labelled as a height, and used for neither.
+  // Reports how the angle of a dovetail is read. Half of an included angle is equal to 90 degrees minus the angle from
+  // the bottom only if both angles are 60 degrees. FreeCAD labels the tip diameter of a dovetail as a height; the
+  // importer uses it neither as a diameter nor as a height.
   void report_dovetail_angle(Dimensions& d) {
     if (!d[Dimension::taper_angle]) return;
     report(make_warning("import-guess", d.text(Dimension::taper_angle) +
@@ -173,7 +175,7 @@ class BitImporter {
                                             "dovetail is counted from its bottom, correct taper_angle"));
   }
 
-  // Files of old versions give a bull nose the radius of its flat instead of its corner's.
+  // Sets the corner radius of a bull nose from the radius of its flat, which old versions of the file state instead.
   void take_corner_from_flat(double flat_radius_mm) {
     if (tool_.dimensions[Dimension::corner_radius]) return;
     const double corner = tool_.dimensions.value_or(Dimension::diameter, 0) / 2 - flat_radius_mm;
@@ -206,7 +208,7 @@ class BitImporter {
   bool has_mm_ = false, has_inch_ = false;
 };
 
-// A library may not send us anywhere but down its own folder.
+// Returns whether the path stays below the folder of the library; files elsewhere are not read for it.
 bool stays_below(const std::string& path) {
   return !path.empty() && path.front() != '/' && path.find('\\') == std::string::npos &&
          path.find("..") == std::string::npos && path.find(':') == std::string::npos &&

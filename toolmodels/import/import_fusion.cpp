@@ -46,7 +46,7 @@ std::optional<CatalogueShape> fusion_shape(const std::string& word) {
   return std::nullopt;
 }
 
-// Keys of `geometry` that state nothing about the contour of the shapes above.
+// Returns whether a key of `geometry` has no effect on the contour of the shapes above.
 bool is_no_fusion_contour(const std::string& key) {
   static constexpr std::string_view kKeys[] = {"NOF",
                                                "NT",
@@ -180,7 +180,7 @@ class FusionImporter {
     return Done{};
   }
 
-  // A countersink has its angle as a point angle.
+  // Takes the taper angle of a countersink from its point angle, which Fusion stores instead.
   static void take_half_of_point_angle(Dimensions& d) {
     const bool has_taper = d.value_or(Dimension::taper_angle, 0) > 0;
     if (has_taper || !d[Dimension::point_angle]) return;
@@ -213,7 +213,8 @@ class FusionImporter {
     return segments;
   }
 
-  // Segments above the gauge line are inside the spindle; they are kept, as they only ever add to the tool.
+  // Checks the gauge length. Segments above the gauge line are inside the spindle; they are kept, because they only
+  // enlarge the tool.
   double check_gauge_length(const Json& holder, const std::vector<ToolSegment>& segments, LengthUnit unit) {
     const auto found = holder.find("gaugeLength");
     if (found == holder.end() || !found->is_number() || segments.empty()) return 0;

@@ -79,7 +79,7 @@ class RowImporter {
  private:
   [[nodiscard]] std::string text(const std::string& field) const { return row_.text(field); }
 
-  // Nothing for an empty field.
+  // Returns a number of the row; nothing for an empty field.
   Result<std::optional<double>> number(const std::string& field, bool angle) const {
     return row_.number(field, angle ? 1 : mm_per(unit_));
   }
@@ -92,14 +92,15 @@ class RowImporter {
       if (!read) return read.error();
       if (*read) tool_.dimensions.set(*dimension, **read, field);
     }
-    // A countersink has its angle as that of the whole point.
+    // A countersink is given by the angle of the whole point.
     if (const std::optional<Given>& point = tool_.dimensions[Dimension::point_angle];
         point && tool_.shape == CatalogueShape::chamfer)
       tool_.dimensions.set(Dimension::taper_angle, point->value / 2, "half of " + point->key);
     return Done{};
   }
 
-  // HEI is the tool's length up to its shank, the shank stands on it, and HOFF of the whole is in the holder.
+  // Reads the lengths. HEI is the length of the tool up to its shank. The shank stands on it. HOFF is the length within
+  // the holder.
   Outcome read_lengths() {
     double values[5] = {};
     const char* fields[5] = {"HEI", "TSDIA", "TSLEN", "TSTLEN", "HOFF"};
@@ -135,7 +136,7 @@ class RowImporter {
     return Done{};
   }
 
-  // A holder is put on where it is known how far the tool stands out of it.
+  // Adds the holder if the stick-out of the tool is known.
   void read_holder(const std::string& name) {
     if (name.empty() || name == "0") return;
     const auto left_out = [&](const std::string& why) {

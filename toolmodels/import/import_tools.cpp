@@ -7,7 +7,8 @@
 namespace gouge {
 namespace {
 
-// A holder_database.dat may begin with a FORMAT that no class stands before.
+// Returns whether a line of the text begins as the first class of an NX library. A holder_database.dat may begin with a
+// FORMAT before any class.
 bool has_class_line(std::string_view text) {
   for (const std::string_view word : {"#CLASS", "FORMAT LIBRF"}) {
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1))
@@ -19,7 +20,7 @@ bool has_class_line(std::string_view text) {
 std::optional<ImportFormat> format_of(const nlohmann::json& root) {
   if (detail::is_fusion_library(root)) return ImportFormat::fusion;
   if (detail::is_freecad_bit(root)) return ImportFormat::freecad;
-  // Our own library has "tools" too, but always states its "units".
+  // Our own library also has "tools", but it always has "units" too.
   if (detail::is_freecad_library(root) && !root.contains("units")) return ImportFormat::freecad;
   return std::nullopt;
 }

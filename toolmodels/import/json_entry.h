@@ -16,22 +16,22 @@
 
 namespace gouge::detail {
 
-/// Returns the kind of JSON of a file to import, where `what` was expected: "a Fusion tool library".
+/// Returns the kind of JSON of a file to import; `what` names the expected content, such as "a Fusion tool library".
 [[nodiscard]] JsonKind imported_kind(const std::string& what);
 
-/// Returns the cleaned text of `key`; empty when there is none or it is not text.
+/// Returns the cleaned text of `key`; empty if there is no such key or its value is not text.
 [[nodiscard]] std::string text_of(const nlohmann::json& object, const char* key);
 
-/// Returns a number, or a text with a unit. A bare number is in mm_per(unit), or degrees when `angle`. Nothing for
+/// Returns a number, or a text with a unit. A bare number is in `unit`, or in degrees if `angle`. Returns nothing for
 /// null.
-/// Errors   import-field, naming `key`.
+/// Errors   import-field, with the name `key`.
 [[nodiscard]] Result<std::optional<Quantity>> quantity_of(const nlohmann::json& value, const std::string& key,
                                                           LengthUnit unit, bool angle);
 
-/// Returns the text of a file without byte order mark and without blanks around it.
+/// Returns the text of a file without its byte order mark and the blanks around it.
 [[nodiscard]] std::string_view without_mark(std::string_view bytes);
 
-/// Returns whether the text of a file begins as JSON of an object or a list does.
+/// Returns whether the text of a file begins like a JSON object or list.
 [[nodiscard]] bool is_json(std::string_view bytes);
 
 /// Returns whether a JSON file is a FreeCAD tool bit: it has "parameter" and a shape.

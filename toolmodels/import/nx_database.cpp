@@ -20,7 +20,7 @@ Fields split_blanks(std::string_view text) {
   return words;
 }
 
-// The bar that closes a row is not an empty last field.
+// Splits a row at its bars. The bar that closes a row does not begin another field.
 Fields split_bars(std::string_view text) {
   Fields fields;
   text = trim_blanks(text);
@@ -96,7 +96,7 @@ void NxDatabaseReader::close_row() {
   if (data_line_ == 0) return;
   const Fields fields = split_bars(data_);
   const std::size_t line = std::exchange(data_line_, 0);
-  // The general rows of holders may stand before any class.
+  // The general rows of holders may precede the first class.
   const bool has_place = !class_.empty() || std::ranges::find(format_, "RTYPE") != format_.end();
   if (!has_place || format_.empty())
     return collector_.report("row", make_error("import-field", "a DATA row stands outside of a #CLASS with a FORMAT"),

@@ -9,19 +9,19 @@
 #include "lib/base/result.h"
 #include "toolmodels/import/collector.h"
 
-// The ASCII databases of NX: tool_database.dat and holder_database.dat.
+// Reader of the ASCII databases of NX: tool_database.dat and holder_database.dat.
 
 namespace gouge {
 
-/// One DATA row, its values by the names of its FORMAT.
+/// One DATA row: its values by the field names of its FORMAT.
 struct NxRow {
   std::string class_name;
   std::map<std::string, std::string> values;
   std::size_t line = 0;
 
-  /// Returns a field; empty where the row has no such field.
+  /// Returns a field; empty if the row has no such field.
   [[nodiscard]] std::string text(const std::string& field) const;
-  /// Times `factor`; nothing for an empty field. Errors: import-field.
+  /// Returns a field as a number times `factor`; nothing if it is empty. Errors: import-field.
   [[nodiscard]] Result<std::optional<double>> number(const std::string& field, double factor) const;
 };
 
@@ -29,8 +29,8 @@ class NxDatabaseReader {
  public:
   explicit NxDatabaseReader(Collector& collector) : collector_(collector) {}
 
-  /// Reads the rows. A row may go on in lines that begin with a bar, a FORMAT in lines without a keyword. A row with an
-  /// error is reported to the collector and left out.
+  /// Reads the rows. Lines that begin with a bar continue a row, and lines without a keyword continue a FORMAT. A row
+  /// with an error is reported to the collector and left out.
   std::vector<NxRow> read(std::string_view text);
 
   [[nodiscard]] bool has_class() const { return has_class_; }

@@ -10,9 +10,9 @@
 namespace gouge {
 namespace {
 
-constexpr const char* kGeneralRow = "1";  // RTYPE of the row that names a holder; its sections have 2
+constexpr const char* kGeneralRow = "1";  // RTYPE of the row that names a holder; its sections have RTYPE 2
 
-// Diameters that differ by less are the same, rounded differently.
+// Diameters that differ by less than this are one diameter, rounded differently.
 constexpr double kSameHolder_mm = 1e-4;
 
 /// The rows of one holder, in the order of the file.
@@ -34,7 +34,8 @@ std::vector<HolderRows> holders_in(const std::vector<NxRow>& rows) {
   return holders;
 }
 
-/// One section: DIAM is that of its lower end, and it leans outwards by TAPER, from the axis, over LENGTH.
+/// Returns one section: DIAM is the diameter of its lower end, and its side leans outwards from the axis by TAPER over
+/// LENGTH.
 Result<ToolSegment> segment_of(const NxRow& row, double mm) {
   double values[3] = {};
   const char* const fields[3] = {"DIAM", "LENGTH", "TAPER"};
@@ -57,7 +58,7 @@ Result<ToolSegment> segment_of(const NxRow& row, double mm) {
 
 struct HolderShape {
   std::vector<ToolSegment> segments;
-  bool has_corners = false;  ///< some section has a corner radius
+  bool has_corners = false;  ///< at least one section has a corner radius
 };
 
 Result<HolderShape> holder_shape(const HolderRows& holder, double mm) {
@@ -79,7 +80,7 @@ Result<HolderShape> holder_shape(const HolderRows& holder, double mm) {
     if (!corner) return corner.error();
     shape.has_corners = shape.has_corners || corner->value_or(0) > 0;
     shape.segments.push_back(*segment);
-    // TAPER is rounded; where the next section begins is not.
+    // TAPER is rounded, but the lower diameter of the next section is exact.
     if (k == 0) continue;
     double& below = shape.segments[k - 1].upper_diameter_mm;
     if (std::abs(below - segment->lower_diameter_mm) < kSameHolder_mm) below = segment->lower_diameter_mm;
@@ -101,7 +102,7 @@ void import_nx_holders(Collector& collector, const std::vector<NxRow>& rows, Len
       collector.report("row", make_error("import-field", "a holder has no LIBRF; it needs a name"), holder.line);
       continue;
     }
-    // Turning holders have other columns.
+    // Holders for turning tools have other columns.
     const bool is_round = !holder.sections.empty() && std::ranges::all_of(holder.sections, [](const NxRow* row) {
       return row->values.contains("DIAM");
     });

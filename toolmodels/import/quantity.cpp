@@ -33,7 +33,8 @@ constexpr std::array kQuantityUnits = {KnownUnit{"", QuantityUnit::none, 1},
 
 bool is_number_char(char c) { return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '+' || c == '-'; }
 
-// Exponents only before a digit or sign: the e of "6e-1 mm", never of a unit.
+// Returns the end of the number. An e begins an exponent only before a digit or sign, as in "6e-1 mm"; otherwise it
+// belongs to the unit.
 std::size_t number_end(std::string_view text) {
   std::size_t end = 0;
   while (end < text.size()) {

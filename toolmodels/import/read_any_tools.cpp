@@ -34,7 +34,7 @@ constexpr std::array<Beginning, 9> kBeginnings = {{
     {"\xd0\xcf\x11\xe0", "is an old file of Office"},
 }};
 
-// Names the format of a file that is neither JSON nor importable, and what to do.
+// Returns a message that names the format of a file that is neither JSON nor importable, with advice.
 std::string describe_foreign(std::string_view bytes) {
   const std::string_view text = detail::without_mark(bytes);
   if (text.empty()) return std::string("the file is empty; ") + kExpected;
@@ -45,7 +45,7 @@ std::string describe_foreign(std::string_view bytes) {
   return std::string("the file is no tool library; ") + kExpected;
 }
 
-// Ours has "tools", each with a "cutter", or states its "units".
+// Returns whether JSON is a library of this project: it has "tools", each with a "cutter", or it has "units".
 bool is_ours(const nlohmann::json& root) {
   if (!root.is_object()) return false;
   if (root.contains("units")) return true;

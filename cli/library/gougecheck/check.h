@@ -17,36 +17,36 @@ namespace gougecheck {
 enum class Rapids : std::uint8_t { straight, dogleg, skip };
 
 struct CheckOptions {
-  double tolerance = 0.01;      ///< depth a move may have
-  double resolution = 0.001;    ///< certified gap
-  double stock_to_leave = 0;    ///< grows the cutter against the part
-  double shank_clearance = 0;   ///< grows the shank; any depth in it is then a gouge
-  double holder_clearance = 0;  ///< grows the holder
-  double near_miss = 0;         ///< report what comes nearer than this; 0: not requested
+  double tolerance = 0.01;      ///< depth that a move may have
+  double resolution = 0.001;    ///< gap between the certified bounds of a depth
+  double stock_to_leave = 0;    ///< enlarges the cutter against parts
+  double shank_clearance = 0;   ///< enlarges the shank; any depth in it is then a gouge
+  double holder_clearance = 0;  ///< enlarges the holder
+  double near_miss = 0;         ///< report moves that come nearer than this; 0: off
   Rapids rapids = Rapids::straight;
-  /// Machine file, configuration of LinuxCNC, or "preset:NAME". Its control states the motion of the tool axis, and its
-  /// joint limits hold. Empty: the axis turns on the great circle.
+  /// Machine file, configuration of LinuxCNC, or "preset:NAME". Its control determines the motion of the tool axis, and
+  /// its joint limits hold. Empty: the axis turns on the great circle.
   std::string machine = {};
-  std::string feed_law = {};   ///< "vector" or "axis", in place of the control's; "axis" requires a machine
-  std::string rapid_law = {};  ///< the same of rapids
-  unsigned threads = 0;        ///< 0: all; the result is the same at any number
-  /// Facts to take as stated: "path-unit", "placement", "tool=T3", ... (docs/guide/assumptions.md).
+  std::string feed_law = {};   ///< "vector" or "axis", in place of the law of the control; "axis" requires a machine
+  std::string rapid_law = {};  ///< the same for rapid moves
+  unsigned threads = 0;        ///< 0: as many as the machine has; the result does not depend on the number
+  /// Facts that are taken as stated: "path-unit", "placement", "tool=T3", ... (docs/guide/assumptions.md).
   std::vector<std::string> assume = {};
-  bool strict = false;  ///< clean only where no fact is taken by default
+  bool strict = false;  ///< a path is clean only if no fact is taken by default
 };
 
 /// Checks the whole motion of every move against the whole surface of every triangle.
 ///
-/// Ensures  No gouge deeper than tolerance + resolution is missed, and every gouge has a witness. Clean is proved, and
-///          no fact that it rests on is contradicted or unknown. Meshes that were read without a unit are taken in the
-///          path's.
-/// Throws   Error: a length that is negative or not a number, or a fact of another name. Code tool-ambiguous: one tool
-///          for a path that calls several. For a machine: those of its file, and machine-law, where nothing states a
-///          law.
-/// Thread safe, as everything here is.
+/// Ensures  No gouge deeper than tolerance + resolution is missed, and every gouge has a witness. A clean verdict is
+///          proved, and none of the facts on which it rests is contradicted or unknown. Meshes that were read without a
+///          unit have the unit of the path.
+/// Throws   Error: a length that is negative or not a number, or a fact with an unknown name. Code tool-ambiguous: one
+///          tool is given for a path that calls several. For a machine: the errors of its file, and machine-law if no
+///          law is stated.
+/// Thread safe, like all functions here.
 [[nodiscard]] GOUGECHECK_EXPORT Report check(const Path& path, const Scene& scene, const Tool& tool,
                                              const CheckOptions& options = {});
-/// Does the same with each of the path's tools from the library, by number or name, else by the path's own definition.
+/// Checks with each of the path's tools from the library, by number or name, else by the path's own definition.
 [[nodiscard]] GOUGECHECK_EXPORT Report check(const Path& path, const Scene& scene, const ToolLibrary& tools,
                                              const CheckOptions& options = {});
 
@@ -54,23 +54,24 @@ struct CheckOptions {
 struct Contact {
   State state = State::clean;
   double depth = 0, depth_upper = 0;  ///< positive inside; depth <= true depth <= depth_upper
-  Vec3 point = {0, 0, 0};             ///< of the surface, the deepest; meaningful where depth > 0
+  Vec3 point = {0, 0, 0};             ///< the deepest point of the surface; meaningful if depth > 0
   Vec3 normal = {0, 0, 1};            ///< unit; the direction in which the tool must move away
-  std::int64_t triangle = -1;         ///< face of its mesh as given; -1: depth is 0
-  Body body = Body::cutter;           ///< of the tool, the nearest to the point
+  std::int64_t triangle = -1;         ///< face of its mesh in the given numbering; -1: depth is 0
+  Body body = Body::cutter;           ///< the body of the tool that is nearest to the point
 };
 
-/// Depth of a tool, position after position: for a haptic loop or an optimiser. Tolerance 0: any depth is a
-/// gouge, and its gap is closed to the resolution. Made once, then queried from any number of threads.
+/// Depth of a tool, position by position, for a haptic loop or an optimiser. With tolerance 0 any depth is a gouge, and
+/// its bounds are closed to the resolution. Made once, then queried from any number of threads.
 class GOUGECHECK_EXPORT DepthQuery {
  public:
-  /// `options`: tolerance, near_miss, rapids, machine, laws and threads mean nothing here. Throws as check.
+  /// The members tolerance, near_miss, rapids, machine, laws and threads of `options` have no effect here. Throws like
+  /// check.
   DepthQuery(const Scene& scene, const Tool& tool, const CheckOptions& options = {});
 
-  /// Queries one position; axis of any length but 0. Allocates little; microseconds to a millisecond. Throws Error for
-  /// a position or axis that is not a number.
+  /// Queries one position; the axis may have any length but 0. Allocates little, and takes microseconds to a
+  /// millisecond. Throws Error for a position or axis that is not a number.
   [[nodiscard]] Contact at(const Vec3& tip, const Vec3& axis) const;
-  /// Queries many positions, on `threads` threads (0: all). Axes: as many as tips, or one for all.
+  /// Queries many positions, on `threads` threads (0: all). `axes` has as many elements as `tips`, or one for all.
   [[nodiscard]] std::vector<Contact> at(std::span<const Vec3> tips, std::span<const Vec3> axes,
                                         unsigned threads = 0) const;
 
@@ -80,40 +81,40 @@ class GOUGECHECK_EXPORT DepthQuery {
 };
 
 struct CorrectOptions {
-  /// auto, weighted, normal, axis, tilt or trim, for all bodies.
+  /// The strategy for all bodies: auto, weighted, normal, axis, tilt or trim.
   std::string strategy = "auto";
-  double max_shift = 20;                 ///< no tip moves farther
-  std::optional<double> max_side_shift;  ///< nor farther across the tool axis; none: by the depth
-  double max_tilt = 30;                  ///< degrees from the programmed axis
-  double rapid_clearance = 1;            ///< how far a rapid that must change keeps off
+  double max_shift = 20;                 ///< maximum motion of a tip
+  std::optional<double> max_side_shift;  ///< maximum motion across the tool axis; none: it depends on the depth
+  double max_tilt = 30;                  ///< maximum angle to the programmed axis, in degrees
+  double rapid_clearance = 1;            ///< distance that a changed rapid move keeps
 };
 
 /// A position that was changed or added.
 struct Change {
-  std::size_t move = 0;  ///< of the path as it was
+  std::size_t move = 0;  ///< in the path before the correction
   bool is_inserted = false;
   Vec3 shift = {0, 0, 0};
-  double tilt = 0;  ///< degrees
+  double tilt = 0;  ///< in degrees
   double depth_before = 0, depth_after = 0;
 };
 
 /// A move that still gouges or is buried.
 struct Uncorrected {
-  std::size_t move = 0;  ///< of the path as it was
+  std::size_t move = 0;  ///< in the path before the correction
   double depth = 0;
   std::string reason;
 };
 
 struct Correction {
-  Path path;      ///< with the same statements but for those changed
-  Report before;  ///< of the path as it was
-  Report after;   ///< of `path`, checked like any other
+  Path path;      ///< with the same statements, except those changed
+  Report before;  ///< on the path before the correction
+  Report after;   ///< on `path`, which is checked like any other
   std::vector<Change> changes;
   std::vector<Uncorrected> uncorrected;
 };
 
-/// Returns a path without the gouges of `path`, as far as the limits allow. No clean move becomes anything else, none
-/// becomes deeper. Throws as check.
+/// Returns a path without the gouges of `path`, as far as the limits allow. Every clean move stays clean, and no move
+/// becomes deeper. Throws like check.
 [[nodiscard]] GOUGECHECK_EXPORT Correction correct(const Path& path, const Scene& scene, const Tool& tool,
                                                    const CheckOptions& options = {}, const CorrectOptions& how = {});
 [[nodiscard]] GOUGECHECK_EXPORT Correction correct(const Path& path, const Scene& scene, const ToolLibrary& tools,

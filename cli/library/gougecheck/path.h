@@ -11,32 +11,34 @@ namespace gougecheck {
 
 enum class MoveKind : std::uint8_t { feed, rapid, arc, cycle };
 
-/// A toolpath. Move 0 is the first position alone. Each other move is the motion from the position before. The tip runs
-/// on the straight line, or the arc of its file, and the axis on the great circle. Immutable.
+/// A toolpath. Move 0 is the first position alone. Each other move is the motion from the previous position. The tip
+/// runs on the straight line, or on the arc in its file, and the axis on the great circle. Immutable.
 class GOUGECHECK_EXPORT Path {
  public:
-  /// Builds a path from memory. The `tips` are the positions of the tip. The `axes` point from tip to spindle, with any
-  /// length but 0, as many as tips, or one for all. The flags `rapids` mark rapid moves, one each, or none at all. The
-  /// arrays are copied.
-  /// Throws   Error: no positions, or numbers of them that differ. Also an axis without length, or a coordinate that is
+  /// Builds a path from memory. `tips` are the positions of the tip. `axes` point from tip to spindle, with any length
+  /// but 0; there are as many as tips, or one for all. `rapids` marks rapid moves, one flag for each move, or is empty.
+  /// The arrays are copied.
+  /// Throws   Error: no positions, or arrays of different lengths. Also an axis without length, or a coordinate that is
   ///          not a number or beyond 100 m.
   Path(std::span<const Vec3> tips, std::span<const Vec3> axes, std::span<const bool> rapids = {},
        std::string name = "path");
 
-  /// Reads CL data of any dialect, recognised by its content. The `unit` is mm or inch, for a file that states none;
-  /// empty: not known.
-  /// Throws   Error: the first error of the file (docs/formats/apt_cl.md), another unit than the file states.
+  /// Reads CL data of any dialect, recognised by its content. `unit` is mm or inch, for a file that states none; empty:
+  /// unknown.
+  /// Throws   Error: the first error of the file (docs/formats/apt_cl.md), or a unit that differs from that of the
+  ///          file.
   [[nodiscard]] static Path read(const std::string& file, const std::string& unit = "");
 
-  [[nodiscard]] std::size_t size() const;  ///< moves
+  [[nodiscard]] std::size_t size() const;  ///< number of moves
   [[nodiscard]] const std::string& name() const;
-  [[nodiscard]] std::span<const Vec3> tips() const;  ///< ends of the moves; valid as long as a copy of the path lives
-  [[nodiscard]] std::span<const Vec3> axes() const;  ///< unit
+  [[nodiscard]] std::span<const Vec3> tips() const;  ///< ends of the moves; valid as long as a copy of the path exists
+  [[nodiscard]] std::span<const Vec3> axes() const;  ///< of unit length
   [[nodiscard]] std::span<const MoveKind> kinds() const;
-  [[nodiscard]] std::span<const std::uint32_t> lines() const;  ///< of the file, from 1; of a path from memory the move
-  [[nodiscard]] std::vector<Note> notes() const;               ///< notes of the reader
+  /// line in the file, from 1; for a path from memory the number of the move
+  [[nodiscard]] std::span<const std::uint32_t> lines() const;
+  [[nodiscard]] std::vector<Note> notes() const;  ///< notes of the reader
 
-  /// Returns the bytes of its file; of a path from memory, APT that reads back as the same positions.
+  /// Returns the bytes of the file. For a path from memory, returns APT that reads back as the same positions.
   [[nodiscard]] std::string text() const;
 
   struct Content;

@@ -9,8 +9,8 @@
 
 namespace gougecheck {
 
-/// Returns the version of the library that runs; the macros are those of the headers. Equal in major and minor number
-/// where they fit.
+/// Returns the version of the library that runs; the macros are those of the headers. The two are compatible if major
+/// and minor number are equal.
 [[nodiscard]] GOUGECHECK_EXPORT const char* version();
 
 }  // namespace gougecheck

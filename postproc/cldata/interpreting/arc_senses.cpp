@@ -12,10 +12,10 @@
 namespace gouge {
 namespace {
 
-constexpr double kSmooth = 0.999;         // cosine between a line and an arc that go on in each other
-constexpr double kLeavesPlane_mm = 0.02;  // as far as start and end of an arc may differ in radius
+constexpr double kSmooth = 0.999;  // cosine of the angle between a line and an arc that continue each other smoothly
+constexpr double kLeavesPlane_mm = 0.02;  // maximum difference of the radius at the start and at the end of an arc
 constexpr double kTurningAxis = 1e-4;     // sine of an angle
-constexpr std::size_t kClearVotes = 10;   // times as many as for the other sense
+constexpr std::size_t kClearVotes = 10;   // required ratio of votes for one sense to votes for the other
 constexpr std::size_t kFewestVotes = 3;
 
 ArcSense shorter_path(ArcStatement arc, const Vec3& start, const Vec3& end) {
@@ -38,9 +38,10 @@ void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& s
   if (in_.dialect.arc_rule == ArcRule::by_vector_or_against && is_understood) mark_sense_uncertain(arc, start, move);
   const bool is_open = is_understood && arc.sense == ArcSense::unknown;
   if (is_understood && last_direction_) vote(arc, start.tip, *last_direction_);
-  // Points that follow one another on a circle; where the shorter way is the rule, one alone as well.
+  // Positions of one list on a circle run the shorter way. If the dialect always takes the shorter way, a single
+  // position does too.
   if (is_open && (position.points > 1 || runs_shorter_way)) arc.sense = shorter_path(arc, start.tip, move.end.tip);
-  // Where the vector has no sense, other arcs show nothing about this one.
+  // If the vector gives no sense, other arcs show nothing about this one.
   if (arc.sense == ArcSense::unknown && is_understood && !runs_shorter_way) {
     in_.make_room(open_);
     open_.push_back({in_.moves(), arc, other_uncertainty});
@@ -53,8 +54,8 @@ void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& s
   }
 }
 
-// Newer posts of Autodesk turn a clockwise arc's vector round. Older ones leave it, so that its stated angle shows how
-// it runs. Half a turn, or a whole one of a helix, does not show it. Of a flat full circle both ways are the same.
+// Newer posts of Autodesk reverse the vector of a clockwise arc. Older ones keep it, so only the stated angle shows the
+// sense. Half a turn, or a whole turn of a helix, does not show it. For a flat full circle both senses are equal.
 void ArcSenses::mark_sense_uncertain(ArcStatement& arc, const Pose& start, const Move& move) {
   constexpr double kOpposite = -0.999;
   const Vec3& end = move.end.tip;
@@ -71,8 +72,8 @@ void ArcSenses::mark_sense_uncertain(ArcStatement& arc, const Pose& start, const
   arc.sense = ArcSense::right_handed;
 }
 
-// A list may begin with the position the tool is at. An arc that leaves its plane or turns the tool is one to no
-// reader for sure: NCL's own post-processor runs it straight.
+// Returns whether the motion to the position is on the arc. A list may begin with the present position of the tool. If
+// an arc leaves its plane or turns the tool, it is uncertain: the post-processor of NCL itself runs it straight.
 bool ArcSenses::is_round(const ArcStatement& arc, const Position& position, const Pose& start, Move& move) const {
   const Vec3 way = move.end.tip - start.tip;
   const bool turns = start.axis.cross(move.end.axis).norm() > kTurningAxis;
@@ -90,7 +91,7 @@ void ArcSenses::fit(const ArcStatement& arc, const Vec3& start, Move& move) {
   }
   move.not_checked_reason = fit.problem;
   if (fit.problem == ArcProblems::kTiny) return cover_by_circle(arc, start, move);
-  // The other possible reading is one more turn: emit() adds it.
+  // The other possible reading has one more turn; emit() adds it.
   if (fit.problem == ArcProblems::kTimes) move.cover = Cover::motion;
   if (!fit.problem.empty() && fit.problem != ArcProblems::kTimes) return;
   move.curve_kind = CurveKind::arc;
@@ -99,8 +100,8 @@ void ArcSenses::fit(const ArcStatement& arc, const Vec3& start, Move& move) {
   in_.path.arcs.push_back(fit.arc);
 }
 
-// Runs from the start to the end and once round. Both ways round lie on it. So does the full circle, where the tool
-// keeps its axis and the arc its plane and its radius.
+// Covers the move by an arc from the start to the end plus one turn. Both senses lie on this arc. So does the full
+// circle, if the tool keeps its axis and the arc its plane and radius.
 void ArcSenses::cover_by_circle(ArcStatement arc, const Vec3& start, Move& move) {
   constexpr double kFlat_mm = 5e-4;
   const Vec3 way = move.end.tip - start;
@@ -116,7 +117,7 @@ void ArcSenses::cover_by_circle(ArcStatement arc, const Vec3& start, Move& move)
   in_.path.arcs.back().sweep_rad += 2 * std::numbers::pi;
 }
 
-// A line before or after an arc usually touches it, and so shows which way round the arc runs.
+// Counts a line before or after an arc. It usually touches the arc, and so shows the sense of the arc.
 void ArcSenses::vote(const ArcStatement& arc, const Vec3& tip, const Vec3& direction) {
   const double cosine = arc_tangent(arc, tip).dot(direction);
   if (std::abs(cosine) < kSmooth) return;
@@ -142,11 +143,11 @@ void ArcSenses::uncertainty(std::size_t begin, std::size_t end, std::string_view
   }
 }
 
-// Arcs of a file whose dialect states no sense: all of them have the one in which they go on smoothly.
+// Decides the sense of all arcs of a file whose dialect states none: the one in which they continue lines smoothly.
 void ArcSenses::close() {
   if (open_.empty()) return;
   if (in_.dialect.arc_rule == ArcRule::by_vector_or_against) {
-    // One clockwise arc with its vector turned round, and none without, shows which posts wrote the file.
+    // A clockwise arc with a reversed vector, and none with an unchanged vector, shows which posts wrote the file.
     turned_vectors_ > 0 && reversed_arcs_ == 0 ? close_as(ArcSense::right_handed) : cover_both_senses();
     return;
   }

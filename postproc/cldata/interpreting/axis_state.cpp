@@ -29,13 +29,13 @@ void AxisState::take_multax() {
     locked_axis_.reset();
     return;
   }
-  // Returns whether a TLAXIS outlives MULTAX/OFF no document states.
+  // No document states whether a TLAXIS outlives MULTAX/OFF.
   is_fixed_doubtful_ = is_tilted(fixed_axis_);
   if (in_.dialect.locks_axis) lock_axis();
 }
 
-// Dassault, Syntax of Generated APT Instructions: the axis stays that of the last position with five axes, and no
-// TLAXIS is written.
+// Locks the axis at that of the last position with five axes, if no TLAXIS follows. (Dassault, Syntax of Generated APT
+// Instructions.)
 void AxisState::lock_axis() {
   if (is_lock_lost_) {
     is_fixed_doubtful_ = true;
@@ -67,7 +67,7 @@ void AxisState::note_position(const Vec3& axis_local) {
   is_tlaxis_new_ = false;
 }
 
-// Returns whether a locked axis turns with the frame no document states.
+// Notes a change of the frame. No document states whether a locked axis turns with the frame.
 void AxisState::note_frame(bool says_axis) {
   const bool is_lost = last_axis_ && !says_axis;
   if (locked_axis_) is_fixed_doubtful_ = is_lost;
@@ -93,8 +93,8 @@ std::size_t AxisState::numbers_per_point() {
     if (!is_list || is_multax_on()) return 6;
     if (in_.dialect.has_points_at_multax_off && multax_ == false) return 3;
     if (are_axes_unit()) return 6;
-    // Two positions and a wrong axis look alike; only where MULTAX/OFF or the dialect states is it two
-    // positions.
+    // Two positions and a position with a wrong axis look alike. They are two positions only if MULTAX/OFF or the
+    // dialect states it.
     return multax_.has_value() || in_.dialect.has_points_without_axis || count > 6 ? 3 : 6;
   }
   if (is_list && !is_multax_on() && count > 6 && count % 3 == 0) return 3;
@@ -103,8 +103,9 @@ std::size_t AxisState::numbers_per_point() {
   return 0;
 }
 
-// Two positions, the second of which happens to lie at a distance of 1 from the origin, look like a position and
-// its axis. Where MULTAX/OFF states so, or a writer known to state MULTAX has not, is not known.
+// Returns why the numbers have two readings. If the second of two positions is at a distance of 1 from the origin, it
+// looks like the axis of the first one. The file is ambiguous after MULTAX/OFF, and without MULTAX if its writers
+// usually state MULTAX.
 const char* AxisState::two_readings(std::size_t numbers) const {
   if (in_.statement().has_axes || in_.dialect.is_axis_modal) return nullptr;
   if (may_have_normals()) return Reasons::kNineNumbers;
@@ -112,7 +113,7 @@ const char* AxisState::two_readings(std::size_t numbers) const {
   return needs_multax() || has_lists_ ? Reasons::kSixNumbers : nullptr;
 }
 
-// Position, axis and the normal of the surface; or three positions.
+// Returns whether the numbers may be a position, its axis and the normal of the surface, instead of three positions.
 bool AxisState::may_have_normals() const {
   constexpr std::size_t kNumbers = 9;
   const std::size_t count = in_.arguments.size();
@@ -132,7 +133,8 @@ std::pair<std::size_t, std::size_t> AxisState::note_list(std::size_t numbers) {
   return {std::min(std::exchange(first_axis_, kNone), in_.moves()), in_.moves()};
 }
 
-// A position without an axis after a tilted one: it may have that one's, or the fixed one.
+// Returns whether the axis of a position is uncertain. Without an axis after a tilted one, it may have that axis or the
+// fixed one.
 bool AxisState::is_doubtful(const Position& position) {
   if (is_fixed_doubtful_ && position.numbers == 6 && in_.dialect.is_axis_modal) is_fixed_doubtful_ = false;
   if (is_fixed_doubtful_ && position.numbers != 6) {
@@ -144,14 +146,15 @@ bool AxisState::is_doubtful(const Position& position) {
     if (locked_axis_ && is_tilted(position.axis_local, *locked_axis_)) is_fixed_doubtful_ = true;
     last_axis_ = position.axis_local;
     is_lock_lost_ = false;
-    // A fixed axis, and another vector behind the position: its axis, or the normal of the surface. Of a line of NCI
-    // the code states which.
+    // With a fixed axis, another vector after the position may be its axis or the normal of the surface. In a line of
+    // NCI the code states which.
     if (has_tlaxis_ && !in_.statement().is_decoded && !is_multax_on() && is_tilted(position.axis_local, fixed_axis_))
       return true;
     is_last_tilted_ = is_tilted(position.axis_local, fixed_axis_);
     return false;
   }
-  // MULTAX/OFF states it where the dialect does; who writes axes under MULTAX alone has not written this one.
+  // After MULTAX/OFF the axis is known if the dialect defines it. In a dialect that writes axes only under MULTAX, it
+  // is not known without MULTAX/OFF.
   const bool is_off = multax_ == false;
   const bool is_known = in_.dialect.has_known_plain_axis && (is_off || !in_.dialect.has_axes_under_multax);
   if (!is_last_tilted_ || is_known || locked_axis_) return false;

@@ -6,16 +6,16 @@
 
 namespace gouge {
 
-/// The blocks of a file: TOOL PATH to END-OF-PATH of NX, or sections that each have a frame (CAMplete). Where some
-/// blocks state a frame, one that states none has lost it; so has what stands between two blocks.
+/// The blocks of a file: TOOL PATH to END-OF-PATH of NX, or sections that each have a frame (CAMplete). If some blocks
+/// state a frame, a block that states none has lost it. So have the statements between two blocks.
 class BlockState {
  public:
-  /// Another block begins before move `move`.
+  /// Begins another block before move `move`.
   void begin(std::size_t move) {
     close(move);
     ++number_;
   }
-  /// The one that was begun has an end, and frame, tool and axis of its own.
+  /// Marks the present block as one that has an end, and its own frame, tool and axis.
   void open() { is_open_ = true; }
   void end() {
     is_open_ = false;
@@ -23,18 +23,19 @@ class BlockState {
   }
   void leave_between() { is_between_ = false; }
   void note_frame_between() { is_frame_between_ = true; }
-  /// Returns true once, where a frame was stated between two blocks.
+  /// Returns whether a frame was stated between two blocks, and resets this fact.
   [[nodiscard]] bool take_frame_between() { return std::exchange(is_frame_between_, false); }
-  /// A frame is stated before move `move`. It is the block's if it stands before its positions, as files write it.
+  /// Notes a frame that is stated before move `move`. It belongs to the block if it precedes all positions of the
+  /// block, as files write it.
   void note_frame(std::size_t move) { has_frame_ = has_frame_ || begin_ == move; }
-  /// A frame that is not the part's own: blocks have to state theirs.
+  /// Notes a frame other than that of the part: then each block must state its frame.
   void require_frames() { needs_frames_ = true; }
 
   [[nodiscard]] std::size_t number() const { return number_; }
   [[nodiscard]] bool is_open() const { return is_open_; }
   [[nodiscard]] bool is_between() const { return is_between_; }
   [[nodiscard]] bool has_positions(std::size_t moves) const { return number_ > 0 && begin_ < moves; }
-  /// At the end of a file of `moves` moves: [begin, end) of those in blocks that have lost their frame.
+  /// Returns [begin, end) of the moves in blocks that have lost their frame, at the end of a file of `moves` moves.
   [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> without_frame(std::size_t moves) {
     close(moves);
     return needs_frames_ ? without_frame_ : std::vector<std::pair<std::size_t, std::size_t>>{};
@@ -48,7 +49,7 @@ class BlockState {
   }
 
   std::size_t number_ = 0;
-  std::size_t begin_ = 0;  // its first move
+  std::size_t begin_ = 0;  // the first move of the block
   bool is_open_ = false, is_between_ = false, is_frame_between_ = false;
   bool has_frame_ = false, needs_frames_ = false;
   std::vector<std::pair<std::size_t, std::size_t>> without_frame_;

@@ -9,12 +9,12 @@
 #include "postproc/cldata/language/post_words.h"
 #include "postproc/cldata/language/text.h"
 
-// Blocks, operations, the end of a program, and words that carry text.
+// Handlers for blocks, operations, the end of a program, and words with text.
 
 namespace gouge {
 namespace {
 
-// Behind the $$-> or REMARK -> of Creo.
+// Takes the text after $$-> or REMARK -> of Creo.
 void take_creo_comment(States& s, std::string_view text) {
   const std::string_view rest = trim(text.substr(std::min(text.find('/'), text.size() - 1) + 1));
   if (starts_with_ignoring_case(text, "CSYS")) {
@@ -24,7 +24,7 @@ void take_creo_comment(States& s, std::string_view text) {
     note_creo_csys(s);
   } else if (starts_with_ignoring_case(text, "FEATNO")) {
     s.operation.name("FEATNO " + name_text(rest), s.in.line());
-    break_motion(s);  // between sequences the machine goes home
+    break_motion(s);  // between sequences the machine moves to its home position
   } else if (starts_with_ignoring_case(text, "CUTCOM_GEOMETRY_TYPE")) {
     const bool is_on_centre = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER");
     const bool is_on_profile = starts_with_ignoring_case(rest, "OUTPUT_ON_PROFILE");
@@ -51,13 +51,14 @@ bool is_creo_statement(const States& s, std::string_view text) {
   return s.in.dialect.comments == CommentForm::creo && text.starts_with("->");
 }
 
-// "BALL CENTER OUTPUT", "TOOL OUTPUT POINT : CENTER", "contact data": which point of the tool positions are.
+// Returns whether a text names another point of the tool than its tip for positions: "BALL CENTER OUTPUT", "TOOL OUTPUT
+// POINT : CENTER", "contact data".
 bool names_other_point(std::string_view text) {
   constexpr std::array<std::string_view, 2> kCentre = {"CENTER", "CENTRE"};
   constexpr std::array<std::string_view, 2> kBall = {"BALL", "SPHERE"};
   constexpr std::array<std::string_view, 2> kPoint = {"OUTPUT", "REFERENCE"};
   constexpr std::array<std::string_view, 3> kContact = {"DATA", "POINT", "POINTS"};
-  std::array<std::string_view, 3> last;  // words, the last one at the end
+  std::array<std::string_view, 3> last;  // the last three words, the latest at the end
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
     while (end < text.size() && is_letter(text[end])) ++end;
@@ -88,7 +89,7 @@ void note_point(States& s, std::string_view text) {
 
 }  // namespace
 
-// Another program may follow: earlier statements need not hold for it.
+// Ends the program. Another program may follow, for which earlier statements need not hold.
 void end_program(States& s) {
   break_motion(s);
   s.chain.forbid_link();
@@ -114,7 +115,7 @@ void take_comment(States& s) {
   }
 }
 
-// TOOL PATH/operation,TOOL,tool: a block of its own, with its own frame, axis and tool.
+// Takes TOOL PATH/operation,TOOL,tool: a block with its own frame, axis and tool.
 void take_tool_path(States& s) {
   s.blocks.begin(s.in.moves());
   const std::string_view text = s.in.first_piece();
@@ -164,8 +165,9 @@ void take_free_text(States& s) {
     }
   }
   if (equals_ignoring_case(major, "OPFEATEND")) s.setup.end_feature();
-  if (equals_ignoring_case(major, "LETTER") && has_slash(s.in)) return take_unknown_statement(s);  // mills letters
-  // Creo 9 writes REMARK -> where older files have the comment $$->.
+  // this statement mills letters
+  if (equals_ignoring_case(major, "LETTER") && has_slash(s.in)) return take_unknown_statement(s);
+  // Creo 9 writes REMARK -> in place of the comment $$-> of older files.
   if (!starts_with_ignoring_case(major, "REMARK")) return;
   const std::string_view text = trim(s.in.first_piece());
   is_creo_statement(s, text) ? take_creo_comment(s, trim(text.substr(2))) : note_point(s, text);
@@ -180,8 +182,9 @@ void take_pprint(States& s) {
   if (!s.in.dialect.names_operations) s.operation.name(name_text(s.in.first_piece()), s.in.line());
 }
 
-// PPWORD/word,code: a word of the post-processor and its number in the table of words. A word that is read here must
-// keep its meaning. The numbers from 3150 are those of Creo's GPOST for words of its own, others those of IBM's table.
+// Takes PPWORD/word,code: a word of the post-processor and its number in the table of words. A word that this reader
+// knows must keep its meaning. Numbers from 3150 are those of Creo's GPOST for its own words; others are those of IBM's
+// table.
 void take_ppword(States& s) {
   constexpr double kFirstOfGpost = 3150, kLastOfGpost = 3199;
   const std::vector<Argument>& arguments = s.in.arguments;
@@ -198,8 +201,8 @@ void take_ppword(States& s) {
                 " another meaning; expected the words themselves: write them in place of their synonyms");
 }
 
-// CAMplete: SYN/'TLAXIS','$$*TLAXIS' makes comments of TLAXIS. Other names of words would have to be read as
-// these.
+// Takes SYN of CAMplete. SYN/'TLAXIS','$$*TLAXIS' declares TLAXIS to be a comment. Other new names would have to be
+// read as the words for which they stand.
 void take_syn(States& s) {
   for (const Argument& argument : s.in.arguments) {
     std::string_view name = argument.text;

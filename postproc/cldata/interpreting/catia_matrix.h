@@ -8,15 +8,15 @@
 
 namespace gouge {
 
-/// $$*CATIA0 of CATIA, which is followed by comments: a line with a name and three with the rows of a matrix, absolute
-/// = R p + t. Where the name is missing, or looks like a row, four such lines cannot be distinguished from three. A
-/// position before the last row is an error.
+/// The $$*CATIA0 of CATIA. The comments after it are a line with a name and three lines with the rows of a matrix,
+/// absolute = R p + t. If the name is missing or looks like a row, four such lines cannot be distinguished from three.
+/// A position before the last row is an error.
 class CatiaMatrix {
  public:
   CatiaMatrix(StatementContext& in, FrameState& frame) : in_(in), frame_(frame) {}
 
   void begin();
-  /// A statement that is not a comment, and whether it needs to know the frame.
+  /// Notes a statement that is not a comment, and whether it needs the frame.
   void pass_statement(bool needs_frame);
   [[nodiscard]] bool expects_row() const { return row_ >= 0 || is_nameless_; }
   /// Takes the text of a comment that expects_row(). Returns the frame after the last row; else nothing.
@@ -30,10 +30,10 @@ class CatiaMatrix {
 
   StatementContext& in_;
   FrameState& frame_;
-  int row_ = -1;              // lines seen since $$*CATIA0; -1: none
+  int row_ = -1;              // number of lines since $$*CATIA0; -1: none is expected
   bool is_nameless_ = false;  // the first line after it looks like a row
   std::array<double, 12> rows_{};
-  double rounding_ = 0;  // of the components of its axes
+  double rounding_ = 0;  // rounding of the components of its axes
 };
 
 }  // namespace gouge

@@ -27,8 +27,8 @@ std::optional<CltSetup::TableTurn> CltSetup::turn_of(std::span<const Argument> a
   return TableTurn{*axis, is_clockwise ? -*arguments[0].number : *arguments[0].number};
 }
 
-// Returns the axes of the setup in those of the model. They result from the turns in force, each about an axis as it
-// lies after the turns before it.
+// Returns the axes of the setup in those of the model. They result from the turns in force. Each turn is about an axis
+// in its position after the previous turns.
 Eigen::Matrix3d CltSetup::axes() const {
   Eigen::Matrix3d setup = Eigen::Matrix3d::Identity();
   for (const TableTurn& turn : turns_) {
@@ -57,7 +57,7 @@ bool CltSetup::take_turn() {
   return true;
 }
 
-// The real file's third feature undoes nothing, and the fourth turns as the others do.
+// The third feature of the real file undoes no turn, and the fourth one turns as the others do.
 void CltSetup::end_feature() {
   if (turns_.empty()) return;
   turns_.clear();
@@ -72,7 +72,7 @@ void CltSetup::take_axis() {
   if (std::abs(axis.norm() - 1) <= kFrameError) axis_ = axis.normalized();
 }
 
-// The setup's Z is TLAXIS.
+// Compares the Z axis of the setup, as it results from the turns, with TLAXIS.
 void CltSetup::choose_decimals() {
   if (!in_.dialect.has_setups || !is_new_) return;
   is_new_ = false;

@@ -12,15 +12,16 @@
 #include "postproc/cldata/parsing/cutter_statement.h"
 #include "postproc/cldata/parsing/machine_text.h"
 
-// Statements that carry text or codes for the machine's control, and choices of the setup. Some of them may move the
-// tool or change where positions are.
+// Handlers for statements with text or codes for the machine's control, and for choices of the setup. Some of them may
+// move the tool or change the place of positions.
 
 namespace gouge {
 namespace {
 
 bool is_zero(const Argument& argument) { return argument.number && std::abs(*argument.number) <= 0; }
 
-// The difference between two offsets stands in the control alone. Without a choice the first one is in force.
+// Notes a work offset. Only the control knows the difference between two offsets. Without a choice the first one is in
+// force.
 void choose_offset(States& s, const std::string& offset) {
   constexpr std::string_view kFirst = "G54";
   s.offsets_chosen.add(s.in.line());
@@ -32,7 +33,8 @@ void choose_offset(States& s, const std::string& offset) {
   s.uncertainties.set(Uncertainty::work_offset, s.in.because(Reasons::kWorkOffset));
 }
 
-// PREFUN/g and AUXFUN/m are a G and an M of the control; the addresses behind them belong to the same block.
+// Takes PREFUN/g and AUXFUN/m, which are a G and an M of the control. The addresses after them belong to the same
+// block.
 void take_codes(States& s, char letter) {
   constexpr std::array<std::string_view, 3> kWhen = {"NOW", "NEXT", "ON"};
   std::string block;
@@ -49,8 +51,8 @@ void take_codes(States& s, char letter) {
 
 }  // namespace
 
-// A switch of the control decides whether statements between ON and OFF run. A tool, a frame or a cycle that begins or
-// ends there may hold behind it, or not.
+// Takes OPSKIP. A switch of the control decides whether statements between ON and OFF run. A tool, a frame or a cycle
+// that begins or ends between them may hold after OFF, or not.
 void take_opskip(States& s) {
   const bool is_on = s.in.has("ON");
   const bool is_understood = is_on != s.in.has("OFF");
@@ -67,8 +69,8 @@ void take_opskip(States& s) {
   if (s.chain.is_start_certain()) s.skip_start = s.chain.last_pose();
 }
 
-// A code that ends a shift need not end the one that began it; those that end cycles and steps end all there
-// are.
+// Applies the effects of text for the control. A code that ends a shift need not end the one in force. A code that ends
+// cycles or steps ends all of them.
 void take_machine_text(States& s, const MachineEffect& effect) {
   const bool is_other_unit = effect.unit && std::abs(mm_per(*effect.unit) - s.frame.mm_per_unit()) > 0;
   if (effect.is_unknown) return take_unknown_statement(s);
@@ -90,7 +92,8 @@ void take_machine_text(States& s, const MachineEffect& effect) {
   if (effect.ends_program) end_program(s);
 }
 
-// SolidWorks CAM names tools, setups and stock here: a tool right before its CUTTER.
+// Takes INSERT. SolidWorks CAM writes names of tools, setups and stock there; the name of a tool is right before its
+// CUTTER.
 void take_insert(States& s) {
   const std::string_view text = s.in.first_piece();
   s.tool.take_insert(text);
@@ -99,7 +102,7 @@ void take_insert(States& s) {
   if (!is_setup_text(text)) s.pending = PendingInsert{s.in.index(), is_tool_name(text)};
 }
 
-// The text before the word `next` was a name, or was not understood.
+// Decides at the word `next` whether the pending text was a name, or was not understood.
 void settle_insert(States& s, Word next) {
   if (!s.pending || next == Word::comment) return;
   const PendingInsert pending = *std::exchange(s.pending, std::nullopt);
@@ -110,14 +113,14 @@ void settle_insert(States& s, Word next) {
 
 void take_prefun(States& s) { take_codes(s, 'G'); }
 
-// More numbers are the position of another line.
+// Takes AUXFUN. Three or more numbers, or a negative one, are the position of another line.
 void take_auxfun(States& s) {
   const NumberCount numbers = count_numbers(s.in.arguments);
   if (numbers.count >= 3 || numbers.negative > 0) return take_unknown_statement(s);
   take_codes(s, 'M');
 }
 
-// SolidWorks CAM begins and ends its setups with SETUP/START,n and SETUP/END,n.
+// Takes SETUP. SolidWorks CAM begins and ends its setups with SETUP/START,n and SETUP/END,n.
 void take_setup(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
   const bool is_mark =
@@ -132,7 +135,7 @@ void take_setup(States& s) {
   s.uncertainties.set(Uncertainty::setup, s.in.because(Reasons::kSetup));
 }
 
-// SELECT/TOOL,n makes the next tool ready. An origin or a head changes where positions are.
+// Takes SELECT. SELECT/TOOL,n prepares the next tool. An origin or a head changes the place of positions.
 void take_select(States& s) {
   if (s.in.arguments.empty() || equals_ignoring_case(s.in.arguments.front().text, "TOOL")) return;
   s.in.count_unknown();

@@ -5,16 +5,16 @@
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
 
-// Curves, which the positions behind them end.
+// Handlers for curves, each of which ends at a position after it.
 
 namespace gouge {
 
-// CIRCLE and MOVARC describe the arc to the next position; a list of positions runs on along it.
+// Takes CIRCLE and MOVARC, which describe the arc to the next position. A list of positions continues along the arc.
 void take_arc(States& s) { s.curve.describe(read_arc(s.in.dialect, s.in.arguments, s.frame.mm_per_unit())); }
 
 namespace {
 
-// An arc or a helix whose statement holds its end, in the frame of positions.
+// Emits an arc or a helix whose statement has its end, in the frame of positions.
 void emit_curve_to(States& s, const ArcStatement& arc, const Vec3& tip_local) {
   Position position;
   position.form = PositionForm::curve;
@@ -31,7 +31,7 @@ bool are_numbers_alone(const StatementContext& in, std::size_t count) {
 
 }  // namespace
 
-// ARC/center,axis,radius,end of VERICUT. No page states which way round it runs.
+// Takes ARC/center,axis,radius,end of VERICUT. No document states its sense.
 void take_arc_record(States& s) {
   constexpr std::size_t kNumbers = 10, kEnd = 7;
   if (!are_numbers_alone(s.in, kNumbers) || !s.chain.last_pose() || s.chain.unknown_start() != nullptr)
@@ -44,15 +44,15 @@ void take_arc_record(States& s) {
   emit_curve_to(s, arc, *end);
 }
 
-// ARCSLP/rise of DMG Mori, before the arc that rises so far.
+// Takes ARCSLP/rise of DMG Mori, which precedes an arc with this rise.
 void take_arc_slope(States& s) {
   s.arc_slope_mm.reset();
   if (!s.in.has_numbers_alone(1)) return take_harmless(s);
   s.arc_slope_mm = *s.in.arguments.front().number * s.frame.mm_per_unit();
 }
 
-// HELICAL/center,axis,radius,rise,angle of CATIA, with its own end. A helix of whole turns ends where it does whichever
-// way round it runs; any other is not read.
+// Takes HELICAL/center,axis,radius,rise,angle of CATIA, which has its own end. The end of a helix of whole turns is
+// independent of its sense; any other helix is not read.
 void take_helical(States& s) {
   constexpr std::size_t kNumbers = 9, kRadius = 6, kRise = 7, kAngle = 8;
   constexpr double kTurn_deg = 360, kWhole_deg = 1e-6, kMaxTurns = 1000;
@@ -70,20 +70,20 @@ void take_helical(States& s) {
   emit_turned_round(s);
 }
 
-// With ON, until it is switched off.
+// Takes a curve that is not read. With ON it lasts until it is switched off.
 void take_unread_curve(States& s) {
   const bool is_on = s.in.has("ON");
   if (is_on || s.in.has("OFF")) return switch_uncertainty(s, Uncertainty::spline, is_on, Reasons::kCurve);
   s.curve.describe(unreadable_arc(s.in.because(Reasons::kCurve)));
 }
 
-// The curve is in words of one control, with numbers that begin no statement of CL data. Moves within it, and behind
-// one that never ends, are not checked.
+// Takes a curve in words of one control, whose lines of numbers begin no statement of CL data. Moves within it are not
+// checked, nor are moves after a curve that never ends.
 bool take_control_nurbs(States& s) {
   const Statement& statement = s.in.statement();
   if (statement.is_decoded || statement.pieces.empty()) return false;
   constexpr std::string_view kBegin = "BEGIN", kNurbs = "NURBS";
-  // Its equal signs keep the word and what follows it together.
+  // The equal signs in it keep the word and the text after it together.
   const bool is_whole = starts_with_ignoring_case(statement.major, kBegin) && statement.major.size() > kBegin.size();
   const std::string_view text = trim(is_whole ? statement.major.substr(kBegin.size()) : statement.pieces.front());
   const bool is_nurbs = starts_with_ignoring_case(text, kNurbs);

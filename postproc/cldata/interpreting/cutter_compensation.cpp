@@ -38,7 +38,7 @@ bool CutterCompensation::end() {
   return std::exchange(side_, CutcomSide::none) == CutcomSide::none && was_ever_on_ && !is_centre_;
 }
 
-// The path of the program's positions is known all the same.
+// Under CUTCOM the path of the program's positions is still known.
 std::string_view CutterCompensation::reason() const {
   if (is_on()) return is_contour_ ? Reasons::kContour : Reasons::kCutcom;
   return was_on_ ? Reasons::kAfterCutcom : "";

@@ -11,8 +11,8 @@
 
 namespace gouge {
 
-// In NX ON takes a cycle up with other values for some of its words. CAMWorks CLT describes it in the statement after
-// it, or behind it in the same one.
+// Takes CYCLE. In NX, ON resumes a cycle with other values for some of its words. CAMWorks CLT describes the cycle in
+// the statement after ON, or behind ON in the same one.
 void CycleState::begin(double mm_per_unit) {
   std::vector<Argument>& words = in_.arguments;
   const CycleForm form = in_.dialect.cycle_form;
@@ -42,8 +42,8 @@ void CycleState::begin(double mm_per_unit) {
   if (drill_ && !drill_->is_retract_stated) without_retract_.add(in_.line());
 }
 
-// Replaces the arguments by those of the last cycle with the values that stand here. They stay as they are, and are
-// then not understood, where there is none, or where words here have no value.
+// Replaces the arguments by those of the last cycle with the values stated here. They stay unchanged, and are then not
+// understood, if there was no cycle, or if words here have no value.
 void CycleState::take_changed_words() {
   if (words_.empty()) return;
   const std::optional<std::vector<Argument>> changed =
@@ -81,10 +81,12 @@ void CycleState::contradict() {
   is_contradicted_ = true;
 }
 
-// The end of a cycle that was lost may have stood behind any of its positions but the first.
+// Counts a hole. If the statement that ends the cycle was lost, it may have been after any position of the cycle except
+// the first.
 void CycleState::count_hole() {
   const std::size_t statement = in_.index();
-  const bool goes_on = in_.statement().is_continuation && first_positions_ + 1 == statement;  // a list in records
+  // a list in several records
+  const bool goes_on = in_.statement().is_continuation && first_positions_ + 1 == statement;
   if (first_positions_ == kNone || goes_on) first_positions_ = statement;
   if (first_positions_ == statement) certain_moves_ = in_.moves();
 }
@@ -112,7 +114,8 @@ void CycleState::write_notes() const {
 
 namespace {
 
-// CYCLE/OFF where no cycle is in force: one may have begun anywhere behind the last word that no cycle has.
+// Handles a CYCLE/OFF while no cycle is in force. A cycle may have begun anywhere after the last word that does not
+// occur in cycles.
 void mark_moves_before_stray_end_uncertain(States& s) {
   Moves& moves = s.in.path.moves;
   std::string_view reason;
@@ -137,10 +140,10 @@ void take_cycle(States& s) {
   s.feed_units.note(s.in.arguments, s.in.line());
   const std::string_view what = s.in.arguments.front().text;
   if (equals_ignoring_case(what, "INIT") || equals_ignoring_case(what, "CLEAR")) {
-    if (s.cycle.is_on()) s.cycle.contradict();  // does it end the one in force? no document states
+    if (s.cycle.is_on()) s.cycle.contradict();  // no document states whether it ends the cycle in force
     return;
   }
-  // Either the control or the post-processor makes the moves.
+  // The control or the post-processor makes the moves.
   if (s.in.dialect.cycle_form == CycleForm::ncl && equals_ignoring_case(what, "AUTO")) return;
   const bool is_end = equals_ignoring_case(what, "OFF") || equals_ignoring_case(what, "NOMORE");
   if (!is_end || s.in.arguments.size() > 1) {

@@ -11,7 +11,7 @@
 namespace gouge {
 
 /// A curve that is described before the position at its end: CIRCLE, MOVARC, and INDIRV before a TLON. A motion that is
-/// announced and not finished, at the end of the file too, may have gone anywhere.
+/// announced but not finished may have gone anywhere, also at the end of the file.
 class DescribedCurve {
  public:
   explicit DescribedCurve(StatementContext& in) : in_(in) {}
@@ -27,12 +27,12 @@ class DescribedCurve {
     tangent_.reset();
     if (in_.has_numbers_alone(3)) tangent_ = in_.vector(0);
   }
-  /// Tangent of a TLON, which consumes it.
+  /// Describes the curve of a TLON, which consumes the tangent.
   void describe_end(const ArcStatement& arc) {
     arc_ = arc;
     end_tangent();
   }
-  /// Curve of one statement that holds its end.
+  /// Describes a curve whose statement has its end.
   void describe_whole(const ArcStatement& arc) {
     describe_end(arc);
     statement_ = kNone;
@@ -42,16 +42,16 @@ class DescribedCurve {
     has_tangent_ = false;
   }
   void end_arc() { arc_.reset(); }
-  /// Ends the curve, so that the next statement does not go on along it.
+  /// Ends the curve, so that the next statement does not continue along it.
   void end_arcs() {
     arc_.reset();
     last_arc_.reset();
   }
-  /// A statement that goes on with the positions of the one before it.
+  /// Resumes the curve for a statement that continues the positions of the previous one.
   void resume() {
     if (!arc_) arc_ = last_arc_;
   }
-  /// All positions of a statement were read.
+  /// Notes that all positions of a statement were read.
   void end_statement() { last_arc_ = std::exchange(arc_, std::nullopt); }
   void restore(std::optional<ArcStatement> arc) { arc_ = std::move(arc); }
   void spoil(const char* problem) { arc_->problem = problem; }
@@ -63,8 +63,8 @@ class DescribedCurve {
   [[nodiscard]] bool is_open() const { return arc_ || has_tangent_; }
   /// Returns the statement of CIRCLE, MOVARC or INDIRV, or kNone.
   [[nodiscard]] std::size_t statement() const { return statement_; }
-  // In NCL's text every position has a statement of its own; in its binary files those that follow a circle go on
-  // along it.
+  // Returns whether a position may continue along the last curve. In the text of NCL every position has its own
+  // statement. In its binary files, positions after a circle continue along it.
   [[nodiscard]] bool may_go_on(const Position& position) const {
     constexpr double kOnCircle_mm = 0.02;
     if (!in_.dialect.may_go_on_round || arc_ || !last_arc_ || !last_arc_->problem.empty()) return false;
@@ -76,7 +76,7 @@ class DescribedCurve {
  private:
   StatementContext& in_;
   std::optional<ArcStatement> arc_;
-  std::optional<ArcStatement> last_arc_;  // on which the positions of the last statement went on
+  std::optional<ArcStatement> last_arc_;  // the curve of the previous statement's positions
   std::size_t statement_ = kNone;
   std::optional<Vec3> tangent_;
   bool has_tangent_ = false;

@@ -14,12 +14,12 @@
 namespace gouge {
 namespace {
 
-// Definitions so far belong to the motion that begins.
+// Resolves the tool. Its definitions up to here belong to the motion that begins.
 void resolve_tool(States& s) {
   const std::size_t before = s.tool.index();
   if (!s.tool.resolve()) return;
   if (before == kNone && s.chain.was_from()) {
-    s.in.path.moves.back().tool = s.tool.index();  // FROM states where the first tool stands
+    s.in.path.moves.back().tool = s.tool.index();  // FROM states the position of the first tool
   } else {
     const std::optional<ArcStatement> arc = s.curve.arc();
     break_motion(s);
@@ -58,7 +58,7 @@ void push(States& s, const Move& move) {
   s.in.path.moves.push_back(move);
 }
 
-// Resolution of the numbers that state a position, in mm; 0 where it has none, or they are whole ones.
+// Returns the resolution of the numbers of a position, in mm; 0 if it has no numbers, or they are integers.
 double rounding_mm(const States& s, const Position& position) {
   constexpr std::size_t kCoordinates = 3;
   const std::span<const Argument> all(s.in.arguments);
@@ -70,7 +70,7 @@ double rise_mm(const States& s, const Vec3& axis, const Move& move) {
   return std::abs((move.end.tip - s.chain.last_pose()->tip).dot(axis));
 }
 
-// Its end lies so far along its axis for its sweep, by a slope per turn.
+// Returns whether the rise of an arc along its axis is that of its sweep, with a slope per turn.
 bool rises_with_turns(const States& s, double slope_mm, const Move& move) {
   if (move.curve_kind != CurveKind::arc) return true;
   const PathArc& arc = s.in.path.arcs[move.curve];
@@ -96,10 +96,10 @@ void attach_curve(States& s, const Position& position, Move& move) {
   }
 }
 
-// The positions that the control may leave out are where the program runs them.
+// Returns whether positions are uncertain only because the control may skip them; otherwise they are certain.
 bool is_skipped(const States& s) { return s.uncertainties.is_alone(Uncertainty::skip) && !s.skips_more_than_motion; }
 
-// Under a cycle that should have ended: a hole or a position of a motion.
+// Emits a position under a cycle that should have ended: it is a hole or a position of a motion.
 void emit_uncertain(States& s, const Position& position) {
   mark_cycle_uncertain(s);
   Move move = make_move(s, position, MoveKind::cycle);

@@ -8,46 +8,46 @@
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/interpreting/states.h"
 
-// Makes moves of positions, and applies the effects of a statement on moves before it.
+// Functions that make moves from positions, and apply the effects of a statement to earlier moves.
 
 namespace gouge {
 
-/// The moves to `position`: one, or those of a hole.
+/// Emits the moves to `position`: one move, or those of a hole.
 void emit(States& s, const Position& position);
-/// A motion of unknown end stands where the last one ended, so that it is reported as a move not checked. It
-/// is that of `statement`, or of the one being taken.
+/// Emits a motion with an unknown end. It stands at the end of the last motion, so that it is reported as a move that
+/// is not checked. It belongs to `statement`, by default the present one.
 void emit_unread(States& s, const char* reason, std::size_t statement);
 inline void emit_unread(States& s, const char* reason = Reasons::kUnread) { emit_unread(s, reason, s.in.index()); }
-/// The last move has further readings: another way from `start` over `ends`, in part coordinates, of which the last is
-/// where it ends. It is checked in all of them, and only where all are clean it is clean; else it is not checked, for
+/// Adds further readings of the last move: another way from `start` through `ends`, in part coordinates. The last of
+/// `ends` is the end of the move. The move is clean only if all readings are clean; else it is not checked, for
 /// `reason`.
 void emit_other_way(States& s, const Position& position, const Pose& start, std::span<const Pose> ends,
                     const char* reason);
-/// A further reading of the positions that follow: along `curve` from where the tool stands, where it then still
-/// stands.
+/// Adds a further reading of the positions that follow: a motion along `curve` from the position of the tool. The tool
+/// stays there for the other reading.
 void emit_curve_reading(States& s, const Move& curve);
-/// The last move, an arc, may run the other way round as well.
+/// Adds the reading that the last move, an arc, runs with the opposite sense.
 void emit_turned_round(States& s);
-/// Nothing is swept from the last position to the next.
+/// Breaks the motion: nothing is swept from the last position to the next.
 void break_motion(States& s);
 
-/// Moves [begin, end) are not checked, unless they have another reason.
+/// Marks moves [begin, end) as not checked, unless they have another reason.
 void mark_moves_uncertain(States& s, std::size_t begin, std::size_t end, std::string_view reason);
-/// A word with an OFF of its own switches `doubt`, for `reason`. An OFF that ends nothing makes moves doubtful: the
-/// state it should end may have begun anywhere since the last tool, operation or OFF.
+/// Switches an uncertainty for a word with its own OFF, for `reason`. An OFF without an ON makes moves uncertain: the
+/// state that it ends may have begun anywhere since the last tool, operation or OFF.
 void switch_uncertainty(States& s, Uncertainty uncertainty, bool is_on, const char* reason);
 void mark_run_uncertain(States& s, std::size_t begin);
-/// The cycle in force should have ended.
+/// Marks moves as uncertain because the cycle in force should have ended.
 void mark_cycle_uncertain(States& s);
-/// A motion that is announced and not finished: where it ends unknown.
+/// Drops a motion that is announced but not finished; its end is unknown.
 void drop_described_curve(States& s);
-/// The statements of a NURBS are all read.
+/// Ends a NURBS whose statements are all read.
 void end_nurbs(States& s);
 
-// The steps of emit().
+// Steps of emit().
 [[nodiscard]] Move make_move(States& s, const Position& position, MoveKind kind);
 void append(States& s, Move move, const Position& position);
-/// A move with its record, which changes no state.
+/// Appends a move with its record, without a change of state.
 void push_move(States& s, const Move& move, const Position& position);
 void emit_hole(States& s, const Position& position, const DrillCycle& cycle);
 

@@ -17,7 +17,7 @@ Position step_to(const Position& position, const Vec3& tip_local) {
   return step;
 }
 
-// To a plane unknown, past `tip_local`; the tool comes from there to the next position.
+// Emits a retraction through `tip_local` to an unknown plane. The tool moves from there to the next position.
 void emit_retract(States& s, const Position& position, const Vec3& tip_local) {
   const Position step = step_to(position, tip_local);
   Move move = make_move(s, step, MoveKind::cycle);
@@ -40,8 +40,8 @@ void emit_step(States& s, const Position& position, const Vec3& tip_local, bool 
   append(s, move, step);
 }
 
-// Above the position; nothing where neither the cycle nor the user gives the height. A plane holds for an upright tool,
-// and is no lower than the clearance.
+// Returns the retract height above the position; nothing if neither the cycle nor the user states it. A plane is used
+// only for an upright tool, and if it is not below the clearance.
 std::optional<double> retract_of(States& s, const Position& position, const DrillCycle& cycle) {
   if (cycle.is_retract_known) return cycle.retract_mm;
   const std::optional<double>& plane_mm = s.in.path.retract_plane_mm;
@@ -54,7 +54,7 @@ std::optional<double> retract_of(States& s, const Position& position, const Dril
   return std::nullopt;
 }
 
-// First up and across, or straight, or first across.
+// Emits the rise to a higher hole in three readings: first up and then across, straight, or first across.
 void emit_rise(States& s, const Position& position, double height, double clearance_mm) {
   const Pose start = *s.chain.last_pose();
   const Vec3 axis = position.axis_local;
@@ -72,7 +72,7 @@ void emit_rise(States& s, const Position& position, double height, double cleara
   emit_other_way(s, step_to(open, position.tip_local), start, across, Reasons::kHigherHole);
 }
 
-// Heights above the position at which the tool may be between holes.
+// Returns the heights above the position at which the tool may be between holes.
 std::vector<double> levels_of(const DrillCycle& cycle, double position_z_mm) {
   std::vector<double> levels = cycle.levels_mm;
   for (const double plane_mm : cycle.planes_mm) {
@@ -81,7 +81,8 @@ std::vector<double> levels_of(const DrillCycle& cycle, double position_z_mm) {
   return levels;
 }
 
-// From where it is the tool goes across, or straight to any of the levels.
+// Emits the ways from the present place: the tool goes across, or straight to any of the levels. Returns false if it is
+// too low for this.
 bool emit_bounds_from(States& s, const Position& position, const std::vector<Pose>& places, double top_mm) {
   const Pose start = *s.chain.last_pose();
   const Vec3 here = s.frame.to_local(start).tip;
@@ -98,7 +99,8 @@ bool emit_bounds_from(States& s, const Position& position, const std::vector<Pos
   return true;
 }
 
-// From one hole to the next at any of the levels, which must be as high as before.
+// Emits the ways from one hole to the next at any of the levels. Returns false if the levels of both holes have
+// different heights.
 bool emit_bounds_between(States& s, const Position& position, const std::vector<Pose>& from,
                          const std::vector<Pose>& places, double top_mm) {
   const Vec3 up = s.frame.to_part().direction(position.axis_local);
@@ -115,7 +117,8 @@ bool emit_bounds_between(States& s, const Position& position, const std::vector<
   return true;
 }
 
-// The column that holds the hole whichever of its ends the position is, and all ways to it.
+// Emits a column that contains the hole, independent of which end of the hole the position is, and all ways to the
+// column.
 void emit_bounds(States& s, const Position& own, const DrillCycle& cycle) {
   Position position = step_to(own, own.tip_local);
   position.uncertainty = Reasons::kHoleBounds;
@@ -151,8 +154,8 @@ void emit_bounds(States& s, const Position& own, const DrillCycle& cycle) {
 
 }  // namespace
 
-// Goes to a height above the next position before going down to it. It stays at the height of the tool, or first rises
-// to the clearance where that is higher. A tool that must turn goes there straight, turning.
+// Emits a hole. The tool goes to a height above the position before it goes down. It keeps its height, or first rises
+// to the clearance if that is higher. A tool that must turn goes there straight, and turns on the way.
 void emit_hole(States& s, const Position& own, const DrillCycle& cycle) {
   Position position = own;
   if (std::exchange(s.is_behind_skip, false) && position.uncertainty == nullptr) position.uncertainty = s.skip_reason;
@@ -184,7 +187,7 @@ void emit_hole(States& s, const Position& own, const DrillCycle& cycle) {
   } else {
     emit_retract(s, position, above(cycle.retract_mm));
   }
-  // A cycle that goes nowhere is a move all the same.
+  // A cycle without motion is a move too.
   if (s.in.moves() == before) append(s, make_move(s, position, MoveKind::cycle), position);
   s.cycle.note_hole(s.frame.to_part().pose({position.tip_local, position.axis_local}));
 }

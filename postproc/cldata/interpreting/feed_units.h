@@ -8,8 +8,8 @@
 
 namespace gouge {
 
-/// The lines in which feeds are first stated by mm and by inches (IPM, IPR, FPM, FPR), before any statement of the
-/// unit. Positions of a file without one are taken in the unit of its feeds. 0: in none.
+/// The lines in which feeds are first stated in mm and in inches (IPM, IPR, FPM, FPR), before any statement of the
+/// unit. Positions of a file without such a statement are read in the unit of its feeds. 0: there is no such line.
 class FeedUnits {
  public:
   void note(std::span<const Argument> arguments, std::size_t line) {
@@ -21,7 +21,7 @@ class FeedUnits {
       if (first == 0) first = line;
     }
   }
-  /// A statement names the unit.
+  /// Notes that a statement names the unit.
   void close() { is_closed_ = true; }
 
   [[nodiscard]] bool are_two() const { return in_mm_ > 0 && in_inches_ > 0; }

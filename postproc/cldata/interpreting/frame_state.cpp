@@ -15,7 +15,7 @@
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/language/words.h"
 
-// In which unit and frame positions are.
+// Unit and frame of positions.
 
 namespace gouge {
 
@@ -55,8 +55,9 @@ std::optional<Vec3> FrameState::read_tip(std::size_t first) {
   return std::nullopt;
 }
 
-// Each component of a unit vector is off by `rounding`: its length by sqrt(3) of it, the product of two by twice that.
-// The cross product of both differs from a third by no more than six times `rounding`.
+// Makes a frame. Each component of a unit vector has an error of up to `rounding`. So its length has an error of
+// sqrt(3) times that, and the product of two vectors one of twice that. The cross product of both differs from the
+// third axis by at most six times `rounding`.
 std::optional<RigidTransform> FrameState::make(const Vec3& origin, const Vec3& x, const Vec3& y,
                                                const std::optional<Vec3>& z, double rounding, const char* what) {
   constexpr double kOfLength = 1.74, kOfProduct = 3.48, kOfThird = 6;
@@ -107,7 +108,7 @@ bool is_all_zero(std::span<const Argument> arguments) {
   return std::ranges::all_of(arguments, [](const Argument& a) { return a.number && std::abs(*a.number) <= 0; });
 }
 
-// CATIA: the origin, the X axis and the Z axis of the system, here those of the positions as they are.
+// Returns whether a system of CATIA (origin, X axis, Z axis) is that of the positions themselves.
 bool is_same_system(std::span<const Argument> arguments) {
   constexpr std::array<double, 9> kSame = {0, 0, 0, 1, 0, 0, 0, 0, 1};
   return std::ranges::equal(arguments, kSame, [](const Argument& a, double expected) {
@@ -115,7 +116,7 @@ bool is_same_system(std::span<const Argument> arguments) {
   });
 }
 
-// Rows of three components of an axis and one of the origin.
+// Returns whether the numbers are three rows, each with three components of an axis and one of the origin.
 bool is_rigid_by_rows(const StatementContext& in) {
   if (!in.has_numbers_alone(12)) return false;
   Eigen::Matrix3d rotation;
@@ -129,7 +130,7 @@ void mark_frame_word_uncertain(States& s, const char* reason = Reasons::kUnreadF
   s.uncertainties.set(Uncertainty::unread_frame, s.in.because(reason));
 }
 
-// MCSYS/ NUM,n,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k: its numbers, or nothing where it has another form.
+// Returns the numbers of MCSYS/ NUM,n,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k; nothing for any other form.
 std::optional<std::array<Vec3, 3>> read_mcsys(std::span<const Argument> arguments) {
   constexpr std::array<std::string_view, 14> kForm = {"NUM", "", "POINT", "", "", "", "VECTOR", "", "", "", "VECTOR"};
   if (arguments.size() != kForm.size()) return std::nullopt;
@@ -147,8 +148,8 @@ std::optional<std::array<Vec3, 3>> read_mcsys(std::span<const Argument> argument
 
 }  // namespace
 
-// Under another frame the machine has turned its table or head: nothing is known of the path there. A block and a
-// section have one frame, which stands before their positions.
+// Sets the frame. Between two frames the machine turns its table or head, and the path there is unknown. A block or a
+// section has one frame, which precedes its positions.
 void set_frame(States& s, const RigidTransform& to_part, bool says_axis) {
   const bool has_blocks = s.blocks.is_open() || s.in.dialect.operations_are_blocks;
   const bool is_changed = s.frame.set(to_part);
@@ -162,7 +163,7 @@ void set_frame(States& s, const RigidTransform& to_part, bool says_axis) {
     s.chain.forbid_link();
     if (has_blocks && s.blocks.has_positions(s.in.moves())) mark_frame_word_uncertain(s);
   }
-  s.uncertainties.clear(Uncertainty::setup);  // the file states where it is
+  s.uncertainties.clear(Uncertainty::setup);  // the file states the place of the setup
   s.uncertainties.set(Uncertainty::skew, s.frame.is_skewed() ? s.in.because(Reasons::kSkewed) : nullptr);
 }
 
@@ -188,7 +189,7 @@ void take_csys(States& s) {
   s.uncertainties.set(Uncertainty::csys, is_identity(s.in.arguments) ? nullptr : s.in.because(Reasons::kCsys));
 }
 
-// Creo 9 writes it where older files have the comment $$-> CSYS, with the same twelve numbers.
+// Takes CAMERA. Creo 9 writes it in place of the comment $$-> CSYS of older files, with the same twelve numbers.
 void take_camera(States& s) {
   if (s.in.dialect.has_camera_csys && is_rigid_by_rows(s.in)) return note_creo_csys(s);
   s.in.count_unknown();
@@ -199,7 +200,7 @@ void note_creo_csys(States& s) {
   if (!is_identity(s.in.arguments)) s.frame.note_csys();
 }
 
-// CAMplete: the X, Y and Z axes, then the origin.
+// Takes MCS of CAMplete: the X, Y and Z axes, then the origin.
 void take_mcs(States& s) {
   if (!s.in.has_numbers_alone(12)) {
     return s.in.fail("path-frame", "MCS has " + std::to_string(s.in.arguments.size()) +
@@ -213,14 +214,14 @@ void take_mcs(States& s) {
     return s.in.fail("path-frame",
                      "MCS: the third axis is not the first cross the second; expected a right-handed system");
   set_frame(s, *frame);
-  // Files whose only system is the part's own need not repeat it.
+  // A file whose only system is that of the part need not repeat it.
   const double turn = (frame->rotation - RigidTransform{}.rotation).cwiseAbs().maxCoeff();
   if (turn > kIdentityError || frame->shift.norm() > kIdentityError) s.blocks.require_frames();
   s.blocks.note_frame(s.in.moves());
 }
 
-// An origin, an X axis and a Y axis. Its writer turns positions into no other system before it writes them, and those
-// of three numbers have their axis from nowhere else.
+// Takes MCSYS: an origin, an X axis and a Y axis. Its writer turns positions into no other system before it writes
+// them. For positions of three numbers, this is the only source of the axis.
 void take_mcsys(States& s) {
   const std::optional<std::array<Vec3, 3>> vectors = read_mcsys(s.in.arguments);
   s.uncertainties.set(Uncertainty::mcs, vectors ? nullptr : s.in.because(Reasons::kMcsys));
@@ -232,7 +233,8 @@ void take_mcsys(States& s) {
   if (frame) set_frame(s, *frame, true);
 }
 
-// But for CAMWorks CLT angles may be absolute or relative, and of one of several tables, so nothing undoes them.
+// Takes ROTABL. Except in CAMWorks CLT, angles may be absolute or relative, and belong to one of several tables. So no
+// statement undoes them.
 void take_rotabl(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
   if (std::ranges::none_of(arguments, may_be_number)) {
@@ -245,7 +247,8 @@ void take_rotabl(States& s) {
   if (is_turned) mark_frame_word_uncertain(s, Reasons::kTurned);
 }
 
-// All that is known of other systems than the part's is that these three numbers would shift them.
+// Takes TRNTYP. For any system other than that of the part, the three numbers would shift positions; nothing else is
+// known.
 void take_trntyp(States& s) {
   const std::span<const Argument> all(s.in.arguments);
   constexpr std::size_t kWorldAndPoint = 4;
@@ -256,8 +259,8 @@ void take_trntyp(States& s) {
   if (is_world && s.in.dialect.is_in_world) s.uncertainties.clear(Uncertainty::csys);
 }
 
-// TRANS and ORIGIN shift the output of a post-processor. No file shows whether the part shifts with it. Zeros undo
-// their own word's shift, unless another word states how they are meant.
+// Takes TRANS and ORIGIN, which shift the output of a post-processor. No file shows whether the part shifts with it.
+// Zeros undo the shift of the same word, unless another word states their meaning.
 void take_trans(States& s) {
   if (s.in.arguments.empty()) return;
   const bool is_origin = equals_ignoring_case(s.in.statement().major, "ORIGIN");
@@ -265,7 +268,7 @@ void take_trans(States& s) {
   switch_uncertainty(s, is_origin ? Uncertainty::origin : Uncertainty::trans, !is_none, Reasons::kTrans);
 }
 
-// A lathe's or a wire's program has its positions in another plane.
+// Takes MODE. The program of a lathe or a wire machine has its positions in another plane.
 void take_mode(States& s) {
   if (s.in.has("MILL")) s.uncertainties.clear(Uncertainty::mode);
   for (const char* word : {"TURN", "LATHE", "WIRE", "EDM"}) {
@@ -275,7 +278,7 @@ void take_mode(States& s) {
     constexpr std::array<std::string_view, 8> kWords = {"MILL", "TURN",  "LATHE",    "WIRE",
                                                         "EDM",  "ABSOL", "ABSOLUTE", "ABS"};
     const std::optional<LengthUnit> unit = unit_of_word(argument.text);
-    if (equals_ignoring_case(argument.text, "METRIC")) return false;  // millimetres, or centimetres
+    if (equals_ignoring_case(argument.text, "METRIC")) return false;  // it may mean millimetres or centimetres
     return unit ? std::abs(mm_per(*unit) / s.frame.mm_per_unit() - 1) <= Tolerance::kRounding
                 : is_one_of(argument.text, kWords);
   };
@@ -305,7 +308,7 @@ void take_units(States& s) {
     return s.in.fail("path-statement", s.in.major() + ": " + what + " is not a unit; expected MM or INCHES");
   }
   s.feed_units.close();
-  // The guess of the unit knows of it; before it a reader takes mm.
+  // The function that guesses the unit knows this statement. Before the statement a reader takes mm.
   const bool is_other = *stated != LengthUnit::mm || std::abs(mm_per(*stated) - s.frame.mm_per_unit()) > 0;
   const bool is_late = s.frame.state_unit(mm_per(*stated)) && s.in.moves() > 0;
   if (is_late && is_other) mark_moves_uncertain(s, 0, s.in.moves(), s.in.because(Reasons::kLateUnit));

@@ -11,40 +11,41 @@
 namespace gouge {
 
 inline constexpr double kFrameError =
-    Tolerance::kUnitVectorError;  ///< of length or of a right angle; beyond it a frame is refused
+    Tolerance::kUnitVectorError;  ///< error of length or of a right angle; a frame with a larger error is refused
 inline constexpr double kIdentityError =
-    Tolerance::kSameDirection;  ///< matrices are written with 5 decimals or more; this is rounding
+    Tolerance::kSameDirection;  ///< rounding: matrices are written with at least 5 decimals
 
-/// The unit of positions and the frame they are in. Both hold until the file states others.
+/// The unit and the frame of positions. Both hold until the file states others.
 class FrameState {
  public:
   FrameState(StatementContext& in, double mm_per_unit) : in_(in), mm_per_unit_(mm_per_unit) {}
 
   [[nodiscard]] double mm_per_unit() const { return mm_per_unit_; }
-  /// States the unit of the file. Returns true the first time.
+  /// Sets the unit of the file. Returns whether it is the first time.
   [[nodiscard]] bool state_unit(double mm_per_unit);
   [[nodiscard]] const RigidTransform& to_part() const { return to_part_; }
   [[nodiscard]] Pose to_local(const Pose& pose) const { return to_part_.inverse().pose(pose); }
-  /// Ensures  The result shows whether that is another frame.
+  /// Sets the frame. Returns whether it is another one.
   bool set(const RigidTransform& to_part);
   void begin_block();
-  /// Returns the line of the last frame that is not the part's own; 0: none.
+  /// Returns the line of the last frame that is not that of the part; 0: none.
   [[nodiscard]] std::size_t line() const { return line_; }
-  /// Returns true where a frame of the file turns X, Y and Z.
+  /// Returns whether a frame of the file turns X, Y and Z.
   [[nodiscard]] bool has_turned() const { return has_turned_; }
 
-  /// Returns a tip at argument `first`, in mm and in the frame; nothing after an error.
+  /// Returns the tip at argument `first`, in mm and in the frame; nothing after an error.
   [[nodiscard]] std::optional<Vec3> read_tip(std::size_t first);
-  /// Makes a frame of the numbers at `origin`, `x` and `y`, and `z` where the file has it. Returns nothing after an
-  /// error, which names `what`. Each component of an axis may be off by `rounding`.
+  /// Makes a frame from the numbers at `origin`, `x` and `y`, and `z` if the file has it. Returns nothing after an
+  /// error, which names `what`. Each component of an axis may have an error of `rounding`.
   [[nodiscard]] std::optional<RigidTransform> make(const Vec3& origin, const Vec3& x, const Vec3& y,
                                                    const std::optional<Vec3>& z, double rounding, const char* what);
-  /// Axes of the last make() were off unit length or right angles by more than rounding: positions may be scaled.
+  /// Returns whether axes of the last make() deviated from unit length or right angles by more than rounding. Then
+  /// positions may be scaled.
   [[nodiscard]] bool is_skewed() const { return is_skewed_; }
-  /// CSYS, which is not applied: Creo writes positions in the machine's coordinate system.
+  /// Notes a CSYS. It is not applied, because Creo writes positions in the coordinate system of the machine.
   void note_csys() { csys_.add(in_.line()); }
   void write_note() const;
-  /// Appends the frame in force to `frames` unless it is there, and returns it.
+  /// Appends the frame in force to `frames` unless it is already there, and returns it.
   [[nodiscard]] const MotionFrame* record(std::deque<MotionFrame>& frames);
 
  private:

@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-// The last move is clean only where its other readings are.
+// Makes the last move clean only if its other readings are clean.
 void open_last_move(States& s, const char* reason) {
   Move& last = s.in.path.moves.back();
   if (last.not_checked_reason.empty()) {
@@ -20,7 +20,7 @@ void open_last_move(States& s, const char* reason) {
   }
 }
 
-// Not to be written: a reading, and no position of its own.
+// Appends a reading. It has no position of its own, so it is not written.
 void push_reading(States& s, const Position& position, Move move) {
   Position reading = position;
   reading.form = PositionForm::unread;
@@ -29,7 +29,7 @@ void push_reading(States& s, const Position& position, Move move) {
   push_move(s, move, reading);
 }
 
-// The last move with another sweep.
+// Adds the reading of the last move with another sweep.
 void emit_other_sweep(States& s, const Position& position, double sweep_rad, Move move) {
   const Moves& moves = s.in.path.moves;
   PathArc arc = s.in.path.arcs[move.curve];
@@ -47,7 +47,7 @@ void emit_other_sweep(States& s, const Position& position, double sweep_rad, Mov
 
 }  // namespace
 
-// The file does not state whether the part of a turn counts as one of TIMES.
+// Adds a reading of one more turn. The file does not state whether the part of a turn counts as one of TIMES.
 void emit_one_turn_more(States& s, const Position& position) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const Move& last = s.in.path.moves.back();
@@ -56,7 +56,7 @@ void emit_one_turn_more(States& s, const Position& position) {
   emit_other_sweep(s, position, sweep + (sweep < 0 ? -kTurn : kTurn), last);
 }
 
-// Behind a block skip the tool may come from before it.
+// Adds the reading from the position before a block skip, which may be the start of the move after it.
 void emit_from_before_skip(States& s, const Position& position) {
   if (!std::exchange(s.is_behind_skip, false)) return;
   Move& last = s.in.path.moves.back();
@@ -75,7 +75,7 @@ void emit_from_before_skip(States& s, const Position& position) {
   emit_other_way(s, position, *s.skip_start, {&end, 1}, s.skip_reason);
 }
 
-// From the plane of CLEARP straight to the position, or first across it.
+// Adds the readings from the plane of CLEARP: straight to the position, or first across to it.
 void emit_from_retract(States& s, const Position& position) {
   const std::optional<Pose> plane = std::exchange(s.retracted, std::nullopt);
   if (!plane || !s.in.path.moves.back().has_start) return;
@@ -92,7 +92,7 @@ void emit_from_retract(States& s, const Position& position) {
   emit_other_way(s, position, *plane, ends, Reasons::kAfterRetract);
 }
 
-// Straight from any place that the tool may be at behind a hole.
+// Adds straight readings from all places where the tool may be after a hole.
 void emit_from_open_places(States& s, const Position& position) {
   const std::vector<Pose> places = std::exchange(s.open_places, {});
   if (places.empty() || !s.in.path.moves.back().has_start) return;
@@ -107,7 +107,7 @@ void emit_from_open_places(States& s, const Position& position) {
   for (const Pose& place : places) emit_other_way(s, position, place, {&end, 1}, Reasons::kHoleBounds);
 }
 
-// CATIA's RETURN,0: whatever it means ends no higher than where the tool goes next, straight above it. A plane of the
+// Settles RETURN,0 of CATIA. Its end, in any reading, is not above the next position straight above it. A plane of the
 // setup (RTRCTO,AUTO of NX) may be higher.
 void settle_retract(States& s, const Position& position) {
   if (s.in.dialect.cycle_form != CycleForm::catia) return;

@@ -13,11 +13,11 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kLongestShownMajor = 24;  // of a word that is shown
+constexpr std::size_t kLongestShownMajor = 24;  // of a word in messages
 
 bool is_within_curve(Word word) { return word == Word::cntrl || word == Word::knot || word == Word::comment; }
 
-// For words that state where the tool is, or that nothing follows.
+// Returns whether a word needs the frame: it states the position of the tool, or nothing follows it.
 bool needs_frame(Word word) {
   static constexpr WordSet kWords = {Word::go_to,  Word::from,       Word::godlta,  Word::gohome, Word::indirv,
                                      Word::circle, Word::movarc,     Word::nurbs,   Word::tlon,   Word::unread_motion,
@@ -54,7 +54,7 @@ void fail_run_on(StatementContext& in, std::string_view hidden) {
 
 }  // namespace
 
-// Text that is not a statement of CL data.
+// Handles text that is not a statement of CL data.
 bool Interpreter::refuse() {
   StatementContext& in = states_.in;
   const Statement& statement = in.statement();
@@ -92,13 +92,13 @@ void Interpreter::take(const Statement& statement) {
   s.previous_statement = s.in.index();
 }
 
-// Decides what the file never ended, then reports what is reported once.
+// Decides the states that the file never ended, then reports the facts that are reported once.
 void Interpreter::finish() {
   States& s = states_;
   settle_insert(s, Word::fini);
   s.program.refuse_assignments();
   distrust_last_axis(s);
-  // The OPSKIP/OFF that is missing may have stood anywhere.
+  // The missing OPSKIP/OFF may have been anywhere.
   if (s.uncertainties.has(Uncertainty::skip)) {
     for (std::size_t i = s.skip_begin; i < s.in.moves(); ++i) s.in.path.moves[i].cover = Cover::none;
   }

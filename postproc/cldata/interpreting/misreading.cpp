@@ -21,7 +21,8 @@ bool begins_with_number(std::string_view text) {
          (is_digit(text.front()) || (text.size() > 1 && is_sign(text[0]) && (is_digit(text[1]) || is_sign(text[1]))));
 }
 
-// Returns the text after a `/` that deletes blocks, a sequence number or a label: "N10 X5", "20 FOO/1", "LAB1) -50."
+// Returns the text after a `/` that marks a block skip, a sequence number or a label: "N10 X5", "20 FOO/1", "LAB1)
+// -50."
 std::string_view without_label(std::string_view text) {
   while (!text.empty() && (is_blank(text.front()) || text.front() == '/')) text.remove_prefix(1);
   std::size_t at = !text.empty() && (text[0] == 'N' || text[0] == 'n') ? 1 : 0;
@@ -35,7 +36,7 @@ std::string_view without_label(std::string_view text) {
   return word > 0 && rest.size() > 1 && rest.front() == ')' ? trim(rest.substr(1)) : text;
 }
 
-// The known word that the beginning of `text` was meant to be.
+// Returns the known word that the beginning of `text` was probably meant to be.
 Word intended_word(std::string_view text) {
   constexpr std::size_t kLongest = 24;
   std::string_view word = text.substr(0, text.find_first_of(" \t,/"));
@@ -48,21 +49,22 @@ Word intended_word(std::string_view text) {
   return find_intended_word(squeezed);
 }
 
-// Between these a line of numbers is a position, or part of one.
+// Returns whether a line of numbers after this word is a position, or part of one.
 bool is_among_positions(Word word) {
   static constexpr WordSet kWords = {Word::go_to, Word::godlta, Word::from,    Word::circle, Word::movarc,
                                      Word::rapid, Word::fedrat, Word::unknown, Word::cntrl};
   return kWords.has(word);
 }
 
-// Words that state nothing without an argument.
+// Returns whether a word has no meaning without an argument.
 bool needs_arguments(Word word) {
   static constexpr WordSet kWords = {Word::cycle,  Word::load,  Word::loadtl, Word::mode,   Word::rotabl,
                                      Word::select, Word::setup, Word::tldata, Word::toolno, Word::trans};
   return kWords.has(word);
 }
 
-// A comma at the end goes on to something; but CAMWorks writes one after the seven numbers of a CUTTER.
+// Returns whether the statement is cut short. A comma at its end announces more text; but CAMWorks writes one after the
+// seven numbers of a CUTTER.
 bool is_cut_short(const Statement& statement, std::size_t arguments) {
   constexpr std::size_t kNumbersOfCutter = 7;
   if (statement.is_decoded || !changes_motion(statement.word) || statement.pieces.empty()) return false;
@@ -87,7 +89,7 @@ void distrust_moves(States& s, std::size_t statement) {
   }
 }
 
-// The beginning of a statement is missing, or the `$` that would make this part of the one before it.
+// Handles a line whose beginning is missing, or that continues the previous statement without its `$`.
 void distrust_beginning(States& s, bool is_position) {
   if (s.previous_statement != kNone) distrust_moves(s, s.previous_statement);
   distrust(s, s.previous_word);
@@ -98,7 +100,8 @@ bool has_numbers_alone(std::string_view text) {
   return text.find_first_not_of("0123456789+-.,()eEdD \t\r") == std::string_view::npos;
 }
 
-// A position is whole where its last number has as many decimals, two or more, as that of the position before it.
+// Returns whether the last number of a position is complete. It is if it has the same number of decimals as the
+// previous position's, at least two.
 bool is_last_number_whole(const States& s) {
   constexpr std::size_t kFewest = 2;
   const auto& last = s.last_positions;
@@ -110,7 +113,7 @@ bool is_last_number_whole(const States& s) {
          decimals(last.last_number) >= kFewest && decimals(last.last_number) == decimals(last.number_before);
 }
 
-// For the curve that is being read, or was read last.
+// Distrusts the curve that is being read, or was read last.
 void distrust_curve(Moves& moves) {
   if (!moves.empty() && !is_unread(moves.back().not_checked_reason)) moves.back().not_checked_reason = Reasons::kSpline;
 }
@@ -192,9 +195,9 @@ void distrust_cut_short(States& s) {
 
 namespace {
 
-// Words that begin something new: none of them is written while a cycle drills or before the end of an arc.
+// Words that begin something new. None of them occurs while a cycle drills or before the end of an arc.
 constexpr WordSet kBeginsAnew = {Word::operation, Word::from, Word::gohome, Word::rapid};
-// The other words of that kind. Their states hold for more than the next motion.
+// Further words of that kind, whose states hold for more than the next motion.
 constexpr WordSet kSetsUp = {Word::tool_path, Word::end_of_path, Word::units, Word::mode,   Word::multax,
                              Word::tlaxis,    Word::cutcom,      Word::csys,  Word::mcs,    Word::mcsys,
                              Word::msys,      Word::rotabl,      Word::trans, Word::trntyp, Word::unread_frame};
@@ -205,7 +208,7 @@ constexpr WordSet kCurves = {Word::circle,  Word::movarc, Word::curve, Word::ind
 constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion, Word::godlta};
 constexpr WordSet kNewRun = {Word::cutter, Word::tldata,    Word::loadtl,    Word::load,        Word::toolno,
                              Word::turret, Word::operation, Word::tool_path, Word::end_of_path, Word::from};
-// Other words that may hold for more than the next motion.
+// Other words whose states may hold for more than the next motion.
 constexpr WordSet kMayLast = {Word::cycle,  Word::curve, Word::auxfun, Word::prefun,     Word::setup,
                               Word::select, Word::index, Word::copy,   Word::arc_record, Word::repeat};
 
@@ -240,7 +243,8 @@ constexpr auto kRules = std::to_array<ModalRule>({
     {ModalState::between_blocks, ends, {Word::tool_path}},
 });
 
-// FEDRAT behind a hole: it states that the cycle has ended where CAM systems write none in their cycles.
+// Returns whether a FEDRAT after a hole shows that the cycle has ended. It does if the CAM systems write none in their
+// cycles.
 bool ends_holes(FeedInCycle feeds, bool is_used) {
   return feeds == FeedInCycle::nowhere || (feeds == FeedInCycle::before_first_hole && is_used);
 }
@@ -320,7 +324,8 @@ Word acting_word(const Statement& statement, CommentForm comments) {
 }
 
 ModalEffect effect_on(ModalState state, Word word, FeedInCycle feeds, bool is_used) {
-  if (state == ModalState::start_tangent && word == Word::tlon) return ModalEffect::none;  // what it is for
+  // an INDIRV is meant for this TLON
+  if (state == ModalState::start_tangent && word == Word::tlon) return ModalEffect::none;
   if (state == ModalState::cycle && word == Word::fedrat && ends_holes(feeds, is_used)) return contradicts;
   for (const ModalRule& rule : kRules) {
     if (rule.state == state && rule.words.has(word)) return rule.effect;
@@ -329,7 +334,8 @@ ModalEffect effect_on(ModalState state, Word word, FeedInCycle feeds, bool is_us
 }
 
 void apply_modal_states(States& s, Word word) {
-  if (word == Word::go_to && !s.curve.has_tangent()) return;  // most of a file; of all rows only INDIRV's names it
+  // most statements of a file; only the rows of INDIRV name it
+  if (word == Word::go_to && !s.curve.has_tangent()) return;
   const FeedInCycle feeds = s.in.dialect.feed_in_cycle;
   for (const ModalState state : kModalStates) {
     if (!is_open(s, state)) continue;
@@ -338,7 +344,7 @@ void apply_modal_states(States& s, Word word) {
     if (effect == ModalEffect::ends) end_state(s, state);
     if (effect == ModalEffect::contradicts) contradict(s, state);
   }
-  // No cycle holds this word.
+  // This word does not occur in cycles.
   if (effect_on(ModalState::cycle, word, feeds, true) == ModalEffect::contradicts) s.cycle.bound_holes();
 }
 

@@ -9,7 +9,7 @@
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
 
-// Positions, and how the tool comes to them.
+// Handlers for positions and for the motion to them.
 
 namespace gouge {
 namespace {
@@ -59,9 +59,9 @@ void take_positions(States& s, PositionForm form) {
   if (!is_going_on) s.curve.end_statement();
 }
 
-// A step goes on from the position before it. Of a hole that is its own, whatever the cycle's path up and down: a cycle
-// is the post-processor's. After the last one the tool is elsewhere, and files do not show which of both positions
-// counts.
+// Returns the start of a GODLTA. A step continues from the previous position. For a hole that is its own position,
+// independent of the motion of the cycle, which the post-processor makes. After the last hole the tool is elsewhere,
+// and files do not show from which of both positions a step continues.
 std::optional<Pose> start_of_step(const States& s) {
   if (s.chain.last_uncertainty() != nullptr || s.cycle.is_doubtful()) return std::nullopt;
   const std::optional<Pose>& hole = s.cycle.last_hole();
@@ -114,8 +114,8 @@ void take_godlta(States& s) {
   s.curve.end_arcs();
 }
 
-// GOHOME / Z: these axes go home, at rapid. No file states where that is, so the next position stands alone, as
-// after GOHOME without words.
+// Takes GOHOME. In GOHOME / Z the named axes go home at rapid. No file states the home position, so the next position
+// has no start, as after GOHOME without words.
 void take_gohome(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
   const bool names_axes = s.in.dialect.gohome_names_axes && std::ranges::all_of(arguments, is_axis_name);
@@ -125,7 +125,7 @@ void take_gohome(States& s) {
   s.chain.forbid_link();
 }
 
-// CLEARP/XYPLAN,z or CLEARP/0,0,1,z; of any other form nothing is known.
+// Takes CLEARP/XYPLAN,z or CLEARP/0,0,1,z. For any other form the plane is unknown.
 void take_clear_plane(States& s) {
   take_harmless(s);
   const std::vector<Argument>& arguments = s.in.arguments;
@@ -137,7 +137,7 @@ void take_clear_plane(States& s) {
   if (height) s.clear_plane_mm = *height * s.frame.mm_per_unit();
 }
 
-// Up to the plane of CLEARP where it is known; else the tool is somewhere above.
+// Takes RETRCT: the tool moves up to the plane of CLEARP if it is known; else it is at an unknown height.
 void take_retract(States& s) {
   const bool is_known = s.in.arguments.empty() && s.clear_plane_mm && s.chain.is_start_certain() &&
                         s.uncertainties.reason() == nullptr && s.cutcom.reason().empty() && !s.cycle.is_on() &&
@@ -156,13 +156,13 @@ void take_retract(States& s) {
   s.retracted = s.chain.last_pose();
 }
 
-// It has no numbers: a position may stand here.
+// Takes RAPID. It has no numbers, so numbers in it may be a position.
 void take_rapid(States& s) {
   if (count_numbers(s.in.arguments).count > 0) {
     s.in.count_unknown();
     emit_unread(s);
   } else if (!s.in.arguments.empty()) {
-    // RAPID/XYPLAN, RAPID/MODIFY: in which order the axes move is the post-processor's, so the next path is not known.
+    // RAPID/XYPLAN, RAPID/MODIFY: the post-processor decides the order of the axes, so the next path is unknown.
     s.in.count_unknown();
     s.chain.lose_last_pose(Reasons::kAfterUnread);
   }
@@ -175,7 +175,7 @@ void take_fedrat(States& s) {
   s.feed.take_fedrat(s.frame.mm_per_unit());
 }
 
-// ADJUST is about fixture registers; its OFF states nothing about LEFT and RIGHT.
+// Takes CUTCOM. ADJUST concerns fixture registers; its OFF states nothing about LEFT and RIGHT.
 void take_cutcom(States& s) {
   const bool has_side = s.in.has("LEFT") || s.in.has("RIGHT"), has_off = s.in.has("OFF");
   if (s.in.has("ADJUST")) {
@@ -185,7 +185,7 @@ void take_cutcom(States& s) {
     return;
   }
   if (has_off && (has_side || s.in.has("ON"))) return s.cutcom.begin();
-  // For the tool's length: along its axis, since positions are those of its tip.
+  // Compensation for the length of the tool acts along its axis, because positions are those of its tip.
   if (s.in.has("LENGTH") && !has_side) {
     const auto is_no_register = [](const Argument& argument) { return argument.number.value_or(0) < 0; };
     if (std::ranges::any_of(s.in.arguments, is_no_register))

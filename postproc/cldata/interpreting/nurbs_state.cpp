@@ -13,7 +13,7 @@
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
 
-// MOVNRB of Creo: a NURBS, and the positions on it.
+// Handlers for MOVNRB of Creo: a NURBS, and the positions on it.
 
 namespace gouge {
 
@@ -25,7 +25,7 @@ void NurbsState::begin() {
   knots_.clear();
   control_local_.clear();
   is_turning_ = false;
-  // Degree 3 is what a NURBS without arguments has.
+  // A NURBS without arguments has degree 3.
   is_understood_ = in_.arguments.empty();
 }
 
@@ -91,7 +91,8 @@ void NurbsState::attach(const Pose& start, Move& move) {
 
 namespace {
 
-// The inner knots of a cubic with simple ends, from 0 to 1; nothing of any other curve.
+// Returns the inner knots, scaled to [0, 1], of a cubic whose first four knots are equal and whose last four are equal.
+// Returns nothing for any other curve.
 std::optional<std::vector<double>> inner_knots(const MovnrbState& curve) {
   constexpr std::size_t kOrder = 4;
   const std::vector<double>& knots = curve.knots;
@@ -108,7 +109,7 @@ std::optional<std::vector<double>> inner_knots(const MovnrbState& curve) {
   return inner;
 }
 
-// The curve as one move from where the tool stands.
+// Returns the curve as one move that begins at the current position.
 std::optional<Move> curve_move(States& s) {
   const std::optional<std::vector<double>> inner = inner_knots(s.movnrb);
   if (!inner || s.movnrb.is_five_axis || !s.chain.is_start_certain() || s.uncertainties.reason() != nullptr ||
@@ -133,7 +134,7 @@ std::optional<Move> curve_move(States& s) {
   return move;
 }
 
-// The control runs the curve, or the positions that follow: both are checked.
+// Begins the positions of a curve. The control runs either the curve or the positions; both are checked.
 void begin_positions(States& s) {
   const std::optional<Move> curve = curve_move(s);
   if (!curve) {
@@ -160,7 +161,7 @@ bool are_numbers(std::span<const Argument> arguments) {
 
 }  // namespace
 
-// ON,order,knots,weights,points,length; 1,knots; 2,points; NEXT before the positions; OFF behind them.
+// Takes MOVNRB/ON,order,knots,weights,points,length; 1,knots; 2,points; NEXT before the positions; OFF after them.
 void take_movnrb(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
   const std::string_view what = arguments.empty() ? std::string_view() : arguments.front().text;
@@ -183,7 +184,7 @@ void take_movnrb(States& s) {
       s.movnrb.control_local.push_back(Vec3(*rest[i].number, *rest[i + 1].number, *rest[i + 2].number) *
                                        s.frame.mm_per_unit());
   } else {
-    s.movnrb.is_five_axis = true;  // two curves, or what is not known
+    s.movnrb.is_five_axis = true;  // two curves, or an unknown word
   }
 }
 

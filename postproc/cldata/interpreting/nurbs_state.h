@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// NURBS/, KNOT/ and CNTRL/ lines. Any other statement, and the end of the file, ends the curve.
+/// A NURBS from NURBS/, KNOT/ and CNTRL/ lines. Any other statement ends the curve, and so does the end of the file.
 class NurbsState {
  public:
   NurbsState(StatementContext& in, FrameState& frame, AxisState& axes) : in_(in), frame_(frame), axes_(axes) {}
@@ -18,12 +18,12 @@ class NurbsState {
   void begin();
   void take_knots();
   void take_control_point();
-  /// Returns the position at the end of the curve; nothing after an error. Its move is that of statement(), in line().
+  /// Returns the position at the end of the curve; nothing after an error. Its move belongs to statement(), in line().
   [[nodiscard]] std::optional<Position> end();
   [[nodiscard]] bool is_open() const { return statement_ != kNone; }
   [[nodiscard]] std::size_t statement() const { return statement_; }
   [[nodiscard]] std::size_t line() const { return line_; }
-  /// The curve from `start`, which its CNTRL lines do not repeat.
+  /// Attaches the curve to `move`. It begins at `start`, which its CNTRL lines do not repeat.
   void attach(const Pose& start, Move& move);
 
  private:
@@ -32,7 +32,7 @@ class NurbsState {
   StatementContext& in_;
   FrameState& frame_;
   AxisState& axes_;
-  std::size_t statement_ = kNone;  // whose control points are being read
+  std::size_t statement_ = kNone;  // the statement whose control points are being read
   std::size_t line_ = 0;
   std::optional<Position> end_;
   std::vector<double> knots_;

@@ -12,7 +12,7 @@
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
 
-// INDEX and COPY of APT, which run positions again, shifted.
+// Handlers for INDEX and COPY of APT, which repeat positions with a shift.
 
 namespace gouge {
 
@@ -21,7 +21,8 @@ namespace {
 constexpr std::size_t kLongestSymbol = 12;  // six to eight letters and a subscript
 constexpr std::size_t kLongestReported = 48;
 
-// "PL1=PLANE", "TP(1) =POINT", "D=.5": a symbol of the APT source language is being given a value.
+// Returns whether a statement gives a value to a symbol of the APT source language: "PL1=PLANE", "TP(1) =POINT",
+// "D=.5".
 bool is_assignment(std::string_view major) {
   const std::size_t sign = major.find('=');
   if (sign == std::string_view::npos || sign == 0) return false;
@@ -40,8 +41,8 @@ bool is_geometry(std::string_view value) {
 
 }  // namespace
 
-// Statements that define geometry are written in APT. Logs also contain a number given to a name. It is part of a
-// program only beside a position.
+// Takes an assignment. Statements that define geometry belong to APT source. A name with a number also occurs in logs,
+// so it is part of a program only beside a position.
 bool PartProgram::take_assignment() {
   const std::string_view major = in_.statement().major;
   if (!is_assignment(major)) return false;
@@ -69,7 +70,7 @@ namespace {
 
 constexpr double kMaxCopies = 1000;
 
-// Straight moves and arcs that are all checked, of the tool and in the frame that are in force.
+// Returns whether moves can be repeated: all are checked straight moves and arcs, with the present tool and frame.
 bool is_repeatable(const States& s, const IndexedMoves& range) {
   if (range.begin == range.end || range.frames != s.frame_changes) return false;
   const Moves& moves = s.in.path.moves;
@@ -86,11 +87,11 @@ bool is_repeatable(const States& s, const IndexedMoves& range) {
 
 struct CopyStatement {
   int id = 0;
-  Vec3 shift = Vec3::Zero();  // in the file's unit and frame
+  Vec3 shift = Vec3::Zero();  // in the unit and frame of the file
   std::size_t copies = 1;
 };
 
-// COPY/id,TRANSL,dx,dy,dz[,copies] and COPY/id,SAME[,copies].
+// Reads COPY/id,TRANSL,dx,dy,dz[,copies] or COPY/id,SAME[,copies].
 std::optional<CopyStatement> read_copy(const std::vector<Argument>& arguments) {
   if (arguments.size() < 2 || !arguments[0].number) return std::nullopt;
   CopyStatement copy;
@@ -123,7 +124,7 @@ void repeat_move(States& s, std::size_t index, const Vec3& shift) {
     s.in.path.arcs.push_back(arc);
   }
   Position position;
-  position.form = PositionForm::unread;  // it has no statement of its own to be changed
+  position.form = PositionForm::unread;  // it has no statement of its own that could be changed
   position.tip_local = s.frame.to_local(move.end).tip;
   position.axis_local = s.frame.to_local(move.end).axis;
   append(s, move, position);
@@ -131,7 +132,7 @@ void repeat_move(States& s, std::size_t index, const Vec3& shift) {
 
 }  // namespace
 
-// INDEX/id begins them, INDEX/id,NOMORE ends them.
+// Takes INDEX. INDEX/id begins moves to repeat, and INDEX/id,NOMORE ends them.
 void take_index(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
   const bool is_end = arguments.size() == 2 && equals_ignoring_case(arguments[1].text, "NOMORE");

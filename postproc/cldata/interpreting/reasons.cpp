@@ -14,7 +14,7 @@ struct Row {
   ReasonKind kind;
 };
 
-// All others are not_understood.
+// All reasons that are not in this table are not_understood.
 constexpr std::array<Row, 12> kKinds = {{{Reasons::kCutcom, ReasonKind::compensated},
                                          {Reasons::kAfterCutcom, ReasonKind::compensated},
                                          {Reasons::kAfterRetract, ReasonKind::after_retract},

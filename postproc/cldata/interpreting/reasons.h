@@ -7,11 +7,11 @@
 #include <string_view>
 #include <utility>
 
-// Reasons not to check moves, with the word and the line that are behind it: "...: CAMERA in line 74".
+// Reasons not to check moves, with the word and the line of their statement: "...: CAMERA in line 74".
 
 namespace gouge {
 
-/// Reasons not to check moves. The texts are shown to the user, some with the word and the line behind them
+/// Reasons not to check moves. The texts are shown to the user, some with the word and the line of a statement
 /// (NamedReasons).
 struct Reasons {
   static constexpr const char* kCurve = "a curve that is not understood";
@@ -107,39 +107,39 @@ struct Reasons {
   static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";
 };
 
-/// Meaning of a reason for its motion, so that code compares no texts.
+/// Meaning of a reason for its motion, so that code does not compare texts.
 enum class ReasonKind : std::uint8_t {
   none,           ///< the motion is checked
-  compensated,    ///< it is understood: only CUTCOM keeps it from being checked
-  after_retract,  ///< its start is not known, as the tool retracted before it
-  around_hole,    ///< it begins or ends at a retract height that is not known
+  compensated,    ///< the motion is understood, and only CUTCOM excludes it from the check
+  after_retract,  ///< its start is unknown, because the tool retracted before it
+  around_hole,    ///< it begins or ends at an unknown retract height
   not_understood,
-  unread,        ///< an unknown place the statement takes the tool
-  may_be_unread  ///< it is a statement that is not understood and may not move the tool at all
+  unread,        ///< the statement moves the tool to an unknown place
+  may_be_unread  ///< a statement that is not understood and may not move the tool at all
 };
 
-/// `reason` with or without the word and the line behind it.
+/// Returns the kind of `reason`, which may include the word and the line of its statement.
 [[nodiscard]] ReasonKind kind_of(std::string_view reason);
 
-/// Returns true where a statement takes the tool to an unknown place.
+/// Returns whether a statement moves the tool to an unknown place.
 [[nodiscard]] inline bool is_unread(std::string_view reason) { return kind_of(reason) >= ReasonKind::unread; }
-/// Returns true where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
+/// Returns whether the program's own motion is understood: it is checked, or only CUTCOM excludes it from the check.
 [[nodiscard]] inline bool is_motion_known(std::string_view reason) {
   return kind_of(reason) <= ReasonKind::compensated;
 }
 
-/// Returns the word a statement begins with, as it is reported to the user: in capitals, cut to 24 letters. Where it
-/// has none, it is "(no word)" or "(line of numbers)".
+/// Returns the first word of a statement in the form for the user: in capitals, cut to 24 letters. Without a word it is
+/// "(no word)" or "(line of numbers)".
 [[nodiscard]] std::string word_as_reported(std::string_view major);
 
 class NamedReasons {
  public:
-  /// Maximum number of lines named for each pair of reason and word. Later texts name the word alone, so that a file
-  /// that repeats a statement has no list of all its lines.
+  /// Maximum number of lines named for each pair of reason and word. Later texts name only the word. So a file that
+  /// repeats a statement has no list of all its lines.
   static constexpr std::size_t kMaxLines = 20;
 
   /// Returns `reason` with the word and the line of its statement (0: the word alone). The text is never freed, as
-  /// Move::not_checked_reason requires; equal texts are one text.
+  /// Move::not_checked_reason requires. Equal texts share one string.
   [[nodiscard]] const char* name(std::string_view reason, std::string_view major, std::size_t line = 0);
 
  private:

@@ -14,40 +14,41 @@
 
 namespace gouge {
 
-/// The statement being taken, its file, and the errors of either: the data that every state of the interpreter
-/// examines.
+/// The present statement, its file, and the errors of both: the data that every state of the interpreter examines.
 class StatementContext : public PathBuilder {
  public:
   StatementContext(Toolpath& path_read, const Dialect& of_file) : PathBuilder(path_read), dialect(of_file) {}
 
-  /// The next statement. `arguments` stay those of the one before until they are split.
+  /// Begins the next statement. `arguments` stay those of the previous one until they are split.
   void begin(const Statement& next);
   [[nodiscard]] const Statement& statement() const { return *statement_; }
   [[nodiscard]] std::string major() const { return std::string(statement_->major); }
   [[nodiscard]] std::string_view first_piece() const { return statement_->pieces.front(); }
-  /// To the end of its line. A decoded statement, whose word the file does not spell, has its first piece there.
+  /// Returns the text from the major word to the end of its line. For a decoded statement, whose word is not in the
+  /// file, that is its first piece.
   [[nodiscard]] std::string_view text_behind_major() const;
   [[nodiscard]] std::size_t line() const { return statement_->line; }
 
-  /// Cursor over the arguments.
+  /// Functions that read the arguments.
   [[nodiscard]] bool has(std::string_view word) const { return has_argument(arguments, word); }
   [[nodiscard]] bool has_numbers_alone(std::size_t count) const;
   [[nodiscard]] Vec3 vector(std::size_t first) const;
-  /// True where all arguments are numbers; else an error, "`expected` in numbers", or a part program is refused.
+  /// Returns whether all arguments are numbers. Otherwise reports an error, "`expected` in numbers", or refuses a part
+  /// program.
   [[nodiscard]] bool check_all_numbers(std::string_view expected);
 
-  /// Returns `reason` with the word and the line of the statement, or of another one.
+  /// Returns `reason` with the word and the line of the statement; `named` does so for another statement.
   [[nodiscard]] const char* because(const char* reason) { return named(reason, statement_->major, line()); }
   [[nodiscard]] const char* named(const char* reason, std::string_view word, std::size_t line = 0) {
     return reasons_.name(reason, word, line);
   }
   void count_unknown() { count_unknown(statement_->major); }
   void count_unknown(std::string_view major);
-  /// The statement is taken as harmless because the user declared its word so.
+  /// Counts the statement as harmless because the user declared its word to be so.
   void count_declared() { declared_.add(line()); }
   [[nodiscard]] const Tally& declared() const { return declared_; }
   void fail(std::string code, std::string message);
-  /// The file is not CL data: of all errors this one is left, and reading further has no use.
+  /// Refuses the file because it is not CL data. Of all errors only this one is kept, and further reading is useless.
   void refuse_part_program(std::string_view what) { refuse_part_program(what, line()); }
   void refuse_part_program(std::string_view what, std::size_t line);
   void give_up() { is_beyond_cutoff_ = true; }

@@ -28,13 +28,13 @@
 
 namespace gouge {
 
-/// FEDRAT, which holds until the next one, and RAPID, which holds for one motion. One that the file never follows by a
-/// motion states nothing.
+/// FEDRAT, which holds until the next one, and RAPID, which holds for one motion. If no motion follows, they have no
+/// effect.
 class FeedState {
  public:
   explicit FeedState(StatementContext& in) : in_(in) {}
 
-  // One without a unit after one per revolution: no file states of which kind it is.
+  // Takes a FEDRAT. After a feed per revolution, a feed without a unit is ambiguous: no file states its kind.
   void take_fedrat(double mm_per_unit) {
     if (switches_inverse_time(in_.arguments)) return;
     feed_ = read_feed(in_.arguments, mm_per_unit);
@@ -56,12 +56,12 @@ class FeedState {
  private:
   StatementContext& in_;
   Feed feed_;
-  bool has_feed_per_turn_ = false;  // a FEDRAT stated one: the unit of one without it is then not known
+  bool has_feed_per_turn_ = false;  // a FEDRAT had this unit; then the unit of one without it is unknown
   bool is_rapid_ = false;
   std::size_t rapid_statement_ = kNone;
 };
 
-/// Text for the control that SolidWorks CAM may have written as the name of the tool that follows.
+/// Text for the control that may be the name that SolidWorks CAM gives to the next tool.
 struct PendingInsert {
   std::size_t statement;
   bool is_name;
@@ -69,23 +69,23 @@ struct PendingInsert {
 
 /// Moves that COPY may repeat.
 struct IndexedMoves {
-  std::size_t begin = 0, end = kNone;  ///< kNone: not ended
-  std::size_t frames = 0;              ///< States::frame_changes at its beginning
+  std::size_t begin = 0, end = kNone;  ///< kNone: the range has no end yet
+  std::size_t frames = 0;              ///< States::frame_changes at the beginning of the range
 };
-inline constexpr std::size_t kMaxCopied = 1000000;  ///< by one COPY
+inline constexpr std::size_t kMaxCopied = 1000000;  ///< maximum number of moves copied by one COPY
 
-/// MOVNRB of Creo: a NURBS of its own statements.
+/// MOVNRB of Creo: a NURBS in statements of its own.
 struct MovnrbState {
   std::size_t order = 0;
-  bool is_five_axis = false;  ///< or of a form that is not read
+  bool is_five_axis = false;  ///< five-axis, or of a form that is not read
   std::vector<double> knots;
   std::vector<Vec3> control_local;
-  bool is_on = false;       ///< positions on it follow
-  std::size_t begin = 0;    ///< the move along it
-  Vec3 end = Vec3::Zero();  ///< of it, in part coordinates
+  bool is_on = false;       ///< positions on the curve follow
+  std::size_t begin = 0;    ///< the move along the curve
+  Vec3 end = Vec3::Zero();  ///< end of the curve, in part coordinates
 };
 
-/// All that a statement may examine or change. Each state states in its own file what holds where the file never ends
+/// All data that a statement may examine or change. The file of each state describes the case that the file never ends
 /// it.
 struct States {
   /// `motion_records` may be null; else it gets one entry for each move.
@@ -113,34 +113,34 @@ struct States {
   OperationState operation{in};
   MotionChain chain{in};
   PartProgram program{in};
-  std::string work_offset;               ///< that positions are meant for; empty: none is chosen
-  Tally offsets_chosen;                  ///< by text for the machine's control
-  bool is_unknown_in_block = false;      ///< a statement that is not understood stands in the block that is open
+  std::string work_offset;               ///< the work offset of the positions; empty: none is chosen
+  Tally offsets_chosen;                  ///< work offsets chosen by text for the machine's control
+  bool is_unknown_in_block = false;      ///< the open block contains a statement that is not understood
   std::optional<PendingInsert> pending;  ///< text that is the name of a tool if a CUTTER follows
-  bool is_world_stated = false;          ///< TRNTYP/WORLD
-  bool has_begin = false;                ///< PARTNO
-  std::size_t end_line = 0;              ///< of the last END, FINI or END-OF-PATH; 0: none
-  struct LastPositions {                 ///< of the last statement with positions, and the one before it
+  bool is_world_stated = false;          ///< there was a TRNTYP/WORLD
+  bool has_begin = false;                ///< there was a PARTNO
+  std::size_t end_line = 0;              ///< line of the last END, FINI or END-OF-PATH; 0: none
+  struct LastPositions {                 ///< the last statement with positions, and the one before it
     std::size_t statement = kNone;
-    std::size_t numbers = 0, numbers_before = 0;  ///< of one position
-    std::string_view last_number, number_before;  ///< as written
-    bool has_plain = false;                       ///< one without axis stands before the last
+    std::size_t numbers = 0, numbers_before = 0;  ///< for each position
+    std::string_view last_number, number_before;  ///< text in the file
+    bool has_plain = false;                       ///< a position without axis precedes the last one
   } last_positions;
   MovnrbState movnrb;
-  std::map<int, IndexedMoves> indexed;  ///< by the number of INDEX
+  std::map<int, IndexedMoves> indexed;  ///< by the number in INDEX
   std::size_t frame_changes = 0;
-  std::optional<double> arc_slope_mm;      ///< ARCSLP: how far the next arc rises
-  std::optional<Pose> skip_start;          ///< before OPSKIP/ON, where it is known
-  const char* skip_reason = nullptr;       ///< of the last OPSKIP/ON
-  std::size_t skip_begin = 0;              ///< the first move behind it
-  bool is_behind_skip = false;             ///< no position since OPSKIP/OFF, and some between both
-  std::optional<double> clear_plane_mm;    ///< CLEARP: Z of a plane across the axis, in the frame in force
-  std::vector<Pose> open_places;           ///< behind a hole: the tool may be at any of them
-  std::optional<Pose> retracted;           ///< by RETRCT, and no position since
-  bool skips_more_than_motion = false;     ///< OPSKIP/ON leaves out what OPSKIP/OFF does not undo
+  std::optional<double> arc_slope_mm;      ///< rise of the next arc, by ARCSLP
+  std::optional<Pose> skip_start;          ///< position before OPSKIP/ON, if it is known
+  const char* skip_reason = nullptr;       ///< reason of the last OPSKIP/ON
+  std::size_t skip_begin = 0;              ///< the first move after OPSKIP/ON
+  bool is_behind_skip = false;             ///< no position since OPSKIP/OFF, and some between ON and OFF
+  std::optional<double> clear_plane_mm;    ///< CLEARP: Z of a plane perpendicular to the axis, in the frame in force
+  std::vector<Pose> open_places;           ///< places where the tool may be after a hole
+  std::optional<Pose> retracted;           ///< position after RETRCT, until the next position
+  bool skips_more_than_motion = false;     ///< between OPSKIP/ON and OFF there is a statement that OFF does not undo
   std::size_t run_begin = 0;               ///< the first move since the last tool or operation
-  Word previous_word = Word::comment;      ///< of the statement before, but for comments
-  std::size_t previous_statement = kNone;  ///< that word's
+  Word previous_word = Word::comment;      ///< word of the previous statement that is not a comment
+  std::size_t previous_statement = kNone;  ///< that statement
 };
 
 }  // namespace gouge

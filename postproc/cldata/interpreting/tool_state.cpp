@@ -15,7 +15,7 @@
 #include "postproc/cldata/interpreting/word_handlers.h"
 #include "postproc/cldata/language/text.h"
 
-// Tools, and which of them is loaded.
+// The tools of a file, and which of them is loaded.
 
 namespace gouge {
 
@@ -25,7 +25,7 @@ constexpr std::size_t kCuttersReported = 20;
 constexpr std::size_t kMaxTools = 10000;  // a machine has hundreds
 constexpr std::array<std::string_view, 5> kTurningTypes = {"TURN", "GROOVE", "THREAD", "WEDM", "WIRE"};
 
-// TOOLNO/n,d and TOOLNO/n,MILL,..,..,d of CATIA; 0 where no diameter stands there.
+// Returns the diameter in TOOLNO/n,d or TOOLNO/n,MILL,..,..,d of CATIA; 0 if it has none.
 double diameter_of_toolno(const std::vector<Argument>& arguments) {
   constexpr std::size_t kOfMill = 4;
   if (arguments.size() == 2) return arguments[1].number.value_or(0);
@@ -33,7 +33,7 @@ double diameter_of_toolno(const std::vector<Argument>& arguments) {
   return is_mill ? arguments[kOfMill].number.value_or(0) : 0;
 }
 
-// CUTTER/d,r of a cutter that was given in full: the same one again.
+// Returns whether a CUTTER/d,r repeats, in short form, a cutter that was given in full.
 bool is_in_short(const CutterStatement& again, const CutterStatement& known) {
   constexpr int kDiameterAndCorner = 2;
   return again.given == kDiameterAndCorner && known.given > again.given && !(std::abs(again.d_mm - known.d_mm) > 0) &&
@@ -44,9 +44,10 @@ std::array<double, 7> key_of(const CutterStatement& c) {
   return {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
 }
 
-// For a taper TOOLNO has the largest diameter, or that of the tip.
+// Returns whether a diameter of TOOLNO is that of the cutter. For a taper it is the largest diameter, or that of the
+// tip.
 bool is_diameter_of(const CutterStatement& cutter, double stated_mm) {
-  constexpr double kSameDiameter = 0.01;  // of it: files round them
+  constexpr double kSameDiameter = 0.01;  // relative to the diameter, because files round it
   const double taper_mm = 2 * cutter.h_mm * std::tan(cutter.beta_deg * std::numbers::pi / 180);
   const auto is_near = [&](double mm) { return std::abs(mm / stated_mm - 1) <= kSameDiameter; };
   return is_near(cutter.d_mm) || (taper_mm > 0 && is_near(cutter.d_mm + taper_mm));
@@ -59,7 +60,7 @@ void ToolState::forget_cutter() {
   is_changed_ = true;
 }
 
-// A cutter, or a note why the numbers define none.
+// Sets the cutter, or adds a note why the numbers define none.
 void ToolState::set_cutter(const CutterOutcome& outcome) {
   if (!outcome.cutter) {
     forget_cutter();
@@ -89,8 +90,8 @@ void ToolState::take_cutter(double mm_per_unit, bool is_behind_insert) {
   set_cutter(outcome);
 }
 
-// A flat, a ball and a bull-nose cutter look the same, so it defines no tool, but a library's tool can be compared with
-// it.
+// Takes a diameter. Flat, ball and bull-nose cutters have the same statement, so it defines no tool. But a tool of a
+// library can be compared with it.
 void ToolState::take_diameter(std::string_view text, double mm_per_unit) {
   Statement values;
   values.pieces.push_back(text);
@@ -185,7 +186,8 @@ void ToolState::begin_block(const std::string& name) {
   uncertainties_.clear(Uncertainty::loading);
 }
 
-// Another cutter under the number of the loaded tool: in the spindle, or for the next loading.
+// Returns whether the loaded tool's number has another cutter, which may be in the spindle or be meant for the next
+// loading.
 bool ToolState::is_cutter_unloaded() const {
   if (!is_loaded_ || index_ == kNone || !tool_.cutter) return false;
   const PathTool& last = in_.path.tools[index_];
@@ -215,8 +217,8 @@ std::size_t ToolState::find_or_add() {
   return it->second;
 }
 
-// Number and cutter (NX: and name) make a tool; the same ones again are the same tool and no break of the
-// motion.
+// Resolves the tool. Its number and cutter (in NX also the name) identify it. The same ones again are the same tool,
+// and do not break the motion.
 bool ToolState::resolve() {
   tool_.is_fresh = false;
   const bool was_used = std::exchange(is_used_, true);
@@ -271,7 +273,7 @@ void take_tool_number(States& s) {
   change_number(s, *number);
   if (is_loading) s.tool.note_load();
   if (may_be_ready_only) s.uncertainties.set(Uncertainty::loading, s.in.because(Reasons::kReadyTool));
-  // Behind LOADTL/n stands a register.
+  // The number after that in LOADTL/n is a register.
   if (s.in.statement().word == Word::toolno) s.tool.take_diameter_of_toolno(s.frame.mm_per_unit());
 }
 

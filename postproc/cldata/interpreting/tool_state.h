@@ -14,37 +14,38 @@
 
 namespace gouge {
 
-/// The tool of the positions that follow, as CUTTER, TLDATA and their like define it, and the number that is loaded. It
-/// stays until the file names another one.
+/// The tool of the positions that follow, as defined by CUTTER, TLDATA and similar words, and the number that is
+/// loaded. It stays until the file names another one.
 class ToolState {
  public:
   ToolState(StatementContext& in, Uncertainties& uncertainties) : in_(in), uncertainties_(uncertainties) {}
 
   void take_cutter(double mm_per_unit, bool is_behind_insert);
-  /// Creo's comment, which states the diameter alone.
+  /// Takes a comment of Creo that states only the diameter.
   void take_diameter(std::string_view text, double mm_per_unit);
   void take_tldata(double mm_per_unit);
   void take_flute_length(double mm_per_unit);
   void take_diameter_of_toolno(double mm_per_unit);
   void take_name(std::string_view text);
-  /// Text that may name the tool that is defined next.
+  /// Takes text that may be the name of the tool that is defined next.
   void take_insert(std::string_view text);
-  /// Ensures  A tool that was not described since the last motion is the one last seen under that number. Else it is
-  ///          one that the file states nothing about, never the one before it.
+  /// Changes the number. Ensures  A tool that was not described since the last motion is the one last seen with this
+  /// number. Else it is a tool about which the file states nothing, never the previous one.
   void change_number(int number);
-  /// The tool of that number is in the spindle: LOADTL, LOAD/TOOL.
+  /// Notes that the tool with the present number is in the spindle: LOADTL, LOAD/TOOL.
   void note_load() { is_loaded_ = true, is_used_ = false; }
-  /// A number that is only made ready, or is that of another tool: behind the loading of one, while which positions
-  /// were read.
+  /// Returns whether a number may only be prepared, or belong to another tool. This is so after the loading of another
+  /// tool whose positions were read.
   [[nodiscard]] bool may_be_ready_only(int number) const { return is_loaded_ && tool_.number != number; }
   void begin_block(const std::string& name);
-  /// It may be another cutter from here on.
+  /// Forgets the cutter, because it may be another one from here on.
   void forget_cutter();
 
   [[nodiscard]] const std::optional<int>& number() const { return tool_.number; }
-  /// Returns how deep the tip of a pointed tool is where its cone is `diameter_mm` wide; nothing of any other tool.
+  /// Returns the depth of the tip of a pointed tool at which its cone has the diameter `diameter_mm`; nothing for any
+  /// other tool.
   [[nodiscard]] std::optional<double> countersink_depth(double diameter_mm) const;
-  /// Resolves the tool at a motion. Returns true where it is another one than before. index() is then its own.
+  /// Resolves the tool at a motion. Returns whether it is another one than before. Then index() is that of the tool.
   [[nodiscard]] bool resolve();
   /// Returns the index in Toolpath::tools; kNone: no tool is named.
   [[nodiscard]] std::size_t index() const { return index_; }
@@ -56,13 +57,13 @@ class ToolState {
     std::optional<CutterStatement> cutter;
     std::string name;
     double flute_length_mm = 0;
-    double diameter_mm = 0;         // of Creo, whose $$-> CUTTER states nothing else
-    double toolno_diameter_mm = 0;  // behind the number of TOOLNO; 0 where none stands there
+    double diameter_mm = 0;         // from $$-> CUTTER of Creo, which states only the diameter
+    double toolno_diameter_mm = 0;  // diameter after the number in TOOLNO; 0 if there is none
     std::size_t toolno_line = 0;
     std::size_t line = 0;
     bool is_fresh = false;  // defined since the last motion
   };
-  struct Key {  // properties that make two tools of the file the same
+  struct Key {  // properties that identify a tool of the file
     std::optional<int> number;
     std::optional<std::array<double, 7>> cutter;
     double diameter_mm = 0;
@@ -81,7 +82,7 @@ class ToolState {
   bool is_used_ = false;     // by a motion since then
   std::size_t index_ = kNone;
   std::map<Key, std::size_t> index_of_key_;
-  std::map<int, std::size_t> index_of_number_;  // the last one seen under a number
+  std::map<int, std::size_t> index_of_number_;  // the last tool seen with each number
   std::string last_insert_;
   std::size_t cutters_without_tool_ = 0;
   Tally recomputed_;

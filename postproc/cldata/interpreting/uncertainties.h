@@ -8,19 +8,19 @@
 
 namespace gouge {
 
-/// Reasons for which all following positions are unknown, in the order in which they are reported.
+/// Reasons why all following positions are uncertain, in the order in which they are reported.
 enum class Uncertainty : std::uint8_t {
-  ended,  ///< the program
-  skip,   ///< the control may leave positions out
+  ended,  ///< the program has ended
+  skip,   ///< the control may skip positions
   block,
   matrix,
   turning,
   contour,
-  tip,      ///< positions are another point of the tool than its tip
-  unknown,  ///< a statement that is not understood, until a block of its own states all again
+  tip,      ///< positions are those of another point of the tool than its tip
+  unknown,  ///< a statement is not understood; holds until a block states all facts again
   adjust,
   spline,
-  control_curve,  ///< in words of one control
+  control_curve,  ///< a curve in words of one control
   unread_frame,
   mcs,
   skew,  ///< the axes of the frame are not unit vectors at right angles
@@ -30,8 +30,8 @@ enum class Uncertainty : std::uint8_t {
   trntyp,
   mode,
   multax,
-  cutter,   ///< no cutter since a statement that may have been one
-  loading,  ///< no tool change since a statement that may have been one
+  cutter,   ///< a statement may have been a CUTTER, and none has followed
+  loading,  ///< a statement may have been a tool change, and none has followed
   setup,
   machine_shift,
   work_offset,
@@ -41,11 +41,11 @@ enum class Uncertainty : std::uint8_t {
   count
 };
 
-/// The doubts in force: each with its reason, until the file states otherwise. One that the file never ends holds for
-/// all positions that follow.
+/// The uncertainties in force, each with its reason, until the file states otherwise. One that the file never ends
+/// holds for all positions that follow.
 class Uncertainties {
  public:
-  /// A reason of null ends the doubt.
+  /// Sets the reason of an uncertainty; null ends it.
   void set(Uncertainty uncertainty, const char* reason) {
     const auto place = static_cast<std::size_t>(uncertainty);
     reasons_[place] = reason;
@@ -55,9 +55,9 @@ class Uncertainties {
   [[nodiscard]] bool has(Uncertainty uncertainty) const {
     return reasons_[static_cast<std::size_t>(uncertainty)] != nullptr;
   }
-  /// Returns true where it is in force or was before.
+  /// Returns whether it is in force or was before.
   [[nodiscard]] bool was_on(Uncertainty uncertainty) const { return was_on_[static_cast<std::size_t>(uncertainty)]; }
-  /// Returns true where that doubt is in force and no other.
+  /// Returns whether this uncertainty is in force and no other.
   [[nodiscard]] bool is_alone(Uncertainty uncertainty) const {
     return has(uncertainty) &&
            std::ranges::count_if(reasons_, [](const char* reason) { return reason != nullptr; }) == 1;

@@ -10,13 +10,14 @@
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/parsing/known_arguments.h"
 
-// Words that are harmless, and all others. The others may move the tool, change it, its axis or compensation, or shift
+// Handlers for harmless words, and for all words that are not read. The latter may move the tool, change it, its axis
+// or compensation, or shift later positions. So after them no earlier statement is certain.
 // later positions. So nothing that the file stated before them is certain.
 
 namespace gouge {
 namespace {
 
-// Characters of the width of Chinese ones, and the minus of books, as those of ASCII; other ones beyond it as
+// Replaces full-width characters and typographic minus signs by those of ASCII, and other characters beyond ASCII by
 // blanks.
 std::string in_ascii(std::string_view text) {
   std::string plain;
@@ -38,8 +39,8 @@ std::string in_ascii(std::string_view text) {
   return plain;
 }
 
-// A word of the source language makes a statement alone or before a slash or comma; else it only begins a
-// sentence.
+// Returns whether a word of the source language is a statement: it stands alone, or before a slash or comma. Otherwise
+// it begins a sentence.
 bool is_statement(const StatementContext& in) {
   const std::string_view rest = trim(in.text_behind_major());
   return rest.empty() || rest.front() == '/' || rest.front() == '(' || rest.front() == ',' || rest.front() == '$';
@@ -49,14 +50,14 @@ void mark_frame_uncertain(States& s) {
   s.uncertainties.set(Uncertainty::unread_frame, s.in.because(Reasons::kUnreadFrame));
 }
 
-// For a statement that is text: its first line, with the word.
+// Returns the first line of a statement that is text, with its word.
 std::string whole_text(const Statement& statement) {
   const char* const begin = statement.major.data();
   const std::string_view end = statement.pieces.empty() ? statement.major : statement.pieces.front();
   return in_ascii({begin, static_cast<std::size_t>(end.data() + end.size() - begin)});
 }
 
-// Its parts, as blocks of a control stand between semicolons.
+// Returns the parts of a text between semicolons, as in blocks of a control.
 std::vector<std::string_view> parts_of(std::string_view text) {
   std::vector<std::string_view> parts;
   for (std::size_t at = 0; at <= text.size(); at = std::min(text.find(';', at), text.size()) + 1)
@@ -64,7 +65,7 @@ std::vector<std::string_view> parts_of(std::string_view text) {
   return parts;
 }
 
-// A block such as M8 or G54 that stands in the file without a word.
+// Takes a block without a word, such as M8 or G54.
 bool take_blocks(States& s, const std::vector<std::string_view>& parts) {
   if (s.in.statement().pieces.size() > 1) return false;
   std::vector<MachineEffect> effects;
@@ -85,7 +86,7 @@ bool is_declared(const States& s) {
          !hides_statement(s.in.arguments);
 }
 
-// A word with a comma behind it, where a slash must be, is the end of a statement that was cut.
+// Returns whether a word is followed by a comma instead of a slash. Then it is the end of a statement that was cut.
 bool is_end_of_another(const StatementContext& in) {
   return !in.statement().is_decoded && in.text_behind_major().starts_with(',');
 }
@@ -139,7 +140,7 @@ void take_unread_motion(States& s) {
   emit_unread(s);
 }
 
-// hyperMILL frames its programs with two subprograms of the machine.
+// Takes a repetition. hyperMILL begins and ends its programs with two subprograms of the machine.
 void take_repeat(States& s) {
   constexpr std::array<std::string_view, 2> kFrames = {"START_PROG", "END_PROG"};
   const bool is_frame = equals_ignoring_case(s.in.statement().major, "CALSUB") && s.in.arguments.size() == 1 &&
@@ -149,7 +150,8 @@ void take_repeat(States& s) {
   mark_frame_uncertain(s);
 }
 
-// TRACUT/NOMORE and COUPLE/OFF end nothing in a file that has begun nothing of the kind.
+// Takes a frame that is not read. TRACUT/NOMORE and COUPLE/OFF end nothing in a file that has begun nothing of the
+// kind.
 void take_unread_frame(States& s) {
   const auto ends = [&](std::string_view major, std::string_view end) {
     return equals_ignoring_case(s.in.statement().major, major) && s.in.arguments.size() == 1 &&

@@ -86,8 +86,8 @@ constexpr std::array<WordHandler, kWords> make_table() {
 
 constexpr std::array<WordHandler, kWords> kHandlers = make_table();
 
-// Each word but `unknown` has a row. By the words: under a sanitizer addresses of functions are not compared when
-// compiling.
+// Tests that each word except `unknown` has a row. It compares words, because under a sanitizer addresses of functions
+// cannot be compared at compile time.
 constexpr bool is_complete() {
   for (std::size_t word = 0; word <= static_cast<std::size_t>(Word::unread_tool); ++word) {
     bool has_row = false;

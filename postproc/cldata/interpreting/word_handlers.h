@@ -2,13 +2,14 @@
 
 #include "postproc/cldata/interpreting/states.h"
 
-// Effects of the words: one function for each that reads more than one state, and one table from word to function.
+// Handlers of the words: one function for each word that concerns more than one state, and a table from word to
+// function.
 
 namespace gouge {
 
 using WordHandler = void (*)(States&);
 
-/// Takes the statement of `s.in`, whose arguments are split.
+/// Returns the function that takes the statement of `s.in`, whose arguments are split.
 [[nodiscard]] WordHandler handler_of(Word word);
 
 // motion_words.cpp
@@ -29,20 +30,20 @@ void take_tlon(States& s);
 void take_arc_record(States& s);
 void take_arc_slope(States& s);
 void take_helical(States& s);
-/// CATIA's BEGIN NURBS_.. to END NURBS: true where the statement is part of it, and taken.
+/// Takes BEGIN NURBS_.. to END NURBS of CATIA. Returns whether the statement is part of it, and was taken.
 [[nodiscard]] bool take_control_nurbs(States& s);
 
-// nurbs_words.cpp
+// nurbs_state.cpp
 void take_movnrb(States& s);
 
-// copy_words.cpp
+// part_program.cpp
 void take_index(States& s);
 void take_copy(States& s);
 
-// cycle_words.cpp
+// cycle_state.cpp
 void take_cycle(States& s);
 
-// tool_words.cpp
+// tool_state.cpp
 void take_tool_number(States& s);
 void take_load(States& s);
 
@@ -55,7 +56,7 @@ void take_setup(States& s);
 void take_select(States& s);
 void take_opskip(States& s);
 
-// frame_words.cpp
+// frame_state.cpp
 void set_frame(States& s, const RigidTransform& to_part, bool says_axis = false);
 void note_creo_csys(States& s);
 void take_csys(States& s);

@@ -27,7 +27,8 @@ constexpr std::array<Role, 256> kRoles = [] {
 
 Role role_of(char c) { return kRoles[static_cast<unsigned char>(c)]; }
 
-// Also with the exponent of Fortran, in which old systems are written: "-2.D-1". Without the point it is a word.
+// Returns the number. It may have the exponent of Fortran, in which old systems are written: "-2.D-1". Without the
+// point it is a word.
 std::optional<double> number_of(std::string_view text) {
   if (const std::optional<double> value = parse_number(text)) return value;
   const std::size_t exponent = text.find_first_of("dD");
@@ -37,7 +38,7 @@ std::optional<double> number_of(std::string_view text) {
   return parse_number(copy);
 }
 
-// Digits behind the point, less what an exponent moves it; nothing where the number is a whole one.
+// Returns the number of digits after the point, minus the exponent; nothing for an integer.
 std::optional<int> decimals_of(std::string_view text) {
   const std::size_t end = std::min(text.find_first_of("eEdD"), text.size());
   const std::size_t point = std::min(text.find('.'), end);
@@ -126,8 +127,8 @@ double rounding_of_points(std::span<const Argument> arguments) {
   return most == 0 ? 0 : 0.5 * std::pow(10.0, -most);
 }
 
-// Between two numbers with a comma elsewhere, or in a statement that names a tool or its sizes, of which each may stand
-// alone.
+// Tests only statements with a comma elsewhere, and statements that name a tool or its sizes. In other ones two numbers
+// without a comma may be separate.
 bool has_blank_in_number(const Statement& statement) {
   if (statement.is_decoded) return false;
   static constexpr WordSet kOfTools = {Word::cutter, Word::load, Word::loadtl, Word::toolno, Word::tldata};
@@ -154,7 +155,8 @@ bool has_damaged_argument(std::span<const Argument> arguments) {
 }
 
 bool has_repeated_word(std::span<const Argument> arguments) {
-  constexpr std::size_t kMaxWords = 64;  // of any statement that is understood; comparing all pairs must stay cheap
+  // no understood statement has more; all pairs are compared, which must stay fast
+  constexpr std::size_t kMaxWords = 64;
   std::vector<std::string_view> words;
   for (const Argument& argument : arguments) {
     if (argument.number || argument.text.empty()) continue;

@@ -10,21 +10,21 @@
 
 namespace gouge {
 
-/// No CAM system writes a statement of so many arguments; one that has them is refused rather than held.
+/// Maximum number of arguments. No CAM system writes a statement with so many, so a longer one is refused, not stored.
 inline constexpr std::size_t kMaxArguments = 100000;
 
-/// The arguments of `statement`, into `arguments` (whose memory is used again). Commas separate them; so do
-/// blanks, line ends, brackets and further slashes, as CAM systems write them. One trailing comma is allowed.
+/// Splits the arguments of `statement` into `arguments`, whose memory is reused. They are separated by commas. CAM
+/// systems also write blanks, line ends, brackets and further slashes between them. One trailing comma is allowed.
 /// Stops at kMaxArguments.
 void split_arguments(const Statement& statement, std::vector<Argument>& arguments);
 
 /// Returns the first argument that is not a number, or nothing.
 [[nodiscard]] const Argument* find_word_argument(std::span<const Argument> arguments);
 
-/// Returns true where an argument is the word `word`, in any case.
+/// Returns whether an argument is the word `word`, in upper or lower case.
 [[nodiscard]] bool has_argument(std::span<const Argument> arguments, std::string_view word);
 
-/// Returns the argument behind the first word `word`, where it is a number.
+/// Returns the argument after the first word `word` if it is a number.
 [[nodiscard]] std::optional<double> number_after(std::span<const Argument> arguments, std::string_view word);
 
 struct NumberCount {
@@ -32,26 +32,25 @@ struct NumberCount {
   std::size_t negative = 0;
 };
 
-/// Returns how many of the arguments are numbers, and how many of these are below 0.
+/// Returns how many of the arguments are numbers, and how many of these are negative.
 [[nodiscard]] NumberCount count_numbers(std::span<const Argument> arguments);
 
-/// Returns half a unit in the last place that any of `arguments` is written to: how far rounding puts a number off.
-/// Numbers that a file does not write as text have none: 0.
+/// Returns half a unit in the last decimal of any of `arguments`: the maximum error of a number by rounding. It is 0
+/// for numbers that a file does not write as text.
 [[nodiscard]] double rounding_of(std::span<const Argument> arguments);
 
-/// Returns the same of coordinates, which some writers pad with zeros behind four decimals.
+/// Returns the rounding of coordinates, which some writers pad with zeros after four decimals.
 [[nodiscard]] double rounding_of_points(std::span<const Argument> arguments);
 
-/// Returns true where nothing but blanks separates two numbers of `statement`: they may be one number with blanks
-/// within.
+/// Returns whether only blanks separate two numbers of `statement`. They may be one number with blanks in it.
 [[nodiscard]] bool has_blank_in_number(const Statement& statement);
 
-/// Returns whether nothing stands between two commas, or digits, signs and points do not form a number. The lost text
-/// is unknown.
+/// Returns whether there is nothing between two commas, or digits, signs and points that do not form a number. The lost
+/// text is unknown.
 [[nodiscard]] bool has_damaged_argument(std::span<const Argument> arguments);
 
-/// Returns true where a word stands twice, in any case: no reader can show which of both counts. Also true of more than
-/// 64 words, as no statement that is understood has them.
+/// Returns whether a word occurs twice, in upper or lower case: then no reader can decide which one counts. Also
+/// returns true for more than 64 words, which no understood statement has.
 [[nodiscard]] bool has_repeated_word(std::span<const Argument> arguments);
 
 }  // namespace gouge

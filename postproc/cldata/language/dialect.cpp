@@ -10,7 +10,7 @@ namespace {
 
 using enum ArcSense;
 
-// NCCS NCL, whose binary records state the same words as its text.
+// NCCS NCL, whose binary records have the same words as its text.
 constexpr Dialect kNccs = {.kind = DialectKind::nccs,
                            .id = "apt-nccs",
                            .title = "NCCS NCL CL data (ASCII)",

@@ -96,7 +96,7 @@ bool is_among(std::string_view word, std::string_view words) {
   return false;
 }
 
-// A word that no dialect knows, in letters, digits and what stands in names.
+// Returns whether a text can be a name: a word unknown in all dialects, of letters, digits and the marks of names.
 bool is_name(std::string_view text) {
   constexpr std::string_view kMarks = "._-+'";
   const auto belongs = [&](char c) {
@@ -106,7 +106,7 @@ bool is_name(std::string_view text) {
          !is_minor_word(text);
 }
 
-// The position of a line whose line end was lost.
+// Returns whether three numbers follow each other. They may be the position of a line whose line end was lost.
 bool has_three_numbers_in_a_row(std::span<const Argument> arguments) {
   constexpr std::size_t kPosition = 3;
   std::size_t run = 0;

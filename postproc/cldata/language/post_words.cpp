@@ -14,7 +14,7 @@ struct Code {
 
 constexpr bool is_below(const Code& a, const Code& b) { return a.code < b.code; }
 
-// NCL gives END, INDEX, COPY and TRACUT codes of its own (499, 810 to 812); its post-processor those of IBM.
+// NCL has its own codes for END, INDEX, COPY and TRACUT (499, 810 to 812); its post-processor has those of IBM.
 constexpr auto kMajors = std::to_array<Code>({
     {1, "END"},       {2, "STOP"},      {3, "OPSTOP"},    {4, "ISTOP"},     {5, "RAPID"},     {7, "RETRCT"},
     {10, "UNLOAD"},   {13, "ZERO"},     {14, "GOHOME"},   {499, "END"},     {810, "INDEX"},   {811, "COPY"},
@@ -28,7 +28,7 @@ constexpr auto kMajors = std::to_array<Code>({
     {1057, "CLRSRF"}, {1058, "DWELL"},  {1060, "CLAMP"},  {1073, "LINTOL"}, {1083, "BREAK"},  {1143, "SELECT"},
 });
 
-// NCL and its post-processor have codes of their own for DWELL (197, 279) and OFFSET (814, 705).
+// NCL and its post-processor have different codes for DWELL (197, 279) and OFFSET (814, 705).
 constexpr auto kMinors = std::to_array<Code>({
     {1, "ATANGL"},   {8, "LEFT"},     {24, "RIGHT"},    {33, "XYPLAN"},   {37, "YZPLAN"},  {41, "ZXPLAN"},
     {57, "START"},   {59, "CCLW"},    {60, "CLW"},      {66, "INCR"},     {71, "ON"},      {72, "OFF"},

@@ -3,17 +3,17 @@
 #include <cstdint>
 #include <string_view>
 
-// The words of post-processor records in binary NCCS files, by their codes. A major word is the subclass of its record.
-// A minor word is one of the record's data words. It has its code in the lowest 16 bits and 0 in the highest. No number
-// has that but 0 and those next to it; the bits between are not set. The codes and their evidence:
+// The words of post-processor records in binary NCCS files, by their codes. A major word is the subclass of its record,
+// and a minor word is one of its data words. A minor word has its code in the lowest 16 bits, 0 in the highest 16, and
+// no other bits set. As a number, such bits are only 0 or next to 0. The codes and their evidence:
 // docs/formats/nccs.md.
 
 namespace gouge {
 
-/// Returns the major word, or nothing where the code is not known.
+/// Returns the major word; nothing if the code is unknown.
 [[nodiscard]] std::string_view major_of_code(std::uint16_t subclass);
 
-/// Returns the minor word, or nothing where the code is not known.
+/// Returns the minor word; nothing if the code is unknown.
 [[nodiscard]] std::string_view minor_of_code(std::uint16_t code);
 
 }  // namespace gouge

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-// Bytes of a CL file as words. Case matters nowhere in CL data.
+// The bytes of a CL file as words. Upper and lower case are equal everywhere in CL data.
 
 namespace gouge {
 
@@ -16,40 +16,40 @@ namespace gouge {
 
 [[nodiscard]] constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
-/// Characters of a word: letters, digits, `_` and `-`.
+/// Returns whether a character belongs to words: letters, digits, `_` and `-`.
 [[nodiscard]] constexpr bool is_word_character(char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '-'; }
 
-/// Byte order mark that some editors put before UTF-8 text; not part of it.
+/// Byte order mark that some editors write before UTF-8 text; it is not part of the text.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-/// Returns `text` in UTF-8 without control characters, cut behind a letter that reaches `longest` bytes; bytes that are
-/// no UTF-8 are taken as Latin-1.
+/// Returns `text` in UTF-8 without control characters. It is cut after the letter that reaches `longest` bytes. Bytes
+/// that are not UTF-8 are read as Latin-1.
 [[nodiscard]] std::string shown_text(std::string_view text, std::size_t longest);
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 
-/// Returns the number of spaces right before `bytes[at]`.
+/// Returns the number of blanks immediately before `bytes[at]`.
 [[nodiscard]] std::size_t blanks_before(std::string_view bytes, std::size_t at);
 
-/// Returns the line end of the first line of `bytes`: CR LF, or LF.
+/// Returns the line end of the first line of `bytes`: carriage return and line feed, or one of them.
 [[nodiscard]] std::string line_end_of(std::string_view bytes);
 
-/// Returns < 0, 0 or > 0 as `a` sorts before, equal to or after `b`, letters compared as capitals.
+/// Returns < 0, 0 or > 0 if `a` sorts before, is equal to, or sorts after `b`. Letters are compared as capitals.
 [[nodiscard]] int compare_ignoring_case(std::string_view a, std::string_view b);
 [[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
-/// Returns whether it is one of `words`, compared as equals_ignoring_case does.
+/// Returns whether the text is one of `words`, compared by equals_ignoring_case.
 [[nodiscard]] bool is_one_of(std::string_view text, std::span<const std::string_view> words);
 [[nodiscard]] bool starts_with_ignoring_case(std::string_view text, std::string_view start);
 
-/// Returns true where one character of one is missing, wrong or too many in the other, or two neighbours are swapped.
-/// Letters are compared as capitals. False for equal texts.
+/// Returns whether one character is missing, wrong or too many in one of the texts, or two neighbours are swapped.
+/// Letters are compared as capitals. Returns false for equal texts.
 [[nodiscard]] bool is_one_letter_off(std::string_view a, std::string_view b);
 
-/// Returns `text` as a name for people and for JSON: trimmed, quotes around it and control characters dropped. Text
-/// that is not UTF-8 is taken as Latin-1 (CATIA writes the code page of its user). At most 200 bytes.
+/// Returns `text` as a name for messages and JSON: trimmed, without quotes around it and control characters. Text that
+/// is not UTF-8 is read as Latin-1 (CATIA writes the code page of its user). At most 200 bytes.
 [[nodiscard]] std::string name_text(std::string_view text);
 
-/// Returns `text` for use in a message: as name_text, cut to 40 bytes.
+/// Returns `text` for use in a message: as from name_text, but cut to 40 bytes.
 [[nodiscard]] std::string quoted_text(std::string_view text);
 
 }  // namespace gouge

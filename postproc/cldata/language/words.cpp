@@ -19,7 +19,7 @@ constexpr auto kOfPrograms = std::to_array<std::string_view>(
     {"CALL",   "DNTCUT", "DO",     "GO",     "GOBACK", "GODOWN", "GOFWD", "GOLFT",  "GORGT",
      "GOUP",   "IF",     "INDIRP", "JUMPTO", "LOOPND", "LOOPST", "MACRO", "POCKET", "PSIS",
      "RESERV", "TLLFT",  "TLOFPS", "TLONPS", "TLRGT",  "TRANTO", "ZSURF"});
-// Words that may turn or shift what follows.
+// Words that may turn or shift later positions.
 constexpr auto kOfFrames = std::to_array<std::string_view>(
     {"COORD", "COUPLE", "DEFSUB", "ENDSUB", "MIRROR", "REFSYS", "REVERS", "SCALE", "TRACUT", "WORKPL"});
 
@@ -111,7 +111,7 @@ constexpr auto kOthers = std::to_array<Entry>({
 
 constexpr std::size_t kWordCount = kOfPrograms.size() + kOfFrames.size() + kOthers.size();
 
-// All of them but the harmless ones, sorted.
+// All words except the harmless ones, sorted.
 constexpr std::array<Entry, kWordCount> kWords = [] {
   std::array<Entry, kWordCount> all;
   std::size_t count = 0;
@@ -125,7 +125,7 @@ constexpr std::array<Entry, kWordCount> kWords = [] {
   return all;
 }();
 
-// Words that never begin a statement and matter to motion.
+// Words that never begin a statement but are important for motion.
 constexpr auto kMinorWords =
     std::to_array<std::string_view>({"AAXIS",  "ADJUST", "ANGLE",  "ATANGL", "BAXIS",     "BORE",  "BRKCHP",
                                      "CAXIS",  "CCLW",   "CENTER", "CLEAR",  "CLOCKWISE", "CLW",   "COUNTERCLOCKWISE",
@@ -142,7 +142,7 @@ constexpr std::array<std::string_view, 5> kWholeWordTexts = {"CSI_TOOL_PATH", "O
 
 bool is_major_character(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
-// "TOOL PATH", with as many blanks as there are.
+// Returns the length of "TOOL PATH" with any number of blanks between the words.
 std::size_t tool_path_length(std::string_view line) {
   constexpr std::string_view kTool = "TOOL", kPath = "PATH";
   if (!starts_with_ignoring_case(line, kTool)) return 0;
@@ -153,7 +153,8 @@ std::size_t tool_path_length(std::string_view line) {
   return at == line.size() || !is_major_character(line[at]) ? at : 0;
 }
 
-// Finds "GOTO" before "GOTO(0" and "GODLTA" before "GODLTA-50.", where the rest is not part of a longer word.
+// Returns whether a word is joined to other text: "GOTO" in "GOTO(0", "GODLTA" in "GODLTA-50.". The rest must not
+// belong to a longer word.
 bool is_glued_to(std::string_view word, std::string_view major) {
   if (word.empty() || major.size() <= word.size() || !starts_with_ignoring_case(major, word)) return false;
   const char next = major[word.size()];
@@ -163,7 +164,8 @@ bool is_glued_to(std::string_view word, std::string_view major) {
   return !rest.empty() && (is_digit(rest.front()) || rest.front() == '.');
 }
 
-// Short words are too near to others, such as MODE to MODEL, but where a character is missing.
+// Returns whether a word may be misspelt as `major`. A short word may only lack a character, because other errors make
+// it similar to other words, such as MODE and MODEL.
 bool may_be_misspelt(const Entry& entry, std::string_view major) {
   constexpr std::size_t kLong = 5;
   if (!changes_motion(entry.second)) return false;

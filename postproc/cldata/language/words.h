@@ -9,26 +9,26 @@
 
 #include "lib/base/units.h"
 
-// The major words of CL data that change what a motion means, and those known to change nothing about where
-// the cutter is. Every other word is `unknown`: kept in the file, counted and reported.
+// The major words of CL data. Listed are those that change the meaning of a motion, and those known to have no effect
+// on the place of the cutter. Every other word is `unknown`: kept in the file, counted and reported.
 
-// The words that name a unit of length, alone or within a feed.
+// Also the words for units of length, alone or within a feed.
 
 namespace gouge {
 
 enum class Word : std::uint8_t {
   comment,       // $$ ...
   unknown,       // counted and reported
-  harmless,      // leaves positions alone where its arguments are known: harmless_words.h
+  harmless,      // no effect on positions if its arguments are known: harmless_words.h
   free_text,     // PARTNO, REMARK, LETTER: text, not arguments
   pprint,        // text that names operations in some dialects
   insert,        // text that names tools in SolidWorks CAM
   tprint,        // text that names tools in CATIA
   operation,     // CSI_TOOL_PATH, OPNAME, OPFEATSTART: text that names an operation
   part_program,  // geometry and drive words of the APT source language
-  curve,         // words after which the next positions are not reached on straight lines
-  arc_record,    // ARC of VERICUT: an arc with its end
-  arc_slope,     // ARCSLP: how far the next arc rises
+  curve,         // words after which the tool does not reach the next positions on straight lines
+  arc_record,    // ARC of VERICUT: an arc that has its end
+  arc_slope,     // ARCSLP: the rise of the next arc
   auxfun,        // an M of the control
   camera,
   circle,
@@ -47,7 +47,7 @@ enum class Word : std::uint8_t {
   godlta,
   gohome,
   go_to,
-  helical,  // a helix of CATIA with its end
+  helical,  // a helix of CATIA that has its end
   index,    // begins or ends positions that COPY repeats
   indirv,
   knot,
@@ -79,13 +79,13 @@ enum class Word : std::uint8_t {
   trntyp,
   turret,
   units,
-  repeat,         // repeats motion, or calls it from elsewhere
-  unread_frame,   // may turn or shift what follows, in a way that is not read
+  repeat,         // repeats motion, or calls it from another place
+  unread_frame,   // may turn or shift later positions, in a way that is not read
   unread_motion,  // moves the tool, in a way that is not read
   unread_tool     // defines a tool, in a way that is not read
 };
 
-/// Some of the words.
+/// A set of words.
 class WordSet {
  public:
   constexpr WordSet(std::initializer_list<Word> words) {
@@ -101,28 +101,29 @@ class WordSet {
   std::array<std::uint64_t, 2> bits_{};
 };
 
-/// Finds the word a statement begins with, in upper or lower case.
+/// Finds the first word of a statement, in upper or lower case.
 [[nodiscard]] Word find_word(std::string_view major);
 
-/// Returns true for words that move the tool or change the meaning of motion. An overlooked one would be missed.
+/// Returns whether a word moves the tool or changes the meaning of motion. A word that is missing here would be
+/// overlooked.
 [[nodiscard]] bool changes_motion(Word word);
 
-/// Finds, for a statement with an unknown word, the known word that its beginning was meant to be, as far as possible.
-/// Else returns `unknown`. (1) Something stands at the word without a slash ("GOTO(0", "GODLTA-50.", "CUTTER=5"). (2)
-/// One character is missing, wrong or too many ("GODLT", "CUTTTER"). (3) Two are swapped. Only words that change motion
-/// are found.
+/// Finds, for a statement with an unknown word, the known word that its beginning was probably meant to be. Else
+/// returns `unknown`. (1) Text without a slash is joined to the word ("GOTO(0", "GODLTA-50.", "CUTTER=5"). (2) One
+/// character is missing, wrong or too many ("GODLT", "CUTTTER"). (3) Two characters are swapped. Only words that change
+/// motion are found.
 [[nodiscard]] Word find_intended_word(std::string_view major);
 
-/// Returns the word that `token` ends with, of those that change motion and have four letters or more: CYCLE of
-/// "OFFCYCLE".
+/// Returns the word with which `token` ends, such as CYCLE in "OFFCYCLE". It is one of the words that change motion and
+/// have at least four letters.
 [[nodiscard]] Word find_word_at_end(std::string_view token);
 
-/// Returns true of words that only go on in a statement whose beginning is missing: OFF, FEDTO, MMPM.
+/// Returns whether a word occurs only after the beginning of a statement: OFF, FEDTO, MMPM. At the beginning of a line
+/// it shows that the beginning of the statement is missing.
 [[nodiscard]] bool is_minor_word(std::string_view word);
 
-/// Returns how many characters the free-text word of `line` (without leading blanks) has, or 0 when it has no such
-/// word. The rest of such a line is text, whatever it holds. PARTNO, PPRINT and their like need no delimiter after
-/// their six letters.
+/// Returns the length of the free-text word of `line` (without leading blanks), or 0 if it has no such word. The rest
+/// of such a line is always text. PARTNO, PPRINT and similar words need no delimiter after their six letters.
 [[nodiscard]] std::size_t free_text_word_length(std::string_view line);
 
 /// Returns the unit of MM, MMS, MILLIMETERS, INCH, INCHES, IN; nothing for other words.

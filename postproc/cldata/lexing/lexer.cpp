@@ -17,8 +17,8 @@ std::size_t length_of(std::string_view text, bool (*belongs)(char)) {
   return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), belongs) - text.begin());
 }
 
-// `text` without its comment and without the `$` that continues it, after which APT reads nothing of the line; shows
-// whether there was one. In a comment with data, `$$->`, only a `$` at its end continues it.
+// Removes from `text` its comment and the `$` that continues it, after which APT ignores the rest of the line. Returns
+// whether there was such a `$`. A comment with data, `$$->`, is continued only by a `$` at its end.
 bool strip_line(std::string_view& text, bool is_comment) {
   const std::size_t dollar = text.find('$');
   if (dollar == std::string_view::npos) {
@@ -33,8 +33,8 @@ bool strip_line(std::string_view& text, bool is_comment) {
   return true;
 }
 
-// APT reads no blanks: CUT COM/LEFT is a CUTCOM. Nor does it know letters beyond ASCII, as the blank that does not
-// break is one.
+// Finds a word without its blanks, which APT ignores: CUT COM/LEFT is a CUTCOM. Characters beyond ASCII, such as the
+// no-break space, are ignored too.
 Word word_without_blanks(std::string_view words) {
   if (words.size() > kLongestMajor) return Word::unknown;
   std::string squeezed;
@@ -49,7 +49,7 @@ bool begins_with_word(std::string_view text) {
          word_without_blanks(text.substr(0, text.find('/'))) != Word::unknown;
 }
 
-// Length of a sequence number or label before a word that is known: "N10 ", "20 ", "LAB1) ".
+// Returns the length of a sequence number or label before a known word: "N10 ", "20 ", "LAB1) ".
 std::size_t label_length(std::string_view line) {
   const std::size_t letter = line.front() == 'N' || line.front() == 'n' ? 1 : 0;
   std::size_t length = letter + length_of(line.substr(letter), is_digit);
@@ -65,7 +65,7 @@ std::size_t label_length(std::string_view line) {
   return begins_with_word(rest) ? static_cast<std::size_t>(rest.data() - line.data()) : 0;
 }
 
-// Cuts the major word off `text`: up to the slash, or up to the first blank where a blank delimits it.
+// Cuts the major word off `text`: up to the slash, or up to the first blank if a blank delimits it.
 std::string_view take_major(std::string_view& text) {
   const std::size_t slash = text.find('/');
   std::string_view major = trim(text.substr(0, slash));
@@ -87,7 +87,8 @@ std::string_view first_line(std::string_view bytes) {
   return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
 }
 
-// A sequence number: digits up to column 80, with blanks or letters of a name before them.
+// Returns whether columns 73 to 80 are a sequence number: digits up to column 80, possibly after blanks or letters of a
+// name.
 bool is_sequence(std::string_view columns) {
   const std::string_view text = trim(columns);
   const std::size_t letters = length_of(text, is_letter);
@@ -99,7 +100,7 @@ bool is_card(std::string_view line) {
   return line.size() == kCard && !trim(line.substr(0, kColumns)).empty() && is_sequence(line.substr(kColumns));
 }
 
-// "PT     1" and "CIR    1" of CATIA.
+// Returns whether columns are a point number of CATIA: "PT     1" or "CIR    1".
 bool is_point_number(std::string_view columns) {
   const std::string_view text = trim(columns);
   const std::size_t word = starts_with_ignoring_case(text, "PT") ? 2 : starts_with_ignoring_case(text, "CIR") ? 3 : 0;
@@ -142,7 +143,7 @@ void Lexer::take_pieces(Statement& statement, std::string_view text) {
     std::string_view more = take_line();
     statement.hides_comment = statement.hides_comment || more.starts_with("$$->") || more.starts_with("$$*");
     const bool is_continued_again = strip_line(more, is_comment);
-    if (more.empty() && !is_continued_again) continue;  // a comment or an empty line amid a statement
+    if (more.empty() && !is_continued_again) continue;  // a comment or an empty line within a statement
     if (!more.empty() && statement.pieces.size() < kMaxArguments) statement.pieces.push_back(more);
     is_continued = is_continued_again;
   }

@@ -5,9 +5,9 @@
 
 #include "postproc/cldata/language/statement.h"
 
-// Bytes to logical statements. A `$` ends a line and continues the statement on the next one. Two, `$$`, begin a
-// comment, except that the text of PPRINT and its like is taken as it stands. Sequence numbers and labels before a
-// known word do not belong to it. Nor do the numbers of points and of cards in columns 73 to 80. Bytes are not decoded.
+// Divides bytes into logical statements. A `$` ends a line and continues the statement on the next one. Two, `$$`,
+// begin a comment, except in the text of PPRINT and similar words. Sequence numbers and labels before a known word do
+// not belong to it. Numbers of points and cards in columns 73 to 80 do not either. Bytes are not decoded.
 
 namespace gouge {
 
@@ -16,7 +16,7 @@ class Lexer final : public StatementSource {
   /// `bytes` must outlive the statements.
   explicit Lexer(std::string_view bytes, std::size_t first_byte = 0, std::size_t line = 1);
 
-  /// Reads the next statement that is not blank into `statement` (whose memory is used again); false at the end.
+  /// Reads the next statement that is not blank into `statement`, whose memory is reused. Returns false at the end.
   [[nodiscard]] bool next(Statement& statement) override;
 
  private:
@@ -30,11 +30,11 @@ class Lexer final : public StatementSource {
   std::size_t at_;
   std::size_t line_;
   bool has_cards_ = false;       // lines are card images
-  std::string_view last_major_;  // statements repeat the word of the one before them
+  std::string_view last_major_;  // the last word, because statements often repeat the word of the previous one
   Word last_word_ = Word::unknown;
 };
 
-/// Returns a Lexer of its own.
+/// Returns a new Lexer.
 [[nodiscard]] std::unique_ptr<StatementSource> open_text(std::string_view bytes, std::size_t first_byte,
                                                          std::size_t line);
 

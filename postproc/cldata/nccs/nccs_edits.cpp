@@ -35,7 +35,8 @@ class NccsCorrector {
   [[nodiscard]] Pose local_end(std::size_t move) const;
   [[nodiscard]] std::string numbers(const MotionRecord& record, const Pose& local, bool with_axis) const;
   void copy(std::size_t first_word, std::size_t last_word);
-  /// Without the circles that go. To be called forever later words.
+  /// Copies source words without the circles that are dropped. Every call must be for later words than the previous
+  /// one.
   void copy_source(std::size_t first_word, std::size_t last_word);
   void add(std::uint16_t klass, std::uint16_t subclass, std::uint16_t sequence, const std::string& words);
   void add_position(const MotionRecord& record, const Pose& local, std::uint16_t sequence);
@@ -47,10 +48,10 @@ class NccsCorrector {
   const Toolpath& path_;
   NccsWords source_;
   const MotionRecords& read_;
-  const std::vector<MotionRecord>& records_;  // of read_
+  const std::vector<MotionRecord>& records_;  // the records in read_
   ChangeTable changes_;
-  std::vector<std::size_t> dropped_;  // statements of circles that become straight, in order
-  std::size_t next_dropped_ = 0;      // of those, not yet come by
+  std::vector<std::size_t> dropped_;  // statements of circles whose arcs become straight, in order
+  std::size_t next_dropped_ = 0;      // index of the next of these that was not yet passed
   std::string words_;
 };
 
@@ -63,7 +64,7 @@ void NccsCorrector::drop_circles() {
   dropped_.erase(std::unique(dropped_.begin(), dropped_.end()), dropped_.end());
 }
 
-// An arc that stays needs the position it begins at.
+// Finds an arc that stays although the position at its beginning changes.
 std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
   for (std::size_t i = 1; i < records_.size(); ++i) {
     const Move& move = path_.moves[i];
@@ -75,7 +76,8 @@ std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
   return std::nullopt;
 }
 
-// Round, on a circle of which other arcs become straight. A list may begin with a position that is not round.
+// Returns whether a move is an arc that stays, on a circle of which other arcs become straight. A list may begin with a
+// position that is not on an arc.
 bool NccsCorrector::needs_own_circle(std::size_t move) const {
   const Move& m = path_.moves[move];
   const bool is_round = m.curve_kind != CurveKind::none || !is_motion_known(m.not_checked_reason);
@@ -90,7 +92,7 @@ Pose NccsCorrector::local_end(std::size_t move) const {
 
 bool NccsCorrector::needs_rewriting(std::size_t first, std::size_t last) const {
   for (std::size_t i = first; i < last; ++i) {
-    // Left as it is, a continuation would go on along a circle put before the positions it continues.
+    // If it stayed unchanged, a continuation would run along a circle that is put before the positions it continues.
     if (changes_.has_new_end(i) || changes_.has_insertion(i) || changes_.is_straightened(i) || needs_own_circle(i))
       return true;
   }
@@ -124,7 +126,8 @@ void NccsCorrector::add(std::uint16_t klass, std::uint16_t subclass, std::uint16
   words_ += words;
 }
 
-// Without MULTAX a position with an axis would be two positions, so it is switched on for this one.
+// Adds a position. Without MULTAX a position with an axis would be two positions, so MULTAX is switched on for this
+// one.
 void NccsCorrector::add_position(const MotionRecord& record, const Pose& local, std::uint16_t sequence) {
   const bool is_new_axis = (local.axis - record.implied_axis_local).cwiseAbs().maxCoeff() > kSameNccsAxis;
   const bool has_axis = record.numbers == 6 || (record.numbers == 0 && !record.is_multax_off) || is_new_axis;
@@ -148,7 +151,7 @@ void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
   if (record.is_rapid) add(NccsClass::kPost, NccsSubclass::kRapid, sequence, {});
 }
 
-// As a record of its own.
+// Copies a point as a record of its own.
 void NccsCorrector::copy_point(std::size_t move, const NccsHeader& header) {
   const MotionRecord& record = records_[move];
   const bool is_expanded = header.klass == NccsClass::kExpanded;
@@ -199,7 +202,7 @@ void NccsCorrector::rewrite(std::size_t first, std::size_t last, const NccsHeade
   }
 }
 
-// The zeros that fill the last block are read as damage unless they follow FINI.
+// Returns all records in blocks. The zeros that fill the last block are read as damage unless they follow FINI.
 std::string NccsCorrector::laid_out() const {
   std::string bytes = nccs_blocks(words_);
   const std::size_t last_record = first_word_of(path_.statements.size() - 1);

@@ -30,8 +30,8 @@ bool is_known_class(std::uint16_t klass) {
   return std::find(kKnown.begin(), kKnown.end(), klass) != kKnown.end();
 }
 
-// Tests a file without the header record. Its first records are of known classes, each as long as it states. They reach
-// the end of the file, or are more than another file would have by chance.
+// Tests a file without the header record. Its first records must be of known classes, each with the length that it
+// states. They must reach the end of the file, or be more than could occur by chance in another file.
 bool is_chain_of_records(std::string_view bytes) {
   constexpr std::size_t kFewest = 3, kEnough = 16;
   const NccsWords words(bytes);

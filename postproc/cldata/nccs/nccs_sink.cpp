@@ -10,9 +10,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kLongestSweep_rad = 2.5;  // clearly less than half a turn, so that the other way is longer
+constexpr double kLongestSweep_rad = 2.5;  // clearly less than half a turn, so that the opposite arc is longer
 constexpr double kShortestChord_mm = 0.01;
-constexpr double kCircleKind = 5;  // the first of the five words before a circle's numbers
+constexpr double kCircleKind = 5;  // the first of the five words before the numbers of a circle
 constexpr std::size_t kHeaderWords = 16, kNameWords = 8, kProgramWord = 12;
 
 struct PostCode {
@@ -26,7 +26,7 @@ std::uint16_t minor_code(CutcomSide side) {
   return kCodes[static_cast<std::size_t>(side)];
 }
 
-// `text` in whole words, filled with blanks.
+// Returns `text` in whole words, filled with blanks.
 std::string text_words(std::string text, std::size_t words) {
   text.resize(words * kNccsWordBytes, ' ');
   return text;
@@ -50,7 +50,7 @@ void NccsSink::begin_operation(const std::string& name) {
   add(NccsClass::kPost, PostCode::kPprint, text_words(name, (name.size() + kNccsWordBytes - 1) / kNccsWordBytes));
 }
 
-// The number first: a number seen before brings its old cutter with it.
+// Writes the number before the cutter, because a number that occurred before restores its old cutter.
 void NccsSink::change_tool(const PathTool& tool) {
   if (tool.number) add(NccsClass::kPost, PostCode::kLoadtl, nccs_word(static_cast<double>(*tool.number)));
   if (!tool.cutter) return;
@@ -75,7 +75,7 @@ bool NccsSink::set_cutcom(CutcomSide side) {
 
 void NccsSink::retract() { add(NccsClass::kPost, PostCode::kRetrct, {}); }
 
-// As NCL writes it, without a unit; with it once one per revolution makes it needed.
+// Writes the feed without a unit, as NCL does. The unit is written from the first feed per revolution on.
 bool NccsSink::set_feed(const Feed& feed) {
   constexpr std::uint16_t kIpm = 73, kIpr = 74, kMmpm = 315, kMmpr = 316;
   const bool is_inch = unit_ == LengthUnit::inch;
@@ -100,7 +100,7 @@ void NccsSink::go_to(const Pose& end) {
   add(NccsClass::kMotion, 5, words);
 }
 
-// A planar arc with one tool axis, reached the shorter arc: which sense it has the record does not state.
+// Writes a planar arc with one tool axis if it is the shorter of both arcs. The record does not state the sense.
 bool NccsSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) {
   const Vec3 radial = start.tip - arc.center;
   const bool is_planar = std::abs(radial.dot(arc.axis)) <= Tolerance::kWitness_mm &&

@@ -8,7 +8,7 @@
 #include "postproc/cldata/writing/sink_options.h"
 #include "postproc/program/motion_sink.h"
 
-// Writes a toolpath as binary NCCS records.
+// A sink that writes a toolpath as binary NCCS records.
 
 namespace gouge {
 

@@ -17,13 +17,13 @@ constexpr std::uint16_t kCutter = 6, kInnerTolerance = 4, kOuterTolerance = 5;
 constexpr std::uint16_t kFirstText = 1043, kLastText = 1046, kOtherText = 1199;
 constexpr std::size_t kTextLetters = 66;  // the rest of the record is not part of the text
 constexpr std::size_t kCircleNumbers = 7;
-// Before them five words that state which geometry it was.
+// The numbers of a circle may follow five words about the kind of its geometry.
 constexpr std::size_t kCircleWords = 12;
 
 // An item that is neither a number nor a known word.
 constexpr Argument kNotKnown = {"?", std::nullopt};
 
-// Numbers that a CL file may hold; words and text read as a number are far from it.
+// Returns whether a CL file may contain this number. Words and text read as a number are far outside the range.
 bool is_plausible(double value) {
   constexpr double kLargest = 1e9, kSmallest = 1e-30;
   const double size = std::abs(value);
@@ -44,7 +44,7 @@ bool is_text(std::uint16_t subclass) {
   return (subclass >= kFirstText && subclass <= kLastText) || subclass == kOtherText;
 }
 
-// Meaning of the word in text, except statements that only text can hold.
+// Returns the word in text with the same meaning. It is not a word that can occur only in text.
 Word post_word(const Statement& statement) {
   const Word word = find_word(statement.major);
   if (word == Word::part_program) return Word::unread_frame;
@@ -68,7 +68,7 @@ Argument NccsStatements::argument_at(std::size_t index) const {
   return name.empty() ? kNotKnown : Argument{name, std::nullopt};
 }
 
-// As far as it stands in one block.
+// Returns the text of a record, as far as it is in one block.
 std::string_view NccsStatements::text_of(const NccsHeader& header) const {
   std::size_t letters = 0;
   const std::size_t first = NccsWords::offset(word_ + 1);
@@ -101,7 +101,8 @@ void NccsStatements::take_motion(const NccsHeader& header, Statement& statement)
   for (std::size_t i = 1; i < header.words; ++i) statement.decoded.push_back(number_at(i));
 }
 
-// Each point is its position, its axis and five more vectors, of which none states where the tool is.
+// Takes expanded motion. Each point has its position, its axis and five more vectors, none of which is needed for the
+// position of the tool.
 void NccsStatements::take_expanded(const NccsHeader& header, Statement& statement) {
   statement.word = Word::unread_motion;
   statement.major = "expanded motion";
@@ -111,7 +112,7 @@ void NccsStatements::take_expanded(const NccsHeader& header, Statement& statemen
   for (std::size_t point = 1; point < header.words; point += kNccsExpandedWords) {
     const Vec3 axis(words_.number(word_ + point + 3), words_.number(word_ + point + 4),
                     words_.number(word_ + point + 5));
-    // Without MULTAX the post-processor would leave another axis out.
+    // Without MULTAX the post-processor would ignore an axis other than +Z.
     const bool is_dropped = is_multax_off_ && (axis - Vec3::UnitZ()).norm() > Tolerance::kUnitVectorError;
     if (!(std::abs(axis.norm() - 1) <= Tolerance::kUnitVectorError) || is_dropped) {
       statement.decoded.clear();
@@ -133,8 +134,8 @@ void NccsStatements::take_circle(const NccsHeader& header, Statement& statement)
   for (std::size_t i = header.words - kCircleNumbers; i < header.words; ++i) statement.decoded.push_back(number_at(i));
 }
 
-// CUTTER/d,r,h as programmed, or d,r,h,side angle. APT's d is where the flank meets the bottom plane; its
-// ASCII twin shows it: 0.2,0.1,0.2,-89 is CUTTER/22.918,0.1,0,0.1,0,-89,0.2.
+// Takes CUTTER/d,r,h as programmed, or d,r,h,side angle. In APT, d is the diameter at which the flank meets the bottom
+// plane. The ASCII file of the same program shows it: 0.2,0.1,0.2,-89 is CUTTER/22.918,0.1,0,0.1,0,-89,0.2.
 void NccsStatements::take_cutter(const NccsHeader& header, Statement& statement) {
   std::vector<Argument> given;
   for (std::size_t i = 1; i < header.words; ++i) given.push_back(number_at(i));

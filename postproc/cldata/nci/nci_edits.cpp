@@ -20,9 +20,9 @@
 namespace gouge {
 namespace {
 
-// Motion pairs as one NCI file writes them: its pairs with other ends, and new ones that look like them. Ends are in
-// the file's unit. Besides its end a position inserted before a pair states compensation 0 (no change) and flags 0.
-// Both are events of the pair's own position. It also states the feed of the pair, which -1 and -2 keep right.
+// Motion pairs in the style of one NCI file: its pairs with other ends, and new pairs of the same form. Ends are in the
+// file's unit. A position inserted before a pair states its end, compensation 0 (no change) and flags 0. Compensation
+// and flags are events of the pair's own position. It also has the feed of the pair, with which -1 and -2 stay correct.
 
 struct NciMotionPair {
   NciPair lines;
@@ -32,24 +32,24 @@ struct NciMotionPair {
 
 class NciText {
  public:
-  /// Learns from the first motions of the file.
+  /// Learns the style from the first motions of the file.
   NciText(const Toolpath& path, const MotionRecords& records);
 
-  /// The pair of a move that has a position.
+  /// Returns the pair of a move that has a position.
   [[nodiscard]] NciMotionPair pair_of(std::size_t move) const;
 
-  /// `pair` with another end. Numbers that stay the same at the file's decimals keep their bytes. The axis counts for
-  /// five axes alone. The second point stays as far above the tip as it is, in as many decimals as the file has. It
-  /// gets more where the axis read again would be off by more than the file's own last digit makes it. That is at least
-  /// 1e-6 and at most 1e-5. Requires a line, of five axes or not.
+  /// Returns `pair` with another end. Numbers that are equal at the file's decimals keep their bytes. The axis is used
+  /// only for five axes. The distance of the second point from the tip stays the same, with as many decimals as the
+  /// file has. It gets more if the axis would be read with a larger error than from the last digit of the file. The
+  /// allowed error is at least 1e-6 and at most 1e-5. Requires a line, of five axes or not.
   [[nodiscard]] std::string moved(const NciMotionPair& pair, const Pose& end) const;
-  /// A position of the same form before `pair`. Requires a line, of five axes or not.
+  /// Returns a position of the same form, to be put before `pair`. Requires a line, of five axes or not.
   [[nodiscard]] std::string inserted(const NciMotionPair& pair, const Pose& end) const;
-  /// A line in place of the arc `pair`, or before that one.
+  /// Returns a line in place of the arc `pair`, or before it.
   [[nodiscard]] std::string straight(const NciMotionPair& pair, const Vec3& tip, bool is_inserted) const;
 
  private:
-  using Tokens = std::vector<std::string>;  // for each field; empty: the file's bytes stay
+  using Tokens = std::vector<std::string>;  // for each field; empty: the bytes of the file stay
 
   void learn(const NciMotionPair& pair);
   [[nodiscard]] std::size_t offset(std::string_view text) const {
@@ -62,7 +62,8 @@ class NciText {
 
   const Toolpath& path_;
   NumberStyle tips_, second_points_;
-  double min_axis_error_ = 0;  // uncertainty by the decimals of the file's points, times the length
+  // error of a point by the decimals of the file; divided by the length it is that of the axis
+  double min_axis_error_ = 0;
   std::string line_end_;
 };
 
@@ -72,7 +73,7 @@ constexpr double kMinAxisError = 1e-6, kMaxAxisError = 1e-5;
 
 bool is_zero(const Argument& field) { return field.number && std::abs(*field.number) <= 0; }
 
-// Compensation and flags of an inserted position: no change, nothing special.
+// Sets compensation or flags of an inserted position to "no change" and "nothing special".
 void put_nothing(const NciMotionPair& pair, std::optional<std::size_t> field, std::vector<std::string>& tokens) {
   if (field && *field < pair.fields.size() && !is_zero(pair.fields[*field])) tokens[*field] = "0";
 }
@@ -133,7 +134,7 @@ void NciText::put_second_point(const NciMotionPair& pair, const Vec3& tip, const
 }
 
 void NciText::put_end(const NciMotionPair& pair, const Pose& end, Tokens& tokens) const {
-  Vec3 tip = Vec3::Zero();  // as it will be read
+  Vec3 tip = Vec3::Zero();  // the tip as it will be read
   for (Eigen::Index i = 0; i < 3; ++i) {
     const std::size_t field = pair.motion.tip[static_cast<std::size_t>(i)];
     const double before = *pair.fields[field].number;
@@ -159,7 +160,7 @@ std::string NciText::rendered(const NciMotionPair& pair, const Tokens& tokens) c
     std::string padding(blanks, ' ');
     if (is_second) padding = second_points_.padding(tokens[i], blanks);
     if (is_tip) padding = tips_.padding(tokens[i], blanks);
-    if (padding.empty() && blanks > 0) padding = " ";  // a number wider than its column
+    if (padding.empty() && blanks > 0) padding = " ";  // for a number that is wider than its column
     result += bytes.substr(copied, begin - blanks - copied);
     result += padding + tokens[i];
     copied = begin + pair.fields[i].text.size();
@@ -214,7 +215,7 @@ std::string NciText::with_line_end(std::string text) const {
 }
 
 constexpr double kSameNciAxis = 5e-7;
-constexpr std::size_t kPointAndAxis = 6;  // numbers of a five-axis line
+constexpr std::size_t kPointAndAxis = 6;  // number of numbers in a five-axis line
 
 bool is_plain(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameNciAxis; }
 

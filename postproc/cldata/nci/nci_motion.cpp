@@ -15,8 +15,8 @@ constexpr std::size_t kFieldsOfLinear = 5, kFieldsOfArc = 8, kFieldsOfFiveAxis =
 constexpr std::size_t kFullCircleField = 9;
 constexpr double kMinComp = 40;
 constexpr double kRapidFeed = -2;
-constexpr double kShortestVector = 1e-3;  // below it the digits of the points states nothing about a direction
-constexpr double kLargestFlags = 1e15;    // beyond it a number has no last digits
+constexpr double kShortestVector = 1e-3;  // for a shorter vector the digits of the points give no direction
+constexpr double kLargestFlags = 1e15;    // a larger number has no last digits
 
 bool is_equal(double a, double b) { return std::abs(a - b) < Tolerance::kRounding; }
 
@@ -45,7 +45,7 @@ NciMotion read_linear(std::span<const Argument> fields) {
   return motion;
 }
 
-// One reader has compensation before the plane, another one after it; their values show which is which.
+// Reads the plane. In some files compensation is before the plane, in others after it; the values show the order.
 bool read_plane(std::span<const Argument> fields, NciMotion& motion) {
   const std::array<double, 2> value = {*fields[0].number, *fields[1].number};
   double plane = 0;
@@ -74,7 +74,7 @@ NciMotion read_arc(int code, std::span<const Argument> fields) {
   if (!are_numbers(fields, kFieldsOfArc)) return failed(motion, NciProblems::kNumbers);
   if (!read_plane(fields, motion)) return failed(motion, NciProblems::kPlane);
   motion.is_clockwise = code == NciCode::kClockwise;
-  // Plane coordinates in the order of the plane's name, then what stands across it.
+  // The fields are the plane coordinates in the order of the plane's name, then the coordinate perpendicular to it.
   std::array<std::size_t, 3> center{};
   switch (motion.plane) {
     case NciPlane::xy:
@@ -100,7 +100,7 @@ NciMotion read_arc(int code, std::span<const Argument> fields) {
   return motion;
 }
 
-// 2 or more among the hundreds or thousands switches compensation.
+// Returns whether the flags switch nothing: a digit of 2 or more for the hundreds or thousands switches compensation.
 bool are_flags_plain(const std::optional<double>& flags) {
   if (!flags || !(*flags >= 0 && *flags <= kLargestFlags) || std::floor(*flags) < *flags) return false;
   const auto digits = static_cast<long long>(*flags);
@@ -139,7 +139,7 @@ NciMotion read_nci_motion(int code, std::span<const Argument> fields) {
 
 namespace {
 
-constexpr std::size_t kPairsLookedAt = 2000;  // hundreds of parameters may come before the first motion
+constexpr std::size_t kPairsLookedAt = 2000;  // hundreds of parameters may precede the first motion
 constexpr std::size_t kMaxFields = 100;
 constexpr std::size_t kMinNumbersOfMotion = 5;
 constexpr int kLargestCode = 99999;

@@ -12,11 +12,11 @@
 #include "postproc/cldata/language/statement.h"
 #include "postproc/cldata/language/text.h"
 
-// Content and location of a motion pair of a Mastercam NCI file. The reader makes statements of it, and the writer puts
+// Content and place of a motion pair of a Mastercam NCI file. The reader makes statements from it, and the writer puts
 // other numbers into its fields. Evidence for each field: docs/formats/mastercam_nci.md.
 
-// The container of Mastercam NCI files: pairs of lines, first a code alone, then its parameters separated by
-// blanks.
+// Also the container of Mastercam NCI files: pairs of lines, each of which is a code alone and then its parameters,
+// separated by blanks.
 
 namespace gouge {
 
@@ -31,7 +31,7 @@ struct NciCode {
   return (code >= NciCode::kRapid && code <= NciCode::kCounterClockwise) || code == NciCode::kFiveAxis;
 }
 
-/// Reason not to read a motion pair; reported as its word, which is cut after 24 letters.
+/// Reasons not to read a motion pair. They are reported as its word, which is cut after 24 letters.
 struct NciProblems {
   static constexpr const char* kNumbers = "NCI motion, few numbers";
   static constexpr const char* kPlane = "NCI arc, plane or comp.";
@@ -43,34 +43,34 @@ struct NciProblems {
 enum class NciForm : std::uint8_t { linear, arc, five_axis };
 enum class NciPlane : std::uint8_t { xy, yz, xz };
 
-/// Notation: fields are counted from 0; lengths are in the file's unit.
+/// A motion pair. Fields are counted from 0, and lengths are in the file's unit.
 struct NciMotion {
-  const char* problem = nullptr;       ///< one of NciProblems: then only `compensation` states anything
-  std::optional<double> compensation;  ///< 0: no change; 40 and 140: off; nothing: not stated
+  const char* problem = nullptr;       ///< one of NciProblems: then only `compensation` has a meaning
+  std::optional<double> compensation;  ///< 0: no change; 40 and 140: off; nothing: the pair does not state it
   NciForm form = NciForm::linear;
   bool is_rapid = false;
-  std::array<std::size_t, 3> tip{};  ///< fields of the end's x, y and z
-  std::optional<std::size_t> comp;   ///< field; nothing where the pair has none
-  std::size_t feed = 0, flags = 0;   ///< fields; that of the flags may be missing
-  Vec3 axis = Vec3::UnitZ();         ///< of five axes: unit
-  double axis_length = 1;            ///< of five axes: how far above the tip the second point is
-  Vec3 center = Vec3::Zero();        ///< of arcs; along their axis it is where the end is
-  NciPlane plane = NciPlane::xy;     ///< of arcs
-  bool is_clockwise = false;         ///< of arcs
-  bool is_full_circle = false;       ///< of arcs, where the pair states so
+  std::array<std::size_t, 3> tip{};  ///< indices of the fields with x, y and z of the end
+  std::optional<std::size_t> comp;   ///< index of the field with the compensation; nothing if the pair has none
+  std::size_t feed = 0, flags = 0;   ///< indices of fields; the flags may be missing
+  Vec3 axis = Vec3::UnitZ();         ///< unit axis of a five-axis line
+  double axis_length = 1;            ///< for five axes: distance of the second point from the tip
+  Vec3 center = Vec3::Zero();        ///< of an arc; its coordinate along the arc's axis is that of the end
+  NciPlane plane = NciPlane::xy;     ///< plane of an arc
+  bool is_clockwise = false;         ///< for an arc
+  bool is_full_circle = false;       ///< for an arc, if the pair states it
 };
 
-/// Fields of the second point of a five-axis line.
+/// Indices of the fields with the second point of a five-axis line.
 inline constexpr std::array<std::size_t, 3> kNciSecondPoint = {3, 4, 5};
 
-/// Requires is_nci_motion(code).
+/// Reads a motion pair. Requires is_nci_motion(code).
 [[nodiscard]] NciMotion read_nci_motion(int code, std::span<const Argument> fields);
 
 struct NciPair {
-  std::size_t line = 0;  ///< of the code
+  std::size_t line = 0;  ///< line of the code
   std::size_t first_byte = 0, last_byte = 0;
-  std::optional<int> code;      ///< nothing where the line is not one whole number
-  std::string_view code_text;   ///< its line, trimmed
+  std::optional<int> code;      ///< nothing if the line is not a single integer
+  std::string_view code_text;   ///< line of the code, trimmed
   std::string_view parameters;  ///< trimmed
   bool is_whole = false;        ///< the file does not end between code and parameters
 };
@@ -92,12 +92,11 @@ class NciLines {
   std::size_t line_;
 };
 
-/// The fields of a line of parameters into `fields` (whose memory is used again). Blanks alone separate them:
-/// a comma makes a field no number. Stops at a hundred, of which none but the first twenty mean anything
-/// here.
+/// Splits a line of parameters into `fields`, whose memory is reused. Only blanks separate fields, so a field with a
+/// comma is not a number. Stops at a hundred fields, of which only the first twenty are used.
 void split_nci_fields(std::string_view parameters, std::vector<Argument>& fields);
 
-/// Returns true where the first pairs of lines are codes and parameters, with a motion among them.
+/// Returns whether the first pairs of lines are codes and parameters, with a motion among them.
 [[nodiscard]] bool is_nci(std::string_view bytes);
 
 }  // namespace gouge

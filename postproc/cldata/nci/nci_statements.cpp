@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t kToolField = 3;
 constexpr double kCompOff = 40, kCompLeft = 41, kCompRight = 42, kCompOffAtEnd = 140;
 
-// Behind the nine numbers of a matrix stand those of an origin, and the number of the plane.
+// Returns whether a plane is that of the part. The nine numbers of a matrix are followed by those of an origin, and the
+// number of the plane.
 bool is_identity(const std::vector<Argument>& fields) {
   constexpr std::size_t kMatrix = 9, kOrigin = 12;
   if (fields.size() < kMatrix || fields.size() > kOrigin + 1) return false;
@@ -32,7 +33,7 @@ CutcomSide side_of(double compensation) {
   return is(kCompLeft) ? CutcomSide::left : is(kCompRight) ? CutcomSide::right : CutcomSide::unknown;
 }
 
-// Codes that describe tools, stock and toolpaths to a post-processor, in the chapter "The NCI File".
+// Returns whether a code only describes tools, stock or toolpaths to a post-processor (chapter "The NCI File").
 bool is_harmless_nci_code(int code) {
   constexpr std::array<int, 9> kCodes = {1011, 1012, 1016, 1017, 1020, 1050, 1051, 1052, 1053};
   constexpr int kFirstOfPath = 10000, kLastOfTool = 29999;
@@ -59,7 +60,7 @@ void NciStatements::add(Word word, std::string_view major) {
   statement.pieces.push_back(pair_.parameters);
 }
 
-// A pair that may have switched compensation in a way that is not read leaves it on.
+// Takes compensation. A pair that may have switched it in a way that is not read leaves it on.
 void NciStatements::take_compensation(std::optional<double> value) {
   if (value && std::abs(*value) < Tolerance::kSameDirection) return;
   const CutcomSide side = value ? side_of(*value) : CutcomSide::unknown;
@@ -105,15 +106,15 @@ void NciStatements::take_motion() {
   for (Eigen::Index i = 0; i < 3; ++i) decoded().push_back(number(motion.axis[i]));
 }
 
-// The tool plane turns positions in a way that no public reference describes. The plane of the part states that lines
-// of three axes have the axis +Z, whatever stands before it.
+// Takes a tool plane. It turns positions in a way that no public reference describes. The plane of the part means that
+// lines of three axes have the axis +Z, independent of earlier pairs.
 void NciStatements::take_plane() {
   if (!is_identity(read_fields())) return add(Word::unread_frame, "NCI 1014 (tool plane)");
   add(Word::tlaxis, "NCI 1014 (tool plane)");
   for (Eigen::Index i = 0; i < 3; ++i) decoded().push_back(number(Vec3::UnitZ()[i]));
 }
 
-// A diameter that 1013 states before the change is the tool's.
+// Takes a tool change. A diameter that 1013 states before it belongs to the tool.
 void NciStatements::take_tool() {
   const std::optional<double> diameter = std::exchange(diameter_, std::nullopt);
   if (read_fields().size() <= kToolField) return add(Word::unread_tool, "NCI 1000 to 1002");

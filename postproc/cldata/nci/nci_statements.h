@@ -10,8 +10,8 @@
 #include "postproc/cldata/nci/nci_motion.h"
 #include "postproc/program/cutcom.h"
 
-// The pairs of lines of a Mastercam NCI file as statements in words of APT. Lines, arcs and five-axis lines are motion;
-// drilling and tool planes become motion or frames that are not read. docs/formats/mastercam_nci.md.
+// The pairs of lines of a Mastercam NCI file as statements in words of APT. Lines, arcs and five-axis lines are motion.
+// Drilling and tool planes become motion or frames that are not read. docs/formats/mastercam_nci.md.
 
 namespace gouge {
 
@@ -20,8 +20,8 @@ class NciStatements final : public StatementSource {
   /// `bytes` must outlive the statements.
   NciStatements(std::string_view bytes, std::size_t first_byte, std::size_t line) : lines_(bytes, first_byte, line) {}
 
-  /// Reads the next statement; a pair may state several, of which all but the last span no bytes. Of a motion the last
-  /// is its GOTO, whose numbers are those of the pair, but for the axis, which has no text.
+  /// Reads the next statement. A pair may give several, of which only the last one spans bytes. For a motion that is
+  /// its GOTO. Its numbers are those of the pair, except the axis, which has no text.
   [[nodiscard]] bool next(Statement& statement) override;
 
  private:
@@ -34,17 +34,17 @@ class NciStatements final : public StatementSource {
   void add(Word word, std::string_view major);
   void add_circle(const NciMotion& motion);
   [[nodiscard]] std::vector<Argument>& decoded() { return queue_[queued_ - 1].decoded; }
-  /// Returns the pair's parameters; valid until the next call.
+  /// Returns the parameters of the pair; valid until the next call.
   [[nodiscard]] const std::vector<Argument>& read_fields();
 
   NciLines lines_;
   NciPair pair_;
   std::vector<Argument> fields_;
-  std::array<Statement, 4> queue_;  // CUTCOM, FEDRAT, CIRCLE, GOTO
+  std::array<Statement, 4> queue_;  // room for CUTCOM, FEDRAT, CIRCLE, GOTO
   std::size_t queued_ = 0, given_ = 0;
   CutcomSide cutcom_ = CutcomSide::none;
   std::optional<std::string_view> wcs_;
-  std::optional<double> diameter_;  // of the next tool
+  std::optional<double> diameter_;  // diameter of the next tool
 };
 
 [[nodiscard]] std::unique_ptr<StatementSource> open_nci(std::string_view bytes, std::size_t first_byte,

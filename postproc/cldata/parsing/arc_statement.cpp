@@ -14,19 +14,21 @@ namespace gouge {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// Points whose numbers are off by `rounding` are off each other's circle by no more than six times that. Coordinates of
-// 4 decimals of an inch give 0.008 mm.
+// Maximum distance of points from each other's circle, relative to the error `rounding` of their numbers. Coordinates
+// with 4 decimals of an inch give 0.008 mm.
 constexpr double kRadiusError = 6;
-constexpr double kEndsError_mm = 0.008;  // of positions that were rounded in inches, whatever decimals they have now
+// error of positions that were rounded in inches, with any number of decimals now
+constexpr double kEndsError_mm = 0.008;
 constexpr double kNearFull_mm = 0.02;    // an arc that ends so near before its start may be meant as a full circle
-constexpr double kTinyChord_mm = 2e-3;   // rounding could make of an arc this short a full circle
-constexpr double kTurnsChord_mm = 0.01;  // and of whole turns, which TIMES states, in inches of 4 decimals
+constexpr double kTinyChord_mm = 2e-3;   // rounding could turn an arc with this chord into a full circle
+constexpr double kTurnsChord_mm = 0.01;  // the same for whole turns, which TIMES states, in inches with 4 decimals
 constexpr double kAngleError_rad = 0.01;
-constexpr double kMinTangency = 0.02;  // cosine between tangent and radius that rounding can make
+constexpr double kMinTangency = 0.02;  // cosine between tangent and radius that can result from rounding
 constexpr double kMaxTurns = 1000;
 
-// Centre and vector; with the radius; with what NX and CAMplete write behind it. Any other number of them is a comma
-// lost or a number twice, and what stands behind it is read as something else. Readers of records make their own lists.
+// Returns whether a statement has a known form: centre and vector, possibly the radius, possibly the numbers that NX
+// and CAMplete write after it. Any other count means that a comma is lost or a number is repeated, so the numbers after
+// it would be misread. Readers of records make their own lists.
 bool has_known_form(ArcForm form, std::span<const Argument> arguments) {
   if (form == ArcForm::nci) return true;
   constexpr std::array<std::string_view, 7> kWords = {"CENTER", "AXIS",      "RADIUS",          "TIMES",
@@ -44,7 +46,7 @@ bool has_known_form(ArcForm form, std::span<const Argument> arguments) {
   }
   if (form == ArcForm::ncl) return true;
   const bool has_angle = form == ArcForm::with_sweep && numbers == 8;
-  // The first of the four that NX writes behind the radius is a tolerance; an angle there is not read.
+  // The first of the four numbers that NX writes after the radius is a tolerance; an angle there is not read.
   constexpr std::size_t kTolerance = 7;
   constexpr double kLargestTolerance = 1;
   const bool has_tolerances = numbers == 11 && (form == ArcForm::with_sweep || !arguments[kTolerance].number ||
@@ -61,7 +63,7 @@ std::optional<Vec3> vector_after(std::span<const Argument> arguments, std::strin
   return std::nullopt;
 }
 
-// The numbers before the first word.
+// Returns the numbers before the first word.
 std::vector<double> leading_numbers(std::span<const Argument> arguments) {
   std::vector<double> numbers;
   for (const Argument& argument : arguments) {
@@ -71,7 +73,7 @@ std::vector<double> leading_numbers(std::span<const Argument> arguments) {
   return numbers;
 }
 
-// CENTER,x,y,z,AXIS,i,j,k,RADIUS,r of DMG Mori, or x,y,z,i,j,k[,r] of everybody else.
+// Reads CENTER,x,y,z,AXIS,i,j,k,RADIUS,r of DMG Mori, or x,y,z,i,j,k[,r] of all other writers.
 bool read_circle(std::span<const Argument> arguments, ArcStatement& statement) {
   if (const std::optional<Vec3> center = vector_after(arguments, "CENTER")) {
     const std::optional<Vec3> axis = vector_after(arguments, "AXIS");
@@ -89,7 +91,8 @@ bool read_circle(std::span<const Argument> arguments, ArcStatement& statement) {
   return true;
 }
 
-// CAMWorks CLT and Mastercam NCI: the vector is a positive one of the part's and the word gives the sense.
+// Reads the sense in CAMWorks CLT and Mastercam NCI. The vector is a positive axis of the part, and a word states the
+// sense. Returns false if both words occur.
 bool read_sense_word(std::span<const Argument> arguments, ArcStatement& statement) {
   const bool is_right = has_argument(arguments, "COUNTERCLOCKWISE"), is_left = has_argument(arguments, "CLOCKWISE");
   if (is_right) statement.sense = ArcSense::right_handed;
@@ -97,12 +100,12 @@ bool read_sense_word(std::span<const Argument> arguments, ArcStatement& statemen
   return !(is_right && is_left);
 }
 
-// Decimals of the centre, or of the radius where that has whole numbers; the vector has decimals of its own. Records
-// hold numbers of no known decimals.
+// Returns the rounding of the centre, or of the radius if the centre has integers. The vector has its own number of
+// decimals. Records have numbers with an unknown number of decimals.
 double rounding_of_circle(const Dialect& dialect, std::span<const Argument> arguments) {
   if (dialect.is_binary) return kEndsError_mm / kRadiusError;
   constexpr std::size_t kCenter = 3;
-  const std::size_t first = arguments.front().number ? 0 : 1;  // behind CENTER
+  const std::size_t first = arguments.front().number ? 0 : 1;  // after the word CENTER
   const double center = rounding_of_points(arguments.subspan(first, std::min(kCenter, arguments.size() - first)));
   const bool has_radius = arguments.size() > 2 * kCenter && arguments[2 * kCenter].number;
   return center > 0 || !has_radius ? center : rounding_of_points(arguments.subspan(2 * kCenter, 1));
@@ -110,7 +113,7 @@ double rounding_of_circle(const Dialect& dialect, std::span<const Argument> argu
 
 double positive(double angle) { return angle <= 0 ? angle + 2 * kPi : angle; }
 
-// PTC: x,y,z,r, without the vector that shows which way round.
+// Returns whether a statement is that of PTC: x,y,z,r, without a vector to show the sense.
 bool is_flat_circle(std::span<const Argument> arguments) {
   constexpr std::size_t kNumbers = 4;
   return arguments.size() == kNumbers && find_word_argument(arguments) == nullptr;
@@ -124,8 +127,8 @@ ArcStatement flat_arc(const Dialect& dialect, std::span<const Argument> argument
   return statement;
 }
 
-// Start and end differ by no more than coordinates are rounded, and the stated radius from both by no more than they
-// do.
+// Returns whether the radii agree. Those of start and end may differ by the rounding of coordinates. The stated radius
+// may differ from both by its rounding, or by twice their difference.
 bool fits_radius(const ArcStatement& statement, double start_mm, double end_mm) {
   const double rounding_mm = std::clamp(kRadiusError * statement.rounding_mm, Tolerance::kFilePoint_mm, kEndsError_mm);
   const double ends_mm = std::abs(start_mm - end_mm);
@@ -182,7 +185,7 @@ bool is_tlon_of_numbers(std::span<const Argument> arguments) {
   return vector_after(arguments, "CIRCLE").has_value() && vector_after(arguments, "LINE").has_value();
 }
 
-// GOFWD,CIRCLE,x,y,z,r,ON[,2,INTOF],LINE,x,y,z,x,y,z and nothing else: PAST, TO and TANTO end elsewhere.
+// Reads GOFWD,CIRCLE,x,y,z,r,ON[,2,INTOF],LINE,x,y,z,x,y,z and no other form: PAST, TO and TANTO end elsewhere.
 std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, double mm_per_unit) {
   const auto is_word = [&](std::size_t i, std::string_view word) {
     return equals_ignoring_case(arguments[i].text, word);
@@ -224,7 +227,7 @@ ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start, const std
   statement.sense = ArcSense::right_handed;
   const ArcFit fit = fit_arc(statement, start, tlon.end);
   if (!fit.problem.empty()) return statement;
-  // Within rounding of half a turn either word is right.
+  // Within rounding of half a turn both words are right.
   const bool is_beyond_half = fit.arc.sweep_rad > kPi;
   if (is_beyond_half != tlon.is_beyond_half && std::abs(fit.arc.sweep_rad - kPi) > kAngleError_rad &&
       fit.arc.sweep_rad < 2 * kPi - kAngleError_rad) {

@@ -9,8 +9,8 @@
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/dialect.h"
 
-// CIRCLE, MOVARC and CATIA's TLON as arcs between two tips. Every dialect has its own sense of rotation;
-// evidence for each in docs/formats/arcs.md.
+// CIRCLE, MOVARC and TLON of CATIA as arcs between two tips. Every dialect has its own sense of rotation; evidence for
+// each is in docs/formats/arcs.md.
 
 namespace gouge {
 
@@ -34,16 +34,16 @@ struct ArcProblems {
   static constexpr const char* kSense = "nothing in the file states which way round its arcs run";
 };
 
-/// Content of an arc statement, in mm and in the frame its numbers are in.
+/// Content of an arc statement, in mm and in the frame of its numbers.
 struct ArcStatement {
   Vec3 center = Vec3::Zero();
-  Vec3 axis = Vec3::UnitZ();  ///< unit
+  Vec3 axis = Vec3::UnitZ();  ///< of unit length
   std::optional<double> radius_mm;
-  std::optional<double> sweep_rad;  ///< stated, without sign
-  int turns = 1;                    ///< TIMES
-  double rounding_mm = 0;           ///< how far each of its numbers, and of those of its ends, may be off
+  std::optional<double> sweep_rad;  ///< the stated sweep, without sign
+  int turns = 1;                    ///< number of turns in TIMES
+  double rounding_mm = 0;           ///< maximum error of its numbers and of those of its ends
   ArcSense sense = ArcSense::unknown;
-  std::string_view problem;  ///< one of ArcProblems: then the rest states nothing; empty: none
+  std::string_view problem;  ///< one of ArcProblems: then the other members have no meaning; empty: none
 };
 
 /// Returns an arc of which only `problem` is known.
@@ -52,41 +52,43 @@ struct ArcStatement {
 /// Reads CIRCLE/ or MOVARC/ in the sense of `dialect`.
 [[nodiscard]] ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> arguments, double mm_per_unit);
 
-/// CATIA: TLON,GOFWD/(CIRCLE/center,r),ON[,2,INTOF],(LINE/center,end). The circle lies in the plane of `tangent`
-/// (INDIRV) and the direction from the centre to `start`; it leaves the start along `tangent`.
+/// A TLON of CATIA: TLON,GOFWD/(CIRCLE/center,r),ON[,2,INTOF],(LINE/center,end). The circle lies in the plane of
+/// `tangent` (INDIRV) and the direction from the centre to `start`. It leaves the start along `tangent`.
 struct TlonStatement {
   Vec3 center = Vec3::Zero(), end = Vec3::Zero();
   double radius_mm = 0;
-  double rounding_mm = 0;       ///< how far each number may be off
+  double rounding_mm = 0;       ///< maximum error of each number
   bool is_beyond_half = false;  ///< ON,2,INTOF: the second crossing of the line
 };
 
-/// Returns true where circle and line are numbers, whatever words stand beside them: no part program.
+/// Returns whether circle and line are given by numbers, beside any words. Then the statement is not from a part
+/// program.
 [[nodiscard]] bool is_tlon_of_numbers(std::span<const Argument> arguments);
 
-/// Reads a TLON; nothing for one of another form.
+/// Reads a TLON; returns nothing for any other form.
 [[nodiscard]] std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, double mm_per_unit);
 
 [[nodiscard]] ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start,
                                        const std::optional<Vec3>& tangent);
 
-/// The arc of a statement between two tips, or why there is none.
+/// The arc of a statement between two tips, or the reason why there is none.
 struct ArcFit {
   PathArc arc;
   std::string_view problem;    ///< one of ArcProblems; empty: none
-  double radius_error_mm = 0;  ///< how far start, end and the stated radius disagree
+  double radius_error_mm = 0;  ///< disagreement of start, end and the stated radius
 };
 
 /// Fits the arc of a statement between two tips.
 /// Ensures  The sweep ends at `end` exactly; start = end is a full circle.
-/// Errors   Each is a `problem`. (1) kForm and its like from the statement. (2) kRadius: the distances of start and end
-///          from the axis differ by more than 0.008 mm. Or the stated radius differs from one of them too much: by more
-///          than twice that difference and six times the rounding of the numbers. The latter is taken as at least 0.001
-///          mm and at most 0.008 mm. (3) kPoint, kTiny, kAngle, kTimes, and kSense when the sense is unknown.
+/// Errors   Each is a `problem`. (1) kForm and similar ones from the statement. (2) kRadius: the distances of start and
+///          end from the axis differ by more than 0.008 mm. Or the stated radius differs from one of them by more than
+///          twice that difference, and by more than six times the rounding of the numbers. This rounding error is taken
+///          as at least 0.001 mm and at most 0.008 mm. (3) kPoint, kTiny, kAngle, kTimes, and kSense if the sense is
+///          unknown.
 [[nodiscard]] ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end);
 
-/// Returns true where the arc fits between both tips whichever way round it runs, so that only its sense decides. That
-/// is a stated half turn, a whole turn of a helix, or any arc that states no sweep.
+/// Returns whether the arc fits between both tips with either sense, so that only the sense decides. That is so for a
+/// stated half turn, for a whole turn of a helix, and for any arc without a stated sweep.
 [[nodiscard]] bool fits_both_ways(ArcStatement statement, const Vec3& start, const Vec3& end);
 
 /// Returns the unit direction in which a right-handed arc passes `tip`.

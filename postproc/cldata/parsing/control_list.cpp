@@ -11,7 +11,7 @@ namespace {
 
 using enum ControlMeaning;
 
-// The documents: docs/formats/machine_text.md.
+// The documents of the rows; docs/formats/machine_text.md lists them.
 constexpr std::string_view kIso = "ISO 6983-1", kFanuc = "Fanuc 30i", kHaas = "Haas mill", kSiemens = "Siemens 840D",
                            kHeidenhain = "Heidenhain TNC", kOkuma = "Okuma OSP", kLinuxCnc = "LinuxCNC";
 
@@ -122,7 +122,8 @@ constexpr auto kWords = std::to_array<ControlWord>({
     {"WORKPIECE", ControlForm::values, kSiemens},
 });
 
-// Whole blocks: two words, then only those of `rest`, which may have numbers, and of cycles the number.
+// Whole blocks: two words, then only those of `rest`, which may have numbers. Rows of cycles also state the number of
+// the cycle.
 constexpr auto kPhrases = std::to_array<ControlPhrase>({
     {"TOOL", "CALL", "S F", ControlPhrase::kNoNumber, harmless},
     {"TOOL", "DEF", "", ControlPhrase::kAnyNumber, harmless},
@@ -139,11 +140,11 @@ constexpr auto kPhrases = std::to_array<ControlPhrase>({
 
 std::vector<const ControlCode*> find_control_code(char letter, double number) {
   std::vector<const ControlCode*> rows;
-  constexpr double kWholeTenth = 1e-6;  // of codes read from decimals
+  constexpr double kWholeTenth = 1e-6;  // rounding of codes that are read from decimals
   const auto tenfold = static_cast<int>(std::lround(std::clamp(number, -1.0, 10000.0) * 10));
   const bool is_tenth = std::abs(number * 10 - tenfold) < kWholeTenth;
   for (const ControlCode& row : kCodes) {
-    // A range of several numbers that do little is one of whole ones: G1.5 is none of G0 to G3.
+    // A range of several numbers with little effect includes only integers: G1.5 is not one of G0 to G3.
     const bool does_little = row.meaning == harmless || row.meaning == path || row.meaning == offset;
     const bool has_tenths = row.letter == 'G' && (!does_little || row.first / 10 == row.last / 10);
     const bool is_whole = tenfold % 10 == 0 || has_tenths;

@@ -16,13 +16,13 @@ namespace gouge {
 
 namespace {
 
-// CAM systems write tool sizes with 4 decimals or more: a radius of half of 0.3125 is written 0.1563.
+// CAM systems write tool sizes with at least 4 decimals: a radius of half of 0.3125 is written as 0.1563.
 constexpr double kRadiusRounding = 1e-4;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-// The corner circle touches the bottom line, which rises by alpha, and the flank, which leans out by beta;
-// both meet at radius d/2. Its centre lies r inside of each.
+// Finds the centre of the corner circle, which touches the bottom line and the flank. The bottom line rises by alpha,
+// and the flank leans out by beta; they meet at the radius d/2. The centre lies r inside both of them.
 void find_corner_centre(CutterStatement& cutter) {
   const double a = radians(cutter.alpha_deg);
   const double b = radians(cutter.beta_deg);
@@ -33,7 +33,8 @@ void find_corner_centre(CutterStatement& cutter) {
 
 bool is_zero(double x) { return !(x < 0) && !(x > 0); }
 
-// Two zeros are not a centre: a corner circle about the tip would reach below it.
+// Returns whether e and f state another centre. Two zeros are not a centre, because a corner circle about the tip would
+// reach below it.
 bool is_corner_elsewhere(const CutterStatement& cutter, double r_mm, double z_mm, double mm_per_unit) {
   if (is_zero(r_mm) && is_zero(z_mm)) return false;
   const double allowed = 2 * kRadiusRounding * mm_per_unit;
@@ -46,7 +47,7 @@ std::string check_numbers(std::span<const Argument> arguments) {
   return quoted_text(word->text) + " is not a finite number";
 }
 
-// Sizes every form shares, in file units. Returns the error, or an empty text.
+// Checks the sizes of all forms, in file units. Returns the error, or an empty text.
 std::string check_sizes(double d, double r, double h, double alpha_deg, double beta_deg) {
   if (d < 0) return "diameter " + exact_text(d) + " is negative";
   if (r < 0) return "corner radius " + exact_text(r) + " is negative";
@@ -61,8 +62,8 @@ std::string check_radius(double d, double r) {
   return "corner radius " + exact_text(r) + " is larger than half the diameter " + exact_text(d);
 }
 
-// Returns whether a corner circle about `e` would reach farther out than the diameter of the cutter. Where e may be the
-// diameter of the tip, that is not a contradiction.
+// Returns whether a corner circle about `e` would reach farther out than the diameter of the cutter. It is no
+// contradiction if e may be the diameter of the tip.
 bool reaches_beyond(double d, double r, double e, bool has_tip_diameter) {
   const bool is_tip_diameter = has_tip_diameter && std::abs(e - (d - 2 * r)) <= 2 * kRadiusRounding;
   return !is_tip_diameter && e + r > d / 2 + 2 * kRadiusRounding;
@@ -166,14 +167,14 @@ namespace {
 
 constexpr std::string_view kOfMacros = "#=<>;";
 
-// Kinds of tools and their properties, as CAM systems and catalogues write them.
+// Kinds of tools and their properties, in the words of CAM systems and catalogues.
 constexpr std::string_view kToolWords =
     "MILL EM CRB CARBIDE HSS HSSE COBALT DRILL CENTERDRILL CENTREDRILL JOBBER SPOT SPOTDRILL REAMER REAM TAP TAPER BALL BALLNOSE "
     "BULL BULLNOSE HOG HOGNOSE FLAT ENDMILL FACEMILL SLOTMILL CHAMFER CSINK COUNTERSINK CBORE COUNTERBORE BORING BORE "
     "THREADMILL KEYSEAT KEYWAY DOVETAIL LOLLIPOP UNDERCUT ENGRAVE ENGRAVER FLUTE FLUTES ROUGHER FINISHER INSERTED "
     "FRESA FRAESER FRAISE BROCA BOHRER FORET PUNTA ESCARIADOR ALESOIR REIBAHLE GEWINDEBOHRER MACHO TARAUD";
 
-// "10MM", "90DEG", "4FL", "3/8IN", or "D10" and "R0.5": a number and at it a unit, or what it is.
+// Returns whether a text is a number with a unit or a kind: "10MM", "90DEG", "4FL", "3/8IN", "D10", "R0.5".
 bool is_dimension(std::string_view token) {
   constexpr std::string_view kBefore = "DRdr";
   if (kBefore.find(token[0]) != std::string_view::npos && parse_number(token.substr(1))) return true;
@@ -194,7 +195,7 @@ std::vector<std::string_view> split(std::string_view text) {
   return words;
 }
 
-// Without what stands in square brackets at its beginning: [HOLDER=C40-M12EM50].
+// Returns the text without a part in square brackets at its beginning: [HOLDER=C40-M12EM50].
 std::string_view without_holder(std::string_view text) {
   text = trim(text);
   if (!text.starts_with('[')) return text;

@@ -6,12 +6,12 @@
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/parsing/cycle_statement.h"
 
-// CYCLE/ON of NX with other values for some words of the last cycle.
+// CYCLE/ON of NX, which gives other values to some words of the last cycle.
 
 namespace gouge {
 namespace {
 
-// The words of NX with one value each: a number, or AUTO.
+// The words of NX that have one value each: a number, or AUTO.
 constexpr std::array<std::string_view, 14> kNxValues = {"FEDTO", "RAPTO", "CLEAR", "RTRCTO", "STEP", "DWELL", "MMPM",
                                                         "MMPR",  "IPM",   "IPR",   "CAM",    "INCR", "CSINK", "TPI"};
 
@@ -23,7 +23,7 @@ bool is_feed_unit(std::string_view word) {
   return is_one_of(word, std::array<std::string_view, 5>{"MMPM", "MMPR", "IPM", "IPR", "TPI"});
 }
 
-// Returns which of two words stands in the other's place.
+// Returns whether a word replaces the other one.
 bool replaces(std::string_view word, std::string_view other) {
   return equals_ignoring_case(word, other) || (is_height_above(word) && is_height_above(other)) ||
          (is_feed_unit(word) && is_feed_unit(other));

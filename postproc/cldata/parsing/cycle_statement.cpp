@@ -18,20 +18,20 @@ constexpr double kFarthest_mm = 1e6;
 
 using Arguments = std::span<const Argument>;
 
-// Cycles whose tool goes straight down and straight up again.
+// Cycles in which the tool goes straight down and straight up again.
 constexpr std::array<std::string_view, 14> kStraight = {"DRILL", "DEEP",  "DEEP2", "BRKCHP", "CHIPBRK",
                                                         "TAP",   "RTAP",  "LTAP",  "RIGID",  "REAM",
                                                         "BORE",  "CSINK", "FACE",  "CBORE"};
-// Cycles whose tool comes up while the spindle turns back, and those that may come up at the feed.
+// Cycles in which the tool comes up while the spindle is reversed, and cycles in which it may come up at the feed.
 constexpr std::array<std::string_view, 4> kTapping = {"TAP", "RTAP", "LTAP", "RIGID"};
 constexpr std::array<std::string_view, 5> kFedOut = {"REAM", "BORE", "BORE7", "BORE8", "CBORE"};
-// Words that move the tool sideways, or turn the sense of the heights round.
+// Words that move the tool sideways, or reverse the sense of the heights.
 constexpr std::array<std::string_view, 6> kSideways = {"ORIENT", "NODRAG", "BACK", "SHIFT", "MANUAL", "DIAMETR"};
 
 constexpr std::array<std::string_view, 6> kHeightWords = {"FEDTO", "DEPTH", "RAPTO", "CLEAR", "RTRCTO", "RETURN"};
 constexpr std::size_t kLongestWord = 24;
 
-// Words that one number follows.
+// Words that are followed by one number.
 constexpr std::array<std::string_view, 11> kHeights = {"FEDTO", "DEPTH", "RAPTO", "CLEAR", "RTRCTO", "RETURN",
                                                        "MMPM",  "IPM",   "MMPR",  "IPR",   "PERMIN"};
 
@@ -40,15 +40,15 @@ std::optional<double> after_either(Arguments arguments, std::string_view first, 
   return value ? value : number_after(arguments, second);
 }
 
-// A word with no number after it means a height all the same, one that is not stated: RTRCTO,AUTO of NX.
+// A retract height. A word without a number also means a height, which is not stated: RTRCTO,AUTO of NX.
 struct Retract {
   std::optional<double> height;
   bool is_known = true;
-  bool has_number = false;  ///< other than 0, behind a word of either kind
+  bool has_number = false;  ///< a number other than 0 follows RTRCTO or RETURN
 };
 
-// Both words may stand in one statement; `own` is the one whose number is read. The other one alone states that there
-// is a retract, not how high.
+// Reads the retract height. A statement may have both words; `own` is the one whose number is read. The other one alone
+// states only that there is a retract, not its height.
 Retract read_retract(Arguments arguments, std::string_view own) {
   Retract retract;
   if (!own.empty()) retract.height = number_after(arguments, own);
@@ -60,7 +60,7 @@ Retract read_retract(Arguments arguments, std::string_view own) {
   return retract;
 }
 
-// RETURN,0 is the path to the retract plane, whose height Creo's statement does not have.
+// Reads RETURN. RETURN,0 is the path to the retract plane, whose height Creo's statement does not have.
 Retract read_return(Arguments arguments) {
   Retract retract = read_retract(arguments, "RETURN");
   if (retract.height && !(std::abs(*retract.height) > 0)) retract = {std::nullopt, false, retract.has_number};
@@ -86,13 +86,13 @@ bool is_numbers_alone(Arguments arguments) {
   return std::ranges::all_of(arguments, [](const Argument& a) { return a.number.has_value(); });
 }
 
-// Cycles that go down in steps, for whose depth one number more may stand.
+// Returns whether a cycle goes down in steps, with one additional number for their depth.
 bool is_pecking(Arguments arguments) {
   return is_one_of(arguments.front().text, std::array<std::string_view, 2>{"DEEP", "BRKCHP"}) && arguments.size() == 4;
 }
 
-// Reads IBM's and Creo's fixed form: kind, depth, feed and its unit in either order, and the clearance. For a tap the
-// pitch stands before it, for pecks their depth behind it.
+// Returns whether the arguments have the fixed form of IBM and Creo: kind, depth, feed and its unit in either order,
+// and the clearance. For a tap the pitch precedes the clearance; for pecks their depth follows it.
 bool is_fixed_form(Arguments arguments) {
   constexpr std::size_t kFewest = 5;
   if (arguments.size() < kFewest || arguments.size() > kFewest + 1 || !arguments[1].number) return false;
@@ -104,7 +104,7 @@ bool is_fixed_form(Arguments arguments) {
   return is_numbers_alone(arguments.subspan(4)) && (arguments.size() == kFewest || has_more);
 }
 
-// A height's word with a letter wrong, or its number run into it. Its height is lost.
+// Returns whether an argument is the word of a height with a wrong letter, or joined to its number. Its height is lost.
 bool is_damaged_height(const Argument& argument) {
   if (argument.number || argument.text.empty()) return false;
   std::string letters;
@@ -121,14 +121,15 @@ bool has_both(Arguments arguments, std::string_view one, std::string_view other)
   return has_argument(arguments, one) && has_argument(arguments, other);
 }
 
-// Two depths, two clearances that differ, a height with two numbers: which one counts is unknown.
+// Returns whether a statement contradicts itself: two depths, two different clearances, a height with two numbers. It
+// is then unknown which one counts.
 bool contradicts_itself(CycleForm form, Arguments arguments) {
   if (has_repeated_word(arguments) || has_both(arguments, "FEDTO", "DEPTH") || has_both(arguments, "G98", "G99") ||
       has_argument(arguments, "OFF") || has_argument(arguments, "NOMORE")) {
     return true;
   }
   if (has_damaged_argument(arguments) || std::ranges::any_of(arguments, is_damaged_height)) return true;
-  // Their numbers have positions, not words, or are read one by one.
+  // In these forms, numbers are read by their place, or one by one.
   if (form == CycleForm::clt || form == CycleForm::ncl || form == CycleForm::unknown || is_fixed_form(arguments))
     return false;
   for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
@@ -138,14 +139,14 @@ bool contradicts_itself(CycleForm form, Arguments arguments) {
   return false;
 }
 
-// A word of a cycle, and how many numbers may stand after it.
+// A word of a cycle, with the minimum and maximum count of numbers after it.
 struct CycleWord {
   std::string_view word;
   std::size_t least, most;
 };
 
-// Words that state only facts that are read, or details of feed, pecks and dwell. They do not change where the tool
-// goes. THRU, TIP, TOP or OFFSET of other post-processors would move the bottom or the tool.
+// Words that state only facts that are read, or details of feed, pecks and dwell. They do not change the path of the
+// tool. THRU, TIP, TOP or OFFSET of other post-processors would move the bottom or the tool.
 constexpr auto kCycleWords = std::to_array<CycleWord>(
     {{"FEDTO", 1, 1}, {"DEPTH", 1, 1}, {"RAPTO", 1, 1},   {"CLEAR", 1, 1},  {"RTRCTO", 0, 1},  {"RETURN", 0, 1},
      {"AUTO", 0, 0},  {"STEP", 0, 3},  {"1STPECK", 1, 1}, {"STPECK", 1, 1}, {"SUBPECK", 1, 1}, {"PECK", 1, 2},
@@ -153,7 +154,7 @@ constexpr auto kCycleWords = std::to_array<CycleWord>(
      {"MMPR", 0, 1},  {"IPR", 0, 1},   {"PERMIN", 0, 1},  {"PERREV", 0, 1}, {"TPI", 1, 1},     {"RPM", 0, 1},
      {"DRAG", 0, 0},  {"TIMES", 1, 1}, {"ON", 0, 0},      {"CSINK", 1, 1}});
 
-// CAMWorks CLT: the numbers have positions behind these words.
+// Words of CAMWorks CLT, in which the numbers after them have fixed places.
 constexpr auto kCltWords = std::to_array<CycleWord>({{"G98", 1, 1},
                                                      {"G99", 1, 1},
                                                      {"PECKING", 1, 3},
@@ -187,8 +188,8 @@ std::size_t numbers_after(Arguments arguments, std::size_t at) {
   return count;
 }
 
-// Every word behind the cycle's kind is one that is known, with as many numbers as it has. A second kind may stand
-// beside the first (DRILL,DEEP); CATIA's default table writes its two numbers without words.
+// Returns whether every word after the kind of cycle is known, with a possible count of numbers. A second kind may
+// follow the first (DRILL,DEEP). The default table of CATIA writes its two numbers without words.
 bool has_only_known_words(CycleForm form, Arguments arguments) {
   std::size_t at = 1;
   if (is_fixed_form(arguments)) return true;
@@ -206,7 +207,8 @@ bool has_only_known_words(CycleForm form, Arguments arguments) {
   return true;
 }
 
-// A depth below the position whatever its sign; the clearance is the last number but for the step of pecks.
+// Reads the fixed form. The depth is below the position, with either sign. The clearance is the last number, except the
+// step of pecks.
 std::optional<DrillCycle> read_fixed(Arguments arguments) {
   const bool is_tap = is_one_of(arguments.front().text, kTapping);
   const double clearance = is_tap ? *arguments.back().number : *arguments[4].number;
@@ -214,8 +216,8 @@ std::optional<DrillCycle> read_fixed(Arguments arguments) {
   return make(clearance, -std::abs(*arguments[1].number), read_retract(arguments, {}));
 }
 
-// Autodesk's post: kind, depth, unit, feed, clearance, then words. Its kernel gives the bottom of the hole and the
-// clearance as a plane; the standard has the top and a height above it.
+// Reads the cycle of Autodesk's post: kind, depth, unit, feed, clearance, then words. Its kernel gives the bottom of
+// the hole, and the clearance as a plane. The standard gives the top, and a height above it.
 std::optional<DrillCycle> read_bounds(Arguments arguments) {
   constexpr std::size_t kFixed = 5;
   if (arguments.size() < kFixed || !arguments[1].number || !is_unit_of_feed(arguments[2].text)) return std::nullopt;
@@ -237,7 +239,8 @@ std::optional<DrillCycle> read_bounds(Arguments arguments) {
   return cycle;
 }
 
-// FEDTO is a height (negative below the position), RAPTO, or CLEAR in its place, and RTRCTO are heights above it.
+// Reads a cycle of NX. FEDTO is a height, negative below the position. RAPTO (or CLEAR in its place) and RTRCTO are
+// heights above the position.
 std::optional<DrillCycle> read_nx(Arguments arguments) {
   if (has_argument(arguments, "RAPTO") && has_argument(arguments, "CLEAR")) return std::nullopt;
   const std::optional<double> bottom = number_after(arguments, "FEDTO"), csink = number_after(arguments, "CSINK");
@@ -248,7 +251,8 @@ std::optional<DrillCycle> read_nx(Arguments arguments) {
   return cycle;
 }
 
-// FEDTO is a depth below the position; CAMplete leaves a RAPTO of 0 out, and its CLEAR is not a height above it.
+// Reads a cycle whose FEDTO is a depth below the position. CAMplete omits a RAPTO of 0, and its CLEAR is not a height
+// above the position.
 std::optional<DrillCycle> read_depth_words(Arguments arguments, bool is_clearance_optional) {
   const std::optional<double> depth = number_after(arguments, "FEDTO");
   std::optional<double> clearance = number_after(arguments, "RAPTO");
@@ -257,20 +261,21 @@ std::optional<DrillCycle> read_depth_words(Arguments arguments, bool is_clearanc
   return make(*clearance, -*depth, read_retract(arguments, "RTRCTO"));
 }
 
-// DEPTH below the position, CLEAR and RETURN above it.
+// Reads a cycle of Creo: DEPTH below the position, CLEAR and RETURN above it.
 std::optional<DrillCycle> read_creo(Arguments arguments) {
   const std::optional<double> depth = number_after(arguments, "DEPTH"), clearance = number_after(arguments, "CLEAR");
   if (!depth || *depth < 0 || !clearance) return std::nullopt;
   return make(*clearance, -*depth, read_return(arguments));
 }
 
-// The default post table writes depth and clearance as the first two numbers; others write Creo's words.
+// Reads a cycle of CATIA. The default post table writes depth and clearance as the first two numbers; other tables
+// write Creo's words.
 std::optional<DrillCycle> read_catia(Arguments arguments) {
   if (has_argument(arguments, "DEPTH")) {
     return arguments[1].number ? std::nullopt : read_creo(arguments);
   }
   for (const std::string_view height : {"FEDTO", "RAPTO", "CLEAR"}) {
-    if (has_argument(arguments, height)) return std::nullopt;  // beside the numbers, which state it already
+    if (has_argument(arguments, height)) return std::nullopt;  // the numbers state this height already
   }
   if (arguments.size() < 3 || !arguments[1].number || !arguments[2].number || *arguments[1].number < 0) {
     return std::nullopt;
@@ -278,7 +283,7 @@ std::optional<DrillCycle> read_catia(Arguments arguments) {
   return make(*arguments[2].number, -*arguments[1].number, read_retract(arguments, {}));
 }
 
-// DRILL,G98,depth,...,MMPM,feed,clearance,retract: with G99 the tool stays at the clearance.
+// Reads DRILL,G98,depth,...,MMPM,feed,clearance,retract. With G99 the tool stays at the clearance.
 std::optional<DrillCycle> read_clt(Arguments arguments) {
   const bool is_g98 = has_argument(arguments, "G98");
   const std::optional<double> depth = after_either(arguments, "G98", "G99");
@@ -291,7 +296,8 @@ std::optional<DrillCycle> read_clt(Arguments arguments) {
   return std::nullopt;
 }
 
-// A file of no known dialect: the words alone. Both senses of FEDTO mean a position below the position.
+// Reads a cycle of a file without a known dialect by its words. With either sense of FEDTO the bottom is below the
+// position.
 std::optional<DrillCycle> read_generic(Arguments arguments) {
   const std::optional<double> depth = after_either(arguments, "FEDTO", "DEPTH");
   const std::optional<double> clearance = after_either(arguments, "RAPTO", "CLEAR");
@@ -299,21 +305,21 @@ std::optional<DrillCycle> read_generic(Arguments arguments) {
   const std::optional<double> rapto = number_after(arguments, "RAPTO"), clear = number_after(arguments, "CLEAR");
   const bool has_rtrcto = has_argument(arguments, "RTRCTO");
   const Retract retract = has_rtrcto ? read_retract(arguments, "RTRCTO") : read_return(arguments);
-  // ISO 4343 has both: which of them begins the feed matters to no path, where the tool rises above both.
+  // ISO 4343 has both words. It does not matter which one begins the feed if the tool rises above both.
   const double highest = std::max(*clearance, clear.value_or(*clearance));
   const bool differ = rapto && clear && std::abs(*rapto - *clear) > 0;
   if (differ && !(retract.height && *retract.height >= highest)) return std::nullopt;
   return make(highest, -std::abs(*depth), retract);
 }
 
-// NCCS: the cycles whose tool goes straight down and up, as its post-processor makes them. BORE9 and SHIFT move
-// sideways, MILL stays below.
+// The cycles of NCCS in which the tool goes straight down and up, in the manner of its post-processor. BORE9 and SHIFT
+// move sideways, and MILL stays below.
 constexpr std::array<std::string_view, 10> kNccsStraight = {"DRILL", "FACE", "DEEP",  "THRU",  "TAP",
                                                             "REAM",  "BORE", "BORE7", "BORE8", "REVERS"};
 
-// FEDTO,depth below the position, or FEDTO,diameter,angle: the depth to which a tip of that angle makes a hole of
-// that diameter. RAPTO, which stays in force where it is left out, and RTRCTO are heights above the position. In
-// DEEP and THRU RTRCTO is where each peck goes back to, and the tool ends at the clearance.
+// Reads a cycle of NCCS. FEDTO,depth is below the position. FEDTO,diameter,angle means the depth at which a tip with
+// this angle makes a hole of this diameter. RAPTO and RTRCTO are heights above the position; an omitted RAPTO stays in
+// force. In DEEP and THRU, RTRCTO is the height to which each peck returns, and the tool ends at the clearance.
 std::optional<DrillCycle> read_nccs(Arguments arguments) {
   std::optional<double> depth = number_after(arguments, "FEDTO");
   const std::optional<double> clearance = number_after(arguments, "RAPTO");
@@ -385,7 +391,7 @@ std::optional<DrillCycle> read_cycle(CycleForm form, std::span<const Argument> a
     *height *= mm_per_unit;
     if (!(std::abs(*height) <= kFarthest_mm)) return std::nullopt;
   }
-  // Below its clearance a retract may be meant, or be a mistake.
+  // A retract below the clearance may be intended, or be a mistake.
   if (cycle->bottom_mm > cycle->clearance_mm || cycle->retract_mm < cycle->clearance_mm) return std::nullopt;
   return cycle;
 }

@@ -20,7 +20,7 @@ constexpr double kFoot = 12;  // inches
 struct UnitWord {
   std::string_view word;
   FeedUnit unit;
-  double mm;  // 0: the file's unit of length
+  double mm;  // length of the unit in mm; 0: the file's unit of length
 };
 
 constexpr double kInch_mm = mm_per(LengthUnit::inch);
@@ -48,7 +48,7 @@ Feed feed_of(double number, const UnitWord& unit, double mm_per_unit) {
   return {mm, unit.unit};
 }
 
-// Where the only unit word stands; nothing where there is none, the end where there are several.
+// Returns the place of the only unit word; nothing if there is none, the end if there are several.
 std::optional<std::size_t> find_unit_word(Arguments arguments) {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < arguments.size(); ++i) {

@@ -19,7 +19,7 @@ struct KnownArguments {
   std::size_t max_numbers;
 };
 
-// Words whose reader uses some arguments and skips the others. The documents are those of
+// Words whose reader uses some arguments and ignores the others. The documents are those of
 // docs/formats/harmless_words.md.
 constexpr auto kRows = std::to_array<KnownArguments>({
     {Word::cutcom,
@@ -46,10 +46,10 @@ bool are_known_arguments(Word word, std::span<const Argument> arguments) {
     return std::ranges::all_of(arguments, [](const Argument& a) { return unit_of_word(a.text).has_value(); });
   const auto* const row = std::ranges::find(kRows, word, &KnownArguments::word);
   if (row == kRows.end()) return true;
-  // Whatever else is selected shifts what follows: its reader doubts that.
+  // Any other selection shifts later positions; the reader of SELECT handles this uncertainty.
   if (word == Word::select && !has_argument(arguments.first(std::min(arguments.size(), std::size_t{1})), "TOOL"))
     return true;
-  // Its positions are not checked whatever else is stated of a turning tool.
+  // Positions of a turning tool are never checked, whatever the other arguments state.
   if (word == Word::toolno && has_argument(arguments, "TURN")) return true;
   std::size_t numbers = 0;
   bool is_quoted = false;
@@ -70,26 +70,26 @@ namespace {
 
 bool is_number_start(char c) { return is_digit(c) || c == '+' || c == '-' || c == '.'; }
 
-// Words that stand beside no other one, with or without numbers.
+// Returns whether a word never occurs among the arguments of another one, with or without numbers.
 bool is_major_only(Word word) {
   return word == Word::go_to || word == Word::godlta || word == Word::gohome || word == Word::multax;
 }
 
 bool takes_position(Word word) { return word == Word::go_to || word == Word::godlta || word == Word::from; }
 
-// Real statements that hold another one's word: TLON,GOFWD/(CIRCLE/..), CYCLE/ON CYCLE/DRILL.
+// Returns whether a real statement contains the word of another one: TLON,GOFWD/(CIRCLE/..), CYCLE/ON CYCLE/DRILL.
 bool is_part_of(const Statement& statement, Word word, std::string_view before) {
   if (statement.word == Word::tlon) return word == Word::circle;
   return statement.word == Word::cycle && word == Word::cycle && equals_ignoring_case(trim(before), "ON");
 }
 
-// Length of "GODLTA" in "GODLTA-50", or of the whole `token`.
+// Returns the length of "GODLTA" in "GODLTA-50", else that of the whole `token`.
 std::size_t glued_length(std::string_view token) {
   const auto letters = static_cast<std::size_t>(std::ranges::find_if_not(token, is_letter) - token.begin());
   return takes_position(find_word(token.substr(0, letters))) ? letters : token.size();
 }
 
-// "G1" in "COOLNT/ON G1 Z-50", or "Z-50" and "Z50." alone.
+// Returns whether a token begins a block of a control: "G1" in "COOLNT/ON G1 Z-50", or "Z-50" and "Z50." alone.
 bool is_block_of_control(std::string_view token, std::string_view text) {
   constexpr std::string_view kAxes = "XYZxyz";
   const bool is_place = token.size() > 1 && kAxes.find(token[0]) != std::string_view::npos &&
@@ -99,14 +99,14 @@ bool is_block_of_control(std::string_view token, std::string_view text) {
          read_machine_text(text).moves;
 }
 
-// Returns whether the word at the end of `token` begins a statement with what comes after it.
+// Returns whether the word at the end of a token begins a statement together with the text after it.
 bool begins_statement(Word word, std::string_view rest) {
   rest = trim(rest);
   const char next = rest.empty() ? '\0' : rest.front();
   return next == '/' || (takes_position(word) && is_number_start(next));
 }
 
-// "16GOTO/" and "OFFCYCLE/": a line end is missing.
+// Returns whether a line end is missing before a statement: "16GOTO/", "OFFCYCLE/".
 bool ends_with_statement(std::string_view token, std::string_view rest) {
   const std::string_view after = trim(rest);
   if (after.empty() || (after.front() != '/' && !is_number_start(after.front()))) return false;
@@ -125,7 +125,7 @@ std::string_view find_in(const Statement& statement, std::string_view text) {
     while (i < text.size() && is_word_character(text[i])) ++i;
     const std::string_view token = text.substr(begin, i - begin);
     if (statement.word != Word::unknown && ends_with_statement(token, text.substr(i))) return token;
-    if (!is_letter(token.front())) continue;  // a number's exponent, "4TH", "'TLAXIS'" begin no word
+    if (!is_letter(token.front())) continue;  // exponents, "4TH" and "'TLAXIS'" begin no word
     const bool is_known = statement.word != Word::unknown && statement.word != Word::comment;
     if (is_known && is_block_of_control(token, text.substr(begin))) return token;
     const Word word = find_word(token.substr(0, glued_length(token)));
@@ -136,7 +136,7 @@ std::string_view find_in(const Statement& statement, std::string_view text) {
   return {};
 }
 
-// "CENTERLOADTL/" in a text that is a name, or a statement that Creo writes as a comment.
+// Finds a joined word, as in "CENTERLOADTL/", in the text of a name, or in a comment of Creo that is a statement.
 std::string_view find_glued(std::string_view text) {
   for (std::size_t slash = text.find('/'); slash != std::string_view::npos; slash = text.find('/', slash + 1)) {
     const std::string_view before = trim(text.substr(0, slash));
@@ -146,7 +146,7 @@ std::string_view find_glued(std::string_view text) {
   return {};
 }
 
-// "RAPID;CUTCOM" before a slash.
+// Finds a word after a semicolon before the slash: "RAPID;CUTCOM".
 std::string_view find_after_semicolon(std::string_view major) {
   const std::size_t semicolon = major.rfind(';');
   if (semicolon == std::string_view::npos) return {};
@@ -166,7 +166,7 @@ std::string_view find_run_on(const Statement& statement) {
     const std::string_view text = statement.pieces.front();
     return find_glued(text.substr(std::min(text.find(",TOOL,"), text.size())));
   }
-  // Positions are numbers only, which their readers see to; a part program is refused anyway.
+  // Positions have only numbers, which their readers test; a part program is refused anyway.
   if (statement.is_decoded || is_text(statement.word) || takes_position(statement.word) ||
       statement.word == Word::part_program)
     return {};

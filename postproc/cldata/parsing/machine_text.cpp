@@ -20,14 +20,14 @@ using Tokens = std::span<const Token>;
 
 bool is(const Token& token, std::string_view word) { return equals_ignoring_case(token.letters, word); }
 
-// One letter and its number.
+// Returns whether a token is one letter with its number.
 bool is_address(const Token& t) { return t.letters.size() == 1 && t.number.has_value(); }
 
 bool is_address_of(const Token& t, std::string_view letters) {
   return is_address(t) && letters.find(static_cast<char>(t.letters[0] & ~0x20)) != std::string_view::npos;
 }
 
-// Heidenhain's IX+5 steps along X.
+// Returns the token without the I for a step: IX+5 of Heidenhain is a step along X.
 Token without_step(const Token& t) {
   const bool is_step = t.letters.size() == 2 && (t.letters[0] == 'I' || t.letters[0] == 'i') && t.number;
   return is_step ? Token{t.letters.substr(1), t.number, t.is_glued, t.other} : t;
@@ -59,7 +59,7 @@ void take_meaning(ControlMeaning meaning, Tokens tokens, bool has_axes, MachineE
       effect.shifts = true;
       return;
     case shifts_with_axes: {
-      // With an S alone it limits the spindle's speed.
+      // With only an S it limits the speed of the spindle.
       const bool has_speed = std::ranges::any_of(tokens, [](const Token& t) { return is_address_of(t, "S"); });
       effect.shifts = effect.shifts || has_axes || !has_speed;
       return;
@@ -70,7 +70,7 @@ void take_meaning(ControlMeaning meaning, Tokens tokens, bool has_axes, MachineE
     case ends_cycle:
       effect.ends_cycle = true;
       return;
-    case offset:  // named by its code or its values
+    case offset:  // its code or its values name the offset
       return;
     case begins_steps:
       effect.begins_steps = true;
@@ -102,10 +102,10 @@ bool has_meaning(Tokens codes, std::initializer_list<ControlMeaning> meanings) {
   });
 }
 
-// The numbers of axes beside these are not a position to go to.
+// Returns whether a code uses the numbers of axes, which are then not a position to move to.
 bool takes_axes(Tokens codes) { return has_meaning(codes, {ControlMeaning::shifts, ControlMeaning::shifts_with_axes}); }
 
-// Counts the tokens beside it that belong to the code.
+// Returns the name of an offset, with the tokens beside the code that belong to it.
 std::string offset_of(const Token& code, const ControlCode& row, Tokens tokens) {
   std::string name = "G" + exact_text(*code.number);
   for (const Token& t : tokens) {
@@ -122,7 +122,8 @@ std::string offset_of(Tokens values) {
   return name;
 }
 
-// A block of addresses: every code must be in the list, and every other address be known or belong to a code.
+// Takes a block of addresses. Every code must be in the list, and every other address must be known or belong to a
+// code.
 void take_addresses(Tokens tokens, MachineEffect& effect) {
   constexpr std::string_view kAlways = "NSFTDH";
   std::vector<Token> codes;
@@ -170,7 +171,7 @@ MachineEffect read_addresses(Tokens tokens) {
   return effect;
 }
 
-// Heidenhain: "L Z-50 FMAX", "CC X+0 Y+0".
+// Reads a path word of Heidenhain: "L Z-50 FMAX", "CC X+0 Y+0".
 std::optional<MachineEffect> read_path_word(Tokens tokens) {
   constexpr std::array<std::string_view, 14> kPathWords = {"L",  "C",   "CC",  "CR", "CT", "CP",  "LP",
                                                            "LN", "CTP", "RND", "FL", "FC", "FLT", "FCT"};
@@ -217,7 +218,7 @@ std::optional<MachineEffect> read_phrase(Tokens tokens) {
   return effect;
 }
 
-// Behind the brackets or the value of a word; nothing where they are not closed.
+// Returns the text after the brackets or the value of a word; nothing if the brackets are not closed.
 std::optional<std::string_view> behind_values(std::string_view after) {
   if (after.starts_with('=')) {
     const std::string_view value = trim(after.substr(1));
@@ -232,7 +233,7 @@ std::optional<std::string_view> behind_values(std::string_view after) {
   return std::nullopt;
 }
 
-// A word of the list, and behind it what its row allows.
+// Reads a word of the list, and the arguments that its row allows.
 std::optional<MachineEffect> read_word(std::string_view text) {
   std::size_t length = 0;
   while (length < text.size() && (is_letter(text[length]) || is_digit(text[length]) || text[length] == '_')) ++length;
@@ -252,7 +253,7 @@ std::optional<MachineEffect> read_word(std::string_view text) {
   return tokens.empty() ? MachineEffect{} : read_addresses(tokens);
 }
 
-// Comments in brackets that are functions of an Osai control: (UAO,2), (MIR,X), (ERP).
+// Returns whether text in brackets is a function of an Osai control, not a comment: (UAO,2), (MIR,X), (ERP).
 bool has_function_in_brackets(std::string_view text) {
   constexpr std::size_t kLetters = 3;
   for (std::size_t open = text.find('('); open != std::string_view::npos; open = text.find('(', open + 1)) {
@@ -264,7 +265,8 @@ bool has_function_in_brackets(std::string_view text) {
   return false;
 }
 
-// Behind a semicolon stands a comment, or on other controls the next block.
+// Returns whether the text after a semicolon may be a block. On some controls it is a comment, on others the next
+// block.
 bool may_be_block(std::string_view comment) {
   constexpr std::string_view kMacroLetters = "#=[]<>";
   if (comment.find_first_of(kMacroLetters) != std::string_view::npos) return true;
@@ -272,7 +274,7 @@ bool may_be_block(std::string_view comment) {
   return !tokens.empty() && is_address(tokens.front()) && tokens.front().is_glued;
 }
 
-// Quotes and percent signs around it, and what lets the control leave it out.
+// Returns the text without quotes and percent signs around it, and without the mark for a block skip.
 std::string_view without_marks(std::string_view text) {
   text = trim(text);
   while (!text.empty() && std::string_view("/%'\"").find(text.front()) != std::string_view::npos)
@@ -282,7 +284,7 @@ std::string_view without_marks(std::string_view text) {
   return text;
 }
 
-// O1234 alone names the program.
+// Returns whether the block only names the program: O1234.
 bool is_program_name(Tokens tokens) { return tokens.size() == 1 && is_address_of(tokens.front(), "ON"); }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-// Returns how much of `text` is a number, whose point may be a comma; 0 where it does not begin with one.
+// Returns the length of the number at the beginning of `text`, whose point may be a comma; 0 if there is none.
 std::size_t take_number(std::string_view text, std::optional<double>& number) {
   std::string digits;
   std::size_t length = 0;
@@ -23,7 +23,7 @@ std::size_t take_number(std::string_view text, std::optional<double>& number) {
   return number ? length : 0;
 }
 
-// Blanks, and brackets with what they hold, which are comments to most controls.
+// Returns the length of blanks and of brackets with their content, which are comments for most controls.
 std::size_t skipped_length(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size() && (is_blank(text[at]) || text[at] == ',' || text[at] == '(' || text[at] == ')')) {
@@ -32,7 +32,8 @@ std::size_t skipped_length(std::string_view text) {
   return at;
 }
 
-// No G code has four digits: such a word is a name that was cut, or a typing error.
+// Returns whether a word is too long for a code. No G code has four digits, so such a word is a cut name or a typing
+// error.
 bool is_too_long_for_a_code(std::string_view letters, std::string_view number) {
   constexpr std::size_t kMaxDigits = 3;
   const std::string_view whole = number.substr(0, number.find('.'));

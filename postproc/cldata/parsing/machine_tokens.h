@@ -10,12 +10,12 @@
 
 namespace gouge {
 
-/// A token of a block for a machine's control: "X-50." has letters and a number, "FMAX" letters, "12" a number, "#"
-/// neither.
+/// A token of a block for a machine's control: "X-50." has letters and a number, "FMAX" only letters, "12" only a
+/// number, "#" neither.
 struct MachineToken {
   std::string_view letters;
   std::optional<double> number;
-  bool is_glued = false;  ///< nothing stands between letters and number
+  bool is_glued = false;  ///< there is nothing between letters and number
   char other = '\0';
 };
 

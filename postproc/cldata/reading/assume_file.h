@@ -8,8 +8,8 @@
 
 namespace gouge {
 
-/// Returns what a verdict on `path` rests on as far as its file decides: unit, dialect, completeness, statements and
-/// frame. Requires a path that was read whole. `is_dialect_given`: the user names it.
+/// Returns the facts on which a verdict on `path` rests, as far as its file decides them: unit, dialect, completeness,
+/// statements and frame. Requires a path that was read to the end. `is_dialect_given`: the user names the dialect.
 [[nodiscard]] Assumptions assume_file(const Toolpath& path, const UnitGuess& unit, const Dialect& dialect,
                                       bool is_dialect_given, const FileFacts& facts);
 

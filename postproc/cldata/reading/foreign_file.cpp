@@ -53,7 +53,8 @@ bool is_binary_stl(std::string_view bytes) {
 
 bool is_number_character(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
 
-// "N10 G1 X1.5 Y-2 F200", "%", "O1234", "G0X1Y2", "G1 X  1.5": letters each followed by a number.
+// Returns whether a line is G-code, with letters that are each followed by a number: "N10 G1 X1.5 Y-2 F200", "%",
+// "O1234", "G0X1Y2", "G1 X  1.5".
 bool is_gcode_block(std::string_view line) {
   if (line == "%") return true;
   std::size_t words = 0;
@@ -74,7 +75,7 @@ bool is_gcode_block(std::string_view line) {
 
 bool is_comment(std::string_view line) { return line.front() == '(' || line.front() == ';'; }
 
-// Numbers separated by blanks, commas or semicolons, and nothing else; at least three.
+// Returns whether a line has only numbers, at least three, separated by blanks, commas or semicolons.
 bool is_row_of_numbers(std::string_view line) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < line.size();) {
@@ -112,7 +113,7 @@ std::optional<std::string> describe_lines(std::string_view bytes) {
     } else if (is_row_of_numbers(line)) {
       ++rows;
     } else {
-      // Statements of CL data are not headings of their own continuations.
+      // A statement of CL data cannot be the heading of its own continuation.
       const bool may_head =
           rows + blocks == 0 && heading < kLongestHeading && line.find_first_of("/$") == std::string_view::npos;
       ++(may_head ? heading : others);

@@ -6,9 +6,9 @@
 
 namespace gouge {
 
-/// Names the format of `bytes` where they are certainly not CL data: meshes, CAD files, NC programs, archives,
-/// pictures, columns of numbers. The name is the rest of a sentence that begins with the file's name ("is G-code,
-/// ..."). Nothing for what may be CL data. Examines the first lines only.
+/// Returns the format of `bytes` if they are certainly not CL data: meshes, CAD files, NC programs, archives, pictures,
+/// columns of numbers. The text is the rest of a sentence that begins with the file's name ("is G-code, ..."). Returns
+/// nothing if the bytes may be CL data. Examines only the first lines.
 [[nodiscard]] std::optional<std::string> describe_foreign(std::string_view bytes);
 
 }  // namespace gouge

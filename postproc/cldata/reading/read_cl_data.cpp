@@ -22,10 +22,10 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kShortestPosition = std::string_view("GOTO/1,1,1").size();
-constexpr std::size_t kLongestFile = (std::size_t{1} << 32U) - 2;  // whose bytes a SmallIndex counts
+constexpr std::size_t kLongestFile = (std::size_t{1} << 32U) - 2;  // a SmallIndex can count its bytes
 constexpr const char* kExpected = "expected APT CL data, an NX CLSF, a binary NCCS or a Mastercam NCI file";
 
-// Bytes that text does not have: no line end, no tab, no other blank.
+// Bytes that do not occur in text: control characters except line ends, tabs and other blanks.
 constexpr std::array<bool, 256> kIsControl = [] {
   std::array<bool, 256> is_control{};
   for (std::size_t byte = 0; byte < 0x20; ++byte) {
@@ -38,8 +38,8 @@ constexpr std::array<bool, 256> kIsControl = [] {
 
 bool is_control(char c) { return kIsControl[static_cast<unsigned char>(c)]; }
 
-// Where the first control character is, or the end. A stretch at a time, because a loop that cannot end early
-// examines several bytes at once.
+// Returns the place of the first control character, or the end. It works in sections, because a loop that cannot end
+// early examines several bytes at once.
 std::size_t find_control(std::string_view bytes) {
   constexpr std::size_t kStretch = 4096;
   for (std::size_t at = 0; at < bytes.size(); at += kStretch) {
@@ -63,15 +63,15 @@ bool has_break(std::string_view section, char next) {
   return has != 0;
 }
 
-// Finds a carriage return alone, a page break or an end of file between two texts of one line, or the end. Readers
-// differ there: some read on, others begin a new line. A stretch at a time, as above.
+// Finds a carriage return alone, a page break or an end-of-file character between two texts of one line, or the end.
+// Readers differ there: some continue the line, others begin a new one. It works in sections too.
 std::size_t find_break(std::string_view bytes) {
   constexpr std::size_t kStretch = 4096;
   const auto skip_blanks = [&](std::size_t at) {
     while (at < bytes.size() && is_blank(bytes[at])) ++at;
     return at;
   };
-  std::size_t text = skip_blanks(0), looked_at = 0;  // the first text of the line
+  std::size_t text = skip_blanks(0), looked_at = 0;  // the first text of the line, and the end of the examined bytes
   for (std::size_t begin = 0; begin < bytes.size(); begin += kStretch) {
     const std::size_t end = std::min(begin + kStretch, bytes.size());
     if (!has_break(bytes.substr(begin, end - begin), end < bytes.size() ? bytes[end] : '\n')) continue;
@@ -87,15 +87,15 @@ std::size_t find_break(std::string_view bytes) {
   return bytes.size();
 }
 
-// The beginning of a statement: a word and the text after it.
+// Returns whether a text begins a statement: with a known word.
 bool begins_statement(std::string_view text) {
   text = trim(text.substr(0, text.find('\n')));
   const auto letters = static_cast<std::size_t>(std::ranges::find_if_not(text, is_letter) - text.begin());
   return letters > 0 && find_word(text.substr(0, letters)) != Word::unknown;
 }
 
-// Where a character that separates lines in Unicode (NEL, LS, PS) stands within a line, or the end. Byte 133 alone is
-// NEL of one code page and a character of others: only before a statement does it count.
+// Returns the place of a line separator of Unicode (NEL, LS, PS) within a line, or the end. Byte 133 alone is NEL in
+// one code page and a character in others, so it counts only before a statement.
 std::size_t find_separator(std::string_view bytes) {
   constexpr char kNel = '\x85', kLs = '\xa8', kPs = '\xa9';
   for (std::size_t at = bytes.find_first_of("\x85\xa8\xa9"); at != std::string_view::npos;
@@ -117,7 +117,7 @@ std::size_t line_of(std::string_view bytes, std::size_t at) {
 
 struct LineCount {
   std::size_t with_text = 0;
-  std::size_t with_position = 0;  // those that look like GOTO/x,y,z
+  std::size_t with_position = 0;  // lines that look like GOTO/x,y,z
 };
 
 LineCount count_lines(std::string_view bytes) {
@@ -185,7 +185,8 @@ std::optional<Diagnostic> find_two_units(const UnitGuess& guess, const FeedUnits
                     file, std::max(feeds.in_mm(), feeds.in_inches()));
 }
 
-// Statements that may be motions and are not understood leave moves, none of which is one of the file's dialect.
+// Returns whether a move of the file is understood. Statements that are not understood but may be motions also give
+// moves.
 bool has_motion(const Toolpath& path) {
   return std::any_of(path.moves.begin(), path.moves.end(),
                      [](const Move& move) { return kind_of(move.not_checked_reason) != ReasonKind::may_be_unread; });
@@ -215,7 +216,8 @@ UnitGuess unit_of(std::string_view bytes, OpenStatements open, const ReadOptions
   return {*options.unit, UnitGuess::Source::option, {}, 0};
 }
 
-// Bare lists of positions name no tool at all; others not before their first tool change.
+// Gives the name to moves without a tool. Bare lists of positions name no tool at all, other files none before their
+// first tool change.
 void name_unnamed_tool(const std::string& name, Toolpath& path) {
   std::size_t moves = 0, first_line = 0;
   for (Move& move : path.moves) {
@@ -233,7 +235,7 @@ void name_unnamed_tool(const std::string& name, Toolpath& path) {
       path.file, first_line));
 }
 
-// A file that was cut off ends within its last line, which then reads as nonsense.
+// Reports the last line. A file that was cut off ends within its last line, which is then misread.
 void report_last_line(std::string_view bytes, const Dialect& dialect, Diagnostics& errors) {
   const bool is_ended = bytes.empty() || bytes.back() == '\n' || bytes.back() == '\r';
   if (is_ended || dialect.is_binary) return;

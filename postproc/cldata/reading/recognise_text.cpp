@@ -15,8 +15,8 @@ constexpr std::size_t kBytesOfLineLookedAt = 200;
 enum class Where {
   line_start,
   in_comment,
-  at_start,        // in one of the first two lines: Autodesk's post states the mode there, behind a MACHIN
-  without_partno,  // where none stands: NX writes no PARTNO
+  at_start,        // in one of the first two lines: Autodesk's post states the mode there, after a MACHIN
+  without_partno,  // only in files without a PARTNO, which NX never writes
 };
 
 struct Mark {
@@ -25,7 +25,7 @@ struct Mark {
   Where where = Where::line_start;
 };
 
-// In order of trust: the first mark of the list that occurs in the file's first lines decides.
+// In order of reliability: the first mark of this list that occurs in the file's first lines decides.
 constexpr std::array<Mark, 21> kMarks = {{
     {"TOOLPATH/", DialectKind::nx_clsf},
     {"CATIAAPT", DialectKind::catia, Where::in_comment},
@@ -65,8 +65,8 @@ bool has_mark(const std::string& line, const Mark& mark) {
 }
 
 struct FirstLines {
-  std::array<std::size_t, kMarks.size()> first_line{};  // of each mark, counted from 1; 0: none
-  std::size_t partno = 0;                               // its first line
+  std::array<std::size_t, kMarks.size()> first_line{};  // line of each mark, counted from 1; 0: none
+  std::size_t partno = 0;                               // line of the first PARTNO
   std::size_t gotos = 0, others = 0;
 };
 

@@ -6,7 +6,7 @@
 
 namespace gouge {
 
-/// Returns the dialect of a file of text, by its first lines. One without the marks of any dialect is plain "apt".
+/// Returns the dialect of a text file, by its first lines. A file without the marks of any dialect is plain "apt".
 [[nodiscard]] Dialect recognise_text(std::string_view bytes);
 
 }  // namespace gouge

@@ -21,9 +21,9 @@ constexpr int kMinDirectionDecimals = 6, kUsualDirectionDecimals = 9;
 constexpr int kMinAngleDecimals = 4, kUsualAngleDecimals = 6;
 constexpr int kUsualArcDecimals = 6;
 constexpr double kMoreThanOneTurn_rad = 2 * kPi + 1e-6;
-constexpr double kSameNumber_mm = 3e-4;  // half a digit of a file of the fewest decimals, in each direction
+constexpr double kSameNumber_mm = 3e-4;  // half a digit of a file with the fewest decimals, in each direction
 constexpr double kSameAngle_rad = 1e-3;
-constexpr double kHalfTurn_rad = 0.01;  // within this of half a turn either word is right
+constexpr double kHalfTurn_rad = 0.01;  // within this of half a turn both words are right
 
 std::optional<std::size_t> index_of(const std::vector<Argument>& arguments, std::string_view word) {
   const auto found = std::find_if(arguments.begin(), arguments.end(),
@@ -57,7 +57,7 @@ Vec3 start_direction(const WrittenArc& arc) {
   return ((arc.arc.sweep_rad < 0 ? -1.0 : 1.0) * arc.arc.axis).cross(arc.start - arc.arc.center).normalized();
 }
 
-// Reads a statement that was written.
+// Returns whether a written statement is read as the arc that is meant.
 bool reads_as(ArcStatement read, const WrittenArc& meant) {
   if (read.sense == ArcSense::unknown) {
     read.sense = meant.arc.sweep_rad < 0 ? ArcSense::left_handed : ArcSense::right_handed;
@@ -122,7 +122,7 @@ void ArcText::learn(const Statement& statement) {
   if (indices->angle) learn_from(angles_, *indices->angle, 1);
 }
 
-// As read_arc reads them. Every written statement is read back to test it.
+// Returns the indices of the arguments as read_arc uses them. Every written statement is read back as a test.
 std::optional<ArcText::ArgumentIndices> ArcText::indices_of(const Statement& statement,
                                                             const std::vector<Argument>& arguments) const {
   if (statement.word != Word::circle && statement.word != Word::movarc) return std::nullopt;
@@ -139,15 +139,14 @@ std::optional<ArcText::ArgumentIndices> ArcText::indices_of(const Statement& sta
   if (const auto angle = index_of(arguments, "ANGLE")) indices.angle = *angle + 1;
   if (dialect_.arc_form == ArcForm::with_sweep && are_numbers(arguments, 7, 1)) indices.angle = 7;
   if (indices.angle && are_numbers(arguments, *indices.angle, 1) && *arguments[*indices.angle].number <= 0)
-    indices.angle.reset();  // it states none
+    indices.angle.reset();  // an angle of 0 or less states none
   const bool is_whole = are_numbers(arguments, indices.center, 3) && are_numbers(arguments, indices.axis, 3) &&
                         (!indices.radius || are_numbers(arguments, *indices.radius, 1)) &&
                         (!indices.angle || are_numbers(arguments, *indices.angle, 1));
   return is_whole ? std::optional(indices) : std::nullopt;
 }
 
-// Between the statements of one arc: nothing that would mean something else once a position is put before
-// them.
+// Returns whether no statement between those of one arc would change its meaning after an inserted position.
 bool ArcText::is_quiet_between(std::size_t first, std::size_t last) const {
   static constexpr WordSet kQuiet = {Word::comment, Word::harmless, Word::free_text, Word::pprint, Word::fedrat};
   for (std::size_t s = first + 1; s < last; ++s) {
@@ -195,7 +194,7 @@ WrittenArc ArcText::as_read(std::size_t move) const {
           to_local.point(path_.moves[move].end.tip)};
 }
 
-// CATIA finds the plane of an arc by AUTOPS, where the tool stands.
+// Returns the first statement of an arc. CATIA finds the plane of an arc by AUTOPS, from the position of the tool.
 std::size_t ArcText::first_statement(std::size_t move) const {
   const std::size_t described = records_[move].curve_statement;
   if (described == 0) return described;
@@ -222,7 +221,7 @@ Result<std::string> ArcText::description(std::size_t move, const WrittenArc& arc
   const ArgumentIndices indices = indices_of(statement, arguments).value_or(ArgumentIndices{});
   add_point(fields, indices.center, lengths_, arc.arc.center / mm);
   add_point(fields, indices.axis, directions_, arc.arc.axis);
-  // By as much as they change, since the file's own numbers need not agree with each other to the last digit.
+  // The numbers change by the difference of both arcs, because those in the file may not agree to the last digit.
   const WrittenArc old = as_read(move);
   if (dialect_.has_z_alone && (arc.arc.axis - old.arc.axis).norm() > Tolerance::kSameDirection)
     return refuse(move, "the vector of a CLT arc is an axis of the part");
@@ -264,7 +263,7 @@ Result<std::string> ArcText::tlon(std::size_t move, const WrittenArc& arc) const
     return refuse(move, "it crosses half a turn, which a TLON says in other words");
   WrittenArc meant = arc;
   if (meant.arc.sweep_rad < 0) meant.arc = {meant.arc.center, Vec3(-meant.arc.axis), -meant.arc.sweep_rad};
-  // The reader takes the plane from the start as it is written, so a tangent as exact as its digits states it.
+  // The reader computes the plane from the written start, so the tangent, with all its digits, determines it.
   if (!reads_as(arc_of_tlon(*read, arc.start, start_direction(arc)), meant))
     return refuse(move, "its start and end do not lie on it");
   return text;

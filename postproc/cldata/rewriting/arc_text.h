@@ -9,48 +9,48 @@
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/rewriting/goto_text.h"
 
-// The statements that describe an arc (CIRCLE, MOVARC, CATIA's INDIRV and TLON) with other numbers in them,
-// written as the file writes its arcs. Everything else of a statement keeps its bytes.
+// The statements that describe an arc (CIRCLE, MOVARC, INDIRV and TLON of CATIA) with other numbers, in the style of
+// the file. All other bytes of a statement stay.
 
 namespace gouge {
 
 /// An arc to write, in mm and the frame of its statement.
 struct WrittenArc {
-  PathArc arc;  ///< its vector points as the statement's own does
+  PathArc arc;  ///< its vector has the sense of the vector in the statement
   Vec3 start = Vec3::Zero(), end = Vec3::Zero();
 };
 
 class ArcText {
  public:
-  /// Learns from the first arcs of the file. `records` as read_motion_records gives them.
+  /// Learns the style from the first arcs of the file. `records` are those of read_motion_records.
   ArcText(const Toolpath& path, const MotionRecords& records);
 
-  /// Returns true where the statements of the arc that is move `move` can state another one. These are statements of a
-  /// dialect of text that describe this arc alone, of one turn at most.
+  /// Returns whether the statements of the arc of move `move` can state another arc. They must belong to a text dialect
+  /// and describe only this arc, of at most one turn.
   [[nodiscard]] bool is_writable(std::size_t move) const;
 
-  /// Returns the arc of move `move` as the file has it. Requires is_writable(move).
+  /// Returns the arc of move `move` as the file states it. Requires is_writable(move).
   [[nodiscard]] WrittenArc as_read(std::size_t move) const;
 
-  /// Returns the first of the statements that describe the arc. Text put before them is before the arc. Requires
+  /// Returns the first of the statements that describe the arc. Text that is put before it precedes the arc. Requires
   /// is_writable(move).
   [[nodiscard]] std::size_t first_statement(std::size_t move) const;
 
-  /// Returns the bytes of CIRCLE, MOVARC or INDIRV, which stand before the position. Requires is_writable(move).
-  /// Errors   write-arc: what would be written does not read as this arc.
+  /// Returns the bytes of CIRCLE, MOVARC or INDIRV, which precede the position. Requires is_writable(move).
+  /// Errors   write-arc: the written statement would not be read as this arc.
   [[nodiscard]] Result<std::string> description(std::size_t move, const WrittenArc& arc) const;
 
   /// Returns the bytes of the TLON that is the move itself. Requires is_writable(move) and the form `curve`.
-  /// Errors   write-arc: the arc would cross half a turn, which takes other words, or not read as this one.
+  /// Errors   write-arc: the arc would cross half a turn, which needs other words, or would not be read as this arc.
   [[nodiscard]] Result<std::string> tlon(std::size_t move, const WrittenArc& arc) const;
 
  private:
-  struct Field {  // an argument of a statement and its new value
+  struct Field {  // an argument of a statement, with its new value
     std::size_t argument = 0;
     const NumberStyle* style = nullptr;
     double value = 0;
   };
-  struct ArgumentIndices {  // indices of arguments; of MOVARC, CIRCLE
+  struct ArgumentIndices {  // indices of the arguments of MOVARC or CIRCLE
     std::size_t center = 0, axis = 3;
     std::optional<std::size_t> radius, angle;
   };
@@ -68,7 +68,7 @@ class ArcText {
   const std::vector<MotionRecord>& records_;
   Dialect dialect_;
   NumberStyle lengths_, directions_, angles_;
-  std::vector<SmallIndex> arcs_of_statement_;  // how many moves a statement describes as arcs
+  std::vector<SmallIndex> arcs_of_statement_;  // for each statement, the number of moves that it describes as arcs
 };
 
 }  // namespace gouge

@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-/// The change of each move of a path, where it has one.
+/// The change of each move of a path, if it has one.
 class ChangeTable {
  public:
   /// `changes` must outlive the table.
@@ -25,7 +25,7 @@ class ChangeTable {
   [[nodiscard]] bool is_changed(std::size_t move) const {
     return has_new_end(move) || has_insertion(move) || is_straightened(move) || has_new_arc(move) || is_rewritten(move);
   }
-  /// Returns whether an arc or a hole is to be described anew.
+  /// Returns whether an arc or a hole gets a new description.
   [[nodiscard]] bool is_rewritten(std::size_t move) const {
     return of_move_[move] != nullptr && (of_move_[move]->has_arc() || of_move_[move]->hole_shift_mm);
   }
@@ -46,9 +46,9 @@ class ChangeTable {
   std::vector<const PathChange*> of_move_;
 };
 
-/// The statements of a file without a position of their own, and their replacements. A statement that describes a
-/// straightened curve becomes nothing. One that describes an arc becomes its new description, with the positions before
-/// it.
+/// The statements of a file that have no position of their own, and their replacements. A statement that describes a
+/// straightened curve is removed. One that describes an arc becomes its new description, after the positions inserted
+/// before it.
 class ReplacedStatements {
  public:
   /// `path` must outlive the object.
@@ -57,9 +57,10 @@ class ReplacedStatements {
   /// Returns the replacement of `statement`; empty at first.
   [[nodiscard]] std::string& operator[](std::size_t statement) { return text_of_[statement]; }
 
-  /// Returns a statement as the file has it.
+  /// Returns the bytes of a statement in the file.
   [[nodiscard]] std::string_view bytes_of(std::size_t statement) const;
-  /// Returns false where a sequence number or label, which belongs to its statement alone, stands before the word.
+  /// Returns whether a statement begins with `word`. Returns false if a sequence number or label is before the word,
+  /// because that belongs only to this statement.
   [[nodiscard]] bool begins_with(std::size_t statement, std::string_view word) const;
 
   /// Appends the edits of the statements that begin in the bytes [from, to) of the file.

@@ -31,7 +31,7 @@ GotoText::GotoText(const Toolpath& path, const MotionRecords& records, OpenState
   components_.choose_decimals(kMinAxisDecimals, kUsualAxisDecimals);
 }
 
-// A file that does nothing but drill.
+// Learns from holes, for a file that only drills.
 void GotoText::learn_holes(const MotionRecords& records) {
   std::size_t learned = 0, last = kNone;
   for (const MotionRecord& record : records.of_move) {
@@ -50,7 +50,7 @@ void GotoText::learn(const MotionRecord& record) {
   const std::string_view bytes = path_.source;
   const auto offset = [&](const Argument& a) { return static_cast<std::size_t>(a.text.data() - bytes.data()); };
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i].text.empty()) break;  // the axis of NCI, which its file does not write in numbers
+    if (arguments[i].text.empty()) break;  // the axis in NCI is not text of the file
     const std::size_t blanks = blanks_before(bytes, offset(arguments[i]));
     const bool is_axis = i % record.numbers >= 3;
     if (is_axis && !axis_gap_) axis_gap_ = blanks;
@@ -60,7 +60,7 @@ void GotoText::learn(const MotionRecord& record) {
   has_form_ = true;
   const std::size_t first = offset(arguments[0]);
   first_gap_ = blanks_before(bytes, first);
-  // Without a sequence number, which is of one statement.
+  // The prefix has no sequence number, because that belongs to one statement.
   const auto begin =
       statement.is_decoded ? statement.first_byte : static_cast<std::size_t>(statement.major.data() - bytes.data());
   prefix_ = std::string(trim(bytes.substr(begin, first - first_gap_ - begin)));

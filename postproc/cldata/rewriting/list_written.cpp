@@ -9,7 +9,8 @@ namespace gouge {
 
 namespace {
 
-constexpr std::size_t kLargestTable = 1'000'000;  // entries, beyond which nothing in common is looked for
+// maximum number of table entries; a larger comparison finds nothing in common
+constexpr std::size_t kLargestTable = 1'000'000;
 
 class Comparison {
  public:
@@ -41,9 +42,9 @@ class Comparison {
     written_.push_back({kind, line, before, after});
   }
 
-  /// The statements that a move is read from in both files.
+  /// Handles the statements of one move in both files.
   void meet(std::size_t a, std::size_t b) {
-    if (a == kNone || b == kNone || b < next_after_) return;  // a list of positions: the statement is done with
+    if (a == kNone || b == kNone || b < next_after_) return;  // a list of positions: its statement was compared already
     if (a < next_before_) {                                   // one statement became several
       between(next_before_, b);
       add(WrittenKind::added, kNone, b);
@@ -56,7 +57,7 @@ class Comparison {
     next_after_ = b + 1;
   }
 
-  /// The statements before `a` and `b` and after those met last.
+  /// Compares the statements before `a` and `b`, from those that were compared last.
   void between(std::size_t a, std::size_t b) {
     while (next_before_ < a && next_after_ < b && is_same(next_before_, next_after_)) {
       ++next_before_;
@@ -72,7 +73,7 @@ class Comparison {
     next_after_ = b;
   }
 
-  /// By the longest common subsequence of what is left.
+  /// Compares the remaining statements by their longest common subsequence.
   void differ(std::size_t a, std::size_t b) {
     const std::size_t n = a - next_before_, m = b - next_after_;
     const bool is_small = n * m <= kLargestTable;
@@ -100,7 +101,7 @@ class Comparison {
 
   const Toolpath& before_;
   const Toolpath& after_;
-  std::size_t next_before_ = 0, next_after_ = 0;  // statements not yet compared
+  std::size_t next_before_ = 0, next_after_ = 0;  // the first statements not yet compared
   std::vector<WrittenStatement> written_;
 };
 
@@ -128,7 +129,7 @@ std::vector<WrittenStatement> list_written(const Toolpath& before, const std::ve
 
 namespace {
 
-// The statement with which the writer closes the frame of a position with an axis.
+// Returns whether a statement is the one with which the writer closes the frame of a position with an axis.
 bool closes_a_frame(const Toolpath& path, std::size_t statement) {
   const SourceStatement& span = path.statements[statement];
   const std::string_view bytes =
@@ -167,7 +168,8 @@ std::optional<std::string_view> RecordTexts::after(std::size_t move) const {
   return text_of(after_, first_[move], first_[move] + inserted_[move] + 1);
 }
 
-// Written statements stand before their position, except the one that closes its frame (MULTAX/OFF).
+// Returns the text of moves. Written statements precede their position, except the one that closes its frame
+// (MULTAX/OFF).
 std::optional<std::string_view> RecordTexts::text_of(const File& file, std::size_t first, std::size_t last) const {
   const Toolpath& path = *file.path;
   if (!is_text_ || last > path.moves.size()) return std::nullopt;
@@ -181,7 +183,7 @@ std::optional<std::string_view> RecordTexts::text_of(const File& file, std::size
   while (begin > floor && file.is_written[begin - 1] && !closes_a_frame(path, begin - 1)) --begin;
   std::size_t behind = end + 1;
   while (behind < ceiling && file.is_written[behind]) ++behind;
-  // Where all up to a next position that is written too is written, it belongs to that, but for the end of a frame.
+  // If all statements up to a written next position are written, they belong to it, except the end of a frame.
   const bool is_of_next = behind == ceiling && ceiling < path.statements.size() && file.is_written[ceiling];
   while (end + 1 < behind && (!is_of_next || closes_a_frame(path, end + 1))) ++end;
   const std::size_t from = path.statements[begin].first_byte, to = path.statements[end].last_byte;

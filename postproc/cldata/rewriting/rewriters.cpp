@@ -15,9 +15,9 @@ bool is_same_hole(const MotionRecord& a, const MotionRecord& b) {
          a.point == b.point;
 }
 
-// For the records of one hole [first, last).
+// Returns whether the records [first, last) of one hole can be shifted.
 bool is_shiftable(const Toolpath& path, const std::vector<MotionRecord>& records, std::size_t first, std::size_t last) {
-  if (records[first].numbers == 0) return false;  // a step from somewhere
+  if (records[first].numbers == 0) return false;  // a step from an earlier position
   for (std::size_t i = first; i < last; ++i) {
     const std::string_view reason = path.moves[i].not_checked_reason;
     if (kind_of(reason) != ReasonKind::none && kind_of(reason) != ReasonKind::around_hole) return false;
@@ -126,7 +126,7 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
   return std::nullopt;
 }
 
-// Only dialects of text can state this.
+// Finds a change that the dialect cannot state. Only text dialects can rewrite arcs and holes.
 std::optional<Diagnostic> find_unsaid(const Toolpath& path, const std::vector<PathChange>& changes) {
   const bool is_text = dialect_or_apt(path.dialect).has_apt_words;
   for (const PathChange& change : changes) {

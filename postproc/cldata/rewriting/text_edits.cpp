@@ -50,11 +50,12 @@ class CorrectedWriter {
   void begin_statement(const MotionRecord& record, bool is_new_block);
   [[nodiscard]] bool needs_rewriting(std::size_t first, std::size_t last) const;
   [[nodiscard]] WrittenPosition written(const MotionRecord& record, const Pose& local, bool is_axis_kept);
-  // A curve has no numbers of its own to look like; it takes after the position before it.
+  // Returns whether the axis is written. A curve has no numbers of its own as a model, so it follows the previous
+  // position.
   [[nodiscard]] bool is_axis_kept(const MotionRecord& record) const {
     return record.numbers == 6 || (record.form == PositionForm::curve && is_axis_usual_ && !is_axis_modal_);
   }
-  // The axis that was written last is what a position without one would be read with, or may be.
+  // Returns whether a position without an axis is, or may be, read with the last written axis.
   [[nodiscard]] bool keeps_axis(const MotionRecord& record) const {
     return is_axis_modal_ || (is_axis_left_ && (record.is_multax_off || has_no_axes_));
   }
@@ -66,28 +67,29 @@ class CorrectedWriter {
 
   const Toolpath& path_;
   const MotionRecords& read_;
-  const std::vector<MotionRecord>& records_;  // of read_
+  const std::vector<MotionRecord>& records_;  // the records in read_
   GotoText goto_text_;
   ArcText arc_text_;
   bool is_axis_modal_;
-  bool is_axis_left_;  // a position without axis behind MULTAX/OFF has, or may have, that of the one before
-  bool has_no_axes_;   // no position of the file has one, and none keeps that of another
+  bool is_axis_left_;  // after MULTAX/OFF a position without axis has, or may have, that of the previous one
+  bool has_no_axes_;   // no position of the file has an axis, and none keeps that of another
   ChangeTable changes_;
   ReplacedStatements replaced_;
-  std::vector<std::string> inserted_arcs_;  // what describes those of the move being written; nothing: straight
-  bool is_axis_usual_ = false;              // the last position was written with its axis
-  Vec3 axis_read_ = Vec3::UnitZ();          // the modal axis after the last position of the file read so far
-  Vec3 axis_written_ = Vec3::UnitZ();       // the same for the text written so far
+  // description of the arcs of the move being written; nothing: they are straight
+  std::vector<std::string> inserted_arcs_;
+  bool is_axis_usual_ = false;         // the last position was written with its axis
+  Vec3 axis_read_ = Vec3::UnitZ();     // the modal axis after the last position of the file that was read
+  Vec3 axis_written_ = Vec3::UnitZ();  // the modal axis after the last position that was written
 };
 
-// The end of `move` in its statement's frame, in mm.
+// Returns the end of `move` in the frame of its statement, in mm.
 Pose CorrectedWriter::local_end(std::size_t move) const {
   const Pose& end =
       changes_[move] != nullptr && changes_[move]->new_end ? *changes_[move]->new_end : path_.moves[move].end;
   return records_[move].frame->to_part.inverse().pose(end);
 }
 
-// CIRCLE, MOVARC or INDIRV before the position, KNOT and CNTRL after a NURBS.
+// Drops the description of a curve: CIRCLE, MOVARC or INDIRV before the position, KNOT and CNTRL after a NURBS.
 void CorrectedWriter::drop_curve(std::size_t move) {
   const MotionRecord& record = records_[move];
   if (record.curve_statement != kNone) replaced_[record.curve_statement].clear();
@@ -103,7 +105,7 @@ Pose CorrectedWriter::new_start(std::size_t move) const {
   return (changes_[move - 1] != nullptr ? changes_[move - 1]->new_end : std::nullopt).value_or(path_.start_of(move));
 }
 
-// The vector of the statement points as it did.
+// Returns the arc in the frame of its statement. Its vector keeps its sense.
 WrittenArc CorrectedWriter::in_statement(std::size_t move, const PathArc& arc, const Pose& start,
                                          const Pose& end) const {
   const RigidTransform to_local = records_[move].frame->to_part.inverse();
@@ -129,7 +131,7 @@ std::optional<Diagnostic> CorrectedWriter::describe_inserted_arcs(std::size_t mo
   return std::nullopt;
 }
 
-// An arc with other numbers, and the positions that lead to its start before it.
+// Describes an arc with other numbers, after the positions that lead to its start.
 std::optional<Diagnostic> CorrectedWriter::redescribe_arc(std::size_t move) {
   const MotionRecord& record = records_[move];
   const PathChange& change = *changes_[move];
@@ -154,13 +156,14 @@ std::optional<Diagnostic> CorrectedWriter::redescribe_arc(std::size_t move) {
   return std::nullopt;
 }
 
-// A statement's positions share the arc that describes them: some straight and some round cannot be written.
+// Returns whether positions stay on the arc that describes a statement. Some straight and some round positions of one
+// statement cannot be written.
 bool CorrectedWriter::has_curve_left(std::size_t first, std::size_t last) const {
   bool has_straightened = false, has_round = false;
   for (std::size_t i = first; i < last; ++i) {
     const Move& move = path_.moves[i];
     const bool is_straight = move.curve_kind == CurveKind::none && is_motion_known(move.not_checked_reason);
-    if (move.kind != MoveKind::arc || is_straight) continue;  // a list may begin where the tool stands
+    if (move.kind != MoveKind::arc || is_straight) continue;  // a list may begin at the position of the tool
     (changes_.is_straightened(i) ? has_straightened : has_round) = true;
   }
   const bool has_new_start = changes_.has_new_end(last - 1) && last < path_.moves.size() &&
@@ -182,8 +185,8 @@ bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const
   return relies_on_axis && !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
 }
 
-// The text for `local`, and the axis that it leaves in force. The axis is left out where 3 numbers mean the
-// same.
+// Returns the position to write for `local`, and sets the axis that it leaves in force. The axis is omitted if 3
+// numbers have the same meaning.
 WrittenPosition CorrectedWriter::written(const MotionRecord& record, const Pose& local, bool is_axis_kept) {
   WrittenPosition position;
   position.tip = local.tip / record.frame->mm_per_unit;
@@ -193,8 +196,9 @@ WrittenPosition CorrectedWriter::written(const MotionRecord& record, const Pose&
   return position;
 }
 
-// Under MULTAX/OFF six numbers are two positions, so a position with an axis switches it on for itself. It also does in
-// a file without axes, where a position of three numbers behind it would be in doubt.
+// Returns the text within the MULTAX statements that it needs. Under MULTAX/OFF six numbers are two positions, so a
+// position with an axis switches MULTAX on for itself. It does so in a file without axes too. Otherwise a position of
+// three numbers after it would be ambiguous.
 std::string CorrectedWriter::framed(const MotionRecord& record, const WrittenPosition& position,
                                     std::string text) const {
   if (!(record.is_multax_off || has_no_axes_) || !position.axis || record.numbers == 6) return text;
@@ -207,8 +211,8 @@ std::string CorrectedWriter::rapid_line(const MotionRecord& record) const {
   return goto_text_.with_line_end(is_template ? std::string(replaced_.bytes_of(record.rapid_statement)) : "RAPID");
 }
 
-// The positions to visit before `move`, and, as RAPID holds for one motion only, a RAPID for each further one. The move
-// itself gets one where it becomes a rapid.
+// Returns the positions before `move`, with a RAPID for each further one, because RAPID holds for only one motion. The
+// move itself gets a RAPID if it becomes a rapid move.
 std::string CorrectedWriter::insertions(std::size_t move) {
   const MotionRecord& record = records_[move];
   const bool is_rapid = path_.moves[move].kind == MoveKind::rapid;
@@ -251,7 +255,7 @@ std::string CorrectedWriter::in_place(std::size_t first, std::size_t last) {
 std::string CorrectedWriter::one_by_one(std::size_t first, std::size_t last) {
   std::string text;
   for (std::size_t i = first; i < last; ++i) {
-    if (i > first && records_[i].form == PositionForm::unread) continue;  // another reading of the one before
+    if (i > first && records_[i].form == PositionForm::unread) continue;  // another reading of the previous move
     text += insertions(i);
     const WrittenPosition position = written(records_[i], local_end(i), is_axis_kept(records_[i]));
     text += framed(records_[i], position, goto_text_.fresh(position));
@@ -259,12 +263,12 @@ std::string CorrectedWriter::one_by_one(std::size_t first, std::size_t last) {
   return text;
 }
 
-// Where the text written agrees with the file read, the axis in force is the one the file states is in force.
+// If the written text agrees with the file, the axis in force is the one that the file states.
 void CorrectedWriter::begin_statement(const MotionRecord& record, bool is_new_block) {
   if (is_new_block || goto_text_.is_same_axis(axis_written_, axis_read_)) axis_written_ = record.implied_axis_local;
 }
 
-// Arcs and cycles that stay as they are, where the position before them changes.
+// Finds arcs and cycles that stay unchanged although the position before them changes.
 std::optional<Diagnostic> CorrectedWriter::find_stuck(std::size_t first, std::size_t last) const {
   const MotionRecord& record = records_[first];
   if (has_curve_left(first, last)) {
@@ -282,7 +286,7 @@ std::optional<Diagnostic> CorrectedWriter::find_stuck(std::size_t first, std::si
                     path_.file, path_.moves[first].line);
 }
 
-// The text of a statement's positions.
+// Returns the text of a statement's positions.
 std::string CorrectedWriter::rewritten(std::size_t first, std::size_t last) {
   const MotionRecord& record = records_[first];
   if (record.form == PositionForm::cycle) {

@@ -11,10 +11,10 @@ namespace gouge {
 struct SinkOptions {
   Dialect dialect;
   LengthUnit unit = LengthUnit::mm;
-  int decimals = 0, axis_decimals = 0;  ///< no fewer than these
-  bool is_tilted = false;               ///< an axis of the path is not +Z
-  bool is_on_centre = true;             ///< all positions are the cutter's centre
-  std::string name;                     ///< of the part program
+  int decimals = 0, axis_decimals = 0;  ///< minimum numbers of decimals
+  bool is_tilted = false;               ///< whether an axis of the path differs from +Z
+  bool is_on_centre = true;             ///< whether all positions are those of the cutter's centre
+  std::string name;                     ///< name of the part program
 };
 
 }  // namespace gouge

@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kColumnsOfCoordinate = 6;  // beside the decimals: sign, four digits, point
+constexpr std::size_t kColumnsOfCoordinate = 6;  // in addition to the decimals: sign, four digits, point
 constexpr std::size_t kColumnsOfAxis = 3;        // sign, digit, point
 
 std::string without_zeros(std::string text) {
@@ -93,7 +93,7 @@ constexpr std::array<TextFormat, 11> kFormats = {{
      .go_to = "GOTO/ ",
      .go_to_end = " ",
      .axis_decimals = 6,
-     .head = "UNITS/ {unit} \nOPFEATSTART/{name}",  // what marks the dialect
+     .head = "UNITS/ {unit} \nOPFEATSTART/{name}",  // these words mark the dialect
      .operation = "OPFEATSTART/{name}",
      .gohome = "GOHOME/",
      .cutcom = "CUTCOM/ ",
@@ -114,7 +114,7 @@ constexpr std::array<TextFormat, 11> kFormats = {{
      .line_end = "\r\n",
      .separator = ", ",
      .has_axis_when_tilted = true,
-     // Positions are written in part coordinates.
+     // The frame of this head is the identity, as positions are written in part coordinates.
      .head = "MODE/MILL\nPARTNO/'{name}'\nUNITS/{unit}\nMULTAX/{multax}\n"
              "MCS/1.000000000, 0.000000000, 0.000000000, $\n"
              "0.000000000, 1.000000000, 0.000000000, $\n"

@@ -15,7 +15,7 @@ constexpr double kPi = std::numbers::pi;
 
 bool is_plus_z(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= Tolerance::kExactDirection; }
 
-// Enough for a feed to keep its value, which in inches per revolution may be small.
+// Returns the number of decimals that keeps the value of a feed, which in inches per revolution may be small.
 int feed_decimals(double value, int usual) {
   constexpr double kRelativeError = 1e-5;
   constexpr int kMaxDecimals = 15;
@@ -30,7 +30,7 @@ bool is_straight(const CutterStatement& cutter) {
   return !(std::abs(cutter.alpha_deg) > 0) && !(std::abs(cutter.beta_deg) > 0);
 }
 
-// Other text than the name of a tool would be text for the control.
+// Returns a text that is read as the name of a tool. Other text would be text for the control.
 std::string certain_name(const std::string& name, const std::string& size) {
   if (is_tool_name(name)) return name;
   return is_tool_name(name + " " + size) ? name + " " + size : size;
@@ -65,7 +65,7 @@ void TextSink::fill(std::string_view form, std::initializer_list<Value> values) 
   }
 }
 
-// Creo: it holds for one sequence.
+// Returns the statement for positions of the cutter's centre. In Creo it holds for one sequence.
 std::string TextSink::on_centre() const {
   return options_.is_on_centre ? "$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER" : "";
 }
@@ -113,7 +113,7 @@ void TextSink::retract() {
   axis_.reset();
 }
 
-// Where no unit is written, every feed needs its own once one per revolution was written.
+// Writes a feed. If no unit was written so far, every feed needs its own after one per revolution.
 bool TextSink::set_feed(const Feed& feed) {
   if (options_.dialect.has_positions_alone) return false;
   begin_block_if_due();
@@ -154,7 +154,7 @@ void TextSink::go_to(const Pose& end) {
   line(text.append(format_.go_to_end));
 }
 
-// Each dialect has its own sense of the arc's vector; the end is the position that follows.
+// Writes an arc. Each dialect has its own sense of the arc's vector. The next position is the end of the arc.
 bool TextSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) {
   const double sweep = std::abs(arc.sweep_rad);
   if (sweep > 2 * kPi * (1 + Tolerance::kRounding)) return false;
@@ -177,7 +177,7 @@ bool TextSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) 
   return true;
 }
 
-// A planar arc of less than a full turn, with the axis of the position before it.
+// Writes a planar arc of less than a full turn, with the axis of the previous position.
 bool TextSink::write_tlon(const PathArc& arc, const Pose& start, const Pose& end) {
   const Vec3 right = arc.sweep_rad < 0 ? Vec3(-arc.axis) : arc.axis;
   const Vec3 radial = start.tip - arc.center;
@@ -197,11 +197,11 @@ bool TextSink::write_tlon(const PathArc& arc, const Pose& start, const Pose& end
   return true;
 }
 
-// The tools of a written file: CUTTER, TLDATA and the words for their numbers in each dialect.
+// Writers of tools: CUTTER, TLDATA and the words for their numbers in each dialect.
 
 std::string TextSink::seven(const CutterStatement& c) const {
   double e = scaled(c.e_mm), f = scaled(c.f_mm);
-  // Some posts write the tip's diameter for e, others no e and f; both are recomputed when read.
+  // Some posts write the tip diameter for e, others omit e and f; a reader recomputes both.
   if (options_.dialect.has_tip_diameter && is_straight(c)) e = scaled(c.d_mm - 2 * c.r_mm);
   if (format_.has_no_corner && is_straight(c)) e = f = 0;
   std::string text;

@@ -10,7 +10,7 @@
 #include "postproc/cldata/writing/text_format.h"
 #include "postproc/program/motion_sink.h"
 
-// Writes a toolpath as the text of one dialect.
+// A sink that writes a toolpath as the text of one dialect.
 
 namespace gouge {
 
@@ -32,7 +32,7 @@ class TextSink final : public MotionSink {
  private:
   using Value = std::pair<std::string_view, std::string>;
   void line(const std::string& text) { text_ += text + std::string(format_.line_end); }
-  /// The lines of `form` with `values` in place of their names in braces.
+  /// Writes the lines of `form` with `values` in place of their names in braces.
   void fill(std::string_view form, std::initializer_list<Value> values = {});
   [[nodiscard]] std::string on_centre() const;
   void begin_file();
@@ -49,10 +49,10 @@ class TextSink final : public MotionSink {
   std::string text_;
   std::string operation_;
   std::optional<PathTool> tool_;
-  std::optional<Vec3> axis_;   // last written, where it is modal
-  bool is_block_due_ = false;  // the next motion begins one
+  std::optional<Vec3> axis_;   // the last written axis, if the axis is modal
+  bool is_block_due_ = false;  // the next motion begins a block
   bool is_block_open_ = false;
-  bool is_alone_ = true;  // nothing leads to the next position
+  bool is_alone_ = true;  // the next position has no motion to it
   bool has_feed_per_turn_ = false;
 };
 
