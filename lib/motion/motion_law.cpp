@@ -8,6 +8,15 @@ std::string MotionLaw::name() const {
   return feed == rapid ? feed : feed + ", rapids " + rapid;
 }
 
+std::string MotionLaw::why_open(const Toolpath& toolpath, std::size_t move) const {
+  const AxisLaw* const axes = axes_of(toolpath.moves[move].kind);
+  return axes == nullptr ? std::string() : axes->why_open(toolpath, move);
+}
+
+bool MotionLaw::bends_without_turning() const {
+  return (feed_axes_ && feed_axes_->bends_without_turning()) || (rapid_axes_ && rapid_axes_->bends_without_turning());
+}
+
 Motion MotionLaw::of(const Toolpath& toolpath, std::size_t index) const {
   const Move& move = toolpath.moves[index];
   if (!move.has_start) return at(move.end);

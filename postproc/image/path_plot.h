@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lib/base/result.h"
-#include "lib/check/check_result.h"
 #include "lib/drawing/drawing.h"
+#include "lib/field/checked_toolpath.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/path/toolpath.h"
 #include "postproc/image/colour_scale.h"
@@ -28,7 +28,7 @@ inline constexpr Colour kUncheckedPath{206, 118, 8, 1};
 
 /// Draws where the tip goes while it cuts over a shaded surface, as far as the surface does not hide it: moves that
 /// were checked in one colour, those that were not in the other. Where moves lie side by side the surface they cover is
-/// coloured. Cost: up to 100,000 moves, spread evenly over longer paths.
-void lay_path(Raster& raster, const SurfaceBuffer& buffer, const Toolpath& path, const CheckResult& result);
+/// coloured. Cost: up to 100,000 moves, spread evenly over longer paths. Requires a toolpath and its result.
+void lay_path(Raster& raster, const SurfaceBuffer& buffer, const CheckedToolpath& input);
 
 }  // namespace gouge
