@@ -39,6 +39,7 @@ struct Job {
   std::vector<ToolFacts> tool_facts;
   SetupBasis basis;                     ///< how the inputs are known
   std::optional<Machine> machine = {};  ///< of --machine
+  TurnLaws laws = {};                   ///< of its motions
   Diagnostics notes;
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< of the work on it
 

@@ -139,17 +139,24 @@ OptionRows<JobArguments> check_rows() {
            .recorded = Recorded::repeated},
           {.name = "--feed-law",
            .field = &A::feed_law,
-           .help = "How the tool axis turns in feeds: vector, on the great circle; axis, both rotary joints evenly "
-                   "(default: as the control of --machine does)",
+           .help = "How the tool moves in feeds: vector, its axis on the great circle; axis, both rotary joints "
+                   "evenly; joint, all joints evenly, without tool centre point control (default: as the control of "
+                   "--machine does)",
            .scope = Scope::project,
            .recorded = Recorded::repeated,
-           .choices = {kTurnLawNames.begin(), kTurnLawNames.end()}},
+           .choices = {kTurnLawNames.begin(), kTurnLawNames.begin() + kFeedLaws}},
           {.name = "--rapid-law",
            .field = &A::rapid_law,
-           .help = "The same for rapids",
+           .help = "The same for rapids; independent: each joint at its own rate until it arrives",
            .scope = Scope::project,
            .recorded = Recorded::repeated,
            .choices = {kTurnLawNames.begin(), kTurnLawNames.end()}},
+          {.name = "--tool-length",
+           .field = &A::tool_length,
+           .type = "LENGTH",
+           .help = "From the gauge point of --machine to the tip; laws of all joints need it with a rotary head",
+           .scope = Scope::project,
+           .recorded = Recorded::repeated},
           {.name = "--assume",
            .field = &A::assumed,
            .type = "FACT[=OBJECT]",
@@ -309,6 +316,11 @@ Result<JobOptions> understand(const JobArguments& a) {
     const Result<double> value = understand_length(length.name, length.text, length.least);
     if (!value) return value.error();
     length.value = *value;
+  }
+  if (!a.tool_length.empty()) {
+    const Result<double> value = understand_length("--tool-length", a.tool_length, Minimum::zero);
+    if (!value) return value.error();
+    options.tool_length_mm = *value;
   }
   if (const Result<FindingsView> view = understand(a.listing); !view) return view.error();
   if (const auto error = find_contradiction(a)) return *error;

@@ -13,7 +13,8 @@ const char* const kOptions =
     "path that calls several. tolerance: depth a move may have; resolution: the certified gap; stock_to_leave, "
     "shank_clearance, holder_clearance: grow that body; near_miss: report what comes nearer, 0: nothing; all in mm. "
     "rapids: 'straight', 'dogleg' or 'skip'. machine: a machine file or 'preset:NAME', whose control moves the tool axis; "
-    "feed_law, rapid_law: 'vector' or 'axis' in place of the control's. threads: 0 for all; the result is the same at any number. assume: facts to "
+    "feed_law, rapid_law: 'vector', 'axis' or 'joint' in place of the control's, of rapids also 'independent'; tool_length: "
+    "from the gauge point to the tip, for a rotary head. threads: 0 for all; the result is the same at any number. assume: facts to "
     "take as stated, such as 'path-unit', 'placement', 'tool=T3'; strict: clean only where no fact is taken by default. "
     "The GIL is released.";
 
@@ -66,6 +67,7 @@ CheckOptions take_options(Keywords& keywords) {
   options.machine = keywords.text("machine", "");
   options.feed_law = keywords.text("feed_law", "");
   options.rapid_law = keywords.text("rapid_law", "");
+  options.tool_length = keywords.number_or_none("tool_length");
   options.threads = keywords.count("threads", defaults.threads);
   options.assume = keywords.texts("assume");
   options.strict = keywords.flag("strict", defaults.strict);

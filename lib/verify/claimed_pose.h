@@ -10,11 +10,11 @@
 
 namespace gouge {
 
-/// Returns the pose at t in [0, 1] of a move. By rotary joints where the claim names them for its kind of motion and the
-/// path has its angles, else on the great circle.
+/// Returns the pose at t in [0, 1] of a move. By joints where the claim names them for its kind of motion and the path has
+/// its angles, else on the great circle.
 [[nodiscard]] Pose claimed_pose(const ClaimedScene& scene, std::size_t move, double t);
 
-/// Returns the frame of the bodies that move with the tool at t. By rotary joints it is theirs. Else, as
+/// Returns the frame of the bodies that move with the tool at t. By joints it is theirs. Else, as
 /// docs/method/guarantee.md states, at a position the part's z axis turned the shortest way to the tool's, in between on
 /// the great circle, the rest of the turn spread evenly.
 [[nodiscard]] RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t);

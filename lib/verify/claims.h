@@ -9,6 +9,7 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/path/toolpath.h"
 #include "lib/tool/tool_variants.h"
+#include "lib/verify/claimed_chain.h"
 #include "lib/verify/solid_depth.h"
 
 // The claims of a result and their subject: all inputs of a verification.
@@ -44,12 +45,6 @@ struct ClaimedLimit {
 
 /// The law of motion that is evaluated here.
 inline constexpr const char* kGreatCircle = "great-circle";
-
-/// Rotary joints that run evenly from one position to the next, in place of the great circle.
-struct ClaimedJoints {
-  Vec3 first = Vec3::UnitZ(), second = Vec3::UnitX();  ///< unit directions at 0, that nearer to the part first
-  bool in_feeds = false, in_rapids = false;
-};
 
 /// Referenced objects must outlive it. Lengths in mm.
 struct ClaimedScene {

@@ -54,7 +54,7 @@ TEST_F(PoleCrossing, TheLawOfTheCommandLineGoesBeforeThatOfTheControl) {
 TEST_F(PoleCrossing, AControlThatPromisesNoLawNeedsOne) {
   const Outcome ran = run("check", {"--machine", "preset:haas-umc750"});
   EXPECT_EQ(ran.exit_status, 3);
-  EXPECT_NE(ran.err.find("promises no law for feeds; expected --feed-law vector or --feed-law axis"), std::string::npos)
+  EXPECT_NE(ran.err.find("promises no law for feeds; expected --feed-law vector, axis or joint"), std::string::npos)
       << ran.err;
 }
 

@@ -27,9 +27,12 @@ struct CheckOptions {
   /// Machine file, configuration of LinuxCNC, or "preset:NAME". Its control states the motion of the tool axis, and its
   /// joint limits hold. Empty: the axis turns on the great circle.
   std::string machine = {};
-  std::string feed_law = {};   ///< "vector" or "axis", in place of the control's; "axis" requires a machine
-  std::string rapid_law = {};  ///< the same of rapids
-  unsigned threads = 0;        ///< 0: all; the result is the same at any number
+  /// "vector", "axis" or "joint", in place of the control's; all but "vector" require a machine.
+  std::string feed_law = {};
+  std::string rapid_law = {};  ///< the same of rapids, and "independent"
+  /// From the gauge point to the tip, mm; "joint" and "independent" need it for a machine with a rotary head.
+  std::optional<double> tool_length = {};
+  unsigned threads = 0;  ///< 0: all; the result is the same at any number
   /// Facts to take as stated: "path-unit", "placement", "tool=T3", ... (docs/guide/assumptions.md).
   std::vector<std::string> assume = {};
   bool strict = false;  ///< clean only where no fact is taken by default
