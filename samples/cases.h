@@ -12,10 +12,14 @@ namespace gouge::samples {
 [[nodiscard]] Sample make_blade();          ///< tapered ball around a twisted blade, NX CLSF with MSYS
 [[nodiscard]] Sample make_between_rib();    ///< both positions clean, a rib between them
 [[nodiscard]] Sample make_pole_crossing();  ///< clean on the great circle, a gouge where two rotary joints run evenly
-[[nodiscard]] Sample make_between_swing();  ///< the tip rests, the holder swings through a post
-[[nodiscard]] Sample make_between_head();   ///< the tip rests, the machine head dips into a post
-[[nodiscard]] Sample make_thin_post();      ///< a post 0.04 mm thick, one long rapid
-[[nodiscard]] Sample make_arcs_nx();        ///< arcs of both senses about a post, in three dialects
+[[nodiscard]] Sample make_rapid_joints();   ///< a rapid dips into a post where all joints run evenly
+[[nodiscard]] Sample make_rapid_independent();  ///< a rapid dips into a post where each joint runs at its own rate
+[[nodiscard]] Sample make_axis_limit();         ///< a joint would be beyond its limit
+[[nodiscard]] Sample make_axis_flip();          ///< a joint turns far while the axis hardly turns
+[[nodiscard]] Sample make_between_swing();      ///< the tip rests, the holder swings through a post
+[[nodiscard]] Sample make_between_head();       ///< the tip rests, the machine head dips into a post
+[[nodiscard]] Sample make_thin_post();          ///< a post 0.04 mm thick, one long rapid
+[[nodiscard]] Sample make_arcs_nx();            ///< arcs of both senses about a post, in three dialects
 [[nodiscard]] Sample make_arcs_creo();
 [[nodiscard]] Sample make_arcs_catia();
 [[nodiscard]] Sample make_buried();         ///< the tool inside a block, no surface inside the tool

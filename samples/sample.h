@@ -31,13 +31,15 @@ struct Sample {
   std::string toolpath_file;
   std::string toolpath;  ///< text
   std::string tools;     ///< library, JSON text
+  std::string machine;   ///< machine.json; empty: none
   std::string unit = "mm";
   std::vector<NamedSolid> parts, fixtures;
   double overlap = 0;             ///< how deep fixture and part penetrate each other; 0: not at all
   std::vector<NamedSolid> heads;  ///< in the tool's frame; used by `check` only
   int check_exit = 0, correct_exit = 0;
   std::size_t moves = 0;
-  std::vector<ExpectedFinding> findings;  ///< one per move that is not clean, by line; all others are clean
+  std::vector<ExpectedFinding> findings;    ///< one per move that is not clean, by line; all others are clean
+  std::vector<ExpectedFinding> by_machine;  ///< the same with --machine machine.json
 };
 
 }  // namespace gouge::samples
