@@ -8,9 +8,6 @@ namespace {
 
 using Eigen::Matrix4d;
 
-// A joint that moves by less stands: docs/method/machine.md.
-constexpr double kStands_mm = 1e-9, kStands_rad = 1e-12;
-
 Matrix4d shifted(const Vec3& by) {
   Matrix4d m = Matrix4d::Identity();
   m.topRightCorner<3, 1>() = by;
@@ -68,7 +65,7 @@ std::vector<double> shares_at(const ClaimedJoints& joints, ClaimedRun run, const
   std::size_t moving = 0;
   for (std::size_t k = 0; k < by.size(); ++k) {
     const ClaimedJoint& joint = joints.chain[k];
-    if (std::abs(by[k]) <= (joint.is_rotary ? kStands_rad : kStands_mm)) continue;
+    if (std::abs(by[k]) <= (joint.is_rotary ? kClaimedStand_rad : kClaimedStand_mm)) continue;
     ++moving;
     if (joint.rate) minutes[k] = std::abs(by[k]) / *joint.rate;
   }

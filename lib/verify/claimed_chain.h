@@ -12,6 +12,9 @@
 
 namespace gouge {
 
+/// A joint that moves by less stands: docs/method/machine.md.
+inline constexpr double kClaimedStand_mm = 1e-9, kClaimedStand_rad = 1e-12;
+
 struct ClaimedJoint {
   bool is_rotary = false;
   Vec3 direction = Vec3::UnitX();  ///< unit

@@ -51,9 +51,10 @@ struct ClaimedScene {
   const Toolpath& path;
   std::vector<const ToolVariants*> tools;  ///< one per Toolpath::tools; null: not defined
   std::span<const IndexedMesh> parts, fixtures;
-  std::vector<SolidDepth> heads;        ///< bodies that move with the tool, in the tool's frame
-  std::string axis_law = kGreatCircle;  ///< how the axis runs; nothing is proved of another law than the great circle
-  bool is_dogleg = false;               ///< how rapids run
+  std::vector<SolidDepth> heads;  ///< bodies that move with the tool, in the tool's frame
+  std::string axis_law =
+      kGreatCircle;  ///< names how the tool runs; nothing is proved of a law that neither this nor `joints` states
+  bool is_dogleg = false;  ///< how rapids run
   double tolerance_mm = 0.01, resolution_mm = 0.001;
   unsigned threads = 0;
   std::vector<ClaimedLimit> limits{};

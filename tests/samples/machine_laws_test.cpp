@@ -56,6 +56,18 @@ class MachineSample : public testing::Test {
     const Outcome ran = run_gougecheck(sample_.path, {"verify", "changed.json"});
     EXPECT_EQ(ran.exit_status, 1) << from << " " << ran.out << ran.err;
   }
+  /// Both moves are proved by the law of the machine, and the proof is none of another law.
+  void expect_certified(const std::string& other_law) const {
+    EXPECT_EQ(run_by_machine("check", {"--json", "check.json", "--certificate", "proofs.gcp"}).exit_status, 1);
+    const Outcome verified = run_gougecheck(sample_.path, {"verify", "check.json", "--certificate", "proofs.gcp"});
+    EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
+    EXPECT_NE(verified.out.find("1 move proved clean"), std::string::npos) << verified.out;
+    EXPECT_NE(verified.out.find("1 gouging move proved to be no deeper than said"), std::string::npos) << verified.out;
+    EXPECT_EQ(run_by_machine("check", {"--json", "other.json", "--rapid-law", other_law}).exit_status, 0);
+    const Outcome other = run_gougecheck(sample_.path, {"verify", "other.json", "--certificate", "proofs.gcp"});
+    EXPECT_EQ(other.exit_status, 3);
+    EXPECT_NE(other.err.find("expected the law of this result"), std::string::npos) << other.err;
+  }
   void expect_corrected() const {
     const Outcome ran = run_by_machine("correct", {"-o", "out.apt", "--allow-stock", "100"});
     EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
@@ -95,6 +107,8 @@ TEST_F(RapidJoints, IsVerifiedByItsOwnLawAndRefutedByAnother) {
   expect_refuted("\"tool-length\": \"100\"", "\"tool-length\": \"90\"");
   expect_refuted("\"machine\": \"machine.json\"", "\"machine\": \"machine.json\", \"rapid-law\": \"axis\"");
 }
+
+TEST_F(RapidJoints, IsProvedByACertificate) { expect_certified("axis"); }
 
 TEST_F(RapidJoints, IsCorrectedByItsOwnLaw) { expect_corrected(); }
 
@@ -154,6 +168,8 @@ TEST_F(RapidIndependent, IsVerifiedByItsOwnRatesAndRefutedByOthers) {
   expect_verified();
   expect_refuted("\"machine\": \"machine.json\"", "\"machine\": \"machine.json\", \"rapid-law\": \"joint\"");
 }
+
+TEST_F(RapidIndependent, IsProvedByACertificate) { expect_certified("vector"); }
 
 TEST_F(RapidIndependent, IsCorrectedByItsOwnLaw) { expect_corrected(); }
 

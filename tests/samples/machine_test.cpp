@@ -83,6 +83,14 @@ TEST_F(PoleCrossing, AResultIsVerifiedByItsOwnLawAndRefutedByAnother) {
   refuted("\"depth\": 0.99", "\"depth\": 1.00");
 }
 
+TEST_F(PoleCrossing, ItsCertificateProvesTheMotionOfItsJoints) {
+  EXPECT_EQ(run("check", {"--machine", kTrunnion, "--json", "check.json", "--certificate", "proofs.gcp"}).exit_status,
+            1);
+  const Outcome verified = run_gougecheck(sample_.path, {"verify", "check.json", "--certificate", "proofs.gcp"});
+  EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
+  EXPECT_NE(verified.out.find("1 gouging move proved to be no deeper than said"), std::string::npos) << verified.out;
+}
+
 TEST_F(PoleCrossing, ACleanResultByTheWrongLawIsRefutedByItsMachine) {
   EXPECT_EQ(run("check", {"--json", "clean.json"}).exit_status, 0);
   std::string text = text_of(sample_.path + "/clean.json");
