@@ -78,9 +78,11 @@ std::optional<AngleRange> nearest_angles(const Machine& machine, const Vec3& fro
 
 std::optional<AngleRange> angles_of_move(const Machine& machine, const JointPath* joints, std::size_t move,
                                          const Vec3& from, const Vec3& to) {
-  if (joints != nullptr && move < joints->end.size() && joints->start[move] && joints->end[move] &&
-      is_at(machine, *joints->start[move], from) && is_at(machine, *joints->end[move], to))
-    return AngleRange{*joints->start[move], *joints->end[move]};
+  if (joints != nullptr && move < joints->end.size() && joints->end[move]) {
+    // A position alone has no angles at a start: it stands at its end.
+    const RotaryAngles &end = *joints->end[move], start = joints->start[move].value_or(end);
+    if (is_at(machine, start, from) && is_at(machine, end, to)) return AngleRange{start, end};
+  }
   return nearest_angles(machine, from, to);
 }
 

@@ -35,7 +35,8 @@ struct AngleRange {
 /// one of them not at all.
 [[nodiscard]] std::optional<AngleRange> nearest_angles(const Machine& machine, const Vec3& from, const Vec3& to);
 
-/// Returns the angles chosen for a move of a path, where they are those of the axes; else `nearest_angles`.
+/// Returns the angles chosen for a move of a path, where they are those of the axes; else `nearest_angles`. A position
+/// alone stands at the angles of its end.
 /// `joints` may be null.
 [[nodiscard]] std::optional<AngleRange> angles_of_move(const Machine& machine, const JointPath* joints,
                                                        std::size_t move, const Vec3& from, const Vec3& to);

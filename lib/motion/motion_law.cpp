@@ -19,7 +19,11 @@ bool MotionLaw::bends_without_turning() const {
 
 Motion MotionLaw::of(const Toolpath& toolpath, std::size_t index) const {
   const Move& move = toolpath.moves[index];
-  if (!move.has_start) return at(move.end);
+  if (!move.has_start) {
+    Motion alone(move.end, move.end, feed_axes_.get(), toolpath.joints.get(), index);
+    alone.is_alone_ = true;
+    return alone;
+  }
   Motion motion(toolpath.start_of(index), move.end, axes_of(move.kind), toolpath.joints.get(), index);
   if (move.curve_kind == CurveKind::arc) {
     motion.run_along(toolpath.arcs[move.curve]);

@@ -20,15 +20,17 @@ ClaimedRun run_of(const ClaimedScene& scene, std::size_t index) {
   if (!scene.joints || scene.path.joints == nullptr) return ClaimedRun::on_circle;
   const JointPath& angles = *scene.path.joints;
   const Move& move = scene.path.moves[index];
-  if (!move.has_start || index >= angles.end.size() || !angles.start[index] || !angles.end[index])
-    return ClaimedRun::on_circle;
+  if (index >= angles.end.size() || !angles.end[index]) return ClaimedRun::on_circle;
+  if (!move.has_start) return scene.joints->feeds;  // a position alone stands at its joints
+  if (!angles.start[index]) return ClaimedRun::on_circle;
   return move.kind == MoveKind::rapid ? scene.joints->rapids : scene.joints->feeds;
 }
 
 RigidTransform frame_by_joints(const ClaimedScene& scene, std::size_t index, ClaimedRun run, double t) {
   const Move& move = scene.path.moves[index];
   const JointPath& angles = *scene.path.joints;
-  const ChainEnds ends = {scene.path.start_of(index).tip, move.end.tip, *angles.start[index], *angles.end[index]};
+  const ChainEnds ends = {move.has_start ? scene.path.start_of(index).tip : move.end.tip, move.end.tip,
+                          move.has_start ? *angles.start[index] : *angles.end[index], *angles.end[index]};
   return chain_frame(*scene.joints, run, ends, t);
 }
 
@@ -37,7 +39,7 @@ RigidTransform frame_by_joints(const ClaimedScene& scene, std::size_t index, Cla
 Pose claimed_pose(const ClaimedScene& scene, std::size_t move, double t) {
   Pose pose = pose_at(scene.path, move, t, scene.is_dogleg);
   const ClaimedRun run = run_of(scene, move);
-  if (!(t > 0 && t < 1) || run == ClaimedRun::on_circle) return pose;
+  if (!scene.path.moves[move].has_start || !(t > 0 && t < 1) || run == ClaimedRun::on_circle) return pose;
   const RigidTransform frame = frame_by_joints(scene, move, run, t);
   pose.axis = frame.rotation.col(2);
   if (run != ClaimedRun::rotary && scene.path.moves[move].curve_kind == CurveKind::none) pose.tip = frame.shift;
@@ -65,7 +67,8 @@ std::optional<std::size_t> find_wrong_joints(const ClaimedScene& scene) {
     if (run == ClaimedRun::on_circle) continue;
     const Vec3 from = frame_by_joints(scene, move, run, 0).rotation.col(2),
                to = frame_by_joints(scene, move, run, 1).rotation.col(2);
-    if ((from - scene.path.start_of(move).axis).norm() > kSameAxis ||
+    const bool has_start = scene.path.moves[move].has_start;
+    if ((has_start && (from - scene.path.start_of(move).axis).norm() > kSameAxis) ||
         (to - scene.path.moves[move].end.axis).norm() > kSameAxis)
       return move;
   }

@@ -33,6 +33,12 @@ class MachineReference {
   [[nodiscard]] Pose at(TurnLaw law, const Ends& ends, double t) const {
     const Vec3 even = ends.from.tip + t * (ends.to.tip - ends.from.tip);
     if (law == TurnLaw::vector) return {even, on_circle(ends.from.axis, ends.to.axis, t)};
+    const RigidTransform at = frame(law, ends, t);
+    return {at.shift, at.rotation.col(2)};
+  }
+
+  /// The frame of the tool at t by a law other than `vector`: origin at the tip, z along the axis.
+  [[nodiscard]] RigidTransform frame(TurnLaw law, const Ends& ends, double t) const {
     const std::array<double, 5>&q0 = ends.joints0, &q1 = ends.joints1;
     std::array<double, 5> q{};
     double slowest = 0;
@@ -43,8 +49,8 @@ class MachineReference {
       q[k] = (1 - gone) * q0[k] + gone * q1[k];
     }
     const Eigen::Matrix4d m = matrix(q);
-    const Vec3 axis = m.block<3, 1>(0, 2);
-    return {law == TurnLaw::axis ? even : Vec3(m.block<3, 1>(0, 3)), axis};
+    const Vec3 even = ends.from.tip + t * (ends.to.tip - ends.from.tip);
+    return {m.block<3, 3>(0, 0), law == TurnLaw::axis ? even : Vec3(m.block<3, 1>(0, 3))};
   }
 
   [[nodiscard]] std::array<double, 5> joints_of(const Vec3& tip, const RotaryAngles& angles) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lib/machine/kinematics.h"
+#include "lib/machine/rotary_law.h"
 #include "lib/motion/chord_instants.h"
 #include "lib/motion/motion_law.h"
 #include "lib/path/toolpath.h"
@@ -190,6 +191,28 @@ TEST(JointLaw, AStandingAxisKeepsTheTipOnItsLineOrArc) {
   const Vec3 leaning = Vec3(0.1, 0.2, 1).normalized();
   EXPECT_FALSE(motions.along({}, {{30, 0, 0}, leaning}, arc).is_defined()) << "no manual states this motion";
   EXPECT_FALSE(motions.straight({}, {{30, 0, 0}, leaning}).is_straight());
+}
+
+// A head is not round: at a position alone it stands as the joints chosen for the path turn it, not as another solution does.
+TEST(JointLaw, APositionAloneHasTheJointsOfThePath) {
+  const Machine machine = test::machines()[0];
+  const RotaryAngles first{0.3, 0.4}, second{0.3 + std::numbers::pi, -0.4};
+  for (const RotaryAngles& chosen : {first, second}) {
+    Toolpath path;
+    path.moves.resize(1);
+    path.moves[0].end = {{1, 2, 3}, tool_axes(machine, chosen).col(2)};
+    JointPath joints;
+    joints.start = {std::nullopt};
+    joints.end = {chosen};
+    path.joints = std::make_shared<const JointPath>(joints);
+    const std::array<std::shared_ptr<const AxisLaw>, 2> laws = {
+        std::make_shared<RotaryLaw>(machine), std::make_shared<JointLaw>(machine, JointTiming::together, kLength_mm)};
+    for (const auto& law : laws) {
+      const Motion motion = MotionLaw(RapidMode::straight, law).of(path, 0);
+      EXPECT_TRUE(motion.is_alone());
+      EXPECT_LT((motion.axes_at(0) - tool_axes(machine, chosen)).norm(), 1e-12) << law->name();
+    }
+  }
 }
 
 TEST(JointLaw, CurvesAreOpenWhereJointsTurnOrRunIndependently) {
