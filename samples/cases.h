@@ -13,6 +13,11 @@ namespace gouge::samples {
 [[nodiscard]] Sample make_between_rib();  ///< both positions are clean, but a rib is between them
 /// clean on the great circle, a gouge if two rotary joints run at constant rates
 [[nodiscard]] Sample make_pole_crossing();
+[[nodiscard]] Sample make_rapid_joints();  ///< a rapid dips into a post if all joints run at constant rates
+/// a rapid dips into a post if each joint runs at its own rate
+[[nodiscard]] Sample make_rapid_independent();
+[[nodiscard]] Sample make_axis_limit();     ///< a joint would be beyond its limit
+[[nodiscard]] Sample make_axis_flip();      ///< a joint turns far while the tool axis hardly turns
 [[nodiscard]] Sample make_between_swing();  ///< the tip rests while the holder swings through a post
 [[nodiscard]] Sample make_between_head();   ///< the tip rests while the machine head dips into a post
 [[nodiscard]] Sample make_thin_post();      ///< a post 0.04 mm thick and one long rapid move

@@ -31,6 +31,7 @@ struct Sample {
   std::string toolpath_file;
   std::string toolpath;  ///< text of the toolpath
   std::string tools;     ///< tool library, as JSON text
+  std::string machine;   ///< machine file, as JSON text; empty: none
   std::string unit = "mm";
   std::vector<NamedSolid> parts, fixtures;
   double overlap = 0;             ///< penetration depth of fixture and part; 0: they do not penetrate
@@ -39,6 +40,7 @@ struct Sample {
   std::size_t moves = 0;
   /// one for each move that is not clean, ordered by line; all other moves are clean
   std::vector<ExpectedFinding> findings;
+  std::vector<ExpectedFinding> by_machine;  ///< the same with --machine machine.json
 };
 
 }  // namespace gouge::samples

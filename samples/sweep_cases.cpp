@@ -3,38 +3,12 @@
 #include <numbers>
 
 #include "samples/cases.h"
-#include "samples/cl_text.h"
+#include "samples/small_case.h"
 
 // Small samples in which the motion decides, not the positions.
 
 namespace gouge::samples {
 namespace {
-
-Sample small_case(std::string name, std::string about, std::string tools, int check_exit) {
-  Sample sample;
-  sample.about = std::move(about);
-  sample.toolpath_file = name + ".apt";
-  sample.name = std::move(name);
-  sample.tools = std::move(tools);
-  sample.check_exit = check_exit;
-  return sample;
-}
-
-ClText start_text(const Sample& sample) {
-  ClText cl(ClText::Form::apt);
-  cl.line("PARTNO/" + sample.name);
-  cl.line("UNITS/MM");
-  cl.line("MULTAX/ON");
-  cl.line("LOADTL/1");
-  cl.line("FEDRAT/1000.0000, MMPM");
-  return cl;
-}
-
-void finish_sweep(Sample& sample, ClText& cl) {
-  cl.line("FINI");
-  sample.toolpath = cl.text();
-  sample.moves = cl.positions();
-}
 
 constexpr const char* kFlatD10 =
     R"({"units":"mm","tools":[{"number":1,"name":"flat D10","cutter":{"shape":"flat","diameter":10,"length":25},

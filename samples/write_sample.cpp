@@ -14,6 +14,19 @@ std::string file_list(const std::vector<NamedSolid>& solids) {
   return out + "]";
 }
 
+constexpr const char* kMachineFile = "machine.json";
+
+std::string findings_json(const std::vector<ExpectedFinding>& findings) {
+  std::string out = "[";
+  for (const ExpectedFinding& f : findings) {
+    out += out.size() == 1 ? "\n    {" : ",\n    {";
+    out += "\"line\": " + std::to_string(f.line) + ", \"state\": " + quoted(f.state) + ", \"body\": " + quoted(f.body) +
+           ", \"against\": " + quoted(f.against) + ", \"depth_min\": " + fixed_text(f.depth_min, 5) +
+           ", \"depth_max\": " + fixed_text(f.depth_max, 5) + "}";
+  }
+  return out + (findings.empty() ? "]" : "\n  ]");
+}
+
 }  // namespace
 
 std::string expected_json(const Sample& sample) {
@@ -33,15 +46,11 @@ std::string expected_json(const Sample& sample) {
   field("correct_exit", std::to_string(sample.correct_exit));
   field("moves", std::to_string(sample.moves));
   if (sample.overlap > 0) field("overlap", fixed_text(sample.overlap, 5));
-  out += "  \"findings\": [";
-  for (std::size_t i = 0; i < sample.findings.size(); ++i) {
-    const ExpectedFinding& f = sample.findings[i];
-    out += (i == 0 ? "\n    {" : ",\n    {");
-    out += "\"line\": " + std::to_string(f.line) + ", \"state\": " + quoted(f.state) + ", \"body\": " + quoted(f.body) +
-           ", \"against\": " + quoted(f.against) + ", \"depth_min\": " + fixed_text(f.depth_min, 5) +
-           ", \"depth_max\": " + fixed_text(f.depth_max, 5) + "}";
+  if (!sample.machine.empty()) {
+    field("machine", quoted(kMachineFile));
+    field("by_machine", findings_json(sample.by_machine));
   }
-  return out + (sample.findings.empty() ? "]\n}\n" : "\n  ]\n}\n");
+  return out + "  \"findings\": " + findings_json(sample.findings) + "\n}\n";
 }
 
 Outcome write_sample(const Sample& sample, const std::string& folder) {
@@ -49,6 +58,7 @@ Outcome write_sample(const Sample& sample, const std::string& folder) {
   if (const Outcome made = make_folder(own); !made) return made;
   std::vector<std::pair<std::string, std::string>> files = {
       {sample.toolpath_file, sample.toolpath}, {"tools.json", sample.tools}, {"expected.json", expected_json(sample)}};
+  if (!sample.machine.empty()) files.emplace_back(kMachineFile, sample.machine);
   for (const auto* solids : {&sample.parts, &sample.fixtures, &sample.heads}) {
     for (const NamedSolid& solid : *solids) files.emplace_back(solid.file, stl_bytes(solid.solid));
   }

@@ -126,12 +126,6 @@ std::string joints_csv(const Machine& machine, const Toolpath& path, const Joint
   return text;
 }
 
-bool has_rotary_head(const Machine& machine) {
-  return std::ranges::any_of(machine.joints, [](const Joint& joint) {
-    return joint.type == JointType::rotary && joint.side == JointSide::head;
-  });
-}
-
 void add_common(CLI::App& command, PathMachineArguments& arguments) {
   command.add_option("PATH", arguments.path, "Toolpath: CL data of any dialect, recognized by its content")
       ->type_name("FILE")
@@ -222,7 +216,7 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   if (!outcome.toolpath) return fail(err, outcome.errors);
   Toolpath& path = *outcome.toolpath;
   print(err, path.notes);
-  print(err, choose_joints_of(*machine, path));
+  print(err, choose_joints_of(*machine, MotionLaw(), path));
   const JointPath& joints = *path.joints;
   if (arguments.is_joints) {
     const Outcome written = write_output(arguments.csv_file, joints_csv(*machine, path, joints, *length), out);

@@ -23,17 +23,41 @@ ClaimedState claimed_state(MoveState state) {
   return ClaimedState::not_checked;
 }
 
+namespace {
+
+ClaimedRun claimed_run(TurnLaw law) {
+  switch (law) {
+    case TurnLaw::vector:
+      break;
+    case TurnLaw::axis:
+      return ClaimedRun::rotary;
+    case TurnLaw::joint:
+      return ClaimedRun::together;
+    case TurnLaw::independent:
+      return ClaimedRun::independent;
+  }
+  return ClaimedRun::on_circle;
+}
+
+ClaimedJoints claimed_joints(const Machine& machine, const Job& job) {
+  ClaimedJoints joints;
+  for (const Joint& joint : machine.joints)
+    joints.chain.push_back({joint.type == JointType::rotary, joint.direction, joint.point, joint.rate});
+  joints.rotary = machine.rotary;
+  joints.tool_length_mm = job.options.tool_length_mm.value_or(0);
+  joints.feeds = claimed_run(job.laws.feeds);
+  joints.rapids = claimed_run(job.laws.rapids);
+  return joints;
+}
+
+}  // namespace
+
 ClaimedScene claimed_scene(const Job& job) {
   const CheckOptions& options = job.options.check;
   ClaimedScene scene{job.toolpath, job.tools(), job.scene().parts, job.scene().fixtures, {}};
   for (const HeadBody& head : job.heads()) scene.heads.emplace_back(head.whole.mesh());
   scene.axis_law = options.law.name();
-  if (job.machine) {
-    const Machine& machine = *job.machine;
-    scene.joints =
-        ClaimedJoints{machine.joints[machine.rotary[0]].direction, machine.joints[machine.rotary[1]].direction,
-                      options.law.is_by_axes(MoveKind::feed), options.law.is_by_axes(MoveKind::rapid)};
-  }
+  if (job.machine) scene.joints = claimed_joints(*job.machine, job);
   scene.is_dogleg = options.law.rapid() == RapidMode::dogleg;
   scene.tolerance_mm = options.tolerance_mm;
   scene.resolution_mm = options.resolution_mm;

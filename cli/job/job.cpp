@@ -107,7 +107,8 @@ class JobLoader {
   bool read_machine() {
     const JobArguments& a = arguments_;
     Result<std::optional<ChosenMachine>> chosen =
-        choose_machine({a.machine, a.feed_law, a.rapid_law}, job_.options.check.law.rapid(), a.input.max_bytes);
+        choose_machine({a.machine, a.feed_law, a.rapid_law, job_.options.tool_length_mm},
+                       job_.options.check.law.rapid(), a.input.max_bytes);
     if (!chosen) {
       errors_.push_back(chosen.error());
       return false;
@@ -119,7 +120,8 @@ class JobLoader {
     job_.options.check.law = std::move(machine.law);
     job_.basis.law_evidence = std::move(machine.law_evidence);
     job_.machine = std::move(machine.machine);
-    add_notes(choose_joints_of(*job_.machine, job_.toolpath));
+    job_.laws = machine.laws;
+    add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.toolpath));
     return true;
   }
 
@@ -295,7 +297,7 @@ Result<Toolpath> read_again(const Job& job, const std::string& file, std::string
   reading.keeps_origins = false;
   ReadOutcome outcome = read_toolpath(file, std::move(bytes), reading);
   if (!outcome.toolpath) return outcome.errors.front();
-  if (job.machine) static_cast<void>(choose_joints_of(*job.machine, *outcome.toolpath));
+  if (job.machine) static_cast<void>(choose_joints_of(*job.machine, job.options.check.law, *outcome.toolpath));
   // The dialect was given in this call. The report must state how the dialect of the first file is known.
   copy_facts(Subject::dialect, job.toolpath.assumptions, outcome.toolpath->assumptions);
   return std::move(*outcome.toolpath);

@@ -40,6 +40,7 @@ struct Job {
   std::vector<ToolFacts> tool_facts;
   SetupBasis basis;                     ///< how each input is known
   std::optional<Machine> machine = {};  ///< the machine of --machine
+  TurnLaws laws = {};                   ///< the laws of its motions
   Diagnostics notes;
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< start of the work on the job
 

@@ -89,14 +89,20 @@ gouge::SetupBasis basis_of(const Scene& scene, const PathTools& tools, const Che
 
 /// Returns the machine that the options name; null: none.
 std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
-  const gouge::StatedMachine stated = {options.machine, options.feed_law, options.rapid_law};
+  if (options.tool_length && !(*options.tool_length >= 0 && std::isfinite(*options.tool_length)))
+    raise(gouge::make_error("usage", "tool_length: expected a length of at least 0 mm"));
+  const gouge::StatedMachine stated = {options.machine, options.feed_law, options.rapid_law, options.tool_length};
   std::optional<gouge::ChosenMachine> chosen =
       value_or_raise(gouge::choose_machine(stated, static_cast<gouge::RapidMode>(options.rapids), gouge::kMaxInputBytes,
-                                           {"machine", "feed_law", "rapid_law"}));
+                                           {"machine", "feed_law", "rapid_law", "rapids", "tool_length"}));
   if (!chosen) return nullptr;
   PathMachine made{std::move(*chosen), {{"machine", stated.machine}}};
   if (!stated.feed_law.empty()) made.options.push_back({"feed-law", stated.feed_law});
   if (!stated.rapid_law.empty()) made.options.push_back({"rapid-law", stated.rapid_law});
+  if (stated.tool_length_mm) {
+    const std::string key = gouge::MachineOptionNames().tool_length.substr(2);  // without its dashes
+    made.options.push_back({key, gouge::exact_text(*stated.tool_length_mm) + "mm"});
+  }
   if (!stated.machine.starts_with(gouge::kMachinePreset))
     made.file = gouge::describe_input("machine", stated.machine, made.chosen.bytes);
   return std::make_shared<const PathMachine>(std::move(made));
@@ -105,7 +111,7 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
 /// Returns the path with the joints of a machine, and with warnings if the machine cannot run it.
 Path with_joints(const Path& path, const PathMachine& machine) {
   gouge::Toolpath jointed = path.content().path;
-  gouge::Diagnostics notes = gouge::choose_joints_of(machine.chosen.machine, jointed);
+  gouge::Diagnostics notes = gouge::choose_joints_of(machine.chosen.machine, machine.chosen.law, jointed);
   std::ranges::move(notes, std::back_inserter(jointed.notes));
   return PathAccess::from(std::move(jointed), path.content().is_from_memory);
 }
@@ -142,6 +148,10 @@ gouge::CheckOptions to_check_options(const CheckOptions& options) {
   result.holder_clearance_mm = length("holder_clearance", options.holder_clearance);
   result.near_miss_mm = length("near_miss", options.near_miss);
   result.law = static_cast<gouge::RapidMode>(options.rapids);
+  result.tube.tip_mm = length("tip_tolerance", options.tip_tolerance);
+  if (!(options.axis_tolerance >= 0 && options.axis_tolerance <= gouge::kMaxAxisTolerance_deg))
+    raise(gouge::make_error("usage", "axis_tolerance: expected degrees from 0 to 10"));
+  result.tube.axis_rad = options.axis_tolerance * gouge::kDegree_rad;
   result.threads = std::min(options.threads, gouge::kMaxThreads);
   return result;
 }
@@ -209,6 +219,10 @@ gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
     if (machine->file) model.inputs.push_back(*machine->file);
     model.more_options = machine->options;
   }
+  if (options.tube.tip_mm > 0)
+    model.more_options.push_back({"tip-tolerance", gouge::exact_text(options.tube.tip_mm) + "mm"});
+  if (options.tube.axis_rad > 0)
+    model.more_options.push_back({"axis-tolerance", gouge::exact_text(options.tube.axis_rad / gouge::kDegree_rad)});
   model.options = options;
   model.toolpath = &toolpath;
   model.result = &result;

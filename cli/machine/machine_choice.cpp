@@ -6,6 +6,7 @@
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
+#include "lib/machine/joint_law.h"
 #include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/read_machine.h"
 #include "lib/machine/rotary_law.h"
@@ -15,57 +16,110 @@ namespace {
 
 std::string degrees(double rad) { return display_text(rad / kDegree_rad, 3) + " degrees"; }
 
+/// The names of laws for a message: of feeds, or of rapids.
+std::string law_words(bool is_feed) { return is_feed ? "vector, axis or joint" : "vector, axis, joint or independent"; }
+
 Result<TurnLaw> chosen_law(const Machine& machine, const std::string& stated, const std::optional<TurnLaw>& promised,
-                           const std::string& option, const char* moves) {
+                           const std::string& option, bool is_feed) {
   if (const auto law = turn_law_called(stated)) return *law;
   if (promised) return *promised;
-  return make_error("machine-law", "the control of machine " + machine.name + " promises no law for " + moves +
-                                       "; expected " + option + " vector or " + option + " axis");
+  return make_error("machine-law", "the control of machine " + machine.name + " promises no law for " +
+                                       (is_feed ? "feeds" : "rapids") + "; expected " + option + " " +
+                                       law_words(is_feed));
 }
 
-Result<MotionLaw> law_of(const Machine& machine, const StatedMachine& stated, RapidMode rapid,
+bool runs_joints(TurnLaw law) { return law == TurnLaw::joint || law == TurnLaw::independent; }
+
+/// Facts that a law of all joints needs and that are not given.
+std::optional<Diagnostic> find_missing_fact(const Machine& machine, TurnLaw law, const StatedMachine& stated,
+                                            const MachineOptionNames& names) {
+  if (!runs_joints(law)) return std::nullopt;
+  const std::string needs = "law " + std::string(turn_law_name(law)) + " on machine " + machine.name + " needs ";
+  for (const std::size_t k : machine.rotary) {
+    const Joint& joint = machine.joints[k];
+    if (!joint.has_point)
+      return make_error("machine-law", needs + "the place of joint " + joint.name +
+                                           "; expected \"point\" of this joint in a machine file");
+  }
+  if (has_rotary_head(machine) && !stated.tool_length_mm)
+    return make_error("machine-law",
+                      needs + "the length from the gauge point to the tip; expected " + names.tool_length);
+  return std::nullopt;
+}
+
+/// Null: the great circle.
+std::shared_ptr<const AxisLaw> axes_of(const Machine& machine, TurnLaw law, double tool_length_mm) {
+  switch (law) {
+    case TurnLaw::vector:
+      break;
+    case TurnLaw::axis:
+      return std::make_shared<const RotaryLaw>(machine);
+    case TurnLaw::joint:
+      return std::make_shared<const JointLaw>(machine, JointTiming::together, tool_length_mm);
+    case TurnLaw::independent:
+      return std::make_shared<const JointLaw>(machine, JointTiming::independent, tool_length_mm);
+  }
+  return nullptr;
+}
+
+Result<TurnLaws> laws_of(const Machine& machine, const StatedMachine& stated, RapidMode rapid,
                          const MachineOptionNames& names) {
   const Control& control = machine.control;
-  const Result<TurnLaw> feed = chosen_law(machine, stated.feed_law, control.feed_law, names.feed_law, "feeds");
-  if (!feed) return feed.error();
-  const Result<TurnLaw> rapids = chosen_law(machine, stated.rapid_law, control.rapid_law, names.rapid_law, "rapids");
+  const Result<TurnLaw> feeds = chosen_law(machine, stated.feed_law, control.feed_law, names.feed_law, true);
+  if (!feeds) return feeds.error();
+  const Result<TurnLaw> rapids = chosen_law(machine, stated.rapid_law, control.rapid_law, names.rapid_law, false);
   if (!rapids) return rapids.error();
-  const auto axes = std::make_shared<const RotaryLaw>(machine);
-  return MotionLaw(rapid, *feed == TurnLaw::axis ? axes : nullptr, *rapids == TurnLaw::axis ? axes : nullptr);
+  if (runs_joints(*rapids) && rapid == RapidMode::dogleg)
+    return make_error("usage", names.rapid + " 'dogleg': expected straight or skip, as law " + turn_law_name(*rapids) +
+                                   " states how rapids run");
+  for (const TurnLaw law : {*feeds, *rapids}) {
+    if (auto missing = find_missing_fact(machine, law, stated, names)) return *missing;
+  }
+  return TurnLaws{*feeds, *rapids};
 }
 
 std::string describe_law(const Machine& machine, const StatedMachine& stated, const MachineOptionNames& names) {
   std::string text;
-  if (!stated.feed_law.empty()) text += names.feed_law + " " + stated.feed_law;
-  if (!stated.rapid_law.empty()) text += (text.empty() ? "" : ", ") + names.rapid_law + " " + stated.rapid_law;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (!stated.feed_law.empty()) add(names.feed_law + " " + stated.feed_law);
+  if (!stated.rapid_law.empty()) add(names.rapid_law + " " + stated.rapid_law);
+  if (stated.tool_length_mm) add(names.tool_length + " " + display_text(*stated.tool_length_mm, 6) + " mm");
   if (!stated.feed_law.empty() && !stated.rapid_law.empty()) return text;
   const Control& control = machine.control;
-  return text + (text.empty() ? "" : ", ") + "control " + control.name + " of machine " + machine.name +
-         (control.source.empty() ? "" : " (" + control.source + ")");
+  add("control " + control.name + " of machine " + machine.name +
+      (control.source.empty() ? "" : " (" + control.source + ")"));
+  return text;
 }
 
-std::optional<Diagnostic> find_wrong_law(const std::string& stated, const std::string& option,
+std::optional<Diagnostic> find_wrong_law(const std::string& stated, const std::string& option, bool is_feed,
                                          const std::string& needed) {
   const std::optional<TurnLaw> law = turn_law_called(stated);
   const std::string found = option + " '" + stated + "': expected ";
-  if (!stated.empty() && !law) return make_error("usage", found + "vector or axis");
-  if (law == TurnLaw::axis && !needed.empty())
-    return make_error("usage", found + needed + " beside it: rotary joints are those of a machine");
+  if (!stated.empty() && (!law || (is_feed && law == TurnLaw::independent)))
+    return make_error("usage", found + law_words(is_feed));
+  if (law && law != TurnLaw::vector && !needed.empty())
+    return make_error("usage", found + needed + " beside it: joints are those of a machine");
   return std::nullopt;
 }
 
+void leave_move_unchecked(const std::string& reason, Move& move) {
+  if (!move.not_checked_reason.empty() && !move.is_covered()) return;
+  move.not_checked_reason = lasting_text(reason);
+  move.cover = Cover::none;
+}
+
+/// The moves to and from a position.
 void leave_unchecked(const std::string& reason, std::size_t move, Toolpath& path) {
-  const std::string_view text = lasting_text(reason);
   for (std::size_t i = move; i <= move + 1 && i < path.moves.size(); ++i) {
-    Move& of = path.moves[i];
-    if ((i == move || of.has_start) && (of.not_checked_reason.empty() || of.is_covered())) {
-      of.not_checked_reason = text;
-      of.cover = Cover::none;
-    }
+    if (i == move || path.moves[i].has_start) leave_move_unchecked(reason, path.moves[i]);
   }
 }
 
 }  // namespace
+
+bool has_rotary_head(const Machine& machine) {
+  return std::ranges::any_of(machine.rotary, [&](std::size_t k) { return machine.joints[k].side == JointSide::head; });
+}
 
 Result<Machine> load_machine(const std::string& typed, std::uint64_t max_bytes, std::string& bytes,
                              const MachineOptionNames& names) {
@@ -89,16 +143,20 @@ Result<Machine> load_machine(const std::string& typed, std::uint64_t max_bytes, 
 Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
                                                     std::uint64_t max_bytes, const MachineOptionNames& names) {
   const std::string needed = stated.machine.empty() ? names.machine : "";
-  if (const auto wrong = find_wrong_law(stated.feed_law, names.feed_law, needed)) return *wrong;
-  if (const auto wrong = find_wrong_law(stated.rapid_law, names.rapid_law, needed)) return *wrong;
+  if (const auto wrong = find_wrong_law(stated.feed_law, names.feed_law, true, needed)) return *wrong;
+  if (const auto wrong = find_wrong_law(stated.rapid_law, names.rapid_law, false, needed)) return *wrong;
   if (stated.machine.empty()) return std::optional<ChosenMachine>();
   std::string bytes;
   Result<Machine> machine = load_machine(stated.machine, max_bytes, bytes, names);
   if (!machine) return machine.error();
-  Result<MotionLaw> law = law_of(*machine, stated, rapid, names);
-  if (!law) return law.error();
+  const Result<TurnLaws> laws = laws_of(*machine, stated, rapid, names);
+  if (!laws) return laws.error();
+  const double length_mm = stated.tool_length_mm.value_or(0);
+  const auto feeds = axes_of(*machine, laws->feeds, length_mm);
+  const auto rapids = laws->rapids == laws->feeds ? feeds : axes_of(*machine, laws->rapids, length_mm);
   std::string evidence = describe_law(*machine, stated, names);
-  return std::optional(ChosenMachine{std::move(*machine), std::move(*law), std::move(evidence), std::move(bytes)});
+  return std::optional(ChosenMachine{std::move(*machine), *laws, MotionLaw(rapid, feeds, rapids), std::move(evidence),
+                                     std::move(bytes)});
 }
 
 Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const JointProblem& problem) {
@@ -128,7 +186,7 @@ Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const 
   return {};
 }
 
-Diagnostics choose_joints_of(const Machine& machine, Toolpath& path) {
+Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, Toolpath& path) {
   constexpr std::size_t kMaxNotes = 20;
   JointChoice choice = choose_joints(machine, path);
   path.joints = std::make_shared<const JointPath>(std::move(choice.path));
@@ -145,6 +203,11 @@ Diagnostics choose_joints_of(const Machine& machine, Toolpath& path) {
     notes.push_back(make_note("machine-more",
                               std::to_string(choice.problems.size() - kMaxNotes) + " more positions of this kind",
                               path.file));
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if (!path.moves[i].has_start) continue;
+    const std::string open = law.why_open(path, i);
+    if (!open.empty()) leave_move_unchecked("the motion of the machine is not known: " + open, path.moves[i]);
+  }
   return notes;
 }
 

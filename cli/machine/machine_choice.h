@@ -21,18 +21,21 @@ inline constexpr const char* kMachineHelp =
 
 /// Names of options in messages: those of the command line, or others.
 struct MachineOptionNames {
-  std::string machine = "--machine", feed_law = "--feed-law", rapid_law = "--rapid-law";
+  std::string machine = "--machine", feed_law = "--feed-law", rapid_law = "--rapid-law", rapid = "--rapid",
+              tool_length = "--tool-length";
 };
 
-/// A machine and its laws as the user states them; laws: "vector", "axis", or empty.
+/// A machine and its laws as the user states them; laws: kTurnLawNames, or empty.
 struct StatedMachine {
   std::string machine, feed_law, rapid_law;
+  std::optional<double> tool_length_mm = {};  ///< from the gauge point to the tip
 };
 
 /// The machine of a job and the law of motion on it.
 struct ChosenMachine {
   Machine machine;
-  MotionLaw law;
+  TurnLaws laws;
+  MotionLaw law;             ///< by `laws`
   std::string law_evidence;  ///< options, and the control with its source
   std::string bytes;         ///< of its file or preset
 };
@@ -44,15 +47,18 @@ struct ChosenMachine {
 
 /// Returns the machine of a job, with the laws that the user states, else those that its control promises. None: no
 /// machine is stated.
-/// Errors: those of load_machine; usage, for a law of another name, and for `axis` without a machine; machine-law,
-/// where nothing states a law.
+/// Errors: (1) those of load_machine. (2) usage: a law of another name, a law that needs a machine without one, dogleg
+/// rapids beside a law of all joints. (3) machine-law: nothing states a law, or a law needs a fact that is not given.
 [[nodiscard]] Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
                                                                   std::uint64_t max_bytes,
                                                                   const MachineOptionNames& names = {});
 
-/// Chooses the joints of a path and stores them with it. Moves that the machine cannot run are not checked, with their
-/// reason. Returns a warning for each problem, at most twenty.
-[[nodiscard]] Diagnostics choose_joints_of(const Machine& machine, Toolpath& path);
+/// True where the linear joints depend on the length of the tool.
+[[nodiscard]] bool has_rotary_head(const Machine& machine);
+
+/// Chooses the joints of a path and stores them with it. Moves that the machine cannot run, and those whose motion `law`
+/// leaves open, are not checked, with their reason. Returns a warning for each problem of the joints, at most twenty.
+[[nodiscard]] Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, Toolpath& path);
 
 /// Describes a problem, as a warning with its line.
 [[nodiscard]] Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const JointProblem& problem);

@@ -145,17 +145,26 @@ OptionRows<JobArguments> check_rows() {
            .recorded = Recorded::repeated},
           {.name = "--feed-law",
            .field = &A::feed_law,
-           .help = "Law of motion of the tool axis in feed moves. vector: it turns on the great circle. axis: both "
-                   "rotary joints run at constant rates (default: the law of the control of --machine)",
+           .help = "Law of motion of feed moves. vector: the tool axis turns on the great circle. axis: both rotary "
+                   "joints run at constant rates. joint: all joints do, without tool centre point control (default: "
+                   "the law of the control of --machine)",
            .scope = Scope::project,
            .recorded = Recorded::repeated,
-           .choices = {kTurnLawNames.begin(), kTurnLawNames.end()}},
+           .choices = {kTurnLawNames.begin(), kTurnLawNames.begin() + kFeedLaws}},
           {.name = "--rapid-law",
            .field = &A::rapid_law,
-           .help = "Law of motion of the tool axis in rapid moves, with the same values and default",
+           .help = "Law of motion of rapid moves, with the same values and default. independent: each joint runs at "
+                   "its own rate until it arrives",
            .scope = Scope::project,
            .recorded = Recorded::repeated,
            .choices = {kTurnLawNames.begin(), kTurnLawNames.end()}},
+          {.name = "--tool-length",
+           .field = &A::tool_length,
+           .type = "LENGTH",
+           .help = "Length from the gauge point of --machine to the tool tip; laws of all joints need it for a rotary "
+                   "head",
+           .scope = Scope::project,
+           .recorded = Recorded::repeated},
           {.name = "--tip-tolerance",
            .field = &A::tip_tolerance,
            .type = "LENGTH",
@@ -334,6 +343,11 @@ Result<JobOptions> understand(const JobArguments& a) {
     const Result<double> value = understand_length(length.name, length.text, length.least);
     if (!value) return value.error();
     length.value = *value;
+  }
+  if (!a.tool_length.empty()) {
+    const Result<double> value = understand_length("--tool-length", a.tool_length, Minimum::zero);
+    if (!value) return value.error();
+    options.tool_length_mm = *value;
   }
   if (const Result<FindingsView> view = understand(a.listing); !view) return view.error();
   if (const auto error = find_contradiction(a)) return *error;

@@ -51,7 +51,7 @@ struct JobArguments : Verbosity {
   /// foreign files in the report's folder; of `correct` also a path that does not fit the part
   bool is_forced = false;
   bool is_extended_up = false;
-  std::string machine, feed_law, rapid_law;
+  std::string machine, feed_law, rapid_law, tool_length;
   std::string tip_tolerance, axis_tolerance;  ///< empty: 0
   std::vector<std::string> assumed;           ///< --assume
   bool is_strict = false;
@@ -68,6 +68,7 @@ struct JobOptions {
   RigidTransform place;
   std::vector<MeshLimit> limits;  ///< of parts and fixtures
   std::vector<Vouched> vouched;
+  std::optional<double> tool_length_mm;  ///< from the gauge point to the tip
   ProgressMode progress = ProgressMode::automatic;
   std::string date;  ///< of the report
 };

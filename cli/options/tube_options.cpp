@@ -6,12 +6,6 @@
 
 namespace gouge {
 
-namespace {
-
-constexpr double kMaxAxisTolerance_deg = 10;  // a control that departs farther follows another path
-
-}  // namespace
-
 Result<MotionTube> understand_tube(const std::string& tip, const std::string& axis, bool has_heads) {
   MotionTube tube;
   if (!tip.empty()) {

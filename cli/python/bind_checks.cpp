@@ -13,7 +13,9 @@ const char* const kOptions =
     "path that calls several. tolerance: depth a move may have; resolution: the certified gap; stock_to_leave, "
     "shank_clearance, holder_clearance: grow that body; near_miss: report what comes nearer, 0: nothing; all in mm. "
     "rapids: 'straight', 'dogleg' or 'skip'. machine: a machine file or 'preset:NAME', whose control moves the tool axis; "
-    "feed_law, rapid_law: 'vector' or 'axis' in place of the control's. threads: 0 for all; the result is the same at any number. assume: facts to "
+    "feed_law, rapid_law: 'vector', 'axis' or 'joint' in place of the control's, of rapids also 'independent'; tool_length: "
+    "from the gauge point to the tip, for a rotary head. tip_tolerance, mm, and axis_tolerance, degrees: how far a control "
+    "that smooths the path may depart from its law. threads: 0 for all; the result is the same at any number. assume: facts to "
     "take as stated, such as 'path-unit', 'placement', 'tool=T3'; strict: clean only where no fact is taken by default. "
     "The GIL is released.";
 
@@ -66,6 +68,9 @@ CheckOptions take_options(Keywords& keywords) {
   options.machine = keywords.text("machine", "");
   options.feed_law = keywords.text("feed_law", "");
   options.rapid_law = keywords.text("rapid_law", "");
+  options.tool_length = keywords.number_or_none("tool_length");
+  options.tip_tolerance = keywords.number("tip_tolerance", options.tip_tolerance);
+  options.axis_tolerance = keywords.number("axis_tolerance", options.axis_tolerance);
   options.threads = keywords.count("threads", defaults.threads);
   options.assume = keywords.texts("assume");
   options.strict = keywords.flag("strict", defaults.strict);

@@ -91,7 +91,7 @@ Assumption motion_law_fact(const Toolpath& path, const MotionLaw& law, const std
   fact.file = path.file;
   fact.remedy = "state that the machine keeps to it with --assume motion-law";
   const std::size_t turns = count_turns(path);
-  if (turns == 0) {
+  if (turns == 0 && !law.bends_without_turning()) {
     fact.basis = Basis::derived;
     fact.value = "fixed tool axis";
     fact.evidence = "the tool axis turns in no move";

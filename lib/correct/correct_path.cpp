@@ -91,7 +91,7 @@ class LiftedCuts {
       const Move& move = after_.moves[k];
       if (way.empty()) way.push_back(move.has_start ? after_.start_of(k).tip : move.end.tip);
       const Motion motion = law().of(after_, k);
-      const std::size_t chords = move.curve_kind == CurveKind::none || !motion.is_defined() ? 1 : kChords;
+      const std::size_t chords = motion.is_straight() || !motion.is_defined() ? 1 : kChords;
       for (std::size_t s = 1; s < chords; ++s)
         way.push_back(motion.at(static_cast<double>(s) / static_cast<double>(chords)).tip);
       way.push_back(move.end.tip);

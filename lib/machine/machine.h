@@ -24,18 +24,27 @@ struct Joint {
   JointSide side = JointSide::head;
   Vec3 direction = Vec3::UnitX();  ///< unit; a rotary joint turns the tool about it by the right-hand rule
   Vec3 point = Vec3::Zero();       ///< on the axis of a rotary joint, mm; of a head joint relative to the gauge point
+  bool has_point = false;          ///< the file states the point
   std::optional<double> min, max;  ///< mm or rad; none: no limit is known
   bool is_continuous = false;      ///< a rotary joint may turn without end
   std::optional<double> rate;      ///< maximum speed, mm or rad per minute
   double preference = 0;           ///< of two solutions the one whose value has this sign is preferred; 0: none
 };
 
-/// Laws by which a control moves the tool axis between two positions.
+/// Laws by which a control moves the tool between two positions. The first two keep the tip on its line or curve.
 enum class TurnLaw {
-  vector,  ///< on the great circle
-  axis     ///< both rotary joints evenly from one position to the next
+  vector,      ///< the axis on the great circle
+  axis,        ///< both rotary joints evenly from one position to the next
+  joint,       ///< all joints evenly from one position to the next
+  independent  ///< each joint at its own rate until it arrives; rapids alone
 };
-inline constexpr std::array<const char*, 2> kTurnLawNames = {"vector", "axis"};  // in this order
+inline constexpr std::array<const char*, 4> kTurnLawNames = {"vector", "axis", "joint",
+                                                             "independent"};  // in this order
+/// Feeds may run by any of the first so many.
+inline constexpr std::size_t kFeedLaws = 3;
+struct TurnLaws {
+  TurnLaw feeds = TurnLaw::vector, rapids = TurnLaw::vector;
+};
 [[nodiscard]] const char* turn_law_name(TurnLaw law);
 /// Returns the law of that name; none where there is no such law.
 [[nodiscard]] std::optional<TurnLaw> turn_law_called(const std::string& name);

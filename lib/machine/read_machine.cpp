@@ -12,7 +12,8 @@
 namespace gouge {
 namespace {
 
-const std::vector<std::string> kLawWords(kTurnLawNames.begin(), kTurnLawNames.end());
+const std::vector<std::string> kRapidLaws(kTurnLawNames.begin(), kTurnLawNames.end()),
+    kFeedLawWords(kTurnLawNames.begin(), kTurnLawNames.begin() + kFeedLaws);
 
 class MachineReader {
  public:
@@ -66,7 +67,10 @@ class MachineReader {
     joint.type = field.at("type").word({"linear", "rotary"}) == 1 ? JointType::rotary : JointType::linear;
     joint.side = field.at("side").word({"table", "head"}) == 1 ? JointSide::head : JointSide::table;
     joint.direction = vector(field.at("direction"));
-    if (const auto point = field.find("point")) joint.point = vector(*point) * mm_per_unit_;
+    if (const auto point = field.find("point"); point && !point->is_null()) {
+      joint.point = vector(*point) * mm_per_unit_;
+      joint.has_point = true;
+    }
     const double scale = joint.type == JointType::rotary ? kDegree_rad : mm_per_unit_;
     joint.min = scaled(field, "min", scale);
     joint.max = scaled(field, "max", scale);
@@ -76,18 +80,18 @@ class MachineReader {
     return joint;
   }
 
-  static std::optional<TurnLaw> law(const JsonField& from, const char* key) {
+  static std::optional<TurnLaw> law(const JsonField& from, const char* key, const std::vector<std::string>& words) {
     const std::optional<JsonField> field = from.find(key);
     if (!field || field->is_null()) return std::nullopt;
-    return static_cast<TurnLaw>(field->word(kLawWords));
+    return static_cast<TurnLaw>(field->word(words));
   }
 
   static Control control(const JsonField& field, const nlohmann::json& value) {
     allow(value, field, {"name", "feed_law", "rapid_law", "source"});
     Control control;
     control.name = field.at("name").text();
-    control.feed_law = law(field, "feed_law");
-    control.rapid_law = law(field, "rapid_law");
+    control.feed_law = law(field, "feed_law", kFeedLawWords);
+    control.rapid_law = law(field, "rapid_law", kRapidLaws);
     if (const auto source = field.find("source")) control.source = source->text();
     return control;
   }

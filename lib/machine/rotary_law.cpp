@@ -62,27 +62,41 @@ bool is_at(const Machine& machine, const RotaryAngles& angles, const Vec3& axis)
 
 }  // namespace
 
-std::shared_ptr<const AxisPath> RotaryLaw::between(const Vec3& from, const Vec3& to) const {
-  const RotarySolutions start = rotary_angles(machine_, from), end = rotary_angles(machine_, to);
-  std::optional<std::pair<RotaryAngles, RotaryAngles>> best;
+std::optional<AngleRange> nearest_angles(const Machine& machine, const Vec3& from, const Vec3& to) {
+  const RotarySolutions start = rotary_angles(machine, from), end = rotary_angles(machine, to);
+  std::optional<AngleRange> best;
   for (RotaryAngles a : start.all) {
     for (RotaryAngles b : end.all) {
       if (start.is_pole) a[0] = end.is_pole ? 0 : b[0];
       if (end.is_pole) b[0] = a[0];
       for (std::size_t k = 0; k < 2; ++k) b[k] = a[k] + std::remainder(b[k] - a[k], kWholeTurn_rad);
-      if (!best || turn(a, b) < turn(best->first, best->second)) best = {a, b};
+      if (!best || turn(a, b) < turn(best->from, best->to)) best = {a, b};
     }
   }
-  if (!best) return from == to ? std::make_shared<Standing>(from) : std::shared_ptr<const AxisPath>();
-  return std::make_shared<EvenTurn>(machine_, best->first, best->second);
+  return best;
 }
 
-std::shared_ptr<const AxisPath> RotaryLaw::of_move(const JointPath* joints, std::size_t move, const Vec3& from,
-                                                   const Vec3& to) const {
-  if (joints != nullptr && move < joints->end.size() && joints->start[move] && joints->end[move] &&
-      is_at(machine_, *joints->start[move], from) && is_at(machine_, *joints->end[move], to))
-    return std::make_shared<EvenTurn>(machine_, *joints->start[move], *joints->end[move]);
-  return between(from, to);
+std::optional<AngleRange> angles_of_move(const Machine& machine, const JointPath* joints, std::size_t move,
+                                         const Vec3& from, const Vec3& to) {
+  if (joints != nullptr && move < joints->end.size() && joints->end[move]) {
+    // A position alone has no angles at a start: it stands at its end.
+    const RotaryAngles &end = *joints->end[move], start = joints->start[move].value_or(end);
+    if (is_at(machine, start, from) && is_at(machine, end, to)) return AngleRange{start, end};
+  }
+  return nearest_angles(machine, from, to);
+}
+
+std::shared_ptr<const AxisPath> standing_at(const Vec3& axis) { return std::make_shared<Standing>(axis); }
+
+std::shared_ptr<const AxisPath> RotaryLaw::between(const Pose& from, const Pose& to) const {
+  return of_move(nullptr, 0, from, to);
+}
+
+std::shared_ptr<const AxisPath> RotaryLaw::of_move(const JointPath* joints, std::size_t move, const Pose& from,
+                                                   const Pose& to) const {
+  if (const auto angles = angles_of_move(machine_, joints, move, from.axis, to.axis))
+    return std::make_shared<EvenTurn>(machine_, angles->from, angles->to);
+  return from.axis == to.axis ? standing_at(from.axis) : nullptr;
 }
 
 double largest_gap_rad(const Machine& machine, const RotaryAngles& from, const RotaryAngles& to) {

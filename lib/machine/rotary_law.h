@@ -15,16 +15,33 @@ class RotaryLaw : public AxisLaw {
   explicit RotaryLaw(Machine machine) : machine_(std::move(machine)) {}
 
   /// Returns the nearest angles of both directions, the first joint standing where one of them is a pole. Null where
-  /// the machine reaches one of them not at all.
-  [[nodiscard]] std::shared_ptr<const AxisPath> between(const Vec3& from, const Vec3& to) const override;
+  /// the machine does not reach one of them.
+  [[nodiscard]] std::shared_ptr<const AxisPath> between(const Pose& from, const Pose& to) const override;
   /// Returns the angles chosen for the path, where they are those of the directions; else as `between`.
-  [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const JointPath* joints, std::size_t move, const Vec3& from,
-                                                        const Vec3& to) const override;
+  [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const JointPath* joints, std::size_t move, const Pose& from,
+                                                        const Pose& to) const override;
   [[nodiscard]] std::string name() const override { return "axis of " + machine_.name; }
 
  private:
   Machine machine_;
 };
+
+/// Rotary angles at both ends of a motion.
+struct AngleRange {
+  RotaryAngles from{}, to{};
+};
+
+/// Returns the nearest angles of both axes: the first joint stands where one of them is a pole. None: the machine does
+/// not reach one of them.
+[[nodiscard]] std::optional<AngleRange> nearest_angles(const Machine& machine, const Vec3& from, const Vec3& to);
+
+/// Returns the angles chosen for a move of a path, where they are those of the axes; else `nearest_angles`. A position
+/// alone stands at the angles of its end. `joints` may be null.
+[[nodiscard]] std::optional<AngleRange> angles_of_move(const Machine& machine, const JointPath* joints,
+                                                       std::size_t move, const Vec3& from, const Vec3& to);
+
+/// Makes the path of a tool that stands at an axis that the machine does not reach.
+[[nodiscard]] std::shared_ptr<const AxisPath> standing_at(const Vec3& axis);
 
 /// Returns the largest angle between the tool axis of both rotary joints running evenly and that on the great circle,
 /// rad, to about 1e-6. Requires directions that are not opposite.

@@ -2,14 +2,37 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 
-#include "lib/geom/vec.h"
+#include "lib/geom/pose.h"
 #include "lib/path/joint_angles.h"
 
-// Motion of the tool axis between two positions where it is not on the great circle, as a kinematic chain gives it.
+// Motion of the tool between two positions where it is not that of CL data, as a kinematic chain gives it.
 
 namespace gouge {
+
+struct Toolpath;
+
+/// Bounds of the way of a tip over an interval.
+struct TipBounds {
+  double length_mm = 0;        ///< the way is at most this long
+  double acceleration_mm = 0;  ///< maximum of |tip''|, mm per square of a unit of t
+};
+
+/// The way of the tip from t = 0 to 1 of a move, where a law states it instead of the path. Part coordinates, mm.
+/// Constant: several threads may call it. Between two of its kinks it is twice differentiable in t.
+class TipPath {
+ public:
+  virtual ~TipPath() = default;
+
+  /// Returns the tip; at 0 and 1 the ends of the move, to rounding.
+  [[nodiscard]] virtual Vec3 tip_at(double t) const = 0;
+  /// Returns bounds over [t0, t1]. Requires no kink inside it.
+  [[nodiscard]] virtual TipBounds bounds(double t0, double t1) const = 0;
+  /// Returns the instants in (0, 1), ascending, at which the speed of the tip or of the axis jumps.
+  [[nodiscard]] virtual std::span<const double> kinks() const = 0;
+};
 
 /// The way of the tool axis, and of all that is fixed to it, from t = 0 to 1 of a move. Constant: several threads may
 /// call it.
@@ -17,28 +40,37 @@ class AxisPath {
  public:
   virtual ~AxisPath() = default;
 
-  /// Directions of the tool in the part: x, y and the tool axis as columns of a rotation. Twice differentiable in t.
+  /// Directions of the tool in the part: x, y and the tool axis as columns of a rotation. Twice differentiable in t
+  /// between two kinks of the tip.
   [[nodiscard]] virtual Eigen::Matrix3d axes_at(double t) const = 0;
   /// Bounds the angular velocity in [t0, t1]; radians per unit of t.
   [[nodiscard]] virtual double turn_rate_rad(double t0, double t1) const = 0;
-  /// Bounds the derivative of the angular velocity in [t0, t1]; radians per square of a unit of t.
+  /// Bounds the derivative of the angular velocity in [t0, t1]; radians per square of a unit of t. Requires no kink inside
+  /// the interval.
   [[nodiscard]] virtual double turn_acceleration_rad(double t0, double t1) const = 0;
+  /// Null: the tip runs as the path states. Lives as long as this.
+  [[nodiscard]] virtual const TipPath* tip_path() const { return nullptr; }
 };
 
-/// Makes the way of the axis between two directions.
+/// Makes the way of the tool between two poses.
 class AxisLaw {
  public:
   virtual ~AxisLaw() = default;
 
-  /// Returns null where the law leaves the way open, but never for equal directions. Requires unit directions. The ends
-  /// of the path are these directions, to rounding.
-  [[nodiscard]] virtual std::shared_ptr<const AxisPath> between(const Vec3& from, const Vec3& to) const = 0;
+  /// Returns null where the law leaves the way open, but never for equal poses. Requires unit axes. The ends of the path
+  /// are these poses, to rounding.
+  [[nodiscard]] virtual std::shared_ptr<const AxisPath> between(const Pose& from, const Pose& to) const = 0;
   /// Returns the same for a move of a path with the angles of `joints`, whose history decides between several ways; may
   /// be null.
   [[nodiscard]] virtual std::shared_ptr<const AxisPath> of_move(const JointPath* /*joints*/, std::size_t /*move*/,
-                                                                const Vec3& from, const Vec3& to) const {
+                                                                const Pose& from, const Pose& to) const {
     return between(from, to);
   }
+  /// Returns the reason for which the law leaves the motion of a move with a start open. Empty: it does not, or opposite
+  /// axes are the reason.
+  [[nodiscard]] virtual std::string why_open(const Toolpath& /*path*/, std::size_t /*move*/) const { return {}; }
+  /// Returns true where the tip may leave its line while the axis stands.
+  [[nodiscard]] virtual bool bends_without_turning() const { return false; }
   /// Returns one word for options, reports and certificates.
   [[nodiscard]] virtual std::string name() const = 0;
 };

@@ -50,8 +50,9 @@ double off_circle_rad(const MotionRates& rates) {
 Motion::Motion(const Pose& start, const Pose& end, const AxisLaw* law, const JointPath* joints, std::size_t move)
     : start_(start), end_(end), whole_{0, 1, start.tip, end.tip} {
   if (law != nullptr) {
-    axis_path_ = law->of_move(joints, move, start.axis, end.axis);
+    axis_path_ = law->of_move(joints, move, start, end);
     is_defined_ = axis_path_ != nullptr;
+    if (is_defined_ && axis_path_->tip_path() != nullptr) run_by_law();
   } else {
     turn_on_great_circle();
   }
@@ -73,7 +74,24 @@ void Motion::turn_on_great_circle() {
   is_defined_ = angle_ < M_PI - kOppositeAngle_rad;
 }
 
-void Motion::run_dogleg() { segments_ = dogleg(start_.tip, end_.tip); }
+void Motion::run_by_law() {
+  tip_path_ = axis_path_->tip_path();
+  MotionSegment segment = whole_;
+  for (const double kink : tip_path_->kinks()) {
+    segment.t1 = kink;
+    segment.tip1 = tip_path_->tip_at(kink);
+    segments_.push_back(segment);
+    segment.t0 = kink;
+    segment.tip0 = segment.tip1;
+  }
+  segment.t1 = 1;
+  segment.tip1 = end_.tip;
+  segments_.push_back(segment);
+}
+
+void Motion::run_dogleg() {
+  if (tip_path_ == nullptr) segments_ = dogleg(start_.tip, end_.tip);
+}
 
 Vec3 Motion::Turn::at(double t) const {
   const double turned = sweep * t;
@@ -81,6 +99,8 @@ Vec3 Motion::Turn::at(double t) const {
 }
 
 void Motion::run_along(const PathArc& arc) {
+  is_defined_ = is_defined_ && tip_path_ == nullptr;
+  if (!is_defined_) return;
   curve_ = CurveKind::arc;
   const Vec3 from = start_.tip - arc.center, to = end_.tip - arc.center;
   turn_.center = arc.center;
@@ -97,6 +117,8 @@ void Motion::run_along(const PathArc& arc) {
 }
 
 void Motion::run_along(const PathSpline& spline) {
+  is_defined_ = is_defined_ && tip_path_ == nullptr;
+  if (!is_defined_) return;
   curve_ = CurveKind::spline;
   pieces_ = spline.pieces;
   pieces_.front().control.front() = start_.tip;
@@ -109,6 +131,7 @@ Vec3 Motion::tip_at(double t, std::uint32_t segment) const {
   const MotionSegment& displacement = segments()[segment];
   if (t >= displacement.t1) return displacement.tip1;
   if (t <= displacement.t0) return displacement.tip0;
+  if (tip_path_ != nullptr) return tip_path_->tip_at(t);
   if (curve_ == CurveKind::arc) return turn_.at(t);
   if (curve_ == CurveKind::spline) return pieces_[segment].at(t);
   return displacement.tip0 +
@@ -116,6 +139,7 @@ Vec3 Motion::tip_at(double t, std::uint32_t segment) const {
 }
 
 double Motion::path_length_mm(double t0, double t1, std::uint32_t segment) const {
+  if (tip_path_ != nullptr) return tip_path_->bounds(t0, t1).length_mm;
   const MotionSegment& displacement = segments()[segment];
   switch (curve_) {
     case CurveKind::none:
@@ -132,6 +156,7 @@ double Motion::path_length_mm(double t0, double t1, std::uint32_t segment) const
 
 double Motion::sag_mm(double t0, double t1, std::uint32_t segment) const {
   const double h = t1 - t0;
+  if (tip_path_ != nullptr) return tip_path_->bounds(t0, t1).acceleration_mm * h * h / 8;
   switch (curve_) {
     case CurveKind::none:
       return 0;
@@ -149,6 +174,11 @@ double Motion::sag_mm(double t0, double t1, std::uint32_t segment) const {
 bool Motion::is_within(double limit_mm) const {
   const auto holds = [limit_mm](const Vec3& p) { return (p.array().abs() <= limit_mm).all(); };
   if (!holds(start_.tip) || !holds(end_.tip)) return false;
+  if (tip_path_ != nullptr) {
+    return std::ranges::all_of(segments_, [&](const MotionSegment& segment) {
+      return segment.tip0.cwiseAbs().maxCoeff() + tip_path_->bounds(segment.t0, segment.t1).length_mm <= limit_mm;
+    });
+  }
   if (curve_ == CurveKind::arc) return holds(turn_.center) && turn_.largest_radius() <= limit_mm;
   return std::all_of(pieces_.begin(), pieces_.end(), [&](const SplinePiece& piece) {
     return std::all_of(piece.control.begin(), piece.control.end(), holds);
@@ -161,8 +191,14 @@ double Motion::turn_rad(double t0, double t1) const {
 
 MotionRates Motion::rates(double t0, double t1, std::uint32_t segment) const {
   MotionRates rates;
-  rates.tip_path_mm = path_length_mm(t0, t1, segment);
-  rates.tip_sag_mm = sag_mm(t0, t1, segment);
+  if (tip_path_ != nullptr) {
+    const TipBounds tip = tip_path_->bounds(t0, t1);
+    rates.tip_path_mm = tip.length_mm;
+    rates.tip_sag_mm = tip.acceleration_mm * (t1 - t0) * (t1 - t0) / 8;
+  } else {
+    rates.tip_path_mm = path_length_mm(t0, t1, segment);
+    rates.tip_sag_mm = sag_mm(t0, t1, segment);
+  }
   rates.turn_rad = turn_rad(t0, t1);
   if (axis_path_) {
     const double h = t1 - t0;

@@ -20,12 +20,13 @@ struct MotionSegment {
   Vec3 tip0 = Vec3::Zero(), tip1 = Vec3::Zero();
 };
 
-/// The motion of a tool over t in [0, 1]. The tip runs on a line, an arc, a spline, or on a broken line of axes that
-/// each arrive in their own time. The axis turns on the great circle at constant rate, or on the path of an AxisLaw.
-/// Only a MotionLaw makes motions, so that no caller chooses a law by accident.
+/// The motion of a tool over t in [0, 1]. The tip runs on a line, an arc, a spline, on a broken line of axes that each
+/// arrive in their own time, or as an AxisLaw states. The axis turns on the great circle at constant rate, or on the path
+/// of an AxisLaw. Only a MotionLaw makes motions, so that no caller chooses a law by accident.
 class Motion {
  public:
-  /// Returns false where the law leaves the way of the axis open: opposite axes on the great circle.
+  /// Returns false where the law leaves the way of the tool open: opposite axes on the great circle, curves of the path
+  /// where the law moves the tip.
   [[nodiscard]] bool is_defined() const { return is_defined_; }
   [[nodiscard]] bool is_alone() const { return is_alone_; }
   /// Returns the pose at t in [0, 1]; t = 0 and 1 give the end poses bit for bit.
@@ -38,7 +39,9 @@ class Motion {
   [[nodiscard]] std::span<const MotionSegment> segments() const {
     return segments_.empty() ? std::span(&whole_, 1) : std::span(segments_);
   }
-  /// Returns the tip at t within the segment; exact also on arcs and splines.
+  /// Returns false where the tip may leave the straight chord of a segment.
+  [[nodiscard]] bool is_straight() const { return curve_ == CurveKind::none && tip_path_ == nullptr; }
+  /// Returns the tip at t within the segment; exact also on curves.
   [[nodiscard]] Vec3 tip_at(double t, std::uint32_t segment) const;
   /// Bounds the length of the tip's path over [t0, t1] of a segment; for straight paths it is exact.
   [[nodiscard]] double path_length_mm(double t0, double t1, std::uint32_t segment) const;
@@ -72,6 +75,8 @@ class Motion {
   /// Along a spline whose parameter is t: one segment for each piece. Requires at least one piece.
   void run_along(const PathSpline& spline);
   void turn_on_great_circle();
+  /// By the tip of the AxisPath: one segment between two of its kinks.
+  void run_by_law();
 
   /// Tip = center + (r0 + dr t) (cos(sweep t) e1 + sin(sweep t) e2) + (h0 + dh t) axis + t rest.
   struct Turn {
@@ -92,6 +97,7 @@ class Motion {
   Vec3 rotation_axis_ = Vec3::UnitX();
   double angle_ = 0;
   std::shared_ptr<const AxisPath> axis_path_;
+  const TipPath* tip_path_ = nullptr;  // of axis_path_
   bool is_defined_ = true;
   bool is_alone_ = false;
 };

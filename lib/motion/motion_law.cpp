@@ -8,9 +8,22 @@ std::string MotionLaw::name() const {
   return feed == rapid ? feed : feed + ", rapids " + rapid;
 }
 
+std::string MotionLaw::why_open(const Toolpath& toolpath, std::size_t move) const {
+  const AxisLaw* const axes = axes_of(toolpath.moves[move].kind);
+  return axes == nullptr ? std::string() : axes->why_open(toolpath, move);
+}
+
+bool MotionLaw::bends_without_turning() const {
+  return (feed_axes_ && feed_axes_->bends_without_turning()) || (rapid_axes_ && rapid_axes_->bends_without_turning());
+}
+
 Motion MotionLaw::of(const Toolpath& toolpath, std::size_t index) const {
   const Move& move = toolpath.moves[index];
-  if (!move.has_start) return at(move.end);
+  if (!move.has_start) {
+    Motion alone(move.end, move.end, feed_axes_.get(), toolpath.joints.get(), index);
+    alone.is_alone_ = true;
+    return alone;
+  }
   Motion motion(toolpath.start_of(index), move.end, axes_of(move.kind), toolpath.joints.get(), index);
   if (move.curve_kind == CurveKind::arc) {
     motion.run_along(toolpath.arcs[move.curve]);

@@ -49,6 +49,10 @@ class MotionLaw {
   [[nodiscard]] bool is_great_circle() const { return !feed_axes_ && !rapid_axes_; }
   /// Returns true where the axis of such a motion runs by an AxisLaw.
   [[nodiscard]] bool is_by_axes(MoveKind kind) const { return axes_of(kind) != nullptr; }
+  /// Names the reason for which the law leaves the motion of a move with a start open; empty: it does not, or opposite axes are the reason.
+  [[nodiscard]] std::string why_open(const Toolpath& toolpath, std::size_t move) const;
+  /// True where the tip may leave its line while the axis stands.
+  [[nodiscard]] bool bends_without_turning() const;
   /// Names the law of the axis: "great-circle", or as the AxisLaw does, for feeds and rapids.
   [[nodiscard]] std::string name() const;
 

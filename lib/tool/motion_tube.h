@@ -14,4 +14,7 @@ struct MotionTube {
   [[nodiscard]] bool is_empty() const { return !(tip_mm > 0) && !(axis_rad > 0); }
 };
 
+/// A control that departs farther follows another path.
+inline constexpr double kMaxAxisTolerance_deg = 10;
+
 }  // namespace gouge

@@ -55,10 +55,9 @@ class Questions {
   /// motion is not defined.
   [[nodiscard]] std::optional<std::vector<MotionPiece>> pieces(std::size_t first, std::size_t count,
                                                                std::vector<std::size_t>& of_piece) const {
-    if (scene_.axis_law != kGreatCircle) return std::nullopt;
     std::vector<MotionPiece> all;
     for (std::size_t i = first; i < first + count; ++i) {
-      const auto own = motion_pieces(scene_.path, i, scene_.is_dogleg);
+      const auto own = pieces_of(i);
       if (!own) return std::nullopt;
       all.insert(all.end(), own->begin(), own->end());
       of_piece.resize(all.size(), i);
@@ -76,6 +75,20 @@ class Questions {
   }
 
  private:
+  /// By the law of the claim; nothing of a law that is not evaluated here, or without the angles of its joints.
+  [[nodiscard]] std::optional<std::vector<MotionPiece>> pieces_of(std::size_t index) const {
+    const Move& move = scene_.path.moves[index];
+    if (!scene_.joints && scene_.axis_law != kGreatCircle) return std::nullopt;
+    ClaimedRun run = ClaimedRun::on_circle;
+    if (scene_.joints && (move.has_start || move.is_linked))
+      run = move.has_start && move.kind == MoveKind::rapid ? scene_.joints->rapids : scene_.joints->feeds;
+    if (run == ClaimedRun::on_circle) return motion_pieces(scene_.path, index, scene_.is_dogleg);
+    const JointPath* const angles = scene_.path.joints.get();
+    if (!move.has_start || scene_.is_dogleg || angles == nullptr || index >= angles->end.size() ||
+        !angles->start[index] || !angles->end[index])
+      return std::nullopt;
+    return motion_pieces(scene_.path, index, {&*scene_.joints, run, *angles->start[index], *angles->end[index]});
+  }
   [[nodiscard]] std::string law() const {
     return (scene_.axis_law + (scene_.is_dogleg ? " dogleg" : " straight")).substr(0, kLawBytes);
   }

@@ -15,36 +15,41 @@ Eigen::Quaterniond turn_from_z(const Vec3& axis) {
   return shortest_turn(Vec3::UnitZ(), axis);
 }
 
-Eigen::Quaterniond turn(const Vec3& direction, double angle) {
-  const Vec3 v = std::sin(0.5 * angle) * direction;
-  return {std::cos(0.5 * angle), v.x(), v.y(), v.z()};
-}
-
-bool runs_by_joints(const ClaimedScene& scene, std::size_t move) {
-  if (!scene.joints || scene.path.joints == nullptr) return false;
+/// How the tool runs on a move; on_circle too where its angles are not known.
+ClaimedRun run_of(const ClaimedScene& scene, std::size_t index) {
+  if (!scene.joints || scene.path.joints == nullptr) return ClaimedRun::on_circle;
   const JointPath& angles = *scene.path.joints;
-  const bool is_rapid = scene.path.moves[move].kind == MoveKind::rapid;
-  return (is_rapid ? scene.joints->in_rapids : scene.joints->in_feeds) && move < angles.end.size() &&
-         angles.start[move] && angles.end[move];
+  const Move& move = scene.path.moves[index];
+  if (index >= angles.end.size() || !angles.end[index]) return ClaimedRun::on_circle;
+  if (!move.has_start) return scene.joints->feeds;  // a position alone stands at its joints
+  if (!angles.start[index]) return ClaimedRun::on_circle;
+  return move.kind == MoveKind::rapid ? scene.joints->rapids : scene.joints->feeds;
 }
 
-Eigen::Quaterniond turn_by_joints(const ClaimedScene& scene, std::size_t move, double t) {
-  const RotaryAngles &from = *scene.path.joints->start[move], &to = *scene.path.joints->end[move];
-  return turn(scene.joints->first, from[0] + t * (to[0] - from[0])) *
-         turn(scene.joints->second, from[1] + t * (to[1] - from[1]));
+RigidTransform frame_by_joints(const ClaimedScene& scene, std::size_t index, ClaimedRun run, double t) {
+  const Move& move = scene.path.moves[index];
+  const JointPath& angles = *scene.path.joints;
+  const ChainEnds ends = {move.has_start ? scene.path.start_of(index).tip : move.end.tip, move.end.tip,
+                          move.has_start ? *angles.start[index] : *angles.end[index], *angles.end[index]};
+  return chain_frame(*scene.joints, run, ends, t);
 }
 
 }  // namespace
 
 Pose claimed_pose(const ClaimedScene& scene, std::size_t move, double t) {
   Pose pose = pose_at(scene.path, move, t, scene.is_dogleg);
-  if (t > 0 && t < 1 && runs_by_joints(scene, move)) pose.axis = turn_by_joints(scene, move, t) * Vec3::UnitZ();
+  const ClaimedRun run = run_of(scene, move);
+  if (!scene.path.moves[move].has_start || !(t > 0 && t < 1) || run == ClaimedRun::on_circle) return pose;
+  const RigidTransform frame = frame_by_joints(scene, move, run, t);
+  pose.axis = frame.rotation.col(2);
+  if (run != ClaimedRun::rotary && scene.path.moves[move].curve_kind == CurveKind::none) pose.tip = frame.shift;
   return pose;
 }
 
 RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t) {
   const Pose at = claimed_pose(scene, move, t);
-  if (runs_by_joints(scene, move)) return {turn_by_joints(scene, move, t).toRotationMatrix(), at.tip};
+  if (const ClaimedRun run = run_of(scene, move); run != ClaimedRun::on_circle)
+    return {frame_by_joints(scene, move, run, t).rotation, at.tip};
   const Pose end = scene.path.moves[move].end;
   const Pose start = scene.path.moves[move].has_start ? scene.path.start_of(move) : end;
   const auto carried = [&](const Vec3& axis) {  // the frame of the start, moved along the great circle to `axis`
@@ -58,10 +63,12 @@ RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t)
 
 std::optional<std::size_t> find_wrong_joints(const ClaimedScene& scene) {
   for (std::size_t move = 0; move < scene.path.moves.size(); ++move) {
-    if (!scene.path.moves[move].has_start || !runs_by_joints(scene, move)) continue;
-    const Vec3 from = turn_by_joints(scene, move, 0) * Vec3::UnitZ(),
-               to = turn_by_joints(scene, move, 1) * Vec3::UnitZ();
-    if ((from - scene.path.start_of(move).axis).norm() > kSameAxis ||
+    const ClaimedRun run = run_of(scene, move);
+    if (run == ClaimedRun::on_circle) continue;
+    const Vec3 from = frame_by_joints(scene, move, run, 0).rotation.col(2),
+               to = frame_by_joints(scene, move, run, 1).rotation.col(2);
+    const bool has_start = scene.path.moves[move].has_start;
+    if ((has_start && (from - scene.path.start_of(move).axis).norm() > kSameAxis) ||
         (to - scene.path.moves[move].end.axis).norm() > kSameAxis)
       return move;
   }

@@ -9,6 +9,7 @@
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/path/toolpath.h"
 #include "lib/tool/tool_variants.h"
+#include "lib/verify/claimed_chain.h"
 #include "lib/verify/solid_depth.h"
 
 // The claims of a result and their subject. They are all inputs of a verification.
@@ -45,21 +46,15 @@ struct ClaimedLimit {
 /// The law of motion for which this module has proofs.
 inline constexpr const char* kGreatCircle = "great-circle";
 
-/// Rotary joints that turn evenly from one position to the next, in place of the great circle.
-struct ClaimedJoints {
-  Vec3 first = Vec3::UnitZ(), second = Vec3::UnitX();  ///< unit directions at angle 0; first the joint nearer to the
-                                                       ///< part
-  bool in_feeds = false, in_rapids = false;
-};
-
 /// The subject of the claims. Referenced objects must outlive it. Lengths in mm.
 struct ClaimedScene {
   const Toolpath& path;
   std::vector<const ToolVariants*> tools;  ///< one for each entry of Toolpath::tools; null: not defined
   std::span<const IndexedMesh> parts, fixtures;
-  std::vector<SolidDepth> heads;        ///< bodies that move with the tool, in the tool's frame
-  std::string axis_law = kGreatCircle;  ///< law of the tool axis; there are only proofs for the great circle
-  bool is_dogleg = false;               ///< each axis of a rapid moves at full speed until it arrives
+  std::vector<SolidDepth> heads;  ///< bodies that move with the tool, in the tool's frame
+  /// law of the tool; nothing is proved of a law that neither this nor `joints` states
+  std::string axis_law = kGreatCircle;
+  bool is_dogleg = false;  ///< each axis of a rapid moves at full speed until it arrives
   double tolerance_mm = 0.01, resolution_mm = 0.001;
   unsigned threads = 0;
   std::vector<ClaimedLimit> limits{};

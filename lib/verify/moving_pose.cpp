@@ -34,6 +34,12 @@ Bounds3 axis_at(const PoseBounds& from, const PoseBounds& to, const Bounds& shar
   return at.cosine * direction_of(sum) + at.sine * direction_of(difference);
 }
 
+/// The pose of the joints is that of the file: their angles give its axis, and the tip follows by construction.
+bool is_pose_of_file(const PoseBounds& a, const PoseBounds& b) {
+  constexpr double kNear_mm = 1e-6, kNearAxis = 1e-8;
+  return length(a.tip - b.tip).sup() < kNear_mm && length(a.axis - b.axis).sup() < kNearAxis;
+}
+
 bool is_finite(const Pose& pose) { return pose.tip.allFinite() && pose.axis.allFinite(); }
 
 bool is_finite(const PathSpline& spline) {
@@ -60,6 +66,9 @@ void MotionPiece::bound_chord() {
     second = Bounds(6) * Bounds(std::max(bulge(0).sup(), bulge(1).sup()));
   }
   sag_ = (second / Bounds(8)).sup();
+  if (!chain_) return;
+  bend_ = (chain_->axis_acceleration() / Bounds(8) + Bounds(chain_->slack)).sup();
+  if (chain_->moves_tip) sag_ = (chain_->tip_acceleration() / Bounds(8) + Bounds(chain_->slack_mm)).sup();
 }
 
 std::array<MotionPiece, 2> MotionPiece::halves() const {
@@ -81,6 +90,13 @@ std::array<MotionPiece, 2> MotionPiece::halves() const {
     middle.tip = midway(abc, bcd);
     both[0].curve_ = Bezier{(*p)[0], ab, abc, middle.tip};
     both[1].curve_ = Bezier{middle.tip, bcd, cd, (*p)[3]};
+  }
+  if (chain_) {
+    const std::array<ChainSpan, 2> spans = chain_->halves();
+    both[0].chain_ = spans[0];
+    both[1].chain_ = spans[1];
+    const PoseBounds pose = spans[0].pose(1);
+    middle = {chain_->moves_tip ? pose.tip : middle.tip, pose.axis};
   }
   both[0].ends_[1] = both[1].ends_[0] = middle;
   for (MotionPiece& half : both) half.bound_chord();
@@ -178,6 +194,27 @@ std::vector<MotionPiece> MotionPiece::dogleg(const Pose& from, const Pose& to) {
   return pieces;
 }
 
+std::optional<std::vector<MotionPiece>> MotionPiece::along_curve(const Toolpath& path, const Move& move,
+                                                                 const PoseBounds& from, const PoseBounds& to) {
+  if (move.curve_kind == CurveKind::arc) {
+    if (move.curve >= path.arcs.size()) return std::nullopt;
+    return along_arc(from, to, path.arcs[move.curve]);
+  }
+  if (move.curve >= path.splines.size() || path.splines[move.curve].pieces.empty()) return std::nullopt;
+  if (!is_finite(path.splines[move.curve])) return std::nullopt;
+  return along_spline(from, to, path.splines[move.curve]);
+}
+
+void MotionPiece::run_by(const ChainSpan& span) {
+  chain_ = span;
+  for (const std::size_t end : {0U, 1U}) {
+    const PoseBounds pose = span.pose(end);
+    ends_[end].axis = pose.axis;
+    if (span.moves_tip) ends_[end].tip = pose.tip;
+  }
+  bound_chord();
+}
+
 std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std::size_t index, bool is_dogleg) {
   const Move& move = path.moves[index];
   const bool has_path_here = move.has_start || move.is_linked;
@@ -187,17 +224,46 @@ std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std:
   const Pose& start = path.start_of(index);
   const PoseBounds from = bounds_of(start);
   if (!(length(from.axis + end.axis).inf() > 1e-6)) return std::nullopt;
-  if (move.has_start && move.curve_kind == CurveKind::arc) {
-    if (move.curve >= path.arcs.size()) return std::nullopt;
-    return MotionPiece::along_arc(from, end, path.arcs[move.curve]);
-  }
-  if (move.has_start && move.curve_kind == CurveKind::spline) {
-    if (move.curve >= path.splines.size() || path.splines[move.curve].pieces.empty()) return std::nullopt;
-    if (!is_finite(path.splines[move.curve])) return std::nullopt;
-    return MotionPiece::along_spline(from, end, path.splines[move.curve]);
-  }
+  if (move.has_start && move.curve_kind != CurveKind::none) return MotionPiece::along_curve(path, move, from, end);
   if (move.has_start && move.kind == MoveKind::rapid && is_dogleg) return MotionPiece::dogleg(start, move.end);
   return std::vector<MotionPiece>{MotionPiece(from, end)};
+}
+
+std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std::size_t index,
+                                                      const ChainMotion& chain) {
+  const Move& move = path.moves[index];
+  if (index == 0 || !is_finite(move.end) || !is_finite(path.start_of(index))) return std::nullopt;
+  if (chain.joints->chain.size() != kChainJoints) return std::nullopt;
+  const Pose& start = path.start_of(index);
+  const PoseBounds from = bounds_of(start), end = bounds_of(move.end);
+  const auto v0 = chain_values(*chain.joints, chain.from, start.tip),
+             v1 = chain_values(*chain.joints, chain.to, move.end.tip);
+  if (!v0 || !v1) return std::nullopt;
+  std::optional<std::vector<MotionPiece>> pieces = std::vector<MotionPiece>{MotionPiece(from, end)};
+  if (move.curve_kind == CurveKind::none && chain.run != ClaimedRun::rotary) {
+    const auto spans = chain_spans(*chain.joints, chain.run, *v0, *v1);
+    if (!spans) return std::nullopt;
+    pieces->resize(spans->size(), pieces->front());
+    for (std::size_t k = 0; k < spans->size(); ++k) (*pieces)[k].run_by((*spans)[k]);
+  } else {
+    if (move.curve_kind != CurveKind::none) pieces = MotionPiece::along_curve(path, move, from, end);
+    if (!pieces) return std::nullopt;
+    const auto share = [&](std::size_t k) {
+      if (k == 0) return Bounds(0);
+      if (move.curve_kind == CurveKind::spline) return Bounds(path.splines[move.curve].pieces[k - 1].u1);
+      return Bounds(static_cast<double>(k)) / Bounds(static_cast<double>(pieces->size()));
+    };
+    for (std::size_t k = 0; k < pieces->size(); ++k) {
+      const std::array<ChainValues, 2> values{values_at(*v0, *v1, share(k)), values_at(*v0, *v1, share(k + 1))};
+      (*pieces)[k].run_by({chain.joints, values, false, 0, 0});
+    }
+  }
+  // At its ends the tool is where the file states it, which is the pose of its joints but for rounding.
+  PoseBounds &first = pieces->front().ends_[0], &last = pieces->back().ends_[1];
+  if (!is_pose_of_file(first, from) || !is_pose_of_file(last, end)) return std::nullopt;
+  first = {hull(first.tip, from.tip), hull(first.axis, from.axis)};
+  last = {hull(last.tip, end.tip), hull(last.axis, end.axis)};
+  return pieces;
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include "lib/geom/pose.h"
 #include "lib/path/toolpath.h"
 #include "lib/verify/bounds.h"
+#include "lib/verify/chain_bounds.h"
 
 // A motion as pieces of time that can be halved. Each piece has proved bounds of the poses at its two ends, and of the
 // distance of the pose from the chord between them. Square roots are sufficient to halve a turn: the axis in the middle
@@ -15,9 +16,11 @@
 
 namespace gouge {
 
-/// Pose of the tool at one instant, or at any of several instants.
-struct PoseBounds {
-  Bounds3 tip, axis;
+/// The joints of a machine on a move, and their angles at its ends.
+struct ChainMotion {
+  const ClaimedJoints* joints = nullptr;
+  ClaimedRun run = ClaimedRun::rotary;  ///< not on_circle
+  RotaryAngles from{}, to{};
 };
 
 /// One piece of time of a motion.
@@ -36,6 +39,8 @@ class MotionPiece {
 
  private:
   friend std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std::size_t move, bool is_dogleg);
+  friend std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std::size_t move,
+                                                               const ChainMotion& chain);
 
   /// A part of a circle or helix: center + radius radial + height axis + rest. All values but `radial` change evenly
   /// with time.
@@ -55,9 +60,15 @@ class MotionPiece {
                                                            const PathArc& arc);
   static std::vector<MotionPiece> along_spline(const PoseBounds& from, const PoseBounds& to, const PathSpline& spline);
   static std::vector<MotionPiece> dogleg(const Pose& from, const Pose& to);
+  /// The motion along the curve of a move; nothing where it has none that is understood.
+  static std::optional<std::vector<MotionPiece>> along_curve(const Toolpath& path, const Move& move,
+                                                             const PoseBounds& from, const PoseBounds& to);
+  /// Lets the joints carry the axis, and the tip where they move it.
+  void run_by(const ChainSpan& span);
 
   std::array<PoseBounds, 2> ends_;
   std::variant<std::monostate, Turn, Bezier> curve_;
+  std::optional<ChainSpan> chain_;
   double sag_ = 0, bend_ = 0;
 };
 
@@ -66,6 +77,11 @@ class MotionPiece {
 /// Requires  RoundsUpward.
 [[nodiscard]] std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std::size_t move,
                                                                     bool is_dogleg);
+
+/// Returns the pieces of a move by the joints of a machine. Requires a move with a start. Nothing where a rate is not
+/// known, and where the linear joints have no proved solution. `chain.joints` must outlive the pieces.
+[[nodiscard]] std::optional<std::vector<MotionPiece>> motion_pieces(const Toolpath& path, std::size_t move,
+                                                                    const ChainMotion& chain);
 
 /// Returns the pose at t in [0, 1] of a move, computed directly from the file. It uses plain doubles and is exact to a
 /// few 1e-14 of the coordinates.

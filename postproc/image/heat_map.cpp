@@ -34,7 +34,7 @@ View add_view(Page& page, const PictureSet& set, const Vec3& toward, const Area&
   const std::vector<float> depth = set.overcuts.is_empty() ? depth_on_pixels(set.field, set.scene, buffer)
                                                            : overcut_on_pixels(set.overcuts, set.scene, buffer);
   Raster raster = shade(set.scene, buffer, depth, set.surface_scale);
-  if (shows_path && set.events.empty()) lay_path(raster, buffer, *set.input.toolpath, *set.input.result);
+  if (shows_path && set.events.empty()) lay_path(raster, buffer, set.input);
   page.rasters.push_back({static_cast<int>(area.x), static_cast<int>(area.y), std::move(raster)});
   for (const PictureEvent& event : set.events) {
     const Vec2 target = on_page(area, view.project(event.at));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lib/base/number_text.h"
+#include "lib/motion/chord_instants.h"
 #include "lib/path/chords.h"
 #include "lib/path/path_info.h"
 #include "postproc/image/plot_panel.h"
@@ -185,7 +186,10 @@ bool is_checked(const MoveVerdict& verdict) {
 
 }  // namespace
 
-void lay_path(Raster& raster, const SurfaceBuffer& buffer, const Toolpath& path, const CheckResult& result) {
+void lay_path(Raster& raster, const SurfaceBuffer& buffer, const CheckedToolpath& input) {
+  constexpr std::size_t kMaxChords = 64;
+  const Toolpath& path = *input.toolpath;
+  const CheckResult& result = *input.result;
   Overlay overlay(buffer);
   const std::size_t every = 1 + path.moves.size() / kMaxMoves;
   for (std::size_t i = 0; i < path.moves.size(); i += every) {
@@ -193,11 +197,18 @@ void lay_path(Raster& raster, const SurfaceBuffer& buffer, const Toolpath& path,
     if (!move.has_start || move.kind == MoveKind::rapid) continue;
     const Mark mark = is_checked(result.verdicts[i]) ? kChecked : kUnchecked;
     Vec3 from = path.start_of(i).tip;
+    const double error_mm = std::max(buffer.view.mm_per_pixel, 1e-3);
     if (move.curve_kind == CurveKind::none) {
-      overlay.line(from, move.end.tip, mark);
+      const Motion motion = input.options.law.of(path, i);
+      const bool is_line = motion.is_straight() || !motion.is_defined();
+      for (const double t : is_line ? std::vector<double>{1} : chord_instants(motion, error_mm, kMaxChords)) {
+        const Vec3 to = t < 1 ? motion.at(t).tip : move.end.tip;
+        overlay.line(from, to, mark);
+        from = to;
+      }
       continue;
     }
-    for (const Pose& pose : chords_of(path, i, std::max(buffer.view.mm_per_pixel, 1e-3))) {
+    for (const Pose& pose : chords_of(path, i, error_mm)) {
       overlay.line(from, pose.tip, mark);
       from = pose.tip;
     }

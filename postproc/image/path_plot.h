@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lib/base/result.h"
-#include "lib/check/check_result.h"
 #include "lib/drawing/drawing.h"
+#include "lib/field/checked_toolpath.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/path/toolpath.h"
 #include "postproc/image/colour_scale.h"
@@ -28,7 +28,7 @@ inline constexpr Colour kUncheckedPath{206, 118, 8, 1};
 
 /// Draws the path of the tip while it cuts over a shaded surface, where the surface does not hide it. Checked moves
 /// have one colour, unchecked moves another. Where moves lie side by side, they colour the surface that they cover.
-/// Cost: up to 100,000 moves, evenly distributed over longer paths.
-void lay_path(Raster& raster, const SurfaceBuffer& buffer, const Toolpath& path, const CheckResult& result);
+/// Cost: up to 100,000 moves, evenly distributed over longer paths. Requires a toolpath and its result.
+void lay_path(Raster& raster, const SurfaceBuffer& buffer, const CheckedToolpath& input);
 
 }  // namespace gouge

@@ -93,7 +93,7 @@ Page draw_tilt_field(const PictureSet& set) {
   fit_view(view, set.scene.part_points(), 0.12);
   const SurfaceBuffer buffer = draw_surface(set.scene, view);
   Raster raster = shade(set.scene, buffer, {}, set.surface_scale);
-  lay_path(raster, buffer, *set.input.toolpath, *set.input.result);
+  lay_path(raster, buffer, set.input);
   page.rasters.push_back({static_cast<int>(area.x), static_cast<int>(area.y), std::move(raster)});
   // The scale is made for lengths; here a millimetre stands for a degree.
   const ColourScale scale{0, round_up(std::max(tilts.tilt_rad.value / kDegree, 0.1)), false};

@@ -15,8 +15,8 @@
 namespace gouge {
 
 /// Keys of `options.more` that name the law of motion.
-inline constexpr std::array<const char*, 5> kLawOptions = {"machine", "feed-law", "rapid-law", "tip-tolerance",
-                                                           "axis-tolerance"};
+inline constexpr std::array<const char*, 6> kLawOptions = {"machine",     "feed-law",      "rapid-law",
+                                                           "tool-length", "tip-tolerance", "axis-tolerance"};
 
 /// Options of the check that affect its gouges.
 struct StoredOptions {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "lib/motion/chord_instants.h"
 #include "lib/motion/motion_law.h"
 #include "lib/path/chords.h"
 
@@ -76,8 +77,8 @@ void add_motion(const CheckedToolpath& input, std::size_t move, double error_mm,
       out.push_back({motion.at(t), move, t, false});
     }
   } else {
-    for (const MotionSegment& segment : motion.segments()) {
-      if (segment.t1 < 1) out.push_back({motion.at(segment.t1), move, segment.t1, false});
+    for (const double t : chord_instants(motion, error_mm, kMaxChords)) {
+      if (t < 1) out.push_back({motion.at(t), move, t, false});
     }
   }
   out.push_back({m.end, move, 1, false});

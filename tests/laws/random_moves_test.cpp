@@ -11,6 +11,7 @@
 
 #include "lib/base/number_text.h"
 #include "tests/laws/guarantee.h"
+#include "tests/laws/machine_moves.h"
 #include "tests/laws/random_moves.h"
 #include "tests/support/reference_hunt.h"
 #include "tests/support/rotary_head_law.h"
@@ -75,9 +76,10 @@ class Grown {
 };
 
 struct CampaignKind {
-  bool has_rotaries = false;   ///< the axis runs as a head of two rotary axes takes it
-  bool is_mismatched = false;  ///< the reference has another axis or distance; failures are only counted
-  double keep_mm = 0;          ///< among the obstacles is one that must be kept at this distance; 0: none
+  bool has_rotaries = false;        ///< the axis runs as a head of two rotary axes takes it
+  bool is_mismatched = false;       ///< the reference has another axis or distance; failures are only counted
+  std::optional<TurnLaw> law = {};  ///< the tool runs on the machine of the campaign; not `vector`
+  double keep_mm = 0;               ///< among the obstacles is one that must be kept at this distance; 0: none
 };
 
 class Campaign {
@@ -121,6 +123,10 @@ class Campaign {
     // The guarantee holds at any budget; a small budget for most allows many more moves.
     const bool is_patient = ++jobs_ % 32 == 0;
     if (!is_patient) options.budget_per_move = kBounds;
+    if (kind_.law) {
+      options.law = laws::law_of_campaign(*kind_.law);
+      laws::choose_joints_of_campaign(job.path);
+    }
     if (kind_.has_rotaries) options.law = {RapidMode::straight, std::make_shared<test::RotaryHeadLaw>()};
     std::vector<HeadBody> bodies;
     for (const IndexedMesh& head : job.heads) bodies.push_back(*build_head_body(head));
@@ -140,6 +146,10 @@ class Campaign {
   [[nodiscard]] reference::Movement movement_of(const Toolpath& path, std::size_t i) const {
     reference::Movement movement = reference::movement(path, i);
     if (kind_.has_rotaries && !kind_.is_mismatched) movement.rotaries.emplace(movement.from.axis, movement.to.axis);
+    if (kind_.law) {
+      const TurnLaw other = *kind_.law == TurnLaw::joint ? TurnLaw::axis : TurnLaw::joint;
+      movement.frames = laws::frames_of(kind_.is_mismatched ? other : *kind_.law, path, i);
+    }
     return movement;
   }
 
@@ -344,8 +354,10 @@ TEST_P(RandomMoves, NothingIsDeeperThanItsBoundAndEveryWitnessIsReal) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, RandomMoves,
                          testing::Values(CampaignKind{}, CampaignKind{.has_rotaries = true},
-                                         CampaignKind{.keep_mm = 5}),
-                         [](const auto& kind) {
+                                         CampaignKind{.law = TurnLaw::axis}, CampaignKind{.law = TurnLaw::joint},
+                                         CampaignKind{.law = TurnLaw::independent}, CampaignKind{.keep_mm = 5}),
+                         [](const auto& kind) -> std::string {
+                           if (kind.param.law) return "Law_" + std::string(turn_law_name(*kind.param.law));
                            if (kind.param.keep_mm > 0) return "KeptObstacle";
                            return kind.param.has_rotaries ? "RotaryHead" : "GreatCircle";
                          });
@@ -355,6 +367,14 @@ TEST(RandomMovesOfRotaries, AreNotThoseOnTheGreatCircle) {
   Campaign campaign({.has_rotaries = true, .is_mismatched = true});
   campaign.run(500);
   EXPECT_GT(campaign.failures, 0U);
+}
+
+TEST(RandomMovesOfJoints, AreNotThoseOfAnotherLaw) {
+  for (const TurnLaw law : {TurnLaw::joint, TurnLaw::independent}) {
+    Campaign campaign({.is_mismatched = true, .law = law});
+    campaign.run(300);
+    EXPECT_GT(campaign.failures, 0U) << turn_law_name(law);
+  }
 }
 
 TEST(RandomMovesBesideKeptObstacle, ReachFartherThanALargerDistanceAllows) {

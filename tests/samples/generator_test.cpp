@@ -30,7 +30,7 @@ TEST(SampleSolids, AreClosedManifoldOutwardAndDoNotCrossThemselves) {
       }
     }
   }
-  EXPECT_EQ(solids, 19U);
+  EXPECT_EQ(solids, 23U);
 }
 
 TEST(SampleSolids, ABoxHasTheVolumeOfItsSides) {

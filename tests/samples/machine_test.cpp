@@ -54,7 +54,7 @@ TEST_F(PoleCrossing, TheLawOfTheCommandLineGoesBeforeThatOfTheControl) {
 TEST_F(PoleCrossing, AControlThatPromisesNoLawNeedsOne) {
   const Outcome ran = run("check", {"--machine", "preset:haas-umc750"});
   EXPECT_EQ(ran.exit_status, 3);
-  EXPECT_NE(ran.err.find("promises no law for feeds; expected --feed-law vector or --feed-law axis"), std::string::npos)
+  EXPECT_NE(ran.err.find("promises no law for feeds; expected --feed-law vector, axis or joint"), std::string::npos)
       << ran.err;
 }
 
@@ -81,6 +81,14 @@ TEST_F(PoleCrossing, AResultIsVerifiedByItsOwnLawAndRefutedByAnother) {
   refuted("\"machine\": \"" + kTrunnion + "\"", "\"feed-law\": \"vector\"");
   refuted("\"t\": 0.5", "\"t\": 0.4");
   refuted("\"depth\": 0.99", "\"depth\": 1.00");
+}
+
+TEST_F(PoleCrossing, ItsCertificateProvesTheMotionOfItsJoints) {
+  EXPECT_EQ(run("check", {"--machine", kTrunnion, "--json", "check.json", "--certificate", "proofs.gcp"}).exit_status,
+            1);
+  const Outcome verified = run_gougecheck(sample_.path, {"verify", "check.json", "--certificate", "proofs.gcp"});
+  EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
+  EXPECT_NE(verified.out.find("1 gouging move proved to be no deeper than said"), std::string::npos) << verified.out;
 }
 
 TEST_F(PoleCrossing, ACleanResultByTheWrongLawIsRefutedByItsMachine) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <queue>
@@ -63,15 +64,24 @@ class Rotaries {
   double c0_, a0_, dc_ = 0, da_ = 0;
 };
 
+/// The frame of the tool by a machine: origin at the tip, z along the axis. Lower bounds of its turn and of the length of
+/// its tip's path.
+struct MachineFrames {
+  std::function<RigidTransform(double)> frame;
+  double turn_rad = 0, length_mm = 0;
+};
+
 /// A move by its meaning: straight, or along the arc or spline to which it points.
 struct Movement {
   Pose from, to;
   const PathArc* arc = nullptr;
   const PathSpline* spline = nullptr;
-  std::optional<Rotaries> rotaries;  ///< set if the axis does not turn on the great circle
+  std::optional<Rotaries> rotaries;          ///< set if the axis does not turn on the great circle
+  std::optional<MachineFrames> frames = {};  ///< set if a machine moves the tool, in place of both
 
   /// Returns an upper bound of the angle by which the tool turns.
   [[nodiscard]] double turn_rad() const {
+    if (frames) return frames->turn_rad;
     if (rotaries) return rotaries->turn_rad();
     return 2 * std::atan2((to.axis - from.axis).norm(), (to.axis + from.axis).norm());
   }
@@ -79,6 +89,10 @@ struct Movement {
   [[nodiscard]] Pose at(double t) const {
     Pose pose = pose_at(from, to, t);
     if (rotaries) pose.axis = rotaries->axis(t);
+    if (frames) {
+      const RigidTransform frame = frames->frame(t);
+      pose = {frame.shift, frame.rotation.col(2)};
+    }
     if (arc != nullptr) pose.tip = on_arc(t) + t * (to.tip - on_arc(1));
     if (spline != nullptr) pose.tip = on_spline(t);
     return pose;
@@ -91,7 +105,7 @@ struct Movement {
       return std::abs(arc->sweep_rad) * std::max(a.norm(), b.norm()) + 2 * (to.tip - on_arc(1)).norm() +
              std::abs(arc->axis.dot(b - a)) + std::abs(a.norm() - b.norm());
     }
-    double length = (to.tip - from.tip).norm();
+    double length = frames ? frames->length_mm : (to.tip - from.tip).norm();
     if (spline == nullptr) return length;
     for (const SplinePiece& piece : spline->pieces) {
       for (std::size_t k = 0; k < 3; ++k)

@@ -49,7 +49,7 @@ class MovingTool {
 class MovingHead {
  public:
   MovingHead(const IndexedMesh& head, const Movement& movement) : head_(head), movement_(movement) {
-    if (movement.rotaries) return;
+    if (movement.rotaries || movement.frames) return;
     at_start_ = upright_to(movement.from.axis);
     const Eigen::Quaterniond carried = along(movement.to.axis) * at_start_;
     const Eigen::AngleAxisd left(upright_to(movement.to.axis) * carried.conjugate());
@@ -64,6 +64,7 @@ class MovingHead {
   [[nodiscard]] Frame frame(double t) const {
     const Pose pose = movement_.at(t);
     if (movement_.rotaries) return {pose.tip, movement_.rotaries->turn(t)};
+    if (movement_.frames) return {pose.tip, Eigen::Quaterniond(movement_.frames->frame(t).rotation)};
     return {pose.tip, Eigen::Quaterniond(Eigen::AngleAxisd(t * twist_, pose.axis)) * along(pose.axis) * at_start_};
   }
   [[nodiscard]] double depth(const Frame& frame, const Vec3& p) const {

@@ -14,11 +14,11 @@ namespace gouge::test {
 /// upright. Between two positions both run at constant rates from one angle to the other, C the shorter way round.
 class RotaryHeadLaw : public AxisLaw {
  public:
-  [[nodiscard]] std::shared_ptr<const AxisPath> between(const Vec3& from, const Vec3& to) const override {
-    double c0 = angle_c(from), c1 = angle_c(to);
-    const double a0 = angle_a(from), a1 = angle_a(to);
-    if (is_pole(from)) c0 = c1;
-    if (is_pole(to)) c1 = c0;
+  [[nodiscard]] std::shared_ptr<const AxisPath> between(const Pose& from, const Pose& to) const override {
+    double c0 = angle_c(from.axis), c1 = angle_c(to.axis);
+    const double a0 = angle_a(from.axis), a1 = angle_a(to.axis);
+    if (is_pole(from.axis)) c0 = c1;
+    if (is_pole(to.axis)) c1 = c0;
     return std::make_shared<Path>(c0, std::remainder(c1 - c0, 2 * std::numbers::pi), a0, a1 - a0);
   }
   [[nodiscard]] std::string name() const override { return "rotary-head"; }

@@ -27,9 +27,14 @@ struct CheckOptions {
   /// Machine file, configuration of LinuxCNC, or "preset:NAME". Its control determines the motion of the tool axis, and
   /// its joint limits hold. Empty: the axis turns on the great circle.
   std::string machine = {};
-  std::string feed_law = {};   ///< "vector" or "axis", in place of the law of the control; "axis" requires a machine
-  std::string rapid_law = {};  ///< the same for rapid moves
-  unsigned threads = 0;        ///< 0: as many as the machine has; the result does not depend on the number
+  /// "vector", "axis" or "joint", in place of the law of the control; all but "vector" require a machine.
+  std::string feed_law = {};
+  std::string rapid_law = {};  ///< the same for rapid moves, and "independent"
+  /// Length from the gauge point to the tip, mm; "joint" and "independent" need it for a machine with a rotary head.
+  std::optional<double> tool_length = {};
+  double tip_tolerance = 0;   ///< maximum distance of the tip from its path, by the smoothing of the control
+  double axis_tolerance = 0;  ///< degrees, at most 10: maximum angle of the tool axis from its direction by the law
+  unsigned threads = 0;       ///< 0: as many as the machine has; the result does not depend on the number
   /// Facts that are taken as stated: "path-unit", "placement", "tool=T3", ... (docs/guide/assumptions.md).
   std::vector<std::string> assume = {};
   bool strict = false;  ///< a path is clean only if no fact is taken by default

@@ -24,6 +24,7 @@ inline Joint rotary(const std::string& name, const Vec3& direction, JointSide si
   joint.side = side;
   joint.direction = direction;
   joint.point = point;
+  joint.has_point = true;
   joint.is_continuous = true;
   return joint;
 }

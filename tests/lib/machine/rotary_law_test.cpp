@@ -20,7 +20,7 @@ TEST(RotaryLaw, RunsEvenlyBetweenTheNearestAngles) {
       const RotaryAngles from = {scatter.in(-3, 3), scatter.in(-1.5, 1.5)};
       const RotaryAngles to = {from[0] + scatter.in(-0.3, 0.3), from[1] + scatter.in(-0.3, 0.3)};
       const Vec3 a = tool_axes(machine, from).col(2), b = tool_axes(machine, to).col(2);
-      const auto path = law.between(a, b);
+      const auto path = law.between({Vec3::Zero(), a}, {Vec3::Zero(), b});
       ASSERT_NE(path, nullptr);
       ASSERT_LT((path->axes_at(0).col(2) - a).norm(), 1e-9) << machine.name;
       ASSERT_LT((path->axes_at(1).col(2) - b).norm(), 1e-9) << machine.name;
@@ -41,7 +41,8 @@ TEST(RotaryLaw, ItsRatesBoundTheMotion) {
       JointPath joints;
       joints.start = {from};
       joints.end = {to};
-      const auto path = law.of_move(&joints, 0, tool_axes(machine, from).col(2), tool_axes(machine, to).col(2));
+      const auto path = law.of_move(&joints, 0, {Vec3::Zero(), tool_axes(machine, from).col(2)},
+                                    {Vec3::Zero(), tool_axes(machine, to).col(2)});
       constexpr double kStep = 1e-4;
       for (double t = 0; t < 1 - 2 * kStep; t += 0.1) {
         const auto velocity = [&](double at) {
@@ -60,7 +61,7 @@ TEST(RotaryLaw, FollowsTheAnglesOfThePathWhereTheyAreKnown) {
   JointPath joints;
   joints.start = {RotaryAngles{0, 0}};  // at the pole, where C stood at 0
   joints.end = {RotaryAngles{std::numbers::pi / 2, 0.1}};
-  const Vec3 up = Vec3::UnitZ(), leaning = tool_axes(machine, *joints.end[0]).col(2);
+  const Pose up{Vec3::Zero(), Vec3::UnitZ()}, leaning{Vec3::Zero(), tool_axes(machine, *joints.end[0]).col(2)};
   const RotaryLaw law(machine);
   EXPECT_GT(law.of_move(&joints, 0, up, leaning)->turn_rate_rad(0, 1), 1.5);
   EXPECT_LT(law.between(up, leaning)->turn_rate_rad(0, 1), 0.11);
@@ -68,10 +69,10 @@ TEST(RotaryLaw, FollowsTheAnglesOfThePathWhereTheyAreKnown) {
 
 TEST(RotaryLaw, AnAxisThatIsNotReachedHasNoPathButStands) {
   const RotaryLaw law(test::machines()[4]);
-  const Vec3 below = -Vec3::UnitZ();
-  EXPECT_EQ(law.between(Vec3::UnitZ(), below), nullptr);
+  const Pose up{Vec3::Zero(), Vec3::UnitZ()}, below{Vec3::Zero(), -Vec3::UnitZ()};
+  EXPECT_EQ(law.between(up, below), nullptr);
   ASSERT_NE(law.between(below, below), nullptr);
-  EXPECT_LT((law.between(below, below)->axes_at(0.5).col(2) - below).norm(), 1e-15);
+  EXPECT_LT((law.between(below, below)->axes_at(0.5).col(2) - below.axis).norm(), 1e-15);
 }
 
 TEST(LargestGap, OfAQuarterTurnAtThirtyDegreesIsItsFormula) {

@@ -31,7 +31,10 @@ class OverlayTest : public testing::Test {
     result.verdicts.resize(path.moves.size());
     for (MoveVerdict& verdict : result.verdicts) verdict.state = state;
     Raster raster(400, 300, 255, 255, 255);
-    lay_path(raster, buffer_, path, result);
+    CheckedToolpath input;
+    input.toolpath = &path;
+    input.result = &result;
+    lay_path(raster, buffer_, input);
     const Vec3 p = buffer_.view.project(Vec3(x, y, 10));
     const std::uint8_t* pixel = raster.pixel(static_cast<int>(p.x()), static_cast<int>(p.y()));
     if (pixel[0] == 255 && pixel[2] == 255) return "white";

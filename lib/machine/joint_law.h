@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lib/machine/machine.h"
+#include "lib/motion/axis_law.h"
+
+namespace gouge {
+
+/// When the joints of a machine run without tool centre point control.
+enum class JointTiming {
+  together,    ///< all start and arrive together, each linearly in one parameter
+  independent  ///< all start together, each at its own rate until it arrives
+};
+
+/// The laws "joint" and "independent": the joints run, and tip and axis follow the forward kinematics. Proofs and sources:
+/// docs/method/machine.md.
+class JointLaw : public AxisLaw {
+ public:
+  /// `tool_length_mm`: from the gauge point to the tip; no motion of a machine without a rotary head depends on it.
+  /// Requires the points of rotary joints.
+  JointLaw(Machine machine, JointTiming timing, double tool_length_mm)
+      : machine_(std::make_shared<const Machine>(std::move(machine))),
+        timing_(timing),
+        tool_length_mm_(tool_length_mm) {}
+
+  /// With the nearest angles of both axes. Null where the machine reaches one of them not at all, and where a joint without
+  /// a rate runs independently beside others.
+  [[nodiscard]] std::shared_ptr<const AxisPath> between(const Pose& from, const Pose& to) const override;
+  /// With the angles chosen for the path, where they are those of the axes; else as `between`.
+  [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const JointPath* joints, std::size_t move, const Pose& from,
+                                                        const Pose& to) const override;
+  [[nodiscard]] std::string why_open(const Toolpath& path, std::size_t move) const override;
+  [[nodiscard]] bool bends_without_turning() const override { return timing_ == JointTiming::independent; }
+  [[nodiscard]] std::string name() const override;
+
+ private:
+  std::shared_ptr<const Machine> machine_;
+  JointTiming timing_;
+  double tool_length_mm_;
+};
+
+}  // namespace gouge
