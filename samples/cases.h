@@ -16,12 +16,13 @@ namespace gouge::samples {
 [[nodiscard]] Sample make_rapid_joints();  ///< a rapid dips into a post if all joints run at constant rates
 /// a rapid dips into a post if each joint runs at its own rate
 [[nodiscard]] Sample make_rapid_independent();
-[[nodiscard]] Sample make_axis_limit();     ///< a joint would be beyond its limit
-[[nodiscard]] Sample make_axis_flip();      ///< a joint turns far while the tool axis hardly turns
-[[nodiscard]] Sample make_between_swing();  ///< the tip rests while the holder swings through a post
-[[nodiscard]] Sample make_between_head();   ///< the tip rests while the machine head dips into a post
-[[nodiscard]] Sample make_thin_post();      ///< a post 0.04 mm thick and one long rapid move
-[[nodiscard]] Sample make_arcs_nx();        ///< arcs of both senses about a post, in three dialects
+[[nodiscard]] Sample make_axis_limit();      ///< a joint would be beyond its limit
+[[nodiscard]] Sample make_smoothing_tube();  ///< clean, a gouge if the control may lean the tool axis
+[[nodiscard]] Sample make_axis_flip();       ///< a joint turns far while the tool axis hardly turns
+[[nodiscard]] Sample make_between_swing();   ///< the tip rests while the holder swings through a post
+[[nodiscard]] Sample make_between_head();    ///< the tip rests while the machine head dips into a post
+[[nodiscard]] Sample make_thin_post();       ///< a post 0.04 mm thick and one long rapid move
+[[nodiscard]] Sample make_arcs_nx();         ///< arcs of both senses about a post, in three dialects
 [[nodiscard]] Sample make_arcs_creo();
 [[nodiscard]] Sample make_arcs_catia();
 [[nodiscard]] Sample make_buried();         ///< the tool inside a block, no surface inside the tool

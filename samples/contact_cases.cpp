@@ -132,11 +132,12 @@ Sample make_big_triangles() {
 }
 
 std::vector<Sample> make_all() {
-  return {make_freeform(),      make_pocket(),        make_blade(),        make_between_rib(),
-          make_between_swing(), make_pole_crossing(), make_rapid_joints(), make_rapid_independent(),
-          make_axis_limit(),    make_axis_flip(),     make_between_head(), make_thin_post(),
-          make_buried(),        make_inch(),          make_needles(),      make_big_triangles(),
-          make_arcs_nx(),       make_arcs_creo(),     make_arcs_catia(),   make_sunk_jaw()};
+  return {make_freeform(),      make_pocket(),        make_blade(),          make_between_rib(),
+          make_between_swing(), make_pole_crossing(), make_rapid_joints(),   make_rapid_independent(),
+          make_axis_limit(),    make_axis_flip(),     make_smoothing_tube(), make_between_head(),
+          make_thin_post(),     make_buried(),        make_inch(),           make_needles(),
+          make_big_triangles(), make_arcs_nx(),       make_arcs_creo(),      make_arcs_catia(),
+          make_sunk_jaw()};
 }
 
 }  // namespace gouge::samples

@@ -117,4 +117,26 @@ Sample make_axis_flip() {
   return sample;
 }
 
+// The holder, of radius 20 from z = 60 to 100, passes the wall at a distance of 1 mm. If the axis leans by e, the point
+// (21, 90) of the wall's upper edge has the distance 21 cos e - 90 sin e from the axis: it is 20 less that deep.
+Sample make_smoothing_tube() {
+  Sample sample =
+      small_case("smoothing_tube",
+                 "The holder passes a wall 1 mm beside it: clean, and 0.574 mm in the wall where the control "
+                 "may lean the tool by a degree (--axis-tolerance 1)",
+                 R"({"units":"mm","tools":[{"number":1,"name":"ball D10",
+  "cutter":{"shape":"ball","diameter":10,"length":60},
+  "holder":[{"lower_diameter":40,"upper_diameter":40,"length":40}]}]}
+)",
+                 0);
+  sample.parts.push_back(
+      {"part.stl", make_grid_solid(std::array<double, 2>{21, 60}, std::array<double, 2>{-50, 150},
+                                   std::array<double, 2>{-20, 90}, [](int, int, int) { return true; })});
+  ClText cl = start_text(sample);
+  cl.feed({Vec3(0, 0, 0), Vec3::UnitZ()});
+  cl.feed({Vec3(0, 100, 0), Vec3::UnitZ()});
+  finish_sweep(sample, cl);
+  return sample;
+}
+
 }  // namespace gouge::samples

@@ -9,11 +9,13 @@
 namespace gouge::testing_samples {
 
 const std::vector<std::string>& sample_names() {
-  static const std::vector<std::string> kNames = {"freeform",      "pocket",        "blade",        "between_rib",
-                                                  "between_swing", "pole_crossing", "rapid_joints", "rapid_independent",
-                                                  "axis_limit",    "axis_flip",     "between_head", "thin_post",
-                                                  "buried",        "inch",          "needles",      "big_triangles",
-                                                  "arcs_nx",       "arcs_creo",     "arcs_catia",   "sunk_jaw"};
+  static const std::vector<std::string> kNames = {
+      "freeform",      "pocket",        "blade",          "between_rib",
+      "between_swing", "pole_crossing", "rapid_joints",   "rapid_independent",
+      "axis_limit",    "axis_flip",     "smoothing_tube", "between_head",
+      "thin_post",     "buried",        "inch",           "needles",
+      "big_triangles", "arcs_nx",       "arcs_creo",      "arcs_catia",
+      "sunk_jaw"};
   return kNames;
 }
 

@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
+
+// The tolerances of a control that smooths the path, as users see them.
+
+namespace gouge::testing_samples {
+namespace {
+
+using Json = nlohmann::json;
+
+class SmoothingTube : public testing::Test {
+ protected:
+  [[nodiscard]] Outcome run(const std::string& command, const std::vector<std::string>& more) const {
+    return run_gougecheck(sample_.path, sample_.arguments(command, sample_.toolpath(), more));
+  }
+  /// Returns the depth of the first move that is not clean.
+  [[nodiscard]] double depth_with(const std::vector<std::string>& more) const {
+    std::vector<std::string> words = more;
+    words.insert(words.end(), {"--json", "check.json"});
+    EXPECT_EQ(run("check", words).exit_status, 1);
+    const Json& move = Json::parse(text_of(sample_.path + "/check.json")).at("moves").at(0);
+    EXPECT_EQ(move.at("witness").at("body"), "holder");
+    return move.at("depth");
+  }
+
+  SampleFolder sample_ = open_sample("smoothing_tube");
+};
+
+TEST_F(SmoothingTube, TurnsACleanPathIntoAGougeOfTheFormula) {
+  EXPECT_EQ(run("check", {}).exit_status, 0);
+  const double lean = std::numbers::pi / 180;
+  const double depth = 20 - 21 * std::cos(lean) + 90 * std::sin(lean);
+  EXPECT_NEAR(depth_with({"--axis-tolerance", "1"}), depth, 1e-3);
+  EXPECT_NEAR(depth_with({"--axis-tolerance", "1", "--tip-tolerance", "0.02"}), depth + 0.02, 1e-3);
+  EXPECT_NEAR(depth_with({"--tip-tolerance", "1.5mm"}), 0.5, 1e-3);
+  EXPECT_EQ(run("check", {"--tip-tolerance", "0.5", "--axis-tolerance", "0.2"}).exit_status, 0);
+}
+
+TEST_F(SmoothingTube, TheGuaranteeStatesItAndVerifyRepeatsIt) {
+  const Outcome ran = run("check", {"--axis-tolerance", "0.1", "--tip-tolerance", "0.01", "--json", "check.json"});
+  EXPECT_EQ(ran.exit_status, 0);
+  EXPECT_NE(ran.out.find("also where the control departs from its law by up to 0.01 mm at the tip and 0.1 deg of the "
+                         "tool axis"),
+            std::string::npos)
+      << ran.out;
+  const Json options = Json::parse(text_of(sample_.path + "/check.json")).at("options").at("more");
+  EXPECT_EQ(options.at("tip-tolerance"), "0.01mm");
+  EXPECT_EQ(options.at("axis-tolerance"), "0.1");
+  EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "check.json"}).exit_status, 0);
+  EXPECT_EQ(run("check", {"--axis-tolerance", "1", "--json", "gouge.json"}).exit_status, 1);
+  EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "gouge.json"}).exit_status, 4) << "sampled, not refuted";
+}
+
+TEST_F(SmoothingTube, ACorrectedPathIsCleanWithinIt) {
+  EXPECT_EQ(run("correct", {"--axis-tolerance", "1", "-o", "out.apt"}).exit_status, 0);
+  EXPECT_EQ(run_gougecheck(sample_.path, sample_.arguments("check", "out.apt", {"--axis-tolerance", "1"})).exit_status,
+            0);
+}
+
+TEST_F(SmoothingTube, WrongTolerancesAreRefused) {
+  const auto error_of = [&](const std::vector<std::string>& more) {
+    const Outcome ran = run("check", more);
+    EXPECT_EQ(ran.exit_status, 2);
+    return ran.err;
+  };
+  EXPECT_NE(error_of({"--axis-tolerance", "11"}).find("expected degrees from 0 to 10"), std::string::npos);
+  EXPECT_NE(error_of({"--axis-tolerance", "-1"}).find("expected degrees from 0 to 10"), std::string::npos);
+  EXPECT_NE(error_of({"--tip-tolerance", "wide"}).find("--tip-tolerance 'wide'"), std::string::npos);
+  EXPECT_NE(error_of({"--tip-tolerance", "0.1", "--head", "part.stl"}).find("not the bodies of --head"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples
