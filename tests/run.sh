@@ -3,7 +3,7 @@
 # N passed, N failed, N skipped. The exit status is 0 only when tests ran and none failed.
 set -u
 MORE_PACKAGES="clang-format pkg-config pybind11-dev python3-dev python3-numpy python3-pytest python3-matplotlib"
-OPTIONAL_PACKAGES="openmpi-bin libopenmpi-dev chromium"  # ranks of a batch, and the page of a report
+OPTIONAL_PACKAGES="openmpi-bin libopenmpi-dev chromium liborocos-kdl-dev"  # ranks, report page, kinematics
 . "$(dirname "${BASH_SOURCE[0]}")/../samples/setup.sh"
 grep -q '^GOUGE_PYTHON:BOOL=ON' "$BUILD/CMakeCache.txt" ||
   quietly configure cmake -S "$ROOT" --preset release -DGOUGE_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3

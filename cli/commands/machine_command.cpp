@@ -70,6 +70,10 @@ std::string machine_text(const Machine& machine) {
   text += row("control", machine.control.name.empty() ? "not given" : machine.control.name);
   text += row("law of feeds", law_text(machine.control.feed_law)) +
           row("law of rapids", law_text(machine.control.rapid_law));
+  if (const double tip_mm = machine.control.tip_tolerance_mm; tip_mm > 0)
+    text += row("tip tolerance", display_text(tip_mm, 6) + " mm");
+  if (const double axis_rad = machine.control.axis_tolerance_rad; axis_rad > 0)
+    text += row("axis tolerance", display_text(axis_rad / kDegree_rad, 6) + " deg");
   if (!machine.control.source.empty()) text += row("source of the laws", machine.control.source);
   return text;
 }

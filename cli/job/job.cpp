@@ -121,8 +121,21 @@ class JobLoader {
     job_.basis.law_evidence = std::move(machine.law_evidence);
     job_.machine = std::move(machine.machine);
     job_.laws = machine.laws;
+    if (!take_tube(job_.machine->control)) return false;
     add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.toolpath));
     return true;
+  }
+
+  /// Takes the tolerances of a control that no option states.
+  bool take_tube(const Control& control) {
+    MotionTube& tube = job_.options.check.tube;
+    if (arguments_.tip_tolerance.empty()) tube.tip_mm = control.tip_tolerance_mm;
+    if (arguments_.axis_tolerance.empty()) tube.axis_rad = control.axis_tolerance_rad;
+    if (tube.is_empty() || arguments_.heads.empty()) return true;
+    errors_.push_back(make_error("usage",
+                                 "the tolerances of the control of --machine cover the tool, not the bodies of --head; "
+                                 "give --tip-tolerance 0 and --axis-tolerance 0, or leave out --head"));
+    return false;
   }
 
   [[nodiscard]] LengthUnit stl_unit() const { return job_.stl_unit(arguments_); }

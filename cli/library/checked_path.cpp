@@ -124,6 +124,9 @@ CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathT
   std::shared_ptr<const PathMachine> machine = machine_of(options);
   if (machine != nullptr) {
     understood.law = machine->chosen.law;
+    const gouge::Control& control = machine->chosen.machine.control;
+    if (!(options.tip_tolerance > 0)) understood.tube.tip_mm = control.tip_tolerance_mm;
+    if (!(options.axis_tolerance > 0)) understood.tube.axis_rad = control.axis_tolerance_rad;
     basis.law_evidence = machine->chosen.law_evidence;
     path = with_joints(path, *machine);
   }

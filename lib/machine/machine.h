@@ -53,6 +53,8 @@ struct Control {
   std::string name;
   std::optional<TurnLaw> feed_law, rapid_law;  ///< none: the manual promises none, so the user must give it
   std::string source;                          ///< manual and page
+  /// Tolerances of the smoothing, mm and rad: maximum departure of tip and tool axis from the law; 0: none is stated.
+  double tip_tolerance_mm = 0, axis_tolerance_rad = 0;
 };
 
 struct Machine {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "lib/base/number_text.h"
 #include "lib/base/units.h"
 #include "lib/json/json_field.h"
 #include "lib/json/json_file.h"
@@ -86,13 +87,23 @@ class MachineReader {
     return static_cast<TurnLaw>(field->word(words));
   }
 
-  static Control control(const JsonField& field, const nlohmann::json& value) {
-    allow(value, field, {"name", "feed_law", "rapid_law", "source"});
+  /// Reads a tolerance of at least 0 and at most `max` in the unit of the file.
+  [[nodiscard]] static double tolerance(const JsonField& from, const char* key, double scale, double max) {
+    const std::optional<double> value = scaled(from, key, 1);
+    if (value && !(*value >= 0 && *value <= max)) from.at(key).fail("a number from 0 to " + exact_text(max));
+    return value.value_or(0) * scale;
+  }
+
+  [[nodiscard]] Control control(const JsonField& field, const nlohmann::json& value) const {
+    constexpr double kMaxTip = 100, kMaxAxis_deg = 10;
+    allow(value, field, {"name", "feed_law", "rapid_law", "source", "tip_tolerance", "axis_tolerance"});
     Control control;
     control.name = field.at("name").text();
     control.feed_law = law(field, "feed_law", kFeedLawWords);
     control.rapid_law = law(field, "rapid_law", kRapidLaws);
     if (const auto source = field.find("source")) control.source = source->text();
+    control.tip_tolerance_mm = tolerance(field, "tip_tolerance", mm_per_unit_, kMaxTip);
+    control.axis_tolerance_rad = tolerance(field, "axis_tolerance", kDegree_rad, kMaxAxis_deg);
     return control;
   }
 

@@ -63,6 +63,30 @@ TEST_F(SmoothingTube, ACorrectedPathIsCleanWithinIt) {
             0);
 }
 
+TEST_F(SmoothingTube, AMachineFileStatesThemForItsControl) {
+  const std::string machine = R"({"name": "m", "joints": [
+    {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, 1], "continuous": true},
+    {"name": "A", "type": "rotary", "side": "table", "direction": [1, 0, 0]},
+    {"name": "X", "type": "linear", "side": "head", "direction": [1, 0, 0]},
+    {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0]},
+    {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1]}],
+    "control": {"name": "c", "feed_law": "axis", "rapid_law": "axis", "axis_tolerance": 1}})";
+  write_text(sample_.path + "/machine.json", machine);
+  const double lean = std::numbers::pi / 180;
+  EXPECT_NEAR(depth_with({"--machine", "machine.json"}), 20 - 21 * std::cos(lean) + 90 * std::sin(lean), 1e-3);
+  EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "check.json"}).exit_status, 4) << "sampled, not refuted";
+  EXPECT_EQ(run("check", {"--machine", "machine.json", "--axis-tolerance", "0"}).exit_status, 0);
+  EXPECT_NE(run_gougecheck(sample_.path, {"machine", "show", "machine.json"}).out.find("axis tolerance"),
+            std::string::npos);
+  std::string wide = machine;
+  write_text(sample_.path + "/machine.json", wide.replace(wide.find("tolerance\": 1"), 14, "tolerance\": 70"));
+  const Outcome refused = run("check", {"--machine", "machine.json"});
+  EXPECT_EQ(refused.exit_status, 3);
+  EXPECT_NE(refused.err.find("machine.json:7: error: '/control/axis_tolerance' is 70; expected a number from 0 to 10"),
+            std::string::npos)
+      << refused.err;
+}
+
 TEST_F(SmoothingTube, WrongTolerancesAreRefused) {
   const auto error_of = [&](const std::vector<std::string>& more) {
     const Outcome ran = run("check", more);
