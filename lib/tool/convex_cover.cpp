@@ -282,10 +282,11 @@ class CoverMaker {
   void set_feet(CoverPiece& piece) const {
     piece.foot_lo_mm = -kEndless;
     piece.foot_hi_mm = kEndless;
+    const double slack = Tolerance::kNoDirection * cover_.size_mm;
     for (const BoundaryElement* e : curves_) {
       if (farthest_out(piece, *e) <= 0) continue;
-      if (e->b.y() <= piece.z_lo_mm) piece.foot_lo_mm = std::max(piece.foot_lo_mm, e->b.y());
-      if (e->a.y() >= piece.z_hi_mm) piece.foot_hi_mm = std::min(piece.foot_hi_mm, e->a.y());
+      if (e->b.y() <= piece.z_lo_mm + slack) piece.foot_lo_mm = std::max(piece.foot_lo_mm, e->b.y());
+      if (e->a.y() >= piece.z_hi_mm - slack) piece.foot_hi_mm = std::min(piece.foot_hi_mm, e->a.y());
     }
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/tolerance.h"
 #include "lib/geom/vec.h"
 
 namespace gouge {
@@ -20,25 +21,39 @@ BoundaryElement part_of(const BoundaryElement& whole, const Vec2& a, const Vec2&
   return part;
 }
 
-/// Returns the lowest and the highest point of an arc's circle that the arc passes, in its direction.
+/// Returns the lowest and the highest point of an arc's circle that the arc passes, in its direction. Ends do not count.
 std::vector<Vec2> poles_of(const BoundaryElement& e) {
   std::vector<Vec2> poles;
   if (e.kind != ElementKind::arc) return poles;
   const double turn = e.is_reflex ? -1 : 1;
   for (const double side : {-1.0, 1.0}) {
     const Vec2 out(0, side), pole = e.center + e.radius_mm * out;
-    if (turn * cross(e.a - e.center, out) > 0 && turn * cross(out, e.b - e.center) > 0) poles.push_back(pole);
+    const double slack = Tolerance::kSameDirection * e.radius_mm;
+    if (turn * cross(e.a - e.center, out) > slack && turn * cross(out, e.b - e.center) > slack) poles.push_back(pole);
   }
   return poles;
 }
 
 /// Returns the point of a rising element at a height between its ends.
 Vec2 point_at_height(const BoundaryElement& e, double height) {
-  if (e.kind != ElementKind::arc) return e.a + (height - e.a.y()) / (e.b.y() - e.a.y()) * (e.b - e.a);
+  if (e.kind != ElementKind::arc)
+    return {e.a.x() + (height - e.a.y()) / (e.b.y() - e.a.y()) * (e.b.x() - e.a.x()), height};
   const double rise = height - e.center.y();
   const double half = std::sqrt(std::max(0.0, (e.radius_mm - rise) * (e.radius_mm + rise)));
   const double middle = 0.5 * (e.a.x() + e.b.x());
   return {middle < e.center.x() ? e.center.x() - half : e.center.x() + half, height};
+}
+
+double widest(const BoundaryElement& e) {
+  const double ends = std::max(e.a.x(), e.b.x());
+  return e.kind == ElementKind::arc && !e.is_reflex ? std::max(ends, e.center.x() + e.radius_mm) : ends;
+}
+
+/// Returns a bound of the radius of a rising element above a height.
+double widest_above(const BoundaryElement& e, double height) {
+  const Vec2 from = point_at_height(e, height);
+  const bool may_bulge = e.kind == ElementKind::arc && !e.is_reflex && from.y() < e.center.y();
+  return may_bulge ? widest(e) : std::max(from.x(), e.b.x());
 }
 
 class OverhangFiller {
@@ -68,7 +83,12 @@ class OverhangFiller {
   bool fill_below(const BoundaryElement& e) {
     const double low = e.b.y();
     if (e.a.y() - low > max_fill_mm_) return false;
-    while (!rising_.empty() && rising_.back().a.y() >= low) rising_.pop_back();
+    // No part that is cut off may be wider than the level line.
+    while (!rising_.empty() && rising_.back().a.y() >= low) {
+      if (widest(rising_.back()) > e.b.x()) return false;
+      rising_.pop_back();
+    }
+    if (!rising_.empty() && rising_.back().b.y() > low && widest_above(rising_.back(), low) > e.b.x()) return false;
     Vec2 from(0, low);
     if (!rising_.empty()) {
       BoundaryElement& last = rising_.back();

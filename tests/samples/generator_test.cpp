@@ -30,7 +30,7 @@ TEST(SampleSolids, AreClosedManifoldOutwardAndDoNotCrossThemselves) {
       }
     }
   }
-  EXPECT_EQ(solids, 23U);
+  EXPECT_EQ(solids, 24U);
 }
 
 TEST(SampleSolids, ABoxHasTheVolumeOfItsSides) {

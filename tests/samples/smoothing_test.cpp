@@ -24,7 +24,8 @@ class SmoothingTube : public testing::Test {
     std::vector<std::string> words = more;
     words.insert(words.end(), {"--json", "check.json"});
     EXPECT_EQ(run("check", words).exit_status, 1);
-    const Json& move = Json::parse(text_of(sample_.path + "/check.json")).at("moves").at(0);
+    const Json report = Json::parse(text_of(sample_.path + "/check.json"));
+    const Json& move = report.at("moves").at(0);
     EXPECT_EQ(move.at("witness").at("body"), "holder");
     return move.at("depth");
   }
@@ -54,7 +55,7 @@ TEST_F(SmoothingTube, TheGuaranteeStatesItAndVerifyRepeatsIt) {
   EXPECT_EQ(options.at("axis-tolerance"), "0.1");
   EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "check.json"}).exit_status, 0);
   EXPECT_EQ(run("check", {"--axis-tolerance", "1", "--json", "gouge.json"}).exit_status, 1);
-  EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "gouge.json"}).exit_status, 4) << "sampled, not refuted";
+  EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "gouge.json"}).exit_status, 0);
 }
 
 TEST_F(SmoothingTube, ACorrectedPathIsCleanWithinIt) {
@@ -74,7 +75,7 @@ TEST_F(SmoothingTube, AMachineFileStatesThemForItsControl) {
   write_text(sample_.path + "/machine.json", machine);
   const double lean = std::numbers::pi / 180;
   EXPECT_NEAR(depth_with({"--machine", "machine.json"}), 20 - 21 * std::cos(lean) + 90 * std::sin(lean), 1e-3);
-  EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "check.json"}).exit_status, 4) << "sampled, not refuted";
+  EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "check.json"}).exit_status, 0);
   EXPECT_EQ(run("check", {"--machine", "machine.json", "--axis-tolerance", "0"}).exit_status, 0);
   EXPECT_NE(run_gougecheck(sample_.path, {"machine", "show", "machine.json"}).out.find("axis tolerance"),
             std::string::npos);

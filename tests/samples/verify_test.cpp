@@ -150,7 +150,7 @@ TEST(VerifyCommand, AResultThatSaysWhatCannotBeIsRefusedByLineAndField) {
        [](json& r) { r["options"]["tolerance"] = -0.01; }},
       {"'/options/resolution' is 1e+308; expected a length",
        [](json& r) { r["unit"] = "in", r["options"]["resolution"] = 1e308; }},
-      {"'/options/more/place' is [1]; expected a text", [](json& r) { r["options"]["more"]["place"] = {1}; }},
+      {"'/options/more/place/0' is 1; expected a text", [](json& r) { r["options"]["more"]["place"] = {1}; }},
       {"'/moves/0/state' is \"fine\"; expected one of clean, near", [](json& r) { r["moves"][0]["state"] = "fine"; }},
       {"'/moves/0/move' is 2.5; expected a whole number", [](json& r) { r["moves"][0]["move"] = 2.5; }},
       {"'/moves/1/depth' is \"deep\"; expected a number", [](json& r) { r["moves"][1]["depth"] = "deep"; }},

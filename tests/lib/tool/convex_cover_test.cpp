@@ -12,6 +12,7 @@
 #include "tests/support/scatter.h"
 #include "tests/support/tool_points.h"
 #include "tests/support/tools.h"
+#include "tests/toolmodels/sample_tools.h"
 #include "toolmodels/compile_tool.h"
 
 namespace gouge {
@@ -74,6 +75,22 @@ TEST(ConvexCover, NeverSaysLessThanTheTool) {
   EXPECT_GT(claims.ends, 10000U);
   EXPECT_GT(claims.outside, 10000U);
   EXPECT_GT(claims.distance, 10000U);
+}
+
+// Swept over tilts, every step of a tool leans over itself by little.
+TEST(ConvexCover, NeverSaysLessThanAToolSweptOverTilts) {
+  test::Scatter random(8);
+  Claims claims;
+  for (const ToolAssembly& assembly : test::sample_tools()) {
+    for (const MotionTube& tube : {MotionTube{0, 0.001}, MotionTube{0.02, 0.01}, MotionTube{0, 0.1}}) {
+      const Result<ToolVariants> made = make_tool_variants(assembly, 0, 0.3, 0.5, false, tube);
+      ASSERT_TRUE(made.has_value()) << assembly.name;
+      for (const CompiledTool* tool : {&made->bare, &made->against_part, &made->non_cutting}) {
+        if (!tool->elements.empty()) expect_claims_hold(*tool, random, 2000, claims);
+      }
+    }
+  }
+  EXPECT_GT(claims.feet, 10000U);
 }
 
 // GOUGE_COVER_TOOLS makes it longer.
