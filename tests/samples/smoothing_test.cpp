@@ -80,7 +80,7 @@ TEST_F(SmoothingTube, AMachineFileStatesThemForItsControl) {
   EXPECT_NE(run_gougecheck(sample_.path, {"machine", "show", "machine.json"}).out.find("axis tolerance"),
             std::string::npos);
   std::string wide = machine;
-  write_text(sample_.path + "/machine.json", wide.replace(wide.find("tolerance\": 1"), 14, "tolerance\": 70"));
+  write_text(sample_.path + "/machine.json", wide.replace(wide.find("tolerance\": 1"), 13, "tolerance\": 70"));
   const Outcome refused = run("check", {"--machine", "machine.json"});
   EXPECT_EQ(refused.exit_status, 3);
   EXPECT_NE(refused.err.find("machine.json:7: error: '/control/axis_tolerance' is 70; expected a number from 0 to 10"),
