@@ -156,8 +156,7 @@ Vec3 in_part(const Vec3& tool_vector, double s, const ToolInterval& interval) {
 }
 
 /// Finds a half-space that does not contain the place at the instant of s, if there is one. Its plane is square to the
-/// direction of the nearest boundary. If that boundary is at other heights than the cell, the plane is parallel to the
-/// axis.
+/// direction of the nearest boundary. If that plane does not exclude the place, a plane parallel to the axis is tried.
 DriftingHalfSpace beside(const CompiledTool& tool, const ToolSample& sample, const Vec3& place, double s,
                          const Vec3& centre, const Chord& chord, const ToolInterval& interval) {
   const auto behind_square_to = [&](const Vec3& direction) {

@@ -12,7 +12,7 @@ constexpr float kPenetrationSingle = 8.0F / (1 << 24);
 constexpr std::size_t kFloatsPerTriangleBlock = 12;
 constexpr std::size_t kManyFacets = 192, kManyItems = 2000, kNoLimit = std::numeric_limits<std::size_t>::max();
 
-/// Returns the largest side along x, y and z, the first axes of most families.
+/// Returns the largest side of the volume along its first three axes. In most direction sets these are x, y and z.
 float size_of(const float* volume) {
   return std::max({volume[high_slot(0)] - volume[low_slot(0)], volume[high_slot(1)] - volume[low_slot(1)],
                    volume[high_slot(2)] - volume[low_slot(2)]});
@@ -82,7 +82,8 @@ void PenetrationFinder::visit_leaf(std::uint32_t index, const List& candidates) 
   } else {
     bound_points(index, volume);
   }
-  // The first refinement stops at half the size of the volume, which shows whether facets are small here.
+  // The first refinement opens only nodes larger than half of the volume. If the nodes that remain contain many facets, the
+  // facets are small, and a search for each point is cheaper.
   const List coarse = refine(volume, 0.5F * size_of(volume), candidates, kNoLimit);
   if (coarse.is_empty()) {
     report_lump(index);

@@ -59,7 +59,8 @@ InscribedBalls::InscribedBalls(const CompiledTool& tool, double slack_mm)
 
 void InscribedBalls::cover(const CompiledTool& tool, const FootCell& cell) {
   const InscribedBall ball = inscribed_ball(tool, cell, cell.middle(), slack_mm_, 0.25 * slack_mm_);
-  // From a foot to the depth of the radius, the distance from the centre is largest at one of the two ends.
+  // Consider the segment from a foot inward, as long as the radius. The distance from `ball.center` is largest at one of
+  // its two ends.
   const bool has_ball =
       ball.radius_mm > 0 && cell.farthest_mm(ball.center, ball.radius_mm) <= ball.radius_mm + slack_mm_;
   if (has_ball || cell.width_mm(0) <= slack_mm_ || stretches_.size() >= kMaxStretches) {

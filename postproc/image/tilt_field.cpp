@@ -65,7 +65,7 @@ std::vector<TiltedPose> spread(std::vector<TiltedPose> poses, const View& view) 
   return kept;
 }
 
-// Returns a direction from the side, in which the axes show their length and lean.
+// Returns a direction of view oblique to the mean tool axis, so that length and tilt of the axes are visible.
 Vec3 direction_to_look(const std::vector<TiltedPose>& poses) {
   Vec3 axis = Vec3::Zero(), way = Vec3::Zero();
   for (const TiltedPose& at : poses) axis += at.pose.axis;

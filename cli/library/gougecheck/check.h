@@ -32,7 +32,7 @@ struct CheckOptions {
   std::string rapid_law = {};  ///< the same for rapid moves, and "independent"
   /// Length from the gauge point to the tip, mm; "joint" and "independent" need it for a machine with a rotary head.
   std::optional<double> tool_length = {};
-  double tip_tolerance = 0;   ///< maximum distance of the tip from its path, by the smoothing of the control
+  double tip_tolerance = 0;   ///< maximum distance of the tip from its path that the control's smoothing may cause
   double axis_tolerance = 0;  ///< degrees, at most 10: maximum angle of the tool axis from its direction by the law
   unsigned threads = 0;       ///< 0: as many as the machine has; the result does not depend on the number
   /// Facts that are taken as stated: "path-unit", "placement", "tool=T3", ... (docs/guide/assumptions.md).

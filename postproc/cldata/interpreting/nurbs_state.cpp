@@ -17,8 +17,6 @@
 
 namespace gouge {
 
-namespace {}  // namespace
-
 void NurbsState::begin() {
   statement_ = in_.index();
   line_ = in_.line();

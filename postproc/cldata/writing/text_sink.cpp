@@ -30,7 +30,7 @@ bool is_straight(const CutterStatement& cutter) {
   return !(std::abs(cutter.alpha_deg) > 0) && !(std::abs(cutter.beta_deg) > 0);
 }
 
-// Returns a text that is read as the name of a tool. Other text would be text for the control.
+// Returns a text that a reader recognizes as the name of a tool. A reader would pass any other text to the control.
 std::string certain_name(const std::string& name, const std::string& size) {
   if (is_tool_name(name)) return name;
   return is_tool_name(name + " " + size) ? name + " " + size : size;
@@ -113,7 +113,8 @@ void TextSink::retract() {
   axis_.reset();
 }
 
-// Writes a feed. If no unit was written so far, every feed needs its own after one per revolution.
+// Writes a feed. The unit of a feed per minute may be omitted until the file has a feed per revolution. From then on every
+// feed states its unit.
 bool TextSink::set_feed(const Feed& feed) {
   if (options_.dialect.has_positions_alone) return false;
   begin_block_if_due();
