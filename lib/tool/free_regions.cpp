@@ -87,10 +87,15 @@ void RegionFinder::find_rings() {
   }
 }
 
-/// Climbs to larger depths from a point. Halves the step if no step leads up.
+/// Climbs to larger depths from a point. Halves the step if no step leads up. In a narrow lip only tiny steps lead up, to
+/// and fro across its ridge. After kPatience steps the search therefore leaps along the ridge, twice as far each time
+/// (R. Hooke, T. A. Jeeves, Direct search, 1961).
 RegionFinder::Ring RegionFinder::climb(Vec2 point) const {
+  constexpr int kPatience = 1000;
   double depth = depth_at(point.x(), point.y());
   const double size = tool_.r_max_mm + tool_.z_max_mm - tool_.z_min_mm;
+  Vec2 last = point, before_last = point;
+  int steps = 0;
   for (double step = 0.5 * depth; step > kLeast * size;) {
     Vec2 best = point;
     double best_depth = depth;
@@ -101,10 +106,22 @@ RegionFinder::Ring RegionFinder::climb(Vec2 point) const {
       const double there = depth_at(next.x(), next.y());
       if (there > best_depth + 1e-3 * step) best = next, best_depth = there;
     }
-    if (best_depth > depth)
-      point = best, depth = best_depth;
-    else
+    if (!(best_depth > depth)) {
       step *= 0.5;
+      continue;
+    }
+    before_last = last;
+    last = point;
+    point = best;
+    depth = best_depth;
+    if (++steps <= kPatience) continue;
+    for (Vec2 leap = point - before_last;; leap *= 2) {
+      const Vec2 next(std::max(0.0, point.x() + leap.x()), point.y() + leap.y());
+      const double there = depth_at(next.x(), next.y());
+      if (!(there > depth + 1e-3 * step)) break;
+      point = next;
+      depth = there;
+    }
   }
   Ring ring;
   ring.point = point;

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lib/tool/evaluate.h"
 #include "tests/support/tools.h"
+#include "toolmodels/compile_tool.h"
 
 namespace gouge {
 namespace {
@@ -66,6 +68,22 @@ TEST(FreeRegions, HoldTheirPlacesDeeperThanAskedInEveryShape) {
       }
     }
   }
+}
+
+// The lip between the bottom and the hollow is a cusp. Only tiny steps lead up along it.
+TEST(FreeRegions, ALipThatEndsInACuspIsClimbed) {
+  Profile profile;
+  const Vec2 lip(6.4639254822015815, 0), top(3.323842263050456, 1.7854684753637535);
+  const Vec2 middle = 0.5 * (lip + top), along = (top - lip).normalized(), side(along.y(), -along.x());
+  const double radius = 3.63, half = 0.5 * (top - lip).norm();
+  const Vec2 center = middle + std::sqrt(radius * radius - half * half) * side;
+  profile.elements = {make_segment(Body::cutter, {0, 0}, lip), make_concave_arc(Body::cutter, lip, top, center, radius),
+                      make_segment(Body::cutter, top, {10.3, 5.9}), make_segment(Body::cutter, {10.3, 5.9}, {0, 5.9})};
+  ASSERT_TRUE(verify_profile(profile).empty());
+  const CompiledTool tool = compile_tool("lip", profile);
+  const FreeRegions found = RegionFinder(tool).at(0.01);
+  ASSERT_FALSE(found.regions.empty());
+  for (const FreeRegion& region : found.regions) EXPECT_GT(region.depth_mm, 0.01);
 }
 
 }  // namespace
