@@ -15,6 +15,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/units.h"
+#include "lib/machine/machine.h"
 #include "lib/machine/read_machine.h"
 #include "lib/machine/rotary_law.h"
 #include "postproc/formats/read_toolpath.h"

@@ -1,6 +1,5 @@
 #include "cli/machine/machine_choice.h"
 
-#include <algorithm>
 #include <memory>
 
 #include "lib/base/files.h"
@@ -8,6 +7,7 @@
 #include "lib/base/units.h"
 #include "lib/machine/joint_law.h"
 #include "lib/machine/linuxcnc_ini.h"
+#include "lib/machine/machine.h"
 #include "lib/machine/read_machine.h"
 #include "lib/machine/rotary_law.h"
 
@@ -116,10 +116,6 @@ void leave_unchecked(const std::string& reason, std::size_t move, Toolpath& path
 }
 
 }  // namespace
-
-bool has_rotary_head(const Machine& machine) {
-  return std::ranges::any_of(machine.rotary, [&](std::size_t k) { return machine.joints[k].side == JointSide::head; });
-}
 
 Result<Machine> load_machine(const std::string& typed, std::uint64_t max_bytes, std::string& bytes,
                              const MachineOptionNames& names) {

@@ -53,9 +53,6 @@ struct ChosenMachine {
                                                                   std::uint64_t max_bytes,
                                                                   const MachineOptionNames& names = {});
 
-/// True where the linear joints depend on the length of the tool.
-[[nodiscard]] bool has_rotary_head(const Machine& machine);
-
 /// Chooses the joints of a path and stores them with it. Moves that the machine cannot run, and those whose motion `law`
 /// leaves open, are not checked, with their reason. Returns a warning for each problem of the joints, at most twenty.
 [[nodiscard]] Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, Toolpath& path);

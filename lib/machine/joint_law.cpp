@@ -169,9 +169,7 @@ std::string JointLaw::why_open(const Toolpath& path, std::size_t index) const {
   const Pose& from = path.start_of(index);
   const auto angles = angles_of_move(*machine_, path.joints.get(), index, from.axis, move.end.axis);
   if (!angles) return {};
-  const bool has_head =
-      std::ranges::any_of(machine_->rotary, [&](std::size_t k) { return machine_->joints[k].side == JointSide::head; });
-  if (has_head && path.tools.size() > 1)
+  if (has_rotary_head(*machine_) && path.tools.size() > 1)
     return "the length of one tool is stated, and the path has " + std::to_string(path.tools.size());
   JointRuns runs = runs_between(*machine_, from.tip, move.end.tip, *angles, tool_length_mm_);
   if (move.curve_kind != CurveKind::none) {

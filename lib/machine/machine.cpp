@@ -1,5 +1,6 @@
 #include "lib/machine/machine.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -54,6 +55,10 @@ Result<Machine> make_machine(Machine machine) {
   machine.rotary = {rotary[0], rotary[1]};
   machine.linear = {linear[0], linear[1], linear[2]};
   return machine;
+}
+
+bool has_rotary_head(const Machine& machine) {
+  return std::ranges::any_of(machine.rotary, [&](std::size_t k) { return machine.joints[k].side == JointSide::head; });
 }
 
 }  // namespace gouge

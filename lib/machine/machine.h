@@ -73,4 +73,8 @@ struct Machine {
 /// in one plane. Or rotary directions are parallel, a direction has no length, or a minimum is above the maximum.
 [[nodiscard]] Result<Machine> make_machine(Machine machine);
 
+/// Returns whether a rotary joint carries the tool, so that the linear joints depend on the length of the tool.
+/// Requires Machine::rotary.
+[[nodiscard]] bool has_rotary_head(const Machine& machine);
+
 }  // namespace gouge
