@@ -9,8 +9,6 @@
 #include "lib/geom/vec.h"
 #include "lib/tool/evaluate.h"
 #include "toolmodels/arrangement.h"
-#include "toolmodels/bsp.h"
-#include "toolmodels/elements.h"
 #include "toolmodels/offset_curves.h"
 #include "toolmodels/trace_regions.h"
 
@@ -157,12 +155,7 @@ class SweptCurves {
 class ReachedPoints {
  public:
   ReachedPoints(const Profile& profile, double tilt_rad, double slack)
-      : profile_(profile), tilt_rad_(tilt_rad), slack_(slack) {
-    solid_.elements = make_elements(profile);
-    if (solid_.elements.size() <= kMaxBspElements) return;
-    solid_.borders = make_borders(solid_.elements);
-    solid_.stretches = make_contour_tree(solid_.elements);
-  }
+      : profile_(profile), tilt_rad_(tilt_rad), slack_(slack), solid_(make_contour_solid(profile)) {}
 
   /// Returns whether the point is deeper in the union than rounding, along the circle about the tip.
   [[nodiscard]] bool is_inside(const Vec2& point) const {

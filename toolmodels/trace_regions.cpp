@@ -9,6 +9,7 @@
 #include "lib/base/tolerance.h"
 #include "lib/geom/vec.h"
 #include "lib/tool/evaluate.h"
+#include "toolmodels/bsp.h"
 #include "toolmodels/elements.h"
 #include "toolmodels/voronoi.h"
 
@@ -211,6 +212,15 @@ std::vector<DomainBorder> make_borders(const std::vector<BoundaryElement>& eleme
     borders.push_back({line.through, line.direction, 0});
   }
   return borders;
+}
+
+CompiledTool make_contour_solid(const Profile& profile) {
+  CompiledTool solid;
+  solid.elements = make_elements(profile);
+  if (solid.elements.size() <= kMaxBspElements) return solid;
+  solid.borders = make_borders(solid.elements);
+  solid.stretches = make_contour_tree(solid.elements);
+  return solid;
 }
 
 }  // namespace gouge

@@ -37,4 +37,8 @@ struct TracedRegion {
 /// distance. So no distance can distinguish them.
 [[nodiscard]] std::vector<DomainBorder> make_borders(const std::vector<BoundaryElement>& elements);
 
+/// Returns the elements of a contour, and its borders and tree where they are more than kMaxBspElements. It has no BSP:
+/// its distances (evaluate_by_stretches) are looked up only a few times for each element.
+[[nodiscard]] CompiledTool make_contour_solid(const Profile& profile);
+
 }  // namespace gouge

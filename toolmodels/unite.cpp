@@ -6,8 +6,6 @@
 #include "lib/base/tolerance.h"
 #include "lib/tool/evaluate.h"
 #include "toolmodels/arrangement.h"
-#include "toolmodels/bsp.h"
-#include "toolmodels/elements.h"
 #include "toolmodels/offset_curves.h"
 #include "toolmodels/trace_regions.h"
 
@@ -18,7 +16,7 @@ constexpr double kNudge = 3e-10;  // additional growth, relative to the size, th
 
 // A body in the form from which its distances are computed.
 struct Solid {
-  CompiledTool tool;  // has no BSP, because it is used for only a few look-ups for each element
+  CompiledTool tool;
   double growth_mm = 0;
 };
 
@@ -58,12 +56,7 @@ std::optional<Profile> try_unite(const std::vector<OffsetBody>& bodies, double s
     const double growth = body.growth_mm > 0 ? body.growth_mm + nudge : 0;
     const std::vector<ProfileElement> more = detail::offset_curves(*body.profile, growth);
     curves.insert(curves.end(), more.begin(), more.end());
-    solids.push_back({{}, growth});
-    CompiledTool& tool = solids.back().tool;
-    tool.elements = make_elements(*body.profile);
-    if (tool.elements.size() <= kMaxBspElements) continue;
-    tool.borders = make_borders(tool.elements);
-    tool.stretches = make_contour_tree(tool.elements);
+    solids.push_back({make_contour_solid(*body.profile), growth});
   }
   detail::Arrangement arrangement = detail::arrange(curves, Tolerance::kConstruction * size);
   std::erase_if(arrangement.pieces, [&](const detail::CurvePiece& piece) {
