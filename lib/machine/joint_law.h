@@ -26,10 +26,10 @@ class JointLaw : public AxisLaw {
         timing_(timing),
         tool_length_mm_(tool_length_mm) {}
 
-  /// With the nearest angles of both axes. Null where the machine reaches one of them not at all, and where a joint without
-  /// a rate runs independently beside others.
+  /// Uses the nearest angles of both axes. Returns null if the machine cannot reach one of them, or if a joint without a
+  /// rate runs independently beside others.
   [[nodiscard]] std::shared_ptr<const AxisPath> between(const Pose& from, const Pose& to) const override;
-  /// With the angles chosen for the path, where they are those of the axes; else as `between`.
+  /// Uses the angles chosen for the path if they give both axes; otherwise the same as `between`.
   [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const JointPath* joints, std::size_t move, const Pose& from,
                                                         const Pose& to) const override;
   [[nodiscard]] std::string why_open(const Toolpath& path, std::size_t move) const override;

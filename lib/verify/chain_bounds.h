@@ -28,7 +28,7 @@ struct ChainSpan {
   double slack_mm = 0, slack = 0;     ///< tip and axis may be off by so much more: arrivals are rounded
 
   [[nodiscard]] PoseBounds pose(std::size_t end) const;
-  /// |tip''| and |axis''| are no more over a unit of the span's time.
+  /// Return upper bounds of |tip''| and |axis''|, with the span's time running from 0 to 1.
   [[nodiscard]] Bounds tip_acceleration() const;
   [[nodiscard]] Bounds axis_acceleration() const;
   [[nodiscard]] std::array<ChainSpan, 2> halves() const;

@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-/// A joint that moves by less stands: docs/method/machine.md.
+/// Distances and angles below which a joint does not move: docs/method/machine.md.
 inline constexpr double kClaimedStand_mm = 1e-9, kClaimedStand_rad = 1e-12;
 
 struct ClaimedJoint {
@@ -44,8 +44,8 @@ struct ChainEnds {
   RotaryAngles angles0{}, angles1{};
 };
 
-/// Returns the frame of the tool at t in [0, 1]: origin at the tip, z along the axis. Requires a run that is not on_circle;
-/// of `rotary` the rotation alone has a meaning. A joint without a rate runs evenly.
+/// Returns the frame of the tool at t in [0, 1]: origin at the tip, z along the axis. Requires a run that is not on_circle.
+/// For `rotary`, only the rotation has a meaning. A joint without a rate runs evenly.
 [[nodiscard]] RigidTransform chain_frame(const ClaimedJoints& joints, ClaimedRun run, const ChainEnds& ends, double t);
 
 }  // namespace gouge

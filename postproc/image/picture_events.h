@@ -28,8 +28,7 @@ struct PictureEvent {
 };
 
 /// Returns at most `most` gouges and buried tools, the deepest first. Buried ones are last, because they have no depth.
-/// Of several findings with the same tool and body close to each other (5 % of the parts' size), only the deepest is
-/// returned.
+/// Leaves out a finding near a deeper one (5 % of the parts' size) with the same tool and body.
 [[nodiscard]] std::vector<PictureEvent> worst_events(const CheckedToolpath& input, std::size_t most);
 
 /// The deepest point of a gouging move.
