@@ -15,6 +15,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/units.h"
+#include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/machine.h"
 #include "lib/machine/read_machine.h"
 #include "lib/machine/rotary_law.h"
@@ -163,6 +164,7 @@ int run_machine(const MachineArguments& arguments, std::ostream& out, std::ostre
   std::string bytes;
   const Result<Machine> machine = load_machine(arguments.machine, arguments.input.max_bytes, bytes);
   if (!machine) return fail(err, {machine.error()});
+  print(err, describe_missing_axes(*machine, arguments.machine));
   out << machine_text(*machine);
   return kExitClean;
 }
@@ -221,6 +223,7 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   if (!outcome.toolpath) return fail(err, outcome.errors);
   Toolpath& path = *outcome.toolpath;
   print(err, path.notes);
+  print(err, describe_missing_axes(*machine, arguments.machine));
   print(err, choose_joints_of(*machine, MotionLaw(), path));
   const JointPath& joints = *path.joints;
   if (arguments.is_joints) {

@@ -16,6 +16,7 @@
 #include "lib/check/reach.h"
 #include "lib/check/scene_reach.h"
 #include "lib/geom/pose.h"
+#include "lib/machine/linuxcnc_ini.h"
 #include "postproc/formats/read_toolpath.h"
 #include "postproc/report/report_model.h"
 #include "postproc/report/report_text.h"
@@ -122,6 +123,7 @@ class JobLoader {
     job_.machine = std::move(machine.machine);
     job_.laws = machine.laws;
     if (!take_tube(job_.machine->control)) return false;
+    add_notes(describe_missing_axes(*job_.machine, a.machine));
     add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.toolpath));
     return true;
   }

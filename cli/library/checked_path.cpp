@@ -10,6 +10,7 @@
 #include "lib/base/number_text.h"
 #include "lib/check/check_options.h"
 #include "lib/check/reach.h"
+#include "lib/machine/linuxcnc_ini.h"
 #include "toolmodels/compile_tool.h"
 
 namespace gougecheck {
@@ -111,7 +112,9 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
 /// Returns the path with the joints of a machine, and with warnings if the machine cannot run it.
 Path with_joints(const Path& path, const PathMachine& machine) {
   gouge::Toolpath jointed = path.content().path;
-  gouge::Diagnostics notes = gouge::choose_joints_of(machine.chosen.machine, machine.chosen.law, jointed);
+  gouge::Diagnostics notes = gouge::describe_missing_axes(machine.chosen.machine, machine.options.front().value);
+  std::ranges::move(gouge::choose_joints_of(machine.chosen.machine, machine.chosen.law, jointed),
+                    std::back_inserter(notes));
   std::ranges::move(notes, std::back_inserter(jointed.notes));
   return PathAccess::from(std::move(jointed), path.content().is_from_memory);
 }

@@ -27,7 +27,7 @@ void add_pin(std::map<std::string, Value>& values, std::string_view command, std
   values["setp/" + std::string(rest.substr(0, space))] = {std::string(trim_blanks(rest.substr(space))), line};
 }
 
-/// The values of a configuration by "SECTION/KEY"; the first of a key counts.
+/// The values of a configuration by "SECTION/KEY"; the first of a key counts. "SECTION/" stands for the section itself.
 std::map<std::string, Value> values_of(std::string_view bytes) {
   std::map<std::string, Value> values;
   std::string section;
@@ -38,6 +38,7 @@ std::map<std::string, Value> values_of(std::string_view bytes) {
     if (line.empty() || line.front() == '#' || line.front() == ';') continue;
     if (line.front() == '[') {
       section = line.substr(1, line.find(']') - 1);
+      values.try_emplace(section + "/", Value{"", number});
       continue;
     }
     const std::size_t equals = line.find('=');
@@ -62,6 +63,8 @@ const std::array<Kinematics, 2>& known_kinematics() {
   return known;
 }
 
+std::string axis_section(const Joint& joint) { return "AXIS_" + joint.name; }
+
 class IniReader {
  public:
   IniReader(const std::string& file, std::string_view bytes) : file_(file), values_(values_of(bytes)) {}
@@ -79,6 +82,7 @@ class IniReader {
     machine.control = {"LinuxCNC", TurnLaw::axis, TurnLaw::axis,
                        "LinuxCNC src/emc/tp/tc.c TC_LINEAR, with the kinematics switched on"};
     if (error_) return *error_;
+    find_missing_axes(machine);
     Result<Machine> made = make_machine(std::move(machine));
     if (made) return made;
     return make_error(made.error().code, made.error().message, file_, 1);
@@ -144,6 +148,11 @@ class IniReader {
     return std::nullopt;
   }
 
+  void find_missing_axes(Machine& machine) const {
+    for (std::size_t k = 0; k < machine.joints.size(); ++k)
+      if (find(axis_section(machine.joints[k]) + "/") == nullptr) machine.unread.push_back(k);
+  }
+
   Joint joint(char letter, const Vec3& direction, double scale) {
     Joint made;
     made.name = std::string(1, letter);
@@ -171,6 +180,20 @@ class IniReader {
 
 bool is_linuxcnc_ini(std::string_view bytes) {
   return bytes.starts_with("[KINS]") || bytes.find("\n[KINS]") != std::string_view::npos;
+}
+
+Diagnostics describe_missing_axes(const Machine& machine, const std::string& file) {
+  std::string missing;
+  for (const std::size_t k : machine.unread) {
+    const Joint& joint = machine.joints[k];
+    if (joint.is_continuous || joint.min || joint.max) continue;
+    missing += (missing.empty() ? "[" : ", [") + axis_section(joint) + "]";
+  }
+  if (missing.empty()) return {};
+  return {make_warning("machine-no-limits",
+                       "there is no section " + missing +
+                           ", so limits are not known and not checked; add MIN_LIMIT, MAX_LIMIT and MAX_VELOCITY there",
+                       file)};
 }
 
 Result<Machine> read_linuxcnc_ini(const std::string& file, std::string_view bytes) {

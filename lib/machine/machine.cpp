@@ -38,6 +38,8 @@ Result<Machine> make_machine(Machine machine) {
   for (std::size_t k = 0; k < machine.joints.size(); ++k) {
     Joint& joint = machine.joints[k];
     if (auto error = find_wrong_joint(joint)) return *error;
+    if (std::ranges::count(machine.joints, joint.name, &Joint::name) > 1)
+      return wrong("two joints have the name '" + joint.name + "'; expected a different name for each joint");
     joint.direction.normalize();
     (joint.type == JointType::rotary ? rotary : linear).push_back(k);
   }

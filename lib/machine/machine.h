@@ -62,6 +62,7 @@ struct Machine {
   std::string source;         ///< of the kinematics
   std::vector<Joint> joints;  ///< from the part to the tool: three linear and two rotary
   Control control;
+  std::vector<std::size_t> unread;  ///< indices of the joints that its configuration does not describe
 
   /// Indices of the rotary joints in `joints`, that nearer to the part first.
   std::array<std::size_t, 2> rotary{};
@@ -70,7 +71,8 @@ struct Machine {
 
 /// Fills in Machine::rotary and ::linear and normalises directions.
 /// Errors (without a file): machine-joints. There are not three linear and two rotary joints, or linear directions lie
-/// in one plane. Or rotary directions are parallel, a direction has no length, or a minimum is above the maximum.
+/// in one plane. Or rotary directions are parallel, a direction has no length, or a minimum is above the maximum. Or two
+/// joints have the same name.
 [[nodiscard]] Result<Machine> make_machine(Machine machine);
 
 /// Returns whether a rotary joint carries the tool, so that the linear joints depend on the length of the tool.

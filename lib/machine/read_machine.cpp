@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -30,6 +31,7 @@ class MachineReader {
       mm_per_unit_ = mm_per(LengthUnit::inch);
     const std::vector<JsonField> joints = root_.at("joints").list();
     for (std::size_t k = 0; k < joints.size(); ++k) machine.joints.push_back(joint(joints[k], value_["joints"][k]));
+    refuse_same_names(machine, joints);
     if (const auto field = root_.find("control")) machine.control = control(*field, value_["control"]);
     return machine;
   }
@@ -42,6 +44,15 @@ class MachineReader {
       std::string all;
       for (const std::string& known : keys) all += (all.empty() ? "" : ", ") + known;
       field.at(key).fail("one of the keys " + all);
+    }
+  }
+
+  static void refuse_same_names(const Machine& machine, const std::vector<JsonField>& fields) {
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      const auto before = machine.joints.begin() + static_cast<std::ptrdiff_t>(k);
+      if (std::find_if(machine.joints.begin(), before, [&](const Joint& one) { return one.name == before->name; }) !=
+          before)
+        fields[k].at("name").fail("a name that no joint before it has");
     }
   }
 
@@ -60,11 +71,19 @@ class MachineReader {
     return field->number() * scale;
   }
 
+  [[nodiscard]] static double preference(const JsonField& from) {
+    const std::optional<double> sign = scaled(from, "preference", 1);
+    if (sign && std::abs(std::abs(*sign) - 1) > 0) from.at("preference").fail("1 or -1");
+    return sign.value_or(0);
+  }
+
   [[nodiscard]] Joint joint(const JsonField& field, const nlohmann::json& value) const {
     allow(value, field,
           {"name", "type", "side", "direction", "point", "min", "max", "continuous", "rate", "preference"});
     Joint joint;
     joint.name = field.at("name").text();
+    if (joint.name.empty() || joint.name.find_first_of(",=") != std::string::npos)
+      field.at("name").fail("a name such as X, without commas and equals signs");
     joint.type = field.at("type").word({"linear", "rotary"}) == 1 ? JointType::rotary : JointType::linear;
     joint.side = field.at("side").word({"table", "head"}) == 1 ? JointSide::head : JointSide::table;
     joint.direction = vector(field.at("direction"));
@@ -76,7 +95,7 @@ class MachineReader {
     joint.min = scaled(field, "min", scale);
     joint.max = scaled(field, "max", scale);
     joint.rate = scaled(field, "rate", scale);
-    joint.preference = scaled(field, "preference", 1).value_or(0);
+    joint.preference = preference(field);
     if (const auto endless = field.find("continuous")) joint.is_continuous = endless->flag();
     return joint;
   }

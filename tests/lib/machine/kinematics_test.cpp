@@ -86,6 +86,10 @@ TEST(Machine, WrongJointsAreRefused) {
   machine.joints[3].direction = machine.joints[2].direction;
   EXPECT_EQ(make_machine(machine).error().code, "machine-joints");
   machine = test::machines()[0];
+  machine.joints[4].name = "C";
+  EXPECT_EQ(make_machine(machine).error().message,
+            "two joints have the name 'C'; expected a different name for each joint");
+  machine = test::machines()[0];
   machine.joints.pop_back();
   EXPECT_EQ(make_machine(machine).error().code, "machine-joints");
 }

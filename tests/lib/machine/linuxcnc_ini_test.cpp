@@ -51,6 +51,22 @@ TEST(LinuxCncIni, TurnsTheToolByTheFormulasOfTheControl) {
   }
 }
 
+TEST(LinuxCncIni, WarnsOfAxesWithoutTheirSection) {
+  const std::string bytes = configuration("xyzac-trt-kins", 0), linear = "[AXIS_X]\n[AXIS_Y]\n[AXIS_Z]\n";
+  const auto warning_of = [&](const std::string& sections) {
+    const Diagnostics all = describe_missing_axes(read_linuxcnc_ini("a.ini", bytes + sections).value(), "a.ini");
+    return all.empty() ? "" : to_text(all.front());
+  };
+  EXPECT_NE(warning_of("").find("no section [AXIS_C], [AXIS_A], [AXIS_X], [AXIS_Y], [AXIS_Z], so"), std::string::npos)
+      << warning_of("");
+  EXPECT_NE(warning_of(linear + "[AXIS_C]\n").find("a.ini: warning: there is no section [AXIS_A], so"),
+            std::string::npos);
+  EXPECT_EQ(warning_of(linear + "[AXIS_C]\n[AXIS_A]\n"), "");
+  Machine stated = read_linuxcnc_ini("a.ini", bytes + linear + "[AXIS_C]\n").value();
+  stated.joints[1].max = 1;
+  EXPECT_TRUE(describe_missing_axes(stated, "a.ini").empty());
+}
+
 TEST(LinuxCncIni, RefusesWhatItDoesNotKnow) {
   const std::string good = configuration("xyzac-trt-kins", 0);
   const struct {

@@ -1,0 +1,50 @@
+#include "lib/machine/read_machine.h"
+
+#include <gtest/gtest.h>
+
+// Machine files, and what is refused in them.
+
+namespace gouge {
+namespace {
+
+std::string trunnion() {
+  return R"({"name": "trunnion", "joints": [
+ {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, 1], "continuous": true},
+ {"name": "A", "type": "rotary", "side": "table", "direction": [1, 0, 0], "min": -100, "max": 50, "preference": -1},
+ {"name": "X", "type": "linear", "side": "head", "direction": [1, 0, 0]},
+ {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0]},
+ {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1]}],
+ "control": {"name": "any"}})";
+}
+
+TEST(ReadMachine, TakesAPreferredSign) {
+  const Result<Machine> machine = read_machine("m.json", trunnion());
+  ASSERT_TRUE(machine) << machine.error().message;
+  EXPECT_EQ(machine->joints[1].preference, -1);
+  EXPECT_EQ(machine->joints[0].preference, 0);
+}
+
+TEST(ReadMachine, RefusesWrongFieldsWithTheirLine) {
+  const struct {
+    std::string from, to, message;
+    std::size_t line;
+  } kCases[] = {
+      {"\"preference\": -1", "\"preference\": 0.5", "1 or -1", 3},
+      {"\"preference\": -1", "\"preference\": 0", "1 or -1", 3},
+      {"\"name\": \"Y\"", "\"name\": \"X\"", "a name that no joint before it has", 5},
+      {"\"name\": \"Y\"", "\"name\": \"\"", "a name such as X", 5},
+      {"\"name\": \"Y\"", "\"name\": \"Y=\"", "a name such as X", 5},
+  };
+  for (const auto& one : kCases) {
+    std::string bytes = trunnion();
+    bytes.replace(bytes.find(one.from), one.from.size(), one.to);
+    const Result<Machine> machine = read_machine("m.json", bytes);
+    ASSERT_FALSE(machine) << one.to;
+    EXPECT_EQ(machine.error().code, "machine-field");
+    EXPECT_EQ(machine.error().line, one.line) << one.to;
+    EXPECT_NE(machine.error().message.find(one.message), std::string::npos) << machine.error().message;
+  }
+}
+
+}  // namespace
+}  // namespace gouge
