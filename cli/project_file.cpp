@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "cli/commands/job_words.h"
+#include "cli/options/joint_options.h"
 #include "cli/options/parse_errors.h"
 #include "lib/json/json_file.h"
 
@@ -118,6 +119,7 @@ const std::vector<OptionKind>& project_options() {
     std::vector<OptionKind> all;
     add_project_options(reading_options(), all);
     add_project_options(job_options(), all);
+    add_project_options(joint_options(), all);
     add_project_options(check_options(), all);
     add_project_options(correct_options(), all);
     return all;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/machine/machine_choice.h"
+#include "cli/options/joint_options.h"
 #include "cli/output/output_file.h"
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
@@ -65,10 +66,11 @@ std::string joint_text(const Joint& joint) {
 
 std::string law_text(const std::optional<TurnLaw>& law) { return law ? turn_law_name(*law) : "not given"; }
 
-std::string machine_text(const Machine& machine) {
+std::string machine_text(const Machine& machine, const StatedJoints& stated) {
   std::string text =
       row("machine", machine.name) + row("source", machine.source.empty() ? "not given" : machine.source);
   for (const Joint& joint : machine.joints) text += row("joint " + joint.name, joint_text(joint));
+  for (const std::string& fact : stated_texts(stated, {})) text += row("stated on the command line", fact);
   text += row("control", machine.control.name.empty() ? "not given" : machine.control.name);
   text += row("law of feeds", law_text(machine.control.feed_law)) +
           row("law of rapids", law_text(machine.control.rapid_law));
@@ -136,7 +138,8 @@ void add_common(CLI::App& command, PathMachineArguments& arguments) {
   command.add_option("PATH", arguments.path, "Toolpath: CL data of any dialect, recognized by its content")
       ->type_name("FILE")
       ->required();
-  command.add_option("--machine", arguments.machine, kMachineHelp)->type_name("FILE")->required();
+  command.add_option("--machine", arguments.stated.machine, kMachineHelp)->type_name("FILE")->required();
+  add_joint_options(command, arguments.stated.joints);
   add_options(command, arguments.reading, reading_options());
   add_input_limit(command, arguments.input);
 }
@@ -150,7 +153,8 @@ void add_machine_commands(CLI::App& command, MachineArguments& arguments) {
   list->footer(std::string("Example:\n  gougecheck machine list\n\n") + kExits);
   list->callback([&] { arguments.action = MachineArguments::Action::list; });
   CLI::App* show = command.add_subcommand("show", "Show joints, limits and laws of a machine, each with its source");
-  show->add_option("MACHINE", arguments.machine, kMachineHelp)->type_name("FILE")->required();
+  show->add_option("MACHINE", arguments.stated.machine, kMachineHelp)->type_name("FILE")->required();
+  add_joint_options(*show, arguments.stated.joints);
   add_input_limit(*show, arguments.input);
   show->footer(std::string("Example:\n  gougecheck machine show shop/dmu50.json\n\n") + kExits);
   show->callback([&] { arguments.action = MachineArguments::Action::show; });
@@ -162,10 +166,10 @@ int run_machine(const MachineArguments& arguments, std::ostream& out, std::ostre
     return kExitClean;
   }
   std::string bytes;
-  const Result<Machine> machine = load_machine(arguments.machine, arguments.input.max_bytes, bytes);
+  const Result<Machine> machine = load_machine(arguments.stated, arguments.input.max_bytes, bytes);
   if (!machine) return fail(err, {machine.error()});
-  print(err, describe_missing_axes(*machine, arguments.machine));
-  out << machine_text(*machine);
+  print(err, describe_missing_axes(*machine, arguments.stated.machine));
+  out << machine_text(*machine, arguments.stated.joints);
   return kExitClean;
 }
 
@@ -204,7 +208,7 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   const Result<ReadOptions> options = understand(arguments.reading);
   if (!options) return fail(err, {options.error()});
   std::string bytes;
-  const Result<Machine> machine = load_machine(arguments.machine, arguments.input.max_bytes, bytes);
+  const Result<Machine> machine = load_machine(arguments.stated, arguments.input.max_bytes, bytes);
   if (!machine) return fail(err, {machine.error()});
   const char* const option = arguments.is_joints ? "--tool-length" : "--height";
   const std::string& typed = arguments.is_joints ? arguments.tool_length : arguments.height;
@@ -214,7 +218,7 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
                 {make_error("usage", "--tool-length is missing; the linear joints of a rotary head depend on it")});
   const Result<double> length = has_length ? understand_length(option, typed, Minimum::zero) : 0.0;
   if (!length) return fail(err, {length.error()});
-  if (const auto status = refuse_outputs({{"the toolpath", arguments.path}, {"--machine", arguments.machine}},
+  if (const auto status = refuse_outputs({{"the toolpath", arguments.path}, {"--machine", arguments.stated.machine}},
                                          asked_for({{"--csv", arguments.csv_file}}), err))
     return *status;
   Result<std::string> text = read_file(arguments.path, arguments.input.max_bytes);
@@ -223,7 +227,7 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   if (!outcome.toolpath) return fail(err, outcome.errors);
   Toolpath& path = *outcome.toolpath;
   print(err, path.notes);
-  print(err, describe_missing_axes(*machine, arguments.machine));
+  print(err, describe_missing_axes(*machine, arguments.stated.machine));
   print(err, choose_joints_of(*machine, MotionLaw(), path));
   const JointPath& joints = *path.joints;
   if (arguments.is_joints) {

@@ -14,7 +14,7 @@ namespace gouge {
 
 struct MachineArguments {
   enum class Action { list, show } action = Action::list;
-  std::string machine;
+  StatedMachine stated;
   InputLimit input;
 };
 
@@ -25,7 +25,8 @@ void add_machine_commands(CLI::App& command, MachineArguments& arguments);
 
 /// Arguments of `gougecheck path laws` and `path joints`.
 struct PathMachineArguments {
-  std::string path, machine, csv_file, height = "100", tool_length;
+  std::string path, csv_file, height = "100", tool_length;
+  StatedMachine stated;
   ReadingArguments reading;
   InputLimit input;
   bool is_joints = false;

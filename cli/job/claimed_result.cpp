@@ -6,6 +6,7 @@
 
 #include "cli/job/claimed_scene.h"
 #include "cli/options/job_options.h"
+#include "cli/options/joint_options.h"
 #include "cli/options/option_table.h"
 #include "lib/base/units.h"
 #include "postproc/record/read_record.h"
@@ -102,6 +103,7 @@ class ClaimTaker {
     repeat_options<ReadingArguments>(a.reading, reading_options(), given);
     const std::string machine = a.machine;
     repeat_options(a, job_options(), given);
+    repeat_options(a.joints, joint_options(), given);
     if (!machine.empty()) a.machine = machine;
     take_limits("part", Against::part, named_parts_);
     take_limits("fixture", Against::fixture, named_fixtures_);

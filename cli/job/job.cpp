@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/machine/machine_choice.h"
+#include "cli/options/joint_options.h"
 #include "cli/options/length_rule.h"
 #include "cli/terminal/length_text.h"
 #include "cli/tools/resolve_tools.h"
@@ -108,7 +109,7 @@ class JobLoader {
   bool read_machine() {
     const JobArguments& a = arguments_;
     Result<std::optional<ChosenMachine>> chosen =
-        choose_machine({a.machine, a.feed_law, a.rapid_law, job_.options.tool_length_mm},
+        choose_machine({a.machine, a.feed_law, a.rapid_law, job_.options.tool_length_mm, a.joints},
                        job_.options.check.law.rapid(), a.input.max_bytes);
     if (!chosen) {
       errors_.push_back(chosen.error());
@@ -256,6 +257,7 @@ namespace {
 std::vector<OptionText> options_in_force(const JobArguments& arguments) {
   std::vector<OptionText> options = recorded_options(arguments.reading, reading_options());
   std::ranges::move(recorded_options(arguments, job_options()), std::back_inserter(options));
+  std::ranges::move(recorded_options(arguments.joints, joint_options()), std::back_inserter(options));
   for (const auto& [file, limits] : arguments.part_limits) options.push_back({"part", file + "," + limits});
   for (const auto& [file, limits] : arguments.fixture_limits) options.push_back({"fixture", file + "," + limits});
   return options;

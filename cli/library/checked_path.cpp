@@ -92,10 +92,14 @@ gouge::SetupBasis basis_of(const Scene& scene, const PathTools& tools, const Che
 std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
   if (options.tool_length && !(*options.tool_length >= 0 && std::isfinite(*options.tool_length)))
     raise(gouge::make_error("usage", "tool_length: expected a length of at least 0 mm"));
-  const gouge::StatedMachine stated = {options.machine, options.feed_law, options.rapid_law, options.tool_length};
-  std::optional<gouge::ChosenMachine> chosen =
-      value_or_raise(gouge::choose_machine(stated, static_cast<gouge::RapidMode>(options.rapids), gouge::kMaxInputBytes,
-                                           {"machine", "feed_law", "rapid_law", "rapids", "tool_length"}));
+  const gouge::StatedMachine stated = {options.machine,
+                                       options.feed_law,
+                                       options.rapid_law,
+                                       options.tool_length,
+                                       {options.joint_limits, options.joint_points, options.joint_rates}};
+  std::optional<gouge::ChosenMachine> chosen = value_or_raise(gouge::choose_machine(
+      stated, static_cast<gouge::RapidMode>(options.rapids), gouge::kMaxInputBytes,
+      {"machine", "feed_law", "rapid_law", "rapids", "tool_length", {"joint_limits", "joint_points", "joint_rates"}}));
   if (!chosen) return nullptr;
   PathMachine made{std::move(*chosen), {{"machine", stated.machine}}};
   if (!stated.feed_law.empty()) made.options.push_back({"feed-law", stated.feed_law});
@@ -104,6 +108,9 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
     const std::string key = gouge::MachineOptionNames().tool_length.substr(2);  // without its dashes
     made.options.push_back({key, gouge::exact_text(*stated.tool_length_mm) + "mm"});
   }
+  for (const std::string& text : options.joint_limits) made.options.push_back({"joint-limit", text});
+  for (const std::string& text : options.joint_points) made.options.push_back({"joint-point", text});
+  for (const std::string& text : options.joint_rates) made.options.push_back({"joint-rate", text});
   if (!stated.machine.starts_with(gouge::kMachinePreset))
     made.file = gouge::describe_input("machine", stated.machine, made.chosen.bytes);
   return std::make_shared<const PathMachine>(std::move(made));

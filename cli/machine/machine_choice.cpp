@@ -39,7 +39,8 @@ std::optional<Diagnostic> find_missing_fact(const Machine& machine, TurnLaw law,
     const Joint& joint = machine.joints[k];
     if (!joint.has_point)
       return make_error("machine-law", needs + "the place of joint " + joint.name +
-                                           "; expected \"point\" of this joint in a machine file");
+                                           "; expected \"point\" of this joint in a machine file, or " +
+                                           names.joints.point + " " + joint.name + "=X,Y,Z");
   }
   if (has_rotary_head(machine) && !stated.tool_length_mm)
     return make_error("machine-law",
@@ -83,6 +84,7 @@ std::string describe_law(const Machine& machine, const StatedMachine& stated, co
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   if (!stated.feed_law.empty()) add(names.feed_law + " " + stated.feed_law);
   if (!stated.rapid_law.empty()) add(names.rapid_law + " " + stated.rapid_law);
+  for (const std::string& fact : stated_texts(stated.joints, names.joints)) add(fact);
   if (stated.tool_length_mm) add(names.tool_length + " " + display_text(*stated.tool_length_mm, 6) + " mm");
   if (!stated.feed_law.empty() && !stated.rapid_law.empty()) return text;
   const Control& control = machine.control;
@@ -102,23 +104,8 @@ std::optional<Diagnostic> find_wrong_law(const std::string& stated, const std::s
   return std::nullopt;
 }
 
-void leave_move_unchecked(const std::string& reason, Move& move) {
-  if (!move.not_checked_reason.empty() && !move.is_covered()) return;
-  move.not_checked_reason = lasting_text(reason);
-  move.cover = Cover::none;
-}
-
-/// The moves to and from a position.
-void leave_unchecked(const std::string& reason, std::size_t move, Toolpath& path) {
-  for (std::size_t i = move; i <= move + 1 && i < path.moves.size(); ++i) {
-    if (i == move || path.moves[i].has_start) leave_move_unchecked(reason, path.moves[i]);
-  }
-}
-
-}  // namespace
-
-Result<Machine> load_machine(const std::string& typed, std::uint64_t max_bytes, std::string& bytes,
-                             const MachineOptionNames& names) {
+Result<Machine> read_stated(const std::string& typed, std::uint64_t max_bytes, std::string& bytes,
+                            const MachineOptionNames& names) {
   if (typed.starts_with(kMachinePreset)) {
     const MachinePreset* const preset = find_preset(std::string_view(typed).substr(kMachinePreset.size()));
     if (preset == nullptr) {
@@ -136,14 +123,42 @@ Result<Machine> load_machine(const std::string& typed, std::uint64_t max_bytes, 
   return is_linuxcnc_ini(bytes) ? read_linuxcnc_ini(typed, bytes) : read_machine(typed, bytes);
 }
 
+void leave_move_unchecked(const std::string& reason, Move& move) {
+  if (!move.not_checked_reason.empty() && !move.is_covered()) return;
+  move.not_checked_reason = lasting_text(reason);
+  move.cover = Cover::none;
+}
+
+/// The moves to and from a position.
+void leave_unchecked(const std::string& reason, std::size_t move, Toolpath& path) {
+  for (std::size_t i = move; i <= move + 1 && i < path.moves.size(); ++i) {
+    if (i == move || path.moves[i].has_start) leave_move_unchecked(reason, path.moves[i]);
+  }
+}
+
+}  // namespace
+
+Result<Machine> load_machine(const StatedMachine& stated, std::uint64_t max_bytes, std::string& bytes,
+                             const MachineOptionNames& names) {
+  Result<Machine> machine = read_stated(stated.machine, max_bytes, bytes, names);
+  if (!machine) return machine;
+  if (const auto wrong = state_joints(stated.joints, names.joints, *machine)) return *wrong;
+  return machine;
+}
+
 Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
                                                     std::uint64_t max_bytes, const MachineOptionNames& names) {
   const std::string needed = stated.machine.empty() ? names.machine : "";
   if (const auto wrong = find_wrong_law(stated.feed_law, names.feed_law, true, needed)) return *wrong;
   if (const auto wrong = find_wrong_law(stated.rapid_law, names.rapid_law, false, needed)) return *wrong;
-  if (stated.machine.empty()) return std::optional<ChosenMachine>();
+  if (stated.machine.empty()) {
+    const std::vector<std::string> facts = stated_texts(stated.joints, names.joints);
+    if (facts.empty()) return std::optional<ChosenMachine>();
+    return make_error("usage",
+                      facts.front() + ": expected " + names.machine + " beside it: joints are those of a machine");
+  }
   std::string bytes;
-  Result<Machine> machine = load_machine(stated.machine, max_bytes, bytes, names);
+  Result<Machine> machine = load_machine(stated, max_bytes, bytes, names);
   if (!machine) return machine.error();
   const Result<TurnLaws> laws = laws_of(*machine, stated, rapid, names);
   if (!laws) return laws.error();

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/machine/joint_facts.h"
 #include "lib/machine/joint_path.h"
 #include "lib/machine/machine.h"
 #include "lib/motion/motion_law.h"
@@ -23,12 +24,14 @@ inline constexpr const char* kMachineHelp =
 struct MachineOptionNames {
   std::string machine = "--machine", feed_law = "--feed-law", rapid_law = "--rapid-law", rapid = "--rapid",
               tool_length = "--tool-length";
+  JointOptionNames joints = {};
 };
 
 /// A machine and its laws as the user states them; laws: kTurnLawNames, or empty.
 struct StatedMachine {
   std::string machine, feed_law, rapid_law;
   std::optional<double> tool_length_mm = {};  ///< from the gauge point to the tip
+  StatedJoints joints = {};
 };
 
 /// The machine of a job and the law of motion on it.
@@ -40,15 +43,16 @@ struct ChosenMachine {
   std::string bytes;         ///< of its file or preset
 };
 
-/// Reads a machine file, a configuration of LinuxCNC, or preset:NAME. `bytes`: takes the text that was read.
-/// Errors: usage, for a preset that does not exist; those of read_file, read_machine and read_linuxcnc_ini.
-[[nodiscard]] Result<Machine> load_machine(const std::string& typed, std::uint64_t max_bytes, std::string& bytes,
+/// Reads a machine file, a configuration of LinuxCNC, or preset:NAME, and takes the facts of joints that the user states.
+/// `bytes`: takes the text that was read.
+/// Errors: usage, for a preset that does not exist; those of read_file, read_machine, read_linuxcnc_ini and state_joints.
+[[nodiscard]] Result<Machine> load_machine(const StatedMachine& stated, std::uint64_t max_bytes, std::string& bytes,
                                            const MachineOptionNames& names = {});
 
 /// Returns the machine of a job, with the laws that the user states, else those that its control promises. None: no
 /// machine is stated.
-/// Errors: (1) those of load_machine. (2) usage: a law of another name, a law that needs a machine without one, dogleg
-/// rapids beside a law of all joints. (3) machine-law: nothing states a law, or a law needs a fact that is not given.
+/// Errors: (1) those of load_machine. (2) usage: a law of another name, a law that needs a machine without one, facts
+/// of joints without a machine, dogleg rapids beside a law of all joints. (3) machine-law: nothing states a law, or a law needs a fact that is not given.
 [[nodiscard]] Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
                                                                   std::uint64_t max_bytes,
                                                                   const MachineOptionNames& names = {});

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "cli/machine/machine_choice.h"
+#include "cli/options/joint_options.h"
 #include "cli/options/length_rule.h"
 #include "cli/options/tube_options.h"
 #include "cli/terminal/length_text.h"
@@ -18,6 +19,8 @@
 namespace gouge {
 
 namespace {
+
+constexpr const char* kCheckGroup = "Check";
 
 constexpr const char* kPlaceHelp =
     "Placement of the STL files, x,y,z[,rx,ry,rz]: lengths in mm or with a unit (0.5in), then angles in degrees "
@@ -109,7 +112,7 @@ OptionRows<JobArguments> check_rows() {
       {.name = "--tolerance",
        .field = &A::tolerance,
        .type = "LENGTH",
-       .group = "Check",
+       .group = kCheckGroup,
        .help = "Maximum depth that a move may have in parts and fixtures",
        .scope = Scope::project},
       {.name = "--stock-to-leave",
@@ -141,6 +144,7 @@ OptionRows<JobArguments> check_rows() {
       {.name = "--machine",
        .field = &A::machine,
        .type = "FILE",
+       .group = kMachineGroup,
        .help = kMachineHelp,
        .scope = Scope::project,
        .recorded = Recorded::repeated},
@@ -186,6 +190,7 @@ OptionRows<JobArguments> check_rows() {
       {.name = "--assume",
        .field = &A::assumed,
        .type = "FACT[=OBJECT]",
+       .group = kCheckGroup,
        .help = "State a fact that the inputs do not establish (repeatable): " + subject_names() +
                "; tool=T3 states it for one of several objects",
        .scope = Scope::project,
@@ -285,6 +290,7 @@ void add_common_job_options(CLI::App& command, JobArguments& arguments, bool nee
   command.option_defaults()->group("Input");
   add_options(command, arguments.reading, reading_options());
   add_options(command, arguments, job_options());
+  add_options(command, arguments.joints, joint_options());
   command.get_option("--part")->required(needs_part);
 }
 

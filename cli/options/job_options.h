@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/machine/joint_facts.h"
 #include "cli/options/mesh_limits.h"
 #include "cli/options/option_table.h"
 #include "cli/options/reading_options.h"
@@ -52,6 +53,7 @@ struct JobArguments : Verbosity {
   bool is_forced = false;
   bool is_extended_up = false;
   std::string machine, feed_law, rapid_law, tool_length;
+  StatedJoints joints;
   std::string tip_tolerance, axis_tolerance;  ///< empty: 0
   std::vector<std::string> assumed;           ///< --assume
   bool is_strict = false;
@@ -73,8 +75,8 @@ struct JobOptions {
   std::string date;  ///< of the report
 };
 
-/// Returns the rows that `check`, `correct` and `batch` share, without those of ReadingArguments; outputs are rows of
-/// their own.
+/// Returns the rows that `check`, `correct` and `batch` share, without those of ReadingArguments and StatedJoints; outputs
+/// are rows of their own.
 [[nodiscard]] const OptionRows<JobArguments>& job_options();
 
 void add_job_options(CLI::App& command, JobArguments& arguments);

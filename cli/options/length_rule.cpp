@@ -16,7 +16,7 @@ namespace {
 
 bool is_length(const CLI::Option& option) {
   const std::string type = option.get_type_name();
-  return type == "LENGTH" || type == "X,Y,Z" || type == "BODY=LENGTH";
+  return type == "LENGTH" || type == "X,Y,Z" || type == "JOINT=X,Y,Z" || type == "BODY=LENGTH";
 }
 
 // Names a file with limits of its own.

@@ -18,6 +18,9 @@ class App;
 
 namespace gouge {
 
+/// The group of options about a machine.
+inline constexpr const char* kMachineGroup = "Machine";
+
 /// Places where an option may be set beside the command line and job lists.
 enum class Scope {
   command_line,  ///< nowhere: it names an output, overwrites, accepts or silences

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/values/parse_lengths.h"
 #include "lib/base/result.h"
 #include "lib/check/check_options.h"
 #include "lib/geom/pose.h"
@@ -14,15 +15,6 @@ namespace gouge {
 
 /// Returns the words of --stl-units: the units that an STL file may have.
 [[nodiscard]] std::vector<std::string> unit_words();
-
-/// Parses a length. Returns nothing for lengths beyond 100 m, the reach of a check (kFarthest_mm).
-[[nodiscard]] std::optional<double> parse_length_mm(const std::string& text);
-
-/// Parses `count` numbers with commas between them: "1,0,-2.5".
-[[nodiscard]] std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count);
-
-/// Parses "x,y,z" or "x,y,z,rx,ry,rz": lengths, then degrees about the fixed X, Y and Z axes in this order.
-[[nodiscard]] std::optional<RigidTransform> parse_place(const std::string& text);
 
 /// The minimum of a length. Above the finest resolution, double precision can certify it.
 enum class Minimum { zero, above_zero, finest_resolution };

@@ -15,8 +15,9 @@
 namespace gouge {
 
 /// Keys of `options.more` that name the law of motion.
-inline constexpr std::array<const char*, 6> kLawOptions = {"machine",     "feed-law",      "rapid-law",
-                                                           "tool-length", "tip-tolerance", "axis-tolerance"};
+inline constexpr std::array<const char*, 9> kLawOptions = {"machine",     "feed-law",      "rapid-law",
+                                                           "tool-length", "tip-tolerance", "axis-tolerance",
+                                                           "joint-limit", "joint-point",   "joint-rate"};
 
 /// Options of the check that affect its gouges.
 struct StoredOptions {

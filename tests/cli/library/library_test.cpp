@@ -176,6 +176,26 @@ TEST(LibraryCheck, LeavesPositionsBeyondJointLimitsUnchecked) {
   EXPECT_EQ(report.state()[1], State::not_checked);
 }
 
+TEST(LibraryCheck, TakesFactsOfJoints) {
+  const std::vector<Vec3> tips = {{0, 0, 200}, {0, 0, 200}};
+  const std::vector<Vec3> axes = {{0, 0, 1}, {0, -0.2, 0.98}};
+  CheckOptions options;
+  options.machine = "preset:linuxcnc-xyzac-trt";
+  EXPECT_EQ(check(Path(tips, axes), block(), ball(), options).state()[1], State::clean);
+  options.joint_limits = {"A=0..5"};
+  EXPECT_EQ(check(Path(tips, axes), block(), ball(), options).state()[1], State::not_checked);
+  options.joint_limits = {};
+  options.feed_law = "joint";
+  options.joint_points = {"A=0,0,-50", "C=0,0,0"};
+  const Report report = check(Path(tips, axes), block(), ball(), options);
+  EXPECT_EQ(report.state()[1], State::clean) << report.text();
+  const auto facts = report.assumptions();
+  EXPECT_TRUE(std::ranges::any_of(
+      facts, [](const Assumption& fact) { return fact.evidence.find("joint_points A=0,0,-50") != std::string::npos; }));
+  options.joint_rates = {"Q=1"};
+  EXPECT_THROW((void)check(Path(tips, axes), block(), ball(), options), Error);
+}
+
 TEST(LibraryCorrection, IsCleanByTheLawOfTheMachine) {
   const PostBesideTurn scene;
   CheckOptions options;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/geom/pose.h"
+
+// Texts of lengths, numbers and placements, as options and the library take them. Lengths are millimetres unless they
+// have a unit: 0.5, 0.5mm, 0.02in, 0.02inch.
+
+namespace gouge {
+
+/// Returns the parts of a text between separators: one part if there is none.
+[[nodiscard]] std::vector<std::string> split_text(const std::string& text, char separator);
+
+/// Parses a length. Returns nothing for lengths beyond 100 m, the reach of a check (kFarthest_mm).
+[[nodiscard]] std::optional<double> parse_length_mm(const std::string& text);
+
+/// Parses `count` numbers with commas between them: "1,0,-2.5".
+[[nodiscard]] std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count);
+
+/// Parses "x,y,z" or "x,y,z,rx,ry,rz": lengths, then degrees about the fixed X, Y and Z axes in this order.
+[[nodiscard]] std::optional<RigidTransform> parse_place(const std::string& text);
+
+}  // namespace gouge

@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
+
+// Facts of joints on the command line, in project files and in results.
+
+namespace gouge::testing_samples {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The sample rapid_joints, whose machine file lacks the points of its rotary joints.
+class JointFacts : public testing::Test {
+ protected:
+  JointFacts() {
+    std::string machine = text_of(sample_.path + "/machine.json");
+    const std::string point = "\"point\": [0, 0, 0], ";
+    machine.replace(machine.find(point), point.size(), "");
+    machine.replace(machine.find(", \"point\": [0, 0, 0]"), point.size(), "");
+    write_text(sample_.path + "/machine.json", machine);
+  }
+
+  [[nodiscard]] Outcome check(const std::vector<std::string>& more) const {
+    std::vector<std::string> words = {"--machine", "machine.json", "--tool-length", "100"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_gougecheck(sample_.path, sample_.arguments("check", sample_.toolpath(), words));
+  }
+  [[nodiscard]] Json json_of(const std::string& file) const { return Json::parse(text_of(sample_.path + "/" + file)); }
+
+  const std::vector<std::string> points_ = {"--joint-point", "C=0,0,0", "--joint-point", "B=0,0,0"};
+  SampleFolder sample_ = open_sample("rapid_joints");
+};
+
+TEST_F(JointFacts, PointsOfTheCommandLineServeTheLawsOfAllJoints) {
+  const Outcome open = check({});
+  EXPECT_EQ(open.exit_status, 3);
+  EXPECT_NE(open.err.find("or --joint-point C=X,Y,Z"), std::string::npos) << open.err;
+  std::vector<std::string> words = points_;
+  words.insert(words.end(), {"--json", "check.json"});
+  EXPECT_EQ(check(words).exit_status, 1);
+  const Json report = json_of("check.json");
+  EXPECT_NEAR(report.at("moves").at(0).at("depth"), sample_.expected.at("by_machine").at(0).at("depth_max"), 2e-3);
+  EXPECT_EQ(report.at("options").at("more").at("joint-point"), Json::array({"C=0,0,0", "B=0,0,0"}));
+  for (const Json& fact : report.at("assumptions")) {
+    if (fact.at("fact") != "motion-law") continue;
+    EXPECT_NE(fact.at("evidence").get<std::string>().find("--joint-point B=0,0,0"), std::string::npos) << fact;
+  }
+}
+
+TEST_F(JointFacts, AreRepeatedByAVerification) {
+  std::vector<std::string> words = points_;
+  words.insert(words.end(), {"--joint-limit", "B=-40..40", "--joint-rate", "B=3600", "--json", "check.json"});
+  EXPECT_EQ(check(words).exit_status, 1);
+  const Outcome verified = run_gougecheck(sample_.path, {"verify", "check.json"});
+  EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
+  std::string changed = text_of(sample_.path + "/check.json");
+  const std::string point = "\"B=0,0,0\"";
+  write_text(sample_.path + "/changed.json", changed.replace(changed.find(point), point.size(), "\"B=0,0,60\""));
+  EXPECT_EQ(run_gougecheck(sample_.path, {"verify", "changed.json"}).exit_status, 1);
+}
+
+TEST_F(JointFacts, ALimitOfTheCommandLineHolds) {
+  std::vector<std::string> words = points_;
+  words.insert(words.end(), {"--joint-limit", "B=-40..20", "--joint-limit", "C=-90..90"});
+  const Outcome ran = check(words);
+  EXPECT_EQ(ran.exit_status, 4) << ran.out;
+  EXPECT_NE(ran.err.find("joint B would be at 30 degrees; its limit is 20 degrees"), std::string::npos) << ran.err;
+}
+
+TEST_F(JointFacts, ComeFromAProjectFileToo) {
+  write_text(sample_.path + "/gougecheck.json",
+             R"({"machine": "machine.json", "tool-length": 100, "joint-point": ["C=0,0,0", "B=0,0,0"]})");
+  EXPECT_EQ(run_gougecheck(sample_.path, sample_.arguments("check", sample_.toolpath())).exit_status, 1);
+}
+
+TEST_F(JointFacts, NeedAMachineAndAreShown) {
+  const Outcome alone =
+      run_gougecheck(sample_.path, sample_.arguments("check", sample_.toolpath(), {"--joint-limit", "B=0..1"}));
+  EXPECT_EQ(alone.exit_status, 2);
+  EXPECT_NE(alone.err.find("--joint-limit B=0..1: expected --machine beside it"), std::string::npos) << alone.err;
+  const Outcome shown = run_gougecheck(
+      sample_.path, {"machine", "show", "machine.json", "--joint-limit", "B=-30..", "--joint-rate", "C=720"});
+  EXPECT_EQ(shown.exit_status, 0) << shown.err;
+  EXPECT_NE(shown.out.find("from -30 to ? deg"), std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.find("stated on the command line        --joint-rate C=720"), std::string::npos) << shown.out;
+}
+
+TEST_F(JointFacts, LimitTheJointsOfAPath) {
+  const std::vector<std::string> words = {
+      "path",  "joints", sample_.toolpath(), "--machine", "machine.json",  "--tool-length", "100",
+      "--csv", "-",      "--joint-limit",    "B=..0",     "--joint-limit", "C=0..200"};
+  const Outcome ran = run_gougecheck(sample_.path, words);
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_NE(ran.out.find(",180.000000,"), std::string::npos) << "C by half a turn instead: " << ran.out;
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples
