@@ -9,6 +9,7 @@
 #include "cli/commands/check_command.h"
 #include "cli/commands/clash_command.h"
 #include "cli/commands/compare_command.h"
+#include "cli/commands/machine_command.h"
 #include "cli/commands/mesh_command.h"
 #include "cli/commands/path_command.h"
 #include "cli/commands/tool_command.h"

@@ -6,34 +6,22 @@
 #include <ostream>
 #include <vector>
 
+#include "cli/commands/machine_check.h"
+#include "cli/commands/machine_words.h"
 #include "cli/machine/machine_choice.h"
 #include "cli/options/joint_options.h"
-#include "cli/output/output_file.h"
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "lib/base/exit_code.h"
-#include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/units.h"
 #include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/machine.h"
 #include "lib/machine/read_machine.h"
-#include "lib/machine/rotary_law.h"
-#include "postproc/formats/read_toolpath.h"
 
 namespace gouge {
 namespace {
-
-constexpr std::size_t kLabel = 34;
-constexpr const char* kExits =
-    "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid, 5 output unwritable.";
-
-std::string row(const std::string& name, const std::string& value) {
-  return padded(name, kLabel) + printable(value) + "\n";
-}
-
-std::string degrees(double rad, int decimals = 3) { return display_text(rad / kDegree_rad, decimals) + " deg"; }
 
 std::string list_text() {
   std::string text;
@@ -54,7 +42,7 @@ std::string joint_text(const Joint& joint) {
   std::string text = std::string(joint.side == JointSide::table ? "table" : "head") + ", about (" +
                      display_text(d.x(), 4) + ", " + display_text(d.y(), 4) + ", " + display_text(d.z(), 4) + ")";
   if (!is_rotary) text.replace(text.find("about"), 5, "along");
-  if (is_rotary && joint.point.norm() > 0)
+  if (is_rotary && joint.has_point)
     text += " through (" + display_text(joint.point.x(), 4) + ", " + display_text(joint.point.y(), 4) + ", " +
             display_text(joint.point.z(), 4) + ") mm";
   text += joint.is_continuous
@@ -67,81 +55,35 @@ std::string joint_text(const Joint& joint) {
 std::string law_text(const std::optional<TurnLaw>& law) { return law ? turn_law_name(*law) : "not given"; }
 
 std::string machine_text(const Machine& machine, const StatedJoints& stated) {
-  std::string text =
-      row("machine", machine.name) + row("source", machine.source.empty() ? "not given" : machine.source);
-  for (const Joint& joint : machine.joints) text += row("joint " + joint.name, joint_text(joint));
-  for (const std::string& fact : stated_texts(stated, {})) text += row("stated on the command line", fact);
-  text += row("control", machine.control.name.empty() ? "not given" : machine.control.name);
-  text += row("law of feeds", law_text(machine.control.feed_law)) +
-          row("law of rapids", law_text(machine.control.rapid_law));
+  std::string text = machine_row("machine", machine.name) +
+                     machine_row("source", machine.source.empty() ? "not given" : machine.source);
+  for (const Joint& joint : machine.joints) text += machine_row("joint " + joint.name, joint_text(joint));
+  for (const std::string& fact : stated_texts(stated, {})) text += machine_row("stated on the command line", fact);
+  text += machine_row("control", machine.control.name.empty() ? "not given" : machine.control.name);
+  text += machine_row("law of feeds", law_text(machine.control.feed_law)) +
+          machine_row("law of rapids", law_text(machine.control.rapid_law));
   if (const double tip_mm = machine.control.tip_tolerance_mm; tip_mm > 0)
-    text += row("tip tolerance", display_text(tip_mm, 6) + " mm");
+    text += machine_row("tip tolerance", display_text(tip_mm, 6) + " mm");
   if (const double axis_rad = machine.control.axis_tolerance_rad; axis_rad > 0)
-    text += row("axis tolerance", display_text(axis_rad / kDegree_rad, 6) + " deg");
-  if (!machine.control.source.empty()) text += row("source of the laws", machine.control.source);
+    text += machine_row("axis tolerance", display_text(axis_rad / kDegree_rad, 6) + " deg");
+  if (!machine.control.source.empty()) text += machine_row("source of the laws", machine.control.source);
   return text;
 }
 
-struct Gap {
-  std::size_t move = 0;
-  double rad = 0;
-};
-
-/// Returns the gaps of all moves, rapid or not, in which a rotary joint moves.
-std::vector<Gap> gaps_of(const Machine& machine, const Toolpath& path, const JointPath& joints, bool is_rapid) {
-  std::vector<Gap> gaps;
-  for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    if ((path.moves[i].kind == MoveKind::rapid) != is_rapid || !joints.start[i] || !joints.end[i]) continue;
-    const RotaryAngles &from = *joints.start[i], &to = *joints.end[i];
-    if (!(std::abs(to[0] - from[0]) + std::abs(to[1] - from[1]) > 0)) continue;
-    gaps.push_back({i, largest_gap_rad(machine, from, to)});
-  }
-  return gaps;
-}
-
-std::string gaps_text(const Toolpath& path, std::vector<Gap> gaps, const std::string& kind, double height_mm) {
-  constexpr double kDiffers_mm = 0.01;
-  std::string text = row(kind + " that turn", std::to_string(gaps.size()));
-  if (gaps.empty()) return text;
-  std::ranges::sort(gaps, {}, &Gap::rad);
-  const auto at_height = [&](double rad) { return display_text(2 * height_mm * std::sin(0.5 * rad), 4) + " mm"; };
-  const std::string height = " at " + display_text(height_mm, 3) + " mm";
-  const Gap& largest = gaps.back();
-  text += row("  maximum gap", degrees(largest.rad, 4) + ", " + at_height(largest.rad) + height + ", line " +
-                                   std::to_string(path.moves[largest.move].line));
-  const Gap& most = gaps[static_cast<std::size_t>(0.99 * static_cast<double>(gaps.size() - 1))];
-  text += row("  99 % within", degrees(most.rad, 4) + ", " + at_height(most.rad) + height);
-  const auto differing = std::ranges::count_if(
-      gaps, [&](const Gap& gap) { return 2 * height_mm * std::sin(0.5 * gap.rad) > kDiffers_mm; });
-  return text + row("  more than 0.01 mm" + height, std::to_string(differing));
-}
-
-std::string joints_csv(const Machine& machine, const Toolpath& path, const JointPath& joints, double length_mm) {
-  std::string text = "move,line,kind";
-  for (const Joint& joint : machine.joints) text += "," + joint.name;
-  text += "\n";
-  for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    const Move& move = path.moves[i];
-    text += std::to_string(i) + "," + std::to_string(move.line) + "," + kind_name(move.kind);
-    std::optional<JointValues> values;
-    if (joints.end[i]) values = inverse(machine, move.end.tip, *joints.end[i], length_mm);
-    for (std::size_t k = 0; k < machine.joints.size(); ++k) {
-      const double scale = machine.joints[k].type == JointType::rotary ? 1 / kDegree_rad : 1;
-      text += "," + (values ? fixed_text((*values)[k] * scale, 6) : std::string());
-    }
-    text += "\n";
-  }
-  return text;
-}
-
-void add_common(CLI::App& command, PathMachineArguments& arguments) {
-  command.add_option("PATH", arguments.path, "Toolpath: CL data of any dialect, recognized by its content")
-      ->type_name("FILE")
-      ->required();
-  command.add_option("--machine", arguments.stated.machine, kMachineHelp)->type_name("FILE")->required();
+void add_machine_input(CLI::App& command, MachineArguments& arguments) {
+  command.add_option("MACHINE", arguments.stated.machine, kMachineHelp)->type_name("FILE")->required();
   add_joint_options(command, arguments.stated.joints);
-  add_options(command, arguments.reading, reading_options());
   add_input_limit(command, arguments.input);
+}
+
+void add_law_options(CLI::App& command, MachineArguments& arguments) {
+  const std::vector<std::string> laws(kTurnLawNames.begin(), kTurnLawNames.end());
+  command.add_option("--feed-law", arguments.stated.feed_law, "Law of feed moves (default: that of the control)")
+      ->check(CLI::IsMember(std::vector<std::string>(laws.begin(), laws.begin() + kFeedLaws)));
+  command.add_option("--rapid-law", arguments.stated.rapid_law, "Law of rapid moves (default: that of the control)")
+      ->check(CLI::IsMember(laws));
+  command.add_option("--tool-length", arguments.tool_length, "Length from the gauge point to the tool tip")
+      ->type_name("LENGTH");
 }
 
 }  // namespace
@@ -150,93 +92,49 @@ void add_machine_commands(CLI::App& command, MachineArguments& arguments) {
   command.require_subcommand(1);
   command.footer("Example:\n  gougecheck machine show preset:linuxcnc-xyzac-trt");
   CLI::App* list = command.add_subcommand("list", "List the built-in machines");
-  list->footer(std::string("Example:\n  gougecheck machine list\n\n") + kExits);
+  list->footer(std::string("Example:\n  gougecheck machine list\n\n") + kMachineExits);
   list->callback([&] { arguments.action = MachineArguments::Action::list; });
   CLI::App* show = command.add_subcommand("show", "Show joints, limits and laws of a machine, each with its source");
-  show->add_option("MACHINE", arguments.stated.machine, kMachineHelp)->type_name("FILE")->required();
-  add_joint_options(*show, arguments.stated.joints);
-  add_input_limit(*show, arguments.input);
-  show->footer(std::string("Example:\n  gougecheck machine show shop/dmu50.json\n\n") + kExits);
+  add_machine_input(*show, arguments);
+  show->footer(std::string("Example:\n  gougecheck machine show shop/dmu50.json\n\n") + kMachineExits);
   show->callback([&] { arguments.action = MachineArguments::Action::show; });
+  CLI::App* check = command.add_subcommand("check", "Report which laws of motion the data of a machine permit");
+  add_machine_input(*check, arguments);
+  add_law_options(*check, arguments);
+  check->footer(
+      std::string("Example:\n  gougecheck machine check shop/dmu50.json --tool-length 150\n\n"
+                  "For each law and kind of motion it prints whether the law can be used, and which facts are missing. "
+                  "Warnings and notes name doubts about the data.\n\n") +
+      "Exit status: 0 the laws in force for feeds and rapids can be used, 4 one of them cannot be used or is not given, "
+      "2 wrong command line, 3 input unreadable or invalid.");
+  check->callback([&] { arguments.action = MachineArguments::Action::check; });
 }
+
+namespace {
+
+int run_machine_check(const MachineArguments& arguments, std::ostream& out, std::ostream& err) {
+  StatedMachine stated = arguments.stated;
+  if (!arguments.tool_length.empty()) {
+    const Result<double> length = understand_length("--tool-length", arguments.tool_length, Minimum::zero);
+    if (!length) return fail(err, {length.error()});
+    stated.tool_length_mm = *length;
+  }
+  return check_machine(stated, arguments.input.max_bytes, out, err);
+}
+
+}  // namespace
 
 int run_machine(const MachineArguments& arguments, std::ostream& out, std::ostream& err) {
   if (arguments.action == MachineArguments::Action::list) {
     out << list_text();
     return kExitClean;
   }
+  if (arguments.action == MachineArguments::Action::check) return run_machine_check(arguments, out, err);
   std::string bytes;
   const Result<Machine> machine = load_machine(arguments.stated, arguments.input.max_bytes, bytes);
   if (!machine) return fail(err, {machine.error()});
   print(err, describe_missing_axes(*machine, arguments.stated.machine));
   out << machine_text(*machine, arguments.stated.joints);
-  return kExitClean;
-}
-
-void add_path_laws_options(CLI::App& command, PathMachineArguments& arguments) {
-  add_common(command, arguments);
-  command.add_option("--height", arguments.height, "Distance above the tip at which the gap is given as a length")
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  command.footer(
-      std::string("Example:\n"
-                  "  gougecheck path laws finish.apt --machine preset:haas-umc750\n\n"
-                  "The gap of a move is the largest angle between two tool axes: one turns on the great circle, "
-                  "the other results from rotary joints that run at constant rates.\n\n") +
-      kExits);
-}
-
-void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments) {
-  add_common(command, arguments);
-  command
-      .add_option("--csv", arguments.csv_file, "Write the joint values of every record as CSV; - for standard output")
-      ->type_name("FILE")
-      ->required();
-  command
-      .add_option("--tool-length", arguments.tool_length,
-                  "Length from the gauge point to the tip; required for a machine with a rotary head")
-      ->type_name("LENGTH");
-  command.footer(
-      std::string("Example:\n"
-                  "  gougecheck path joints op10.apt --machine preset:haas-umc750 --csv joints.csv\n\n"
-                  "Joints are chosen in the way of a post-processor: the nearest solution within the limits. "
-                  "Exceeded limits, flips and turns back are reported as warnings.\n\n") +
-      kExits);
-}
-
-int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, std::ostream& err) {
-  const Result<ReadOptions> options = understand(arguments.reading);
-  if (!options) return fail(err, {options.error()});
-  std::string bytes;
-  const Result<Machine> machine = load_machine(arguments.stated, arguments.input.max_bytes, bytes);
-  if (!machine) return fail(err, {machine.error()});
-  const char* const option = arguments.is_joints ? "--tool-length" : "--height";
-  const std::string& typed = arguments.is_joints ? arguments.tool_length : arguments.height;
-  const bool has_length = !arguments.is_joints || !arguments.tool_length.empty();
-  if (!has_length && has_rotary_head(*machine))
-    return fail(err,
-                {make_error("usage", "--tool-length is missing; the linear joints of a rotary head depend on it")});
-  const Result<double> length = has_length ? understand_length(option, typed, Minimum::zero) : 0.0;
-  if (!length) return fail(err, {length.error()});
-  if (const auto status = refuse_outputs({{"the toolpath", arguments.path}, {"--machine", arguments.stated.machine}},
-                                         asked_for({{"--csv", arguments.csv_file}}), err))
-    return *status;
-  Result<std::string> text = read_file(arguments.path, arguments.input.max_bytes);
-  if (!text) return fail(err, {text.error()});
-  ReadOutcome outcome = read_toolpath(arguments.path, std::move(*text), *options);
-  if (!outcome.toolpath) return fail(err, outcome.errors);
-  Toolpath& path = *outcome.toolpath;
-  print(err, path.notes);
-  print(err, describe_missing_axes(*machine, arguments.stated.machine));
-  print(err, choose_joints_of(*machine, MotionLaw(), path));
-  const JointPath& joints = *path.joints;
-  if (arguments.is_joints) {
-    const Outcome written = write_output(arguments.csv_file, joints_csv(*machine, path, joints, *length), out);
-    return written ? kExitClean : fail(err, {written.error()}, kExitInternal);
-  }
-  out << row("file", path.file) << row("machine", machine->name)
-      << gaps_text(path, gaps_of(*machine, path, joints, false), "feeds", *length)
-      << gaps_text(path, gaps_of(*machine, path, joints, true), "rapids", *length);
   return kExitClean;
 }
 

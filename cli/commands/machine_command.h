@@ -13,30 +13,15 @@ class App;
 namespace gouge {
 
 struct MachineArguments {
-  enum class Action { list, show } action = Action::list;
+  enum class Action { list, show, check } action = Action::list;
   StatedMachine stated;
+  std::string tool_length;  ///< of `check`, as typed
   InputLimit input;
 };
 
 void add_machine_commands(CLI::App& command, MachineArguments& arguments);
 
-/// Runs `gougecheck machine list` and `show`. Returns the exit status.
+/// Runs `gougecheck machine list`, `show` and `check`. Returns the exit status.
 [[nodiscard]] int run_machine(const MachineArguments& arguments, std::ostream& out, std::ostream& err);
-
-/// Arguments of `gougecheck path laws` and `path joints`.
-struct PathMachineArguments {
-  std::string path, csv_file, height = "100", tool_length;
-  StatedMachine stated;
-  ReadingArguments reading;
-  InputLimit input;
-  bool is_joints = false;
-};
-
-void add_path_laws_options(CLI::App& command, PathMachineArguments& arguments);
-void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments);
-
-/// Runs `gougecheck path laws`, which reports the difference between the laws of motion on a path. Or runs `gougecheck
-/// path joints`, which lists the joints of every record. Returns the exit status.
-[[nodiscard]] int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands/machine_command.h"
+#include "cli/commands/path_machine.h"
 #include "cli/options/reading_options.h"
 
 namespace CLI {

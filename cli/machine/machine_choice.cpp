@@ -6,6 +6,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
 #include "lib/machine/joint_law.h"
+#include "lib/machine/law_facts.h"
 #include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/machine.h"
 #include "lib/machine/read_machine.h"
@@ -28,23 +29,20 @@ Result<TurnLaw> chosen_law(const Machine& machine, const std::string& stated, co
                                        law_words(is_feed));
 }
 
-bool runs_joints(TurnLaw law) { return law == TurnLaw::joint || law == TurnLaw::independent; }
-
 /// Facts that a law of all joints needs and that are not given.
 std::optional<Diagnostic> find_missing_fact(const Machine& machine, TurnLaw law, const StatedMachine& stated,
                                             const MachineOptionNames& names) {
-  if (!runs_joints(law)) return std::nullopt;
   const std::string needs = "law " + std::string(turn_law_name(law)) + " on machine " + machine.name + " needs ";
-  for (const std::size_t k : machine.rotary) {
-    const Joint& joint = machine.joints[k];
-    if (!joint.has_point)
-      return make_error("machine-law", needs + "the place of joint " + joint.name +
+  for (const MissingFact& missing : missing_facts(machine, law, stated.tool_length_mm.has_value())) {
+    const std::string& joint = machine.joints[missing.joint].name;
+    if (missing.kind == MissingFact::Kind::point)
+      return make_error("machine-law", needs + "the place of joint " + joint +
                                            "; expected \"point\" of this joint in a machine file, or " +
-                                           names.joints.point + " " + joint.name + "=X,Y,Z");
+                                           names.joints.point + " " + joint + "=X,Y,Z");
+    if (missing.kind == MissingFact::Kind::tool_length)
+      return make_error("machine-law",
+                        needs + "the length from the gauge point to the tip; expected " + names.tool_length);
   }
-  if (has_rotary_head(machine) && !stated.tool_length_mm)
-    return make_error("machine-law",
-                      needs + "the length from the gauge point to the tip; expected " + names.tool_length);
   return std::nullopt;
 }
 

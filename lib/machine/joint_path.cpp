@@ -38,18 +38,6 @@ class Chooser {
  private:
   [[nodiscard]] const Joint& joint(std::size_t k) const { return machine_.joints[machine_.rotary[k]]; }
 
-  /// The turn of `angle` within the limits that is nearest to `to`; none: no turn is.
-  [[nodiscard]] std::optional<double> within_limits(const Joint& of, double angle, double to) const {
-    const double nearest = to + std::remainder(angle - to, kWholeTurn_rad);
-    if (of.is_continuous) return nearest;
-    const double low = of.min.value_or(-std::numeric_limits<double>::infinity()) - Tolerance::kSameDirection;
-    const double high = of.max.value_or(std::numeric_limits<double>::infinity()) + Tolerance::kSameDirection;
-    double best = nearest;
-    if (best > high) best -= kWholeTurn_rad * std::ceil((best - high) / kWholeTurn_rad);
-    if (best < low) best += kWholeTurn_rad * std::ceil((low - best) / kWholeTurn_rad);
-    return best > high ? std::nullopt : std::optional(best);
-  }
-
   [[nodiscard]] double cost(const RotaryAngles& angles, const RotaryAngles& from) const {
     double sum = 0;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -73,7 +61,7 @@ class Chooser {
       if (solutions.is_pole) angles[0] = from[0];
       bool is_within = true;
       for (std::size_t k = 0; k < 2; ++k) {
-        const std::optional<double> turned = within_limits(joint(k), angles[k], from[k]);
+        const std::optional<double> turned = turn_within_limits(joint(k), angles[k], from[k]);
         is_within = is_within && turned;
         if (turned) angles[k] = *turned;
       }
@@ -119,7 +107,7 @@ class Chooser {
     double least = std::numeric_limits<double>::infinity();
     for (const RotaryAngles& angles : solutions) {
       for (std::size_t k = 0; k < 2; ++k) {
-        if (within_limits(joint(k), angles[k], from[k])) continue;
+        if (turn_within_limits(joint(k), angles[k], from[k])) continue;
         const double value = std::remainder(angles[k], kWholeTurn_rad);
         const double limit = value > joint(k).max.value_or(value) ? *joint(k).max : joint(k).min.value_or(value);
         if (std::abs(value - limit) < least) {
@@ -151,6 +139,17 @@ class Chooser {
 };
 
 }  // namespace
+
+std::optional<double> turn_within_limits(const Joint& joint, double angle, double to) {
+  const double nearest = to + std::remainder(angle - to, kWholeTurn_rad);
+  if (joint.is_continuous) return nearest;
+  const double low = joint.min.value_or(-std::numeric_limits<double>::infinity()) - Tolerance::kSameDirection;
+  const double high = joint.max.value_or(std::numeric_limits<double>::infinity()) + Tolerance::kSameDirection;
+  double best = nearest;
+  if (best > high) best -= kWholeTurn_rad * std::ceil((best - high) / kWholeTurn_rad);
+  if (best < low) best += kWholeTurn_rad * std::ceil((low - best) / kWholeTurn_rad);
+  return best > high ? std::nullopt : std::optional(best);
+}
 
 JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath) { return Chooser(machine, toolpath).run(); }
 

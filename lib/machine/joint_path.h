@@ -29,6 +29,9 @@ struct JointChoice {
   std::vector<JointProblem> problems;  ///< in path order
 };
 
+/// Returns the turn of `angle` within the limits of a rotary joint that is nearest to `to`; none: no turn is within them.
+[[nodiscard]] std::optional<double> turn_within_limits(const Joint& joint, double angle, double to);
+
 /// Chooses the rotary angles of a path as a post-processor does. Of both solutions and all turns within the limits it
 /// takes those nearest to the angles before. At a pole the first joint stays. The result `path` is none where no
 /// solution is within the limits. Cost O(moves).

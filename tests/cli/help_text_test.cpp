@@ -39,6 +39,7 @@ TEST(HelpText, EveryHelpFitsIntoEightyColumns) {
                                                           {"machine"},
                                                           {"machine", "list"},
                                                           {"machine", "show"},
+                                                          {"machine", "check"},
                                                           {"accept"},
                                                           {"clash"},
                                                           {"compare"},

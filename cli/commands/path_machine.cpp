@@ -1,0 +1,159 @@
+#include "cli/commands/path_machine.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <ostream>
+#include <vector>
+
+#include "cli/commands/machine_words.h"
+#include "cli/options/joint_options.h"
+#include "cli/output/output_file.h"
+#include "cli/terminal/length_text.h"
+#include "cli/terminal/print_diagnostics.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "lib/base/units.h"
+#include "lib/machine/linuxcnc_ini.h"
+#include "lib/machine/rotary_law.h"
+#include "postproc/formats/read_toolpath.h"
+
+namespace gouge {
+namespace {
+
+std::string degrees(double rad, int decimals = 3) { return display_text(rad / kDegree_rad, decimals) + " deg"; }
+
+struct Gap {
+  std::size_t move = 0;
+  double rad = 0;
+};
+
+/// Returns the gaps of all moves, rapid or not, in which a rotary joint moves.
+std::vector<Gap> gaps_of(const Machine& machine, const Toolpath& path, const JointPath& joints, bool is_rapid) {
+  std::vector<Gap> gaps;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if ((path.moves[i].kind == MoveKind::rapid) != is_rapid || !joints.start[i] || !joints.end[i]) continue;
+    const RotaryAngles &from = *joints.start[i], &to = *joints.end[i];
+    if (!(std::abs(to[0] - from[0]) + std::abs(to[1] - from[1]) > 0)) continue;
+    gaps.push_back({i, largest_gap_rad(machine, from, to)});
+  }
+  return gaps;
+}
+
+std::string gaps_text(const Toolpath& path, std::vector<Gap> gaps, const std::string& kind, double height_mm) {
+  constexpr double kDiffers_mm = 0.01;
+  std::string text = machine_row(kind + " that turn", std::to_string(gaps.size()));
+  if (gaps.empty()) return text;
+  std::ranges::sort(gaps, {}, &Gap::rad);
+  const auto at_height = [&](double rad) { return display_text(2 * height_mm * std::sin(0.5 * rad), 4) + " mm"; };
+  const std::string height = " at " + display_text(height_mm, 3) + " mm";
+  const Gap& largest = gaps.back();
+  text += machine_row("  maximum gap", degrees(largest.rad, 4) + ", " + at_height(largest.rad) + height + ", line " +
+                                           std::to_string(path.moves[largest.move].line));
+  const Gap& most = gaps[static_cast<std::size_t>(0.99 * static_cast<double>(gaps.size() - 1))];
+  text += machine_row("  99 % within", degrees(most.rad, 4) + ", " + at_height(most.rad) + height);
+  const auto differing = std::ranges::count_if(
+      gaps, [&](const Gap& gap) { return 2 * height_mm * std::sin(0.5 * gap.rad) > kDiffers_mm; });
+  return text + machine_row("  more than 0.01 mm" + height, std::to_string(differing));
+}
+
+std::string joints_csv(const Machine& machine, const Toolpath& path, const JointPath& joints, double length_mm) {
+  std::string text = "move,line,kind";
+  for (const Joint& joint : machine.joints) text += "," + joint.name;
+  text += "\n";
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
+    text += std::to_string(i) + "," + std::to_string(move.line) + "," + kind_name(move.kind);
+    std::optional<JointValues> values;
+    if (joints.end[i]) values = inverse(machine, move.end.tip, *joints.end[i], length_mm);
+    for (std::size_t k = 0; k < machine.joints.size(); ++k) {
+      const double scale = machine.joints[k].type == JointType::rotary ? 1 / kDegree_rad : 1;
+      text += "," + (values ? fixed_text((*values)[k] * scale, 6) : std::string());
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+void add_common(CLI::App& command, PathMachineArguments& arguments) {
+  command.add_option("PATH", arguments.path, "Toolpath: CL data of any dialect, recognized by its content")
+      ->type_name("FILE")
+      ->required();
+  command.add_option("--machine", arguments.stated.machine, kMachineHelp)->type_name("FILE")->required();
+  add_joint_options(command, arguments.stated.joints);
+  add_options(command, arguments.reading, reading_options());
+  add_input_limit(command, arguments.input);
+}
+
+}  // namespace
+
+void add_path_laws_options(CLI::App& command, PathMachineArguments& arguments) {
+  add_common(command, arguments);
+  command.add_option("--height", arguments.height, "Distance above the tip at which the gap is given as a length")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command.footer(
+      std::string("Example:\n"
+                  "  gougecheck path laws finish.apt --machine preset:haas-umc750\n\n"
+                  "The gap of a move is the largest angle between two tool axes: one turns on the great circle, "
+                  "the other results from rotary joints that run at constant rates.\n\n") +
+      kMachineExits);
+}
+
+void add_path_joints_options(CLI::App& command, PathMachineArguments& arguments) {
+  add_common(command, arguments);
+  command
+      .add_option("--csv", arguments.csv_file, "Write the joint values of every record as CSV; - for standard output")
+      ->type_name("FILE")
+      ->required();
+  command
+      .add_option("--tool-length", arguments.tool_length,
+                  "Length from the gauge point to the tip; required for a machine with a rotary head")
+      ->type_name("LENGTH");
+  command.footer(
+      std::string("Example:\n"
+                  "  gougecheck path joints op10.apt --machine preset:haas-umc750 --csv joints.csv\n\n"
+                  "Joints are chosen in the way of a post-processor: the nearest solution within the limits. "
+                  "Exceeded limits, flips and turns back are reported as warnings.\n\n") +
+      kMachineExits);
+}
+
+int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, std::ostream& err) {
+  const Result<ReadOptions> options = understand(arguments.reading);
+  if (!options) return fail(err, {options.error()});
+  std::string bytes;
+  const Result<Machine> machine = load_machine(arguments.stated, arguments.input.max_bytes, bytes);
+  if (!machine) return fail(err, {machine.error()});
+  const char* const option = arguments.is_joints ? "--tool-length" : "--height";
+  const std::string& typed = arguments.is_joints ? arguments.tool_length : arguments.height;
+  const bool has_length = !arguments.is_joints || !arguments.tool_length.empty();
+  if (!has_length && has_rotary_head(*machine))
+    return fail(err,
+                {make_error("usage", "--tool-length is missing; the linear joints of a rotary head depend on it")});
+  const Result<double> length = has_length ? understand_length(option, typed, Minimum::zero) : 0.0;
+  if (!length) return fail(err, {length.error()});
+  if (const auto status = refuse_outputs({{"the toolpath", arguments.path}, {"--machine", arguments.stated.machine}},
+                                         asked_for({{"--csv", arguments.csv_file}}), err))
+    return *status;
+  Result<std::string> text = read_file(arguments.path, arguments.input.max_bytes);
+  if (!text) return fail(err, {text.error()});
+  ReadOutcome outcome = read_toolpath(arguments.path, std::move(*text), *options);
+  if (!outcome.toolpath) return fail(err, outcome.errors);
+  Toolpath& path = *outcome.toolpath;
+  print(err, path.notes);
+  print(err, describe_missing_axes(*machine, arguments.stated.machine));
+  print(err, choose_joints_of(*machine, MotionLaw(), path));
+  const JointPath& joints = *path.joints;
+  if (arguments.is_joints) {
+    const Outcome written = write_output(arguments.csv_file, joints_csv(*machine, path, joints, *length), out);
+    return written ? kExitClean : fail(err, {written.error()}, kExitInternal);
+  }
+  out << machine_row("file", path.file) << machine_row("machine", machine->name)
+      << gaps_text(path, gaps_of(*machine, path, joints, false), "feeds", *length)
+      << gaps_text(path, gaps_of(*machine, path, joints, true), "rapids", *length);
+  return kExitClean;
+}
+
+}  // namespace gouge
