@@ -52,7 +52,7 @@ Program::Program() {
       *app.add_subcommand("accept", "Accept findings, so that a check with --baseline lists them separately"),
       a.accept);
   add_merge_options(*app.add_subcommand("merge", "Join the results of the shards of a batch"), a.merge);
-  add_machine_commands(*app.add_subcommand("machine", "List, show and check machines"), a.machine);
+  add_machine_commands(*app.add_subcommand("machine", "List, show, check and draw machines"), a.machine);
   add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), a.mesh);
   add_path_options(*app.add_subcommand("path", "Describe, convert and draw toolpath files"), a.path);
   add_tool_options(*app.add_subcommand("tool", "List, show and draw the tools of a library, and import libraries"),

@@ -10,15 +10,19 @@
 #include "cli/commands/machine_words.h"
 #include "cli/machine/machine_choice.h"
 #include "cli/options/joint_options.h"
+#include "cli/output/output_file.h"
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "lib/base/exit_code.h"
+#include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/units.h"
+#include "lib/machine/draw_machine.h"
 #include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/machine.h"
 #include "lib/machine/read_machine.h"
+#include "postproc/image/render_drawing.h"
 
 namespace gouge {
 namespace {
@@ -108,6 +112,11 @@ void add_machine_commands(CLI::App& command, MachineArguments& arguments) {
       "Exit status: 0 the laws in force for feeds and rapids can be used, 4 one of them cannot be used or is not given, "
       "2 wrong command line, 3 input unreadable or invalid.");
   check->callback([&] { arguments.action = MachineArguments::Action::check; });
+  CLI::App* draw = command.add_subcommand("draw", "Draw the joints of a machine with their senses, limits and places");
+  add_machine_input(*draw, arguments);
+  draw->add_option("-o,--output", arguments.picture, "Picture file, .png or .svg")->type_name("FILE")->required();
+  draw->footer(std::string("Example:\n  gougecheck machine draw shop/dmu50.json -o dmu50.svg\n\n") + kMachineExits);
+  draw->callback([&] { arguments.action = MachineArguments::Action::draw; });
 }
 
 namespace {
@@ -122,6 +131,18 @@ int run_machine_check(const MachineArguments& arguments, std::ostream& out, std:
   return check_machine(stated, arguments.input.max_bytes, out, err);
 }
 
+int draw_picture(const Machine& machine, const MachineArguments& arguments, std::ostream& err) {
+  const Result<bool> is_svg = is_svg_file(arguments.picture);
+  if (!is_svg) return fail(err, {is_svg.error()});
+  if (const auto status = refuse_outputs({{"the machine", arguments.stated.machine}}, {{"-o", arguments.picture}}, err))
+    return *status;
+  const Drawing drawing = draw_machine(machine);
+  const Result<std::string> bytes = *is_svg ? Result<std::string>(render_svg(drawing)) : render_png(drawing);
+  if (!bytes) return fail(err, {bytes.error()});
+  const Outcome written = write_file(arguments.picture, *bytes);
+  return written ? kExitClean : fail(err, {written.error()}, kExitInternal);
+}
+
 }  // namespace
 
 int run_machine(const MachineArguments& arguments, std::ostream& out, std::ostream& err) {
@@ -134,6 +155,7 @@ int run_machine(const MachineArguments& arguments, std::ostream& out, std::ostre
   const Result<Machine> machine = load_machine(arguments.stated, arguments.input.max_bytes, bytes);
   if (!machine) return fail(err, {machine.error()});
   print(err, describe_missing_axes(*machine, arguments.stated.machine));
+  if (arguments.action == MachineArguments::Action::draw) return draw_picture(*machine, arguments, err);
   out << machine_text(*machine, arguments.stated.joints);
   return kExitClean;
 }

@@ -15,7 +15,6 @@ namespace {
 
 using Doubt = MachineDoubt::Kind;
 
-bool is_rotary(const Joint& joint) { return joint.type == JointType::rotary; }
 bool has_limits(const Joint& joint) { return joint.is_continuous || joint.min || joint.max; }
 
 /// Returns whether a joint has a doubt that concerns it alone.

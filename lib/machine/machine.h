@@ -31,6 +31,8 @@ struct Joint {
   double preference = 0;           ///< of two solutions the one whose value has this sign is preferred; 0: none
 };
 
+[[nodiscard]] inline bool is_rotary(const Joint& joint) { return joint.type == JointType::rotary; }
+
 /// Laws by which a control moves the tool between two positions. The first two keep the tip on its line or curve.
 enum class TurnLaw {
   vector,      ///< the axis on the great circle

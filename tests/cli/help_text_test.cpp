@@ -40,6 +40,7 @@ TEST(HelpText, EveryHelpFitsIntoEightyColumns) {
                                                           {"machine", "list"},
                                                           {"machine", "show"},
                                                           {"machine", "check"},
+                                                          {"machine", "draw"},
                                                           {"accept"},
                                                           {"clash"},
                                                           {"compare"},

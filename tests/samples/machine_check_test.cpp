@@ -3,7 +3,7 @@
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
 
-// gougecheck machine check, as a user meets it.
+// gougecheck machine check and machine draw, as a user meets them.
 
 namespace gouge::testing_samples {
 namespace {
@@ -56,6 +56,20 @@ TEST(MachineCheck, NamesDoubts) {
     EXPECT_TRUE(has(ran.err, text)) << text << "\n" << ran.err;
   EXPECT_TRUE(has(ran.out, "some directions between 5 deg and 90 deg")) << ran.out;
   EXPECT_EQ(run_gougecheck(folder, {"machine", "check", "none.json"}).exit_status, 3);
+}
+
+TEST(MachineDraw, WritesAPicture) {
+  const std::string folder = fresh_folder();
+  const auto draw = [&](const std::string& file) {
+    return run_gougecheck(folder, {"machine", "draw", "preset:haas-umc750", "-o", file, "--joint-limit", "B=-35..110"});
+  };
+  EXPECT_EQ(draw("m.svg").exit_status, 0);
+  const std::string svg = text_of(folder + "/m.svg");
+  for (const char* text : {"haas-umc750", "-35 to 110 deg", "part zero", "place of the axis not known"})
+    EXPECT_TRUE(has(svg, text)) << text;
+  EXPECT_EQ(draw("m.png").exit_status, 0);
+  EXPECT_EQ(text_of(folder + "/m.png").substr(1, 3), "PNG");
+  EXPECT_EQ(draw("m.jpg").exit_status, 2);
 }
 
 }  // namespace
