@@ -3,11 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <ostream>
 #include <vector>
 
 #include "cli/commands/machine_words.h"
+#include "cli/machine/rate_notes.h"
 #include "cli/options/joint_options.h"
 #include "cli/output/output_file.h"
 #include "cli/terminal/length_text.h"
@@ -18,6 +20,7 @@
 #include "lib/base/units.h"
 #include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/rotary_law.h"
+#include "lib/path/path_info.h"
 #include "postproc/formats/read_toolpath.h"
 
 namespace gouge {
@@ -30,6 +33,27 @@ struct Gap {
   double rad = 0;
 };
 
+bool has_opposite_axes(const Toolpath& path, std::size_t move) {
+  constexpr double kOpposite_rad = std::numbers::pi - 1e-6;  // no great circle beyond, as in a check
+  const Move& to = path.moves[move];
+  return to.has_start && angle_between_rad(path.start_of(move).axis, to.end.axis) > kOpposite_rad;
+}
+
+/// Returns a warning with the first move whose axes are opposite, and the number of these moves.
+Diagnostics describe_opposite_axes(const Toolpath& path) {
+  std::size_t count = 0, first = 0;
+  for (std::size_t i = path.moves.size(); i-- > 0;) {
+    if (!has_opposite_axes(path, i)) continue;
+    ++count;
+    first = i;
+  }
+  if (count == 0) return {};
+  return {make_warning("machine-opposite",
+                       "the tool axis turns to its opposite in " + count_text(count, "move") +
+                           ", for which the law vector states no motion; add a position between",
+                       path.file, path.moves[first].line)};
+}
+
 /// Returns the gaps of all moves, rapid or not, in which a rotary joint moves.
 std::vector<Gap> gaps_of(const Machine& machine, const Toolpath& path, const JointPath& joints, bool is_rapid) {
   std::vector<Gap> gaps;
@@ -37,6 +61,7 @@ std::vector<Gap> gaps_of(const Machine& machine, const Toolpath& path, const Joi
     if ((path.moves[i].kind == MoveKind::rapid) != is_rapid || !joints.start[i] || !joints.end[i]) continue;
     const RotaryAngles &from = *joints.start[i], &to = *joints.end[i];
     if (!(std::abs(to[0] - from[0]) + std::abs(to[1] - from[1]) > 0)) continue;
+    if (has_opposite_axes(path, i)) continue;
     gaps.push_back({i, largest_gap_rad(machine, from, to)});
   }
   return gaps;
@@ -145,6 +170,8 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   print(err, path.notes);
   print(err, describe_missing_axes(*machine, arguments.stated.machine));
   print(err, choose_joints_of(*machine, MotionLaw(), path));
+  if (arguments.is_joints) print(err, describe_rate_excesses(*machine, machine->control.feed_law, path));
+  print(err, describe_opposite_axes(path));
   const JointPath& joints = *path.joints;
   if (arguments.is_joints) {
     const Outcome written = write_output(arguments.csv_file, joints_csv(*machine, path, joints, *length), out);

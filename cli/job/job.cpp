@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/machine/machine_choice.h"
+#include "cli/machine/rate_notes.h"
 #include "cli/options/joint_options.h"
 #include "cli/options/length_rule.h"
 #include "cli/terminal/length_text.h"
@@ -126,6 +127,7 @@ class JobLoader {
     if (!take_tube(job_.machine->control)) return false;
     add_notes(describe_missing_axes(*job_.machine, a.machine));
     add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.toolpath));
+    add_notes(describe_rate_excesses(*job_.machine, job_.laws.feeds, job_.toolpath));
     return true;
   }
 

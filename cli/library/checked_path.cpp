@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/machine/rate_notes.h"
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
@@ -121,6 +122,8 @@ Path with_joints(const Path& path, const PathMachine& machine) {
   gouge::Toolpath jointed = path.content().path;
   gouge::Diagnostics notes = gouge::describe_missing_axes(machine.chosen.machine, machine.options.front().value);
   std::ranges::move(gouge::choose_joints_of(machine.chosen.machine, machine.chosen.law, jointed),
+                    std::back_inserter(notes));
+  std::ranges::move(gouge::describe_rate_excesses(machine.chosen.machine, machine.chosen.laws.feeds, jointed),
                     std::back_inserter(notes));
   std::ranges::move(notes, std::back_inserter(jointed.notes));
   return PathAccess::from(std::move(jointed), path.content().is_from_memory);
