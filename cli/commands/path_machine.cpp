@@ -108,6 +108,7 @@ void add_common(CLI::App& command, PathMachineArguments& arguments) {
       ->required();
   command.add_option("--machine", arguments.stated.machine, kMachineHelp)->type_name("FILE")->required();
   add_joint_options(command, arguments.stated.joints);
+  command.add_option("--zero", arguments.stated.zero, kZeroHelp)->type_name("X,Y,Z")->group(kMachineGroup);
   add_options(command, arguments.reading, reading_options());
   add_input_limit(command, arguments.input);
 }
@@ -153,7 +154,7 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   if (!machine) return fail(err, {machine.error()});
   const char* const option = arguments.is_joints ? "--tool-length" : "--height";
   const std::string& typed = arguments.is_joints ? arguments.tool_length : arguments.height;
-  const bool has_length = !arguments.is_joints || !arguments.tool_length.empty();
+  const bool has_length = !typed.empty();
   if (!has_length && has_rotary_head(*machine))
     return fail(err,
                 {make_error("usage", "--tool-length is missing; the linear joints of a rotary head depend on it")});
@@ -169,7 +170,8 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   Toolpath& path = *outcome.toolpath;
   print(err, path.notes);
   print(err, describe_missing_axes(*machine, arguments.stated.machine));
-  print(err, choose_joints_of(*machine, MotionLaw(), path));
+  const auto tool_length_mm = arguments.is_joints && has_length ? std::optional(*length) : std::nullopt;
+  print(err, choose_joints_of(*machine, MotionLaw(), tool_length_mm, path));
   if (arguments.is_joints) print(err, describe_rate_excesses(*machine, machine->control.feed_law, path));
   print(err, describe_opposite_axes(path));
   const JointPath& joints = *path.joints;

@@ -44,6 +44,7 @@ ClaimedJoints claimed_joints(const Machine& machine, const Job& job) {
   for (const Joint& joint : machine.joints)
     joints.chain.push_back({joint.type == JointType::rotary, joint.direction, joint.point, joint.rate});
   joints.rotary = machine.rotary;
+  joints.rest = machine.rest;
   joints.tool_length_mm = job.options.tool_length_mm.value_or(0);
   joints.feeds = claimed_run(job.laws.feeds);
   joints.rapids = claimed_run(job.laws.rapids);

@@ -110,7 +110,7 @@ class JobLoader {
   bool read_machine() {
     const JobArguments& a = arguments_;
     Result<std::optional<ChosenMachine>> chosen =
-        choose_machine({a.machine, a.feed_law, a.rapid_law, job_.options.tool_length_mm, a.joints},
+        choose_machine({a.machine, a.feed_law, a.rapid_law, job_.options.tool_length_mm, a.joints, a.zero},
                        job_.options.check.law.rapid(), a.input.max_bytes);
     if (!chosen) {
       errors_.push_back(chosen.error());
@@ -126,7 +126,7 @@ class JobLoader {
     job_.laws = machine.laws;
     if (!take_tube(job_.machine->control)) return false;
     add_notes(describe_missing_axes(*job_.machine, a.machine));
-    add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.toolpath));
+    add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.options.tool_length_mm, job_.toolpath));
     add_notes(describe_rate_excesses(*job_.machine, job_.laws.feeds, job_.toolpath));
     return true;
   }
@@ -316,7 +316,9 @@ Result<Toolpath> read_again(const Job& job, const std::string& file, std::string
   reading.keeps_origins = false;
   ReadOutcome outcome = read_toolpath(file, std::move(bytes), reading);
   if (!outcome.toolpath) return outcome.errors.front();
-  if (job.machine) static_cast<void>(choose_joints_of(*job.machine, job.options.check.law, *outcome.toolpath));
+  if (job.machine)
+    static_cast<void>(
+        choose_joints_of(*job.machine, job.options.check.law, job.options.tool_length_mm, *outcome.toolpath));
   // The dialect was given in this call. The report must state how the dialect of the first file is known.
   copy_facts(Subject::dialect, job.toolpath.assumptions, outcome.toolpath->assumptions);
   return std::move(*outcome.toolpath);

@@ -68,7 +68,8 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
     if (!path.is_unit_stated) as_before.unit = path.unit;
     gouge::Toolpath again = PathAccess::from_bytes(path.file, std::move(*bytes), as_before).content().path;
     if (checked.machine != nullptr)
-      static_cast<void>(gouge::choose_joints_of(checked.machine->chosen.machine, checked.machine->chosen.law, again));
+      static_cast<void>(gouge::choose_joints_of(checked.machine->chosen.machine, checked.machine->chosen.law,
+                                                checked.machine->chosen.tool_length_mm, again));
     for (const gouge::Subject fact : {gouge::Subject::dialect, gouge::Subject::path_unit})
       gouge::copy_facts(fact, path.assumptions, again.assumptions);
     return again;

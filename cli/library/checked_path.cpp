@@ -97,10 +97,17 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
                                        options.feed_law,
                                        options.rapid_law,
                                        options.tool_length,
-                                       {options.joint_limits, options.joint_points, options.joint_rates}};
-  std::optional<gouge::ChosenMachine> chosen = value_or_raise(gouge::choose_machine(
-      stated, static_cast<gouge::RapidMode>(options.rapids), gouge::kMaxInputBytes,
-      {"machine", "feed_law", "rapid_law", "rapids", "tool_length", {"joint_limits", "joint_points", "joint_rates"}}));
+                                       {options.joint_limits, options.joint_points, options.joint_rates},
+                                       options.zero};
+  std::optional<gouge::ChosenMachine> chosen =
+      value_or_raise(gouge::choose_machine(stated, static_cast<gouge::RapidMode>(options.rapids), gouge::kMaxInputBytes,
+                                           {"machine",
+                                            "feed_law",
+                                            "rapid_law",
+                                            "rapids",
+                                            "tool_length",
+                                            {"joint_limits", "joint_points", "joint_rates"},
+                                            "zero"}));
   if (!chosen) return nullptr;
   PathMachine made{std::move(*chosen), {{"machine", stated.machine}}};
   if (!stated.feed_law.empty()) made.options.push_back({"feed-law", stated.feed_law});
@@ -109,6 +116,7 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
     const std::string key = gouge::MachineOptionNames().tool_length.substr(2);  // without its dashes
     made.options.push_back({key, gouge::exact_text(*stated.tool_length_mm) + "mm"});
   }
+  if (!options.zero.empty()) made.options.push_back({"zero", options.zero});
   for (const std::string& text : options.joint_limits) made.options.push_back({"joint-limit", text});
   for (const std::string& text : options.joint_points) made.options.push_back({"joint-point", text});
   for (const std::string& text : options.joint_rates) made.options.push_back({"joint-rate", text});
@@ -121,8 +129,9 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
 Path with_joints(const Path& path, const PathMachine& machine) {
   gouge::Toolpath jointed = path.content().path;
   gouge::Diagnostics notes = gouge::describe_missing_axes(machine.chosen.machine, machine.options.front().value);
-  std::ranges::move(gouge::choose_joints_of(machine.chosen.machine, machine.chosen.law, jointed),
-                    std::back_inserter(notes));
+  std::ranges::move(
+      gouge::choose_joints_of(machine.chosen.machine, machine.chosen.law, machine.chosen.tool_length_mm, jointed),
+      std::back_inserter(notes));
   std::ranges::move(gouge::describe_rate_excesses(machine.chosen.machine, machine.chosen.laws.feeds, jointed),
                     std::back_inserter(notes));
   std::ranges::move(notes, std::back_inserter(jointed.notes));

@@ -1,12 +1,16 @@
 #include "cli/machine/machine_choice.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
+#include "cli/values/parse_lengths.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
 #include "lib/machine/joint_law.h"
 #include "lib/machine/law_facts.h"
+#include "lib/machine/linear_limits.h"
 #include "lib/machine/linuxcnc_ini.h"
 #include "lib/machine/machine.h"
 #include "lib/machine/read_machine.h"
@@ -16,6 +20,8 @@ namespace gouge {
 namespace {
 
 std::string degrees(double rad) { return display_text(rad / kDegree_rad, 3) + " degrees"; }
+
+std::string millimetres(double mm) { return display_text(mm, 3) + " mm"; }
 
 /// The names of laws for a message: of feeds, or of rapids.
 std::string law_words(bool is_feed) { return is_feed ? "vector, axis or joint" : "vector, axis, joint or independent"; }
@@ -83,6 +89,7 @@ std::string describe_law(const Machine& machine, const StatedMachine& stated, co
   if (!stated.feed_law.empty()) add(names.feed_law + " " + stated.feed_law);
   if (!stated.rapid_law.empty()) add(names.rapid_law + " " + stated.rapid_law);
   for (const std::string& fact : stated_texts(stated.joints, names.joints)) add(fact);
+  if (!stated.zero.empty()) add(names.zero + " " + stated.zero);
   if (stated.tool_length_mm) add(names.tool_length + " " + display_text(*stated.tool_length_mm, 6) + " mm");
   if (!stated.feed_law.empty() && !stated.rapid_law.empty()) return text;
   const Control& control = machine.control;
@@ -134,6 +141,25 @@ void leave_unchecked(const std::string& reason, std::size_t move, Toolpath& path
   }
 }
 
+/// Adds the exceeded limits of linear joints to `problems`. Returns a note if some cannot be compared.
+Diagnostics add_linear_limits(const Machine& machine, const std::optional<double>& tool_length_mm, const Toolpath& path,
+                              std::vector<JointProblem>& problems) {
+  const bool has_length = tool_length_mm && path.tools.size() < 2;
+  LinearLimits limits = check_linear_limits(machine, path, has_length ? tool_length_mm : std::nullopt);
+  std::ranges::move(limits.problems, std::back_inserter(problems));
+  std::ranges::stable_sort(problems, {}, &JointProblem::move);
+  if (limits.open.empty()) return {};
+  std::vector<std::string> names;
+  for (const std::size_t k : limits.open) names.push_back(machine.joints[k].name);
+  const std::string why =
+      !tool_length_mm ? "state the tool length"
+                      : "one length is stated, and the path has " + std::to_string(path.tools.size()) + " tools";
+  return {make_note("machine-no-length",
+                    "limits of " + std::string(names.size() == 1 ? "joint " : "joints ") + listed(names, " and ") +
+                        " are not checked, because they depend on the tool length; " + why,
+                    path.file)};
+}
+
 }  // namespace
 
 Result<Machine> load_machine(const StatedMachine& stated, std::uint64_t max_bytes, std::string& bytes,
@@ -141,7 +167,13 @@ Result<Machine> load_machine(const StatedMachine& stated, std::uint64_t max_byte
   Result<Machine> machine = read_stated(stated.machine, max_bytes, bytes, names);
   if (!machine) return machine;
   if (const auto wrong = state_joints(stated.joints, names.joints, *machine)) return *wrong;
-  return machine;
+  if (stated.zero.empty()) return machine;
+  const std::optional<RigidTransform> zero = parse_place(stated.zero);
+  if (!zero)
+    return make_error("usage",
+                      names.zero + " '" + stated.zero +
+                          "': expected x,y,z or x,y,z,rx,ry,rz: lengths in mm, or with a unit (0.5in), then degrees");
+  return place_part(std::move(*machine), *zero);
 }
 
 Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
@@ -150,7 +182,8 @@ Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated,
   if (const auto wrong = find_wrong_law(stated.feed_law, names.feed_law, true, needed)) return *wrong;
   if (const auto wrong = find_wrong_law(stated.rapid_law, names.rapid_law, false, needed)) return *wrong;
   if (stated.machine.empty()) {
-    const std::vector<std::string> facts = stated_texts(stated.joints, names.joints);
+    std::vector<std::string> facts = stated_texts(stated.joints, names.joints);
+    if (!stated.zero.empty()) facts.push_back(names.zero + " " + stated.zero);
     if (facts.empty()) return std::optional<ChosenMachine>();
     return make_error("usage",
                       facts.front() + ": expected " + names.machine + " beside it: joints are those of a machine");
@@ -165,7 +198,7 @@ Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated,
   const auto rapids = laws->rapids == laws->feeds ? feeds : axes_of(*machine, laws->rapids, length_mm);
   std::string evidence = describe_law(*machine, stated, names);
   return std::optional(ChosenMachine{std::move(*machine), *laws, MotionLaw(rapid, feeds, rapids), std::move(evidence),
-                                     std::move(bytes)});
+                                     std::move(bytes), stated.tool_length_mm});
 }
 
 Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const JointProblem& problem) {
@@ -175,10 +208,12 @@ Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const 
     case JointProblem::Kind::unreachable:
       return make_warning("machine-unreachable", "no position of the rotary joints gives this tool axis", path.file,
                           line);
-    case JointProblem::Kind::limit:
+    case JointProblem::Kind::limit: {
+      const auto text = is_rotary(machine.joints[problem.joint]) ? degrees : millimetres;
       return make_warning("machine-limit",
-                          joint + " would be at " + degrees(problem.value) + "; its limit is " + degrees(problem.limit),
+                          joint + " would be at " + text(problem.value) + "; its limit is " + text(problem.limit),
                           path.file, line);
+    }
     case JointProblem::Kind::flip:
       return make_warning(
           "machine-flip",
@@ -195,11 +230,12 @@ Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const 
   return {};
 }
 
-Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, Toolpath& path) {
+Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, const std::optional<double>& tool_length_mm,
+                             Toolpath& path) {
   constexpr std::size_t kMaxNotes = 20;
   JointChoice choice = choose_joints(machine, path);
   path.joints = std::make_shared<const JointPath>(std::move(choice.path));
-  Diagnostics notes;
+  Diagnostics notes = add_linear_limits(machine, tool_length_mm, path, choice.problems);
   for (const JointProblem& problem : choice.problems) {
     const Diagnostic note = describe_problem(machine, path, problem);
     if (problem.kind == JointProblem::Kind::limit || problem.kind == JointProblem::Kind::unreachable)

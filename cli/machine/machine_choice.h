@@ -20,11 +20,18 @@ inline constexpr const char* kMachineHelp =
     "Machine with its rotary joints and control laws: a machine file, a LinuxCNC configuration (INI), or "
     "preset:NAME (see 'gougecheck machine list')";
 
+/// Help of --zero.
+inline constexpr const char* kZeroHelp =
+    "Part zero in machine coordinates with all joints at 0, x,y,z[,rx,ry,rz]: lengths in mm or with a unit (0.5in), then "
+    "angles in degrees about the fixed axes X, Y, Z. Limits of linear joints then apply (default: not known, parallel to "
+    "the axes of the machine)";
+
 /// Names of options in messages: those of the command line, or others.
 struct MachineOptionNames {
   std::string machine = "--machine", feed_law = "--feed-law", rapid_law = "--rapid-law", rapid = "--rapid",
               tool_length = "--tool-length";
   JointOptionNames joints = {};
+  std::string zero = "--zero";
 };
 
 /// A machine and its laws as the user states them; laws: kTurnLawNames, or empty.
@@ -32,20 +39,24 @@ struct StatedMachine {
   std::string machine, feed_law, rapid_law;
   std::optional<double> tool_length_mm = {};  ///< from the gauge point to the tip
   StatedJoints joints = {};
+  std::string zero = {};  ///< part zero in machine coordinates, as typed: "x,y,z" or "x,y,z,rx,ry,rz"; empty: not known
 };
 
 /// The machine of a job and the law of motion on it.
 struct ChosenMachine {
   Machine machine;
   TurnLaws laws;
-  MotionLaw law;             ///< by `laws`
-  std::string law_evidence;  ///< options, and the control with its source
-  std::string bytes;         ///< of its file or preset
+  MotionLaw law;                         ///< by `laws`
+  std::string law_evidence;              ///< options, and the control with its source
+  std::string bytes;                     ///< of its file or preset
+  std::optional<double> tool_length_mm;  ///< as stated
 };
 
 /// Reads a machine file, a configuration of LinuxCNC, or preset:NAME, and takes the facts of joints that the user states.
+/// With a part zero the machine is placed about the part (place_part).
 /// `bytes`: takes the text that was read.
-/// Errors: usage, for a preset that does not exist; those of read_file, read_machine, read_linuxcnc_ini and state_joints.
+/// Errors: usage, for a preset that does not exist; those of read_file, read_machine, read_linuxcnc_ini and state_joints. Also
+/// usage, for a part zero of another form.
 [[nodiscard]] Result<Machine> load_machine(const StatedMachine& stated, std::uint64_t max_bytes, std::string& bytes,
                                            const MachineOptionNames& names = {});
 
@@ -58,8 +69,10 @@ struct ChosenMachine {
                                                                   const MachineOptionNames& names = {});
 
 /// Chooses the joints of a path and stores them with it. Moves that the machine cannot run, and those whose motion `law`
-/// leaves open, are not checked, with their reason. Returns a warning for each problem of the joints, at most twenty.
-[[nodiscard]] Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, Toolpath& path);
+/// leaves open, are not checked, with their reason. With a part zero, that includes limits of linear joints. Returns a
+/// warning for each problem of the joints, at most twenty, and a note if limits of linear joints cannot be compared.
+[[nodiscard]] Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law,
+                                           const std::optional<double>& tool_length_mm, Toolpath& path);
 
 /// Describes a problem, as a warning with its line.
 [[nodiscard]] Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const JointProblem& problem);

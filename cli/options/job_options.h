@@ -54,6 +54,7 @@ struct JobArguments : Verbosity {
   bool is_extended_up = false;
   std::string machine, feed_law, rapid_law, tool_length;
   StatedJoints joints;
+  std::string zero;                           ///< part zero in machine coordinates
   std::string tip_tolerance, axis_tolerance;  ///< empty: 0
   std::vector<std::string> assumed;           ///< --assume
   bool is_strict = false;

@@ -15,7 +15,8 @@ const char* const kOptions =
     "rapids: 'straight', 'dogleg' or 'skip'. machine: a machine file or 'preset:NAME', whose control moves the tool axis; "
     "feed_law, rapid_law: 'vector', 'axis' or 'joint' in place of the control's, of rapids also 'independent'; tool_length: "
     "from the gauge point to the tip, for a rotary head; joint_limits, joint_points, joint_rates: lists such as ['A=-30..120'], "
-    "['A=0,0,50'], ['A=3600'] in place of facts of the machine file. tip_tolerance, mm, and axis_tolerance, degrees: how far a control "
+    "['A=0,0,50'], ['A=3600'] in place of facts of the machine file; zero: the part zero in machine coordinates, 'x,y,z' or "
+    "'x,y,z,rx,ry,rz'. tip_tolerance, mm, and axis_tolerance, degrees: how far a control "
     "that smooths the path may depart from its law. threads: 0 for all; the result is the same at any number. assume: facts to "
     "take as stated, such as 'path-unit', 'placement', 'tool=T3'; strict: clean only where no fact is taken by default. "
     "The GIL is released.";
@@ -73,6 +74,7 @@ CheckOptions take_options(Keywords& keywords) {
   options.joint_limits = keywords.texts("joint_limits");
   options.joint_points = keywords.texts("joint_points");
   options.joint_rates = keywords.texts("joint_rates");
+  options.zero = keywords.text("zero", "");
   options.tip_tolerance = keywords.number("tip_tolerance", options.tip_tolerance);
   options.axis_tolerance = keywords.number("axis_tolerance", options.axis_tolerance);
   options.threads = keywords.count("threads", defaults.threads);

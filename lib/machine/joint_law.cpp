@@ -112,7 +112,7 @@ class ChainRun : public AxisPath, public TipPath {
   /// From the tool to the part: each joint carries the point r, of velocity v, that the joints before it have made.
   [[nodiscard]] CarriedTip carried(double t0, double t1) const {
     const double middle = 0.5 * (t0 + t1), half = 0.5 * (t1 - t0);
-    CarriedTip of{Vec3(0, 0, -tool_length_mm_), Vec3::Zero(), 0};
+    CarriedTip of{machine_->rest.point(Vec3(0, 0, -tool_length_mm_)), Vec3::Zero(), 0};
     for (std::size_t k = runs_.size(); k-- > 0;) {
       const Joint& joint = machine_->joints[k];
       const Vec3& d = joint.direction;

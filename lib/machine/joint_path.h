@@ -20,8 +20,8 @@ struct JointProblem {
   Kind kind = Kind::limit;
   std::size_t move = 0;
   std::size_t joint = 0;  ///< of Machine::joints
-  double value = 0;       ///< rad: the angle, or by how much the joint turns
-  double limit = 0;       ///< rad: the limit; of a flip the turn of the tool axis
+  double value = 0;       ///< rad: the angle, or by how much the joint turns; of a linear joint mm
+  double limit = 0;       ///< rad or mm: the limit; of a flip the turn of the tool axis
 };
 
 struct JointChoice {

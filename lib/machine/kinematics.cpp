@@ -19,7 +19,7 @@ constexpr double kPole = Tolerance::kConstruction;
 
 /// The rigid transform of the chain with the linear joints at `linear`, applied to the tip.
 Vec3 tip_of(const Machine& machine, const JointValues& joints, double tool_length_mm) {
-  Vec3 at(0, 0, -tool_length_mm);
+  Vec3 at = machine.rest.point(Vec3(0, 0, -tool_length_mm));
   for (std::size_t k = machine.joints.size(); k-- > 0;) {
     const Joint& joint = machine.joints[k];
     if (joint.type == JointType::linear)
@@ -34,7 +34,7 @@ Vec3 tip_of(const Machine& machine, const JointValues& joints, double tool_lengt
 
 Eigen::Matrix3d tool_axes(const Machine& machine, const RotaryAngles& angles) {
   return turned(machine.joints[machine.rotary[0]].direction, angles[0]) *
-         turned(machine.joints[machine.rotary[1]].direction, angles[1]);
+         turned(machine.joints[machine.rotary[1]].direction, angles[1]) * machine.rest.rotation;
 }
 
 // With u and w the directions of the joints, from the part: a = R(u, alpha) b, b = R(w, beta) z. Then b runs on a cone
@@ -42,7 +42,7 @@ Eigen::Matrix3d tool_axes(const Machine& machine, const RotaryAngles& angles) {
 // without loss of digits at either end. Then alpha turns b to a about u.
 RotarySolutions rotary_angles(const Machine& machine, const Vec3& axis) {
   const Vec3 &u = machine.joints[machine.rotary[0]].direction, &w = machine.joints[machine.rotary[1]].direction;
-  const Vec3 z = Vec3::UnitZ();
+  const Vec3 z = machine.rest.rotation.col(2);
   RotarySolutions solutions;
   const double theta = angle_between_rad(u, axis), gamma = angle_between_rad(w, z), delta = angle_between_rad(w, u);
   if (std::sin(gamma) < Tolerance::kNoSide) return solutions;  // the second joint turns the tool about its own axis
@@ -50,7 +50,7 @@ RotarySolutions rotary_angles(const Machine& machine, const Vec3& axis) {
   const double cosine2 = std::sin(0.5 * (gamma + delta + theta)) * std::sin(0.5 * (gamma + delta - theta));
   if (sine2 < -Tolerance::kSameDirection || cosine2 < -Tolerance::kSameDirection) return solutions;
   const double half = 2 * std::atan2(std::sqrt(std::max(0.0, sine2)), std::sqrt(std::max(0.0, cosine2)));
-  const double middle = std::atan2(u.dot(w.cross(z)), u.z() - w.z() * u.dot(w));
+  const double middle = std::atan2(u.dot(w.cross(z)), u.dot(z) - w.dot(z) * u.dot(w));
   for (const double beta : {middle + half, middle - half}) {
     const Vec3 b = turned(w, beta) * z;
     const Vec3 from = b - u.dot(b) * u, to = axis - u.dot(axis) * u;

@@ -30,7 +30,7 @@ bool has_doubt(const Machine& machine, std::size_t k, Doubt kind) {
     case Doubt::fixed:
       return joint.min && joint.max && !(*joint.max > *joint.min);
     case Doubt::idle:
-      return k == machine.rotary[1] && joint.direction.cross(Vec3::UnitZ()).norm() < Tolerance::kNoSide;
+      return k == machine.rotary[1] && joint.direction.cross(machine.rest.rotation.col(2)).norm() < Tolerance::kNoSide;
     case Doubt::not_at_zero:
       return joint.min.value_or(0) > 0 || joint.max.value_or(0) < 0;
     case Doubt::preference:
@@ -91,7 +91,7 @@ AxisReach measure_reach(const Machine& machine) {
     for (int turn = 0; turn < around; ++turn) {
       const double phi = turn * kDegree_rad;
       const Vec3 axis(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
-      if (is_reached(machine, axis)) ++reached;
+      if (is_reached(machine, machine.rest.direction(axis))) ++reached;
     }
     if (reached > 0) {
       reach.least = std::min(reach.least, theta);

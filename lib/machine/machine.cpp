@@ -59,6 +59,17 @@ Result<Machine> make_machine(Machine machine) {
   return machine;
 }
 
+Machine place_part(Machine machine, const RigidTransform& zero) {
+  const RigidTransform to_part = zero.inverse();
+  for (Joint& joint : machine.joints) {
+    joint.direction = to_part.direction(joint.direction);
+    if (is_rotary(joint)) joint.point = to_part.point(joint.point);
+  }
+  machine.rest = {to_part.rotation * machine.rest.rotation, to_part.point(machine.rest.shift)};
+  machine.is_placed = true;
+  return machine;
+}
+
 bool has_rotary_head(const Machine& machine) {
   return std::ranges::any_of(machine.rotary, [&](std::size_t k) { return machine.joints[k].side == JointSide::head; });
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lib/base/result.h"
-#include "lib/geom/vec.h"
+#include "lib/geom/pose.h"
 
 // A machine as the chain of its joints from the part to the tool. Directions and points are in part coordinates with
 // all joints at 0. Positive means the motion of the tool relative to the part (ISO 841), also for joints that move the
@@ -64,6 +64,9 @@ struct Machine {
   std::string source;         ///< of the kinematics
   std::vector<Joint> joints;  ///< from the part to the tool: three linear and two rotary
   Control control;
+  /// Frame of the tool with all joints at 0, in part coordinates: the gauge point, and the tool axis as z.
+  RigidTransform rest;
+  bool is_placed = false;           ///< the part zero is known, so that limits of linear joints apply
   std::vector<std::size_t> unread;  ///< indices of the joints that its configuration does not describe
 
   /// Indices of the rotary joints in `joints`, that nearer to the part first.
@@ -80,5 +83,10 @@ struct Machine {
 /// Returns whether a rotary joint carries the tool, so that the linear joints depend on the length of the tool.
 /// Requires Machine::rotary.
 [[nodiscard]] bool has_rotary_head(const Machine& machine);
+
+/// Describes a machine in the coordinates of a part on it. `zero` maps part coordinates to machine coordinates, in which
+/// the machine is described, with all joints at 0. Then directions, points and Machine::rest are in part coordinates.
+/// Proof: docs/method/machine.md, "Part zero".
+[[nodiscard]] Machine place_part(Machine machine, const RigidTransform& zero);
 
 }  // namespace gouge

@@ -17,12 +17,14 @@ class EvenTurn : public AxisPath {
   EvenTurn(const Machine& machine, const RotaryAngles& from, const RotaryAngles& to)
       : u_(machine.joints[machine.rotary[0]].direction),
         w_(machine.joints[machine.rotary[1]].direction),
+        rest_(machine.rest.rotation),
         from_(from),
         by_{to[0] - from[0], to[1] - from[1]} {}
 
   [[nodiscard]] Eigen::Matrix3d axes_at(double t) const override {
     return (Eigen::AngleAxisd(from_[0] + t * by_[0], u_) * Eigen::AngleAxisd(from_[1] + t * by_[1], w_))
-        .toRotationMatrix();
+               .toRotationMatrix() *
+           rest_;
   }
   [[nodiscard]] double turn_rate_rad(double /*t0*/, double /*t1*/) const override {
     return std::sqrt(by_[0] * by_[0] + by_[1] * by_[1] + 2 * std::abs(by_[0] * by_[1] * u_.dot(w_)));
@@ -33,6 +35,7 @@ class EvenTurn : public AxisPath {
 
  private:
   Vec3 u_, w_;
+  Eigen::Matrix3d rest_;
   RotaryAngles from_, by_;
 };
 

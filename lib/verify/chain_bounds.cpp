@@ -20,8 +20,14 @@ Bounds3 turned(const Bounds3& direction, const SineCosine& by, const Bounds3& x)
 /// A direction as written in doubles, which are not quite of length 1.
 Bounds3 unit(const Vec3& direction) { return direction_of(Bounds3(direction)); }
 
+/// The pose with all joints at 0.
+PoseBounds rest_of(const ClaimedJoints& joints) {
+  const Bounds3 axis = unit(joints.rest.rotation.col(2));
+  return {Bounds3(joints.rest.shift) - Bounds(joints.tool_length_mm) * axis, axis};
+}
+
 PoseBounds pose_of(const ClaimedJoints& joints, const ChainValues& values) {
-  PoseBounds pose{Bounds3(Vec3(0, 0, -joints.tool_length_mm)), Bounds3(Vec3::UnitZ())};
+  PoseBounds pose = rest_of(joints);
   for (std::size_t k = kChainJoints; k-- > 0;) {
     const ClaimedJoint& joint = joints.chain[k];
     const Bounds3 d = unit(joint.direction), p(joint.point);
@@ -71,7 +77,7 @@ std::optional<ChainValues> arrivals_of(const ClaimedJoints& joints, const ChainV
 
 /// The farthest that the tip is from the axis of any joint.
 double reach_mm(const ClaimedJoints& joints, const ChainValues& from, const ChainValues& to) {
-  Bounds reach(joints.tool_length_mm);
+  Bounds reach = Bounds(joints.tool_length_mm) + length(Bounds3(joints.rest.shift));
   for (std::size_t k = 0; k < kChainJoints; ++k) {
     const ClaimedJoint& joint = joints.chain[k];
     if (joint.is_rotary)
@@ -108,7 +114,7 @@ PoseBounds ChainSpan::pose(std::size_t end) const { return pose_of(*joints, valu
 
 // With r and v the point and its velocity at the start, |v(t) - v| <= A and |r(t) - r| <= |v| + A / 2 in a unit of time.
 Bounds ChainSpan::tip_acceleration() const {
-  Bounds3 tip(Vec3(0, 0, -joints->tool_length_mm)), velocity;
+  Bounds3 tip = rest_of(*joints).tip, velocity;
   Bounds most(0);
   for (std::size_t k = kChainJoints; k-- > 0;) {
     const ClaimedJoint& joint = joints->chain[k];

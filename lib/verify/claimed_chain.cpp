@@ -33,7 +33,9 @@ Matrix4d frame_at(const ClaimedJoints& joints, const std::vector<double>& values
     else
       m = m * shifted(values[k] * joint.direction);
   }
-  return m * shifted({0, 0, -joints.tool_length_mm});
+  Matrix4d rest = shifted(joints.rest.shift);
+  rest.topLeftCorner<3, 3>() = joints.rest.rotation;
+  return m * rest * shifted({0, 0, -joints.tool_length_mm});
 }
 
 Vec3 origin_of(const Matrix4d& m) { return m.topRightCorner<3, 1>(); }

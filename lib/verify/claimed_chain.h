@@ -35,6 +35,7 @@ struct ClaimedJoints {
   std::vector<ClaimedJoint> chain;
   std::array<std::size_t, 2> rotary{};  ///< of `chain`, that nearer to the part first
   double tool_length_mm = 0;
+  RigidTransform rest;  ///< frame of the tool with all joints at 0: gauge point, and the tool axis as z
   ClaimedRun feeds = ClaimedRun::on_circle, rapids = ClaimedRun::on_circle;
 };
 

@@ -15,9 +15,9 @@
 namespace gouge {
 
 /// Keys of `options.more` that name the law of motion.
-inline constexpr std::array<const char*, 9> kLawOptions = {"machine",     "feed-law",      "rapid-law",
-                                                           "tool-length", "tip-tolerance", "axis-tolerance",
-                                                           "joint-limit", "joint-point",   "joint-rate"};
+inline constexpr std::array<const char*, 10> kLawOptions = {
+    "machine",        "feed-law",    "rapid-law",   "tool-length", "tip-tolerance",
+    "axis-tolerance", "joint-limit", "joint-point", "joint-rate",  "zero"};
 
 /// Options of the check that affect its gouges.
 struct StoredOptions {

@@ -27,7 +27,7 @@ std::size_t wanted_scenes() {
 }
 
 std::vector<Machine> machines_with_rates() {
-  std::vector<Machine> all = test::machines();
+  std::vector<Machine> all = test::machines_and_placed();
   for (Machine& machine : all)
     for (std::size_t k = 0; k < 5; ++k) machine.joints[k].rate = 500.0 + 900.0 * static_cast<double>(k);
   for (Machine& machine : all)
@@ -61,6 +61,7 @@ struct MachineCase {
     for (const Joint& joint : machine.joints)
       scene->joints->chain.push_back({joint.type == JointType::rotary, joint.direction, joint.point, joint.rate});
     scene->joints->rotary = machine.rotary;
+    scene->joints->rest = machine.rest;
     scene->joints->tool_length_mm = kToolLength_mm;
     scene->joints->feeds = scene->joints->rapids = run;
     for (const MoveVerdict& verdict : result.verdicts) claims.push_back(claim_of(verdict, scene->largest_clean_mm()));

@@ -10,6 +10,7 @@
 #include "lib/machine/rotary_law.h"
 #include "lib/tool/evaluate.h"
 #include "tests/laws/random_moves.h"
+#include "tests/lib/machine/machines.h"
 #include "tests/support/machine_reference.h"
 #include "tests/support/whole_check.h"
 
@@ -24,7 +25,7 @@ std::size_t wanted_moves() {
   return given == nullptr ? 60 : static_cast<std::size_t>(std::strtoull(given, nullptr, 10));
 }
 
-/// All presets, which have every arrangement; what they leave empty is any number here.
+/// All presets, which have every arrangement, without and with a part zero; what they leave empty is any number here.
 std::vector<Machine> all_machines() {
   std::vector<Machine> all;
   for (const MachinePreset& preset : machine_presets())
@@ -36,6 +37,14 @@ std::vector<Machine> all_machines() {
         joint.point = Vec3(3, -2, 5) * static_cast<double>(k + 1);
       if (!joint.rate) joint.rate = joint.type == JointType::rotary ? 40 : 3000 + 500.0 * static_cast<double>(k);
     }
+  }
+  test::Scatter scatter(63);
+  const std::size_t presets = all.size();
+  for (std::size_t k = 0; k < presets; ++k) {
+    RigidTransform zero = test::random_zero(scatter);
+    zero.shift *= 0.1;
+    all.push_back(place_part(all[k], zero));
+    all.back().name += " with a part zero";
   }
   return all;
 }

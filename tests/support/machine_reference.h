@@ -106,9 +106,11 @@ class MachineReference {
       }
       m = m * one;
     }
-    Eigen::Matrix4d tool = Eigen::Matrix4d::Identity();
+    Eigen::Matrix4d rest = Eigen::Matrix4d::Identity(), tool = Eigen::Matrix4d::Identity();
+    rest.block<3, 3>(0, 0) = machine_.rest.rotation;
+    rest.block<3, 1>(0, 3) = machine_.rest.shift;
     tool(2, 3) = -length_mm_;
-    return m * tool;
+    return m * rest * tool;
   }
 
   const Machine& machine_;

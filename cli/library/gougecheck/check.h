@@ -35,6 +35,9 @@ struct CheckOptions {
   /// Facts of joints in place of those of the machine file, such as "A=-30..120", "A=free"; "A=0,0,50" (a point of the
   /// axis); "A=3600" (rate per minute). Degrees, of linear joints mm.
   std::vector<std::string> joint_limits = {}, joint_points = {}, joint_rates = {};
+  /// Part zero in machine coordinates with all joints at 0, "x,y,z" or "x,y,z,rx,ry,rz": mm, then degrees about the fixed
+  /// axes X, Y, Z. Limits of linear joints then apply. Empty: not known, with axes parallel to those of the machine.
+  std::string zero = {};
   double tip_tolerance = 0;   ///< maximum distance of the tip from its path that the control's smoothing may cause
   double axis_tolerance = 0;  ///< degrees, at most 10: maximum angle of the tool axis from its direction by the law
   unsigned threads = 0;       ///< 0: as many as the machine has; the result does not depend on the number

@@ -192,6 +192,9 @@ TEST(LibraryCheck, TakesFactsOfJoints) {
   const auto facts = report.assumptions();
   EXPECT_TRUE(std::ranges::any_of(
       facts, [](const Assumption& fact) { return fact.evidence.find("joint_points A=0,0,-50") != std::string::npos; }));
+  options.zero = "500,0,0";
+  EXPECT_EQ(check(Path(tips, axes), block(), ball(), options).state()[1], State::not_checked) << "X ends at 200";
+  options.zero = "";
   options.joint_rates = {"Q=1"};
   EXPECT_THROW((void)check(Path(tips, axes), block(), ball(), options), Error);
 }

@@ -23,7 +23,7 @@ std::size_t trials() {
 
 TEST(Kinematics, InverseOfForwardIsTheSamePose) {
   test::Scatter scatter(20261128);
-  for (const Machine& machine : test::machines()) {
+  for (const Machine& machine : test::machines_and_placed()) {
     for (std::size_t n = 0; n < trials(); ++n) {
       JointValues joints(5);
       for (std::size_t k = 0; k < 5; ++k) joints[k] = scatter.in(-300, 300);
@@ -47,7 +47,7 @@ TEST(Kinematics, InverseOfForwardIsTheSamePose) {
 
 TEST(Kinematics, TheAnglesOfAPoseAreAmongTheSolutions) {
   test::Scatter scatter(7);
-  for (const Machine& machine : test::machines()) {
+  for (const Machine& machine : test::machines_and_placed()) {
     for (std::size_t n = 0; n < trials() / 4; ++n) {
       const RotaryAngles angles = {scatter.in(-3, 3), scatter.in(-3, 3)};
       const RotarySolutions solutions = rotary_angles(machine, tool_axes(machine, angles).col(2));
@@ -61,6 +61,26 @@ TEST(Kinematics, TheAnglesOfAPoseAreAmongTheSolutions) {
       }
       // Near a pole, or where both solutions meet, angles are known to the root of the rounding.
       ASSERT_LT(nearest, 1e-5) << machine.name << " " << angles[0] << " " << angles[1];
+    }
+  }
+}
+
+TEST(Kinematics, APlacedPartSeesTheSameMachineFromItsZero) {
+  test::Scatter scatter(62);
+  for (const Machine& machine : test::machines()) {
+    for (std::size_t n = 0; n < trials() / 4; ++n) {
+      const RigidTransform zero = test::random_zero(scatter);
+      const Machine placed = place_part(machine, zero);
+      JointValues joints(5);
+      for (std::size_t k = 0; k < 5; ++k)
+        joints[k] = is_rotary(machine.joints[k]) ? scatter.in(-7, 7) : scatter.in(-300, 300);
+      const double length = scatter.in(0, 200);
+      const Pose on_machine = forward(machine, joints, length), on_part = forward(placed, joints, length);
+      ASSERT_LT((zero.point(on_part.tip) - on_machine.tip).norm(), 1e-9) << machine.name;
+      ASSERT_LT((zero.direction(on_part.axis) - on_machine.axis).norm(), 1e-12) << machine.name;
+      const RotaryAngles angles = {joints[machine.rotary[0]], joints[machine.rotary[1]]};
+      const JointValues found = inverse(placed, on_part.tip, angles, length);
+      for (std::size_t k = 0; k < 5; ++k) ASSERT_NEAR(found[k], joints[k], 1e-9) << machine.name;
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/machine/machine.h"
+#include "tests/support/scatter.h"
 
 // Machines of all arrangements, for tests.
 
@@ -51,6 +52,28 @@ inline std::vector<Machine> machines() {
                   {kX, kY, kZ, rotary("C", Vec3::UnitZ(), head), rotary("A", Vec3::UnitX(), head, {0, 30, 200})}),
           machine("nutating head", {rotary("C", Vec3::UnitZ(), table), kX, kY, kZ,
                                     rotary("B", Vec3(0, 1, 1).normalized(), head, {0, 0, 100})})};
+}
+
+/// Returns any part zero within 300 mm, turned in any direction.
+inline RigidTransform random_zero(Scatter& scatter) {
+  const auto number = [&] { return scatter.in(-300, 300); };
+  const double x = number(), y = number(), z = number();
+  const double a = number(), b = number(), c = number();
+  RigidTransform zero;
+  zero.rotation =
+      (Eigen::AngleAxisd(a, Vec3::UnitX()) * Eigen::AngleAxisd(b, Vec3::UnitY()) * Eigen::AngleAxisd(c, Vec3::UnitZ()))
+          .toRotationMatrix();
+  zero.shift = Vec3(x, y, z);
+  return zero;
+}
+
+/// The same machines, then each of them with a part at a random zero.
+inline std::vector<Machine> machines_and_placed() {
+  std::vector<Machine> all = machines();
+  Scatter scatter(61);
+  const std::size_t count = all.size();
+  for (std::size_t k = 0; k < count; ++k) all.push_back(place_part(all[k], random_zero(scatter)));
+  return all;
 }
 
 }  // namespace gouge::test

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "lib/machine/joint_path.h"
+
+namespace gouge {
+
+struct LinearLimits {
+  std::vector<JointProblem> problems;  ///< kind `limit`, in path order; value and limit in mm
+  /// Joints of Machine::joints whose limits are not checked. Their values depend on the tool length, which is not known.
+  std::vector<std::size_t> open;
+};
+
+/// Compares the linear joints at the positions of a path with their limits. Between positions they are not compared.
+/// `tool_length_mm`: from the gauge point to the tip. Requires Toolpath::joints. Without Machine::is_placed there are no
+/// problems, as the values then count from the part zero.
+[[nodiscard]] LinearLimits check_linear_limits(const Machine& machine, const Toolpath& path,
+                                               const std::optional<double>& tool_length_mm);
+
+}  // namespace gouge
