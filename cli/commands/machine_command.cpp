@@ -48,7 +48,8 @@ std::string joint_text(const Joint& joint) {
   if (!is_rotary) text.replace(text.find("about"), 5, "along");
   if (is_rotary && joint.has_point)
     text += " through (" + display_text(joint.point.x(), 4) + ", " + display_text(joint.point.y(), 4) + ", " +
-            display_text(joint.point.z(), 4) + ") mm";
+            display_text(joint.point.z(), 4) + ") mm" +
+            (joint.point_slack_mm > 0 ? ", to within " + display_text(joint.point_slack_mm, 4) + " mm" : "");
   text += joint.is_continuous
               ? ", turns without end"
               : ", from " + bound_text(joint.min, scale) + " to " + bound_text(joint.max, scale) + " " + unit;

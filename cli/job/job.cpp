@@ -110,7 +110,8 @@ class JobLoader {
   bool read_machine() {
     const JobArguments& a = arguments_;
     Result<std::optional<ChosenMachine>> chosen =
-        choose_machine({a.machine, a.feed_law, a.rapid_law, job_.options.tool_length_mm, a.joints, a.zero},
+        choose_machine({a.machine, a.feed_law, a.rapid_law, job_.options.tool_length_mm,
+                        job_.options.tool_length_slack_mm, a.joints, a.zero},
                        job_.options.check.law.rapid(), a.input.max_bytes);
     if (!chosen) {
       errors_.push_back(chosen.error());
@@ -124,19 +125,26 @@ class JobLoader {
     job_.basis.law_evidence = std::move(machine.law_evidence);
     job_.machine = std::move(machine.machine);
     job_.laws = machine.laws;
-    if (!take_tube(job_.machine->control)) return false;
+    if (!take_tube(job_.machine->control, machine.tip_slack_mm)) return false;
     add_notes(describe_missing_axes(*job_.machine, a.machine));
     add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.options.tool_length_mm, job_.toolpath));
     add_notes(describe_rate_excesses(*job_.machine, job_.laws.feeds, job_.toolpath));
     return true;
   }
 
-  /// Takes the tolerances of a control that no option states.
-  bool take_tube(const Control& control) {
+  /// Takes the tolerances of a control that no option states, and what intervals add to them.
+  bool take_tube(const Control& control, double tip_slack_mm) {
     MotionTube& tube = job_.options.check.tube;
     if (arguments_.tip_tolerance.empty()) tube.tip_mm = control.tip_tolerance_mm;
     if (arguments_.axis_tolerance.empty()) tube.axis_rad = control.axis_tolerance_rad;
+    tube.tip_mm += tip_slack_mm;
     if (tube.is_empty() || arguments_.heads.empty()) return true;
+    if (tip_slack_mm > 0) {
+      errors_.push_back(make_error("usage",
+                                   "intervals of --machine and --tool-length cover the tool, not the bodies of "
+                                   "--head; give single values, or leave out --head"));
+      return false;
+    }
     errors_.push_back(make_error("usage",
                                  "the tolerances of the control of --machine cover the tool, not the bodies of --head; "
                                  "give --tip-tolerance 0 and --axis-tolerance 0, or leave out --head"));

@@ -89,6 +89,12 @@ gouge::SetupBasis basis_of(const Scene& scene, const PathTools& tools, const Che
   return basis;
 }
 
+/// Returns a length, or the interval "low..high" about it.
+std::string length_range_text(double middle_mm, double half_mm) {
+  const std::string low = gouge::exact_text(middle_mm - half_mm) + "mm";
+  return half_mm > 0 ? low + ".." + gouge::exact_text(middle_mm + half_mm) + "mm" : low;
+}
+
 /// Returns the machine that the options name; null: none.
 std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
   if (options.tool_length && !(*options.tool_length >= 0 && std::isfinite(*options.tool_length)))
@@ -97,6 +103,7 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
                                        options.feed_law,
                                        options.rapid_law,
                                        options.tool_length,
+                                       length("tool_length_slack", options.tool_length_slack),
                                        {options.joint_limits, options.joint_points, options.joint_rates},
                                        options.zero};
   std::optional<gouge::ChosenMachine> chosen =
@@ -114,7 +121,7 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
   if (!stated.rapid_law.empty()) made.options.push_back({"rapid-law", stated.rapid_law});
   if (stated.tool_length_mm) {
     const std::string key = gouge::MachineOptionNames().tool_length.substr(2);  // without its dashes
-    made.options.push_back({key, gouge::exact_text(*stated.tool_length_mm) + "mm"});
+    made.options.push_back({key, length_range_text(*stated.tool_length_mm, stated.tool_length_slack_mm)});
   }
   if (!options.zero.empty()) made.options.push_back({"zero", options.zero});
   for (const std::string& text : options.joint_limits) made.options.push_back({"joint-limit", text});
@@ -138,22 +145,42 @@ Path with_joints(const Path& path, const PathMachine& machine) {
   return PathAccess::from(std::move(jointed), path.content().is_from_memory);
 }
 
+/// Options with the machine that they name.
+struct UnderstoodCheck {
+  gouge::CheckOptions options;
+  gouge::MotionTube stated_tube;               // without the addition for intervals
+  std::shared_ptr<const PathMachine> machine;  // null: none
+};
+
+UnderstoodCheck understand(const CheckOptions& options) {
+  UnderstoodCheck understood{to_check_options(options), {}, machine_of(options)};
+  gouge::MotionTube& tube = understood.options.tube;
+  if (understood.machine != nullptr) {
+    const gouge::ChosenMachine& chosen = understood.machine->chosen;
+    understood.options.law = chosen.law;
+    if (!(options.tip_tolerance > 0)) tube.tip_mm = chosen.machine.control.tip_tolerance_mm;
+    if (!(options.axis_tolerance > 0)) tube.axis_rad = chosen.machine.control.axis_tolerance_rad;
+  }
+  understood.stated_tube = tube;
+  if (understood.machine != nullptr) tube.tip_mm += understood.machine->chosen.tip_slack_mm;
+  return understood;
+}
+
 CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathTools> tools,
-                      const CheckOptions& options) {
+                      const CheckOptions& options, UnderstoodCheck understood) {
   gouge::SetupBasis basis = basis_of(scene, *tools, options);
   Scene taken = scene_in(scene, path.content().path.unit);
-  gouge::CheckOptions understood = to_check_options(options);
-  std::shared_ptr<const PathMachine> machine = machine_of(options);
-  if (machine != nullptr) {
-    understood.law = machine->chosen.law;
-    const gouge::Control& control = machine->chosen.machine.control;
-    if (!(options.tip_tolerance > 0)) understood.tube.tip_mm = control.tip_tolerance_mm;
-    if (!(options.axis_tolerance > 0)) understood.tube.axis_rad = control.axis_tolerance_rad;
-    basis.law_evidence = machine->chosen.law_evidence;
-    path = with_joints(path, *machine);
+  if (understood.machine != nullptr) {
+    basis.law_evidence = understood.machine->chosen.law_evidence;
+    path = with_joints(path, *understood.machine);
   }
-  return {std::move(path),       std::move(taken), std::move(tools),
-          std::move(understood), std::move(basis), std::move(machine)};
+  return {std::move(path),
+          std::move(taken),
+          std::move(tools),
+          std::move(understood.options),
+          understood.stated_tube,
+          std::move(basis),
+          std::move(understood.machine)};
 }
 
 }  // namespace
@@ -199,24 +226,24 @@ CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, cons
                             toolpath.file));
   }
   const gouge::ToolAssembly& assembly = tool.content().assembly;
-  const gouge::CheckOptions understood = to_check_options(options);
+  UnderstoodCheck understood = understand(options);
   auto tools = std::make_shared<PathTools>();
   const bool has_wide = std::ranges::any_of(toolpath.moves, &gouge::Move::needs_wide_tool);
-  tools->variants.assign(toolpath.tools.size(), compile(assembly, understood, has_wide));
+  tools->variants.assign(toolpath.tools.size(), compile(assembly, understood.options, has_wide));
   tools->facts.assign(toolpath.tools.size(), facts_of(assembly));
   tools->assumptions = value_or_raise(gouge::resolve_given(toolpath, assembly)).assumptions;
-  return completed(std::move(named), scene, std::move(tools), options);
+  return completed(std::move(named), scene, std::move(tools), options, std::move(understood));
 }
 
 CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& library, const CheckOptions& options) {
   const gouge::Toolpath& toolpath = path.content().path;
-  const gouge::CheckOptions understood = to_check_options(options);
+  UnderstoodCheck understood = understand(options);
   gouge::ResolvedTools resolved = value_or_raise(gouge::resolve_tools(toolpath, &library.content().library, {}, {}));
   auto tools = std::make_shared<PathTools>();
   for (const auto& assembly : resolved.assemblies) {
     tools->variants.emplace_back();
     const std::size_t index = tools->variants.size() - 1;
-    if (assembly) tools->variants.back() = compile(*assembly, understood, needs_wide_tool(toolpath, index));
+    if (assembly) tools->variants.back() = compile(*assembly, understood.options, needs_wide_tool(toolpath, index));
   }
   if (std::ranges::none_of(tools->variants, [](const auto& form) { return form.has_value(); })) {
     raise(gouge::make_error("no-tool",
@@ -228,7 +255,7 @@ CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& lib
   tools->notes = std::move(resolved.notes);
   tools->assumptions = std::move(resolved.assumptions);
   tools->file = library.content().file;
-  return completed(path, scene, std::move(tools), options);
+  return completed(path, scene, std::move(tools), options, std::move(understood));
 }
 
 gouge::CheckSetup CheckedPath::setup() const {
@@ -244,8 +271,8 @@ gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
     if (machine->file) model.inputs.push_back(*machine->file);
     model.more_options = machine->options;
   }
-  if (options.tube.tip_mm > 0)
-    model.more_options.push_back({"tip-tolerance", gouge::exact_text(options.tube.tip_mm) + "mm"});
+  if (stated_tube.tip_mm > 0)
+    model.more_options.push_back({"tip-tolerance", gouge::exact_text(stated_tube.tip_mm) + "mm"});
   if (options.tube.axis_rad > 0)
     model.more_options.push_back({"axis-tolerance", gouge::exact_text(options.tube.axis_rad / gouge::kDegree_rad)});
   model.options = options;

@@ -34,6 +34,7 @@ struct CheckedPath {
   Scene scene;
   std::shared_ptr<const PathTools> tools;
   gouge::CheckOptions options;
+  gouge::MotionTube stated_tube;  // of the options and the control, without the addition for intervals
   gouge::SetupBasis basis;
   std::shared_ptr<const PathMachine> machine;  // null: the axis turns on the great circle
 

@@ -45,6 +45,7 @@ Wrong set_point(const std::string& text, Joint& joint) {
   const std::optional<RigidTransform> place = parts.size() == 3 ? parse_place(text) : std::nullopt;
   if (!place) return "X,Y,Z: lengths in mm, or with a unit (0.5in)";
   joint.point = place->shift;
+  joint.point_slack_mm = 0;
   joint.has_point = true;
   return std::nullopt;
 }

@@ -15,6 +15,7 @@
 #include "lib/machine/machine.h"
 #include "lib/machine/read_machine.h"
 #include "lib/machine/rotary_law.h"
+#include "lib/machine/tip_slack.h"
 
 namespace gouge {
 namespace {
@@ -22,6 +23,12 @@ namespace {
 std::string degrees(double rad) { return display_text(rad / kDegree_rad, 3) + " degrees"; }
 
 std::string millimetres(double mm) { return display_text(mm, 3) + " mm"; }
+
+std::string length_range_text(const StatedMachine& stated) {
+  const double middle = stated.tool_length_mm.value_or(0), half = stated.tool_length_slack_mm;
+  const std::string low = display_text(middle - half, 6);
+  return (half > 0 ? low + ".." + display_text(middle + half, 6) : low) + " mm";
+}
 
 /// The names of laws for a message: of feeds, or of rapids.
 std::string law_words(bool is_feed) { return is_feed ? "vector, axis or joint" : "vector, axis, joint or independent"; }
@@ -90,7 +97,7 @@ std::string describe_law(const Machine& machine, const StatedMachine& stated, co
   if (!stated.rapid_law.empty()) add(names.rapid_law + " " + stated.rapid_law);
   for (const std::string& fact : stated_texts(stated.joints, names.joints)) add(fact);
   if (!stated.zero.empty()) add(names.zero + " " + stated.zero);
-  if (stated.tool_length_mm) add(names.tool_length + " " + display_text(*stated.tool_length_mm, 6) + " mm");
+  if (stated.tool_length_mm) add(names.tool_length + " " + length_range_text(stated));
   if (!stated.feed_law.empty() && !stated.rapid_law.empty()) return text;
   const Control& control = machine.control;
   add("control " + control.name + " of machine " + machine.name +
@@ -193,12 +200,19 @@ Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated,
   if (!machine) return machine.error();
   const Result<TurnLaws> laws = laws_of(*machine, stated, rapid, names);
   if (!laws) return laws.error();
+  const std::optional<double> slack_mm = tip_slack_mm(*machine, *laws, stated.tool_length_slack_mm);
+  if (!slack_mm)
+    return make_error("machine-law",
+                      "intervals of points or of the tool length need linear joints beside each other in "
+                      "the chain of machine " +
+                          machine->name + "; expected single values");
   const double length_mm = stated.tool_length_mm.value_or(0);
   const auto feeds = axes_of(*machine, laws->feeds, length_mm);
   const auto rapids = laws->rapids == laws->feeds ? feeds : axes_of(*machine, laws->rapids, length_mm);
   std::string evidence = describe_law(*machine, stated, names);
+  if (*slack_mm > 0) evidence += ", with " + display_text(*slack_mm, 6) + " mm of tip tolerance for intervals";
   return std::optional(ChosenMachine{std::move(*machine), *laws, MotionLaw(rapid, feeds, rapids), std::move(evidence),
-                                     std::move(bytes), stated.tool_length_mm});
+                                     std::move(bytes), stated.tool_length_mm, *slack_mm});
 }
 
 Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const JointProblem& problem) {

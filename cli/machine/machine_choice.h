@@ -38,6 +38,7 @@ struct MachineOptionNames {
 struct StatedMachine {
   std::string machine, feed_law, rapid_law;
   std::optional<double> tool_length_mm = {};  ///< from the gauge point to the tip
+  double tool_length_slack_mm = 0;            ///< the true length is at most so much longer or shorter
   StatedJoints joints = {};
   std::string zero = {};  ///< part zero in machine coordinates, as typed: "x,y,z" or "x,y,z,rx,ry,rz"; empty: not known
 };
@@ -50,6 +51,7 @@ struct ChosenMachine {
   std::string law_evidence;              ///< options, and the control with its source
   std::string bytes;                     ///< of its file or preset
   std::optional<double> tool_length_mm;  ///< as stated
+  double tip_slack_mm = 0;               ///< addition to the tip tolerance, for intervals (tip_slack.h)
 };
 
 /// Reads a machine file, a configuration of LinuxCNC, or preset:NAME, and takes the facts of joints that the user states.
@@ -63,7 +65,8 @@ struct ChosenMachine {
 /// Returns the machine of a job, with the laws that the user states, else those that its control promises. None: no
 /// machine is stated.
 /// Errors: (1) those of load_machine. (2) usage: a law of another name, a law that needs a machine without one, facts
-/// of joints without a machine, dogleg rapids beside a law of all joints. (3) machine-law: nothing states a law, or a law needs a fact that is not given.
+/// of joints without a machine, dogleg rapids beside a law of all joints. (3) machine-law: nothing states a law, or a law needs a fact that is not given,
+/// or intervals do not bound the tip.
 [[nodiscard]] Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
                                                                   std::uint64_t max_bytes,
                                                                   const MachineOptionNames& names = {});

@@ -3,8 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <ctime>
 #include <iterator>
 
 #include "cli/machine/machine_choice.h"
@@ -168,8 +166,9 @@ OptionRows<JobArguments> check_rows() {
       {.name = "--tool-length",
        .field = &A::tool_length,
        .type = "LENGTH",
-       .help = "Length from the gauge point of --machine to the tool tip; the laws joint and independent "
-               "require it for a rotary head",
+       .help =
+           "Length from the gauge point of --machine to the tool tip, or an interval: 120..120.1; the laws joint and "
+           "independent require it for a rotary head",
        .scope = Scope::project,
        .recorded = Recorded::repeated},
       {.name = "--zero",
@@ -360,9 +359,10 @@ Result<JobOptions> understand(const JobArguments& a) {
     length.value = *value;
   }
   if (!a.tool_length.empty()) {
-    const Result<double> value = understand_length("--tool-length", a.tool_length, Minimum::zero);
-    if (!value) return value.error();
-    options.tool_length_mm = *value;
+    const Result<LengthRange> range = understand_length_range("--tool-length", a.tool_length);
+    if (!range) return range.error();
+    options.tool_length_mm = range->middle_mm;
+    options.tool_length_slack_mm = range->half_mm;
   }
   if (const Result<FindingsView> view = understand(a.listing); !view) return view.error();
   if (const auto error = find_contradiction(a)) return *error;
@@ -392,22 +392,6 @@ Result<JobOptions> understand(const JobArguments& a) {
   if (!date) return date.error();
   options.date = std::move(*date);
   return options;
-}
-
-Result<std::string> date_of_report() {
-  constexpr long long kEndOf9999 = 253'402'300'799;
-  std::time_t seconds = std::time(nullptr);
-  if (const char* const stated = std::getenv("SOURCE_DATE_EPOCH"); stated != nullptr) {
-    const std::optional<long long> number = parse_integer(stated);
-    if (!number || *number < 0 || *number > kEndOf9999)
-      return make_error("usage", "SOURCE_DATE_EPOCH '" + std::string(stated) +
-                                     "' of the environment: expected seconds since 1970-01-01, or unset it");
-    seconds = static_cast<std::time_t>(*number);
-  }
-  std::tm date{};
-  ::gmtime_r(&seconds, &date);
-  std::array<char, 64> text{};
-  return std::string(text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M UTC", &date));
 }
 
 }  // namespace gouge

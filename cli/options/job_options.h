@@ -72,6 +72,7 @@ struct JobOptions {
   std::vector<MeshLimit> limits;  ///< of parts and fixtures
   std::vector<Vouched> vouched;
   std::optional<double> tool_length_mm;  ///< from the gauge point to the tip
+  double tool_length_slack_mm = 0;       ///< the true length is at most so much longer or shorter
   ProgressMode progress = ProgressMode::automatic;
   std::string date;  ///< of the report
 };

@@ -14,7 +14,7 @@ const char* const kOptions =
     "shank_clearance, holder_clearance: grow that body; near_miss: report what comes nearer, 0: nothing; all in mm. "
     "rapids: 'straight', 'dogleg' or 'skip'. machine: a machine file or 'preset:NAME', whose control moves the tool axis; "
     "feed_law, rapid_law: 'vector', 'axis' or 'joint' in place of the control's, of rapids also 'independent'; tool_length: "
-    "from the gauge point to the tip, for a rotary head; joint_limits, joint_points, joint_rates: lists such as ['A=-30..120'], "
+    "from the gauge point to the tip, for a rotary head, to within tool_length_slack; joint_limits, joint_points, joint_rates: lists such as ['A=-30..120'], "
     "['A=0,0,50'], ['A=3600'] in place of facts of the machine file; zero: the part zero in machine coordinates, 'x,y,z' or "
     "'x,y,z,rx,ry,rz'. tip_tolerance, mm, and axis_tolerance, degrees: how far a control "
     "that smooths the path may depart from its law. threads: 0 for all; the result is the same at any number. assume: facts to "
@@ -71,6 +71,7 @@ CheckOptions take_options(Keywords& keywords) {
   options.feed_law = keywords.text("feed_law", "");
   options.rapid_law = keywords.text("rapid_law", "");
   options.tool_length = keywords.number_or_none("tool_length");
+  options.tool_length_slack = keywords.number("tool_length_slack", options.tool_length_slack);
   options.joint_limits = keywords.texts("joint_limits");
   options.joint_points = keywords.texts("joint_points");
   options.joint_rates = keywords.texts("joint_rates");

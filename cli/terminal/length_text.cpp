@@ -31,6 +31,14 @@ Result<double> understand_length(const std::string& option, const std::string& t
   return *length_mm;
 }
 
+Result<LengthRange> understand_length_range(const std::string& option, const std::string& typed) {
+  const std::optional<LengthRange> range = parse_length_range(typed);
+  if (range && range->middle_mm - range->half_mm >= 0) return *range;
+  return usage_error(
+      option, typed,
+      "a length of 0 or more in mm, or with a unit (6in), or an interval such as 120..120.1, and at most 100 m");
+}
+
 Result<RigidTransform> understand_place(const std::string& option, const std::string& typed) {
   const std::optional<RigidTransform> place = parse_place(typed);
   if (place) return *place;

@@ -22,6 +22,10 @@ enum class Minimum { zero, above_zero, finest_resolution };
 /// Returns the length typed for `option`. An error (code usage) names the option, the typed text and the expected one.
 [[nodiscard]] Result<double> understand_length(const std::string& option, const std::string& typed, Minimum least);
 
+/// Parses the text typed for `option` with parse_length_range; no end of the interval may be below 0. An error (code
+/// usage) names the option, the typed text and the expected one.
+[[nodiscard]] Result<LengthRange> understand_length_range(const std::string& option, const std::string& typed);
+
 /// Parses the text typed for `option` with parse_place. An error (code usage) names the option, the typed text and the
 /// expected one.
 [[nodiscard]] Result<RigidTransform> understand_place(const std::string& option, const std::string& typed);

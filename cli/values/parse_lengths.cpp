@@ -56,6 +56,14 @@ std::optional<double> parse_length_mm(const std::string& text) {
   return value ? within_reach(*value) : std::nullopt;
 }
 
+std::optional<LengthRange> parse_length_range(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  const std::optional<double> low = parse_length_mm(text.substr(0, dots));
+  const std::optional<double> high = dots == std::string::npos ? low : parse_length_mm(text.substr(dots + 2));
+  if (!low || !high || !(*low <= *high)) return std::nullopt;
+  return LengthRange{0.5 * (*low + *high), 0.5 * (*high - *low)};
+}
+
 std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count) {
   std::vector<double> numbers;
   for (const std::string& part : split_text(text, ',')) {

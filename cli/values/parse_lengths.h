@@ -17,6 +17,13 @@ namespace gouge {
 /// Parses a length. Returns nothing for lengths beyond 100 m, the reach of a check (kFarthest_mm).
 [[nodiscard]] std::optional<double> parse_length_mm(const std::string& text);
 
+/// A length between two others.
+struct LengthRange {
+  double middle_mm = 0, half_mm = 0;
+};
+/// Parses a length, or an interval of lengths: "120..120.1".
+[[nodiscard]] std::optional<LengthRange> parse_length_range(const std::string& text);
+
 /// Parses `count` numbers with commas between them: "1,0,-2.5".
 [[nodiscard]] std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count);
 

@@ -35,6 +35,7 @@ class JsonField {
   [[nodiscard]] std::vector<std::pair<std::string, JsonField>> entries() const;
 
   [[nodiscard]] bool is_null() const { return value_ == nullptr || value_->is_null(); }
+  [[nodiscard]] bool is_list() const { return value_ != nullptr && value_->is_array(); }
   [[nodiscard]] bool is_text() const { return value_ != nullptr && value_->is_string(); }
   [[nodiscard]] std::string text() const;
   /// Reads one of `words` and returns its index.

@@ -25,6 +25,7 @@ struct Joint {
   Vec3 direction = Vec3::UnitX();  ///< unit; a rotary joint turns the tool about it by the right-hand rule
   Vec3 point = Vec3::Zero();       ///< on the axis of a rotary joint, mm; of a head joint relative to the gauge point
   bool has_point = false;          ///< the file states the point
+  double point_slack_mm = 0;       ///< the true axis is at most this far from the axis through `point`
   std::optional<double> min, max;  ///< mm or rad; none: no limit is known
   bool is_continuous = false;      ///< a rotary joint may turn without end
   std::optional<double> rate;      ///< maximum speed, mm or rad per minute

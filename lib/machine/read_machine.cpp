@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "lib/base/number_text.h"
+#include "lib/base/tolerance.h"
 #include "lib/base/units.h"
 #include "lib/json/json_field.h"
 #include "lib/json/json_file.h"
@@ -16,6 +17,10 @@ namespace {
 
 const std::vector<std::string> kRapidLaws(kTurnLawNames.begin(), kTurnLawNames.end()),
     kFeedLawWords(kTurnLawNames.begin(), kTurnLawNames.begin() + kFeedLaws);
+
+struct Interval {
+  double middle = 0, half = 0;
+};
 
 class MachineReader {
  public:
@@ -71,6 +76,41 @@ class MachineReader {
     return field->number() * scale;
   }
 
+  /// Reads a coordinate that is a number, or a pair [low, high].
+  static Interval interval(const JsonField& field) {
+    if (!field.is_list()) {
+      const double value = field.number();
+      return {value, 0};
+    }
+    const std::vector<JsonField> ends = field.list();
+    if (ends.size() != 2) {
+      field.fail("a number, or a pair [low, high]");
+      return {};
+    }
+    const double low = ends[0].number(), high = ends[1].number();
+    if (!(low <= high)) field.fail("a pair [low, high] with low <= high");
+    return {0.5 * (low + high), 0.5 * (high - low)};
+  }
+
+  /// Takes the middle of the intervals, and the farthest that a point of them is from the axis through the middle.
+  void read_point(const JsonField& field, Joint& joint) const {
+    const std::vector<JsonField> coordinates = field.list();
+    if (coordinates.size() != 3) return field.fail("three coordinates, each a number or a pair [low, high]");
+    Vec3 half = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+      const Interval one = interval(coordinates[static_cast<std::size_t>(k)]);
+      joint.point[k] = one.middle * mm_per_unit_;
+      half[k] = one.half * mm_per_unit_;
+    }
+    joint.has_point = true;
+    if (!(joint.direction.norm() > Tolerance::kNoDirection)) return;
+    const Vec3 d = joint.direction.normalized();
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 off = half.cwiseProduct(Vec3(corner % 2 * 2 - 1, corner / 2 % 2 * 2 - 1, corner / 4 * 2 - 1));
+      joint.point_slack_mm = std::max(joint.point_slack_mm, d.cross(off).norm());
+    }
+  }
+
   [[nodiscard]] static double preference(const JsonField& from) {
     const std::optional<double> sign = scaled(from, "preference", 1);
     if (sign && std::abs(std::abs(*sign) - 1) > 0) from.at("preference").fail("1 or -1");
@@ -88,8 +128,7 @@ class MachineReader {
     joint.side = field.at("side").word({"table", "head"}) == 1 ? JointSide::head : JointSide::table;
     joint.direction = vector(field.at("direction"));
     if (const auto point = field.find("point"); point && !point->is_null()) {
-      joint.point = vector(*point) * mm_per_unit_;
-      joint.has_point = true;
+      read_point(*point, joint);
     }
     const double scale = joint.type == JointType::rotary ? kDegree_rad : mm_per_unit_;
     joint.min = scaled(field, "min", scale);

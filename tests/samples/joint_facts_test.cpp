@@ -97,5 +97,55 @@ TEST_F(JointFacts, LimitTheJointsOfAPath) {
   EXPECT_NE(ran.out.find(",180.000000,"), std::string::npos) << "C by half a turn instead: " << ran.out;
 }
 
+/// The sample rapid_joints as it is, with intervals.
+class Intervals : public testing::Test {
+ protected:
+  [[nodiscard]] Outcome check(const std::vector<std::string>& more) const {
+    std::vector<std::string> words = {"--machine", "machine.json", "--json", "check.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_gougecheck(sample_.path, sample_.arguments("check", sample_.toolpath(), words));
+  }
+  [[nodiscard]] double depth_with(const std::vector<std::string>& more) const {
+    const Outcome ran = check(more);
+    EXPECT_EQ(ran.exit_status, 1) << ran.err;
+    return Json::parse(text_of(sample_.path + "/check.json")).at("moves").at(0).at("depth");
+  }
+  void expect_verified() const {
+    const Outcome verified = run_gougecheck(sample_.path, {"verify", "check.json"});
+    EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
+  }
+
+  SampleFolder sample_ = open_sample("rapid_joints");
+};
+
+TEST_F(Intervals, OfTheToolLengthAddToTheTipTolerance) {
+  const double depth = depth_with({"--tool-length", "100"});
+  // Half of the interval, for a control that knows the length twice.
+  EXPECT_NEAR(depth_with({"--tool-length", "99.95..100.05"}), depth + 0.1, 2e-3);
+  expect_verified();
+  const std::string text = text_of(sample_.path + "/check.json");
+  EXPECT_NE(text.find("--tool-length 99.95..100.05 mm"), std::string::npos);
+  EXPECT_NE(text.find("with 0.1 mm of tip tolerance for intervals"), std::string::npos);
+  EXPECT_NEAR(depth_with({"--tool-length", "99.95..100.05", "--tip-tolerance", "0.2"}), depth + 0.3, 2e-3);
+  expect_verified();
+  EXPECT_EQ(check({"--tool-length", "100..99"}).exit_status, 2);
+  const Outcome head = check({"--tool-length", "99.95..100.05", "--head", "part.stl"});
+  EXPECT_EQ(head.exit_status, 2);
+  EXPECT_NE(head.err.find("not the bodies of --head"), std::string::npos) << head.err;
+}
+
+TEST_F(Intervals, OfPointsAddToTheTipTolerance) {
+  const double depth = depth_with({"--tool-length", "100"});
+  std::string machine = text_of(sample_.path + "/machine.json");
+  const std::string point = "\"direction\": [0, 1, 0], \"point\": [0, 0, 0]";
+  ASSERT_NE(machine.find(point), std::string::npos);
+  machine.replace(machine.find(point), point.size(), "\"direction\": [0, 1, 0], \"point\": [0, 0, [-0.02, 0.02]]");
+  write_text(sample_.path + "/machine.json", machine);
+  EXPECT_NEAR(depth_with({"--tool-length", "100"}), depth + 0.08, 2e-3);
+  expect_verified();
+  const Outcome shown = run_gougecheck(sample_.path, {"machine", "show", "machine.json"});
+  EXPECT_NE(shown.out.find("through (0, 0, 0) mm, to within 0.02 mm"), std::string::npos) << shown.out;
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples

@@ -32,6 +32,7 @@ struct CheckOptions {
   std::string rapid_law = {};  ///< the same for rapid moves, and "independent"
   /// Length from the gauge point to the tip, mm; "joint" and "independent" need it for a machine with a rotary head.
   std::optional<double> tool_length = {};
+  double tool_length_slack = 0;  ///< the true length is at most this much longer or shorter
   /// Facts of joints in place of those of the machine file, such as "A=-30..120", "A=free"; "A=0,0,50" (a point of the
   /// axis); "A=3600" (rate per minute). Degrees, of linear joints mm.
   std::vector<std::string> joint_limits = {}, joint_points = {}, joint_rates = {};

@@ -280,14 +280,14 @@ _Part = Union[Mesh, Sequence[Mesh], Scene]
 def check(path: Path, part: _Part, tool: Union[Tool, ToolLibrary], *, fixtures: Sequence[Mesh] = ...,
     tolerance: float = ..., resolution: float = ..., stock_to_leave: float = ..., shank_clearance: float = ...,
     holder_clearance: float = ..., near_miss: float = ..., rapids: str = ..., machine: str = ...,
-    feed_law: str = ..., rapid_law: str = ..., tool_length: Optional[float] = ...,
+    feed_law: str = ..., rapid_law: str = ..., tool_length: Optional[float] = ..., tool_length_slack: float = ...,
     joint_limits: Sequence[str] = ..., joint_points: Sequence[str] = ..., joint_rates: Sequence[str] = ..., zero: str = ...,
     tip_tolerance: float = ..., axis_tolerance: float = ..., threads: int = ..., assume: Sequence[str] = ..., strict: bool = ...) -> Report: ...
 def correct(path: Path, part: _Part, tool: Union[Tool, ToolLibrary], *, fixtures: Sequence[Mesh] = ...,
     strategy: str = ..., max_shift: float = ..., max_side_shift: Optional[float] = ..., max_tilt: float = ...,
     rapid_clearance: float = ..., tolerance: float = ..., resolution: float = ..., stock_to_leave: float = ...,
     shank_clearance: float = ..., holder_clearance: float = ..., rapids: str = ..., machine: str = ...,
-    feed_law: str = ..., rapid_law: str = ..., tool_length: Optional[float] = ...,
+    feed_law: str = ..., rapid_law: str = ..., tool_length: Optional[float] = ..., tool_length_slack: float = ...,
     joint_limits: Sequence[str] = ..., joint_points: Sequence[str] = ..., joint_rates: Sequence[str] = ..., zero: str = ...,
     tip_tolerance: float = ..., axis_tolerance: float = ..., threads: int = ..., assume: Sequence[str] = ..., strict: bool = ...) -> Correction: ...
 def depth(mesh: Union[Mesh, Scene], tool: Tool, tips: _Vectors, axes: _Vectors, *, resolution: float = ...,

@@ -199,6 +199,31 @@ TEST(LibraryCheck, TakesFactsOfJoints) {
   EXPECT_THROW((void)check(Path(tips, axes), block(), ball(), options), Error);
 }
 
+TEST(LibraryCheck, CoversTheTolerancesOfTheControlAndIntervals) {
+  // The tip is 0.2 mm above the block.
+  const std::vector<Vec3> tips = {{20, 10, 0.2}, {21, 10, 0.2}};
+  const std::string file = testing::TempDir() + "library_machine.json";
+  std::ofstream(file) << R"({"name": "m", "joints": [
+    {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, 1], "point": [0, 0, 0], "continuous": true},
+    {"name": "X", "type": "linear", "side": "head", "direction": [1, 0, 0]},
+    {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0]},
+    {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1]},
+    {"name": "B", "type": "rotary", "side": "head", "direction": [0, 1, 0], "point": [0, 0, 0]}],
+    "control": {"name": "any", "feed_law": "vector", "rapid_law": "vector", "tip_tolerance": 0.5}})";
+  CheckOptions options;
+  options.machine = file;
+  const Report smoothed = check(Path(tips, kUp), block(), ball(), options);
+  EXPECT_NEAR(smoothed.depth()[1], 0.3, 2e-3) << "by the tolerance of the control";
+  options.tip_tolerance = 0.1;
+  EXPECT_TRUE(check(Path(tips, kUp), block(), ball(), options).is_clean()) << "an option replaces it";
+  options.tool_length = 100;
+  options.tool_length_slack = 0.25;
+  EXPECT_NEAR(check(Path(tips, kUp), block(), ball(), options).depth()[1], 0.15, 2e-3);
+  options.tool_length_slack = -1;
+  EXPECT_THROW((void)check(Path(tips, kUp), block(), ball(), options), Error);
+  std::remove(file.c_str());
+}
+
 TEST(LibraryCorrection, IsCleanByTheLawOfTheMachine) {
   const PostBesideTurn scene;
   CheckOptions options;

@@ -24,11 +24,26 @@ TEST(ReadMachine, TakesAPreferredSign) {
   EXPECT_EQ(machine->joints[0].preference, 0);
 }
 
+TEST(ReadMachine, TakesTheMiddleOfIntervalsAndTheFarthestFromIt) {
+  std::string bytes = trunnion();
+  const std::string rate = "\"min\": -100";
+  bytes.replace(bytes.find(rate), rate.size(), "\"point\": [[4, 10], [-0.3, 0.3], [49.6, 50.4]], " + rate);
+  const Result<Machine> machine = read_machine("m.json", bytes);
+  ASSERT_TRUE(machine) << machine.error().message;
+  EXPECT_LT((machine->joints[1].point - Vec3(7, 0, 50)).norm(), 1e-12);
+  EXPECT_NEAR(machine->joints[1].point_slack_mm, 0.5, 1e-12) << "across the axis, which is along X";
+  EXPECT_EQ(machine->joints[0].point_slack_mm, 0);
+}
+
 TEST(ReadMachine, RefusesWrongFieldsWithTheirLine) {
   const struct {
     std::string from, to, message;
     std::size_t line;
   } kCases[] = {
+      {"\"min\": -100", "\"point\": [[1], 0, 0], \"min\": -100", "a number, or a pair [low, high]", 3},
+      {"\"min\": -100", "\"point\": [[1, 0], 0, 0], \"min\": -100", "a pair [low, high] with low <= high", 3},
+      {"\"min\": -100", "\"point\": [0, 0], \"min\": -100", "three coordinates", 3},
+      {"\"min\": -100", "\"point\": [0, 0, null], \"min\": -100", "expected a number", 3},
       {"\"preference\": -1", "\"preference\": 0.5", "1 or -1", 3},
       {"\"preference\": -1", "\"preference\": 0", "1 or -1", 3},
       {"\"name\": \"Y\"", "\"name\": \"X\"", "a name that no joint before it has", 5},
