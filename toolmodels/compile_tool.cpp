@@ -1,8 +1,10 @@
 #include "toolmodels/compile_tool.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -157,10 +159,14 @@ Result<BodyProfiles> swept_profiles(const ToolAssembly& tool, const MotionTube& 
   return bodies;
 }
 
-}  // namespace
+/// Lengths by which the bodies of a tool grow, and the tube of its motion.
+struct Offsets {
+  double stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0;
+  MotionTube tube;
+};
 
-Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm, double shank_clearance_mm,
-                                        double holder_clearance_mm, bool has_wide, const MotionTube& tube) {
+Result<ToolVariants> whole_variants(const ToolAssembly& tool, const Offsets& offsets, bool has_wide) {
+  const auto& [stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm, tube] = offsets;
   Result<BodyProfiles> bodies = swept_profiles(tool, tube);
   if (!bodies) return bodies.error();
   const Growth growth{stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm, tube.tip_mm, tube.axis_rad > 0};
@@ -171,6 +177,63 @@ Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_t
   Result<ToolVariants> wide = variants_of(tool, *bodies, growth);
   if (!wide) return wide.error();
   variants->wide = std::make_shared<const ToolVariants>(std::move(*wide));
+  return variants;
+}
+
+Result<ToolVariants> body_variants(const ToolAssembly& tool, const Offsets& offsets) {
+  return make_non_cutting_variants(tool, offsets.shank_clearance_mm, offsets.holder_clearance_mm, offsets.tube);
+}
+
+class SweptTools : public TiltedTools {
+ public:
+  SweptTools(const ToolAssembly& tool, const Offsets& offsets, bool has_cutter)
+      : tool_(tool), offsets_(offsets), has_cutter_(has_cutter) {}
+
+  [[nodiscard]] const ToolVariants* at(std::size_t level) const override {
+    return made(levels_[level], [&]() -> Result<ToolVariants> {
+      Offsets wider = offsets_;
+      wider.tube.axis_rad += tilt_of_level_rad(level);
+      return has_cutter_ ? whole_variants(tool_, wider, false) : body_variants(tool_, wider);
+    });
+  }
+
+  [[nodiscard]] const ToolVariants* without_cutter() const override {
+    const ToolVariants* const bodies = made(bodies_, [&]() -> Result<ToolVariants> {
+      Result<ToolVariants> variants = body_variants(tool_, offsets_);
+      if (variants) variants->tilted = std::make_shared<const SweptTools>(tool_, offsets_, false);
+      return variants;
+    });
+    return bodies == nullptr || bodies->bare.elements.empty() ? nullptr : bodies;
+  }
+
+ private:
+  struct Slot {
+    std::once_flag is_made;
+    std::optional<ToolVariants> variants;
+  };
+
+  template <typename Make>
+  static const ToolVariants* made(Slot& slot, const Make& make) {
+    std::call_once(slot.is_made, [&] {
+      if (Result<ToolVariants> variants = make()) slot.variants = *std::move(variants);
+    });
+    return slot.variants ? &*slot.variants : nullptr;
+  }
+
+  ToolAssembly tool_;
+  Offsets offsets_;
+  bool has_cutter_;
+  mutable std::array<Slot, kTiltLevels> levels_;
+  mutable Slot bodies_;
+};
+
+}  // namespace
+
+Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm, double shank_clearance_mm,
+                                        double holder_clearance_mm, bool has_wide, const MotionTube& tube) {
+  const Offsets offsets{stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm, tube};
+  Result<ToolVariants> variants = whole_variants(tool, offsets, has_wide);
+  if (variants) variants->tilted = std::make_shared<const SweptTools>(tool, offsets, true);
   return variants;
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/commands/job_pipeline.h"
 #include "cli/job/claimed_scene.h"
+#include "cli/job/compare_laws.h"
 #include "cli/job/setup_notes.h"
 #include "cli/options/baseline.h"
 #include "cli/terminal/length_text.h"
@@ -38,6 +39,10 @@ const OptionRows<CheckArguments>& check_options() {
        .field = &A::finds_cures,
        .group = "Check",
        .help = "For every gouge of shank, holder or head, find the tilt and the minimum lift that free it",
+       .scope = Scope::project},
+      {.name = "--laws",
+       .field = &A::compares_laws,
+       .help = "Check the path by every law of motion that --machine can run, and report what each would cut",
        .scope = Scope::project},
       {.name = "--find-stickout",
        .field = &A::finds_stickout,
@@ -99,6 +104,7 @@ Result<ReportParts> find_parts(const CheckArguments& arguments, const StickoutOp
                                const CheckResult& result, JobPipeline& run) {
   ReportParts parts;
   const Job& job = run.job();
+  if (arguments.compares_laws) parts.laws = compare_laws(job, run.scene(), run.progress().call());
   if (arguments.finds_stickout) {
     Result<std::vector<StickoutFacts>> found =
         find_stickouts_of(job, run.scene(), result, arguments.job.is_extended_up, stickout, run.progress().call());
@@ -120,6 +126,8 @@ int run_check(const CheckArguments& arguments, const JobContext& context) {
   if (!options) return fail(context.err, {options.error()});
   const Result<StickoutOptions> stickout = understand_stickout(arguments);
   if (!stickout) return fail(context.err, {stickout.error()});
+  if (arguments.compares_laws && arguments.job.machine.empty())
+    return fail(context.err, {make_error("usage", "--laws: expected --machine beside it, whose laws are compared")});
   JobPipeline run(arguments.job, *options, {}, context);
   if (const auto status = run.load()) return *status;
   const Job& job = run.job();

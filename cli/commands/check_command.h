@@ -11,6 +11,7 @@ namespace gouge {
 struct CheckArguments {
   JobArguments job;
   bool finds_cures = false;
+  bool compares_laws = false;
   bool finds_stickout = false;
   std::string stickout_step = "1", stickout_limit = "200";
 };

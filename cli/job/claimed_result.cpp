@@ -149,6 +149,7 @@ class ClaimTaker {
     const auto mesh = meshes_.find(std::string(against_name(w.against)) + " " + w.mesh);
     claimed.mesh = mesh == meshes_.end() ? static_cast<std::size_t>(-1) : mesh->second;
     claimed.triangle = w.triangle;
+    if (w.turn) claimed.turn = {w.turn->first, w.turn->second};
     return claimed;
   }
 

@@ -31,6 +31,10 @@ ClaimedRun claimed_run(TurnLaw law) {
       break;
     case TurnLaw::axis:
       return ClaimedRun::rotary;
+    case TurnLaw::documented:
+      return ClaimedRun::documented;
+    case TurnLaw::any:
+      return ClaimedRun::any;
     case TurnLaw::joint:
       return ClaimedRun::together;
     case TurnLaw::independent:

@@ -304,6 +304,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   model.stickouts = std::move(parts.stickouts);
   model.cure_options = parts.cure_options;
   model.cures = std::move(parts.cures);
+  model.laws = std::move(parts.laws);
   model.certificate_bytes = parts.certificate_bytes;
   return model;
 }

@@ -25,6 +25,7 @@ struct ReportParts {
   std::vector<StickoutFacts> stickouts = {};
   std::optional<CureOptions> cure_options = {};
   std::vector<FindingCures> cures = {};
+  std::vector<LawRecord> laws = {};
   std::string_view certificate_bytes = {};
 };
 

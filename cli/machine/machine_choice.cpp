@@ -31,22 +31,26 @@ std::string length_range_text(const StatedMachine& stated) {
 }
 
 /// The names of laws for a message: of feeds, or of rapids.
-std::string law_words(bool is_feed) { return is_feed ? "vector, axis or joint" : "vector, axis, joint or independent"; }
+std::string law_words(bool is_feed) {
+  return is_feed ? "vector, axis, documented, any or joint" : "vector, axis, documented, any, joint or independent";
+}
 
-Result<TurnLaw> chosen_law(const Machine& machine, const std::string& stated, const std::optional<TurnLaw>& promised,
-                           const std::string& option, bool is_feed) {
+/// Law of feeds that nothing states: manuals describe no other for a control with tool centre point control.
+constexpr TurnLaw kUnstatedFeedLaw = TurnLaw::documented;
+
+Result<TurnLaw> rapid_law(const Machine& machine, const std::string& stated, const std::string& option) {
   if (const auto law = turn_law_called(stated)) return *law;
-  if (promised) return *promised;
-  return make_error("machine-law", "the control of machine " + machine.name + " promises no law for " +
-                                       (is_feed ? "feeds" : "rapids") + "; expected " + option + " " +
-                                       law_words(is_feed));
+  if (machine.control.rapid_law) return *machine.control.rapid_law;
+  return make_error("machine-law", "the control of machine " + machine.name + " promises no law for rapids; expected " +
+                                       option + " " + law_words(false));
 }
 
 /// Facts that a law of all joints needs and that are not given.
-std::optional<Diagnostic> find_missing_fact(const Machine& machine, TurnLaw law, const StatedMachine& stated,
+std::optional<Diagnostic> find_missing_fact(const Machine& machine, TurnLaw law,
+                                            const std::optional<double>& tool_length_mm,
                                             const MachineOptionNames& names) {
   const std::string needs = "law " + std::string(turn_law_name(law)) + " on machine " + machine.name + " needs ";
-  for (const MissingFact& missing : missing_facts(machine, law, stated.tool_length_mm.has_value())) {
+  for (const MissingFact& missing : missing_facts(machine, law, tool_length_mm.has_value())) {
     const std::string& joint = machine.joints[missing.joint].name;
     if (missing.kind == MissingFact::Kind::point)
       return make_error("machine-law", needs + "the place of joint " + joint +
@@ -66,6 +70,10 @@ std::shared_ptr<const AxisLaw> axes_of(const Machine& machine, TurnLaw law, doub
       break;
     case TurnLaw::axis:
       return std::make_shared<const RotaryLaw>(machine);
+    case TurnLaw::documented:
+      return std::make_shared<const RotaryLaw>(machine, LawScope::documented);
+    case TurnLaw::any:
+      return std::make_shared<const RotaryLaw>(machine, LawScope::any);
     case TurnLaw::joint:
       return std::make_shared<const JointLaw>(machine, JointTiming::together, tool_length_mm);
     case TurnLaw::independent:
@@ -76,21 +84,18 @@ std::shared_ptr<const AxisLaw> axes_of(const Machine& machine, TurnLaw law, doub
 
 Result<TurnLaws> laws_of(const Machine& machine, const StatedMachine& stated, RapidMode rapid,
                          const MachineOptionNames& names) {
-  const Control& control = machine.control;
-  const Result<TurnLaw> feeds = chosen_law(machine, stated.feed_law, control.feed_law, names.feed_law, true);
-  if (!feeds) return feeds.error();
-  const Result<TurnLaw> rapids = chosen_law(machine, stated.rapid_law, control.rapid_law, names.rapid_law, false);
+  const TurnLaw feeds = turn_law_called(stated.feed_law).value_or(machine.control.feed_law.value_or(kUnstatedFeedLaw));
+  const Result<TurnLaw> rapids = rapid_law(machine, stated.rapid_law, names.rapid_law);
   if (!rapids) return rapids.error();
   if (runs_joints(*rapids) && rapid == RapidMode::dogleg)
     return make_error("usage", names.rapid + " 'dogleg': expected straight or skip, as law " + turn_law_name(*rapids) +
                                    " states how rapids run");
-  for (const TurnLaw law : {*feeds, *rapids}) {
-    if (auto missing = find_missing_fact(machine, law, stated, names)) return *missing;
-  }
-  return TurnLaws{*feeds, *rapids};
+  return TurnLaws{feeds, *rapids};
 }
 
+/// Empty: nothing states the law of feeds.
 std::string describe_law(const Machine& machine, const StatedMachine& stated, const MachineOptionNames& names) {
+  if (stated.feed_law.empty() && !machine.control.feed_law) return {};
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   if (!stated.feed_law.empty()) add(names.feed_law + " " + stated.feed_law);
@@ -183,6 +188,21 @@ Result<Machine> load_machine(const StatedMachine& stated, std::uint64_t max_byte
   return place_part(std::move(*machine), *zero);
 }
 
+Result<MotionLaw> make_motion_law(const Machine& machine, const TurnLaws& laws, RapidMode rapid,
+                                  const std::optional<double>& tool_length_mm, const MachineOptionNames& names) {
+  for (const TurnLaw law : {laws.feeds, laws.rapids}) {
+    if (auto missing = find_missing_fact(machine, law, tool_length_mm, names)) return *missing;
+  }
+  const double length_mm = tool_length_mm.value_or(0);
+  const auto feeds = axes_of(machine, laws.feeds, length_mm);
+  const auto rapids = laws.rapids == laws.feeds ? feeds : axes_of(machine, laws.rapids, length_mm);
+  MotionLaw law(rapid, feeds, rapids);
+  const auto any = std::make_shared<const RotaryLaw>(machine, LawScope::any);
+  const auto widest = [&](TurnLaw of) { return !runs_joints(of) && of != TurnLaw::any ? any : nullptr; };
+  law.set_widest(widest(laws.feeds), widest(laws.rapids));
+  return law;
+}
+
 Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated, RapidMode rapid,
                                                     std::uint64_t max_bytes, const MachineOptionNames& names) {
   const std::string needed = stated.machine.empty() ? names.machine : "";
@@ -206,13 +226,13 @@ Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated,
                       "intervals of points or of the tool length need linear joints beside each other in "
                       "the chain of machine " +
                           machine->name + "; expected single values");
-  const double length_mm = stated.tool_length_mm.value_or(0);
-  const auto feeds = axes_of(*machine, laws->feeds, length_mm);
-  const auto rapids = laws->rapids == laws->feeds ? feeds : axes_of(*machine, laws->rapids, length_mm);
+  Result<MotionLaw> law = make_motion_law(*machine, *laws, rapid, stated.tool_length_mm, names);
+  if (!law) return law.error();
   std::string evidence = describe_law(*machine, stated, names);
-  if (*slack_mm > 0) evidence += ", with " + display_text(*slack_mm, 6) + " mm of tip tolerance for intervals";
-  return std::optional(ChosenMachine{std::move(*machine), *laws, MotionLaw(rapid, feeds, rapids), std::move(evidence),
-                                     std::move(bytes), stated.tool_length_mm, *slack_mm});
+  if (*slack_mm > 0 && !evidence.empty())
+    evidence += ", with " + display_text(*slack_mm, 6) + " mm of tip tolerance for intervals";
+  return std::optional(ChosenMachine{std::move(*machine), *laws, std::move(*law), std::move(evidence), std::move(bytes),
+                                     stated.tool_length_mm, *slack_mm});
 }
 
 Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const JointProblem& problem) {

@@ -71,6 +71,11 @@ struct ChosenMachine {
                                                                   std::uint64_t max_bytes,
                                                                   const MachineOptionNames& names = {});
 
+/// Makes the law of motion of a machine. Error: machine-law, a law needs a fact that is not given.
+[[nodiscard]] Result<MotionLaw> make_motion_law(const Machine& machine, const TurnLaws& laws, RapidMode rapid,
+                                                const std::optional<double>& tool_length_mm,
+                                                const MachineOptionNames& names = {});
+
 /// Chooses the joints of a path and stores them with it. Moves that the machine cannot run, and those whose motion `law`
 /// leaves open, are not checked, with their reason. With a part zero, that includes limits of linear joints. Returns a
 /// warning for each problem of the joints, at most twenty, and a note if limits of linear joints cannot be compared.

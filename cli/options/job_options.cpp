@@ -150,8 +150,9 @@ OptionRows<JobArguments> check_rows() {
        .field = &A::feed_law,
        .help =
            "Law of motion of feed moves. vector: the tool axis turns on the great circle. axis: both rotary "
-           "joints run at constant rates. joint: all joints run at constant rates, without tool centre point control (default: "
-           "the law of the control of --machine)",
+           "joints run at constant rates. documented: the move must be clean by vector and by axis. any: it must be clean "
+           "wherever the rotary joints are between their ends. joint: all joints run at constant rates, without tool "
+           "centre point control (default: the law of the control of --machine, or documented if it promises none)",
        .scope = Scope::project,
        .recorded = Recorded::repeated,
        .choices = {kTurnLawNames.begin(), kTurnLawNames.begin() + kFeedLaws}},

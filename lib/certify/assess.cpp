@@ -98,6 +98,8 @@ Assumption motion_law_fact(const Toolpath& path, const MotionLaw& law, const std
   } else if (!stated_by.empty()) {
     fact.basis = Basis::stated;
     fact.evidence = stated_by;
+  } else if (!law.is_great_circle()) {
+    fact.evidence = "the tool axis turns in " + count_text(turns, "move") + "; the control promises no law of motion";
   } else {
     fact.evidence = "the tool axis turns in " + count_text(turns, "move") +
                     "; CL data means the great circle between two positions";

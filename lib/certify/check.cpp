@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lib/certify/any_turn.h"
 #include "lib/check/check_path.h"
 #include "lib/check/check_result.h"
 #include "lib/head/check_heads.h"
@@ -41,6 +42,7 @@ CheckResult check_moves(const Toolpath& path, const CheckSetup& setup, const Pro
 
 CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress) {
   CheckResult result = check_moves(path, setup, progress);
+  result.any_turn = count_any_turns(path, setup, result, progress);
   assess(path, setup, result);
   return result;
 }

@@ -10,7 +10,9 @@
 
 namespace gouge {
 
-/// Checks one motion of one tool for every state except "buried", which needs the moves before it (check_path.h).
+/// Checks one motion of one tool for every state except "buried", which needs the moves before it (check_path.h). If the
+/// law admits several motions for the move, the verdict covers all of them: the worst state and the deepest witness
+/// stay.
 ///
 /// Requires motion.is_defined().
 /// Ensures  The guarantee of docs/method/guarantee.md: depth <= true depth <= depth_upper. For a gouge the two depths
@@ -19,6 +21,7 @@ namespace gouge {
 ///          For a gouge against a mesh with limits, the witness and the depth are those of the mesh; depth_upper covers
 ///          all meshes. Unless options.is_depth_alone is set, clean also means depth_upper <= certified_depth; a move
 ///          that exceeds only this is not_certified. A budget that runs out gives not_certified, never clean.
+///          With LawScope::any the depths of a gouge may differ by more, and near misses are those of `motion` itself.
 ///          Coordinates of the motion or of a mesh that are beyond kFarthest_mm, or are not numbers, give not_checked.
 /// Source   docs/method/certified_sweep.md; depth as in Ho 1999, thesis 2.4.18.
 [[nodiscard]] MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolVariants& tool,

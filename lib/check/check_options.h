@@ -23,6 +23,8 @@ struct CheckOptions {
   bool is_depth_alone = false;                ///< do not check how far thin and pointed features reach into a solid
   MotionLaw law;                              ///< motion of the tool between positions
   MotionTube tube;                            ///< largest departure of the tool from that motion
+  std::uint64_t turn_boxes = 200;             ///< maximum number of boxes of rotary joints examined in a move
+                                              ///< (LawScope::any)
   unsigned threads = 0;                       ///< number of threads; 0: all
   std::uint64_t budget_per_move = 2'000'000;  ///< number of bounds after which a move is "not certified"
 };

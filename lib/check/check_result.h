@@ -13,6 +13,12 @@
 
 namespace gouge {
 
+/// Clean moves that turn a rotary joint, and how many of them are clean wherever the joints are between their ends.
+struct AnyTurnCounts {
+  std::size_t rapids = 0, proved_rapids = 0;  ///< examined with the whole tool
+  std::size_t others = 0, proved_others = 0;  ///< feeds and others, examined without the cutter
+};
+
 /// The result for a whole path. verdicts.size() == toolpath.moves.size(); every move has exactly one state.
 struct CheckResult {
   MoveVerdicts verdicts;
@@ -26,6 +32,7 @@ struct CheckResult {
   Assumptions assumptions;                          ///< facts on which the verdict rests; empty if only moves were
                                                     ///< checked
   std::optional<ClosestApproach> closest_approach;  ///< none: not measured, or nothing to measure
+  std::optional<AnyTurnCounts> any_turn;            ///< none: not examined, or no clean move turns a rotary joint
   PathFit fit;                                      ///< Kind::fits if it was not requested
 };
 

@@ -46,6 +46,8 @@ constexpr std::array kTexts{
          "the budget of {count} bounds ran out before the depth was known to the resolution"},
     Text{Reason::Kind::head_out_of_budget,
          "the head comes too close to the surface for too long: the budget of bounds ran out"},
+    Text{Reason::Kind::turn_undecided,
+         "it is not proved for all positions of the rotary joints between the ends of the move"},
     Text{Reason::Kind::clearance_entered, "the clearance of the {body} is entered by {mm} mm"},
     Text{Reason::Kind::mesh_clearance_entered, "the {body} enters the clearance of this mesh by {mm} mm"},
     Text{Reason::Kind::mesh_tolerance_exceeded, "the {body} is {mm} mm deep, beyond the tolerance of this mesh"},

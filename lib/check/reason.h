@@ -29,6 +29,7 @@ struct Reason {
     thin_feature,   ///< a thin feature may reach `amount` mm into the solid (rounded up; infinite: any length)
     out_of_budget,  ///< the budget of `amount` bounds ran out
     head_out_of_budget,
+    turn_undecided,           ///< no proof covers all positions of the rotary joints
     clearance_entered,        ///< the clearance of `body` is entered by `amount` mm
     mesh_clearance_entered,   ///< the clearance of the witness's mesh is entered by `body`, by `amount` mm
     mesh_tolerance_exceeded,  ///< the tolerance of the witness's mesh is exceeded: `body` is `amount` mm deep

@@ -10,6 +10,7 @@
 #include "lib/check/contact_rule.h"
 #include "lib/check/reason.h"
 #include "lib/geom/vec.h"
+#include "lib/path/joint_angles.h"
 #include "lib/tool/compiled_tool.h"
 
 // Verdicts of the check for every move, and the findings made of them. The words are those of docs/method/guarantee.md.
@@ -29,6 +30,9 @@ struct Witness {
   Against against = Against::part;
   std::uint32_t mesh = 0;      ///< index into the meshes of the obstacle
   std::uint32_t triangle = 0;  ///< index in the STL file, counted from 0
+  /// Shares of the ways of the rotary joints at which the tool axis is, for a law that admits several motions. None: the
+  /// tool axis is that of the law at `t`.
+  std::optional<TurnShares> turn{};
 };
 
 struct MoveVerdict {

@@ -1,5 +1,6 @@
 #include "lib/check/verdict_bytes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
@@ -40,11 +41,15 @@ void append(const Witness& w, std::string& bytes) {
   append(w.against, bytes);
   append(w.mesh, bytes);
   append(w.triangle, bytes);
+  append(std::uint8_t{w.turn.has_value()}, bytes);
+  if (w.turn) append(*w.turn, bytes);
 }
 
 bool take(std::string_view& bytes, Witness& w) {
+  std::uint8_t has_turn = 0;
   return take(bytes, w.t) && take(bytes, w.point) && take(bytes, w.normal) && take(bytes, w.body) &&
-         take(bytes, w.against) && take(bytes, w.mesh) && take(bytes, w.triangle);
+         take(bytes, w.against) && take(bytes, w.mesh) && take(bytes, w.triangle) && take(bytes, has_turn) &&
+         (has_turn == 0 || take(bytes, w.turn.emplace()));
 }
 
 void append(const Reason& reason, std::string& bytes) {
@@ -70,6 +75,8 @@ bool take(std::string_view& bytes, Reason& reason) {
 bool is_possible(Body body) { return body <= Body::head; }
 
 bool is_possible(const Witness& w) {
+  const auto is_share = [](double share) { return share >= 0 && share <= 1; };
+  if (w.turn && !std::ranges::all_of(*w.turn, is_share)) return false;
   return w.t >= 0 && w.t <= 1 && w.point.allFinite() && w.normal.allFinite() && is_possible(w.body) &&
          static_cast<std::size_t>(w.against) < kContactRules.size();
 }

@@ -37,7 +37,7 @@ std::optional<LinkNodes> LinkFinder::halve(const LinkNode& u, const LinkNode& v,
   if (level == 0 || ++count_ > kMaxPositions || t <= 0 || t >= 1) return std::nullopt;
   if (auto waypoints = corner(u, v, verdict.depth_mm)) return waypoints;
   LinkNode node;
-  node.stop.before = motion.at(t);
+  node.stop.before = motion.with(verdict.witness ? verdict.witness->turn : std::nullopt).at(t);
   node.stop.depth_before_mm = verdict.depth_mm;
   node.t = u.t + t * (v.t - u.t);
   // A rapid need not stay over a cut, so it goes the shortest way.

@@ -193,13 +193,16 @@ DepthField::DepthField(const CheckedToolpath& input, std::size_t max_poses)
   };
   PoseList poses;
   for (FieldInstants& one : pick_instants(input, max_poses, wanted)) {
-    const Motion motion = input.options.law.of(*input.toolpath, one.move);
+    const Motion stated = input.options.law.of(*input.toolpath, one.move);
     const std::optional<Witness>& witness = input.result->verdicts[one.move].witness;
     std::ranges::sort(one.t);
-    for (const double t : one.t) {
-      const bool is_worst = witness && !(witness->t < t) && !(t < witness->t);
-      poses.add({motion.at(t), variants_of(one.move), one.move, one.move}, is_worst,
-                closest_approach(motion, one.move));
+    for (const Motion& motion : shown_motions(stated, witness)) {
+      const bool is_of_witness = witness && motion.shares_at(witness->t) == witness->turn;
+      for (const double t : one.t) {
+        const bool is_worst = is_of_witness && !(witness->t < t) && !(t < witness->t);
+        poses.add({motion.at(t), variants_of(one.move), one.move, one.move}, is_worst,
+                  closest_approach(motion, one.move));
+      }
     }
   }
   poses_ = poses.take();

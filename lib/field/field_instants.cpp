@@ -86,6 +86,15 @@ std::vector<FieldInstants> pick_instants(
   return Picker(input, most, wanted).pick();
 }
 
+std::vector<Motion> shown_motions(const Motion& motion, const std::optional<Witness>& witness) {
+  std::vector<Motion> all{motion.alone()};
+  if (auto other = motion.other())
+    all.push_back(*std::move(other));
+  else if (witness && witness->turn)
+    all.push_back(motion.with(witness->turn));
+  return all;
+}
+
 double path_length_mm(const Motion& motion) {
   double length = 0;
   for (std::uint32_t s = 0; s < motion.segments().size(); ++s)

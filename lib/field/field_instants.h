@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "lib/field/checked_toolpath.h"
@@ -21,6 +22,9 @@ struct FieldInstants {
 [[nodiscard]] std::vector<FieldInstants> pick_instants(
     const CheckedToolpath& input, std::size_t most,
     const std::function<std::size_t(const Motion& motion, std::size_t move)>& wanted);
+
+/// Returns the motions that a field samples for a move: those that its law states, and that of the witness.
+[[nodiscard]] std::vector<Motion> shown_motions(const Motion& motion, const std::optional<Witness>& witness);
 
 /// Returns the length of the tip's path.
 [[nodiscard]] double path_length_mm(const Motion& motion);

@@ -130,12 +130,14 @@ HeadField::HeadField(const CheckedToolpath& input, std::size_t max_poses)
   std::stable_sort(picked.begin(), picked.end(),
                    [&](const FieldInstants& a, const FieldInstants& b) { return depth_of(a) > depth_of(b); });
   for (const FieldInstants& one : picked) {
-    const Motion motion = input.options.law.of(*input.toolpath, one.move);
-    const BodyMotion moving(motion);
-    for (const double t : one.t) {
-      const RigidTransform to_part = moving.at(t);
-      for (std::size_t h = 0; h < heads_.size(); ++h) {
-        if (is_near(heads_[h].box, to_part, scene)) swept_.push_back({h, to_part.inverse()});
+    const Motion stated = input.options.law.of(*input.toolpath, one.move);
+    for (const Motion& motion : shown_motions(stated, input.result->verdicts[one.move].witness)) {
+      const BodyMotion moving(motion);
+      for (const double t : one.t) {
+        const RigidTransform to_part = moving.at(t);
+        for (std::size_t h = 0; h < heads_.size(); ++h) {
+          if (is_near(heads_[h].box, to_part, scene)) swept_.push_back({h, to_part.inverse()});
+        }
       }
     }
   }

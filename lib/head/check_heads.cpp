@@ -95,8 +95,12 @@ void HeadChecker::sweep_all(std::span<const Motion> motions, const CheckOptions&
     bounds[m] = 0;
     if (const Reason::Kind unfit = why_unfit(motions[m]); unfit != Reason::Kind::none) {
       refuse(unfit, *verdicts[m]);
-    } else {
-      fit.push_back(motions[m]);
+      continue;
+    }
+    fit.push_back(motions[m].alone());
+    index.push_back(m);
+    if (auto other = motions[m].other()) {
+      fit.push_back(*std::move(other));
       index.push_back(m);
     }
   }
@@ -107,30 +111,38 @@ void HeadChecker::sweep_all(std::span<const Motion> motions, const CheckOptions&
       for (std::size_t k = 0; k < fit.size(); ++k) {
         const std::size_t m = index[k];
         bounds[m] += results[k].bounds;
-        if (!group.limit) uppers_mm[m].push_back(results[k].depth_upper_mm);
-        join(results[k], group, options, *verdicts[m]);
+        const bool is_other = k > 0 && index[k - 1] == m;
+        if (!group.limit && is_other) uppers_mm[m].back() = std::max(uppers_mm[m].back(), results[k].depth_upper_mm);
+        if (!group.limit && !is_other) uppers_mm[m].push_back(results[k].depth_upper_mm);
+        join(results[k], group, options, fit[k], *verdicts[m]);
       }
     }
+  }
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    const bool is_open = verdicts[m]->state != MoveState::not_checked && verdicts[m]->state != MoveState::gouge;
+    if (motions[m].is_any() && is_open && !uppers_mm[m].empty())
+      bounds[m] += check_any_turn(motions[m], options, *verdicts[m], uppers_mm[m]);
   }
 }
 
 void HeadChecker::search_group(const Group& group, const HeadBody& head, std::span<const Motion> motions,
-                               const CheckOptions& options, std::span<HeadResult> results) const {
+                               const CheckOptions& options, std::span<HeadResult> results, double reach_mm) const {
   const SearchGoal goal{group.tolerance_mm(options), options.resolution_mm,
                         std::max(options.resolution_mm, options.gouge_gap_mm),
                         std::min(kMaxBounds, options.budget_per_move)};
   const bool is_covered = !head.cover.pieces.empty();
+  std::vector<HeadTarget> farther = group.targets;
+  for (HeadTarget& target : farther) target.reach_mm += reach_mm;
   std::vector<SweptMove> swept;
   if (is_covered) {
     std::vector<CoverTarget> targets;
-    for (const HeadTarget& target : group.targets)
-      targets.push_back({&head.cover, target.tree, nullptr, target.reach_mm});
+    for (const HeadTarget& target : farther) targets.push_back({&head.cover, target.tree, nullptr, target.reach_mm});
     swept = sweep_covers(motions, targets, {goal, 0});
   }
   for (std::size_t k = 0; k < motions.size(); ++k) {
     const BodyMotion moving(motions[k]);
-    results[k] = is_covered ? search_head(moving, head, group.targets, goal, swept[k].start)
-                            : search_head(moving, head, group.targets, goal);
+    results[k] = is_covered ? search_head(moving, head, farther, goal, swept[k].start)
+                            : search_head(moving, head, farther, goal);
     if (is_covered) results[k].bounds += swept[k].bounds;
   }
 }
@@ -148,7 +160,7 @@ double HeadChecker::excess_at(const Pose& pose, const MotionLaw& law, double all
   return verdict.state == MoveState::clean ? 0 : std::numeric_limits<double>::infinity();
 }
 
-void HeadChecker::join(const HeadResult& found, const Group& group, const CheckOptions& options,
+void HeadChecker::join(const HeadResult& found, const Group& group, const CheckOptions& options, const Motion& motion,
                        MoveVerdict& verdict) const {
   const double tolerance_mm = group.tolerance_mm(options);
   verdict.depth_upper_mm = std::max(verdict.depth_upper_mm, found.depth_upper_mm);
@@ -156,7 +168,10 @@ void HeadChecker::join(const HeadResult& found, const Group& group, const CheckO
   const bool is_open = found.depth_upper_mm > tolerance_mm + options.resolution_mm;
   const bool is_worse = found.has_witness && found.depth_mm > verdict.depth_mm;
   const bool is_taken = is_gouge ? is_worse || verdict.state != MoveState::gouge : is_worse;
-  if (is_taken) take(found, group, verdict);
+  if (is_taken) {
+    take(found, group, verdict);
+    verdict.witness->turn = motion.shares_at(found.t);
+  }
   if (is_gouge) {
     verdict.state = MoveState::gouge;
     verdict.clearance_mm.reset();

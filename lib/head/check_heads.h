@@ -79,9 +79,17 @@ class HeadChecker {
     [[nodiscard]] double tolerance_mm(const CheckOptions& options) const;
   };
 
+  class AnyTurn;
+
+  /// `reach_mm`: distance by which all surfaces are moved towards the heads.
   void search_group(const Group& group, const HeadBody& head, std::span<const Motion> motions,
-                    const CheckOptions& options, std::span<HeadResult> results) const;
-  void join(const HeadResult& found, const Group& group, const CheckOptions& options, MoveVerdict& verdict) const;
+                    const CheckOptions& options, std::span<HeadResult> results, double reach_mm = 0) const;
+  /// Extends a verdict and the maximum depths to all motions that LawScope::any admits (check_any_turn.cpp). Returns the
+  /// number of bounds.
+  std::uint64_t check_any_turn(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict,
+                               std::vector<double>& uppers_mm) const;
+  void join(const HeadResult& found, const Group& group, const CheckOptions& options, const Motion& motion,
+            MoveVerdict& verdict) const;
   void take(const HeadResult& found, const Group& group, MoveVerdict& verdict) const;
   void look_inside(const Motion& motion, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const;
 

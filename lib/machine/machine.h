@@ -34,17 +34,19 @@ struct Joint {
 
 [[nodiscard]] inline bool is_rotary(const Joint& joint) { return joint.type == JointType::rotary; }
 
-/// Laws by which a control moves the tool between two positions. The first two keep the tip on its line or curve.
+/// Laws by which a control moves the tool between two positions. The first four keep the tip on its line or curve.
 enum class TurnLaw {
   vector,      ///< the axis on the great circle
   axis,        ///< both rotary joints evenly from one position to the next
+  documented,  ///< by vector or by axis: a move is clean if it is clean by both
+  any,         ///< the rotary joints anywhere between their positions at both ends, whatever the control does
   joint,       ///< all joints evenly from one position to the next
   independent  ///< each joint at its own rate until it arrives; rapids alone
 };
-inline constexpr std::array<const char*, 4> kTurnLawNames = {"vector", "axis", "joint",
-                                                             "independent"};  // in this order
+inline constexpr std::array<const char*, 6> kTurnLawNames = {"vector", "axis",  "documented",
+                                                             "any",    "joint", "independent"};  // in this order
 /// Feeds may run by any of the first so many.
-inline constexpr std::size_t kFeedLaws = 3;
+inline constexpr std::size_t kFeedLaws = 5;
 struct TurnLaws {
   TurnLaw feeds = TurnLaw::vector, rapids = TurnLaw::vector;
 };

@@ -32,27 +32,25 @@ class EvenTurn : public AxisPath {
   [[nodiscard]] double turn_acceleration_rad(double /*t0*/, double /*t1*/) const override {
     return std::abs(by_[0] * by_[1]) * u_.cross(w_).norm();
   }
+  [[nodiscard]] std::optional<Eigen::Matrix3d> axes_at_shares(const TurnShares& shares) const override {
+    return (Eigen::AngleAxisd(from_[0] + shares[0] * by_[0], u_) * Eigen::AngleAxisd(from_[1] + shares[1] * by_[1], w_))
+        .toRotationMatrix();
+  }
+  // The second joint turns the axis by at most its own angle times the sine of the angle between them. Then the first
+  // one turns it, at an angle to its direction that the second one has changed by no more. Proof: docs/method/machine.md.
+  [[nodiscard]] TurnSpread spread(const TurnShares& low, const TurnShares& high) const override {
+    const double first = 0.5 * std::abs((high[0] - low[0]) * by_[0]);
+    const double second = 0.5 * std::abs((high[1] - low[1]) * by_[1]);
+    const double leaning = second * w_.cross(Vec3::UnitZ()).norm();
+    const Vec3 middle = axes_at_shares({0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])})->col(2);
+    const double sine = std::min(1.0, u_.cross(middle).norm() + leaning);
+    return {std::min(M_PI, leaning + first * sine), std::min(M_PI, first + second)};
+  }
 
  private:
   Vec3 u_, w_;
   Eigen::Matrix3d rest_;
   RotaryAngles from_, by_;
-};
-
-/// A tool that stands at an axis that the machine does not reach.
-class Standing : public AxisPath {
- public:
-  explicit Standing(const Vec3& axis) {
-    axes_.col(0) = axis.unitOrthogonal();
-    axes_.col(1) = axis.cross(axes_.col(0));
-    axes_.col(2) = axis;
-  }
-  [[nodiscard]] Eigen::Matrix3d axes_at(double /*t*/) const override { return axes_; }
-  [[nodiscard]] double turn_rate_rad(double /*t0*/, double /*t1*/) const override { return 0; }
-  [[nodiscard]] double turn_acceleration_rad(double /*t0*/, double /*t1*/) const override { return 0; }
-
- private:
-  Eigen::Matrix3d axes_;
 };
 
 double turn(const RotaryAngles& from, const RotaryAngles& to) {
@@ -89,7 +87,25 @@ std::optional<AngleRange> angles_of_move(const Machine& machine, const JointPath
   return nearest_angles(machine, from, to);
 }
 
-std::shared_ptr<const AxisPath> standing_at(const Vec3& axis) { return std::make_shared<Standing>(axis); }
+std::shared_ptr<const AxisPath> standing_at(const Vec3& axis) {
+  Eigen::Matrix3d axes;
+  axes.col(0) = axis.unitOrthogonal();
+  axes.col(1) = axis.cross(axes.col(0));
+  axes.col(2) = axis;
+  return standing_with(axes);
+}
+
+std::string RotaryLaw::name() const {
+  switch (scope_) {
+    case LawScope::one:
+      break;
+    case LawScope::documented:
+      return "documented of " + machine_.name;
+    case LawScope::any:
+      return "any of " + machine_.name;
+  }
+  return "axis of " + machine_.name;
+}
 
 std::shared_ptr<const AxisPath> RotaryLaw::between(const Pose& from, const Pose& to) const {
   return of_move(nullptr, 0, from, to);

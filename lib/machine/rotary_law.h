@@ -9,10 +9,10 @@
 namespace gouge {
 
 /// The law "axis": the tip on its line or curve, both rotary joints evenly in one parameter. Siemens ORIAXES and
-/// LinuxCNC promise it (docs/method/machine.md).
+/// LinuxCNC promise it (docs/method/machine.md). With a wider scope it is the law "documented" or "any".
 class RotaryLaw : public AxisLaw {
  public:
-  explicit RotaryLaw(Machine machine) : machine_(std::move(machine)) {}
+  explicit RotaryLaw(Machine machine, LawScope scope = LawScope::one) : machine_(std::move(machine)), scope_(scope) {}
 
   /// Returns the nearest angles of both directions, the first joint standing where one of them is a pole. Null where
   /// the machine does not reach one of them.
@@ -20,10 +20,12 @@ class RotaryLaw : public AxisLaw {
   /// Returns the angles chosen for the path, where they are those of the directions; else as `between`.
   [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const JointPath* joints, std::size_t move, const Pose& from,
                                                         const Pose& to) const override;
-  [[nodiscard]] std::string name() const override { return "axis of " + machine_.name; }
+  [[nodiscard]] LawScope scope() const override { return scope_; }
+  [[nodiscard]] std::string name() const override;
 
  private:
   Machine machine_;
+  LawScope scope_;
 };
 
 /// Rotary angles at both ends of a motion.

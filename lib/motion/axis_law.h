@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -34,6 +35,19 @@ class TipPath {
   [[nodiscard]] virtual std::span<const double> kinks() const = 0;
 };
 
+/// Motions that a law admits for a move.
+enum class LawScope {
+  one,         ///< one motion
+  documented,  ///< two motions: the tool axis on the great circle, and both rotary joints evenly
+  any          ///< every motion whose rotary joints stay between their ends, with the tip anywhere on its line or curve
+};
+
+/// Bounds of the directions in a box of shares, about the directions at its middle. Radians.
+struct TurnSpread {
+  double axis_rad = 0;   ///< the tool axis departs by at most this angle
+  double frame_rad = 0;  ///< all that is fixed to the tool departs by at most this turn
+};
+
 /// The way of the tool axis, and of all that is fixed to it, from t = 0 to 1 of a move. Constant: several threads may
 /// call it.
 class AxisPath {
@@ -48,9 +62,19 @@ class AxisPath {
   /// Bounds the derivative of the angular velocity in [t0, t1]; radians per square of a unit of t. Requires no kink inside
   /// the interval.
   [[nodiscard]] virtual double turn_acceleration_rad(double t0, double t1) const = 0;
+  /// Returns the directions where the rotary joints have run these shares of their ways. None: the path is not one of
+  /// rotary joints.
+  [[nodiscard]] virtual std::optional<Eigen::Matrix3d> axes_at_shares(const TurnShares& /*shares*/) const {
+    return std::nullopt;
+  }
+  /// Returns the spread of a box of shares. Requires a path of rotary joints.
+  [[nodiscard]] virtual TurnSpread spread(const TurnShares& /*low*/, const TurnShares& /*high*/) const { return {}; }
   /// Null: the tip runs as the path states. Lives as long as this.
   [[nodiscard]] virtual const TipPath* tip_path() const { return nullptr; }
 };
+
+/// Returns the path of a tool that stands with these directions.
+[[nodiscard]] std::shared_ptr<const AxisPath> standing_with(const Eigen::Matrix3d& axes);
 
 /// Makes the way of the tool between two poses.
 class AxisLaw {
@@ -69,6 +93,8 @@ class AxisLaw {
   /// Returns the reason for which the law leaves the motion of a move with a start open. Empty: it does not, or opposite
   /// axes are the reason.
   [[nodiscard]] virtual std::string why_open(const Toolpath& /*path*/, std::size_t /*move*/) const { return {}; }
+  /// Returns which motions the law admits. With `documented` and `any` the paths are those of rotary joints.
+  [[nodiscard]] virtual LawScope scope() const { return LawScope::one; }
   /// Returns true where the tip may leave its line while the axis stands.
   [[nodiscard]] virtual bool bends_without_turning() const { return false; }
   /// Returns one word for options, reports and certificates.

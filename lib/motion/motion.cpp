@@ -49,13 +49,56 @@ double off_circle_rad(const MotionRates& rates) {
 
 Motion::Motion(const Pose& start, const Pose& end, const AxisLaw* law, const JointPath* joints, std::size_t move)
     : start_(start), end_(end), whole_{0, 1, start.tip, end.tip} {
-  if (law != nullptr) {
-    axis_path_ = law->of_move(joints, move, start, end);
-    is_defined_ = axis_path_ != nullptr;
-    if (is_defined_ && axis_path_->tip_path() != nullptr) run_by_law();
-  } else {
+  if (law == nullptr) {
     turn_on_great_circle();
+    return;
   }
+  std::shared_ptr<const AxisPath> path = law->of_move(joints, move, start, end);
+  if (law->scope() == LawScope::documented) {
+    turn_on_great_circle();
+    is_defined_ = is_defined_ && path != nullptr;
+    other_path_ = std::move(path);
+    return;
+  }
+  is_any_ = law->scope() == LawScope::any;
+  axis_path_ = std::move(path);
+  is_defined_ = axis_path_ != nullptr;
+  if (is_defined_ && axis_path_->tip_path() != nullptr) run_by_law();
+}
+
+std::optional<Motion> Motion::other() const {
+  if (other_path_ == nullptr) return std::nullopt;
+  Motion even = alone();
+  even.axis_path_ = other_path_;
+  even.is_even_ = true;
+  return even;
+}
+
+Motion Motion::alone() const {
+  Motion same = *this;
+  same.other_path_ = nullptr;
+  same.is_any_ = false;
+  return same;
+}
+
+Motion Motion::at_rest(const TurnShares& shares) const {
+  Motion resting = alone();
+  const AxisPath& joints = other_path_ ? *other_path_ : *axis_path_;
+  const Eigen::Matrix3d axes = joints.axes_at_shares(shares).value();
+  resting.axis_path_ = standing_with(axes);
+  resting.start_.axis = resting.end_.axis = axes.col(2).normalized();
+  resting.rest_ = shares;
+  return resting;
+}
+
+Motion Motion::with(const std::optional<TurnShares>& shares) const {
+  if (!shares) return alone();
+  return other_path_ ? *other() : at_rest(*shares);
+}
+
+std::optional<TurnShares> Motion::shares_at(double t) const {
+  if (rest_) return rest_;
+  return is_even_ ? std::optional(TurnShares{t, t}) : std::nullopt;
 }
 
 void Motion::turn_on_great_circle() {

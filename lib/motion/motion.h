@@ -25,6 +25,23 @@ struct MotionSegment {
 /// of an AxisLaw. Only a MotionLaw makes motions, so that no caller chooses a law by accident.
 class Motion {
  public:
+  /// Returns the other motion that the law admits for this move: both rotary joints evenly (LawScope::documented). None:
+  /// it admits this one alone, or any.
+  [[nodiscard]] std::optional<Motion> other() const;
+  [[nodiscard]] bool has_other() const { return other_path_ != nullptr; }
+  /// Returns the same motion as the only one that the law admits.
+  [[nodiscard]] Motion alone() const;
+  /// Returns true where the law admits every motion of the rotary joints between their ends (LawScope::any). This motion
+  /// is one of them.
+  [[nodiscard]] bool is_any() const { return is_any_; }
+  /// Returns the motion of the tip with the rotary joints at rest at these shares of their ways. Requires is_any() or
+  /// has_other().
+  [[nodiscard]] Motion at_rest(const TurnShares& shares) const;
+  /// Returns the motion that a witness with these shares refers to.
+  [[nodiscard]] Motion with(const std::optional<TurnShares>& shares) const;
+  /// Returns the shares that a witness at t has: none on the motion that a law states alone or first.
+  [[nodiscard]] std::optional<TurnShares> shares_at(double t) const;
+
   /// Returns false where the law leaves the way of the tool open: opposite axes on the great circle, curves of the path
   /// where the law moves the tip.
   [[nodiscard]] bool is_defined() const { return is_defined_; }
@@ -97,7 +114,11 @@ class Motion {
   Vec3 rotation_axis_ = Vec3::UnitX();
   double angle_ = 0;
   std::shared_ptr<const AxisPath> axis_path_;
-  const TipPath* tip_path_ = nullptr;  // of axis_path_
+  const TipPath* tip_path_ = nullptr;           // of axis_path_
+  std::shared_ptr<const AxisPath> other_path_;  // LawScope::documented: of both rotary joints, beside the great circle
+  std::optional<TurnShares> rest_;              // the joints rest at these shares
+  bool is_even_ = false;                        // the motion of both rotary joints, taken from other_path_
+  bool is_any_ = false;
   bool is_defined_ = true;
   bool is_alone_ = false;
 };

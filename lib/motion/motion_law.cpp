@@ -8,6 +8,12 @@ std::string MotionLaw::name() const {
   return feed == rapid ? feed : feed + ", rapids " + rapid;
 }
 
+std::optional<MotionLaw> MotionLaw::widest() const {
+  if (!widest_feed_axes_ && !widest_rapid_axes_) return std::nullopt;
+  return MotionLaw(rapid_, widest_feed_axes_ ? widest_feed_axes_ : feed_axes_,
+                   widest_rapid_axes_ ? widest_rapid_axes_ : rapid_axes_);
+}
+
 std::string MotionLaw::why_open(const Toolpath& toolpath, std::size_t move) const {
   const AxisLaw* const axes = axes_of(toolpath.moves[move].kind);
   return axes == nullptr ? std::string() : axes->why_open(toolpath, move);

@@ -39,6 +39,19 @@ class MotionLaw {
   MotionLaw(RapidMode rapid, std::shared_ptr<const AxisLaw> feed_axes, std::shared_ptr<const AxisLaw> rapid_axes)
       : rapid_(rapid), feed_axes_(std::move(feed_axes)), rapid_axes_(std::move(rapid_axes)) {}
 
+  /// Adds the laws that admit any motion of the rotary joints, for feeds and for rapids; null: the tip of such a move may
+  /// leave its line or curve.
+  void set_widest(std::shared_ptr<const AxisLaw> feed_axes, std::shared_ptr<const AxisLaw> rapid_axes) {
+    widest_feed_axes_ = std::move(feed_axes);
+    widest_rapid_axes_ = std::move(rapid_axes);
+  }
+  /// Returns the law of set_widest for both kinds of moves. None: there is none for either kind. A kind without
+  /// one keeps its law.
+  [[nodiscard]] std::optional<MotionLaw> widest() const;
+  [[nodiscard]] bool has_widest(MoveKind kind) const {
+    return (kind == MoveKind::rapid ? widest_rapid_axes_ : widest_feed_axes_) != nullptr;
+  }
+
   [[nodiscard]] RapidMode rapid() const { return rapid_; }
   /// Returns true where the motion between the poses at two instants of a motion without a curve is surely a part of
   /// it.
@@ -78,7 +91,7 @@ class MotionLaw {
   }
 
   RapidMode rapid_;
-  std::shared_ptr<const AxisLaw> feed_axes_, rapid_axes_;
+  std::shared_ptr<const AxisLaw> feed_axes_, rapid_axes_, widest_feed_axes_, widest_rapid_axes_;
 };
 
 }  // namespace gouge

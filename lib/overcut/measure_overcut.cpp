@@ -133,10 +133,18 @@ class Measuring {
     depth_bounds_.try_emplace(tool, tools_[tool]->bare);
   }
 
+  /// Returns the motions that the law admits for a move.
+  static std::vector<Motion> motions_of(const Motion& motion) {
+    std::vector<Motion> all{motion.alone()};
+    if (auto other = motion.other()) all.push_back(*std::move(other));
+    return all;
+  }
+
   void measure(std::size_t move) const {
     MoveVerdict& verdict = result_.verdicts[move];
     const std::size_t tool = toolpath_.moves[move].tool;
     const Motion motion = options_.law.of(toolpath_, move);
+    if (motion.is_any()) return;  // no bound covers the overcut of all motions
     const Surface& part = surface_of(verdict).boundary();
     // The place of the tool's boundary at the depth of the witness.
     const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
@@ -148,14 +156,16 @@ class Measuring {
       verdict.overcut_mm = std::max(verdict.overcut_mm.value_or(0), found.depth_mm);
       verdict.overcut_upper_mm = std::max(verdict.overcut_upper_mm, found.depth_upper_mm);
     };
-    if (verdict.witness->body == Body::head) {
-      for (const HeadBody& body : heads_) join(SweptHead(motion, body), kUnknown_mm);
-      return;
+    for (const Motion& one : motions_of(motion)) {
+      if (verdict.witness->body == Body::head) {
+        for (const HeadBody& body : heads_) join(SweptHead(one, body), kUnknown_mm);
+        continue;
+      }
+      std::optional<KnownOvercut> known = depth_bounds_.at(tool).at(verdict.depth_upper_mm, one, part);
+      const double rounded_bound = known ? known->upper_mm : kUnknown_mm;
+      join(SweptTool(one, tools_[tool]->bare, known ? std::optional(std::move(known->sharp_zones)) : std::nullopt),
+           rounded_bound);
     }
-    std::optional<KnownOvercut> known = depth_bounds_.at(tool).at(verdict.depth_upper_mm, motion, part);
-    const double rounded_bound = known ? known->upper_mm : kUnknown_mm;
-    join(SweptTool(motion, tools_[tool]->bare, known ? std::optional(std::move(known->sharp_zones)) : std::nullopt),
-         rounded_bound);
   }
 
   const Toolpath& toolpath_;

@@ -5,6 +5,7 @@
 
 #include "lib/tool/certified_depth.h"
 #include "lib/tool/compiled_tool.h"
+#include "lib/tool/tilted_tools.h"
 
 namespace gouge {
 
@@ -24,6 +25,8 @@ struct ToolVariants {
   /// The tool with every body wider by the diameter of the cutter. It contains all places of the tool if the tip is up
   /// to one diameter beside a motion. Null: not made.
   std::shared_ptr<const ToolVariants> wide;
+  /// The tool swept over tilts. Null: not made.
+  std::shared_ptr<const TiltedTools> tilted;
 
   /// A form of this tool with its own stored certified depths.
   struct CertifiedForm {

@@ -76,6 +76,7 @@ class Attack {
       // First the end of each move without a proof, where a plunge is deepest. Then random instants, with ends among
       // them.
       const double t = is_turn ? 1 : draws_.below(4) == 0 ? static_cast<double>(draws_.below(2)) : draws_.share();
+      choose_motion(move);
       result.found = look_at(move, t);
     }
     return result;
@@ -123,8 +124,22 @@ class Attack {
   };
 
   [[nodiscard]] Place place(const Target& target, std::size_t move, double t) const {
-    if (target.contour == nullptr) return {{}, head_frame(scene_, move, t)};
-    return {claimed_pose(scene_, move, t), {}};
+    const std::optional<TurnShares> turn = turn_at(t);
+    if (target.contour == nullptr) return {{}, head_frame(scene_, move, t, turn)};
+    return {claimed_pose(scene_, move, t, turn), {}};
+  }
+
+  /// Returns where the rotary joints are at t, on the motion that is examined.
+  [[nodiscard]] std::optional<TurnShares> turn_at(double t) const {
+    return is_even_ ? std::optional(TurnShares{t, t}) : resting_;
+  }
+
+  /// Chooses one of the motions that the law of a move admits.
+  void choose_motion(std::size_t move) {
+    const ClaimedRun run = claimed_run_of(scene_, move);
+    is_even_ = run == ClaimedRun::documented && draws_.below(2) == 0;
+    resting_.reset();
+    if (run == ClaimedRun::any && draws_.below(4) != 0) resting_ = TurnShares{draws_.share(), draws_.share()};
   }
 
   [[nodiscard]] double depth(const Target& target, const Place& place, const Vec3& point) const {
@@ -243,6 +258,8 @@ class Attack {
   Box3 head_box_;
   std::size_t looks_per_head_ = 4;
   Draws draws_;
+  bool is_even_ = false;               // the joints run evenly, on a law that also admits the great circle
+  std::optional<TurnShares> resting_;  // the rotary joints rest there
 };
 
 }  // namespace

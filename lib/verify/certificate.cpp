@@ -84,10 +84,17 @@ class Questions {
       run = move.has_start && move.kind == MoveKind::rapid ? scene_.joints->rapids : scene_.joints->feeds;
     if (run == ClaimedRun::on_circle) return motion_pieces(scene_.path, index, scene_.is_dogleg);
     const JointPath* const angles = scene_.path.joints.get();
-    if (!move.has_start || scene_.is_dogleg || angles == nullptr || index >= angles->end.size() ||
-        !angles->start[index] || !angles->end[index])
+    if (!move.has_start || scene_.is_dogleg || run == ClaimedRun::any || angles == nullptr ||
+        index >= angles->end.size() || !angles->start[index] || !angles->end[index])
       return std::nullopt;
-    return motion_pieces(scene_.path, index, {&*scene_.joints, run, *angles->start[index], *angles->end[index]});
+    const ClaimedRun by_joints = run == ClaimedRun::documented ? ClaimedRun::rotary : run;
+    auto pieces =
+        motion_pieces(scene_.path, index, {&*scene_.joints, by_joints, *angles->start[index], *angles->end[index]});
+    if (run != ClaimedRun::documented || !pieces) return pieces;
+    const auto on_circle = motion_pieces(scene_.path, index, scene_.is_dogleg);
+    if (!on_circle) return std::nullopt;
+    pieces->insert(pieces->end(), on_circle->begin(), on_circle->end());
+    return pieces;
   }
   [[nodiscard]] std::string law() const {
     return (scene_.axis_law + (scene_.is_dogleg ? " dogleg" : " straight")).substr(0, kLawBytes);

@@ -24,10 +24,12 @@ struct ClaimedJoint {
 
 /// Runs of the tool between two positions.
 enum class ClaimedRun : std::uint8_t {
-  on_circle,   ///< the tip as the path states, the axis on the great circle
-  rotary,      ///< the tip as the path states, both rotary joints evenly
-  together,    ///< all joints evenly; the tip on a curve of the path where rotary joints stand
-  independent  ///< each joint at its own rate until it arrives
+  on_circle,    ///< the tip as the path states, the axis on the great circle
+  rotary,       ///< the tip as the path states, both rotary joints evenly
+  together,     ///< all joints evenly; the tip on a curve of the path where rotary joints stand
+  independent,  ///< each joint at its own rate until it arrives
+  documented,   ///< on_circle and rotary; a bound must hold for both
+  any           ///< as for rotary, but with the rotary joints anywhere between their ends at every instant
 };
 
 /// Joints from the part to the tool, in place of the great circle.

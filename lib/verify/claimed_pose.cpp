@@ -15,8 +15,9 @@ Eigen::Quaterniond turn_from_z(const Vec3& axis) {
   return shortest_turn(Vec3::UnitZ(), axis);
 }
 
-/// How the tool runs on a move; on_circle too where its angles are not known.
-ClaimedRun run_of(const ClaimedScene& scene, std::size_t index) {
+}  // namespace
+
+ClaimedRun claimed_run_of(const ClaimedScene& scene, std::size_t index) {
   if (!scene.joints || scene.path.joints == nullptr) return ClaimedRun::on_circle;
   const JointPath& angles = *scene.path.joints;
   const Move& move = scene.path.moves[index];
@@ -26,30 +27,53 @@ ClaimedRun run_of(const ClaimedScene& scene, std::size_t index) {
   return move.kind == MoveKind::rapid ? scene.joints->rapids : scene.joints->feeds;
 }
 
-RigidTransform frame_by_joints(const ClaimedScene& scene, std::size_t index, ClaimedRun run, double t) {
+namespace {
+
+/// The single motion of a law that admits several, which the shares of the rotary joints choose.
+ClaimedRun run_with(const ClaimedScene& scene, std::size_t index, const std::optional<TurnShares>& turn) {
+  const ClaimedRun run = claimed_run_of(scene, index);
+  if (run == ClaimedRun::documented) return turn ? ClaimedRun::rotary : ClaimedRun::on_circle;
+  return run == ClaimedRun::any ? ClaimedRun::rotary : run;
+}
+
+RigidTransform frame_by_joints(const ClaimedScene& scene, std::size_t index, ClaimedRun run, double t,
+                               const std::optional<TurnShares>& turn) {
   const Move& move = scene.path.moves[index];
   const JointPath& angles = *scene.path.joints;
-  const ChainEnds ends = {move.has_start ? scene.path.start_of(index).tip : move.end.tip, move.end.tip,
-                          move.has_start ? *angles.start[index] : *angles.end[index], *angles.end[index]};
+  ChainEnds ends = {move.has_start ? scene.path.start_of(index).tip : move.end.tip, move.end.tip,
+                    move.has_start ? *angles.start[index] : *angles.end[index], *angles.end[index]};
+  if (!turn) return chain_frame(*scene.joints, run, ends, t);
+  for (std::size_t k = 0; k < 2; ++k)
+    ends.angles0[k] = ends.angles1[k] = ends.angles0[k] + (*turn)[k] * (ends.angles1[k] - ends.angles0[k]);
   return chain_frame(*scene.joints, run, ends, t);
 }
 
 }  // namespace
 
-Pose claimed_pose(const ClaimedScene& scene, std::size_t move, double t) {
+bool admits(const ClaimedScene& scene, std::size_t move, double t, const TurnShares& turn) {
+  const ClaimedRun run = claimed_run_of(scene, move);
+  constexpr double kRounding = 1e-12;
+  if (run == ClaimedRun::documented) return std::abs(turn[0] - t) <= kRounding && std::abs(turn[1] - t) <= kRounding;
+  const auto is_share = [](double share) { return share >= 0 && share <= 1; };
+  return run == ClaimedRun::any && is_share(turn[0]) && is_share(turn[1]);
+}
+
+Pose claimed_pose(const ClaimedScene& scene, std::size_t move, double t, const std::optional<TurnShares>& turn) {
   Pose pose = pose_at(scene.path, move, t, scene.is_dogleg);
-  const ClaimedRun run = run_of(scene, move);
-  if (!scene.path.moves[move].has_start || !(t > 0 && t < 1) || run == ClaimedRun::on_circle) return pose;
-  const RigidTransform frame = frame_by_joints(scene, move, run, t);
+  const ClaimedRun run = run_with(scene, move, turn);
+  const bool is_at_end = !(t > 0 && t < 1) && !turn;
+  if (!scene.path.moves[move].has_start || is_at_end || run == ClaimedRun::on_circle) return pose;
+  const RigidTransform frame = frame_by_joints(scene, move, run, t, turn);
   pose.axis = frame.rotation.col(2);
   if (run != ClaimedRun::rotary && scene.path.moves[move].curve_kind == CurveKind::none) pose.tip = frame.shift;
   return pose;
 }
 
-RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t) {
-  const Pose at = claimed_pose(scene, move, t);
-  if (const ClaimedRun run = run_of(scene, move); run != ClaimedRun::on_circle)
-    return {frame_by_joints(scene, move, run, t).rotation, at.tip};
+RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t,
+                          const std::optional<TurnShares>& turn) {
+  const Pose at = claimed_pose(scene, move, t, turn);
+  if (const ClaimedRun run = run_with(scene, move, turn); run != ClaimedRun::on_circle)
+    return {frame_by_joints(scene, move, run, t, turn).rotation, at.tip};
   const Pose end = scene.path.moves[move].end;
   const Pose start = scene.path.moves[move].has_start ? scene.path.start_of(move) : end;
   const auto carried = [&](const Vec3& axis) {  // the frame of the start, moved along the great circle to `axis`
@@ -63,10 +87,11 @@ RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t)
 
 std::optional<std::size_t> find_wrong_joints(const ClaimedScene& scene) {
   for (std::size_t move = 0; move < scene.path.moves.size(); ++move) {
-    const ClaimedRun run = run_of(scene, move);
-    if (run == ClaimedRun::on_circle) continue;
-    const Vec3 from = frame_by_joints(scene, move, run, 0).rotation.col(2),
-               to = frame_by_joints(scene, move, run, 1).rotation.col(2);
+    if (claimed_run_of(scene, move) == ClaimedRun::on_circle) continue;
+    const auto axis_at = [&](double share) {
+      return Vec3(frame_by_joints(scene, move, ClaimedRun::rotary, 0, TurnShares{share, share}).rotation.col(2));
+    };
+    const Vec3 from = axis_at(0), to = axis_at(1);
     const bool has_start = scene.path.moves[move].has_start;
     if ((has_start && (from - scene.path.start_of(move).axis).norm() > kSameAxis) ||
         (to - scene.path.moves[move].end.axis).norm() > kSameAxis)

@@ -32,6 +32,7 @@ class WitnessChecker {
 
   std::optional<std::string> fault() const {
     if (!(w_.t >= 0 && w_.t <= 1)) return "its instant is not of the move";
+    if (w_.turn && !admits(scene_, move_, w_.t, *w_.turn)) return "the law does not admit its rotary joints";
     if (!w_.point.allFinite() || !is_near(w_.normal.norm(), 1)) return "its point or normal is none";
     if (auto off = find_off_triangle()) return off;
     const double depth = depth_with({0, 0, 0});
@@ -59,12 +60,13 @@ class WitnessChecker {
     return "its point is " + mm(std::sqrt(off2)) + " off its triangle";
   }
 
-  [[nodiscard]] Pose pose() const { return claimed_pose(scene_, move_, w_.t); }
+  [[nodiscard]] Pose pose() const { return claimed_pose(scene_, move_, w_.t, w_.turn); }
   [[nodiscard]] const ToolContour& contour() const { return w_.is_fixture ? tool_.fixture : tool_.part; }
 
   /// Returns the depth after the tool is moved away by `shift`.
   [[nodiscard]] double depth_with(const Vec3& shift) const {
-    if (w_.body == Body::head) return depth_in_heads(scene_, head_frame(scene_, move_, w_.t), w_.point - shift);
+    if (w_.body == Body::head)
+      return depth_in_heads(scene_, head_frame(scene_, move_, w_.t, w_.turn), w_.point - shift);
     const double distance = contour().nearest(in_tool(pose(), w_.point - shift)).signed_distance_mm;
     return std::max(0.0, -distance);
   }
@@ -75,8 +77,9 @@ class WitnessChecker {
     const ClaimedLimit* limit = limit_of(scene_, w_);
     if (limit == nullptr || !(limit->clearance_mm > 0)) return std::nullopt;
     const Vec3 point = w_.point - shift;
-    const double distance = w_.body == Body::head ? distance_from_heads(scene_, head_frame(scene_, move_, w_.t), point)
-                                                  : tool_.bare.nearest(in_tool(pose(), point)).signed_distance_mm;
+    const double distance = w_.body == Body::head
+                                ? distance_from_heads(scene_, head_frame(scene_, move_, w_.t, w_.turn), point)
+                                : tool_.bare.nearest(in_tool(pose(), point)).signed_distance_mm;
     return std::max(0.0, limit->clearance_mm - distance);
   }
 
@@ -152,7 +155,7 @@ std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const C
   if (tool >= tools.size() || !tools[tool]) return "its tool is not defined";
   if (auto fault = WitnessChecker(scene, *tools[tool], move, claim).fault()) return fault;
   if (claim.state != ClaimedState::gouge || claim.depth_mm > scene.tolerance_mm) return std::nullopt;
-  const Vec2 at = in_tool(claimed_pose(scene, move, claim.witness->t), claim.witness->point);
+  const Vec2 at = in_tool(claimed_pose(scene, move, claim.witness->t, claim.witness->turn), claim.witness->point);
   if (tools[tool]->clearance.has(at)) return std::nullopt;
   const ClaimedLimit* limit = limit_of(scene, *claim.witness);
   if (limit != nullptr && claim.depth_mm > limit->tolerance_mm) return std::nullopt;

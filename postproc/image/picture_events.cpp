@@ -38,7 +38,8 @@ PictureEvent picture_event(const CheckedToolpath& input, const Event& event) {
   one.event = event;
   one.has_witness = event.state == MoveState::gouge && verdict.witness.has_value();
   if (one.has_witness) one.witness = *verdict.witness;
-  const Motion motion = input.options.law.of(*input.toolpath, event.worst_move);
+  const Motion motion =
+      input.options.law.of(*input.toolpath, event.worst_move).with(one.has_witness ? one.witness.turn : std::nullopt);
   const double t = one.has_witness ? one.witness.t : 1.0;
   one.pose = motion.is_defined() ? motion.at(t) : move.end;
   one.heads =

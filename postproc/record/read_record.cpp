@@ -114,6 +114,14 @@ class RecordReader {
     if (!object_.at(key).is_null()) object(key, value.emplace());
   }
   template <typename Record>
+  void object_if_any(const char* key, std::optional<Record>& value) {
+    if (object_.find(key)) object(key, value.emplace());
+  }
+  template <typename Record>
+  void list_if_any(const char* key, std::vector<Record>& values) {
+    if (object_.find(key)) list(key, values);
+  }
+  template <typename Record>
   void list(const char* key, std::vector<Record>& values) {
     const std::vector<JsonField> items = object_.at(key).list();
     values.reserve(items.size());

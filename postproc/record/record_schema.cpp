@@ -81,6 +81,14 @@ class SchemaMaker {
     add(key, of_object(Record(), {"object", "null"}));
   }
   template <typename Record>
+  void object_if_any(const char* key, const std::optional<Record>& /*value*/) {
+    properties_[key] = of_object(Record(), "object");
+  }
+  template <typename Record>
+  void list_if_any(const char* key, const std::vector<Record>& /*values*/) {
+    properties_[key] = list_of(of_object(Record(), "object"));
+  }
+  template <typename Record>
   void list(const char* key, const std::vector<Record>& /*values*/) {
     add(key, list_of(of_object(Record(), "object")));
   }

@@ -108,6 +108,25 @@ void describe(F& f, R& r) {
   f.count("wide_overcut_gaps", r.wide_overcut_gaps);
 }
 
+template <typename F, RecordOf<LawRecord> R>
+void describe(F& f, R& r) {
+  f.text("law", r.law);
+  f.flag("is_rapid", r.is_rapid);
+  f.count("gouges", r.gouges);
+  f.count("open", r.open);
+  f.optional_length("depth", r.depth_mm, Sign::non_negative);
+  f.optional_count("line", r.line);
+  f.text("missing", r.missing);
+}
+
+template <typename F, RecordOf<AnyTurnCounts> R>
+void describe(F& f, R& r) {
+  f.count("rapids", r.rapids);
+  f.count("proved_rapids", r.proved_rapids);
+  f.count("others", r.others);
+  f.count("proved_others", r.proved_others);
+}
+
 template <typename F, RecordOf<ClosenessRecord> R>
 void describe(F& f, R& r) {
   f.count("cuts", r.cuts, 1);
@@ -229,6 +248,12 @@ void describe(F& f, R& r) {
   f.count("first_line", r.first_line);
 }
 
+template <typename F, RecordOf<TurnRecord> R>
+void describe(F& f, R& r) {
+  f.number("first", r.first, Sign::non_negative);
+  f.number("second", r.second, Sign::non_negative);
+}
+
 template <typename F, RecordOf<WitnessRecord> R>
 void describe(F& f, R& r) {
   f.number("t", r.t, Sign::any);
@@ -238,6 +263,7 @@ void describe(F& f, R& r) {
   f.word("against", r.against, against_words());
   f.text("mesh", r.mesh);
   f.count("triangle", r.triangle);
+  f.object_if_any("turn", r.turn);
 }
 
 template <typename F, RecordOf<MoveRecord> R>
@@ -301,6 +327,8 @@ void describe(F& f, R& r) {
   f.list("tools", r.tools);
   f.object("totals", r.totals);
   f.optional_object("closeness", r.closeness);
+  f.object_if_any("any_turn", r.any_turn);
+  f.list_if_any("laws", r.laws);
   f.optional_object("stickout", r.stickout);
   f.optional_object("cures", r.cures);
   f.optional_object("baseline", r.baseline);

@@ -172,6 +172,11 @@ struct ReasonRecord {
   std::size_t moves = 1, first_move = 0, first_line = 0;
 };
 
+/// Shares of the ways of the rotary joints in a move; the first joint is the one nearer to the part.
+struct TurnRecord {
+  double first = 0, second = 0;
+};
+
 struct WitnessRecord {
   double t = 0;
   Vec3 point_mm = Vec3::Zero(), normal = Vec3::Zero();
@@ -179,6 +184,7 @@ struct WitnessRecord {
   Against against = Against::part;
   std::string mesh;
   std::size_t triangle = 0;
+  std::optional<TurnRecord> turn;  ///< none: the tool axis is that of the law at `t`
 };
 
 /// Data of a move that is not clean.
@@ -199,6 +205,16 @@ struct MoveRecord {
 struct RunRecord {
   std::size_t first_move = 0;
   std::string operation, tool;
+};
+
+/// Result of a law of motion that a check compares.
+struct LawRecord {
+  std::string law;
+  bool is_rapid = false;             ///< the moves are the rapids; otherwise all other moves
+  std::size_t gouges = 0, open = 0;  ///< number of moves that gouge, and of moves that are not checked or not certified
+  std::optional<double> depth_mm = {};   ///< largest depth of a gouge
+  std::optional<std::size_t> line = {};  ///< line of that gouge
+  std::string missing = {};              ///< what the law needs and is not given; empty: the law was checked
 };
 
 struct ProgramRecord {
@@ -224,6 +240,8 @@ struct ResultRecord {
   std::vector<ToolRecord> tools;
   TotalsRecord totals;
   std::optional<ClosenessRecord> closeness;
+  std::optional<AnyTurnCounts> any_turn;  ///< none: not examined, or nothing to examine
+  std::vector<LawRecord> laws;            ///< empty: not compared
   std::optional<StickoutRecord> stickout;
   std::optional<CureOptionsRecord> cures;
   std::optional<BaselineRecord> baseline;

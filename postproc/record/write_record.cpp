@@ -110,6 +110,14 @@ class RecordWriter {
       put(key, kNull);
   }
   template <typename Record>
+  void object_if_any(const char* key, const std::optional<Record>& value) {
+    if (value) object(key, *value);
+  }
+  template <typename Record>
+  void list_if_any(const char* key, const std::vector<Record>& values) {
+    if (!values.empty()) list(key, values);
+  }
+  template <typename Record>
   void list(const char* key, const std::vector<Record>& values) {
     begin(key, '[');
     for (const Record& value : values) {

@@ -240,8 +240,10 @@ class RecordMaker {
       record.overcut_upper_mm = finite(verdict.overcut_upper_mm);
     }
     record.clearance_mm = verdict.clearance_mm;
-    if (const std::optional<Witness>& w = verdict.witness)
-      record.witness = {w->t, w->point, w->normal, w->body, w->against, mesh_name(model_, *w), w->triangle};
+    if (const std::optional<Witness>& w = verdict.witness) {
+      record.witness = {w->t, w->point, w->normal, w->body, w->against, mesh_name(model_, *w), w->triangle, {}};
+      if (w->turn) record.witness->turn = {(*w->turn)[0], (*w->turn)[1]};
+    }
     record.reason = reason_text(verdict.reason);
     return record;
   }
@@ -295,6 +297,8 @@ ResultRecord record_of(const ReportModel& model) {
   record.totals = maker.totals();
   if (const std::optional<ClosestApproach>& closest = model.result->closest_approach)
     record.closeness = {closest->cuts, closest->positions, closest->nearest_mm, closest->median_mm};
+  record.any_turn = model.result->any_turn;
+  record.laws = model.laws;
   record.stickout = maker.stickout();
   if (const std::optional<CureOptions>& o = model.cure_options)
     record.cures = {o->lift_step_mm, o->max_lift_mm, o->tilt.max_tilt_rad, o->tilt.blend_mm};

@@ -156,6 +156,39 @@ std::string closest_approach_words(const std::optional<double>& distance_mm, Len
   return "within " + fixed_text(reported, decimals) + " " + unit_name(unit);
 }
 
+std::string law_label(const LawRecord& law) { return (law.is_rapid ? "rapids by " : "feeds by ") + law.law; }
+
+std::string law_text(const ReportModel& model, const LawRecord& law) {
+  if (!law.missing.empty()) return "not checked, " + law.missing;
+  std::string text = law.gouges == 0 ? "no gouge" : count_text(law.gouges, "move") + " with a gouge, the deepest ";
+  if (law.depth_mm) text += length_text(*law.depth_mm, model.toolpath->unit);
+  if (law.line) text += " at line " + std::to_string(*law.line);
+  if (law.open > 0) text += ", " + count_text(law.open, "move") + " not checked or not certified";
+  return text;
+}
+
+std::string any_turn_text(const ReportModel& model) {
+  const std::optional<AnyTurnCounts>& counts = model.result->any_turn;
+  if (!counts) return {};
+  const auto share = [](std::size_t proved, std::size_t all) {
+    return std::to_string(proved) + " of " + std::to_string(all) + " ";
+  };
+  const auto moves = [](std::size_t count, const char* one, const char* many) {
+    return std::string(count == 1 ? one : many);
+  };
+  const bool has_rapids = counts->rapids > 0, has_others = counts->others > 0;
+  std::string text;
+  if (has_rapids)
+    text += share(counts->proved_rapids, counts->rapids) + moves(counts->rapids, "rapid", "rapids") +
+            (counts->rapids == 1 ? " that turns them is clean" : " that turn them are clean");
+  if (has_rapids && has_others) text += ", and ";
+  if (has_others)
+    text += share(counts->proved_others, counts->others) +
+            moves(counts->others, has_rapids ? "other move" : "move", has_rapids ? "other moves" : "moves") +
+            (counts->others == 1 ? " is clean apart from the cutter" : " are clean apart from the cutter");
+  return text + ", whatever the control does with the rotary joints between two positions";
+}
+
 std::string closest_approach_text(const ReportModel& model) {
   if (!model.result->closest_approach) return {};
   const ClosestApproach& c = *model.result->closest_approach;

@@ -113,6 +113,7 @@ struct ReportModel {
   double seconds = 0;                               ///< time from the first file read to this report; only JUnit has it
   std::optional<StickoutOptions> stickout_options;  ///< none: not requested
   std::vector<StickoutFacts> stickouts;
+  std::vector<LawRecord> laws;              ///< laws of motion that the check compares; empty: not requested
   std::optional<CureOptions> cure_options;  ///< none: not requested
   std::vector<FindingCures> cures;          ///< for each event, in their order
   BaselineFacts baseline;
@@ -146,6 +147,13 @@ enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 /// Returns a distance of ClosestApproach, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm"
 /// or "not within 20 mm".
 [[nodiscard]] std::string closest_approach_words(const std::optional<double>& distance_mm, LengthUnit unit);
+
+/// Returns the name of a compared law with its moves, and what a check by it finds.
+[[nodiscard]] std::string law_label(const LawRecord& law);
+[[nodiscard]] std::string law_text(const ReportModel& model, const LawRecord& law);
+
+/// Returns which clean moves are clean by any motion of the rotary joints; empty if that was not examined.
+[[nodiscard]] std::string any_turn_text(const ReportModel& model);
 
 /// Returns "seen nearest, the tool is touching; half of the 400 cutting positions examined (of 2425) are within 0.83
 /// mm". Empty if there is no ClosestApproach.

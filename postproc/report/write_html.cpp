@@ -49,7 +49,7 @@ class HtmlReport {
            "content=\"width=device-width, initial-scale=1\">\n<title>" +
            title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
            against() + sign_off_facts(model_) + banner() + numbers() + sign_off_lines(model_) + overview() + changes() +
-           axis_section(model_) + summaries_html(model_) + findings_html(model_, pictures_) + stickouts() +
+           axis_section(model_) + summaries_html(model_) + findings_html(model_, pictures_) + laws() + stickouts() +
            open_queries() + close_ups() + assumptions_html(*model_.result) + inputs() + tools() + options() + notes() +
            "<footer>" + kProgramName + " " + kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
   }
@@ -95,6 +95,8 @@ class HtmlReport {
     out += acceptances();
     const std::string overcut = overcut_gaps_text(model_);
     if (!overcut.empty()) out += "<p class=\"soft\">Overcut: " + xml_escaped(overcut) + ".</p>\n";
+    if (const std::string any = any_turn_text(model_); !any.empty())
+      out += "<p class=\"soft\">Rotary joints: " + xml_escaped(any) + ".</p>\n";
     const std::string closest_approach = closest_approach_text(model_);
     if (closest_approach.empty()) return out;
     return out + "<p class=\"soft\">Closest approach to the part: " + xml_escaped(closest_approach) + ".</p>\n";
@@ -297,6 +299,14 @@ class HtmlReport {
                 html_cell(tool.defined_in.empty() ? "nowhere: its moves are not checked" : tool.defined_in));
     }
     return "<h2>Tools</h2>\n" + table.html();
+  }
+
+  [[nodiscard]] std::string laws() const {
+    if (model_.laws.empty()) return {};
+    HtmlTable table({{"Law of motion"}, {"Gouges"}});
+    for (const LawRecord& law : model_.laws)
+      table.add(html_cell(law_label(law), "k") + html_cell(law_text(model_, law)));
+    return "<h2>Laws of motion compared</h2>\n" + table.html();
   }
 
   [[nodiscard]] std::string stickouts() const {

@@ -251,8 +251,10 @@ Json finding_json(const ReportModel& model, const CheckedToolpath& input, const 
   const LengthUnit unit = path.unit;
   const MoveVerdict& verdict = model.result->verdicts[event.worst_move];
   const Move& move = path.moves[event.worst_move];
-  const Motion motion = input.options.law.of(path, event.worst_move);
-  const double t = verdict.witness && event.state != MoveState::buried ? verdict.witness->t : 1;
+  const bool has_instant = verdict.witness && event.state != MoveState::buried;
+  const std::optional<TurnShares> turn = has_instant ? verdict.witness->turn : std::nullopt;
+  const Motion motion = input.options.law.of(path, event.worst_move).with(turn);
+  const double t = has_instant ? verdict.witness->t : 1;
   const Pose pose = motion.is_defined() ? motion.at(t) : move.end;
   Json out = {{"state", state_name(event.state)},  {"move", event.worst_move},
               {"t", std::round(t * 1e6) / 1e6},    {"tool", event.tool},

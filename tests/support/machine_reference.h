@@ -37,6 +37,20 @@ class MachineReference {
     return {at.shift, at.rotation.col(2)};
   }
 
+  /// The frame of the tool with its tip where it is at t on its line, and the rotary joints where they have run `shares`
+  /// of their ways.
+  [[nodiscard]] RigidTransform frame_at(const Ends& ends, double t, const TurnShares& shares) const {
+    std::array<double, 5> q{};
+    for (std::size_t k = 0; k < 2; ++k)
+      q[machine_.rotary[k]] = (1 - shares[k]) * ends.angles0[k] + shares[k] * ends.angles1[k];
+    const Eigen::Matrix4d m = matrix(q);
+    return {m.block<3, 3>(0, 0), Vec3(ends.from.tip + t * (ends.to.tip - ends.from.tip))};
+  }
+  [[nodiscard]] Pose at(const Ends& ends, double t, const TurnShares& shares) const {
+    const RigidTransform frame = frame_at(ends, t, shares);
+    return {frame.shift, frame.rotation.col(2)};
+  }
+
   /// The frame of the tool at t by a law other than `vector`: origin at the tip, z along the axis.
   [[nodiscard]] RigidTransform frame(TurnLaw law, const Ends& ends, double t) const {
     const std::array<double, 5>&q0 = ends.joints0, &q1 = ends.joints1;
