@@ -36,8 +36,8 @@ std::vector<LawRecord> compare_laws(const Job& job, const PreparedScene& scene, 
   for (const TurnLaw law : kCompared) {
     const bool is_for_feeds = law != TurnLaw::independent;
     const TurnLaws laws{is_for_feeds ? law : job.laws.feeds, law};
-    const Result<MotionLaw> motion =
-        make_motion_law(*job.machine, laws, job.options.check.law.rapid(), job.options.tool_length_mm);
+    const Result<MotionLaw> motion = make_motion_law(*job.machine, laws, job.options.check.law.rapid(),
+                                                     job.options.tool_length_mm, !job.heads().empty());
     if (!motion) {
       const std::string& missing = motion.error().message;
       if (is_for_feeds) feeds.push_back({.law = turn_law_name(law), .missing = missing});

@@ -111,7 +111,7 @@ class JobLoader {
     const JobArguments& a = arguments_;
     Result<std::optional<ChosenMachine>> chosen =
         choose_machine({a.machine, a.feed_law, a.rapid_law, job_.options.tool_length_mm,
-                        job_.options.tool_length_slack_mm, a.joints, a.zero},
+                        job_.options.tool_length_slack_mm, a.joints, a.zero, !a.heads.empty()},
                        job_.options.check.law.rapid(), a.input.max_bytes);
     if (!chosen) {
       errors_.push_back(chosen.error());

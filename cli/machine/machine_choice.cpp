@@ -63,10 +63,11 @@ std::optional<Diagnostic> find_missing_fact(const Machine& machine, TurnLaw law,
   return std::nullopt;
 }
 
-/// Null: the great circle.
-std::shared_ptr<const AxisLaw> axes_of(const Machine& machine, TurnLaw law, double tool_length_mm) {
+/// Null: the great circle, where no body needs the turn of the tool about its axis.
+std::shared_ptr<const AxisLaw> axes_of(const Machine& machine, TurnLaw law, double tool_length_mm, bool has_heads) {
   switch (law) {
     case TurnLaw::vector:
+      if (has_heads) return std::make_shared<const RotaryLaw>(machine, LawScope::circle);
       break;
     case TurnLaw::axis:
       return std::make_shared<const RotaryLaw>(machine);
@@ -189,13 +190,14 @@ Result<Machine> load_machine(const StatedMachine& stated, std::uint64_t max_byte
 }
 
 Result<MotionLaw> make_motion_law(const Machine& machine, const TurnLaws& laws, RapidMode rapid,
-                                  const std::optional<double>& tool_length_mm, const MachineOptionNames& names) {
+                                  const std::optional<double>& tool_length_mm, bool has_heads,
+                                  const MachineOptionNames& names) {
   for (const TurnLaw law : {laws.feeds, laws.rapids}) {
     if (auto missing = find_missing_fact(machine, law, tool_length_mm, names)) return *missing;
   }
   const double length_mm = tool_length_mm.value_or(0);
-  const auto feeds = axes_of(machine, laws.feeds, length_mm);
-  const auto rapids = laws.rapids == laws.feeds ? feeds : axes_of(machine, laws.rapids, length_mm);
+  const auto feeds = axes_of(machine, laws.feeds, length_mm, has_heads);
+  const auto rapids = laws.rapids == laws.feeds ? feeds : axes_of(machine, laws.rapids, length_mm, has_heads);
   MotionLaw law(rapid, feeds, rapids);
   const auto any = std::make_shared<const RotaryLaw>(machine, LawScope::any);
   const auto widest = [&](TurnLaw of) { return !runs_joints(of) && of != TurnLaw::any ? any : nullptr; };
@@ -226,7 +228,7 @@ Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated,
                       "intervals of points or of the tool length need linear joints beside each other in "
                       "the chain of machine " +
                           machine->name + "; expected single values");
-  Result<MotionLaw> law = make_motion_law(*machine, *laws, rapid, stated.tool_length_mm, names);
+  Result<MotionLaw> law = make_motion_law(*machine, *laws, rapid, stated.tool_length_mm, stated.has_heads, names);
   if (!law) return law.error();
   std::string evidence = describe_law(*machine, stated, names);
   if (*slack_mm > 0 && !evidence.empty())

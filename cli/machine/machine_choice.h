@@ -41,6 +41,7 @@ struct StatedMachine {
   double tool_length_slack_mm = 0;            ///< the true length is at most so much longer or shorter
   StatedJoints joints = {};
   std::string zero = {};  ///< part zero in machine coordinates, as typed: "x,y,z" or "x,y,z,rx,ry,rz"; empty: not known
+  bool has_heads = false;  ///< bodies that are no solids of revolution move with the tool
 };
 
 /// The machine of a job and the law of motion on it.
@@ -71,9 +72,9 @@ struct ChosenMachine {
                                                                   std::uint64_t max_bytes,
                                                                   const MachineOptionNames& names = {});
 
-/// Makes the law of motion of a machine. Error: machine-law, a law needs a fact that is not given.
+/// Makes the law of motion of a machine. `has_heads`: bodies that are no solids of revolution move with the tool. Error: machine-law, a law needs a fact that is not given.
 [[nodiscard]] Result<MotionLaw> make_motion_law(const Machine& machine, const TurnLaws& laws, RapidMode rapid,
-                                                const std::optional<double>& tool_length_mm,
+                                                const std::optional<double>& tool_length_mm, bool has_heads,
                                                 const MachineOptionNames& names = {});
 
 /// Chooses the joints of a path and stores them with it. Moves that the machine cannot run, and those whose motion `law`

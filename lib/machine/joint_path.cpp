@@ -6,13 +6,11 @@
 #include <numbers>
 
 #include "lib/base/tolerance.h"
+#include "lib/machine/joint_plan.h"
 #include "lib/path/path_info.h"
 
 namespace gouge {
 namespace {
-
-// A flip: a joint turns by more than this, and by more than this many times the turn of the tool axis.
-constexpr double kFlip_rad = std::numbers::pi / 4, kFlipTimes = 4;
 
 // Turns of a joint are equally large: components of axes in files end at 1e-6 or 1e-7.
 constexpr double kSameTurn_rad = 1e-6;
@@ -22,6 +20,9 @@ using Kind = JointProblem::Kind;
 class Chooser {
  public:
   Chooser(const Machine& machine, const Toolpath& toolpath) : machine_(machine), toolpath_(toolpath) {}
+  /// Follows a plan in place of the nearest angles.
+  Chooser(const Machine& machine, const Toolpath& toolpath, const std::vector<std::optional<RotaryAngles>>& plan)
+      : machine_(machine), toolpath_(toolpath), plan_(&plan) {}
 
   JointChoice run() {
     JointPath& path = choice_.path;
@@ -72,6 +73,10 @@ class Chooser {
         other = angles;
     }
     if (!best) note_limit(solutions.all, from, move);
+    if (best && plan_ != nullptr && (*plan_)[move] && !is_same(*best, *(*plan_)[move])) {
+      other = best;
+      best = *(*plan_)[move];
+    }
     if (best && last_ && toolpath_.moves[move].has_start) {
       if (const auto joint = undecided_joint(*best, other, from)) {
         choice_.problems.push_back({Kind::undecided, move, machine_.rotary[*joint], (*best)[*joint] - from[*joint], 0});
@@ -95,6 +100,10 @@ class Chooser {
     for (std::size_t k = 0; k < 2; ++k)
       if (std::abs((*other)[k] - best[k]) > kSameTurn_rad) return k;
     return std::nullopt;
+  }
+
+  static bool is_same(const RotaryAngles& a, const RotaryAngles& b) {
+    return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) <= Tolerance::kSameDirection;
   }
 
   [[nodiscard]] static bool is_allowed(const Joint& of, double angle) {
@@ -121,6 +130,8 @@ class Chooser {
   }
 
   void find_flip(std::size_t move, const RotaryAngles& from, const RotaryAngles& to) {
+    if (!breaks_off(machine_, from, to)) return;
+    ++choice_.breaks;
     const Vec3 before = tool_axes(machine_, from).col(2), after = tool_axes(machine_, to).col(2);
     const double turn = angle_between_rad(before, after);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -134,6 +145,7 @@ class Chooser {
 
   const Machine& machine_;
   const Toolpath& toolpath_;
+  const std::vector<std::optional<RotaryAngles>>* plan_ = nullptr;
   std::optional<RotaryAngles> last_;
   JointChoice choice_;
 };
@@ -151,6 +163,12 @@ std::optional<double> turn_within_limits(const Joint& joint, double angle, doubl
   return best > high ? std::nullopt : std::optional(best);
 }
 
-JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath) { return Chooser(machine, toolpath).run(); }
+JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath) {
+  JointChoice nearest = Chooser(machine, toolpath).run();
+  if (nearest.breaks == 0) return nearest;
+  const std::vector<std::optional<RotaryAngles>> plan = plan_joints(machine, toolpath);
+  JointChoice planned = Chooser(machine, toolpath, plan).run();
+  return planned.breaks < nearest.breaks ? planned : nearest;
+}
 
 }  // namespace gouge

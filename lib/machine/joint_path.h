@@ -27,14 +27,16 @@ struct JointProblem {
 struct JointChoice {
   JointPath path;
   std::vector<JointProblem> problems;  ///< in path order
+  std::size_t breaks = 0;              ///< moves with a flip or with a joint that turns back
 };
 
 /// Returns the turn of `angle` within the limits of a rotary joint that is nearest to `to`; none: no turn is within them.
 [[nodiscard]] std::optional<double> turn_within_limits(const Joint& joint, double angle, double to);
 
 /// Chooses the rotary angles of a path as a post-processor does. Of both solutions and all turns within the limits it
-/// takes those nearest to the angles before. At a pole the first joint stays. The result `path` is none where no
-/// solution is within the limits. Cost O(moves).
+/// takes those nearest to the angles before. At a pole the first joint stays. If this leads to flips, or to joints that
+/// turn back, and another choice for the whole path has fewer of them, it takes that choice (plan_joints). The result
+/// `path` is none where no solution is within the limits. Cost O(moves).
 [[nodiscard]] JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath);
 
 }  // namespace gouge

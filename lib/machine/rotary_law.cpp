@@ -34,14 +34,15 @@ class EvenTurn : public AxisPath {
   }
   [[nodiscard]] std::optional<Eigen::Matrix3d> axes_at_shares(const TurnShares& shares) const override {
     return (Eigen::AngleAxisd(from_[0] + shares[0] * by_[0], u_) * Eigen::AngleAxisd(from_[1] + shares[1] * by_[1], w_))
-        .toRotationMatrix();
+               .toRotationMatrix() *
+           rest_;
   }
   // The second joint turns the axis by at most its own angle times the sine of the angle between them. Then the first
   // one turns it, at an angle to its direction that the second one has changed by no more. Proof: docs/method/machine.md.
   [[nodiscard]] TurnSpread spread(const TurnShares& low, const TurnShares& high) const override {
     const double first = 0.5 * std::abs((high[0] - low[0]) * by_[0]);
     const double second = 0.5 * std::abs((high[1] - low[1]) * by_[1]);
-    const double leaning = second * w_.cross(Vec3::UnitZ()).norm();
+    const double leaning = second * w_.cross(Vec3(rest_.col(2))).norm();
     const Vec3 middle = axes_at_shares({0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])})->col(2);
     const double sine = std::min(1.0, u_.cross(middle).norm() + leaning);
     return {std::min(M_PI, leaning + first * sine), std::min(M_PI, first + second)};
@@ -99,6 +100,8 @@ std::string RotaryLaw::name() const {
   switch (scope_) {
     case LawScope::one:
       break;
+    case LawScope::circle:
+      return "great-circle";
     case LawScope::documented:
       return "documented of " + machine_.name;
     case LawScope::any:

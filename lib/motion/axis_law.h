@@ -37,7 +37,8 @@ class TipPath {
 
 /// Motions that a law admits for a move.
 enum class LawScope {
-  one,         ///< one motion
+  one,     ///< one motion
+  circle,  ///< one motion: the tool axis on the great circle. At both ends the rotary joints state the turn about it
   documented,  ///< two motions: the tool axis on the great circle, and both rotary joints evenly
   any          ///< every motion whose rotary joints stay between their ends, with the tip anywhere on its line or curve
 };

@@ -5,7 +5,14 @@
 #include "lib/base/tolerance.h"
 
 namespace gouge {
-namespace {}  // namespace
+namespace {
+
+Eigen::Matrix3d directions_at_start(const Motion& motion) {
+  if (motion.axis_path()) return motion.axes_at(0);
+  return motion.end_directions() ? (*motion.end_directions())[0] : rotation_to_axis(motion.start().axis);
+}
+
+}  // namespace
 
 Eigen::Matrix3d rotation_to_axis(const Vec3& axis) {
   if (1 + axis.z() < Tolerance::kSameDirection) return Vec3(1, -1, -1).asDiagonal();
@@ -15,10 +22,11 @@ Eigen::Matrix3d rotation_to_axis(const Vec3& axis) {
   return Eigen::Matrix3d::Identity() + cross + cross * cross / (1 + axis.z());
 }
 
-BodyMotion::BodyMotion(const Motion& motion)
-    : motion_(motion), start_(motion.axis_path() ? motion.axes_at(0) : rotation_to_axis(motion.start().axis)) {
+BodyMotion::BodyMotion(const Motion& motion) : motion_(motion), start_(directions_at_start(motion)) {
   if (motion.is_alone() || motion.axis_path()) return;
-  const Eigen::Matrix3d left = (motion.turn_to(1) * start_).transpose() * rotation_to_axis(motion.end().axis);
+  const Eigen::Matrix3d end =
+      motion.end_directions() ? (*motion.end_directions())[1] : rotation_to_axis(motion.end().axis);
+  const Eigen::Matrix3d left = (motion.turn_to(1) * start_).transpose() * end;
   twist_rad_ = std::atan2(left(1, 0) - left(0, 1), left(0, 0) + left(1, 1));
 }
 

@@ -13,9 +13,9 @@ namespace gouge {
 [[nodiscard]] Eigen::Matrix3d rotation_to_axis(const Vec3& axis);
 
 /// A body that is not a solid of revolution along a move. On the great circle CL data state where the tool axis points,
-/// not how the body is turned about it. At every position that is rotation_to_axis. Between two, the axis runs on the
-/// great circle as the tool's does. The rest of the turn, about the axis, is spread evenly over the move. An AxisLaw
-/// states all of it.
+/// not how the body is turned about it. At every position that is rotation_to_axis, or what the rotary joints of a machine
+/// state. Between two, the axis runs on the great circle as the tool's does. The rest of the turn, about the axis, is
+/// spread evenly over the move. An AxisLaw with a path states all of it.
 class BodyMotion {
  public:
   /// Requires motion.is_defined(); the motion must outlive it.

@@ -54,10 +54,11 @@ Motion::Motion(const Pose& start, const Pose& end, const AxisLaw* law, const Joi
     return;
   }
   std::shared_ptr<const AxisPath> path = law->of_move(joints, move, start, end);
-  if (law->scope() == LawScope::documented) {
+  if (law->scope() == LawScope::documented || law->scope() == LawScope::circle) {
     turn_on_great_circle();
     is_defined_ = is_defined_ && path != nullptr;
-    other_path_ = std::move(path);
+    if (path != nullptr) end_directions_ = {path->axes_at(0), path->axes_at(1)};
+    if (law->scope() == LawScope::documented) other_path_ = std::move(path);
     return;
   }
   is_any_ = law->scope() == LawScope::any;
@@ -70,6 +71,7 @@ std::optional<Motion> Motion::other() const {
   if (other_path_ == nullptr) return std::nullopt;
   Motion even = alone();
   even.axis_path_ = other_path_;
+  even.end_directions_.reset();
   even.is_even_ = true;
   return even;
 }
@@ -86,6 +88,7 @@ Motion Motion::at_rest(const TurnShares& shares) const {
   const AxisPath& joints = other_path_ ? *other_path_ : *axis_path_;
   const Eigen::Matrix3d axes = joints.axes_at_shares(shares).value();
   resting.axis_path_ = standing_with(axes);
+  resting.end_directions_.reset();
   resting.start_.axis = resting.end_.axis = axes.col(2).normalized();
   resting.rest_ = shares;
   return resting;

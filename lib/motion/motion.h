@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -51,6 +52,9 @@ class Motion {
   /// Directions of the tool at t in the part: a rotation whose third column is the tool axis, continuous in t. On the
   /// great circle the first column is the direction about which the axis turns. Requires is_defined().
   [[nodiscard]] Eigen::Matrix3d axes_at(double t) const;
+  /// Directions of the tool at both ends of a motion on the great circle, as rotary joints state them. None: no joints are
+  /// known, or the path of joints states all directions.
+  [[nodiscard]] const std::optional<std::array<Eigen::Matrix3d, 2>>& end_directions() const { return end_directions_; }
   /// Returns the rotation that turns the tool from its directions at the start to those at t. Requires is_defined().
   [[nodiscard]] Eigen::Matrix3d turn_to(double t) const;
   [[nodiscard]] std::span<const MotionSegment> segments() const {
@@ -116,8 +120,9 @@ class Motion {
   std::shared_ptr<const AxisPath> axis_path_;
   const TipPath* tip_path_ = nullptr;           // of axis_path_
   std::shared_ptr<const AxisPath> other_path_;  // LawScope::documented: of both rotary joints, beside the great circle
-  std::optional<TurnShares> rest_;              // the joints rest at these shares
-  bool is_even_ = false;                        // the motion of both rotary joints, taken from other_path_
+  std::optional<std::array<Eigen::Matrix3d, 2>> end_directions_;
+  std::optional<TurnShares> rest_;  // the joints rest at these shares
+  bool is_even_ = false;            // the motion of both rotary joints, taken from other_path_
   bool is_any_ = false;
   bool is_defined_ = true;
   bool is_alone_ = false;

@@ -59,7 +59,9 @@ class MotionLaw {
     return axes_of(kind) == nullptr && (kind != MoveKind::rapid || rapid_ != RapidMode::dogleg);
   }
   /// Returns true where the axis turns on the great circle in all motions.
-  [[nodiscard]] bool is_great_circle() const { return !feed_axes_ && !rapid_axes_; }
+  [[nodiscard]] bool is_great_circle() const {
+    return is_on_circle(feed_axes_.get()) && is_on_circle(rapid_axes_.get());
+  }
   /// Returns true where the axis of such a motion runs by an AxisLaw.
   [[nodiscard]] bool is_by_axes(MoveKind kind) const { return axes_of(kind) != nullptr; }
   /// Names the reason for which the law leaves the motion of a move with a start open; empty: it does not, or opposite axes are the reason.
@@ -86,6 +88,7 @@ class MotionLaw {
   [[nodiscard]] Motion along(const Pose& from, const Pose& to, const PathSpline& spline) const;
 
  private:
+  static bool is_on_circle(const AxisLaw* axes) { return axes == nullptr || axes->scope() == LawScope::circle; }
   [[nodiscard]] const AxisLaw* axes_of(MoveKind kind) const {
     return kind == MoveKind::rapid ? rapid_axes_.get() : feed_axes_.get();
   }

@@ -15,15 +15,19 @@ Eigen::Quaterniond turn_from_z(const Vec3& axis) {
   return shortest_turn(Vec3::UnitZ(), axis);
 }
 
+/// Returns whether the joints of a machine and their angles at both ends of a move are known.
+bool has_angles(const ClaimedScene& scene, std::size_t index) {
+  if (!scene.joints || scene.path.joints == nullptr) return false;
+  const JointPath& angles = *scene.path.joints;
+  return index < angles.end.size() && angles.end[index] && (!scene.path.moves[index].has_start || angles.start[index]);
+}
+
 }  // namespace
 
 ClaimedRun claimed_run_of(const ClaimedScene& scene, std::size_t index) {
-  if (!scene.joints || scene.path.joints == nullptr) return ClaimedRun::on_circle;
-  const JointPath& angles = *scene.path.joints;
+  if (!has_angles(scene, index)) return ClaimedRun::on_circle;
   const Move& move = scene.path.moves[index];
-  if (index >= angles.end.size() || !angles.end[index]) return ClaimedRun::on_circle;
   if (!move.has_start) return scene.joints->feeds;  // a position alone stands at its joints
-  if (!angles.start[index]) return ClaimedRun::on_circle;
   return move.kind == MoveKind::rapid ? scene.joints->rapids : scene.joints->feeds;
 }
 
@@ -76,10 +80,16 @@ RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t,
     return {frame_by_joints(scene, move, run, t, turn).rotation, at.tip};
   const Pose end = scene.path.moves[move].end;
   const Pose start = scene.path.moves[move].has_start ? scene.path.start_of(move) : end;
-  const auto carried = [&](const Vec3& axis) {  // the frame of the start, moved along the great circle to `axis`
-    return shortest_turn(start.axis, axis) * turn_from_z(start.axis);
+  const auto frame_at_end = [&](double share, const Vec3& axis) {
+    if (!has_angles(scene, move)) return turn_from_z(axis);
+    const TurnShares at_end{share, share};
+    return Eigen::Quaterniond(frame_by_joints(scene, move, ClaimedRun::rotary, 0, at_end).rotation);
   };
-  const Eigen::Matrix3d rest = (carried(end.axis).conjugate() * turn_from_z(end.axis)).toRotationMatrix();
+  const Eigen::Quaterniond first = frame_at_end(0, start.axis), last = frame_at_end(1, end.axis);
+  const auto carried = [&](const Vec3& axis) {  // the frame of the start, moved along the great circle to `axis`
+    return shortest_turn(start.axis, axis) * first;
+  };
+  const Eigen::Matrix3d rest = (carried(end.axis).conjugate() * last).toRotationMatrix();
   const double twist = std::atan2(rest(1, 0) - rest(0, 1), rest(0, 0) + rest(1, 1));
   const Eigen::Quaterniond frame = carried(at.axis) * Eigen::AngleAxisd(twist * t, Vec3::UnitZ());
   return {frame.toRotationMatrix(), at.tip};

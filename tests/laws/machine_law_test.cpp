@@ -71,6 +71,15 @@ double depth_in(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
   return tool.elements.empty() ? -1e9 : -signed_distance_mm(tool, pose, point);
 }
 
+/// The same for a point that may be outside of the tool's extent, where it is -1e9.
+double depth_within(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
+  const Vec3 from_tip = point - pose.tip;
+  const double z = from_tip.dot(pose.axis);
+  if (z < tool.z_min_mm || z > tool.z_max_mm) return -1e9;
+  if (from_tip.squaredNorm() - z * z > tool.r_max_mm * tool.r_max_mm) return -1e9;
+  return depth_in(tool, pose, point);
+}
+
 /// Points of the surface: corners and middles of triangles. A mesh may have vertices that no triangle uses.
 std::vector<Vec3> surface_points(const std::vector<IndexedMesh>& meshes) {
   std::vector<Vec3> points;
@@ -143,7 +152,7 @@ class Campaign {
     double deepest = -1e9;
     for (int n = 0; n <= kInstants; ++n) {
       const Pose pose = admitted_pose(reference, ends, n);
-      for (const Vec3& point : points) deepest = std::max(deepest, depth_in(job.tool.against_part, pose, point));
+      for (const Vec3& point : points) deepest = std::max(deepest, depth_within(job.tool.against_part, pose, point));
     }
     if (deepest > verdict.depth_upper_mm + kRounding_mm)
       note(too_deep, job, i, std::to_string(deepest) + " above " + std::to_string(verdict.depth_upper_mm));

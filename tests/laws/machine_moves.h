@@ -31,7 +31,12 @@ inline const Machine& machine_of_campaign() {
 
 /// `law` is not `vector`.
 inline MotionLaw law_of_campaign(TurnLaw law) {
-  if (law == TurnLaw::axis) return {RapidMode::straight, std::make_shared<RotaryLaw>(machine_of_campaign())};
+  const auto by_rotaries = [](LawScope scope) {
+    return MotionLaw(RapidMode::straight, std::make_shared<RotaryLaw>(machine_of_campaign(), scope));
+  };
+  if (law == TurnLaw::axis) return by_rotaries(LawScope::one);
+  if (law == TurnLaw::documented) return by_rotaries(LawScope::documented);
+  if (law == TurnLaw::any) return by_rotaries(LawScope::any);
   const auto timing = law == TurnLaw::joint ? JointTiming::together : JointTiming::independent;
   return {RapidMode::straight, std::make_shared<JointLaw>(machine_of_campaign(), timing, kToolLength_mm)};
 }
@@ -40,8 +45,10 @@ inline void choose_joints_of_campaign(Toolpath& path) {
   path.joints = std::make_shared<const JointPath>(choose_joints(machine_of_campaign(), path).path);
 }
 
-/// The frames of a move by the matrices of the reference; none where the joints are not known.
-inline std::optional<reference::MachineFrames> frames_of(TurnLaw law, const Toolpath& path, std::size_t i) {
+/// The frames of a move by the matrices of the reference; none where the joints are not known. `rest`: the rotary joints
+/// rest at these shares of their ways, in place of the law.
+inline std::optional<reference::MachineFrames> frames_of(TurnLaw law, const Toolpath& path, std::size_t i,
+                                                         const std::optional<TurnShares>& rest = {}) {
   const JointPath& joints = *path.joints;
   const Move& move = path.moves[i];
   if (!joints.end[i] || (move.has_start && !joints.start[i])) return std::nullopt;
@@ -49,7 +56,9 @@ inline std::optional<reference::MachineFrames> frames_of(TurnLaw law, const Tool
   const RotaryAngles start = move.has_start ? *joints.start[i] : *joints.end[i];
   const test::MachineReference reference(machine_of_campaign(), kToolLength_mm);
   const auto ends = reference.with_joints({from, move.end, start, *joints.end[i], {}, {}});
-  const auto frame = [reference, ends, law](double t) { return reference.frame(law, ends, t); };
+  const auto frame = [reference, ends, law, rest](double t) {
+    return rest ? reference.frame_at(ends, t, *rest) : reference.frame(law, ends, t);
+  };
   // How fast it runs at most, by differences, and a margin.
   reference::MachineFrames frames{frame, 0, 0};
   constexpr int kSteps = 200;

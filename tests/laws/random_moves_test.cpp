@@ -143,8 +143,28 @@ class Campaign {
     done_ += result.verdicts.size();
   }
 
-  [[nodiscard]] reference::Movement movement_of(const Toolpath& path, std::size_t i) const {
+  /// The motions of a move that its law admits; of LawScope::any the first, and two with the rotary joints at rest.
+  [[nodiscard]] std::vector<reference::Movement> movements_of(const Toolpath& path, std::size_t i) const {
+    std::vector<reference::Movement> all{movement_of(path, i, {})};
+    test::Scatter random(1000 * done_ + i);
+    if (kind_.law == TurnLaw::documented) all.push_back(movement_of(path, i, TurnShares{}));
+    for (int k = 0; k < 2 && kind_.law == TurnLaw::any; ++k)
+      all.push_back(movement_of(path, i, TurnShares{random.in(0, 1), random.in(0, 1)}));
+    return all;
+  }
+
+  /// The motion of a witness with these shares.
+  [[nodiscard]] reference::Movement movement_of(const Toolpath& path, std::size_t i,
+                                                const std::optional<TurnShares>& turn) const {
     reference::Movement movement = reference::movement(path, i);
+    if (kind_.law == TurnLaw::documented) {
+      if (turn) movement.frames = laws::frames_of(TurnLaw::axis, path, i);
+      return movement;
+    }
+    if (kind_.law == TurnLaw::any) {
+      movement.frames = laws::frames_of(TurnLaw::axis, path, i, turn);
+      return movement;
+    }
     if (kind_.has_rotaries && !kind_.is_mismatched) movement.rotaries.emplace(movement.from.axis, movement.to.axis);
     if (kind_.law) {
       const TurnLaw other = *kind_.law == TurnLaw::joint ? TurnLaw::axis : TurnLaw::joint;
@@ -167,7 +187,8 @@ class Campaign {
     tally.gouge += v.state == MoveState::gouge ? 1 : 0;
     if (v.state == MoveState::not_certified || v.state == MoveState::not_checked) ++tally.open;
     if (v.state == MoveState::not_checked) return;
-    const reference::Movement movement = movement_of(job.path, i);
+    const std::vector<reference::Movement> movements = movements_of(job.path, i);
+    const reference::Movement& movement = movements.front();
     judge_inside(job, options, v, i, movement, core);
     if (v.state == MoveState::buried) return;
     if (v.state == MoveState::clean && v.depth_upper_mm > options.tolerance_mm + options.resolution_mm)
@@ -183,11 +204,12 @@ class Campaign {
     const double gap_mm = options.resolution_mm + (limit == nullptr ? 0 : options.tolerance_mm);
     if (v.state == MoveState::gouge && v.depth_upper_mm - v.depth_mm > gap_mm) {
       ++tally.wide;
-      if (job.heads.empty() && options.budget_per_move > kBounds)
+      if (job.heads.empty() && options.budget_per_move > kBounds && kind_.law != TurnLaw::any)
         fail(job, i, "a gouge known only to " + std::to_string(v.depth_upper_mm - v.depth_mm));
     }
-    if (v.witness) judge_witness(job, v, i, movement, tool);
-    hunt(job, options, v, i, movement, tool, tally);
+    if (v.witness)
+      judge_witness(job, v, i, v.witness->turn ? movement_of(job.path, i, v.witness->turn) : movement, tool);
+    for (const reference::Movement& one : movements) hunt(job, options, v, i, one, tool, tally);
   }
 
   /// Null: the obstacle of its witness has none.
@@ -354,7 +376,8 @@ TEST_P(RandomMoves, NothingIsDeeperThanItsBoundAndEveryWitnessIsReal) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, RandomMoves,
                          testing::Values(CampaignKind{}, CampaignKind{.has_rotaries = true},
-                                         CampaignKind{.law = TurnLaw::axis}, CampaignKind{.law = TurnLaw::joint},
+                                         CampaignKind{.law = TurnLaw::axis}, CampaignKind{.law = TurnLaw::documented},
+                                         CampaignKind{.law = TurnLaw::any}, CampaignKind{.law = TurnLaw::joint},
                                          CampaignKind{.law = TurnLaw::independent}, CampaignKind{.keep_mm = 5}),
                          [](const auto& kind) -> std::string {
                            if (kind.param.law) return "Law_" + std::string(turn_law_name(*kind.param.law));

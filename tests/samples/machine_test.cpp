@@ -51,10 +51,10 @@ TEST_F(PoleCrossing, TheLawOfTheCommandLineGoesBeforeThatOfTheControl) {
             1);
 }
 
-TEST_F(PoleCrossing, AControlThatPromisesNoLawNeedsOne) {
+TEST_F(PoleCrossing, AControlThatPromisesNoLawNeedsOneForRapids) {
   const Outcome ran = run("check", {"--machine", "preset:haas-umc750"});
   EXPECT_EQ(ran.exit_status, 3);
-  EXPECT_NE(ran.err.find("promises no law for feeds; expected --feed-law vector, axis or joint"), std::string::npos)
+  EXPECT_NE(ran.err.find("promises no law for rapids; expected --rapid-law vector, axis"), std::string::npos)
       << ran.err;
 }
 

@@ -27,7 +27,7 @@ struct CheckOptions {
   /// Machine file, configuration of LinuxCNC, or "preset:NAME". Its control determines the motion of the tool axis, and
   /// its joint limits hold. Empty: the axis turns on the great circle.
   std::string machine = {};
-  /// "vector", "axis" or "joint", in place of the law of the control; all but "vector" require a machine.
+  /// "vector", "axis", "documented", "any" or "joint", in place of the law of the control; all but "vector" require a machine.
   std::string feed_law = {};
   std::string rapid_law = {};  ///< the same for rapid moves, and "independent"
   /// Length from the gauge point to the tip, mm; "joint" and "independent" need it for a machine with a rotary head.

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "lib/machine/kinematics.h"
+#include "lib/path/toolpath.h"
+
+namespace gouge {
+
+/// A flip: a joint turns by more than this, and by more than this many times the turn of the tool axis.
+inline constexpr double kFlip_rad = std::numbers::pi / 4, kFlipTimes = 4;
+
+/// Returns whether a rotary joint turns back by a whole turn, or by much more than the tool axis (a flip).
+[[nodiscard]] bool breaks_off(const Machine& machine, const RotaryAngles& from, const RotaryAngles& to);
+
+/// Plans the rotary angles at the end of each move with the fewest breaks, and among these plans with the smallest sum of
+/// turns. So it is continuous wherever a continuous choice within the limits exists. It knows the whole path, while a choice
+/// of the nearest angles may run into a limit that the other solution, or another turn, avoids.
+///
+/// None: no solution, or none within the limits. At a pole the first joint stays.
+/// Cost     O(moves times the square of the turns that the limits allow). Some 200 bytes for each move.
+[[nodiscard]] std::vector<std::optional<RotaryAngles>> plan_joints(const Machine& machine, const Toolpath& toolpath);
+
+}  // namespace gouge
