@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/machine/machine_choice.h"
+#include "cli/machine/machine_facts.h"
 #include "cli/machine/rate_notes.h"
 #include "cli/options/joint_options.h"
 #include "cli/options/length_rule.h"
@@ -210,6 +211,10 @@ class JobLoader {
   // Collects the facts stated on the command line, in the project file and by the files.
   void assume_inputs() {
     SetupBasis& basis = job_.basis;
+    const bool has_tolerances = !arguments_.tip_tolerance.empty() || !arguments_.axis_tolerance.empty();
+    if (job_.machine)
+      std::ranges::move(machine_facts(*job_.machine, arguments_.machine, job_.options.check.tube, has_tolerances),
+                        std::back_inserter(basis.inputs));
     for (const MeshFacts* mesh : meshes()) basis.inputs.push_back(mesh->solid);
     if (!arguments_.stl_units.empty()) basis.mesh_unit = stl_unit();
     basis.place = arguments_.place;

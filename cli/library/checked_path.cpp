@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/machine/machine_facts.h"
 #include "cli/machine/rate_notes.h"
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/files.h"
@@ -171,7 +172,11 @@ CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathT
   gouge::SetupBasis basis = basis_of(scene, *tools, options);
   Scene taken = scene_in(scene, path.content().path.unit);
   if (understood.machine != nullptr) {
-    basis.law_evidence = understood.machine->chosen.law_evidence;
+    const gouge::ChosenMachine& chosen = understood.machine->chosen;
+    basis.law_evidence = chosen.law_evidence;
+    const bool has_tolerances = options.tip_tolerance > 0 || options.axis_tolerance > 0;
+    std::ranges::move(gouge::machine_facts(chosen.machine, options.machine, understood.options.tube, has_tolerances),
+                      std::back_inserter(basis.inputs));
     path = with_joints(path, *understood.machine);
   }
   return {std::move(path),

@@ -79,6 +79,7 @@ class Chooser {
     }
     if (best && last_ && toolpath_.moves[move].has_start) {
       if (const auto joint = undecided_joint(*best, other, from)) {
+        ++choice_.breaks;
         choice_.problems.push_back({Kind::undecided, move, machine_.rotary[*joint], (*best)[*joint] - from[*joint], 0});
         return std::nullopt;
       }

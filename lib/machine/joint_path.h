@@ -27,7 +27,7 @@ struct JointProblem {
 struct JointChoice {
   JointPath path;
   std::vector<JointProblem> problems;  ///< in path order
-  std::size_t breaks = 0;              ///< moves with a flip or with a joint that turns back
+  std::size_t breaks = 0;              ///< moves with a flip, with a joint that turns back, or undecided
 };
 
 /// Returns the turn of `angle` within the limits of a rotary joint that is nearest to `to`; none: no turn is within them.

@@ -34,16 +34,18 @@ enum class Subject : std::uint8_t {
   statements,    ///< every statement of the file is understood
   frame,         ///< the frame of the file's positions
   motion_law,    ///< law of the motion of tip and axis between two positions
+  machine,       ///< the kinematics of the machine; only with a machine
+  smoothing,     ///< the distance by which the control leaves its law of motion; only with a machine
   tool,          ///< the definition of one tool
   holder,        ///< the part of one tool above its flutes
   mesh_unit,     ///< unit of the STL files
   solid,         ///< one STL file bounds a solid
   placement      ///< the part lies where the toolpath expects it
 };
-inline constexpr std::size_t kSubjects = 11;
+inline constexpr std::size_t kSubjects = 13;
 
 /// Returns the name used by --assume and in reports: "path-unit", "dialect", "complete", "statements", "frame",
-/// "motion-law", "tool", "holder", "mesh-unit", "solid", "placement".
+/// "motion-law", "machine", "smoothing", "tool", "holder", "mesh-unit", "solid", "placement".
 [[nodiscard]] const char* subject_name(Subject subject);
 [[nodiscard]] std::optional<Subject> subject_called(std::string_view name);
 /// Returns all subject names, separated by commas.

@@ -29,11 +29,11 @@ inline const Machine& machine_of_campaign() {
   return kMachine;
 }
 
-/// `law` is not `vector`.
 inline MotionLaw law_of_campaign(TurnLaw law) {
   const auto by_rotaries = [](LawScope scope) {
     return MotionLaw(RapidMode::straight, std::make_shared<RotaryLaw>(machine_of_campaign(), scope));
   };
+  if (law == TurnLaw::vector) return by_rotaries(LawScope::circle);
   if (law == TurnLaw::axis) return by_rotaries(LawScope::one);
   if (law == TurnLaw::documented) return by_rotaries(LawScope::documented);
   if (law == TurnLaw::any) return by_rotaries(LawScope::any);

@@ -78,7 +78,7 @@ class Grown {
 struct CampaignKind {
   bool has_rotaries = false;        ///< the axis runs as a head of two rotary axes takes it
   bool is_mismatched = false;       ///< the reference has another axis or distance; failures are only counted
-  std::optional<TurnLaw> law = {};  ///< the tool runs on the machine of the campaign; not `vector`
+  std::optional<TurnLaw> law = {};  ///< the tool runs on the machine of the campaign
   double keep_mm = 0;               ///< among the obstacles is one that must be kept at this distance; 0: none
 };
 
@@ -157,8 +157,10 @@ class Campaign {
   [[nodiscard]] reference::Movement movement_of(const Toolpath& path, std::size_t i,
                                                 const std::optional<TurnShares>& turn) const {
     reference::Movement movement = reference::movement(path, i);
-    if (kind_.law == TurnLaw::documented) {
-      if (turn) movement.frames = laws::frames_of(TurnLaw::axis, path, i);
+    if (kind_.law == TurnLaw::documented || kind_.law == TurnLaw::vector) {
+      const auto by_axis = laws::frames_of(TurnLaw::axis, path, i);
+      if (turn) movement.frames = by_axis;
+      if (!turn && by_axis) movement.ends = {by_axis->frame(0).rotation, by_axis->frame(1).rotation};
       return movement;
     }
     if (kind_.law == TurnLaw::any) {
@@ -376,9 +378,10 @@ TEST_P(RandomMoves, NothingIsDeeperThanItsBoundAndEveryWitnessIsReal) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, RandomMoves,
                          testing::Values(CampaignKind{}, CampaignKind{.has_rotaries = true},
-                                         CampaignKind{.law = TurnLaw::axis}, CampaignKind{.law = TurnLaw::documented},
-                                         CampaignKind{.law = TurnLaw::any}, CampaignKind{.law = TurnLaw::joint},
-                                         CampaignKind{.law = TurnLaw::independent}, CampaignKind{.keep_mm = 5}),
+                                         CampaignKind{.law = TurnLaw::vector}, CampaignKind{.law = TurnLaw::axis},
+                                         CampaignKind{.law = TurnLaw::documented}, CampaignKind{.law = TurnLaw::any},
+                                         CampaignKind{.law = TurnLaw::joint}, CampaignKind{.law = TurnLaw::independent},
+                                         CampaignKind{.keep_mm = 5}),
                          [](const auto& kind) -> std::string {
                            if (kind.param.law) return "Law_" + std::string(turn_law_name(*kind.param.law));
                            if (kind.param.keep_mm > 0) return "KeptObstacle";

@@ -77,7 +77,8 @@ TEST_F(Scopes, AnyIsCleanWhereThePostIsOutOfReachOfAllTurns) {
   const Outcome ran = check_by("any", {"--place", "3,0,0"});
   EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
   const Outcome verified = verify();
-  EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
+  EXPECT_EQ(verified.exit_status, 4) << verified.out << verified.err;
+  EXPECT_NE(verified.out.find("only sampled: 1 move said to be clean"), std::string::npos) << verified.out;
 }
 
 TEST_F(Scopes, AResultTellsWhichMovesDependOnTheLaw) {
@@ -107,6 +108,26 @@ TEST_F(Scopes, AControlThatPromisesNoLawIsCheckedByBothDocumentedOnes) {
                 .exit_status,
             4)
       << "a default is not allowed";
+}
+
+TEST_F(Scopes, TheVerdictNamesTheMachineAndTheSmoothingOfItsControl) {
+  const auto fact = [&](const std::string& name) {
+    for (const Json& one : result().at("assumptions"))
+      if (one.at("fact") == name) return one;
+    return Json();
+  };
+  EXPECT_EQ(check_by("vector").exit_status, 0);
+  EXPECT_EQ(fact("machine").at("value"), "linuxcnc-xyzac-trt");
+  EXPECT_EQ(fact("machine").at("state"), "stated");
+  EXPECT_EQ(fact("smoothing").at("state"), "default");
+  EXPECT_EQ(fact("smoothing").at("value"), "none");
+  EXPECT_EQ(check_by("vector", {"--tip-tolerance", "0.002", "--axis-tolerance", "0.01"}).exit_status, 0);
+  EXPECT_EQ(fact("smoothing").at("state"), "stated");
+  EXPECT_EQ(fact("smoothing").at("value"), "0.002 mm and 0.01 degrees");
+  EXPECT_EQ(check_by("vector", {"--assume", "smoothing"}).exit_status, 0);
+  EXPECT_EQ(fact("smoothing").at("state"), "stated");
+  EXPECT_EQ(check({}).exit_status, 0);
+  EXPECT_TRUE(fact("smoothing").is_null()) << "without a machine";
 }
 
 TEST_F(Scopes, LawsAreComparedWithDepthAndLine) {

@@ -76,7 +76,9 @@ struct Movement {
   Pose from, to;
   const PathArc* arc = nullptr;
   const PathSpline* spline = nullptr;
-  std::optional<Rotaries> rotaries;          ///< set if the axis does not turn on the great circle
+  std::optional<Rotaries> rotaries;  ///< set if the axis does not turn on the great circle
+  std::optional<std::array<Eigen::Matrix3d, 2>> ends =
+      {};                                    ///< directions of the tool at both ends, as joints state them
   std::optional<MachineFrames> frames = {};  ///< set if a machine moves the tool, in place of both
 
   /// Returns an upper bound of the angle by which the tool turns.

@@ -50,9 +50,11 @@ class MovingHead {
  public:
   MovingHead(const IndexedMesh& head, const Movement& movement) : head_(head), movement_(movement) {
     if (movement.rotaries || movement.frames) return;
-    at_start_ = upright_to(movement.from.axis);
+    at_start_ = movement.ends ? Eigen::Quaterniond((*movement.ends)[0]) : upright_to(movement.from.axis);
+    const Eigen::Quaterniond at_end =
+        movement.ends ? Eigen::Quaterniond((*movement.ends)[1]) : upright_to(movement.to.axis);
     const Eigen::Quaterniond carried = along(movement.to.axis) * at_start_;
-    const Eigen::AngleAxisd left(upright_to(movement.to.axis) * carried.conjugate());
+    const Eigen::AngleAxisd left(at_end * carried.conjugate());
     twist_ = left.angle() * (left.axis().dot(movement.to.axis) < 0 ? -1 : 1);
     if (twist_ > std::numbers::pi) twist_ -= 2 * std::numbers::pi;
   }
