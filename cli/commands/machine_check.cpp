@@ -9,6 +9,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
 #include "lib/machine/law_facts.h"
+#include "lib/machine/tip_slack.h"
 
 namespace gouge {
 namespace {
@@ -29,6 +30,13 @@ std::string needs_text(const Machine& machine, const std::vector<MissingFact>& m
   if (needs_length) needs.push_back("the tool length (" + names.tool_length + ")");
   if (!rates.empty()) needs.push_back("the rate of " + joints_text(machine, rates) + " (" + names.joints.rate + ")");
   return listed(needs, " and ");
+}
+
+/// The same for a law that is stated together with these intervals.
+std::string needs_of(const Machine& machine, TurnLaw law, const StatedMachine& stated) {
+  const std::string needs = needs_text(machine, missing_facts(machine, law, stated.tool_length_mm.has_value()));
+  if (tip_slack_mm(machine, {law, law}, stated.tool_length_slack_mm)) return needs;
+  return needs + (needs.empty() ? "" : " and ") + "single values in place of intervals";
 }
 
 std::string use_text(const std::string& needs) { return needs.empty() ? "can be used" : "needs " + needs; }
@@ -109,12 +117,11 @@ int check_machine(const StatedMachine& stated, std::uint64_t max_bytes, std::ost
   std::string bytes;
   const Result<Machine> machine = load_machine(stated, max_bytes, bytes);
   if (!machine) return fail(err, {machine.error()});
-  const bool has_length = stated.tool_length_mm.has_value();
   const AxisReach reach = measure_reach(*machine);
   print(err, doubts_of(*machine, reach, stated.machine));
   out << machine_row("machine", machine->name) << machine_row("tool axes", reach_text(reach));
   for (std::size_t k = 0; k < kTurnLawNames.size(); ++k) {
-    const std::string needs = needs_text(*machine, missing_facts(*machine, static_cast<TurnLaw>(k), has_length));
+    const std::string needs = needs_of(*machine, static_cast<TurnLaw>(k), stated);
     const char* const kinds = k < kFeedLaws ? "feeds and rapids: " : "rapids: ";
     out << machine_row("law " + std::string(kTurnLawNames[k]), kinds + use_text(needs));
   }
@@ -122,7 +129,7 @@ int check_machine(const StatedMachine& stated, std::uint64_t max_bytes, std::ost
   for (const LawInForce& one : laws_in_force(*machine, stated)) {
     std::string text = "not given: needs " + one.option;
     if (one.law) {
-      const std::string needs = needs_text(*machine, missing_facts(*machine, *one.law, has_length));
+      const std::string needs = needs_of(*machine, *one.law, stated);
       is_usable = is_usable && needs.empty();
       text = std::string(turn_law_name(*one.law)) + ": " + use_text(needs);
     }

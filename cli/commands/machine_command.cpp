@@ -87,7 +87,9 @@ void add_law_options(CLI::App& command, MachineArguments& arguments) {
       ->check(CLI::IsMember(std::vector<std::string>(laws.begin(), laws.begin() + kFeedLaws)));
   command.add_option("--rapid-law", arguments.stated.rapid_law, "Law of rapid moves (default: that of the control)")
       ->check(CLI::IsMember(laws));
-  command.add_option("--tool-length", arguments.tool_length, "Length from the gauge point to the tool tip")
+  command
+      .add_option("--tool-length", arguments.tool_length,
+                  "Length from the gauge point to the tool tip, or an interval: 120..120.1")
       ->type_name("LENGTH");
 }
 
@@ -125,9 +127,10 @@ namespace {
 int run_machine_check(const MachineArguments& arguments, std::ostream& out, std::ostream& err) {
   StatedMachine stated = arguments.stated;
   if (!arguments.tool_length.empty()) {
-    const Result<double> length = understand_length("--tool-length", arguments.tool_length, Minimum::zero);
+    const Result<LengthRange> length = understand_length_range("--tool-length", arguments.tool_length);
     if (!length) return fail(err, {length.error()});
-    stated.tool_length_mm = *length;
+    stated.tool_length_mm = length->middle_mm;
+    stated.tool_length_slack_mm = length->half_mm;
   }
   return check_machine(stated, arguments.input.max_bytes, out, err);
 }

@@ -58,6 +58,21 @@ TEST(MachineCheck, NamesDoubts) {
   EXPECT_EQ(run_gougecheck(folder, {"machine", "check", "none.json"}).exit_status, 3);
 }
 
+TEST(MachineCheck, KnowsThatIntervalsNeedLinearJointsBesideEachOther) {
+  const std::string folder = fresh_folder();
+  write_text(folder + "/split.json", R"({"name": "split", "source": "a test", "joints": [
+    {"name": "C", "type": "rotary", "side": "table", "direction": [0, 0, 1], "point": [0, 0, 0], "continuous": true},
+    {"name": "X", "type": "linear", "side": "table", "direction": [1, 0, 0]},
+    {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0]},
+    {"name": "B", "type": "rotary", "side": "head", "direction": [0, 1, 0], "point": [0, 0, [0, 1]], "min": 0, "max": 90},
+    {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1]}],
+    "control": {"name": "any", "feed_law": "axis", "rapid_law": "joint"}})");
+  const Outcome ran = run_gougecheck(folder, {"machine", "check", "split.json", "--tool-length", "100"});
+  EXPECT_EQ(ran.exit_status, 4);
+  EXPECT_TRUE(has(ran.out, "joint: needs single values in place of intervals")) << ran.out;
+  EXPECT_TRUE(has(ran.out, "axis: can be used")) << ran.out;
+}
+
 TEST(MachineDraw, WritesAPicture) {
   const std::string folder = fresh_folder();
   const auto draw = [&](const std::string& file) {
