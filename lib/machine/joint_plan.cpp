@@ -53,17 +53,28 @@ class Planner {
  private:
   [[nodiscard]] const Joint& joint(std::size_t k) const { return machine_.joints[machine_.rotary[k]]; }
 
-  /// Returns all turns of an angle within the limits of a joint; of a joint without two limits the one nearest to `from`.
-  [[nodiscard]] std::vector<double> turns_of(std::size_t k, double angle, double from) const {
+  /// Returns whether no limit distinguishes the turns of a joint.
+  static bool is_free(const Joint& of) { return of.is_continuous || (!of.min && !of.max); }
+
+  /// Returns the turns of an angle to try after `from`. Where the nearest turn is within the limits, no other has fewer
+  /// breaks. At the first position, and where the joint must turn back, these are all turns within kTurns of the nearest.
+  [[nodiscard]] std::vector<double> turns_of(std::size_t k, double angle, double from, bool is_first) const {
+    constexpr int kTurns = 4;
     const Joint& of = joint(k);
     std::vector<double> turns;
-    if (const auto nearest = turn_within_limits(of, angle, from)) turns.push_back(*nearest);
-    if (turns.empty() || of.is_continuous || !of.min || !of.max) return turns;
-    constexpr std::size_t kMaxTurns = 16;
-    const auto low = static_cast<int>(std::ceil((*of.min - turns[0]) / kWholeTurn_rad - Tolerance::kSameDirection));
-    const auto high = static_cast<int>(std::floor((*of.max - turns[0]) / kWholeTurn_rad + Tolerance::kSameDirection));
-    for (int n = low; n <= high && turns.size() < kMaxTurns; ++n)
-      if (n != 0) turns.push_back(turns[0] + n * kWholeTurn_rad);
+    const auto nearest = turn_within_limits(of, angle, from);
+    if (!nearest) return turns;
+    turns.push_back(*nearest);
+    const bool is_kept = std::abs(*nearest - from) <= std::numbers::pi + Tolerance::kSameDirection;
+    // A joint with room for many turns starts at the nearest one.
+    const bool is_wide = !of.min || !of.max || *of.max - *of.min > 2 * kTurns * kWholeTurn_rad;
+    if (is_free(of) || (is_kept && (!is_first || is_wide))) return turns;
+    for (int n = -kTurns; n <= kTurns; ++n) {
+      const double turned = *nearest + n * kWholeTurn_rad;
+      const bool is_within = turned >= of.min.value_or(turned) - Tolerance::kSameDirection &&
+                             turned <= of.max.value_or(turned) + Tolerance::kSameDirection;
+      if (n != 0 && is_within) turns.push_back(turned);
+    }
     return turns;
   }
 
@@ -73,9 +84,9 @@ class Planner {
     const RotaryAngles from = before == nullptr ? RotaryAngles{0, 0} : *before;
     for (const RotaryAngles& solution : solutions.all) {
       const double first = solutions.is_pole ? from[0] : solution[0];
-      for (const double alpha : turns_of(0, first, from[0])) {
+      for (const double alpha : turns_of(0, first, from[0], before == nullptr)) {
         if (solutions.is_pole && std::abs(alpha - first) > Tolerance::kSameDirection) continue;
-        for (const double beta : turns_of(1, solution[1], from[1]))
+        for (const double beta : turns_of(1, solution[1], from[1], before == nullptr))
           offer({{alpha, beta}, index}, cost_of({alpha, beta}, from, before == nullptr, move, so_far), states, costs);
       }
     }
@@ -97,7 +108,7 @@ class Planner {
     for (std::size_t n = 0; n < states.size(); ++n) {
       const auto differs = [&](std::size_t k) {
         const double by = states[n].angles[k] - state.angles[k];
-        return std::abs(joint(k).is_continuous ? std::remainder(by, kWholeTurn_rad) : by) > kSame_rad;
+        return std::abs(is_free(joint(k)) ? std::remainder(by, kWholeTurn_rad) : by) > kSame_rad;
       };
       if (differs(0) || differs(1)) continue;
       if (cost.is_less(costs[n])) {
