@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lib/base/best_first_search.h"
+#include "lib/base/tolerance.h"
 #include "lib/certify/check.h"
 #include "lib/check/check_move.h"
 #include "lib/head/check_heads.h"
@@ -63,8 +64,7 @@ class AnyTurnCounter {
   }
 
   static bool turns(const Motion& motion) {
-    constexpr double kStands_rad = 1e-9;
-    return motion.axis_path()->spread({0, 0}, {1, 1}).frame_rad > kStands_rad;
+    return motion.axis_path()->spread({0, 0}, {1, 1}).frame_rad > Tolerance::kSameDirection;
   }
 
   void examine(Group& group, AnyTurnCounts& counts) const {

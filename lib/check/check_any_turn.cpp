@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lib/base/best_first_search.h"
+#include "lib/base/tolerance.h"
 #include "lib/check/check_motions.h"
 
 namespace gouge {
@@ -63,7 +64,7 @@ class AnyTurnSearch : public BestFirstSearch<AnyTurnSearch, TurnBox> {
     examine(box, whole);
     const double upper_mm = run();
     verdict_.depth_upper_mm = std::max(verdict_.depth_upper_mm, upper_mm);
-    if (verdict_.state == MoveState::gouge || is_decided()) return;
+    if (verdict_.state == MoveState::gouge || verdict_.state == MoveState::not_certified || is_decided()) return;
     verdict_.state = MoveState::not_certified;
     verdict_.clearance_mm.reset();
     verdict_.reason = {Reason::Kind::turn_undecided};
@@ -155,21 +156,13 @@ class AnyTurnSearch : public BestFirstSearch<AnyTurnSearch, TurnBox> {
 double farthest_mm(const ToolVariants& tool) {
   double reach = 0;
   for (const CompiledTool* form : {&tool.bare, &tool.against_part, &tool.against_fixture})
-    reach = std::max(reach, std::hypot(form->r_max_mm, std::max(std::abs(form->z_min_mm), std::abs(form->z_max_mm))));
+    reach = std::max(reach, Vec2(form->r_max_mm, std::max(std::abs(form->z_min_mm), std::abs(form->z_max_mm))).norm());
   return reach;
 }
 
-/// Covers joints that hardly move by the distance over which they carry the tool. Returns false if that may exceed the
-/// tolerance.
-bool cover_small_turn(const Motion& motion, const ToolVariants& tool, const CheckOptions& options,
-                      MoveVerdict& verdict) {
-  constexpr double kShare = 0.1;
-  const double departure_mm = 2 * motion.axis_path()->spread({0, 0}, {1, 1}).axis_rad * farthest_mm(tool);
-  if (!(departure_mm <= kShare * options.resolution_mm)) return false;
-  const bool is_bounded = verdict.depth_upper_mm + departure_mm <= options.tolerance_mm + options.resolution_mm;
-  if (departure_mm > 0 && verdict.state != MoveState::gouge && !is_bounded) return false;
-  verdict.depth_upper_mm += departure_mm;
-  return true;
+/// Returns whether the joints move only by the rounding of their angles, so that the motion itself shows all poses.
+bool is_at_rest(const Motion& motion, const ToolVariants& tool) {
+  return motion.axis_path()->spread({0, 0}, {1, 1}).axis_rad * farthest_mm(tool) <= Tolerance::kRounding_mm;
 }
 
 /// Moves whose whole boxes are swept by the same tool.
@@ -188,9 +181,8 @@ void check_any_turns(std::span<const Motion> motions, std::span<const MoveKind> 
   std::map<std::size_t, SweptGroup> groups;  // by the level of tilt
   std::vector<std::pair<std::size_t, std::optional<MoveVerdict>>> open;
   for (std::size_t m = 0; m < motions.size(); ++m) {
-    const MoveState state = verdicts[m].state;
-    if (!motions[m].is_any() || state == MoveState::not_checked || state == MoveState::not_certified) continue;
-    if (cover_small_turn(motions[m], tool, options, verdicts[m])) continue;
+    if (!motions[m].is_any() || verdicts[m].state == MoveState::not_checked) continue;
+    if (is_at_rest(motions[m], tool)) continue;
     const std::optional<std::size_t> level = level_of_tilt(motions[m].axis_path()->spread(kLow, kHigh).axis_rad);
     if (!level || swept_tool(motions[m], tool, kLow, kHigh) == nullptr) {
       open.emplace_back(m, std::nullopt);

@@ -1,15 +1,24 @@
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include "lib/base/best_first_search.h"
 #include "lib/head/check_heads.h"
 
 namespace gouge {
 
+/// A box of shares of the rotary joints' ways.
+struct HeadTurnBox : SearchCandidate {
+  TurnShares low{0, 0}, high{1, 1};
+
+  [[nodiscard]] TurnShares middle() const { return {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])}; }
+};
+
 /// The search for one head over all positions of the rotary joints. A point of the head at a distance from the tip moves
 /// by at most the turn times that distance. So a surface that is moved towards the head by as much, with the joints at
 /// rest at the middle of a box, is at least as deep as the surface at any position in the box.
-class HeadChecker::AnyTurn {
+class HeadChecker::AnyTurn : public BestFirstSearch<HeadChecker::AnyTurn, HeadTurnBox> {
  public:
   AnyTurn(const HeadChecker& of, const HeadBody& head, const Motion& motion, const CheckOptions& options,
           MoveVerdict& verdict)
@@ -19,78 +28,70 @@ class HeadChecker::AnyTurn {
 
   /// Returns the maximum depth of all surfaces at all positions.
   double find() {
-    double upper_mm = depth_upper_mm({});
-    std::vector<Box> open{{}};
-    double proved_mm = 0;
-    while (!open.empty() && verdict_.state != MoveState::gouge) {
-      const Box box = open.back();
-      open.pop_back();
-      if (++boxes_ > options_.turn_boxes) {
-        verdict_.state = MoveState::not_certified;
-        verdict_.reason = {Reason::Kind::turn_undecided, Body::head};
-        verdict_.clearance_mm.reset();
-        break;
-      }
-      if (!prove(box, proved_mm)) halve(box, open);
-    }
-    const bool is_proved = open.empty() && boxes_ <= options_.turn_boxes && verdict_.state != MoveState::gouge;
-    if (is_proved) upper_mm = proved_mm;
+    examine({});
+    const double upper_mm = run();
     verdict_.depth_upper_mm = std::max(verdict_.depth_upper_mm, upper_mm);
+    if (verdict_.state == MoveState::gouge || is_decided()) return upper_mm;
+    verdict_.state = MoveState::not_certified;
+    verdict_.reason = {Reason::Kind::turn_undecided, Body::head};
+    verdict_.clearance_mm.reset();
     return upper_mm;
+  }
+
+  static constexpr bool kDescends = false;
+
+  [[nodiscard]] double threshold_mm() const {
+    const double open_mm = options_.tolerance_mm + options_.resolution_mm;
+    if (verdict_.state != MoveState::gouge) return open_mm;
+    constexpr double kGapShare = 0.05;
+    if (options_.gouge_gap_mm >= kAnyGap_mm) return std::numeric_limits<double>::infinity();
+    return std::max(open_mm, (1 + kGapShare) * verdict_.depth_mm + options_.resolution_mm);
+  }
+  [[nodiscard]] bool is_exhausted() const { return boxes_ >= options_.turn_boxes; }
+
+  /// Halves a box across the joint that turns farther.
+  void split(const HeadTurnBox& box) {
+    const TurnShares middle = box.middle();
+    const double by_first = motion_.axis_path()->spread({box.low[0], middle[1]}, {box.high[0], middle[1]}).frame_rad;
+    const double by_second = motion_.axis_path()->spread({middle[0], box.low[1]}, {middle[0], box.high[1]}).frame_rad;
+    const std::size_t k = by_first >= by_second ? 0 : 1;
+    HeadTurnBox first = box, second = box;
+    first.high[k] = second.low[k] = middle[k];
+    examine(first);
+    examine(second);
   }
 
   [[nodiscard]] std::uint64_t bounds() const { return bounds_; }
 
  private:
-  /// Shares of the rotary joints' ways.
-  struct Box {
-    TurnShares low{0, 0}, high{1, 1};
-  };
-
-  static TurnShares middle_of(const Box& box) {
-    return {0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1])};
-  }
-
-  [[nodiscard]] double reach_mm(const Box& box) const {
+  [[nodiscard]] double reach_mm(const HeadTurnBox& box) const {
     return motion_.axis_path()->spread(box.low, box.high).frame_rad * far_mm_;
   }
 
-  HeadResult search(const Group& group, const Box& box, double reach_mm) {
-    const Motion resting = motion_.at_rest(middle_of(box));
+  HeadResult search(const Group& group, const Motion& resting, double reach_mm) {
     HeadResult found;
     of_.search_group(group, head_, {&resting, 1}, options_, {&found, 1}, reach_mm);
     bounds_ += found.bounds;
     return found;
   }
 
-  double depth_upper_mm(const Box& box) { return search(of_.groups_.front(), box, reach_mm(box)).depth_upper_mm; }
-
-  /// Proves a box. If it cannot, it looks for a gouge with the joints at the middle of the box.
-  bool prove(const Box& box, double& proved_mm) {
+  /// Proves a box. If it cannot, it looks for a gouge with the joints at the middle of the box, and offers the box.
+  void examine(HeadTurnBox box) {
+    ++boxes_;
+    const Motion resting = motion_.at_rest(box.middle());
     bool is_proved = true;
     for (const Group& group : of_.groups_) {
-      const double upper_mm = search(group, box, reach_mm(box)).depth_upper_mm;
-      const bool is_low = upper_mm <= group.tolerance_mm(options_) + options_.resolution_mm;
-      is_proved = is_proved && is_low;
-      if (is_low && !group.limit) proved_mm = std::max(proved_mm, upper_mm);
-      if (is_low) continue;
-      const HeadResult at_middle = search(group, box, 0);
-      if (at_middle.depth_mm > group.tolerance_mm(options_))
-        of_.join(at_middle, group, options_, motion_.at_rest(middle_of(box)), verdict_);
+      const double upper_mm = search(group, resting, reach_mm(box)).depth_upper_mm;
+      if (!group.limit) box.upper_mm = upper_mm;
+      if (upper_mm <= group.tolerance_mm(options_) + options_.resolution_mm) continue;
+      is_proved = false;
+      const HeadResult at_middle = search(group, resting, 0);
+      if (at_middle.depth_mm > group.tolerance_mm(options_)) of_.join(at_middle, group, options_, resting, verdict_);
     }
-    return is_proved;
-  }
-
-  /// Halves a box across the joint that turns farther.
-  void halve(const Box& box, std::vector<Box>& open) const {
-    const TurnShares middle = middle_of(box);
-    const double by_first = motion_.axis_path()->spread({box.low[0], middle[1]}, {box.high[0], middle[1]}).frame_rad;
-    const double by_second = motion_.axis_path()->spread({middle[0], box.low[1]}, {middle[0], box.high[1]}).frame_rad;
-    const std::size_t k = by_first >= by_second ? 0 : 1;
-    Box first = box, second = box;
-    first.high[k] = second.low[k] = middle[k];
-    open.push_back(second);
-    open.push_back(first);
+    if (is_proved) return prune(box.upper_mm);
+    // A limit that is stricter than the tolerance may be exceeded at a smaller depth.
+    box.upper_mm = std::max(box.upper_mm, options_.tolerance_mm + 2 * options_.resolution_mm);
+    offer(box);
   }
 
   const HeadChecker& of_;

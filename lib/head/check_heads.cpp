@@ -119,8 +119,8 @@ void HeadChecker::sweep_all(std::span<const Motion> motions, const CheckOptions&
     }
   }
   for (std::size_t m = 0; m < motions.size(); ++m) {
-    const bool is_open = verdicts[m]->state != MoveState::not_checked && verdicts[m]->state != MoveState::gouge;
-    if (motions[m].is_any() && is_open && !uppers_mm[m].empty())
+    const bool is_checked = verdicts[m]->state != MoveState::not_checked;
+    if (motions[m].is_any() && is_checked && !uppers_mm[m].empty())
       bounds[m] += check_any_turn(motions[m], options, *verdicts[m], uppers_mm[m]);
   }
 }

@@ -53,22 +53,21 @@ class Planner {
  private:
   [[nodiscard]] const Joint& joint(std::size_t k) const { return machine_.joints[machine_.rotary[k]]; }
 
-  /// Returns whether no limit distinguishes the turns of a joint.
-  static bool is_free(const Joint& of) { return of.is_continuous || (!of.min && !of.max); }
+  /// Returns whether a joint has room for so many turns that a plan need not distinguish them.
+  static bool is_free(const Joint& of) {
+    return of.is_continuous || !of.min || !of.max || *of.max - *of.min > 2 * kTurns * kWholeTurn_rad;
+  }
 
   /// Returns the turns of an angle to try after `from`. Where the nearest turn is within the limits, no other has fewer
   /// breaks. At the first position, and where the joint must turn back, these are all turns within kTurns of the nearest.
   [[nodiscard]] std::vector<double> turns_of(std::size_t k, double angle, double from, bool is_first) const {
-    constexpr int kTurns = 4;
     const Joint& of = joint(k);
     std::vector<double> turns;
     const auto nearest = turn_within_limits(of, angle, from);
     if (!nearest) return turns;
     turns.push_back(*nearest);
     const bool is_kept = std::abs(*nearest - from) <= std::numbers::pi + Tolerance::kSameDirection;
-    // A joint with room for many turns starts at the nearest one.
-    const bool is_wide = !of.min || !of.max || *of.max - *of.min > 2 * kTurns * kWholeTurn_rad;
-    if (is_free(of) || (is_kept && (!is_first || is_wide))) return turns;
+    if (is_free(of) || (is_kept && !is_first)) return turns;
     for (int n = -kTurns; n <= kTurns; ++n) {
       const double turned = *nearest + n * kWholeTurn_rad;
       const bool is_within = turned >= of.min.value_or(turned) - Tolerance::kSameDirection &&
@@ -108,7 +107,7 @@ class Planner {
     for (std::size_t n = 0; n < states.size(); ++n) {
       const auto differs = [&](std::size_t k) {
         const double by = states[n].angles[k] - state.angles[k];
-        return std::abs(is_free(joint(k)) ? std::remainder(by, kWholeTurn_rad) : by) > kSame_rad;
+        return std::abs(is_free(joint(k)) ? std::remainder(by, kWholeTurn_rad) : by) > Tolerance::kSameDirection;
       };
       if (differs(0) || differs(1)) continue;
       if (cost.is_less(costs[n])) {
@@ -142,7 +141,7 @@ class Planner {
     costs_.clear();
   }
 
-  static constexpr double kSame_rad = 1e-9;
+  static constexpr int kTurns = 4;  // beyond the nearest
 
   const Machine& machine_;
   const Toolpath& toolpath_;

@@ -184,7 +184,7 @@ struct WitnessRecord {
   Against against = Against::part;
   std::string mesh;
   std::size_t triangle = 0;
-  std::optional<TurnRecord> turn;  ///< none: the tool axis is that of the law at `t`
+  std::optional<TurnRecord> turn{};  ///< none: the tool axis is that of the law at `t`
 };
 
 /// Data of a move that is not clean.
