@@ -97,7 +97,8 @@ TEST_F(Scopes, AResultTellsWhichMovesDependOnTheLaw) {
 TEST_F(Scopes, AControlThatPromisesNoLawIsCheckedByBothDocumentedOnes) {
   const Outcome ran = check({"--machine", "preset:haas-umc750", "--rapid-law", "vector"});
   EXPECT_EQ(ran.exit_status, 1) << ran.out << ran.err;
-  for (const Json& fact : result().at("assumptions")) {
+  const Json facts = result().at("assumptions");
+  for (const Json& fact : facts) {
     if (fact.at("fact") != "motion-law") continue;
     EXPECT_EQ(fact.at("state"), "default");
     EXPECT_EQ(fact.at("value"), "documented of haas-umc750, rapids great-circle");
@@ -112,7 +113,8 @@ TEST_F(Scopes, AControlThatPromisesNoLawIsCheckedByBothDocumentedOnes) {
 
 TEST_F(Scopes, TheVerdictNamesTheMachineAndTheSmoothingOfItsControl) {
   const auto fact = [&](const std::string& name) {
-    for (const Json& one : result().at("assumptions"))
+    const Json all = result().at("assumptions");
+    for (const Json& one : all)
       if (one.at("fact") == name) return one;
     return Json();
   };
