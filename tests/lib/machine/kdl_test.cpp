@@ -34,7 +34,9 @@ std::size_t poses() {
 
 TEST(Kinematics, ForwardIsThatOfOrocosKdl) {
   test::Scatter scatter(43);
-  for (const Machine& machine : test::machines()) {
+  std::vector<Machine> all = test::machines();
+  for (Machine& preset : test::presets()) all.push_back(std::move(preset));
+  for (const Machine& machine : all) {
     const KDL::Chain chain = chain_of(machine);
     KDL::ChainFkSolverPos_recursive solver(chain);
     for (std::size_t n = 0; n < poses(); ++n) {

@@ -23,7 +23,7 @@ std::size_t trials() {
 
 TEST(Kinematics, InverseOfForwardIsTheSamePose) {
   test::Scatter scatter(20261128);
-  for (const Machine& machine : test::machines_and_placed()) {
+  for (const Machine& machine : test::machines_and_presets()) {
     for (std::size_t n = 0; n < trials(); ++n) {
       JointValues joints(5);
       for (std::size_t k = 0; k < 5; ++k) joints[k] = scatter.in(-300, 300);
@@ -47,7 +47,7 @@ TEST(Kinematics, InverseOfForwardIsTheSamePose) {
 
 TEST(Kinematics, TheAnglesOfAPoseAreAmongTheSolutions) {
   test::Scatter scatter(7);
-  for (const Machine& machine : test::machines_and_placed()) {
+  for (const Machine& machine : test::machines_and_presets()) {
     for (std::size_t n = 0; n < trials() / 4; ++n) {
       const RotaryAngles angles = {scatter.in(-3, 3), scatter.in(-3, 3)};
       const RotarySolutions solutions = rotary_angles(machine, tool_axes(machine, angles).col(2));

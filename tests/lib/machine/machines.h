@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/machine/machine.h"
+#include "lib/machine/read_machine.h"
 #include "tests/support/scatter.h"
 
 // Machines of all arrangements, for tests.
@@ -73,6 +74,26 @@ inline std::vector<Machine> machines_and_placed() {
   Scatter scatter(61);
   const std::size_t count = all.size();
   for (std::size_t k = 0; k < count; ++k) all.push_back(place_part(all[k], random_zero(scatter)));
+  return all;
+}
+
+/// All presets, with points in place of those that they leave empty.
+inline std::vector<Machine> presets() {
+  std::vector<Machine> all;
+  for (const MachinePreset& preset : machine_presets())
+    all.push_back(read_machine(std::string(preset.name), preset.text).value());
+  for (Machine& machine : all) {
+    for (std::size_t k = 0; k < machine.joints.size(); ++k)
+      if (is_rotary(machine.joints[k]) && !machine.joints[k].has_point)
+        machine.joints[k].point = Vec3(3, -2, 5) * static_cast<double>(k + 1);
+  }
+  return all;
+}
+
+/// These machines and all presets, in their own zeros and in others.
+inline std::vector<Machine> machines_and_presets() {
+  std::vector<Machine> all = machines_and_placed();
+  for (Machine& preset : presets()) all.push_back(std::move(preset));
   return all;
 }
 
