@@ -189,8 +189,7 @@ class MoveChecker {
     show_limit(limit, entered);
   }
 
-  // A body beyond its limit is better evidence than the permitted contact of a cutter, as long as its point has the
-  // full depth.
+  // A body beyond its limit is the evidence, although another body may be deeper within the tolerance.
   void show_limit(const StrictLimit& limit, const SearchResult& entered) {
     const SearchTarget& target = limit.targets[entered.at.target];
     const ToolPoint position = locate(entered);
@@ -198,10 +197,7 @@ class MoveChecker {
     const CompiledTool& whole_form = limit.of_mesh == nullptr ? tool_.*rule_of(target.against).form : *target.tool;
     const double depth = target.reach_mm - signed_distance_mm(whole_form, position.r, position.z);
     verdict_.reason = {reason_of(limit), target.tool->elements[at.element].body, entered.value_mm};
-    // For a body's limit, a point is no evidence if another point of the tool is deeper within the tolerance there. For
-    // a mesh's limit this does not matter.
-    const bool is_evidence = limit.of_mesh != nullptr || verdict_.depth_upper_mm - depth <= options_.resolution_mm;
-    if (!(depth > 0) || !is_evidence) return;
+    if (!(depth > 0)) return;
     verdict_.depth_mm = depth;
     verdict_.witness = witness(entered, target, position, at);
   }

@@ -85,8 +85,17 @@ class WitnessChecker {
 
   [[nodiscard]] std::optional<std::string> find_wrong_exit_of_clearance() const {
     const double left = *depth_in_clearance(claim_.depth_mm * w_.normal);
-    if (left <= kExact_mm) return std::nullopt;
+    if (left <= kExact_mm || is_way_to_boundary()) return std::nullopt;
     return "the point is still " + mm(left) + " within the clearance after the tool has given way";
+  }
+
+  /// Returns whether the normal leads from a point inside of the body to its boundary, or away from the boundary. In a notch
+  /// the way out of a clearance comes near another part of the body.
+  [[nodiscard]] bool is_way_to_boundary() const {
+    constexpr double kStep_mm = 1e-3;
+    const double inside_mm = claim_.depth_mm - limit_of(scene_, w_)->clearance_mm;
+    const double step_mm = inside_mm > 0 ? inside_mm : std::min(kStep_mm, claim_.depth_mm);
+    return *depth_in_clearance(step_mm * w_.normal) <= claim_.depth_mm - step_mm + kExact_mm;
   }
 
   [[nodiscard]] std::optional<std::string> find_wrong_exit() const {

@@ -203,7 +203,8 @@ class Campaign {
            "a gouge within the tolerance of " + std::to_string(options.tolerance_mm) + ": " + exact_text(v.depth_mm) +
                " to " + std::to_string(v.depth_upper_mm) + " " + reason_text(v.reason));
     // Elsewhere the tool may be as deep as the tolerance.
-    const double gap_mm = options.resolution_mm + (limit == nullptr ? 0 : options.tolerance_mm);
+    const bool has_limit = limit != nullptr || !job.tool.with_clearance.elements.empty();
+    const double gap_mm = options.resolution_mm + (has_limit ? options.tolerance_mm : 0);
     if (v.state == MoveState::gouge && v.depth_upper_mm - v.depth_mm > gap_mm) {
       ++tally.wide;
       if (job.heads.empty() && options.budget_per_move > kBounds && kind_.law != TurnLaw::any)
