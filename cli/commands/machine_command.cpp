@@ -142,7 +142,7 @@ int draw_picture(const Machine& machine, const MachineArguments& arguments, std:
     return *status;
   const Drawing drawing = draw_machine(machine);
   const Result<std::string> bytes = *is_svg ? Result<std::string>(render_svg(drawing)) : render_png(drawing);
-  if (!bytes) return fail(err, {bytes.error()});
+  if (!bytes) return fail(err, {bytes.error()}, kExitInternal);
   const Outcome written = write_file(arguments.picture, *bytes);
   return written ? kExitClean : fail(err, {written.error()}, kExitInternal);
 }

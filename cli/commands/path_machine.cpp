@@ -171,7 +171,7 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   print(err, path.notes);
   print(err, describe_missing_axes(*machine, arguments.stated.machine));
   const auto tool_length_mm = arguments.is_joints && has_length ? std::optional(*length) : std::nullopt;
-  print(err, choose_joints_of(*machine, MotionLaw(), tool_length_mm, path));
+  print(err, choose_joints_of(*machine, MotionLaw(), tool_length_mm, false, path));
   if (arguments.is_joints) print(err, describe_rate_excesses(*machine, machine->control.feed_law, path));
   print(err, describe_opposite_axes(path));
   const JointPath& joints = *path.joints;

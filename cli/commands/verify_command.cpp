@@ -53,6 +53,7 @@ class Verifier {
       for (const ProofRefutation& r : read->refuted) done_.refuted.push_back({r.move, std::nullopt, r.point, r.what});
     }
     count(proofs);
+    refute_open_moves();
     progress_.begin("looking for counterexamples");
     done_.outside = check_outside(scene_, tools, claims_);
     for (const Counterexample& c : done_.outside.refuted) done_.refuted.push_back({c.move, c.t, c.point, c.what});
@@ -69,6 +70,15 @@ class Verifier {
     refuted.move = move;
     refuted.what = std::move(what);
     done_.refuted.push_back(std::move(refuted));
+  }
+
+  /// A result must not call a move clean whose motion the toolpath or the machine leaves open.
+  void refute_open_moves() {
+    for (std::size_t i = 0; i < claims_.size(); ++i) {
+      const Move& move = scene_.path.moves[i];
+      if (move.not_checked_reason.empty() || move.is_covered() || !claims_clean(claims_[i])) continue;
+      refute(i, "it cannot be checked: " + std::string(move.not_checked_reason));
+    }
   }
 
   void check_witnesses(const ClaimedTools& tools) {

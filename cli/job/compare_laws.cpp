@@ -45,7 +45,8 @@ std::vector<LawRecord> compare_laws(const Job& job, const PreparedScene& scene, 
       continue;
     }
     Toolpath path = job.toolpath;
-    static_cast<void>(choose_joints_of(*job.machine, *motion, job.options.tool_length_mm, path));
+    static_cast<void>(choose_joints_of(*job.machine, *motion, job.options.tool_length_mm,
+                                       needs_turn(laws, !job.heads().empty()), path));
     CheckOptions options = job.options.check;
     options.law = *motion;
     CheckSetup setup = job.setup(scene);

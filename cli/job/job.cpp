@@ -128,7 +128,8 @@ class JobLoader {
     job_.laws = machine.laws;
     if (!take_tube(job_.machine->control, machine.tip_slack_mm)) return false;
     add_notes(describe_missing_axes(*job_.machine, a.machine));
-    add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.options.tool_length_mm, job_.toolpath));
+    add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.options.tool_length_mm,
+                               needs_turn(job_.laws, !a.heads.empty()), job_.toolpath));
     add_notes(describe_rate_excesses(*job_.machine, job_.laws.feeds, job_.toolpath));
     return true;
   }
@@ -331,8 +332,8 @@ Result<Toolpath> read_again(const Job& job, const std::string& file, std::string
   ReadOutcome outcome = read_toolpath(file, std::move(bytes), reading);
   if (!outcome.toolpath) return outcome.errors.front();
   if (job.machine)
-    static_cast<void>(
-        choose_joints_of(*job.machine, job.options.check.law, job.options.tool_length_mm, *outcome.toolpath));
+    static_cast<void>(choose_joints_of(*job.machine, job.options.check.law, job.options.tool_length_mm,
+                                       needs_turn(job.laws, !job.heads().empty()), *outcome.toolpath));
   // The dialect was given in this call. The report must state how the dialect of the first file is known.
   copy_facts(Subject::dialect, job.toolpath.assumptions, outcome.toolpath->assumptions);
   return std::move(*outcome.toolpath);

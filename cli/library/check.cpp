@@ -69,7 +69,8 @@ Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
     gouge::Toolpath again = PathAccess::from_bytes(path.file, std::move(*bytes), as_before).content().path;
     if (checked.machine != nullptr)
       static_cast<void>(gouge::choose_joints_of(checked.machine->chosen.machine, checked.machine->chosen.law,
-                                                checked.machine->chosen.tool_length_mm, again));
+                                                checked.machine->chosen.tool_length_mm,
+                                                gouge::needs_turn(checked.machine->chosen.laws, false), again));
     for (const gouge::Subject fact : {gouge::Subject::dialect, gouge::Subject::path_unit})
       gouge::copy_facts(fact, path.assumptions, again.assumptions);
     return again;

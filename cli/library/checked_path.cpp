@@ -137,9 +137,9 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
 Path with_joints(const Path& path, const PathMachine& machine) {
   gouge::Toolpath jointed = path.content().path;
   gouge::Diagnostics notes = gouge::describe_missing_axes(machine.chosen.machine, machine.options.front().value);
-  std::ranges::move(
-      gouge::choose_joints_of(machine.chosen.machine, machine.chosen.law, machine.chosen.tool_length_mm, jointed),
-      std::back_inserter(notes));
+  std::ranges::move(gouge::choose_joints_of(machine.chosen.machine, machine.chosen.law, machine.chosen.tool_length_mm,
+                                            gouge::needs_turn(machine.chosen.laws, false), jointed),
+                    std::back_inserter(notes));
   std::ranges::move(gouge::describe_rate_excesses(machine.chosen.machine, machine.chosen.laws.feeds, jointed),
                     std::back_inserter(notes));
   std::ranges::move(notes, std::back_inserter(jointed.notes));

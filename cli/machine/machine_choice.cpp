@@ -164,13 +164,16 @@ Diagnostics add_linear_limits(const Machine& machine, const std::optional<double
   if (limits.open.empty()) return {};
   std::vector<std::string> names;
   for (const std::size_t k : limits.open) names.push_back(machine.joints[k].name);
+  const bool has_points =
+      std::ranges::all_of(machine.rotary, [&](std::size_t k) { return machine.joints[k].has_point; });
   const std::string why =
-      !tool_length_mm ? "state the tool length"
-                      : "one length is stated, and the path has " + std::to_string(path.tools.size()) + " tools";
-  return {make_note("machine-no-length",
-                    "limits of " + std::string(names.size() == 1 ? "joint " : "joints ") + listed(names, " and ") +
-                        " are not checked, because they depend on the tool length; " + why,
-                    path.file)};
+      !has_points       ? "state the points of the rotary joints (--joint-point) and, for a rotary head, --tool-length"
+      : !tool_length_mm ? "state the tool length (--tool-length)"
+                        : "one length is stated, and the path has " + std::to_string(path.tools.size()) + " tools";
+  return {make_warning("machine-no-length",
+                       "limits of " + std::string(names.size() == 1 ? "joint " : "joints ") + listed(names, " and ") +
+                           " are not checked, because they depend on facts that are not given; " + why,
+                       path.file)};
 }
 
 }  // namespace
@@ -266,10 +269,14 @@ Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const 
   return {};
 }
 
+bool needs_turn(const TurnLaws& laws, bool has_heads) {
+  return has_heads || runs_joints(laws.feeds) || runs_joints(laws.rapids);
+}
+
 Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, const std::optional<double>& tool_length_mm,
-                             Toolpath& path) {
+                             bool is_turn_needed, Toolpath& path) {
   constexpr std::size_t kMaxNotes = 20;
-  JointChoice choice = choose_joints(machine, path);
+  JointChoice choice = choose_joints(machine, path, is_turn_needed);
   path.joints = std::make_shared<const JointPath>(std::move(choice.path));
   Diagnostics notes = add_linear_limits(machine, tool_length_mm, path, choice.problems);
   for (const JointProblem& problem : choice.problems) {

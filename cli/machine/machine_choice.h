@@ -79,9 +79,14 @@ struct ChosenMachine {
 
 /// Chooses the joints of a path and stores them with it. Moves that the machine cannot run, and those whose motion `law`
 /// leaves open, are not checked, with their reason. With a part zero, that includes limits of linear joints. Returns a
-/// warning for each problem of the joints, at most twenty, and a note if limits of linear joints cannot be compared.
+/// warning for each problem of the joints, at most twenty, and a warning if limits of linear joints cannot be compared.
+/// `is_turn_needed`: that of choose_joints.
 [[nodiscard]] Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law,
-                                           const std::optional<double>& tool_length_mm, Toolpath& path);
+                                           const std::optional<double>& tool_length_mm, bool is_turn_needed,
+                                           Toolpath& path);
+
+/// Returns whether more of a motion matters than tip and tool axis: heads, or a tip that the joints carry.
+[[nodiscard]] bool needs_turn(const TurnLaws& laws, bool has_heads);
 
 /// Describes a problem, as a warning with its line.
 [[nodiscard]] Diagnostic describe_problem(const Machine& machine, const Toolpath& path, const JointProblem& problem);

@@ -17,12 +17,21 @@ constexpr double kSameTurn_rad = 1e-6;
 
 using Kind = JointProblem::Kind;
 
+/// Returns whether both solutions of every tool axis turn the axis alike: (alpha, beta) and (alpha + 180, -beta) degrees.
+bool is_square(const Machine& machine) {
+  const Vec3 &u = machine.joints[machine.rotary[0]].direction, &w = machine.joints[machine.rotary[1]].direction;
+  const Vec3 z = machine.rest.rotation.col(2);
+  return std::abs(u.dot(w)) < Tolerance::kSameDirection && u.cross(z).norm() < Tolerance::kSameDirection;
+}
+
 class Chooser {
  public:
-  Chooser(const Machine& machine, const Toolpath& toolpath) : machine_(machine), toolpath_(toolpath) {}
+  Chooser(const Machine& machine, const Toolpath& toolpath, bool is_branch_needed)
+      : machine_(machine), toolpath_(toolpath), is_branch_needed_(is_branch_needed) {}
   /// Follows a plan in place of the nearest angles.
-  Chooser(const Machine& machine, const Toolpath& toolpath, const std::vector<std::optional<RotaryAngles>>& plan)
-      : machine_(machine), toolpath_(toolpath), plan_(&plan) {}
+  Chooser(const Machine& machine, const Toolpath& toolpath, bool is_branch_needed,
+          const std::vector<std::optional<RotaryAngles>>& plan)
+      : machine_(machine), toolpath_(toolpath), is_branch_needed_(is_branch_needed), plan_(&plan) {}
 
   JointChoice run() {
     JointPath& path = choice_.path;
@@ -49,14 +58,13 @@ class Chooser {
     return sum;
   }
 
-  std::optional<RotaryAngles> nearest(const Vec3& axis, std::size_t move) {
-    const RotarySolutions solutions = rotary_angles(machine_, axis);
-    if (solutions.all.empty()) {
-      choice_.problems.push_back({Kind::unreachable, move, machine_.rotary[1], 0, 0});
-      return std::nullopt;
-    }
-    const RotaryAngles from = last_.value_or(RotaryAngles{0, 0});
+  /// The nearest angles of a position within the limits, and those of the other solution.
+  struct Candidates {
     std::optional<RotaryAngles> best, other;
+  };
+
+  [[nodiscard]] Candidates candidates(const RotarySolutions& solutions, const RotaryAngles& from) const {
+    Candidates found;
     for (const RotaryAngles& solution : solutions.all) {
       RotaryAngles angles = solution;
       if (solutions.is_pole) angles[0] = from[0];
@@ -67,11 +75,23 @@ class Chooser {
         if (turned) angles[k] = *turned;
       }
       if (!is_within) continue;
-      if (!best || cost(angles, from) < cost(*best, from))
-        std::swap(best, other), best = angles;
+      if (!found.best || cost(angles, from) < cost(*found.best, from))
+        std::swap(found.best, found.other), found.best = angles;
       else
-        other = angles;
+        found.other = angles;
     }
+    return found;
+  }
+
+  std::optional<RotaryAngles> nearest(const Vec3& axis, std::size_t move) {
+    const RotarySolutions solutions = rotary_angles(machine_, axis);
+    if (solutions.all.empty()) {
+      choice_.problems.push_back({Kind::unreachable, move, machine_.rotary[1], 0, 0});
+      return std::nullopt;
+    }
+    if (branches_) return follow_branches(solutions, move);
+    const RotaryAngles from = last_.value_or(RotaryAngles{0, 0});
+    auto [best, other] = candidates(solutions, from);
     if (!best) note_limit(solutions.all, from, move);
     if (best && plan_ != nullptr && (*plan_)[move] && !is_same(*best, *(*plan_)[move])) {
       other = best;
@@ -79,12 +99,34 @@ class Chooser {
     }
     if (best && last_ && toolpath_.moves[move].has_start) {
       if (const auto joint = undecided_joint(*best, other, from)) {
-        ++choice_.breaks;
-        choice_.problems.push_back({Kind::undecided, move, machine_.rotary[*joint], (*best)[*joint] - from[*joint], 0});
+        note_undecided(move, *joint, (*best)[*joint] - from[*joint]);
+        if (is_branch_needed_ && other && !is_same_turned(*best, *other)) branches_ = {*best, *other};
         return std::nullopt;
       }
     }
     return best;
+  }
+
+  /// Follows both solutions from a position at which they were equally near, until they lead to the same angles.
+  std::optional<RotaryAngles> follow_branches(const RotarySolutions& solutions, std::size_t move) {
+    const auto first = candidates(solutions, (*branches_)[0]).best,
+               second = candidates(solutions, (*branches_)[1]).best;
+    if (!first || !second) {
+      note_limit(solutions.all, (*branches_)[0], move);
+      return std::nullopt;
+    }
+    if (is_same_turned(*first, *second)) {
+      branches_.reset();
+      return first;
+    }
+    note_undecided(move, 0, (*first)[0] - (*branches_)[0][0]);
+    branches_ = {*first, *second};
+    return std::nullopt;
+  }
+
+  void note_undecided(std::size_t move, std::size_t joint, double turn_rad) {
+    ++choice_.breaks;
+    choice_.problems.push_back({Kind::undecided, move, machine_.rotary[joint], turn_rad, 0});
   }
 
   /// Returns the joint that may as well turn otherwise: half a turn either way, or to the other solution. None: the
@@ -101,6 +143,13 @@ class Chooser {
     for (std::size_t k = 0; k < 2; ++k)
       if (std::abs((*other)[k] - best[k]) > kSameTurn_rad) return k;
     return std::nullopt;
+  }
+
+  /// Returns whether angles are the same but for whole turns.
+  static bool is_same_turned(const RotaryAngles& a, const RotaryAngles& b) {
+    return std::abs(std::remainder(a[0] - b[0], kWholeTurn_rad)) +
+               std::abs(std::remainder(a[1] - b[1], kWholeTurn_rad)) <=
+           kSameTurn_rad;
   }
 
   static bool is_same(const RotaryAngles& a, const RotaryAngles& b) {
@@ -146,7 +195,9 @@ class Chooser {
 
   const Machine& machine_;
   const Toolpath& toolpath_;
+  bool is_branch_needed_;
   const std::vector<std::optional<RotaryAngles>>* plan_ = nullptr;
+  std::optional<std::array<RotaryAngles, 2>> branches_;  // angles of both solutions while they are equally near
   std::optional<RotaryAngles> last_;
   JointChoice choice_;
 };
@@ -164,11 +215,12 @@ std::optional<double> turn_within_limits(const Joint& joint, double angle, doubl
   return best > high ? std::nullopt : std::optional(best);
 }
 
-JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath) {
-  JointChoice nearest = Chooser(machine, toolpath).run();
+JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath, bool is_turn_needed) {
+  const bool is_branch_needed = is_turn_needed || !is_square(machine);
+  JointChoice nearest = Chooser(machine, toolpath, is_branch_needed).run();
   if (nearest.breaks == 0) return nearest;
   const std::vector<std::optional<RotaryAngles>> plan = plan_joints(machine, toolpath);
-  JointChoice planned = Chooser(machine, toolpath, plan).run();
+  JointChoice planned = Chooser(machine, toolpath, is_branch_needed, plan).run();
   return planned.breaks < nearest.breaks ? planned : nearest;
 }
 

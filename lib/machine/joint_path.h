@@ -37,6 +37,10 @@ struct JointChoice {
 /// takes those nearest to the angles before. At a pole the first joint stays. If this leads to flips, or to joints that
 /// turn back, and another choice for the whole path has fewer of them, it takes that choice (plan_joints). The result
 /// `path` is none where no solution is within the limits. Cost O(moves).
-[[nodiscard]] JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath);
+///
+/// If two solutions are equally near, no angles are chosen until both lead to the same ones. On a machine whose first
+/// rotary axis is parallel to the tool axis at rest, and square to the second one, both solutions move the tool axis alike. There the
+/// choice goes on with one of them, unless `is_turn_needed` states that more than the tool axis matters.
+[[nodiscard]] JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath, bool is_turn_needed = false);
 
 }  // namespace gouge

@@ -12,8 +12,19 @@ namespace {
 Diagnostic wrong(const std::string& found) { return make_error("machine-joints", found); }
 
 std::optional<Diagnostic> find_wrong_joint(const Joint& joint) {
-  if (!(joint.direction.norm() > Tolerance::kNoDirection))
+  if (!(joint.direction.stableNorm() > Tolerance::kNoDirection))
     return wrong("joint " + joint.name + " has a direction of no length; expected a direction such as [1, 0, 0]");
+  const bool is_linear = joint.type == JointType::linear;
+  if (is_linear && (joint.has_point || joint.is_continuous || std::abs(joint.preference) > 0))
+    return wrong("joint " + joint.name + " is linear; expected no point, no preference and not continuous");
+  constexpr double kFarthest_mm = 1e5, kMostLimit = 1e7, kMostRate = 1e12, kLeastRate = 1e-9;
+  if (!(joint.point.cwiseAbs().maxCoeff() <= kFarthest_mm))
+    return wrong("joint " + joint.name + " has a point more than 100 m away; expected it nearer, check the units");
+  for (const std::optional<double>& limit : {joint.min, joint.max})
+    if (limit && !(std::abs(*limit) <= kMostLimit))
+      return wrong("joint " + joint.name + " has a limit that is too large; expected no limit, or a smaller one");
+  if (joint.rate && !(*joint.rate <= kMostRate && (*joint.rate <= 0 || *joint.rate >= kLeastRate)))
+    return wrong("joint " + joint.name + " has a rate that no machine has; expected its maximum speed per minute");
   if (joint.is_continuous && (joint.min || joint.max))
     return wrong("joint " + joint.name + " is continuous and has limits; expected one of both");
   if (joint.rate && !(*joint.rate > 0)) return wrong("joint " + joint.name + " has a rate of 0 or less; expected more");
@@ -40,9 +51,15 @@ Result<Machine> make_machine(Machine machine) {
     if (auto error = find_wrong_joint(joint)) return *error;
     if (std::ranges::count(machine.joints, joint.name, &Joint::name) > 1)
       return wrong("two joints have the name '" + joint.name + "'; expected a different name for each joint");
-    joint.direction.normalize();
+    joint.direction.stableNormalize();
     (joint.type == JointType::rotary ? rotary : linear).push_back(k);
   }
+  const auto first_head = std::ranges::find(machine.joints, JointSide::head, &Joint::side);
+  if (const auto table = std::find_if(first_head, machine.joints.end(),
+                                      [](const Joint& joint) { return joint.side == JointSide::table; });
+      table != machine.joints.end())
+    return wrong("joint " + table->name + " of the table comes after joint " + first_head->name +
+                 " of the head; expected the joints in the order from the part to the tool");
   if (rotary.size() != 2 || linear.size() != 3)
     return wrong(std::to_string(linear.size()) + " linear and " + std::to_string(rotary.size()) +
                  " rotary joints; expected three linear and two rotary ones");

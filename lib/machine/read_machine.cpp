@@ -15,6 +15,16 @@
 namespace gouge {
 namespace {
 
+/// Returns whether a name fits into options, messages and the heading of a CSV file.
+bool is_joint_name(const std::string& name) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == '.' || c == ' ';
+  };
+  const bool is_column = name == "move" || name == "line" || name == "kind";  // of `path joints --csv`
+  return !name.empty() && !is_column && std::ranges::all_of(name, is_plain);
+}
+
 const std::vector<std::string> kRapidLaws(kTurnLawNames.begin(), kTurnLawNames.end()),
     kFeedLawWords(kTurnLawNames.begin(), kTurnLawNames.begin() + kFeedLaws);
 
@@ -122,8 +132,8 @@ class MachineReader {
           {"name", "type", "side", "direction", "point", "min", "max", "continuous", "rate", "preference"});
     Joint joint;
     joint.name = field.at("name").text();
-    if (joint.name.empty() || joint.name.find_first_of(",=") != std::string::npos)
-      field.at("name").fail("a name such as X, without commas and equals signs");
+    if (!is_joint_name(joint.name))
+      field.at("name").fail("a name such as X or C1: letters, digits, '_', '-', '.' and blanks");
     joint.type = field.at("type").word({"linear", "rotary"}) == 1 ? JointType::rotary : JointType::linear;
     joint.side = field.at("side").word({"table", "head"}) == 1 ? JointSide::head : JointSide::table;
     joint.direction = vector(field.at("direction"));

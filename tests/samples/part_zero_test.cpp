@@ -72,14 +72,41 @@ TEST_F(PartZero, ATurnedPartOnItsZeroIsThePartThatIsNotTurned) {
 }
 
 TEST_F(PartZero, LimitsOfLinearJointsApply) {
-  const Outcome far = check(sample_.toolpath(), {"--machine", kTrunnion, "--zero", "500,0,0"});
+  const auto check_at = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--machine", kTrunnion, "--joint-point", "A=0,0,0", "--joint-point", "C=0,0,0"});
+    return check(sample_.toolpath(), more);
+  };
+  const Outcome far = check_at({"--zero", "500,0,0", "--json", "far.json"});
   EXPECT_EQ(far.exit_status, 4) << far.out;
   EXPECT_TRUE(has(far.err, "joint X would be at ") && has(far.err, "its limit is 200 mm")) << far.err;
-  const Outcome open = check(sample_.toolpath(), {"--machine", kTrunnion, "--zero", "0,0,0", "-v"});
-  EXPECT_TRUE(has(open.err, "limits of joint Z are not checked, because they depend on the tool length")) << open.err;
-  const Outcome high = check(sample_.toolpath(), {"--machine", kTrunnion, "--zero", "0,0,0", "--tool-length", "500"});
+  const Outcome open = check_at({"--zero", "0,0,0"});
+  EXPECT_TRUE(has(open.err,
+                  "limits of joint Z are not checked, because they depend on facts that are not given; state "
+                  "the tool length"))
+      << open.err;
+  const Outcome high = check_at({"--zero", "0,0,0", "--tool-length", "500"});
   EXPECT_EQ(high.exit_status, 4) << high.out;
   EXPECT_TRUE(has(high.err, "joint Z would be at ")) << high.err;
+}
+
+TEST_F(PartZero, LimitsThatDependOnAPointThatIsNotGivenAreNotChecked) {
+  const Outcome open = check(sample_.toolpath(), {"--machine", kTrunnion, "--zero", "500,0,0", "--tool-length", "5"});
+  EXPECT_TRUE(has(open.err, "state the points of the rotary joints (--joint-point)")) << open.err;
+  EXPECT_FALSE(has(open.err, "joint X would be at ")) << open.err;
+}
+
+TEST_F(PartZero, AMoveBeyondALimitIsRefutedIfAResultCallsItClean) {
+  const std::vector<std::string> words = {"--machine",   kTrunnion, "--joint-point", "A=0,0,0",    "--joint-point",
+                                          "C=0,0,0",     "--zero",  "0,0,0",         "--feed-law", "vector",
+                                          "--rapid-law", "vector",  "--json",        "clean.json"};
+  EXPECT_EQ(check(sample_.toolpath(), words).exit_status, 0);
+  std::string text = text_of(sample_.path + "/clean.json");
+  const std::string zero = "\"zero\": \"0,0,0\"";
+  ASSERT_TRUE(has(text, zero));
+  write_text(sample_.path + "/forged.json", text.replace(text.find(zero), zero.size(), "\"zero\": \"500,0,0\""));
+  const Outcome ran = run_gougecheck(sample_.path, {"verify", "forged.json"});
+  EXPECT_EQ(ran.exit_status, 1) << ran.out;
+  EXPECT_TRUE(has(ran.out, "it cannot be checked: the machine cannot be there: joint X would be at ")) << ran.out;
 }
 
 TEST_F(PartZero, IsRefusedWithoutAMachineAndInOtherForms) {

@@ -85,6 +85,34 @@ TEST(JointPlan, KeepsTheNearestAnglesWhereTheyAreContinuous) {
   EXPECT_NEAR((*choice.path.end.front())[1], -3 * kDegree, 1e-9);
 }
 
+// On a machine that is not square both solutions move the tool axis differently.
+TEST(JointChoice, AfterATieOfTwoSolutionsNoAnglesAreChosenUntilBothMeet) {
+  const Machine machine = test::machines()[4];
+  const RotaryAngles pole{0, 0};
+  // Both solutions of the next position are equally far from the pole.
+  std::vector<Vec3> axes{tool_axes(machine, pole).col(2)};
+  const RotarySolutions tie = rotary_angles(machine, tool_axes(machine, {0, 1}).col(2));
+  ASSERT_EQ(tie.all.size(), 2U);
+  const double middle = 0.5 * (tie.all[0][0] + tie.all[1][0]);
+  const RotaryAngles turned{-middle, 1};
+  axes.emplace_back(tool_axes(machine, turned).col(2));
+  axes.emplace_back(tool_axes(machine, {turned[0] + 0.1, 1.1}).col(2));
+  axes.emplace_back(tool_axes(machine, {turned[0] + 0.2, 1.2}).col(2));
+  const JointChoice choice = choose_joints(machine, path_of(axes));
+  EXPECT_TRUE(choice.path.end[0].has_value());
+  for (std::size_t i = 1; i < axes.size(); ++i) EXPECT_FALSE(choice.path.end[i].has_value()) << i;
+  EXPECT_EQ(choice.problems.size(), 3U);
+}
+
+TEST(JointChoice, ATieOnASquareMachineLeavesOneMoveOpenUnlessHeadsMatter) {
+  const Machine machine = test::machines()[0];
+  const std::vector<Vec3> axes{tool_axes(machine, {0, 0}).col(2),
+                               tool_axes(machine, {0.5 * std::numbers::pi, 0.2}).col(2),
+                               tool_axes(machine, {0.5 * std::numbers::pi, 0.3}).col(2)};
+  EXPECT_TRUE(choose_joints(machine, path_of(axes)).path.end[2].has_value());
+  EXPECT_FALSE(choose_joints(machine, path_of(axes), true).path.end[2].has_value());
+}
+
 // A table that winds up beyond its limit starts a turn earlier.
 TEST(JointPlan, StartsAWindingWhereItHasRoom) {
   const Machine machine = trunnion(-120, 120, 400);

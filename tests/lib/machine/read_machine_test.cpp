@@ -49,6 +49,8 @@ TEST(ReadMachine, RefusesWrongFieldsWithTheirLine) {
       {"\"name\": \"Y\"", "\"name\": \"X\"", "a name that no joint before it has", 5},
       {"\"name\": \"Y\"", "\"name\": \"\"", "a name such as X", 5},
       {"\"name\": \"Y\"", "\"name\": \"Y=\"", "a name such as X", 5},
+      {"\"name\": \"Y\"", "\"name\": \"a\\nb\"", "a name such as X", 5},
+      {"\"name\": \"Y\"", "\"name\": \"move\"", "a name such as X", 5},
   };
   for (const auto& one : kCases) {
     std::string bytes = trunnion();
@@ -59,6 +61,31 @@ TEST(ReadMachine, RefusesWrongFieldsWithTheirLine) {
     EXPECT_EQ(machine.error().line, one.line) << one.to;
     EXPECT_NE(machine.error().message.find(one.message), std::string::npos) << machine.error().message;
   }
+}
+
+TEST(ReadMachine, RefusesValuesThatNoMachineHas) {
+  const struct {
+    std::string from, to, message;
+  } kCases[] = {
+      {"\"min\": -100", "\"point\": [1e200, 0, 0], \"min\": -100", "a point more than 100 m away"},
+      {"\"min\": -100", "\"min\": -1e300", "a limit that is too large"},
+      {"\"min\": -100", "\"rate\": 1e-320, \"min\": -100", "a rate that no machine has"},
+      {"\"direction\": [0, 1, 0]", "\"direction\": [0, 1, 0], \"point\": [0, 0, 0]", "joint Y is linear"},
+      {"\"direction\": [0, 1, 0]", "\"direction\": [0, 1, 0], \"continuous\": true", "joint Y is linear"},
+      {"\"side\": \"head\", \"direction\": [0, 0, 1]}", "\"side\": \"table\", \"direction\": [0, 0, 1]}",
+       "in the order from the part to the tool"},
+  };
+  for (const auto& one : kCases) {
+    std::string bytes = trunnion();
+    ASSERT_NE(bytes.find(one.from), std::string::npos) << one.from;
+    bytes.replace(bytes.find(one.from), one.from.size(), one.to);
+    const Result<Machine> machine = read_machine("m.json", bytes);
+    ASSERT_FALSE(machine) << one.to;
+    EXPECT_EQ(machine.error().code, "machine-joints");
+    EXPECT_NE(machine.error().message.find(one.message), std::string::npos) << machine.error().message;
+  }
+  const std::string bytes = trunnion();
+  EXPECT_TRUE(read_machine("m.json", std::string(bytes).replace(bytes.find("[0, 1, 0]"), 9, "[0, 1e200, 0]")));
 }
 
 }  // namespace
