@@ -383,6 +383,9 @@ Result<JobOptions> understand(const JobArguments& a) {
     if (!place) return place.error();
     options.place = *place;
   }
+  if (!a.zero.empty()) {
+    if (const Result<RigidTransform> zero = understand_place("--zero", a.zero); !zero) return zero.error();
+  }
   const Result<MotionTube> tube = understand_tube(a.tip_tolerance, a.axis_tolerance, !a.heads.empty());
   if (!tube) return tube.error();
   options.check.tube = *tube;
