@@ -11,16 +11,10 @@
 #include "lib/base/best_first_search.h"
 #include "lib/base/tolerance.h"
 #include "lib/check/check_motions.h"
+#include "lib/check/turn_box.h"
 
 namespace gouge {
 namespace {
-
-/// A box of shares of the rotary joints' ways.
-struct TurnBox : SearchCandidate {
-  TurnShares low{0, 0}, high{1, 1};
-
-  [[nodiscard]] TurnShares middle() const { return {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])}; }
-};
 
 bool is_proved_clean(const MoveVerdict& verdict) {
   return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
@@ -72,27 +66,13 @@ class AnyTurnSearch : public BestFirstSearch<AnyTurnSearch, TurnBox> {
 
   static constexpr bool kDescends = false;
 
-  [[nodiscard]] double threshold_mm() const {
-    const double open_mm = options_.tolerance_mm + options_.resolution_mm;
-    if (verdict_.state != MoveState::gouge) return open_mm;
-    constexpr double kGapShare = 0.05;
-    if (options_.gouge_gap_mm >= kAnyGap_mm) return std::numeric_limits<double>::infinity();
-    return std::max(open_mm, (1 + kGapShare) * verdict_.depth_mm + options_.resolution_mm);
-  }
+  [[nodiscard]] double threshold_mm() const { return turn_threshold_mm(verdict_, options_); }
   [[nodiscard]] bool is_exhausted() const {
     return boxes_ >= options_.turn_boxes || bounds_ >= options_.budget_per_move;
   }
 
-  /// Halves a box across the joint that turns the tool more.
   void split(const TurnBox& box) {
-    const TurnShares middle = box.middle();
-    TurnBox first = box, second = box;
-    const double by_first = motion_.axis_path()->spread({box.low[0], middle[1]}, {box.high[0], middle[1]}).axis_rad;
-    const double by_second = motion_.axis_path()->spread({middle[0], box.low[1]}, {middle[0], box.high[1]}).axis_rad;
-    const std::size_t k = by_first >= by_second ? 0 : 1;
-    first.high[k] = second.low[k] = middle[k];
-    examine(first, swept_verdict(first));
-    examine(second, swept_verdict(second));
+    for (const TurnBox& half : halves_of(box, motion_, &TurnSpread::axis_rad)) examine(half, swept_verdict(half));
   }
 
  private:

@@ -1,24 +1,16 @@
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
-#include "lib/base/best_first_search.h"
+#include "lib/check/turn_box.h"
 #include "lib/head/check_heads.h"
 
 namespace gouge {
 
-/// A box of shares of the rotary joints' ways.
-struct HeadTurnBox : SearchCandidate {
-  TurnShares low{0, 0}, high{1, 1};
-
-  [[nodiscard]] TurnShares middle() const { return {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])}; }
-};
-
 /// The search for one head over all positions of the rotary joints. A point of the head at a distance from the tip moves
 /// by at most the turn times that distance. So a surface that is moved towards the head by as much, with the joints at
 /// rest at the middle of a box, is at least as deep as the surface at any position in the box.
-class HeadChecker::AnyTurn : public BestFirstSearch<HeadChecker::AnyTurn, HeadTurnBox> {
+class HeadChecker::AnyTurn : public BestFirstSearch<HeadChecker::AnyTurn, TurnBox> {
  public:
   AnyTurn(const HeadChecker& of, const HeadBody& head, const Motion& motion, const CheckOptions& options,
           MoveVerdict& verdict)
@@ -40,31 +32,17 @@ class HeadChecker::AnyTurn : public BestFirstSearch<HeadChecker::AnyTurn, HeadTu
 
   static constexpr bool kDescends = false;
 
-  [[nodiscard]] double threshold_mm() const {
-    const double open_mm = options_.tolerance_mm + options_.resolution_mm;
-    if (verdict_.state != MoveState::gouge) return open_mm;
-    constexpr double kGapShare = 0.05;
-    if (options_.gouge_gap_mm >= kAnyGap_mm) return std::numeric_limits<double>::infinity();
-    return std::max(open_mm, (1 + kGapShare) * verdict_.depth_mm + options_.resolution_mm);
-  }
+  [[nodiscard]] double threshold_mm() const { return turn_threshold_mm(verdict_, options_); }
   [[nodiscard]] bool is_exhausted() const { return boxes_ >= options_.turn_boxes; }
 
-  /// Halves a box across the joint that turns farther.
-  void split(const HeadTurnBox& box) {
-    const TurnShares middle = box.middle();
-    const double by_first = motion_.axis_path()->spread({box.low[0], middle[1]}, {box.high[0], middle[1]}).frame_rad;
-    const double by_second = motion_.axis_path()->spread({middle[0], box.low[1]}, {middle[0], box.high[1]}).frame_rad;
-    const std::size_t k = by_first >= by_second ? 0 : 1;
-    HeadTurnBox first = box, second = box;
-    first.high[k] = second.low[k] = middle[k];
-    examine(first);
-    examine(second);
+  void split(const TurnBox& box) {
+    for (const TurnBox& half : halves_of(box, motion_, &TurnSpread::frame_rad)) examine(half);
   }
 
   [[nodiscard]] std::uint64_t bounds() const { return bounds_; }
 
  private:
-  [[nodiscard]] double reach_mm(const HeadTurnBox& box) const {
+  [[nodiscard]] double reach_mm(const TurnBox& box) const {
     return motion_.axis_path()->spread(box.low, box.high).frame_rad * far_mm_;
   }
 
@@ -76,7 +54,7 @@ class HeadChecker::AnyTurn : public BestFirstSearch<HeadChecker::AnyTurn, HeadTu
   }
 
   /// Proves a box. If it cannot, it looks for a gouge with the joints at the middle of the box, and offers the box.
-  void examine(HeadTurnBox box) {
+  void examine(TurnBox box) {
     ++boxes_;
     const Motion resting = motion_.at_rest(box.middle());
     bool is_proved = true;

@@ -17,13 +17,13 @@ std::optional<Diagnostic> find_wrong_joint(const Joint& joint) {
   const bool is_linear = joint.type == JointType::linear;
   if (is_linear && (joint.has_point || joint.is_continuous || std::abs(joint.preference) > 0))
     return wrong("joint " + joint.name + " is linear; expected no point, no preference and not continuous");
-  constexpr double kFarthest_mm = 1e5, kMostLimit = 1e7, kMostRate = 1e12, kLeastRate = 1e-9;
-  if (!(joint.point.cwiseAbs().maxCoeff() <= kFarthest_mm))
+  constexpr double kMaxPlace_mm = 1e5, kMaxLimit = 1e7, kMaxRate = 1e12, kMinRate = 1e-4;
+  if (!(joint.point.cwiseAbs().maxCoeff() <= kMaxPlace_mm))
     return wrong("joint " + joint.name + " has a point more than 100 m away; expected it nearer, check the units");
   for (const std::optional<double>& limit : {joint.min, joint.max})
-    if (limit && !(std::abs(*limit) <= kMostLimit))
+    if (limit && !(std::abs(*limit) <= kMaxLimit))
       return wrong("joint " + joint.name + " has a limit that is too large; expected no limit, or a smaller one");
-  if (joint.rate && !(*joint.rate <= kMostRate && (*joint.rate <= 0 || *joint.rate >= kLeastRate)))
+  if (joint.rate && !(*joint.rate <= kMaxRate && (*joint.rate <= 0 || *joint.rate >= kMinRate)))
     return wrong("joint " + joint.name + " has a rate that no machine has; expected its maximum speed per minute");
   if (joint.is_continuous && (joint.min || joint.max))
     return wrong("joint " + joint.name + " is continuous and has limits; expected one of both");

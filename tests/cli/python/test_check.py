@@ -41,7 +41,9 @@ def test_a_machine_turns_the_tool_by_its_joints():
     assert gougecheck.check(path, post, TOOL, machine=machine).verdict == "gouges"
     assert gougecheck.check(path, post, TOOL, machine=machine, feed_law="vector").is_clean
     assert gougecheck.check(path, post, TOOL, machine=machine, joint_limits=["A=0..5"]).verdict == "not-fully-checked"
-    assert gougecheck.check(path, post, TOOL, machine=machine, zero="500,0,0").verdict == "not-fully-checked"
+    points = ["A=0,0,0", "C=0,0,0"]
+    far = gougecheck.check(path, post, TOOL, machine=machine, zero="500,0,0", joint_points=points)
+    assert far.verdict == "not-fully-checked"
     with pytest.raises(gougecheck.Error, match="joints C, A, X, Y, Z"):
         gougecheck.check(path, post, TOOL, machine=machine, joint_rates=["Q=1"])
     with pytest.raises(gougecheck.Error, match="preset"):

@@ -135,6 +135,7 @@ TEST(TipSlack, IsZeroWithoutIntervalsAndUnboundedForSplitLinearJoints) {
   machine.joints[machine.rotary[0]].point_slack_mm = 0.1;
   EXPECT_NEAR(tip_slack_mm(machine, {TurnLaw::vector, TurnLaw::joint}, 0.5).value(), 1.4, 1e-8);
   std::swap(machine.joints[1], machine.joints[2]);
+  machine.joints[1].side = JointSide::table;
   const Machine split = make_machine(machine).value();
   EXPECT_FALSE(tip_slack_mm(split, {TurnLaw::joint, TurnLaw::joint}, 0.5));
   EXPECT_TRUE(tip_slack_mm(split, {TurnLaw::axis, TurnLaw::axis}, 0.5));
