@@ -303,7 +303,7 @@ class HtmlReport {
 
   [[nodiscard]] std::string laws() const {
     if (model_.laws.empty()) return {};
-    HtmlTable table({{"Law of motion"}, {"Gouges"}});
+    HtmlTable table({{"Law"}, {"Gouges"}});
     for (const LawRecord& law : model_.laws)
       table.add(html_cell(law_label(law), "k") + html_cell(law_text(model_, law)));
     return "<h2>Laws of motion compared</h2>\n" + table.html();
