@@ -29,7 +29,7 @@ const ToolVariants* swept_tool(const Motion& motion, const ToolVariants& tool, c
 
 /// Options of the check of a swept tool, whose depth only bounds that of the tool.
 CheckOptions swept_options(const CheckOptions& options) {
-  constexpr double kSweptGap_mm = 0.05;
+  constexpr double kSweptGap_mm = 0.005;
   CheckOptions swept = options;
   swept.near_miss_mm = 0;
   swept.gouge_gap_mm = std::max({options.gouge_gap_mm, options.resolution_mm, kSweptGap_mm});
