@@ -15,7 +15,7 @@ struct CheckSetup;
 /// does not depend on the law of the control. Where there is none, the verdict rests on that law.
 ///
 /// Requires a complete result. Returns nothing if the law of motion has no machine, or if no move turns a rotary joint.
-/// Cost     That of check_moves with at most kBoxes boxes for each move.
+/// Cost     That of check_moves with at most twelve boxes (CheckOptions::turn_boxes) for each move.
 [[nodiscard]] std::optional<AnyTurnCounts> count_any_turns(const Toolpath& path, const CheckSetup& setup,
                                                            const CheckResult& result, const ProgressCall& progress);
 

@@ -1,7 +1,6 @@
 #include "lib/check/check_move.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "lib/check/check_any_turn.h"

@@ -180,17 +180,17 @@ class Chooser {
   }
 
   void find_flip(std::size_t move, const RotaryAngles& from, const RotaryAngles& to) {
-    if (!breaks_off(machine_, from, to)) return;
-    ++choice_.breaks;
     const Vec3 before = tool_axes(machine_, from).col(2), after = tool_axes(machine_, to).col(2);
     const double turn = angle_between_rad(before, after);
+    bool is_break = false;
     for (std::size_t k = 0; k < 2; ++k) {
       const double by = to[k] - from[k];
-      const bool is_unwound = std::abs(by) > std::numbers::pi + Tolerance::kSameDirection;
-      const bool is_flip = std::abs(by) > kFlip_rad && std::abs(by) > kFlipTimes * turn;
-      if (is_unwound || is_flip)
-        choice_.problems.push_back({is_unwound ? Kind::unwind : Kind::flip, move, machine_.rotary[k], by, turn});
+      const bool is_unwound = turns_back(by);
+      if (!is_unwound && !flips(by, turn)) continue;
+      is_break = true;
+      choice_.problems.push_back({is_unwound ? Kind::unwind : Kind::flip, move, machine_.rotary[k], by, turn});
     }
+    if (is_break) ++choice_.breaks;
   }
 
   const Machine& machine_;

@@ -38,9 +38,10 @@ struct JointChoice {
 /// turn back, and another choice for the whole path has fewer of them, it takes that choice (plan_joints). The result
 /// `path` is none where no solution is within the limits. Cost O(moves).
 ///
-/// If two solutions are equally near, no angles are chosen until both lead to the same ones. On a machine whose first
-/// rotary axis is parallel to the tool axis at rest, and square to the second one, both solutions move the tool axis alike. There the
-/// choice goes on with one of them, unless `is_turn_needed` states that more than the tool axis matters.
+/// If two solutions are equally near, no angles are chosen until both lead to the same ones. An exception is a machine
+/// whose first rotary axis is parallel to the tool axis at rest, and square to the second one. There both solutions move
+/// the tool axis alike. The choice goes on with one of them, unless `is_turn_needed` states that more than the axis
+/// matters.
 [[nodiscard]] JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath, bool is_turn_needed = false);
 
 }  // namespace gouge

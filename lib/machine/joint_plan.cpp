@@ -66,7 +66,7 @@ class Planner {
     const auto nearest = turn_within_limits(of, angle, from);
     if (!nearest) return turns;
     turns.push_back(*nearest);
-    const bool is_kept = std::abs(*nearest - from) <= std::numbers::pi + Tolerance::kSameDirection;
+    const bool is_kept = !turns_back(*nearest - from);
     if (is_free(of) || (is_kept && !is_first)) return turns;
     for (int n = -kTurns; n <= kTurns; ++n) {
       const double turned = *nearest + n * kWholeTurn_rad;
@@ -152,13 +152,17 @@ class Planner {
 
 }  // namespace
 
+bool turns_back(double joint_rad) { return std::abs(joint_rad) > std::numbers::pi + Tolerance::kSameDirection; }
+
+bool flips(double joint_rad, double axis_rad) {
+  constexpr double kFlip_rad = std::numbers::pi / 4, kFlipTimes = 4;
+  return std::abs(joint_rad) > kFlip_rad && std::abs(joint_rad) > kFlipTimes * axis_rad;
+}
+
 bool breaks_off(const Machine& machine, const RotaryAngles& from, const RotaryAngles& to) {
   const double turn = angle_between_rad(tool_axes(machine, from).col(2), tool_axes(machine, to).col(2));
-  for (std::size_t k = 0; k < 2; ++k) {
-    const double by = std::abs(to[k] - from[k]);
-    if (by > std::numbers::pi + Tolerance::kSameDirection || (by > kFlip_rad && by > kFlipTimes * turn)) return true;
-  }
-  return false;
+  const auto breaks = [&](std::size_t k) { return turns_back(to[k] - from[k]) || flips(to[k] - from[k], turn); };
+  return breaks(0) || breaks(1);
 }
 
 std::vector<std::optional<RotaryAngles>> plan_joints(const Machine& machine, const Toolpath& toolpath) {

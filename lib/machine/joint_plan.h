@@ -1,6 +1,5 @@
 #pragma once
 
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -9,10 +8,11 @@
 
 namespace gouge {
 
-/// A flip: a joint turns by more than this, and by more than this many times the turn of the tool axis.
-inline constexpr double kFlip_rad = std::numbers::pi / 4, kFlipTimes = 4;
-
-/// Returns whether a rotary joint turns back by a whole turn, or by much more than the tool axis (a flip).
+/// Returns whether a rotary joint turns back by a whole turn in a move.
+[[nodiscard]] bool turns_back(double joint_rad);
+/// Returns whether a rotary joint turns by much more than the tool axis in a move.
+[[nodiscard]] bool flips(double joint_rad, double axis_rad);
+/// Returns whether one of these holds for a rotary joint.
 [[nodiscard]] bool breaks_off(const Machine& machine, const RotaryAngles& from, const RotaryAngles& to);
 
 /// Plans the rotary angles at the end of each move with the fewest breaks, and among these plans with the smallest sum of
