@@ -109,7 +109,12 @@ class Campaign {
   void run(std::size_t moves) {
     for (; moves_ < moves; ++stream_) {
       laws::RandomJobs jobs(stream_);
-      for (int k = 0; k < 8 && moves_ < moves; ++k) check_job(jobs.next());
+      for (int k = 0; k < 8 && moves_ < moves; ++k) {
+        laws::RandomJob job = jobs.next();
+        // Random profiles take most of the time and no law depends on the profile: one job of ten has one.
+        if (job.tool_name.starts_with("free") && scatter_.in(0, 1) > 0.1) continue;
+        check_job(std::move(job));
+      }
     }
   }
 
@@ -119,10 +124,7 @@ class Campaign {
 
  private:
   void check_job(laws::RandomJob job) {
-    // Most paths of a job keep their axis: here it turns in every straight move.
-    for (Move& move : job.path.moves) {
-      if (move.curve_kind == CurveKind::none && move.kind != MoveKind::cycle) move.end.axis = scatter_.axis(0.7);
-    }
+    turn_axes(job.path);
     job.path.joints = std::make_shared<const JointPath>(choose_joints(machine_, job.path).path);
     CheckOptions options;
     options.threads = 1;
@@ -139,13 +141,26 @@ class Campaign {
     }
   }
 
+  /// Makes every move straight and turns the axis in it: in one of ten by any angle, otherwise as in toolpaths. Small turns
+  /// have tight bounds.
+  void turn_axes(Toolpath& path) {
+    Vec3 axis = scatter_.axis(0.7);
+    for (Move& move : path.moves) {
+      const bool is_wide = scatter_.in(0, 1) < 0.1;
+      axis = is_wide ? scatter_.axis(0.7)
+                     : Vec3((axis + std::pow(10, scatter_.in(-3, -1)) * scatter_.point(1)).normalized());
+      move.end.axis = axis;
+      move.curve_kind = CurveKind::none;
+    }
+  }
+
   void check_move(const laws::RandomJob& job, const std::vector<Vec3>& points, const MoveVerdict& verdict,
                   std::size_t i) {
     const JointPath& joints = *job.path.joints;
     const test::MachineReference reference(machine_, kToolLength_mm);
     const test::MachineReference::Ends ends =
         reference.with_joints({job.path.start_of(i), job.path.moves[i].end, *joints.start[i], *joints.end[i], {}, {}});
-    if (std::abs(ends.angles1[0] - ends.angles0[0]) > 0.1) ++turning;
+    if (std::abs(ends.angles1[0] - ends.angles0[0]) > 0.02) ++turning;
     const bool is_known = verdict.state == MoveState::clean || verdict.state == MoveState::gouge;
     if (!is_known) return;
     (verdict.state == MoveState::clean ? clean : gouges) += 1;
@@ -221,7 +236,7 @@ TEST_P(MachineLaw, DisagreesWithTheFormulaOfAnotherLaw) {
   const auto other = static_cast<TurnLaw>((static_cast<std::size_t>(GetParam()) + 1) % kTurnLawNames.size());
   const Machine machine = all_machines().front();
   Campaign campaign(machine, GetParam(), other, 7'000'000);
-  campaign.run(100);
+  campaign.run(300);
   EXPECT_GT(campaign.too_deep, 0U);
   EXPECT_GT(campaign.unreal, 3U);
 }
