@@ -1,0 +1,161 @@
+#include "lib/stock/check_stock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lib/stock/clear_groups.h"
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+
+namespace {
+
+constexpr std::size_t kGroup = 256;
+constexpr int kContactSteps = 16;
+constexpr int kDepthSteps = 24;
+// The gap between the bounds of a depth at which the search ends, as a share of the depth.
+constexpr double kDepthGap = 0.1;
+
+/// Moves of one group have the same tool and the same body in question.
+struct Group {
+  MoveRange range;
+  bool is_rapid = false;
+};
+
+class StockChecker {
+ public:
+  StockChecker(const CutHistory& history, const StockSolid& stock, const StockOptions& options)
+      : history_(history), path_(history.path()), stock_(stock), options_(options) {
+    is_examined_.reserve(path_.moves.size());
+    for (std::size_t i = 0; i < path_.moves.size(); ++i)
+      is_examined_.push_back(path_.moves[i].has_start && history.is_known(i));
+  }
+
+  StockResult run(unsigned threads, const ProgressCall& progress) {
+    const std::vector<Group> groups = make_groups();
+    std::vector<std::vector<StockFinding>> found(groups.size());
+    for_each_chunk(groups.size(), 1, threads, "checking stock", progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t g = first; g < last; ++g) found[g] = check(groups[g]);
+    });
+    StockResult result;
+    for (std::vector<StockFinding>& of_group : found)
+      result.findings.insert(result.findings.end(), of_group.begin(), of_group.end());
+    result.proved =
+        static_cast<std::uint64_t>(std::count(is_examined_.begin(), is_examined_.end(), true)) - result.findings.size();
+    result.is_examined = std::move(is_examined_);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] bool is_rapid(std::size_t i) const { return path_.moves[i].kind == MoveKind::rapid; }
+
+  [[nodiscard]] std::vector<Group> make_groups() const {
+    std::vector<Group> groups;
+    for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+      if (!is_examined_[i]) continue;
+      const bool continues = !groups.empty() && groups.back().range.last == i &&
+                             i - groups.back().range.first < kGroup && groups.back().is_rapid == is_rapid(i) &&
+                             path_.moves[i].tool == path_.moves[i - 1].tool;
+      if (!continues) groups.push_back({{i, i}, is_rapid(i)});
+      groups.back().range.last = i + 1;
+    }
+    return groups;
+  }
+
+  [[nodiscard]] std::vector<StockFinding> check(const Group& group) const {
+    std::vector<StockFinding> found;
+    const ToolVariants& tool = *history_.tool_of(group.range.first).tool;
+    const CompiledTool& body = group.is_rapid ? tool.bare : tool.non_cutting;
+    if (body.elements.empty()) return found;
+    const StockQuestion first = question(body, group.range.first);
+    for (const OpenMove& open : moves_not_clear(first, group.range)) {
+      const StockQuestion about = question(body, open.move);
+      const Motion motion = history_.law().of(path_, open.move);
+      const StockAnswer answer = find_stock(about, motion, open.pieces, 0, 1, options_.tolerance_mm);
+      if (answer.is_clear) continue;
+      StockFinding finding;
+      finding.move = open.move;
+      finding.depth_upper_mm = body.r_max_mm;
+      finding.unknown_move = answer.unknown_move;
+      finding.witness = answer.witness;
+      if (finding.witness) explain(about, motion, open.pieces, finding);
+      found.push_back(finding);
+    }
+    return found;
+  }
+
+  [[nodiscard]] StockQuestion question(const CompiledTool& body, std::size_t move) const {
+    return {history_, stock_, options_, body, move, !is_rapid(move)};
+  }
+
+  void explain(const StockQuestion& about, const Motion& motion, const std::vector<ToolPiece>& pieces,
+               StockFinding& finding) const {
+    finding.contact = first_contact(about, motion, pieces, finding.witness->t);
+    find_depth(about, motion, finding);
+    const StockWitness& witness = *finding.witness;
+    finding.nearest_cut = history_.nearest_cut(witness.point, about.move, (stock_.high() - stock_.low()).norm());
+    const CompiledTool& bare = history_.tool_of(about.move).tool->bare;
+    const Pose pose = motion.at(witness.t);
+    const Vec3 from_tip = witness.point - pose.tip;
+    const double z = from_tip.dot(pose.axis);
+    finding.body = bare.elements[evaluate(bare, (from_tip - z * pose.axis).norm(), z).element].body;
+    if (!is_rapid(about.move) && finding.body == Body::cutter) finding.body = Body::shank;
+  }
+
+  /// Asks about greater depths until both bounds of the depth are near each other. The next depth is twice the known one
+  /// at most, since proofs for depths near the true one take longest.
+  void find_depth(const StockQuestion& about, const Motion& motion, StockFinding& finding) const {
+    for (int k = 0; k < kDepthSteps; ++k) {
+      const double known = finding.witness->depth_mm, gap = finding.depth_upper_mm - known;
+      if (gap <= std::max(2 * options_.resolution_mm, kDepthGap * known)) return;
+      const double next = known + std::min(0.5 * gap, known);
+      const StockAnswer answer = find_stock(about, motion, deep_pieces(about.body, next), 0, 1, next);
+      if (answer.witness) {
+        finding.witness = answer.witness;
+      } else if (answer.is_clear) {
+        finding.depth_upper_mm = std::min(finding.depth_upper_mm, next + options_.resolution_mm);
+      } else {
+        return;
+      }
+    }
+  }
+
+  /// Halves the time before the witness until the instants are closer than the resolution along the path.
+  [[nodiscard]] FirstContact first_contact(const StockQuestion& about, const Motion& motion,
+                                           const std::vector<ToolPiece>& pieces, double t_witness) const {
+    FirstContact contact{0, t_witness};
+    double length = 0;
+    for (std::uint32_t s = 0; s < motion.segments().size(); ++s)
+      length += motion.path_length_mm(motion.segments()[s].t0, motion.segments()[s].t1, s);
+    length += motion.turn_rad() * std::max(about.body.z_max_mm, about.body.r_max_mm);
+    for (int k = 0; k < kContactSteps; ++k) {
+      if ((contact.contact_at - contact.clear_until) * length <= options_.resolution_mm) break;
+      const double middle = 0.5 * (contact.clear_until + contact.contact_at);
+      const StockAnswer until = find_stock(about, motion, pieces, contact.clear_until, middle, options_.tolerance_mm);
+      if (until.witness) {
+        contact.contact_at = until.witness->t;
+      } else if (until.is_clear) {
+        contact.clear_until = middle;
+      } else {
+        break;
+      }
+    }
+    return contact;
+  }
+
+  const CutHistory& history_;
+  const Toolpath& path_;
+  const StockSolid& stock_;
+  const StockOptions& options_;
+  std::vector<bool> is_examined_;
+};
+
+}  // namespace
+
+StockResult check_stock(const CutHistory& history, const StockSolid& stock, const StockOptions& options,
+                        unsigned threads, const ProgressCall& progress) {
+  return StockChecker(history, stock, options).run(threads, progress);
+}
+
+}  // namespace gouge

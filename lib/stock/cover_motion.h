@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/base/tolerance.h"
+#include "lib/motion/motion.h"
+#include "lib/stock/convex_pieces.h"
+#include "lib/stock/motion_tree.h"
+#include "lib/stock/tool_piece.h"
+
+// Tests whether one motion of one cutter contains a piece of space. A test that fails proves nothing.
+
+namespace gouge {
+
+/// A straight motion with a fixed axis, over [0, 1].
+struct StraightCut {
+  Vec3 from = Vec3::Zero(), by = Vec3::Zero(), axis = Vec3::UnitZ();
+};
+
+/// Room between a piece of space and the cutter, from the slack of the piece and the resolution.
+struct CoverMargin {
+  double slack_mm = 0, resolution_mm = 0;
+  /// Returns the largest value of a convex piece at a corner for which the piece of space, moved out by the slack, is in
+  /// the convex piece, moved out by the resolution.
+  [[nodiscard]] double largest_value(const ConvexPiece& piece) const {
+    const double room = resolution_mm - slack_mm;
+    return (room > 0 ? piece.growth * room : room) - Tolerance::kRounding_mm;
+  }
+};
+
+/// Returns whether the piece is in the sweep of one of the convex pieces, with that margin, during its whole interval. The
+/// sweep of a convex solid along a straight line is convex, so it contains the hull of discs that it contains.
+[[nodiscard]] bool is_covered_by(const StraightCut& cut, const std::vector<ConvexPiece>& pieces,
+                                 const SweptPiece& piece, const CoverMargin& margin);
+/// Returns whether the piece is in one of the convex pieces of a cutter on a motion over [0, until], with that margin. The
+/// cutter is at one instant at the start of the piece's interval and at another one at its end: between them the piece
+/// moves straight in the cutter's frame. Where the axis turns, one instant serves for the whole interval.
+[[nodiscard]] bool is_covered_by(const Motion& motion, double until, const std::vector<ConvexPiece>& pieces,
+                                 const SweptPiece& piece, const CoverMargin& margin);
+
+/// Returns a value that the distance of a point from the convex pieces does not exceed, at the best instant found in a
+/// span of a motion.
+[[nodiscard]] double nearest_value(const Motion& motion, const MotionSpan& span, const std::vector<ConvexPiece>& pieces,
+                                   const Vec3& point);
+
+}  // namespace gouge

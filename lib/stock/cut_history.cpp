@@ -1,0 +1,216 @@
+#include "lib/stock/cut_history.h"
+
+#include <limits>
+
+#include "lib/base/tolerance.h"
+#include "lib/check/reach.h"
+#include "lib/stock/cover_motion.h"
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+
+namespace {
+
+// A span of a tree has no path longer than this many diameters, so that its box is not mostly empty.
+constexpr double kSpanDiameters = 2;
+// A point that is nearer than this to a place of a tool counts as touched.
+constexpr double kNearest_mm = 1e-6;
+// Instants of spans are floats.
+constexpr double kInstantRounding = 2e-7;
+
+/// Halves [a, b] until `value` minus the longest way is positive in every part, or a value is negative. Returns whether a
+/// value is, or cannot be excluded.
+template <typename Value, typename Way>
+bool may_reach(double a, double b, const Value& value, const Way& way) {
+  const double middle = 0.5 * (a + b), distance = value(middle);
+  if (distance < 0) return true;
+  const double longest = std::max(way(a, middle), way(middle, b)) + Tolerance::kRounding_mm;
+  if (distance >= longest) return false;
+  if (longest < kNearest_mm) return true;
+  return may_reach(a, middle, value, way) || may_reach(middle, b, value, way);
+}
+
+ToolCylinder cylinder_of(const CompiledTool& tool) { return {tool.r_max_mm, tool.z_min_mm, tool.z_max_mm}; }
+
+}  // namespace
+
+CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::vector<StockTool>& tools,
+                       const StockOptions& options)
+    : path_(path), law_(law), tools_(tools), resolution_mm_(options.resolution_mm), of_tool_(tools.size()) {
+  std::vector<std::vector<MotionSpan>> spans(tools.size());
+  states_.reserve(path.moves.size());
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    states_.push_back(state_of(i));
+    if (states_[i] == MotionState::unknown) add_unknown(i);
+    if (states_[i] != MotionState::known) continue;
+    const CompiledTool& bare = tool_of(i).tool->bare;
+    append_spans(law.of(path, i), static_cast<std::uint32_t>(i), kSpanDiameters * 2 * bare.r_max_mm,
+                 spans[path.moves[i].tool]);
+  }
+  for (std::size_t k = 0; k < tools.size(); ++k) {
+    if (tools[k].tool == nullptr) continue;
+    OfTool& of = of_tool_[k];
+    of.pieces = convex_pieces(tools[k].tool->bare);
+    of.whole = cylinder_of(tools[k].tool->bare);
+    of.cutter = {0, of.whole.z_hi_mm, of.whole.z_lo_mm};
+    for (const ConvexPiece& piece : of.pieces) {
+      of.cutter.radius_mm = std::max(of.cutter.radius_mm, piece.r_max_mm);
+      of.cutter.z_lo_mm = std::min(of.cutter.z_lo_mm, piece.z_lo_mm);
+      of.cutter.z_hi_mm = std::max(of.cutter.z_hi_mm, piece.z_hi_mm);
+    }
+    of.tree = std::make_unique<const MotionTree>(std::move(spans[k]));
+  }
+}
+
+CutHistory::MotionState CutHistory::state_of(std::size_t i) const {
+  const Move& move = path_.moves[i];
+  if (!move.has_start && !move.is_linked) return MotionState::none;
+  if (!move.has_start || !move.not_checked_reason.empty() || move.tool == kNone || move.tool >= tools_.size() ||
+      tools_[move.tool].tool == nullptr)
+    return MotionState::unknown;
+  const Motion motion = law_.of(path_, i);
+  const bool is_one_motion = motion.is_defined() && !motion.is_any() && !motion.has_other();
+  return is_one_motion && motion.is_within(kFarthest_mm) ? MotionState::known : MotionState::unknown;
+}
+
+// The motion is taken to stay within the box of both positions, grown by the length of the tool.
+void CutHistory::add_unknown(std::size_t i) {
+  const Move& move = path_.moves[i];
+  double reach = std::numeric_limits<double>::infinity();
+  if (move.tool != kNone && move.tool < tools_.size() && tools_[move.tool].tool != nullptr) {
+    const CompiledTool& bare = tools_[move.tool].tool->bare;
+    reach = std::max(bare.z_max_mm, -bare.z_min_mm) + bare.r_max_mm;
+  }
+  const Vec3 from = i > 0 ? path_.moves[i - 1].end.tip : move.end.tip;
+  unknown_.push_back({i, Vec3(from.cwiseMin(move.end.tip) - Vec3::Constant(reach)),
+                      Vec3(from.cwiseMax(move.end.tip) + Vec3::Constant(reach))});
+}
+
+bool CutHistory::is_cutting(std::size_t move) const {
+  return path_.moves[move].kind != MoveKind::rapid && tool_of(move).cuts;
+}
+
+bool CutHistory::is_straight_with_fixed_axis(std::size_t move) const {
+  const Move& of = path_.moves[move];
+  return law_.is_divisible(of.kind) && of.curve_kind == CurveKind::none &&
+         (path_.start_of(move).axis - of.end.axis).squaredNorm() <
+             Tolerance::kExactDirection * Tolerance::kExactDirection;
+}
+
+bool CutHistory::covers(std::size_t move, double until, const SweptPiece& piece) const {
+  const CoverMargin margin{piece.slack_mm, resolution_mm_};
+  const std::vector<ConvexPiece>& pieces = of_tool_[path_.moves[move].tool].pieces;
+  if (is_straight_with_fixed_axis(move)) {
+    const Pose &from = path_.start_of(move), &to = path_.moves[move].end;
+    return is_covered_by({from.tip, Vec3(until * (to.tip - from.tip)), to.axis}, pieces, piece, margin);
+  }
+  return is_covered_by(law_.of(path_, move), until, pieces, piece, margin);
+}
+
+bool CutHistory::is_removed_by(std::size_t move, double until, const SweptPiece& piece) const {
+  return is_cutting(move) && is_known(move) && covers(move, until, piece);
+}
+
+bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, std::size_t& hint) const {
+  if (hint < before && covers(hint, 1, piece)) return true;
+  Vec3 center = Vec3::Zero();
+  for (const Disc& disc : piece.start()) center += disc.center / static_cast<double>(piece.count);
+  for (const OfTool& of : of_tool_) {
+    if (of.tree == nullptr || of.pieces.empty()) continue;
+    std::size_t last = kNone;  // the spans of a move often follow each other
+    const bool is_found =
+        of.tree->find(center, of.cutter, resolution_mm_, static_cast<std::uint32_t>(before), [&](const MotionSpan& s) {
+          if (s.move == last || !is_cutting(s.move)) return false;
+          last = s.move;
+          return covers(s.move, 1, piece);
+        });
+    if (!is_found) continue;
+    hint = last;
+    return true;
+  }
+  return false;
+}
+
+bool CutHistory::reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
+                         const Vec3& point) const {
+  if (is_straight_with_fixed_axis(move)) {
+    const Pose &from = path_.start_of(move), &to = path_.moves[move].end;
+    const double length = (to.tip - from.tip).norm();
+    return may_reach(
+        t0, t1,
+        [&](double t) {
+          return signed_distance_mm(body, Pose{Vec3(from.tip + t * (to.tip - from.tip)), from.axis}, point);
+        },
+        [&](double a, double b) { return (b - a) * length; });
+  }
+  const Motion motion = law_.of(path_, move);
+  return may_reach(
+      t0, t1,
+      [&](double t) {
+        return signed_distance_mm(body, Pose{motion.tip_at(t, segment), motion.at(t).axis}, point);
+      },
+      [&](double a, double b) {
+        const double far = (point - motion.tip_at(a, segment)).norm();
+        const double length = motion.path_length_mm(a, b, segment);
+        return length + motion.turn_rad(a, b) * (far + length);
+      });
+}
+
+bool CutHistory::is_missed_by(std::size_t move, double until, const Vec3& point) const {
+  const Motion motion = law_.of(path_, move);
+  for (std::uint32_t s = 0; s < motion.segments().size(); ++s) {
+    const MotionSegment& segment = motion.segments()[s];
+    if (segment.t0 > until) break;
+    if (reaches(move, tool_of(move).tool->cutting, segment.t0, std::min(segment.t1, until), s, point)) return false;
+  }
+  return true;
+}
+
+std::optional<std::size_t> CutHistory::unknown_near(const Vec3& point, std::size_t before) const {
+  for (const Unknown& unknown : unknown_) {
+    if (unknown.move >= before) break;
+    if ((point.array() >= unknown.low.array()).all() && (point.array() <= unknown.high.array()).all())
+      return unknown.move;
+  }
+  return std::nullopt;
+}
+
+bool CutHistory::is_untouched(const Vec3& point, std::size_t before, std::size_t& hint) const {
+  if (unknown_near(point, before)) return false;
+  if (hint < before && is_straight_with_fixed_axis(hint) && reaches(hint, tool_of(hint).tool->bare, 0, 1, 0, point))
+    return false;
+  for (std::size_t k = 0; k < of_tool_.size(); ++k) {
+    if (of_tool_[k].tree == nullptr) continue;
+    const CompiledTool& bare = tools_[k].tool->bare;
+    const auto touches = [&](const MotionSpan& s) {
+      const bool does = reaches(s.move, bare, std::max(0.0, static_cast<double>(s.t0) - kInstantRounding),
+                                std::min(1.0, static_cast<double>(s.t1) + kInstantRounding), s.segment, point);
+      if (does) hint = s.move;
+      return does;
+    };
+    if (of_tool_[k].tree->find(point, of_tool_[k].whole, 0, static_cast<std::uint32_t>(before), touches)) return false;
+  }
+  return true;
+}
+
+std::optional<PassedBy> CutHistory::nearest_cut(const Vec3& point, std::size_t before, double within_mm) const {
+  std::optional<PassedBy> nearest;
+  constexpr double kGrowth = 4;
+  for (double reach = resolution_mm_; !nearest && reach < kGrowth * within_mm; reach *= kGrowth) {
+    for (std::size_t k = 0; k < of_tool_.size(); ++k) {
+      if (of_tool_[k].tree == nullptr) continue;
+      of_tool_[k].tree->find(
+          point, of_tool_[k].cutter, reach, static_cast<std::uint32_t>(before), [&](const MotionSpan& s) {
+            if (!is_cutting(s.move)) return false;
+            const double at = nearest_value(law_.of(path_, s.move), s, of_tool_[k].pieces, point);
+            if (at > reach) return false;
+            if (!nearest || at < nearest->distance_mm || (!(nearest->distance_mm < at) && s.move < nearest->move))
+              nearest = PassedBy{at, s.move};
+            return false;
+          });
+    }
+  }
+  return nearest;
+}
+
+}  // namespace gouge

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lib/motion/motion_law.h"
+#include "lib/path/toolpath.h"
+#include "lib/stock/convex_pieces.h"
+#include "lib/stock/motion_tree.h"
+#include "lib/stock/stock_options.h"
+#include "lib/stock/tool_piece.h"
+#include "lib/tool/tool_variants.h"
+
+namespace gouge {
+
+/// A tool for the questions about stock. Its bodies have no offsets.
+struct StockTool {
+  const ToolVariants* tool = nullptr;  ///< made without offsets; null: the tool has no definition
+  bool cuts = true;                    ///< false: it removes no material, for example a probe
+};
+
+/// Where earlier tools passed a point.
+struct PassedBy {
+  double distance_mm = 0;    ///< of the nearest earlier tool
+  std::size_t move = kNone;  ///< its move
+};
+
+/// All motions of a path that remove material, held so that one can ask whether a piece of space is removed. Nothing is
+/// simulated in advance: a piece is removed if it lies in one convex piece of one cutter during one earlier motion.
+///
+/// Proofs: docs/method/stock.md. Any number of threads may ask.
+class CutHistory {
+ public:
+  /// `tools[k]` belongs to path.tools[k]. All references must outlive it.
+  CutHistory(const Toolpath& path, const MotionLaw& law, const std::vector<StockTool>& tools,
+             const StockOptions& options);
+
+  /// Proves that every point of a piece is in an earlier cutter, wider by the resolution, at every instant of its
+  /// interval. Only moves before `before` count. `hint` is a move that is tried first; the result does not depend on it.
+  /// False: not proved.
+  [[nodiscard]] bool is_removed(const SweptPiece& piece, std::size_t before, std::size_t& hint) const;
+  /// Proves the same from the motion of a move over [0, until] alone.
+  [[nodiscard]] bool is_removed_by(std::size_t move, double until, const SweptPiece& piece) const;
+
+  /// Proves that no tool, with all its bodies, reached a point before a move, and that all motions until then are known.
+  /// `hint` is a move that is tried first; the result does not depend on it.
+  [[nodiscard]] bool is_untouched(const Vec3& point, std::size_t before, std::size_t& hint) const;
+  /// Proves that the cutter of a move did not reach a point over [0, until].
+  [[nodiscard]] bool is_missed_by(std::size_t move, double until, const Vec3& point) const;
+  /// Returns the first move before `before` whose motion is not known and may have reached the point.
+  [[nodiscard]] std::optional<std::size_t> unknown_near(const Vec3& point, std::size_t before) const;
+  /// Returns the earlier cutter that came nearest to a point; none: no cutter is within `within_mm`.
+  [[nodiscard]] std::optional<PassedBy> nearest_cut(const Vec3& point, std::size_t before, double within_mm) const;
+
+  /// Returns whether the motion of a move and its tool are known.
+  [[nodiscard]] bool is_known(std::size_t move) const { return states_[move] != MotionState::unknown; }
+  [[nodiscard]] const Toolpath& path() const { return path_; }
+  [[nodiscard]] const MotionLaw& law() const { return law_; }
+  [[nodiscard]] const StockTool& tool_of(std::size_t move) const { return tools_[path_.moves[move].tool]; }
+
+ private:
+  enum class MotionState : std::uint8_t { none, known, unknown };  // none: a position without a motion to it
+  struct OfTool {
+    std::vector<ConvexPiece> pieces;
+    ToolCylinder cutter, whole;
+    std::unique_ptr<const MotionTree> tree;
+  };
+  struct Unknown {
+    std::size_t move = 0;
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+  };
+
+  [[nodiscard]] MotionState state_of(std::size_t move) const;
+  void add_unknown(std::size_t move);
+  [[nodiscard]] bool is_cutting(std::size_t move) const;
+  [[nodiscard]] bool covers(std::size_t move, double until, const SweptPiece& piece) const;
+  [[nodiscard]] bool is_straight_with_fixed_axis(std::size_t move) const;
+  /// Returns whether a body may reach the point during [t0, t1] of a segment of a move.
+  [[nodiscard]] bool reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
+                             const Vec3& point) const;
+
+  const Toolpath& path_;
+  const MotionLaw& law_;
+  const std::vector<StockTool>& tools_;
+  double resolution_mm_;
+  std::vector<MotionState> states_;
+  std::vector<OfTool> of_tool_;
+  std::vector<Unknown> unknown_;
+};
+
+}  // namespace gouge

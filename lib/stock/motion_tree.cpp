@@ -1,0 +1,130 @@
+#include "lib/stock/motion_tree.h"
+
+#include <limits>
+
+#include "lib/base/tolerance.h"
+
+namespace gouge {
+
+namespace {
+
+constexpr std::uint32_t kSpansOfCell = 4;
+constexpr double kWidestTurn_rad = 0.1;
+
+// Rounds a bound to a float, away from the interval.
+float below(double value) { return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::max()); }
+float above(double value) { return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::max()); }
+
+Vec3 vec(const std::array<float, 3>& a) { return {a[0], a[1], a[2]}; }
+
+void set_axis(MotionSpan& span, const Vec3& axis) {
+  for (std::size_t k = 0; k < 3; ++k) span.axis[k] = static_cast<float>(axis[static_cast<int>(k)]);
+}
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+MotionSpan span_of(const Motion& motion, std::uint32_t move, std::uint32_t segment, double t0, double t1) {
+  MotionSpan span;
+  span.move = move;
+  span.segment = segment;
+  span.t0 = static_cast<float>(t0);
+  span.t1 = static_cast<float>(t1);
+  const MotionRates rates = motion.rates(t0, t1, segment);
+  const Vec3 a = motion.tip_at(t0, segment), b = motion.tip_at(t1, segment);
+  for (int k = 0; k < 3; ++k) {
+    span.low[static_cast<std::size_t>(k)] = below(std::min(a[k], b[k]) - rates.tip_sag_mm);
+    span.high[static_cast<std::size_t>(k)] = above(std::max(a[k], b[k]) + rates.tip_sag_mm);
+  }
+  set_axis(span, motion.at(0.5 * (t0 + t1)).axis);
+  // Half of the turn from the middle, and the rounding of the direction.
+  const double turn =
+      rates.turn_rad > 0 ? std::max(motion.turn_rad(t0, 0.5 * (t0 + t1)), motion.turn_rad(0.5 * (t0 + t1), t1)) : 0;
+  span.cone_rad = above(turn + Tolerance::kSingleRounding);
+  return span;
+}
+
+}  // namespace
+
+void append_spans(const Motion& motion, std::uint32_t move, double longest_mm, std::vector<MotionSpan>& spans) {
+  const std::span<const MotionSegment> segments = motion.segments();
+  for (std::uint32_t s = 0; s < segments.size(); ++s) {
+    const double t0 = segments[s].t0, t1 = motion.is_alone() ? t0 : segments[s].t1;
+    const double length = motion.path_length_mm(t0, t1, s), turn = motion.turn_rad(t0, t1);
+    const double wanted = std::ceil(std::max(length / longest_mm, turn / kWidestTurn_rad));
+    const int parts = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(kMaxSpans)));
+    // Instants are rounded to floats before they are used, so that the spans have no gaps.
+    const auto instant = [&](int k) {
+      return k == parts ? t1 : static_cast<double>(static_cast<float>(t0 + (t1 - t0) * k / parts));
+    };
+    for (int k = 0; k < parts; ++k) spans.push_back(span_of(motion, move, s, k == 0 ? t0 : instant(k), instant(k + 1)));
+  }
+}
+
+MotionTree::MotionTree(std::vector<MotionSpan> spans) : spans_(std::move(spans)) {
+  if (!spans_.empty()) build(0, static_cast<std::uint32_t>(spans_.size()));
+}
+
+void MotionTree::build(std::uint32_t first, std::uint32_t last) {
+  const auto index = static_cast<std::uint32_t>(cells_.size());
+  cells_.push_back({around(first, last), 0, first, last});
+  if (last - first <= kSpansOfCell) return;
+  const MotionSpan& bounds = cells_[index].bounds;
+  std::size_t widest = 0;
+  const auto width = [&](std::size_t k) { return bounds.high[k] - bounds.low[k]; };
+  for (std::size_t k = 1; k < 3; ++k)
+    if (width(k) > width(widest)) widest = k;
+  const std::uint32_t middle = first + (last - first) / 2;
+  const auto comes_first = [widest](const MotionSpan& a, const MotionSpan& b) {
+    const float x = a.low[widest] + a.high[widest], y = b.low[widest] + b.high[widest];
+    if (x < y || y < x) return x < y;
+    return a.move != b.move ? a.move < b.move : a.t0 < b.t0;
+  };
+  std::nth_element(spans_.begin() + first, spans_.begin() + middle, spans_.begin() + last, comes_first);
+  build(first, middle);
+  const auto second = static_cast<std::uint32_t>(cells_.size());
+  cells_[index].second = second;
+  build(middle, last);
+}
+
+MotionSpan MotionTree::around(std::uint32_t first, std::uint32_t last) const {
+  MotionSpan all = spans_[first];
+  Vec3 axis = Vec3::Zero();
+  for (std::uint32_t s = first; s < last; ++s) {
+    const MotionSpan& span = spans_[s];
+    all.move = std::min(all.move, span.move);
+    for (std::size_t k = 0; k < 3; ++k) {
+      all.low[k] = std::min(all.low[k], span.low[k]);
+      all.high[k] = std::max(all.high[k], span.high[k]);
+    }
+    axis += vec(span.axis);
+  }
+  if (axis.norm() < Tolerance::kNoSide) axis = vec(spans_[first].axis);
+  set_axis(all, axis.normalized());
+  double cone = 0;
+  for (std::uint32_t s = first; s < last; ++s)
+    cone = std::max(cone, angle_between(vec(all.axis), vec(spans_[s].axis)) + static_cast<double>(spans_[s].cone_rad));
+  all.cone_rad = above(cone + Tolerance::kSingleRounding);
+  return all;
+}
+
+// A tool whose tip is in the box and whose axis is in the cone has no point of the cylinder within grow_mm of the point
+// unless all of these hold. The axis moves the point by at most cone * length in the tool's frame.
+bool MotionTree::may_reach(const MotionSpan& span, const Vec3& point, const ToolCylinder& body, double grow_mm) {
+  const Vec3 low = vec(span.low), high = vec(span.high), axis = vec(span.axis);
+  const Vec3 half = 0.5 * (high - low), from = point - 0.5 * (low + high);
+  const double diagonal = half.norm(), cone = std::min(static_cast<double>(span.cone_rad), 2.0);
+  const double reach = std::max(body.z_hi_mm, -body.z_lo_mm) + body.radius_mm + grow_mm;
+  const double slack = cone * (reach + grow_mm) + grow_mm + Tolerance::kSingleSum * (reach + from.norm());
+  const double z = from.dot(axis), swing = half.cwiseProduct(axis.cwiseAbs()).sum() + slack;
+  if (z < body.z_lo_mm - swing || z > body.z_hi_mm + swing) return false;
+  const double widest = body.radius_mm + diagonal + slack;
+  if (from.squaredNorm() - z * z > widest * widest) return false;
+  for (int k = 0; k < 3; ++k) {
+    const double sideways = body.radius_mm * std::sqrt(std::max(0.0, 1 - axis[k] * axis[k])) + slack;
+    const double a = axis[k] * body.z_lo_mm, b = axis[k] * body.z_hi_mm;
+    if (from[k] < std::min(a, b) - sideways - half[k] || from[k] > std::max(a, b) + sideways + half[k]) return false;
+  }
+  return true;
+}
+
+}  // namespace gouge

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lib/geom/vec.h"
+#include "lib/motion/motion.h"
+
+namespace gouge {
+
+/// The space that a tool's body may take: a cylinder about its axis, from the tip. mm.
+struct ToolCylinder {
+  double radius_mm = 0, z_lo_mm = 0, z_hi_mm = 0;
+};
+
+/// A time interval of a motion, with bounds of its tips and axes.
+struct MotionSpan {
+  std::array<float, 3> low{}, high{};  ///< box of the tips
+  std::array<float, 3> axis{};         ///< middle direction, unit
+  float cone_rad = 0;                  ///< largest angle of the axis to it
+  std::uint32_t move = 0, segment = 0;
+  float t0 = 0, t1 = 1;
+};
+
+/// Appends the spans of a motion. No span has a path longer than `longest_mm` or turns by more than a tenth of a radian,
+/// unless it would need more than kMaxSpans. Requires motion.is_defined().
+void append_spans(const Motion& motion, std::uint32_t move, double longest_mm, std::vector<MotionSpan>& spans);
+inline constexpr int kMaxSpans = 256;
+
+/// Motions of one tool, held in a binary tree by place. It finds the motions that may bring a body of the tool to a point.
+class MotionTree {
+ public:
+  /// Cost  O(n log n) for n spans; about 80 bytes for each.
+  explicit MotionTree(std::vector<MotionSpan> spans);
+
+  /// Calls `visit(span)` for every span of a move below `before` during which the cylinder may come within `grow_mm` of
+  /// `point`, until it returns true. Returns whether it did.
+  template <typename Visit>
+  bool find(const Vec3& point, const ToolCylinder& body, double grow_mm, std::uint32_t before,
+            const Visit& visit) const {
+    std::array<std::uint32_t, 64> waiting;
+    std::size_t count = 0;
+    if (!cells_.empty()) waiting[count++] = 0;
+    while (count > 0) {
+      const std::uint32_t index = waiting[--count];
+      const Cell& cell = cells_[index];
+      if (cell.bounds.move >= before || !may_reach(cell.bounds, point, body, grow_mm)) continue;
+      if (cell.second != 0) {
+        waiting[count++] = cell.second;
+        waiting[count++] = index + 1;
+        continue;
+      }
+      for (std::uint32_t s = cell.first_span; s < cell.last_span; ++s) {
+        if (spans_[s].move < before && may_reach(spans_[s], point, body, grow_mm) && visit(spans_[s])) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  /// `bounds.move` is the least move. An inner cell is followed by its first child; `second` is the other one.
+  struct Cell {
+    MotionSpan bounds;
+    std::uint32_t second = 0, first_span = 0, last_span = 0;
+  };
+
+  void build(std::uint32_t first, std::uint32_t last);
+  [[nodiscard]] MotionSpan around(std::uint32_t first, std::uint32_t last) const;
+
+  static bool may_reach(const MotionSpan& span, const Vec3& point, const ToolCylinder& body, double grow_mm);
+
+  std::vector<MotionSpan> spans_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace gouge

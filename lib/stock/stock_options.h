@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+namespace gouge {
+
+/// Options of the check against remaining stock. Lengths in mm.
+struct StockOptions {
+  double tolerance_mm = 0.1;    ///< maximum depth of remaining stock in a body that is no collision
+  double resolution_mm = 0.05;  ///< cutters count as wider by this much, so slivers below twice this count as removed
+  std::uint64_t budget_per_move = 500'000;  ///< number of pieces after which a move is "not certified"
+};
+
+}  // namespace gouge

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lib/motion/motion.h"
+#include "lib/stock/cut_history.h"
+#include "lib/stock/stock_solid.h"
+#include "lib/stock/tool_piece.h"
+
+namespace gouge {
+
+/// The question about one move: which body is examined, and which material may still be there.
+struct StockQuestion {
+  const CutHistory& history;
+  const StockSolid& stock;
+  const StockOptions& options;
+  const CompiledTool& body;  ///< the whole tool on a rapid, shank and holder otherwise
+  std::size_t move = 0;
+  bool is_cutting = false;  ///< material that the cutter of this move removed before counts as gone
+};
+
+/// A point of the stock that no tool touched before, inside a body.
+struct StockWitness {
+  double depth_mm = 0;
+  double t = 0;               ///< instant of the move, in [0, 1]
+  Vec3 point = Vec3::Zero();  ///< part coordinates, mm
+};
+
+/// The answer whether stock remains deeper in a body than a given depth.
+struct StockAnswer {
+  std::optional<StockWitness> witness;      ///< deeper than the given depth
+  bool is_clear = false;                    ///< proved: no stock is deeper than the given depth + resolution
+  std::optional<std::size_t> unknown_move;  ///< a move whose unknown motion leaves open whether material is still there
+};
+
+/// Decides whether stock remains deeper than `depth_mm` in a body during [from, to] of a motion. It divides the body and
+/// the time until each piece is free of stock, or a witness is found. Without either the answer is open: the budget ran
+/// out, or a tool touched the material and may have removed it.
+///
+/// Shape    `pieces` contain all points of the body that are deeper (deep_pieces, or what an earlier proof left open).
+/// Cost     About a microsecond for each question to the history.
+/// Source   docs/method/stock.md.
+[[nodiscard]] StockAnswer find_stock(const StockQuestion& question, const Motion& motion,
+                                     const std::vector<ToolPiece>& pieces, double from, double to, double depth_mm);
+
+}  // namespace gouge

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "lib/base/result.h"
+#include "lib/geom/vec.h"
+#include "lib/stock/disc.h"
+#include "lib/surface/surface.h"
+
+namespace gouge {
+
+/// The material at the start: a box, closed meshes, or the part with an allowance. mm, part coordinates.
+class StockSolid {
+ public:
+  /// Requires low <= high in every coordinate.
+  [[nodiscard]] static StockSolid box(const Vec3& low, const Vec3& high);
+  /// Returns the union of the meshes, each moved out by `allowance_mm` >= 0 in all directions. The meshes must outlive the
+  /// solid. Errors: a mesh is not closed, not oriented or has triangles that cross, so that it has no inside.
+  [[nodiscard]] static Result<StockSolid> meshes(std::span<const IndexedMesh> meshes, double allowance_mm);
+
+  /// Returns whether the hull of the discs, moved out by `radius_mm`, is proved to have no point of the stock inside it.
+  /// A negative radius leaves out stock that is nearer to its surface than that. False if it is not known.
+  [[nodiscard]] bool is_clear_of(std::span<const Disc> discs, double radius_mm) const;
+  /// Returns whether a point is in the material, at least a rounding from its boundary.
+  [[nodiscard]] bool contains(const Vec3& point) const;
+
+  /// Box about the stock.
+  [[nodiscard]] const Vec3& low() const { return low_; }
+  [[nodiscard]] const Vec3& high() const { return high_; }
+
+ private:
+  StockSolid() = default;
+  [[nodiscard]] bool is_clear_of_meshes(const Vec3& center, double radius_mm) const;
+
+  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();
+  std::vector<Surface> surfaces_;  // none: the box itself
+  double allowance_mm_ = 0;
+};
+
+}  // namespace gouge

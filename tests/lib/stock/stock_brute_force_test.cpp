@@ -1,0 +1,145 @@
+// The check against remaining stock beside random points at many instants of random programs.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+
+#include "lib/stock/check_stock.h"
+#include "lib/tool/evaluate.h"
+#include "tests/support/paths.h"
+#include "tests/support/scatter.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+constexpr int kInstants = 60;
+
+std::size_t wanted_points() {
+  const char* const given = std::getenv("GOUGE_STOCK_POINTS");
+  return given == nullptr ? 4000 : static_cast<std::size_t>(std::strtoull(given, nullptr, 10));
+}
+
+Toolpath random_program(test::Scatter& scatter, bool is_five_axis) {
+  std::vector<Pose> poses;
+  Vec3 tip = scatter.point(12), axis = is_five_axis ? scatter.axis(0.5) : Vec3::UnitZ();
+  tip.z() = scatter.in(-6, 6);
+  for (int k = 0; k < 24; ++k) {
+    poses.push_back({tip, axis});
+    tip += scatter.point(scatter.is(0.5) ? 2 : 12);
+    tip = tip.cwiseMin(Vec3(14, 14, 8)).cwiseMax(Vec3(-14, -14, -9));
+    if (is_five_axis && scatter.is(0.7)) axis = Vec3((axis + 0.15 * scatter.point(1)).normalized());
+  }
+  Toolpath path = paths::through(poses);
+  for (Move& move : path.moves) move.kind = scatter.is(0.3) ? MoveKind::rapid : MoveKind::feed;
+  return path;
+}
+
+double distance_mm(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
+  const Vec3 from = point - pose.tip;
+  const double z = from.dot(pose.axis);
+  return signed_distance_mm(tool, (from - z * pose.axis).norm(), z);
+}
+
+/// What happens to one point while the program runs, at many instants of each move.
+class PointHistory {
+ public:
+  PointHistory(const Toolpath& path, const MotionLaw& law, const ToolVariants& tool, const Vec3& point)
+      : path_(path), law_(law), tool_(tool), point_(point) {}
+
+  /// Returns, for each move, how deep the point is in the examined body while it is farther than `apart_mm` from every
+  /// place that the cutter took before.
+  [[nodiscard]] std::vector<double> depths(double apart_mm) const {
+    std::vector<double> all(path_.moves.size(), 0);
+    double nearest = 1e9;
+    for (std::size_t i = 1; i < path_.moves.size(); ++i) {
+      const Motion motion = law_.of(path_, i);
+      const bool is_rapid = path_.moves[i].kind == MoveKind::rapid;
+      const CompiledTool& body = is_rapid ? tool_.bare : tool_.non_cutting;
+      const double way = motion.path_length_mm(0, 1, 0) + motion.turn_rad() * 80;
+      for (int n = 0; n <= kInstants; ++n) {
+        const Pose pose = motion.at(static_cast<double>(n) / kInstants);
+        if (nearest > apart_mm) all[i] = std::max(all[i], -distance_mm(body, pose, point_));
+        // Between two instants the cutter may be nearer by half of the way between them.
+        if (!is_rapid) nearest = std::min(nearest, distance_mm(tool_.cutting, pose, point_) - 0.5 * way / kInstants);
+      }
+    }
+    return all;
+  }
+
+ private:
+  const Toolpath& path_;
+  const MotionLaw& law_;
+  const ToolVariants& tool_;
+  Vec3 point_;
+};
+
+TEST(StockBruteForce, NoPointThatRemainsIsDeeperThanItsBound) {
+  const MotionLaw law;
+  const StockOptions options;
+  const Vec3 low(-15, -15, -15), high(15, 15, 0);
+  const StockSolid stock = StockSolid::box(low, high);
+  std::vector<ToolVariants> tools;
+  for (const Cutter& cutter :
+       std::vector<Cutter>{FlatCutter{6, 5}, BallCutter{6, 6}, BullNoseCutter{8, 1, 5}, TaperedCutter{3, 1, 5, 8},
+                           LollipopCutter{6, 3, 0}, TSlotCutter{10, 0.5, 0.5, 4}, DovetailCutter{8, 0.5, 30, 5},
+                           RadiusCutter{4, 0.5, 2, 8, 5}}) {
+    ToolAssembly tool = tools::assembly(cutter, 5);
+    tool.shank = {{5, 5, 10}};
+    tool.holder = {{14, 16, 12}};
+    tools.push_back(tools::variants(tool));
+  }
+  test::Scatter scatter(44);
+  std::size_t points = 0, deep = 0, findings = 0, proved = 0, open = 0, touched = 0;
+  for (int program = 0; points < wanted_points(); ++program) {
+    const ToolVariants& tool = tools[scatter.below(tools.size())];
+    const Toolpath path = random_program(scatter, program % 2 == 1);
+    const std::vector<StockTool> all{{&tool, true}};
+    const CutHistory history(path, law, all, options);
+    const StockResult result = check_stock(history, stock, options, 1);
+    std::vector<double> upper(path.moves.size(), options.tolerance_mm + options.resolution_mm);
+    std::vector<bool> is_open(path.moves.size(), false);
+    for (const StockFinding& finding : result.findings) {
+      upper[finding.move] = finding.depth_upper_mm;
+      is_open[finding.move] = !finding.witness;
+      if (is_open[finding.move]) ++open;
+      if (is_open[finding.move]) continue;
+      ++findings;
+      // The witness is stock, in the body at its instant, and no cutter was there before.
+      const Motion motion = law.of(path, finding.move);
+      const bool is_rapid = path.moves[finding.move].kind == MoveKind::rapid;
+      const CompiledTool& body = is_rapid ? tool.bare : tool.non_cutting;
+      const Vec3& p = finding.witness->point;
+      EXPECT_NEAR(-distance_mm(body, motion.at(finding.witness->t), p), finding.witness->depth_mm, 1e-6);
+      EXPECT_TRUE((p.array() > low.array()).all() && (p.array() < high.array()).all());
+      for (std::size_t k = 1; k <= finding.move; ++k) {
+        if (path.moves[k].kind == MoveKind::rapid) continue;
+        const Motion earlier = law.of(path, k);
+        const double until = k == finding.move ? finding.witness->t : 1;
+        for (int n = 0; n <= kInstants; ++n)
+          EXPECT_GT(distance_mm(tool.cutting, earlier.at(until * n / kInstants), p), -1e-6);
+      }
+    }
+    proved += result.proved;
+    for (int k = 0; k < 400; ++k, ++points) {
+      Vec3 point = scatter.point(15);
+      point.z() = scatter.in(-15, 0);
+      const std::vector<double> depths = PointHistory(path, law, tool, point).depths(options.resolution_mm);
+      for (std::size_t i = 1; i < depths.size(); ++i) {
+        if (depths[i] > 0) ++touched;
+        if (depths[i] > options.tolerance_mm) ++deep;
+        if (!is_open[i]) {
+          EXPECT_LE(depths[i], upper[i] + 1e-7) << "program " << program << ", move " << i;
+        }
+      }
+    }
+  }
+  std::cout << points << " points, " << deep << " deep, " << findings << " findings, " << proved << " clear moves, "
+            << open << " open\n";
+  EXPECT_GT(deep, points / 40);
+  EXPECT_GT(findings, 20U);
+  EXPECT_LT(open, findings);
+}
+
+}  // namespace
+}  // namespace gouge

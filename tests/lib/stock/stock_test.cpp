@@ -1,0 +1,252 @@
+// The check against remaining stock where the answer is known in closed form.
+#include <gtest/gtest.h>
+
+#include "lib/stock/check_stock.h"
+#include "tests/support/paths.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kTolerance_mm = 0.1, kResolution_mm = 0.05;
+
+StockSolid block() { return StockSolid::box(Vec3(-50, -50, -40), Vec3(50, 50, 0)); }
+
+struct Step {
+  MoveKind kind;
+  Pose to;
+};
+
+Toolpath path_of(const std::vector<Step>& steps) {
+  std::vector<Pose> poses;
+  for (const Step& step : steps) poses.push_back(step.to);
+  Toolpath path = paths::through(poses);
+  for (std::size_t i = 0; i < steps.size(); ++i) path.moves[i].kind = steps[i].kind;
+  return path;
+}
+
+StockResult run(const Toolpath& path, const std::vector<ToolVariants>& tools, const StockSolid& stock = block()) {
+  std::vector<StockTool> all;
+  for (const ToolVariants& tool : tools) all.push_back({&tool, true});
+  const MotionLaw law;
+  const StockOptions options;
+  const CutHistory history(path, law, all, options);
+  return check_stock(history, stock, options, 1);
+}
+
+/// A flat cutter with flutes of this length and a shank.
+ToolVariants flat(double diameter, double flutes, double shank_diameter, double shank_length = 20) {
+  ToolAssembly tool = tools::assembly(FlatCutter{diameter, flutes}, shank_diameter);
+  tool.shank = {{shank_diameter, shank_diameter, shank_length}};
+  return tools::variants(tool);
+}
+
+using paths::upright;
+constexpr MoveKind kFeed = MoveKind::feed, kRapid = MoveKind::rapid;
+
+TEST(Stock, ARapidThroughTheBlockIsFoundWithItsFirstContact) {
+  const StockResult result =
+      run(path_of({{kRapid, upright(-80, 0, -5)}, {kRapid, upright(80, 0, -5)}}), {flat(10, 30, 10)});
+  ASSERT_EQ(result.findings.size(), 1U);
+  const StockFinding& finding = result.findings.front();
+  EXPECT_GT(finding.witness->depth_mm, 4.4);
+  EXPECT_GE(finding.depth_upper_mm, finding.witness->depth_mm);
+  EXPECT_LT(finding.depth_upper_mm, 5.6);
+  // The tolerance is exceeded where the tool is 0.1 mm beyond the face at x = -50: its tip is at -54.9 then.
+  const double exact = (80 - 54.9) / 160;
+  EXPECT_LE(finding.contact.clear_until, exact + 2 * kResolution_mm / 160);
+  EXPECT_GE(finding.contact.contact_at, exact - 1e-9);
+  EXPECT_LT(finding.contact.contact_at - finding.contact.clear_until, 2 * kResolution_mm / 160);
+  EXPECT_FALSE(finding.nearest_cut.has_value());
+}
+
+TEST(Stock, ARapidAboveTheBlockIsClear) {
+  for (const double height : {0.0, 1.0, -0.09}) {
+    const StockResult result =
+        run(path_of({{kRapid, upright(-80, 0, height)}, {kRapid, upright(80, 0, height)}}), {flat(10, 30, 10)});
+    EXPECT_TRUE(result.findings.empty()) << height;
+    EXPECT_EQ(result.proved, 1U);
+  }
+}
+
+TEST(Stock, ARapidThroughItsOwnSlotIsClearAndOneBesideItIsNot) {
+  const auto slot = [](double shift, double deeper) {
+    return path_of({{kRapid, upright(-80, 0, -5)},
+                    {kFeed, upright(80, 0, -5)},
+                    {kRapid, upright(80, 0, 20)},
+                    {kRapid, upright(-80, shift, 20)},
+                    {kRapid, upright(-80, shift, -5 - deeper)},
+                    {kRapid, upright(80, shift, -5 - deeper)}});
+  };
+  const std::vector<ToolVariants> tool{flat(10, 30, 10)};
+  EXPECT_TRUE(run(slot(0, 0), tool).findings.empty());
+  EXPECT_TRUE(run(slot(0.05, 0), tool).findings.empty());
+  for (const auto& [shift, deeper] : {std::pair(0.3, 0.0), std::pair(0.0, 0.3), std::pair(-0.5, 0.0)}) {
+    const StockResult result = run(slot(shift, deeper), tool);
+    ASSERT_EQ(result.findings.size(), 1U) << shift << " " << deeper;
+    const StockFinding& finding = result.findings.front();
+    const double exact = std::max(std::abs(shift), deeper);
+    EXPECT_LE(finding.witness->depth_mm, exact + 1e-9);
+    EXPECT_GE(finding.depth_upper_mm, exact - 3 * kResolution_mm);
+    EXPECT_LT(finding.depth_upper_mm, exact + 3 * kResolution_mm);
+    ASSERT_TRUE(finding.nearest_cut.has_value());
+    EXPECT_EQ(finding.nearest_cut->move, 1U);
+    EXPECT_LE(finding.nearest_cut->distance_mm, exact);
+  }
+}
+
+TEST(Stock, APlungeDeeperThanTheFlutesIsClearUnlessTheShankIsWider) {
+  const auto plunge = [](double depth) {
+    return path_of({{kRapid, upright(0, 0, 10)}, {kFeed, upright(0, 0, -depth)}});
+  };
+  EXPECT_TRUE(run(plunge(25), {flat(10, 12, 10)}).findings.empty());
+  EXPECT_TRUE(run(plunge(25), {flat(10, 12, 8)}).findings.empty());
+  EXPECT_TRUE(run(plunge(11), {flat(10, 12, 14)}).findings.empty());
+  const StockResult result = run(plunge(25), {flat(10, 12, 14)});
+  ASSERT_EQ(result.findings.size(), 1U);
+  EXPECT_EQ(result.findings.front().body, Body::shank);
+  EXPECT_LE(result.findings.front().witness->depth_mm, 2 + 1e-9);
+  EXPECT_GE(result.findings.front().depth_upper_mm, 2 - kResolution_mm);
+  // The shank reaches the face after 10 + 12 mm of 35, and is deeper than the tolerance 0.1 mm later.
+  EXPECT_LE(result.findings.front().contact.clear_until, (22.1 + 2 * kResolution_mm) / 35);
+  EXPECT_GE(result.findings.front().contact.contact_at, 22.1 / 35 - 1e-9);
+}
+
+TEST(Stock, AShankAsWideAsItsFlutesMayFollowItsOwnLevels) {
+  std::vector<Step> steps{{kRapid, upright(-80, 0, 20)}};
+  for (int level = 1; level <= 5; ++level) {
+    steps.push_back({kRapid, upright(-80, 0, -4.0 * level)});
+    steps.push_back({kFeed, upright(60, 0, -4.0 * level)});
+    steps.push_back({kRapid, upright(60, 0, 20)});
+    steps.push_back({kRapid, upright(-80, 0, 20)});
+  }
+  const StockResult result = run(path_of(steps), {flat(16, 10, 16)});
+  EXPECT_TRUE(result.findings.empty());
+  // One level deeper at once: the shank cuts what the flutes left.
+  const StockResult deep =
+      run(path_of({{kRapid, upright(-80, 0, -14)}, {kFeed, upright(60, 0, -14)}}), {flat(16, 10, 16)});
+  ASSERT_EQ(deep.findings.size(), 1U);
+  EXPECT_EQ(deep.findings.front().body, Body::shank);
+}
+
+TEST(Stock, PassesThatJustAbutLeaveNothing) {
+  std::vector<Step> steps{{kRapid, upright(-80, -45, 20)}};
+  for (int pass = 0; pass <= 9; ++pass) {
+    steps.push_back({kRapid, upright(-80, -45 + 10.0 * pass, -5)});
+    steps.push_back({kFeed, upright(80, -45 + 10.0 * pass, -5)});
+    steps.push_back({kRapid, upright(80, -45 + 10.0 * pass, 20)});
+    steps.push_back({kRapid, upright(-80, -45 + 10.0 * pass, 20)});
+  }
+  // A wide tool then crosses all seams in rapid motion.
+  Toolpath path = path_of(steps);
+  for (const Pose& pose : {upright(0, -90, 20), upright(0, -90, -5), upright(0, 80, -5)}) {
+    Move move = path.moves.back();
+    move.kind = kRapid;
+    move.end = pose;
+    move.line = path.moves.size() + 1;
+    path.moves.push_back(move);
+  }
+  const StockResult result = run(path, {flat(10, 30, 10)});
+  for (const StockFinding& finding : result.findings)
+    ADD_FAILURE() << "move " << finding.move << ", witness " << finding.witness.has_value();
+}
+
+TEST(Stock, AHoleWithANeckIsEntered) {
+  // The neck of 4 mm follows flutes of 8 mm: the hole is wider than the neck and the shank stays above.
+  ToolAssembly tool = tools::assembly(FlatCutter{8, 6}, 4);
+  tool.shank = {{4, 4, 30}};
+  EXPECT_TRUE(run(path_of({{kRapid, upright(0, 0, 10)}, {kFeed, upright(0, 0, -30)}}), {tools::variants(tool)})
+                  .findings.empty());
+}
+
+TEST(Stock, ATiltedSlotIsFollowedByItsOwnTool) {
+  const Vec3 axis = Vec3(0.3, 0.2, 1).normalized();
+  const auto at = [&](double x, double up) { return Pose{Vec3(Vec3(x, 0, -6) + up * axis), axis}; };
+  const Toolpath path = path_of({{kRapid, at(-90, 0)}, {kFeed, at(20, 0)}, {kRapid, at(20, 60)}});
+  EXPECT_TRUE(run(path, {flat(10, 30, 10)}).findings.empty());
+  // Out along Z, the tool meets the wall of its tilted slot.
+  Toolpath upward = path;
+  upward.moves[2].end = {Vec3(20, 0, 60), axis};
+  const StockResult result = run(upward, {flat(10, 30, 10)});
+  ASSERT_EQ(result.findings.size(), 1U);
+  EXPECT_EQ(result.findings.front().move, 2U);
+}
+
+TEST(Stock, AnUndercutIsLeftTheWayItWasEntered) {
+  // A slot for the neck, then the T-slot below it. Out the same way is clear, straight up is not.
+  ToolAssembly undercutter = tools::assembly(TSlotCutter{25, 1, 1, 8}, 8);
+  undercutter.shank = {{8, 8, 40}};
+  const std::vector<ToolVariants> tools{flat(10, 30, 10), tools::variants(undercutter)};
+  const auto program = [](const Pose& out) {
+    Toolpath path = path_of({{kRapid, upright(-80, 0, -22)},
+                             {kFeed, upright(-20, 0, -22)},
+                             {kRapid, upright(-20, 0, 60)},
+                             {kRapid, upright(-80, 0, -22)},
+                             {kFeed, upright(-25, 0, -22)},
+                             {kRapid, out}});
+    path.tools.resize(2);
+    path.moves[3].has_start = false;
+    for (std::size_t i = 3; i < path.moves.size(); ++i) path.moves[i].tool = 1;
+    return path;
+  };
+  EXPECT_TRUE(run(program(upright(-90, 0, -22)), tools).findings.empty());
+  const StockResult up = run(program(upright(-25, 0, 60)), tools);
+  ASSERT_EQ(up.findings.size(), 1U);
+  EXPECT_EQ(up.findings.front().move, 5U);
+  EXPECT_GT(up.findings.front().witness->depth_mm, 3);
+  ASSERT_TRUE(up.findings.front().nearest_cut.has_value());
+}
+
+TEST(Stock, AnUnknownMotionLeavesTheMaterialOpen) {
+  Toolpath path = path_of({{kRapid, upright(-80, 0, 20)},
+                           {kFeed, upright(-40, 0, -10)},
+                           {kRapid, upright(80, 0, -5)},
+                           {kRapid, upright(80, 0, 40)}});
+  path.moves[1].not_checked_reason = "the tool radius compensation is on";
+  const StockResult result = run(path, {flat(10, 30, 10)});
+  ASSERT_EQ(result.findings.size(), 1U);
+  EXPECT_FALSE(result.is_examined[1]);
+  // Far from the unknown motion the material is surely there; so the finding has a witness.
+  EXPECT_EQ(result.findings.front().move, 2U);
+}
+
+TEST(Stock, AToolThatDoesNotCutRemovesNothing) {
+  const Toolpath path =
+      path_of({{kRapid, upright(-80, 0, -5)}, {kFeed, upright(80, 0, -5)}, {kRapid, upright(-80, 0, -5)}});
+  const ToolVariants probe = flat(10, 30, 10);
+  const MotionLaw law;
+  const StockOptions options;
+  for (const bool cuts : {true, false}) {
+    const std::vector<StockTool> tools{{&probe, cuts}};
+    const CutHistory history(path, law, tools, options);
+    const StockResult result = check_stock(history, block(), options, 1);
+    EXPECT_EQ(result.findings.empty(), cuts);
+  }
+}
+
+TEST(Stock, ResultsAreTheSameAtAnyNumberOfThreads) {
+  std::vector<Step> steps{{kRapid, upright(-80, 0, 20)}};
+  for (int k = 0; k < 300; ++k)
+    steps.push_back({k % 7 == 3 ? kRapid : kFeed, upright(-60 + 0.17 * k, 20 * std::sin(0.1 * k), -3 - 0.01 * k)});
+  const Toolpath path = path_of(steps);
+  const std::vector<ToolVariants> tools{flat(10, 6, 12)};
+  const std::vector<StockTool> all{{&tools.front(), true}};
+  const MotionLaw law;
+  const StockOptions options;
+  const CutHistory history(path, law, all, options);
+  const StockResult one = check_stock(history, block(), options, 1), three = check_stock(history, block(), options, 3);
+  ASSERT_EQ(one.findings.size(), three.findings.size());
+  EXPECT_FALSE(one.findings.empty());
+  for (std::size_t k = 0; k < one.findings.size(); ++k) {
+    EXPECT_EQ(one.findings[k].move, three.findings[k].move);
+    ASSERT_EQ(one.findings[k].witness.has_value(), three.findings[k].witness.has_value());
+    if (one.findings[k].witness) {
+      EXPECT_EQ(one.findings[k].witness->depth_mm, three.findings[k].witness->depth_mm);
+    }
+    EXPECT_EQ(one.findings[k].depth_upper_mm, three.findings[k].depth_upper_mm);
+    EXPECT_EQ(one.findings[k].contact.contact_at, three.findings[k].contact.contact_at);
+  }
+}
+
+}  // namespace
+}  // namespace gouge
