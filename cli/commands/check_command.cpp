@@ -82,6 +82,7 @@ const OptionRows<CheckArguments>& check_options() {
 void add_check_options(CLI::App& command, CheckArguments& check) {
   add_job_options(command, check.job);
   add_baseline_option(command, check.job.baseline_file);
+  add_options(command, check.job, stock_options());
   add_options(command, check, check_options());
   command.footer(
       "Example:\n"
@@ -94,7 +95,7 @@ void add_check_options(CLI::App& command, CheckArguments& check) {
 std::optional<Diagnostic> find_wrong_value(const CheckArguments& arguments) {
   if (const Result<JobOptions> options = understand(arguments.job); !options) return options.error();
   if (const Result<StickoutOptions> stickout = understand_stickout(arguments); !stickout) return stickout.error();
-  return std::nullopt;
+  return find_wrong_stock(arguments.job);
 }
 
 namespace {
@@ -128,8 +129,12 @@ int run_check(const CheckArguments& arguments, const JobContext& context) {
   if (!stickout) return fail(context.err, {stickout.error()});
   if (arguments.compares_laws && arguments.job.machine.empty())
     return fail(context.err, {make_error("usage", "--laws: expected --machine beside it, whose laws are compared")});
+  if (const auto wrong = find_wrong_stock(arguments.job)) return fail(context.err, {*wrong});
   JobPipeline run(arguments.job, *options, {}, context);
   if (const auto status = run.load()) return *status;
+  if (!arguments.job.stock.empty()) {
+    if (const auto status = run.load_stock()) return *status;
+  }
   const Job& job = run.job();
   const CheckResult result = run.check();
   Result<ReportParts> parts = find_parts(arguments, *stickout, result, run);

@@ -34,8 +34,17 @@ std::optional<int> JobPipeline::load() {
   return std::nullopt;
 }
 
+std::optional<int> JobPipeline::load_stock() {
+  progress_.begin("preparing the stock");
+  Result<LoadedStock> stock = gouge::load_stock(arguments_, *job_);
+  if (!stock) return fail_with(stock.error());
+  stock_ = std::move(*stock);
+  return std::nullopt;
+}
+
 CheckResult JobPipeline::check() {
   CheckSetup checked = setup();
+  if (stock_) checked.stock = &*stock_->setup;
   if (context_.checkpoints_of) checked.kept = context_.checkpoints_of(job_->inputs);
   return gouge::check(job_->toolpath, checked, progress_.call());
 }

@@ -6,6 +6,7 @@
 
 #include "cli/job/job.h"
 #include "cli/job/job_context.h"
+#include "cli/job/load_stock.h"
 #include "cli/options/baseline.h"
 #include "cli/output/outputs.h"
 #include "cli/terminal/progress.h"
@@ -23,6 +24,9 @@ class JobPipeline {
   /// Opens the outputs, reads all inputs and compares the fixtures with the parts. If the run must end here, prints the
   /// errors and returns the exit status; otherwise returns none.
   [[nodiscard]] std::optional<int> load();
+
+  /// Makes the stock, which `check` then examines. Returns the exit status if there is an error.
+  [[nodiscard]] std::optional<int> load_stock();
 
   /// Checks the path as it was read. This and all functions below require that `load` returned none.
   [[nodiscard]] CheckResult check();
@@ -52,6 +56,7 @@ class JobPipeline {
   LoadedBaseline baseline_;
   std::optional<Job> job_;
   const PreparedScene* scene_ = nullptr;
+  std::optional<LoadedStock> stock_;
 };
 
 }  // namespace gouge

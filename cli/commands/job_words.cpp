@@ -80,8 +80,10 @@ Diagnostic JobWords::unknown(const std::string& key) const {
 }
 
 std::string JobWords::located(const std::string& file) const {
-  // A preset of --machine is not a file.
-  if (folder_.empty() || file.empty() || file.front() == '/' || file.starts_with(kMachinePreset)) return file;
+  // A preset of --machine is no file, nor is a shape of --stock.
+  if (folder_.empty() || file.empty() || file.front() == '/' || file.starts_with(kMachinePreset) ||
+      !names_stock_file(file))
+    return file;
   return (std::filesystem::path(folder_) / file).string();
 }
 

@@ -100,6 +100,8 @@ class ClaimTaker {
       if (!is_repeatable && texts.size() > 1) root_.at("options").at("more").at(key).fail("one text");
       return texts;
     };
+    if (!all_given("stock").empty())
+      root_.at("options").at("more").at("stock").fail("a result without --stock, which verify cannot prove yet");
     repeat_options<ReadingArguments>(a.reading, reading_options(), given);
     const std::string machine = a.machine;
     repeat_options(a, job_options(), given);

@@ -9,6 +9,7 @@
 #include "cli/options/mesh_limits.h"
 #include "cli/options/option_table.h"
 #include "cli/options/reading_options.h"
+#include "cli/options/stock_arguments.h"
 #include "cli/terminal/listing_options.h"
 #include "cli/terminal/print_diagnostics.h"
 #include "cli/terminal/progress.h"
@@ -30,7 +31,7 @@ struct ProjectUse {
 };
 
 /// The options common to `check` and `correct`, as typed.
-struct JobArguments : Verbosity {
+struct JobArguments : Verbosity, StockArguments {
   std::string path;
   ReadingArguments reading;
   InputLimit input;

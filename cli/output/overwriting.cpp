@@ -79,6 +79,7 @@ std::vector<InputOption> inputs_of(const JobArguments& a) {
   for (const std::string& file : a.fixtures) inputs.push_back({"the fixture", file});
   for (const std::string& file : a.heads) inputs.push_back({"the head", file});
   if (!a.machine.empty() && !a.machine.starts_with(kMachinePreset)) inputs.push_back({"the machine", a.machine});
+  if (names_stock_file(a.stock)) inputs.push_back({"the stock", a.stock});
   return inputs;
 }
 

@@ -43,6 +43,10 @@ CheckResult check_moves(const Toolpath& path, const CheckSetup& setup, const Pro
 CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress) {
   CheckResult result = check_moves(path, setup, progress);
   result.any_turn = count_any_turns(path, setup, result, progress);
+  if (setup.stock != nullptr) {
+    settle_stock(path, setup, result, progress);
+    summarise(path, result);
+  }
   assess(path, setup, result);
   return result;
 }

@@ -5,6 +5,7 @@
 #include "lib/base/checkpoints.h"
 #include "lib/base/parallel.h"
 #include "lib/certify/assess.h"
+#include "lib/certify/settle_stock.h"
 #include "lib/check/check_options.h"
 #include "lib/check/check_result.h"
 #include "lib/check/prepared_scene.h"
@@ -22,8 +23,9 @@ struct CheckSetup {
   const std::vector<HeadBody>& heads;      ///< bodies that move with the tool; may be empty
   const PreparedScene& scene;              ///< parts and fixtures
   const CheckOptions& options;
-  CheckpointStore* kept = nullptr;  ///< store of an earlier run of exactly the same check, or null
-  SetupBasis basis = {};            ///< facts about the inputs
+  CheckpointStore* kept = nullptr;    ///< store of an earlier run of exactly the same check, or null
+  SetupBasis basis = {};              ///< facts about the inputs
+  const StockSetup* stock = nullptr;  ///< null: moves are not checked against remaining stock
 };
 
 /// Checks every move of a path: tools and heads, against parts and fixtures, for contact and for the side. Measures how

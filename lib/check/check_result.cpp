@@ -63,7 +63,8 @@ void count_states(CheckResult& result) {
     ++(result.counts.*kCountOf[static_cast<std::size_t>(v.state)]);
     if (v.state == MoveState::not_checked && v.reason.is(Reason::Kind::rapid_skipped)) ++result.counts.skipped;
     if (v.state != MoveState::gouge) continue;
-    result.largest_gap_mm = std::max(result.largest_gap_mm, v.depth_upper_mm - v.depth_mm);
+    // The bounds of a depth in stock are as wide as its own resolution allows.
+    if (!v.is_in_stock()) result.largest_gap_mm = std::max(result.largest_gap_mm, v.depth_upper_mm - v.depth_mm);
     if (v.depth_mm > result.worst_depth_mm) {
       result.worst_depth_mm = v.depth_mm;
       result.worst_move = i;

@@ -19,6 +19,22 @@ struct AnyTurnCounts {
   std::size_t others = 0, proved_others = 0;  ///< feeds and others, examined without the cutter
 };
 
+/// A move that meets remaining stock.
+struct StockContact {
+  std::size_t move = 0;
+  double clear_until = 0;        ///< proved clear before this instant, in [0, 1]
+  double contact_at = 0;         ///< instant of a witness, the earliest that was found
+  std::size_t cut_move = kNone;  ///< the earlier cut that came nearest to the witness of the move; kNone: none
+  double missed_by_mm = 0;       ///< distance of that cut from it, at least; with cut_move
+};
+
+/// The check against remaining stock.
+struct StockFacts {
+  double tolerance_mm = 0, resolution_mm = 0;
+  std::size_t examined = 0, clear = 0;  ///< moves
+  std::vector<StockContact> contacts;   ///< in path order
+};
+
 /// The result for a whole path. verdicts.size() == toolpath.moves.size(); every move has exactly one state.
 struct CheckResult {
   MoveVerdicts verdicts;
@@ -27,12 +43,14 @@ struct CheckResult {
   double worst_depth_mm = 0;
   std::size_t worst_move = static_cast<std::size_t>(-1);
   double worst_overcut_mm = 0;                      ///< largest overcut of a gouge; 0 if none was measured
-  double largest_gap_mm = 0;                        ///< largest depth_upper - depth over gouging moves
+  double largest_gap_mm = 0;                        ///< largest depth_upper - depth over gouging moves, without
+                                                    ///< those into stock
   std::uint64_t evaluations = 0;                    ///< number of computed bounds; the same on every run
   Assumptions assumptions;                          ///< facts on which the verdict rests; empty if only moves were
                                                     ///< checked
   std::optional<ClosestApproach> closest_approach;  ///< none: not measured, or nothing to measure
   std::optional<AnyTurnCounts> any_turn;            ///< none: not examined, or no clean move turns a rotary joint
+  std::optional<StockFacts> stock;                  ///< none: not requested
   PathFit fit;                                      ///< Kind::fits if it was not requested
 };
 

@@ -26,10 +26,11 @@ struct ContactRule {
 };
 
 /// The contact rules, in the order of Against.
-inline constexpr std::array<ContactRule, 2> kContactRules{{
+inline constexpr std::array<ContactRule, 3> kContactRules{{
     {Against::part, "part", &ToolVariants::against_part, &ToolVariants::non_cutting, &ToolVariants::part_depths, true},
     {Against::fixture, "fixture", &ToolVariants::against_fixture, &ToolVariants::against_fixture,
      &ToolVariants::fixture_depths, false},
+    {Against::stock, "stock", &ToolVariants::bare, &ToolVariants::bare, &ToolVariants::part_depths, false},
 }};
 
 [[nodiscard]] inline const ContactRule& rule_of(Against against) {

@@ -48,9 +48,15 @@ constexpr std::array kTexts{
          "the head comes too close to the surface for too long: the budget of bounds ran out"},
     Text{Reason::Kind::turn_undecided,
          "it is not proved for all positions of the rotary joints between the ends of the move"},
+    Text{Reason::Kind::stock_unknown,
+         "whether stock is still there is not known: the motion of line {count} is not known"},
+    Text{Reason::Kind::stock_touched,
+         "whether stock is still there is not known: a tool touched it before without cutting it for certain"},
+    Text{Reason::Kind::stock_motion_open, "it is not checked against the stock: its motion, or its tool, is not known"},
     Text{Reason::Kind::clearance_entered, "the clearance of the {body} is entered by {mm} mm"},
     Text{Reason::Kind::mesh_clearance_entered, "the {body} enters the clearance of this mesh by {mm} mm"},
     Text{Reason::Kind::mesh_tolerance_exceeded, "the {body} is {mm} mm deep, beyond the tolerance of this mesh"},
+    Text{Reason::Kind::stock_met, "{detail}"},
 };
 
 // Returns a length with two digits, rounded up.

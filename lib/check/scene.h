@@ -9,8 +9,9 @@
 
 namespace gouge {
 
-/// The obstacles of a scene, each a row of the contact table.
-enum class Against : std::uint8_t { part, fixture };
+/// Counterparts of a tool, each a row of the contact table: the obstacles of a scene, then the stock, which is no mesh of the
+/// scene (lib/stock).
+enum class Against : std::uint8_t { part, fixture, stock };
 
 /// Limits of one mesh that are stricter than those of the check.
 struct MeshLimit {

@@ -45,6 +45,9 @@ struct MoveVerdict {
                                      ///< its surface
   double overcut_upper_mm = 0;       ///< upper bound of that depth; valid with overcut_mm
   Reason reason;  ///< of a move that is not checked, not certified or buried; for a gouge or a near miss a remark
+
+  /// Returns whether the witness is in remaining stock, not in a mesh of the scene.
+  [[nodiscard]] bool is_in_stock() const { return witness && witness->against == Against::stock; }
 };
 
 using MoveVerdicts = PagedVector<MoveVerdict>;  ///< one for each move, in path order

@@ -78,7 +78,7 @@ bool is_possible(const Witness& w) {
   const auto is_share = [](double share) { return share >= 0 && share <= 1; };
   if (w.turn && !std::ranges::all_of(*w.turn, is_share)) return false;
   return w.t >= 0 && w.t <= 1 && w.point.allFinite() && w.normal.allFinite() && is_possible(w.body) &&
-         static_cast<std::size_t>(w.against) < kContactRules.size();
+         w.against <= Against::fixture;  // the stock is checked anew
 }
 
 bool is_possible(const Reason& reason) {

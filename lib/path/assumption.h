@@ -40,12 +40,13 @@ enum class Subject : std::uint8_t {
   holder,        ///< the part of one tool above its flutes
   mesh_unit,     ///< unit of the STL files
   solid,         ///< one STL file bounds a solid
-  placement      ///< the part lies where the toolpath expects it
+  placement,     ///< the part lies where the toolpath expects it
+  stock          ///< the material before the path, and what removes it; only with --stock
 };
-inline constexpr std::size_t kSubjects = 13;
+inline constexpr std::size_t kSubjects = 14;
 
 /// Returns the name used by --assume and in reports: "path-unit", "dialect", "complete", "statements", "frame",
-/// "motion-law", "machine", "smoothing", "tool", "holder", "mesh-unit", "solid", "placement".
+/// "motion-law", "machine", "smoothing", "tool", "holder", "mesh-unit", "solid", "placement", "stock".
 [[nodiscard]] const char* subject_name(Subject subject);
 [[nodiscard]] std::optional<Subject> subject_called(std::string_view name);
 /// Returns all subject names, separated by commas.

@@ -28,8 +28,7 @@ class StockChecker {
   StockChecker(const CutHistory& history, const StockSolid& stock, const StockOptions& options)
       : history_(history), path_(history.path()), stock_(stock), options_(options) {
     is_examined_.reserve(path_.moves.size());
-    for (std::size_t i = 0; i < path_.moves.size(); ++i)
-      is_examined_.push_back(path_.moves[i].has_start && history.is_known(i));
+    for (std::size_t i = 0; i < path_.moves.size(); ++i) is_examined_.push_back(history.is_known(i));
   }
 
   StockResult run(unsigned threads, const ProgressCall& progress) {
@@ -48,7 +47,10 @@ class StockChecker {
   }
 
  private:
-  [[nodiscard]] bool is_rapid(std::size_t i) const { return path_.moves[i].kind == MoveKind::rapid; }
+  /// A position to which the file states no motion is reached as in a rapid.
+  [[nodiscard]] bool is_rapid(std::size_t i) const {
+    return path_.moves[i].kind == MoveKind::rapid || !path_.moves[i].has_start;
+  }
 
   [[nodiscard]] std::vector<Group> make_groups() const {
     std::vector<Group> groups;
@@ -71,7 +73,7 @@ class StockChecker {
     const StockQuestion first = question(body, group.range.first);
     for (const OpenMove& open : moves_not_clear(first, group.range)) {
       const StockQuestion about = question(body, open.move);
-      const Motion motion = history_.law().of(path_, open.move);
+      const Motion motion = history_.motion_of(open.move);
       const StockAnswer answer = find_stock(about, motion, open.pieces, 0, 1, options_.tolerance_mm);
       if (answer.is_clear) continue;
       StockFinding finding;
@@ -86,7 +88,7 @@ class StockChecker {
   }
 
   [[nodiscard]] StockQuestion question(const CompiledTool& body, std::size_t move) const {
-    return {history_, stock_, options_, body, move, !is_rapid(move)};
+    return {history_, stock_, options_, body, move, history_.is_cutting(move)};
   }
 
   void explain(const StockQuestion& about, const Motion& motion, const std::vector<ToolPiece>& pieces,

@@ -59,8 +59,7 @@ GroupPlace together(const std::vector<GroupPlace>& places, std::size_t first, st
 class Groups {
  public:
   Groups(const StockQuestion& question, const MoveRange& range) : q_(question), range_(range), hint_(question.move) {
-    for (std::size_t m = range.first; m < range.last; ++m)
-      places_.push_back(place_of(q_.history.law().of(q_.history.path(), m)));
+    for (std::size_t m = range.first; m < range.last; ++m) places_.push_back(place_of(q_.history.motion_of(m)));
   }
 
   std::vector<OpenMove> run() {

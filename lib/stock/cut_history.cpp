@@ -40,11 +40,13 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
   std::vector<std::vector<MotionSpan>> spans(tools.size());
   states_.reserve(path.moves.size());
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    states_.push_back(state_of(i));
-    if (states_[i] == MotionState::unknown) add_unknown(i);
-    if (states_[i] != MotionState::known) continue;
+    states_.push_back(is_known_motion(i));
+    if (!states_[i]) {
+      add_unknown(i);
+      continue;
+    }
     const CompiledTool& bare = tool_of(i).tool->bare;
-    append_spans(law.of(path, i), static_cast<std::uint32_t>(i), kSpanDiameters * 2 * bare.r_max_mm,
+    append_spans(motion_of(i), static_cast<std::uint32_t>(i), kSpanDiameters * 2 * bare.r_max_mm,
                  spans[path.moves[i].tool]);
   }
   for (std::size_t k = 0; k < tools.size(); ++k) {
@@ -62,15 +64,18 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
   }
 }
 
-CutHistory::MotionState CutHistory::state_of(std::size_t i) const {
+bool CutHistory::is_known_motion(std::size_t i) const {
   const Move& move = path_.moves[i];
-  if (!move.has_start && !move.is_linked) return MotionState::none;
-  if (!move.has_start || !move.not_checked_reason.empty() || move.tool == kNone || move.tool >= tools_.size() ||
+  if (!move.not_checked_reason.empty() || move.tool == kNone || move.tool >= tools_.size() ||
       tools_[move.tool].tool == nullptr)
-    return MotionState::unknown;
-  const Motion motion = law_.of(path_, i);
-  const bool is_one_motion = motion.is_defined() && !motion.is_any() && !motion.has_other();
-  return is_one_motion && motion.is_within(kFarthest_mm) ? MotionState::known : MotionState::unknown;
+    return false;
+  const Motion motion = motion_of(i);
+  return motion.is_defined() && !motion.is_any() && !motion.has_other() && motion.is_within(kFarthest_mm);
+}
+
+Motion CutHistory::motion_of(std::size_t move) const {
+  if (std::optional<Motion> link = law_.link_of(path_, move)) return *std::move(link);
+  return law_.of(path_, move);
 }
 
 // The motion is taken to stay within the box of both positions, grown by the length of the tool.
@@ -87,12 +92,12 @@ void CutHistory::add_unknown(std::size_t i) {
 }
 
 bool CutHistory::is_cutting(std::size_t move) const {
-  return path_.moves[move].kind != MoveKind::rapid && tool_of(move).cuts;
+  return path_.moves[move].has_start && path_.moves[move].kind != MoveKind::rapid && tool_of(move).cuts;
 }
 
 bool CutHistory::is_straight_with_fixed_axis(std::size_t move) const {
   const Move& of = path_.moves[move];
-  return law_.is_divisible(of.kind) && of.curve_kind == CurveKind::none &&
+  return of.has_start && law_.is_divisible(of.kind) && of.curve_kind == CurveKind::none &&
          (path_.start_of(move).axis - of.end.axis).squaredNorm() <
              Tolerance::kExactDirection * Tolerance::kExactDirection;
 }
@@ -104,7 +109,7 @@ bool CutHistory::covers(std::size_t move, double until, const SweptPiece& piece)
     const Pose &from = path_.start_of(move), &to = path_.moves[move].end;
     return is_covered_by({from.tip, Vec3(until * (to.tip - from.tip)), to.axis}, pieces, piece, margin);
   }
-  return is_covered_by(law_.of(path_, move), until, pieces, piece, margin);
+  return is_covered_by(motion_of(move), until, pieces, piece, margin);
 }
 
 bool CutHistory::is_removed_by(std::size_t move, double until, const SweptPiece& piece) const {
@@ -112,7 +117,7 @@ bool CutHistory::is_removed_by(std::size_t move, double until, const SweptPiece&
 }
 
 bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, std::size_t& hint) const {
-  if (hint < before && covers(hint, 1, piece)) return true;
+  if (hint < before && is_known(hint) && is_cutting(hint) && covers(hint, 1, piece)) return true;
   Vec3 center = Vec3::Zero();
   for (const Disc& disc : piece.start()) center += disc.center / static_cast<double>(piece.count);
   for (const OfTool& of : of_tool_) {
@@ -143,7 +148,7 @@ bool CutHistory::reaches(std::size_t move, const CompiledTool& body, double t0, 
         },
         [&](double a, double b) { return (b - a) * length; });
   }
-  const Motion motion = law_.of(path_, move);
+  const Motion motion = motion_of(move);
   return may_reach(
       t0, t1,
       [&](double t) {
@@ -157,7 +162,7 @@ bool CutHistory::reaches(std::size_t move, const CompiledTool& body, double t0, 
 }
 
 bool CutHistory::is_missed_by(std::size_t move, double until, const Vec3& point) const {
-  const Motion motion = law_.of(path_, move);
+  const Motion motion = motion_of(move);
   for (std::uint32_t s = 0; s < motion.segments().size(); ++s) {
     const MotionSegment& segment = motion.segments()[s];
     if (segment.t0 > until) break;
@@ -202,7 +207,7 @@ std::optional<PassedBy> CutHistory::nearest_cut(const Vec3& point, std::size_t b
       of_tool_[k].tree->find(
           point, of_tool_[k].cutter, reach, static_cast<std::uint32_t>(before), [&](const MotionSpan& s) {
             if (!is_cutting(s.move)) return false;
-            const double at = nearest_value(law_.of(path_, s.move), s, of_tool_[k].pieces, point);
+            const double at = nearest_value(motion_of(s.move), s, of_tool_[k].pieces, point);
             if (at > reach) return false;
             if (!nearest || at < nearest->distance_mm || (!(nearest->distance_mm < at) && s.move < nearest->move))
               nearest = PassedBy{at, s.move};

@@ -55,13 +55,17 @@ class CutHistory {
   [[nodiscard]] std::optional<PassedBy> nearest_cut(const Vec3& point, std::size_t before, double within_mm) const;
 
   /// Returns whether the motion of a move and its tool are known.
-  [[nodiscard]] bool is_known(std::size_t move) const { return states_[move] != MotionState::unknown; }
+  [[nodiscard]] bool is_known(std::size_t move) const { return states_[move]; }
+  /// Returns the motion of a move, straight where the file states none (Move::is_linked), or the tool at rest in its
+  /// position.
+  [[nodiscard]] Motion motion_of(std::size_t move) const;
+  /// Returns whether the move cuts: no rapid, and no position to which the file states no motion.
+  [[nodiscard]] bool is_cutting(std::size_t move) const;
   [[nodiscard]] const Toolpath& path() const { return path_; }
   [[nodiscard]] const MotionLaw& law() const { return law_; }
   [[nodiscard]] const StockTool& tool_of(std::size_t move) const { return tools_[path_.moves[move].tool]; }
 
  private:
-  enum class MotionState : std::uint8_t { none, known, unknown };  // none: a position without a motion to it
   struct OfTool {
     std::vector<ConvexPiece> pieces;
     ToolCylinder cutter, whole;
@@ -72,9 +76,8 @@ class CutHistory {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
   };
 
-  [[nodiscard]] MotionState state_of(std::size_t move) const;
+  [[nodiscard]] bool is_known_motion(std::size_t move) const;
   void add_unknown(std::size_t move);
-  [[nodiscard]] bool is_cutting(std::size_t move) const;
   [[nodiscard]] bool covers(std::size_t move, double until, const SweptPiece& piece) const;
   [[nodiscard]] bool is_straight_with_fixed_axis(std::size_t move) const;
   /// Returns whether a body may reach the point during [t0, t1] of a segment of a move.
@@ -85,7 +88,7 @@ class CutHistory {
   const MotionLaw& law_;
   const std::vector<StockTool>& tools_;
   double resolution_mm_;
-  std::vector<MotionState> states_;
+  std::vector<bool> states_;  // true: known
   std::vector<OfTool> of_tool_;
   std::vector<Unknown> unknown_;
 };

@@ -21,10 +21,11 @@ Result<StockSolid> StockSolid::meshes(std::span<const IndexedMesh> meshes, doubl
   for (const IndexedMesh& mesh : meshes) {
     const Surface surface(mesh);
     if (!surface.is_solid() || !surface.boundary().is_solid()) {
-      return make_error("stock-open-mesh",
-                        "the stock " + mesh.name +
-                            " is not a closed mesh with outward facets, so it has no inside; repair it, for "
-                            "example with: gougecheck mesh repair");
+      return make_error(
+          "stock-open-mesh",
+          "the stock is no closed mesh with outward facets, so it has no inside; expected a solid; repair "
+          "it with gougecheck mesh --repair",
+          mesh.name);
     }
     solid.surfaces_.push_back(surface);
     for (const Vec3& vertex : mesh.vertices) {

@@ -41,7 +41,7 @@ struct SweptPiece {
 /// Returns the cylinders that contain all points of a body that are at least `depth_mm` inside it.
 [[nodiscard]] std::vector<ToolPiece> deep_pieces(const CompiledTool& body, double depth_mm);
 
-/// How a piece is divided: a cylinder by its height or into four boxes, a box at the middle of a side.
+/// Ways to divide a piece: a cylinder by its height or into four boxes, a box at the middle of a side.
 enum class Division : std::uint8_t { x, y, height, quarters };
 
 /// Adds the parts of a piece. Parts of a cylinder without a point that is `depth_mm` inside the body are left out.

@@ -127,6 +127,26 @@ void describe(F& f, R& r) {
   f.count("proved_others", r.proved_others);
 }
 
+template <typename F, RecordOf<StockContactRecord> R>
+void describe(F& f, R& r) {
+  f.count("move", r.move);
+  f.count("line", r.line);
+  f.number("clear_until", r.clear_until, Sign::non_negative);
+  f.number("contact_at", r.contact_at, Sign::non_negative);
+  f.optional_count("cut_move", r.cut_move);
+  f.optional_count("cut_line", r.cut_line);
+  f.optional_length("missed_by", r.missed_by_mm, Sign::any);
+}
+
+template <typename F, RecordOf<StockRecord> R>
+void describe(F& f, R& r) {
+  f.length("tolerance", r.tolerance_mm, Sign::non_negative);
+  f.length("resolution", r.resolution_mm, Sign::non_negative);
+  f.count("examined", r.examined);
+  f.count("clear", r.clear);
+  f.list("contacts", r.contacts);
+}
+
 template <typename F, RecordOf<ClosenessRecord> R>
 void describe(F& f, R& r) {
   f.count("cuts", r.cuts, 1);
@@ -328,6 +348,7 @@ void describe(F& f, R& r) {
   f.object("totals", r.totals);
   f.optional_object("closeness", r.closeness);
   f.object_if_any("any_turn", r.any_turn);
+  f.object_if_any("stock", r.stock);
   f.list_if_any("laws", r.laws);
   f.optional_object("stickout", r.stickout);
   f.optional_object("cures", r.cures);

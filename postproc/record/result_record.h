@@ -207,6 +207,21 @@ struct RunRecord {
   std::string operation, tool;
 };
 
+/// A move that meets remaining stock.
+struct StockContactRecord {
+  std::size_t move = 0, line = 0;
+  double clear_until = 0, contact_at = 0;         ///< instants of the move, in [0, 1]
+  std::optional<std::size_t> cut_move, cut_line;  ///< the earlier cut that came nearest to the witness
+  std::optional<double> missed_by_mm;             ///< its distance from the witness, at least
+};
+
+/// The check against remaining stock.
+struct StockRecord {
+  double tolerance_mm = 0, resolution_mm = 0;
+  std::size_t examined = 0, clear = 0;  ///< moves
+  std::vector<StockContactRecord> contacts;
+};
+
 /// Result of a law of motion that a check compares.
 struct LawRecord {
   std::string law;
@@ -241,6 +256,7 @@ struct ResultRecord {
   TotalsRecord totals;
   std::optional<ClosenessRecord> closeness;
   std::optional<AnyTurnCounts> any_turn;  ///< none: not examined, or nothing to examine
+  std::optional<StockRecord> stock;       ///< none: not requested
   std::vector<LawRecord> laws;            ///< empty: not compared
   std::optional<StickoutRecord> stickout;
   std::optional<CureOptionsRecord> cures;

@@ -32,7 +32,7 @@ const Words& body_words() {
   return words;
 }
 const Words& against_words() {
-  static const Words words = names_up_to(Against::fixture, against_name);
+  static const Words words = names_up_to(Against::stock, against_name);
   return words;
 }
 const Words& kind_words() {
@@ -40,7 +40,7 @@ const Words& kind_words() {
   return words;
 }
 const Words& subject_words() {
-  static const Words words = names_up_to(Subject::placement, subject_name);
+  static const Words words = names_up_to(Subject::stock, subject_name);
   return words;
 }
 const Words& basis_words() {
@@ -69,7 +69,7 @@ const Words& verdict_words() {
 }
 const Words& role_words() {
   static const Words words = {"toolpath", "machine",        "part",     "fixture", "head",
-                              "tools",    "named-by-tools", "baseline", "project"};
+                              "tools",    "named-by-tools", "stock",    "baseline", "project"};
   return words;
 }
 const Words& use_words() {

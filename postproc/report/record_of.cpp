@@ -144,6 +144,24 @@ class RecordMaker {
     return all;
   }
 
+  [[nodiscard]] std::optional<StockRecord> stock() const {
+    if (!result_.stock) return std::nullopt;
+    const StockFacts& facts = *result_.stock;
+    StockRecord record{facts.tolerance_mm, facts.resolution_mm, facts.examined, facts.clear, {}};
+    for (const StockContact& contact : facts.contacts) {
+      StockContactRecord& one = record.contacts.emplace_back();
+      one.move = contact.move;
+      one.line = path_.moves[contact.move].line;
+      one.clear_until = contact.clear_until;
+      one.contact_at = contact.contact_at;
+      if (contact.cut_move == kNone) continue;
+      one.cut_move = contact.cut_move;
+      one.cut_line = path_.moves[contact.cut_move].line;
+      one.missed_by_mm = contact.missed_by_mm;
+    }
+    return record;
+  }
+
   [[nodiscard]] std::vector<ReasonRecord> reasons() const {
     std::vector<ReasonRecord> all;
     for (const ReasonGroup& group : group_reasons(result_)) {
@@ -298,6 +316,7 @@ ResultRecord record_of(const ReportModel& model) {
   if (const std::optional<ClosestApproach>& closest = model.result->closest_approach)
     record.closeness = {closest->cuts, closest->positions, closest->nearest_mm, closest->median_mm};
   record.any_turn = model.result->any_turn;
+  record.stock = maker.stock();
   record.laws = model.laws;
   record.stickout = maker.stickout();
   if (const std::optional<CureOptions>& o = model.cure_options)

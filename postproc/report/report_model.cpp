@@ -189,6 +189,16 @@ std::string any_turn_text(const ReportModel& model) {
   return text + ", whatever the control does with the rotary joints between two positions";
 }
 
+std::string stock_text(const ReportModel& model) {
+  if (!model.result->stock) return {};
+  const StockFacts& facts = *model.result->stock;
+  const LengthUnit unit = model.toolpath->unit;
+  return std::to_string(facts.clear) + " of " + count_text(facts.examined, "move") +
+         " examined are clear of remaining stock to " + length_text(facts.tolerance_mm, unit) +
+         "; material thinner than " + length_text(2 * facts.resolution_mm, unit) +
+         " counts as removed, and pieces that are cut free stay where they are";
+}
+
 std::string closest_approach_text(const ReportModel& model) {
   if (!model.result->closest_approach) return {};
   const ClosestApproach& c = *model.result->closest_approach;

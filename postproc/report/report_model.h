@@ -155,6 +155,9 @@ enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 /// Returns which clean moves are clean by any motion of the rotary joints; empty if that was not examined.
 [[nodiscard]] std::string any_turn_text(const ReportModel& model);
 
+/// Returns how many moves are clear of remaining stock, and what counts as removed; empty if that was not examined.
+[[nodiscard]] std::string stock_text(const ReportModel& model);
+
 /// Returns "seen nearest, the tool is touching; half of the 400 cutting positions examined (of 2425) are within 0.83
 /// mm". Empty if there is no ClosestApproach.
 [[nodiscard]] std::string closest_approach_text(const ReportModel& model);

@@ -33,6 +33,7 @@ std::string tool_phrase(const ReportModel& model, const Event& event) {
 }
 
 const MeshFacts* facts_of(const ReportModel& model, const Witness& witness) {
+  if (witness.against == Against::stock) return nullptr;
   const std::vector<MeshFacts>& meshes = rule_of(witness.against).is_workpiece ? model.parts : model.fixtures;
   return witness.mesh < meshes.size() ? &meshes[witness.mesh] : nullptr;
 }
@@ -47,7 +48,7 @@ std::string clearance_phrase(const ReportModel& model, const Witness& witness) {
 std::string counterpart(const ReportModel& model, const Witness& witness) {
   const std::string name = mesh_name(model, witness);
   const bool is_plain = witness.against == Against::part && model.parts.size() < 2;
-  if (is_plain) return {};
+  if (is_plain || witness.against == Against::stock) return {};
   return " against " + std::string(against_name(witness.against)) + (name.empty() ? "" : " " + name) +
          clearance_phrase(model, witness);
 }
@@ -259,11 +260,18 @@ std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t m
   return lines;
 }
 
+std::string event_name(const ReportModel& model, const Event& event) {
+  if (event.state != MoveState::gouge || event.against != Against::stock) return state_name(event.state);
+  const Move& move = model.toolpath->moves[event.worst_move];
+  if (move.kind == MoveKind::rapid || !move.has_start) return "rapid into stock";
+  return std::string(body_name(event.body)) + " in stock";
+}
+
 std::string event_text(const ReportModel& model, const Event& event) {
   const LengthUnit unit = model.toolpath->unit;
   const MoveVerdict& verdict = model.result->verdicts[event.worst_move];
   const std::string move = ", move " + std::to_string(event.worst_move);
-  std::string text = std::string(state_name(event.state)) + ": ";
+  std::string text = std::string(event_name(model, event)) + ": ";
   if (event.state == MoveState::buried) {
     return text + tool_phrase(model, event) + " lies inside a solid, no surface within the " +
            (event.body == Body::cutter ? "tool" : body_name(event.body)) + move;
@@ -275,8 +283,9 @@ std::string event_text(const ReportModel& model, const Event& event) {
     text += "(at most " + depth_text(verdict.depth_upper_mm, unit, model.options) + ") ";
   text += tool_phrase(model, event);
   if (!verdict.witness) return text + move;
-  return text + counterpart(model, *verdict.witness) + " at " + point_text(verdict.witness->point, unit) + move +
-         " t=" + instant_text(verdict.witness->t);
+  text += counterpart(model, *verdict.witness) + " at " + point_text(verdict.witness->point, unit) + move +
+          " t=" + instant_text(verdict.witness->t);
+  return verdict.reason.is(Reason::Kind::stock_met) ? text + ", " + reason_text(verdict.reason) : text;
 }
 
 std::string span_text(const Event& event) {

@@ -43,7 +43,8 @@ bool has_wide_depth(const ReportModel& model, const MoveVerdict& verdict) {
 Gaps depth_gaps(const ReportModel& model) {
   const double asked_mm = model.options.resolution_mm;
   return gaps_of(model, [&](const MoveVerdict& v) {
-    return v.state == MoveState::gouge ? std::optional(Gap{v.depth_upper_mm - v.depth_mm, asked_mm}) : std::nullopt;
+    return v.state == MoveState::gouge && !v.is_in_stock() ? std::optional(Gap{v.depth_upper_mm - v.depth_mm, asked_mm})
+                                                           : std::nullopt;
   });
 }
 

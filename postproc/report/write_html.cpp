@@ -97,6 +97,8 @@ class HtmlReport {
     if (!overcut.empty()) out += "<p class=\"soft\">Overcut: " + xml_escaped(overcut) + ".</p>\n";
     if (const std::string any = any_turn_text(model_); !any.empty())
       out += "<p class=\"soft\">Rotary joints: " + xml_escaped(any) + ".</p>\n";
+    if (const std::string stock = stock_text(model_); !stock.empty())
+      out += "<p class=\"soft\">Stock: " + xml_escaped(stock) + ".</p>\n";
     const std::string closest_approach = closest_approach_text(model_);
     if (closest_approach.empty()) return out;
     return out + "<p class=\"soft\">Closest approach to the part: " + xml_escaped(closest_approach) + ".</p>\n";

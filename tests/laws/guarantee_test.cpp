@@ -36,6 +36,8 @@ const SampleCase kSamples[] = {{"freeform", samples::make_freeform},
                                {"arcs_nx", samples::make_arcs_nx},
                                {"arcs_creo", samples::make_arcs_creo},
                                {"arcs_catia", samples::make_arcs_catia},
+                               {"rapid_stock", samples::make_rapid_stock},
+                               {"holder_stock", samples::make_holder_stock},
                                {"sunk_jaw", samples::make_sunk_jaw}};
 
 class GuaranteeOnSamples : public ::testing::TestWithParam<SampleCase> {

@@ -30,7 +30,7 @@ TEST(SampleSolids, AreClosedManifoldOutwardAndDoNotCrossThemselves) {
       }
     }
   }
-  EXPECT_EQ(solids, 24U);
+  EXPECT_EQ(solids, 26U);
 }
 
 TEST(SampleSolids, ABoxHasTheVolumeOfItsSides) {

@@ -17,7 +17,7 @@ constexpr int kInstants = 60;
 
 std::size_t wanted_points() {
   const char* const given = std::getenv("GOUGE_STOCK_POINTS");
-  return given == nullptr ? 4000 : static_cast<std::size_t>(std::strtoull(given, nullptr, 10));
+  return given == nullptr ? 1200 : static_cast<std::size_t>(std::strtoull(given, nullptr, 10));
 }
 
 Toolpath random_program(test::Scatter& scatter, bool is_five_axis) {
@@ -34,6 +34,9 @@ Toolpath random_program(test::Scatter& scatter, bool is_five_axis) {
   for (Move& move : path.moves) move.kind = scatter.is(0.3) ? MoveKind::rapid : MoveKind::feed;
   return path;
 }
+
+/// The whole tool must be clear in a rapid and in a position without a motion to it, shank and holder in other moves.
+bool is_whole_tool_examined(const Move& move) { return move.kind == MoveKind::rapid || !move.has_start; }
 
 double distance_mm(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
   const Vec3 from = point - pose.tip;
@@ -54,7 +57,7 @@ class PointHistory {
     double nearest = 1e9;
     for (std::size_t i = 1; i < path_.moves.size(); ++i) {
       const Motion motion = law_.of(path_, i);
-      const bool is_rapid = path_.moves[i].kind == MoveKind::rapid;
+      const bool is_rapid = is_whole_tool_examined(path_.moves[i]);
       const CompiledTool& body = is_rapid ? tool_.bare : tool_.non_cutting;
       const double way = motion.path_length_mm(0, 1, 0) + motion.turn_rad() * 80;
       for (int n = 0; n <= kInstants; ++n) {
@@ -107,7 +110,7 @@ TEST(StockBruteForce, NoPointThatRemainsIsDeeperThanItsBound) {
       ++findings;
       // The witness is stock, in the body at its instant, and no cutter was there before.
       const Motion motion = law.of(path, finding.move);
-      const bool is_rapid = path.moves[finding.move].kind == MoveKind::rapid;
+      const bool is_rapid = is_whole_tool_examined(path.moves[finding.move]);
       const CompiledTool& body = is_rapid ? tool.bare : tool.non_cutting;
       const Vec3& p = finding.witness->point;
       EXPECT_NEAR(-distance_mm(body, motion.at(finding.witness->t), p), finding.witness->depth_mm, 1e-6);
@@ -137,7 +140,7 @@ TEST(StockBruteForce, NoPointThatRemainsIsDeeperThanItsBound) {
   std::cout << points << " points, " << deep << " deep, " << findings << " findings, " << proved << " clear moves, "
             << open << " open\n";
   EXPECT_GT(deep, points / 40);
-  EXPECT_GT(findings, 20U);
+  EXPECT_GT(findings, 10U);
   EXPECT_LT(open, findings);
 }
 

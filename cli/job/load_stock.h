@@ -1,0 +1,31 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "cli/job/job.h"
+#include "lib/certify/settle_stock.h"
+
+namespace gouge {
+
+/// The stock of a job with the meshes and tools to which it refers.
+struct LoadedStock {
+  std::deque<IndexedMesh> meshes;
+  std::deque<ToolVariants> tools;
+  std::optional<StockSetup> setup;
+
+  LoadedStock() = default;
+  LoadedStock(LoadedStock&&) = default;
+  LoadedStock& operator=(LoadedStock&&) = default;
+  LoadedStock(const LoadedStock&) = delete;
+  LoadedStock& operator=(const LoadedStock&) = delete;
+};
+
+/// Makes the stock of a job, and its tools without offsets. Adds the file of the stock to the inputs of the job, and the
+/// fact that its verdict rests on the stock. The stock has the place and the unit of the parts. Requires: find_wrong_stock finds
+/// nothing.
+/// Errors: those of the file; a stock without an inside; a tool that cannot be made; a tolerance of the control.
+[[nodiscard]] Result<LoadedStock> load_stock(const JobArguments& arguments, Job& job);
+
+}  // namespace gouge

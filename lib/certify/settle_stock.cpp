@@ -1,0 +1,123 @@
+#include "lib/certify/settle_stock.h"
+
+#include <utility>
+
+#include "lib/base/number_text.h"
+#include "lib/certify/check.h"
+#include "lib/stock/check_stock.h"
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+namespace {
+
+/// Returns the direction in which the tool leaves the witness soonest.
+Vec3 way_out(const CompiledTool& body, const Pose& pose, const Vec3& point) {
+  const Vec3 from_tip = point - pose.tip;
+  const double z = from_tip.dot(pose.axis);
+  const Vec3 across = from_tip - z * pose.axis;
+  const double r = across.norm();
+  const Vec2 normal = evaluate(body, r, z).normal;
+  const Vec3 out = r > 0 ? Vec3(across / r) : Vec3(pose.axis.unitOrthogonal());
+  return -(normal.x() * out + normal.y() * pose.axis);
+}
+
+/// Enters findings into verdicts.
+class Settling {
+ public:
+  Settling(const Toolpath& path, const CutHistory& history, CheckResult& result)
+      : path_(path), history_(history), result_(result) {}
+
+  void enter(const StockFinding& finding) {
+    MoveVerdict& verdict = result_.verdicts[finding.move];
+    if (finding.witness) result_.stock->contacts.push_back(contact_of(finding));
+    if (!is_free(verdict)) return;
+    if (!finding.witness) {
+      verdict = open(verdict, finding.unknown_move);
+      return;
+    }
+    verdict = gouge(finding);
+  }
+
+  void leave_open(std::size_t move) {
+    MoveVerdict& verdict = result_.verdicts[move];
+    if (!is_free(verdict)) return;
+    verdict = open(verdict, std::nullopt);
+    verdict.reason = {Reason::Kind::stock_motion_open, Body::cutter, 0, {}};
+  }
+
+ private:
+  static bool is_free(const MoveVerdict& verdict) {
+    return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
+  }
+
+  static StockContact contact_of(const StockFinding& finding) {
+    StockContact contact{finding.move, finding.contact.clear_until, finding.contact.contact_at, kNone, 0};
+    if (finding.nearest_cut) {
+      contact.cut_move = finding.nearest_cut->move;
+      contact.missed_by_mm = finding.nearest_cut->distance_mm;
+    }
+    return contact;
+  }
+
+  MoveVerdict open(const MoveVerdict& free, std::optional<std::size_t> unknown) const {
+    MoveVerdict verdict;
+    verdict.state = MoveState::not_certified;
+    verdict.depth_upper_mm = free.depth_upper_mm;
+    verdict.reason.kind = unknown ? Reason::Kind::stock_unknown : Reason::Kind::stock_touched;
+    if (unknown) verdict.reason.amount = static_cast<double>(std::size_t{path_.moves[*unknown].line});
+    return verdict;
+  }
+
+  MoveVerdict gouge(const StockFinding& finding) const {
+    const ToolVariants& tool = *history_.tool_of(finding.move).tool;
+    const CompiledTool& body = history_.is_cutting(finding.move) ? tool.non_cutting : tool.bare;
+    MoveVerdict verdict;
+    verdict.state = MoveState::gouge;
+    verdict.depth_mm = finding.witness->depth_mm;
+    verdict.depth_upper_mm = finding.depth_upper_mm;
+    Witness witness;
+    witness.t = finding.witness->t;
+    witness.point = finding.witness->point;
+    witness.normal = way_out(body, history_.motion_of(finding.move).at(witness.t), witness.point);
+    witness.body = finding.body;
+    witness.against = Against::stock;
+    verdict.witness = witness;
+    verdict.reason = {Reason::Kind::stock_met, finding.body, 0, evidence(finding)};
+    return verdict;
+  }
+
+  std::string evidence(const StockFinding& finding) const {
+    std::string text = "first contact at t=" + display_text(finding.contact.contact_at, kInstantDecimals) +
+                       ", clear until t=" + display_text(finding.contact.clear_until, kInstantDecimals) + "; ";
+    if (!finding.nearest_cut) return text + "no earlier move cuts this stock";
+    return text + "the nearest earlier cut, line " +
+           std::to_string(std::size_t{path_.moves[finding.nearest_cut->move].line}) + ", misses it by " +
+           display_text(finding.nearest_cut->distance_mm, kLengthDecimals) + " mm";
+  }
+
+  static constexpr int kInstantDecimals = 6, kLengthDecimals = 3;
+
+  const Toolpath& path_;
+  const CutHistory& history_;
+  CheckResult& result_;
+};
+
+}  // namespace
+
+void settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& result, const ProgressCall& progress) {
+  const StockSetup& stock = *setup.stock;
+  const CutHistory history(path, setup.options.law, stock.tools, stock.options);
+  const StockResult found = check_stock(history, stock.solid, stock.options, setup.options.threads, progress);
+  result.stock = StockFacts{stock.options.tolerance_mm, stock.options.resolution_mm, 0, found.proved, {}};
+  Settling settling(path, history, result);
+  for (const StockFinding& finding : found.findings) settling.enter(finding);
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if (found.is_examined[i]) {
+      ++result.stock->examined;
+    } else {
+      settling.leave_open(i);
+    }
+  }
+}
+
+}  // namespace gouge

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
+
+// Remaining stock, as users see it.
+
+namespace gouge::testing_samples {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kResolution_mm = 0.05;
+
+class StockSample : public testing::Test {
+ protected:
+  Outcome run(const std::string& sample, const std::vector<std::string>& more) {
+    sample_ = open_sample(sample);
+    return run_again(more);
+  }
+  [[nodiscard]] Outcome run_again(const std::vector<std::string>& more) const {
+    return run_gougecheck(sample_.path, sample_.arguments("check", sample_.toolpath(), more));
+  }
+  [[nodiscard]] Json json_of(const std::string& file) const { return Json::parse(text_of(sample_.path + "/" + file)); }
+
+  SampleFolder sample_;
+};
+
+TEST_F(StockSample, ARapidThroughMaterialIsFoundWithItsFirstContact) {
+  EXPECT_EQ(run("rapid_stock", {}).exit_status, 0);
+  const Outcome ran = run_again({"--stock", "part+5", "--json", "check.json"});
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+  EXPECT_NE(ran.out.find("rapid into stock: "), std::string::npos) << ran.out;
+  const Json report = json_of("check.json");
+  ASSERT_EQ(report.at("moves").size(), 1U);
+  const Json& move = report.at("moves").at(0);
+  EXPECT_EQ(move.at("witness").at("against"), "stock");
+  EXPECT_LE(move.at("depth").get<double>(), 5 + 1e-9);
+  EXPECT_GE(move.at("depth").get<double>(), 4);
+  EXPECT_GE(move.at("depth_upper").get<double>(), 5 - 3 * kResolution_mm);
+  // The tool runs from x = 120 to -40. The offset of the part is round, and at the height of its face, 5 mm above the part, it
+  // begins at x = 80. The tool is 0.1 mm deep there at the height of its tip, where the offset begins at x = 85.
+  const Json& contact = report.at("stock").at("contacts").at(0);
+  const double exact = (120 - 89.9) / 160;
+  EXPECT_LE(contact.at("clear_until").get<double>(), exact + 2 * kResolution_mm / 160);
+  EXPECT_GE(contact.at("contact_at").get<double>(), exact - 1e-9);
+  EXPECT_NEAR(contact.at("missed_by").get<double>(), 15, 1e-6);
+  EXPECT_EQ(report.at("stock").at("examined").get<int>(), 7);
+  EXPECT_EQ(report.at("stock").at("clear").get<int>(), 6);
+}
+
+TEST_F(StockSample, AHolderInAnUncutWallIsFound) {
+  EXPECT_EQ(run("holder_stock", {}).exit_status, 0);
+  const Outcome ran = run_again({"--stock", "box", "--json", "check.json"});
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+  EXPECT_NE(ran.out.find("holder in stock: "), std::string::npos) << ran.out;
+  const Json report = json_of("check.json");
+  const Json& first = report.at("moves").at(0);
+  EXPECT_EQ(first.at("kind"), "feed");
+  EXPECT_EQ(first.at("witness").at("body"), "holder");
+  EXPECT_LE(first.at("depth").get<double>(), 8 + 1e-9);
+  EXPECT_GE(first.at("depth_upper").get<double>(), 8 - 3 * kResolution_mm);
+}
+
+TEST_F(StockSample, TheMaterialOfAFileIsChecked) {
+  ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
+  // The part is as low as the slot: as the stock it leaves nothing to meet.
+  EXPECT_EQ(run_again({"--stock", "part.stl"}).exit_status, 0);
+  EXPECT_EQ(run_again({"--stock", "box"}).exit_status, 0);
+  EXPECT_EQ(run_again({"--stock", "box=5"}).exit_status, 1);
+  EXPECT_EQ(run_again({"--stock", "box=0.09"}).exit_status, 0);
+  EXPECT_EQ(run_again({"--stock", "box=5", "--stock-tolerance", "6"}).exit_status, 0);
+}
+
+TEST_F(StockSample, TheResultIsTheSameAtAnyNumberOfThreads) {
+  ASSERT_EQ(run("holder_stock", {"--stock", "box", "--threads", "1", "--csv", "one.csv"}).exit_status, 1);
+  ASSERT_EQ(run_again({"--stock", "box", "--threads", "3", "--csv", "three.csv"}).exit_status, 1);
+  EXPECT_EQ(text_of(sample_.path + "/one.csv"), text_of(sample_.path + "/three.csv"));
+}
+
+TEST_F(StockSample, AllOutputsHaveTheFinding) {
+  ASSERT_EQ(run("rapid_stock",
+                {"--stock", "part+5", "--sarif", "r.sarif", "--junit", "r.xml", "--csv", "r.csv", "--report", "report"})
+                .exit_status,
+            1);
+  for (const char* file : {"r.sarif", "r.xml", "report/report.html"})
+    EXPECT_NE(text_of(sample_.path + "/" + file).find("rapid into stock"), std::string::npos) << file;
+  EXPECT_NE(text_of(sample_.path + "/r.csv").find(",stock,"), std::string::npos);
+}
+
+TEST_F(StockSample, WhatItDoesNotCoverIsRefused) {
+  ASSERT_EQ(run("rapid_stock", {"--stock", "part+5", "--json", "check.json"}).exit_status, 1);
+  const Outcome verified = run_gougecheck(sample_.path, {"verify", "check.json"});
+  EXPECT_NE(verified.exit_status, 0);
+  EXPECT_NE(verified.err.find("verify cannot prove"), std::string::npos) << verified.err;
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--stock", "box", "--certificate", "c.bin"},
+        std::vector<std::string>{"--stock", "box", "--head", "part.stl"}, std::vector<std::string>{"--stock", "box=x"},
+        std::vector<std::string>{"--stock", "part+-1"},
+        std::vector<std::string>{"--stock", "box", "--stock-resolution", "0"}}) {
+    const Outcome ran = run_again(more);
+    EXPECT_EQ(ran.exit_status, 2) << ran.err;
+    EXPECT_NE(ran.err.find("--stock"), std::string::npos) << ran.err;
+  }
+  EXPECT_EQ(run_again({"--stock", "box", "--tip-tolerance", "0.1"}).exit_status, 2);
+  EXPECT_EQ(run_again({"--stock", "missing.stl"}).exit_status, 3);
+  const Outcome overwritten = run_again({"--stock", "part.stl", "--json", "part.stl"});
+  EXPECT_EQ(overwritten.exit_status, 2) << overwritten.err;
+}
+
+TEST_F(StockSample, AnOpenStockIsRefused) {
+  ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
+  write_text(sample_.path + "/open.stl",
+             "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 0\nendloop\nendfacet\n"
+             "endsolid s\n");
+  const Outcome ran = run_again({"--stock", "open.stl"});
+  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_NE(ran.err.find("[stock-open-mesh]"), std::string::npos) << ran.err;
+}
+
+TEST_F(StockSample, AProjectFileNamesTheStock) {
+  ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
+  write_text(sample_.path + "/gougecheck.json", R"({"part": "part.stl", "tools": "tools.json", "stock": "part+5"})");
+  EXPECT_EQ(run_gougecheck(sample_.path, {"check", sample_.toolpath()}).exit_status, 1);
+  write_text(sample_.path + "/gougecheck.json", R"({"part": "part.stl", "tools": "tools.json", "stock": "part.stl"})");
+  EXPECT_EQ(run_gougecheck(sample_.path, {"check", sample_.toolpath()}).exit_status, 0);
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples
