@@ -14,8 +14,8 @@ constexpr std::size_t kQuarters = 4;
 // A piece is divided in a group while its radius exceeds the slack of the group by this factor; smaller pieces are left
 // to the quarters.
 constexpr double kSpaceFirst = 2;
-// Pieces of a group after which the rest is left to its quarters.
-constexpr std::size_t kMaxPieces = 400;
+// Pieces of a group for each of its moves, after which the rest is left to its quarters.
+constexpr std::size_t kPiecesPerMove = 2;
 
 /// Bounds of all places of a tool during some moves.
 struct GroupPlace {
@@ -69,17 +69,19 @@ class Groups {
 
  private:
   void prove(std::size_t first, std::size_t last, std::vector<ToolPiece> pieces) {
-    std::vector<ToolPiece> rest = not_free(together(places_, first, last), range_.first + first, std::move(pieces));
-    if (rest.empty()) return;
     if (last - first == 1) {
-      open_.push_back({range_.first + first, std::move(rest)});
+      open_.push_back({range_.first + first, whole_cylinders(std::move(pieces))});
       return;
     }
+    std::vector<ToolPiece> rest = not_free(first, last, std::move(pieces));
+    if (rest.empty()) return;
     const std::size_t quarter = std::max<std::size_t>(1, (last - first + kQuarters - 1) / kQuarters);
     for (std::size_t k = first; k < last; k += quarter) prove(k, std::min(last, k + quarter), rest);
   }
 
-  std::vector<ToolPiece> not_free(const GroupPlace& place, std::size_t before, std::vector<ToolPiece> waiting) {
+  std::vector<ToolPiece> not_free(std::size_t first, std::size_t last, std::vector<ToolPiece> waiting) {
+    const GroupPlace place = together(places_, first, last);
+    const std::size_t before = range_.first + first, max_pieces = kPiecesPerMove * (last - first);
     std::vector<ToolPiece> rest;
     const double tips = 0.5 * (place.high - place.low).norm();
     std::size_t examined = 0;
@@ -89,7 +91,7 @@ class Groups {
       const double slack = tips + place.cone_rad * piece.reach_mm();
       if (is_free(piece, place, slack, before)) continue;
       const bool is_small = piece.ball_mm() < kSpaceFirst * slack || piece.ball_mm() < q_.options.tolerance_mm;
-      if (is_small || ++examined > kMaxPieces) {
+      if (is_small || ++examined > max_pieces) {
         rest.push_back(piece);
         continue;
       }

@@ -30,6 +30,19 @@ bool may_reach(double a, double b, const Value& value, const Way& way) {
   return may_reach(a, middle, value, way) || may_reach(middle, b, value, way);
 }
 
+/// Describes the discs at the start of a piece's interval for the search of a tree.
+SoughtPiece sought_of(const SweptPiece& piece, double grow_mm) {
+  SoughtPiece sought;
+  sought.grow_mm = grow_mm;
+  sought.disc_mm = std::numeric_limits<double>::max();
+  for (const Disc& disc : piece.start()) {
+    sought.middle += disc.center / static_cast<double>(piece.count);
+    sought.disc_mm = std::min(sought.disc_mm, disc.radius_mm);
+  }
+  sought.half = piece.start().front().center - sought.middle;
+  return sought;
+}
+
 ToolCylinder cylinder_of(const CompiledTool& tool) { return {tool.r_max_mm, tool.z_min_mm, tool.z_max_mm}; }
 
 }  // namespace
@@ -118,13 +131,12 @@ bool CutHistory::is_removed_by(std::size_t move, double until, const SweptPiece&
 
 bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, std::size_t& hint) const {
   if (hint < before && is_known(hint) && is_cutting(hint) && covers(hint, 1, piece)) return true;
-  Vec3 center = Vec3::Zero();
-  for (const Disc& disc : piece.start()) center += disc.center / static_cast<double>(piece.count);
+  const SoughtPiece sought = sought_of(piece, resolution_mm_ - piece.slack_mm);
   for (const OfTool& of : of_tool_) {
     if (of.tree == nullptr || of.pieces.empty()) continue;
     std::size_t last = kNone;  // the spans of a move often follow each other
     const bool is_found =
-        of.tree->find(center, of.cutter, resolution_mm_, static_cast<std::uint32_t>(before), [&](const MotionSpan& s) {
+        of.tree->find(sought, of.cutter, static_cast<std::uint32_t>(before), [&](const MotionSpan& s) {
           if (s.move == last || !is_cutting(s.move)) return false;
           last = s.move;
           return covers(s.move, 1, piece);
@@ -193,7 +205,7 @@ bool CutHistory::is_untouched(const Vec3& point, std::size_t before, std::size_t
       if (does) hint = s.move;
       return does;
     };
-    if (of_tool_[k].tree->find(point, of_tool_[k].whole, 0, static_cast<std::uint32_t>(before), touches)) return false;
+    if (of_tool_[k].tree->find({point}, of_tool_[k].whole, static_cast<std::uint32_t>(before), touches)) return false;
   }
   return true;
 }
@@ -205,7 +217,8 @@ std::optional<PassedBy> CutHistory::nearest_cut(const Vec3& point, std::size_t b
     for (std::size_t k = 0; k < of_tool_.size(); ++k) {
       if (of_tool_[k].tree == nullptr) continue;
       of_tool_[k].tree->find(
-          point, of_tool_[k].cutter, reach, static_cast<std::uint32_t>(before), [&](const MotionSpan& s) {
+          {point, Vec3::Zero(), 0, reach}, of_tool_[k].cutter, static_cast<std::uint32_t>(before),
+          [&](const MotionSpan& s) {
             if (!is_cutting(s.move)) return false;
             const double at = nearest_value(motion_of(s.move), s, of_tool_[k].pieces, point);
             if (at > reach) return false;

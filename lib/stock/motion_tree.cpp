@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::uint32_t kSpansOfCell = 4;
 constexpr double kWidestTurn_rad = 0.1;
+// Any two directions differ by at most pi; two points of a sphere are nearer than the arc between them.
+constexpr double kWidestCone_rad = 2;
 
 // Rounds a bound to a float, away from the interval.
 float below(double value) { return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::max()); }
@@ -107,20 +109,28 @@ MotionSpan MotionTree::around(std::uint32_t first, std::uint32_t last) const {
   return all;
 }
 
-// A tool whose tip is in the box and whose axis is in the cone has no point of the cylinder within grow_mm of the point
-// unless all of these hold. The axis moves the point by at most cone * length in the tool's frame.
-bool MotionTree::may_reach(const MotionSpan& span, const Vec3& point, const ToolCylinder& body, double grow_mm) {
+// Let the tip be in the box, the axis in the cone, and the cylinder moved out by grow_mm contain the piece.
+// (1) The axis moves a point of the piece by at most cone * length in the tool's frame.
+// (2) Across the axis a disc of any direction reaches its radius r on both sides of its centre. So the centre is at most
+//     sqrt(R^2 - r^2) from the axis.
+// (3) Along the axis both middle +- half are within the heights.
+bool MotionTree::may_contain(const MotionSpan& span, const SoughtPiece& piece, const ToolCylinder& body) {
+  const double grown = body.radius_mm + piece.grow_mm, square = grown * grown - piece.disc_mm * piece.disc_mm;
+  if (grown < 0 || square < 0) return false;
+  const double radius = std::sqrt(square);
   const Vec3 low = vec(span.low), high = vec(span.high), axis = vec(span.axis);
-  const Vec3 half = 0.5 * (high - low), from = point - 0.5 * (low + high);
-  const double diagonal = half.norm(), cone = std::min(static_cast<double>(span.cone_rad), 2.0);
-  const double reach = std::max(body.z_hi_mm, -body.z_lo_mm) + body.radius_mm + grow_mm;
-  const double slack = cone * (reach + grow_mm) + grow_mm + Tolerance::kSingleSum * (reach + from.norm());
-  const double z = from.dot(axis), swing = half.cwiseProduct(axis.cwiseAbs()).sum() + slack;
-  if (z < body.z_lo_mm - swing || z > body.z_hi_mm + swing) return false;
-  const double widest = body.radius_mm + diagonal + slack;
+  const Vec3 half = 0.5 * (high - low), from = piece.middle - 0.5 * (low + high);
+  const double cone = std::min(static_cast<double>(span.cone_rad), kWidestCone_rad);
+  const double reach = std::max(body.z_hi_mm, -body.z_lo_mm) + body.radius_mm + std::max(0.0, piece.grow_mm);
+  const double slack = cone * reach + Tolerance::kSingleSum * (reach + from.norm());
+  const double z = from.dot(axis), swing = half.cwiseProduct(axis.cwiseAbs()).sum() + slack + piece.grow_mm;
+  const double along = std::abs(piece.half.dot(axis)) - cone * piece.half.norm();
+  const double inset = std::max(0.0, along);
+  if (z < body.z_lo_mm - swing + inset || z > body.z_hi_mm + swing - inset) return false;
+  const double widest = radius + half.norm() + slack;
   if (from.squaredNorm() - z * z > widest * widest) return false;
   for (int k = 0; k < 3; ++k) {
-    const double sideways = body.radius_mm * std::sqrt(std::max(0.0, 1 - axis[k] * axis[k])) + slack;
+    const double sideways = radius * std::sqrt(std::max(0.0, 1 - axis[k] * axis[k])) + slack + piece.grow_mm;
     const double a = axis[k] * body.z_lo_mm, b = axis[k] * body.z_hi_mm;
     if (from[k] < std::min(a, b) - sideways - half[k] || from[k] > std::max(a, b) + sideways + half[k]) return false;
   }

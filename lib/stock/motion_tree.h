@@ -17,6 +17,13 @@ struct ToolCylinder {
   double radius_mm = 0, z_lo_mm = 0, z_hi_mm = 0;
 };
 
+/// A piece of space that a body of the tool must contain, moved out by `grow_mm` (in where it is negative). It contains a disc about its middle, in a
+/// plane of any direction, and the points middle +- half.
+struct SoughtPiece {
+  Vec3 middle = Vec3::Zero(), half = Vec3::Zero();
+  double disc_mm = 0, grow_mm = 0;
+};
+
 /// A time interval of a motion, with bounds of its tips and axes.
 struct MotionSpan {
   std::array<float, 3> low{}, high{};  ///< box of the tips
@@ -37,25 +44,24 @@ class MotionTree {
   /// Cost  O(n log n) for n spans; about 80 bytes for each.
   explicit MotionTree(std::vector<MotionSpan> spans);
 
-  /// Calls `visit(span)` for every span of a move below `before` during which the cylinder may come within `grow_mm` of
-  /// `point`, until it returns true. Returns whether it did.
+  /// Calls `visit(span)` for every span of a move below `before` during which the cylinder may contain the piece, until it
+  /// returns true. Returns whether it did.
   template <typename Visit>
-  bool find(const Vec3& point, const ToolCylinder& body, double grow_mm, std::uint32_t before,
-            const Visit& visit) const {
+  bool find(const SoughtPiece& piece, const ToolCylinder& body, std::uint32_t before, const Visit& visit) const {
     std::array<std::uint32_t, 64> waiting;
     std::size_t count = 0;
     if (!cells_.empty()) waiting[count++] = 0;
     while (count > 0) {
       const std::uint32_t index = waiting[--count];
       const Cell& cell = cells_[index];
-      if (cell.bounds.move >= before || !may_reach(cell.bounds, point, body, grow_mm)) continue;
+      if (cell.bounds.move >= before || !may_contain(cell.bounds, piece, body)) continue;
       if (cell.second != 0) {
         waiting[count++] = cell.second;
         waiting[count++] = index + 1;
         continue;
       }
       for (std::uint32_t s = cell.first_span; s < cell.last_span; ++s) {
-        if (spans_[s].move < before && may_reach(spans_[s], point, body, grow_mm) && visit(spans_[s])) return true;
+        if (spans_[s].move < before && may_contain(spans_[s], piece, body) && visit(spans_[s])) return true;
       }
     }
     return false;
@@ -71,7 +77,7 @@ class MotionTree {
   void build(std::uint32_t first, std::uint32_t last);
   [[nodiscard]] MotionSpan around(std::uint32_t first, std::uint32_t last) const;
 
-  static bool may_reach(const MotionSpan& span, const Vec3& point, const ToolCylinder& body, double grow_mm);
+  static bool may_contain(const MotionSpan& span, const SoughtPiece& piece, const ToolCylinder& body);
 
   std::vector<MotionSpan> spans_;
   std::vector<Cell> cells_;

@@ -212,6 +212,7 @@ class Search {
   /// free at the middle instant. If none is, the longest extent is halved.
   void divide(Candidate c) {
     if (trim(c)) return waiting_.push_back(c);
+    if (!c.piece.is_box && cut_out_section(c)) return;
     const double way = way_mm(c);
     Candidate still = c;
     still.interval.t0 = still.interval.t1 = c.interval.middle();
@@ -227,6 +228,39 @@ class Search {
     }
     if (way > extent_mm(c.piece, longest)) return halve_time(c);
     halve_piece(c, longest);
+  }
+
+  /// If the section through the middle of a cylinder is free, cuts out all that the same earlier cutter removed above and
+  /// below it. Returns whether that was worth a cut.
+  bool cut_out_section(const Candidate& c) {
+    if (c.piece.height_mm() <= kThin * q_.options.resolution_mm) return false;
+    if (!is_free({flat_piece(c.piece, Division::height), c.interval})) return false;
+    const double below = share_removed(c, 0), above = share_removed(c, 1);
+    if (below + above < kWorthTrimming) return false;
+    for (const auto& [from, to] : {std::pair(0.5 + above, 1.0), std::pair(0.0, 0.5 - below)}) {
+      if (!(to > from)) continue;
+      Candidate rest = c;
+      rest.piece = part_of(c.piece, Division::height, from, to);
+      narrow_piece(rest.piece, q_.body, depth_mm_);
+      if (rest.piece.r_mm >= 0) waiting_.push_back(rest);
+    }
+    return true;
+  }
+
+  /// Returns the share of a cylinder from its middle towards an end (0 or 1) that the cutter of the last proof removed.
+  [[nodiscard]] double share_removed(const Candidate& c, double end) const {
+    const auto is_removed = [&](double share) {
+      const double from = std::min(0.5, 0.5 + (2 * end - 1) * share), to = std::max(0.5, 0.5 + (2 * end - 1) * share);
+      return q_.history.is_removed_by(hint_, 1, swept_by({part_of(c.piece, Division::height, from, to), c.interval}));
+    };
+    if (hint_ >= q_.move) return 0;
+    if (is_removed(0.5)) return 0.5;
+    double share = 0, beyond = 0.5;
+    for (int k = 0; k < kTrimSteps; ++k) {
+      const double middle = 0.5 * (share + beyond);
+      (is_removed(middle) ? share : beyond) = middle;
+    }
+    return share;
   }
 
   /// Returns the direction of largest extent in which the piece, made flat, is free.

@@ -9,6 +9,29 @@
 
 namespace gouge {
 
+namespace {
+
+/// Adds a cylinder; it continues the last one if it begins there with the same radius.
+void append(const ToolPiece& piece, std::vector<ToolPiece>& pieces) {
+  const bool continues = !pieces.empty() && std::abs(pieces.back().r_mm - piece.r_mm) <= Tolerance::kRounding_mm &&
+                         !(pieces.back().z_hi_mm < piece.z_lo_mm);
+  if (!continues) return pieces.push_back(piece);
+  pieces.back().z_hi_mm = std::max(pieces.back().z_hi_mm, piece.z_hi_mm);
+  pieces.back().r_mm = std::max(pieces.back().r_mm, piece.r_mm);
+}
+
+}  // namespace
+
+std::vector<ToolPiece> whole_cylinders(std::vector<ToolPiece> pieces) {
+  for (ToolPiece& piece : pieces) piece.is_box = false;
+  std::sort(pieces.begin(), pieces.end(), [](const ToolPiece& a, const ToolPiece& b) {
+    return a.z_lo_mm < b.z_lo_mm || (!(b.z_lo_mm < a.z_lo_mm) && a.r_mm > b.r_mm);
+  });
+  std::vector<ToolPiece> whole;
+  for (const ToolPiece& piece : pieces) append(piece, whole);
+  return whole;
+}
+
 std::vector<ToolPiece> deep_pieces(const CompiledTool& body, double depth_mm) {
   const double low = body.z_min_mm + depth_mm, high = body.z_max_mm - depth_mm;
   std::vector<ToolPiece> pieces;
@@ -30,15 +53,13 @@ std::vector<ToolPiece> deep_pieces(const CompiledTool& body, double depth_mm) {
     piece.z_hi_mm = heights[k + 1];
     piece.r_mm = widest_radius_mm(body, piece.z_lo_mm, piece.z_hi_mm, depth_mm);
     if (!(piece.r_mm >= 0)) continue;
-    if (!pieces.empty() && std::abs(pieces.back().r_mm - piece.r_mm) <= Tolerance::kRounding_mm &&
-        !(pieces.back().z_hi_mm < piece.z_lo_mm)) {
-      pieces.back().z_hi_mm = piece.z_hi_mm;
-      pieces.back().r_mm = std::max(pieces.back().r_mm, piece.r_mm);
-    } else {
-      pieces.push_back(piece);
-    }
+    append(piece, pieces);
   }
   return pieces;
+}
+
+void narrow_piece(ToolPiece& cylinder, const CompiledTool& body, double depth_mm) {
+  cylinder.r_mm = std::min(cylinder.r_mm, widest_radius_mm(body, cylinder.z_lo_mm, cylinder.z_hi_mm, depth_mm));
 }
 
 void divide_piece(const ToolPiece& piece, Division division, const CompiledTool& body, double depth_mm,
@@ -56,7 +77,8 @@ void divide_piece(const ToolPiece& piece, Division division, const CompiledTool&
     for (const auto& [low, high] : {std::pair(piece.z_lo_mm, middle), std::pair(middle, piece.z_hi_mm)}) {
       part.z_lo_mm = low;
       part.z_hi_mm = high;
-      part.r_mm = std::min(piece.r_mm, widest_radius_mm(body, low, high, depth_mm));
+      part.r_mm = piece.r_mm;
+      narrow_piece(part, body, depth_mm);
       if (part.r_mm >= 0) parts.push_back(part);
     }
   } else {
@@ -73,8 +95,7 @@ void divide_piece(const ToolPiece& piece, Division division, const CompiledTool&
 
 double depth_upper_mm(const ToolPiece& piece, const CompiledTool& body) {
   if (piece.is_box) {
-    return -signed_distance_mm(body, piece.center.head<2>().norm(), piece.center.z()) +
-           piece.ball_mm();
+    return -signed_distance_mm(body, piece.center.head<2>().norm(), piece.center.z()) + piece.ball_mm();
   }
   const double widest = widest_radius_mm(body, piece.z_lo_mm, piece.z_hi_mm);
   return std::min({widest, piece.z_hi_mm - body.z_min_mm, body.z_max_mm - piece.z_lo_mm});

@@ -12,7 +12,8 @@
 
 namespace gouge {
 
-/// A convex piece of a tool, in tool coordinates: a cylinder about the axis, or a box. mm.
+/// A convex piece of a tool, in tool coordinates: a cylinder about the axis, or a box. A box that a cylinder was divided
+/// into keeps the values of that cylinder. mm.
 struct ToolPiece {
   bool is_box = false;
   double z_lo_mm = 0, z_hi_mm = 0, r_mm = 0;        ///< cylinder
@@ -47,6 +48,13 @@ enum class Division : std::uint8_t { x, y, height, quarters };
 /// Adds the parts of a piece. Parts of a cylinder without a point that is `depth_mm` inside the body are left out.
 void divide_piece(const ToolPiece& piece, Division division, const CompiledTool& body, double depth_mm,
                   std::vector<ToolPiece>& parts);
+
+/// Narrows a cylinder to the points that are `depth_mm` inside the body; a negative radius: there is none.
+void narrow_piece(ToolPiece& cylinder, const CompiledTool& body, double depth_mm);
+
+/// Returns the cylinders from which the pieces were divided, joined where they have the same radius. One cylinder is
+/// decided with fewer questions than its boxes if the tool follows its own cut.
+[[nodiscard]] std::vector<ToolPiece> whole_cylinders(std::vector<ToolPiece> pieces);
 
 /// Bounds the depth of all points of a piece in the body.
 [[nodiscard]] double depth_upper_mm(const ToolPiece& piece, const CompiledTool& body);
