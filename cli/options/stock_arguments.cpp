@@ -1,5 +1,6 @@
 #include "cli/options/stock_arguments.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "cli/options/job_options.h"
@@ -9,7 +10,9 @@ namespace gouge {
 namespace {
 
 constexpr const char* kOption = "--stock";
-constexpr const char* kExpected = "box, box=LENGTH, part+LENGTH or the name of an STL file";
+constexpr const char* kExpected =
+    "box, box=LENGTH or part+LENGTH with a length of 0 to 100 m, or the name of an STL file (./NAME if it begins alike)";
+constexpr double kFinestStock_mm = 0.001;  // a finer resolution only takes longer
 constexpr std::string_view kBox = "box", kBoxWith = "box=", kPartWith = "part+";
 
 }  // namespace
@@ -30,18 +33,21 @@ Result<StockShape> understand_stock_shape(const std::string& typed) {
 
 Result<StockOptions> understand_stock_options(const StockArguments& arguments) {
   StockOptions options;
-  struct Typed {
-    const char* option;
-    const std::string& text;
-    double& value;
-  };
-  for (const Typed& typed : {Typed{"--stock-tolerance", arguments.stock_tolerance, options.tolerance_mm},
-                             Typed{"--stock-resolution", arguments.stock_resolution, options.resolution_mm}}) {
-    if (typed.text.empty()) continue;
-    const Result<double> length = understand_length(typed.option, typed.text, Minimum::above_zero);
-    if (!length) return length.error();
-    typed.value = *length;
+  if (!arguments.stock_tolerance.empty()) {
+    const Result<double> tolerance =
+        understand_length("--stock-tolerance", arguments.stock_tolerance, Minimum::above_zero);
+    if (!tolerance) return tolerance.error();
+    options.tolerance_mm = *tolerance;
+    options.resolution_mm = std::min(options.resolution_mm, 0.5 * *tolerance);
   }
+  if (arguments.stock_resolution.empty()) return options;
+  const Result<double> resolution =
+      understand_length("--stock-resolution", arguments.stock_resolution, Minimum::above_zero);
+  if (!resolution) return resolution.error();
+  if (*resolution > options.tolerance_mm || *resolution < kFinestStock_mm)
+    return usage_error("--stock-resolution", arguments.stock_resolution,
+                       "a length from 0.001 mm to --stock-tolerance, since thinner material counts as removed");
+  options.resolution_mm = *resolution;
   return options;
 }
 
@@ -67,7 +73,7 @@ const OptionRows<JobArguments>& stock_options() {
        .field = &A::stock_resolution,
        .type = "LENGTH",
        .help = "Length by which cutters count as wider, so that material thinner than twice this counts as removed "
-               "(default 0.05)",
+               "(default: half the tolerance, at most 0.05)",
        .scope = Scope::project,
        .recorded = Recorded::repeated,
        .needs = "--stock"}};

@@ -25,7 +25,7 @@ struct StockContact {
   double clear_until = 0;        ///< proved clear before this instant, in [0, 1]
   double contact_at = 0;         ///< instant of a witness, the earliest that was found
   std::size_t cut_move = kNone;  ///< the earlier cut that came nearest to the witness of the move; kNone: none
-  double missed_by_mm = 0;       ///< distance of that cut from it, at least; with cut_move
+  double missed_by_mm = 0;       ///< distance of that cut from it, as a search finds it; with cut_move
 };
 
 /// The check against remaining stock.

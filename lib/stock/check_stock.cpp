@@ -26,7 +26,8 @@ struct Group {
 class StockChecker {
  public:
   StockChecker(const CutHistory& history, const StockSolid& stock, const StockOptions& options)
-      : history_(history), path_(history.path()), stock_(stock), options_(options) {
+      : history_(history), path_(history.path()), stock_(stock), options_(options), step_options_(options) {
+    step_options_.budget_per_move = options.budget_per_step;
     is_examined_.reserve(path_.moves.size());
     for (std::size_t i = 0; i < path_.moves.size(); ++i) is_examined_.push_back(history.is_known(i));
   }
@@ -90,6 +91,9 @@ class StockChecker {
   [[nodiscard]] StockQuestion question(const CompiledTool& body, std::size_t move) const {
     return {history_, stock_, options_, body, move, history_.is_cutting(move)};
   }
+  [[nodiscard]] StockQuestion step_of(const StockQuestion& whole) const {
+    return {history_, stock_, step_options_, whole.body, whole.move, whole.is_cutting};
+  }
 
   void explain(const StockQuestion& about, const Motion& motion, const std::vector<ToolPiece>& pieces,
                StockFinding& finding) const {
@@ -131,10 +135,11 @@ class StockChecker {
     for (std::uint32_t s = 0; s < motion.segments().size(); ++s)
       length += motion.path_length_mm(motion.segments()[s].t0, motion.segments()[s].t1, s);
     length += motion.turn_rad() * std::max(about.body.z_max_mm, about.body.r_max_mm);
+    const StockQuestion step = step_of(about);
     for (int k = 0; k < kContactSteps; ++k) {
       if ((contact.contact_at - contact.clear_until) * length <= options_.resolution_mm) break;
       const double middle = 0.5 * (contact.clear_until + contact.contact_at);
-      const StockAnswer until = find_stock(about, motion, pieces, contact.clear_until, middle, options_.tolerance_mm);
+      const StockAnswer until = find_stock(step, motion, pieces, contact.clear_until, middle, options_.tolerance_mm);
       if (until.witness) {
         contact.contact_at = until.witness->t;
       } else if (until.is_clear) {
@@ -150,6 +155,7 @@ class StockChecker {
   const Toolpath& path_;
   const StockSolid& stock_;
   const StockOptions& options_;
+  StockOptions step_options_;
   std::vector<bool> is_examined_;
 };
 

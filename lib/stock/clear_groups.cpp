@@ -70,10 +70,11 @@ class Groups {
  private:
   void prove(std::size_t first, std::size_t last, std::vector<ToolPiece> pieces) {
     if (last - first == 1) {
-      open_.push_back({range_.first + first, whole_cylinders(std::move(pieces))});
+      open_.push_back({range_.first + first, std::move(pieces)});
       return;
     }
-    std::vector<ToolPiece> rest = not_free(first, last, std::move(pieces));
+    // Boxes lie in the frame of this group alone; cylinders are the same about the axis of every part of it.
+    const std::vector<ToolPiece> rest = whole_cylinders(not_free(first, last, std::move(pieces)));
     if (rest.empty()) return;
     const std::size_t quarter = std::max<std::size_t>(1, (last - first + kQuarters - 1) / kQuarters);
     for (std::size_t k = first; k < last; k += quarter) prove(k, std::min(last, k + quarter), rest);

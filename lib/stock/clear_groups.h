@@ -15,7 +15,7 @@ struct MoveRange {
 /// A move that a proof for its group left open, with the pieces of the body that are left.
 struct OpenMove {
   std::size_t move = 0;
-  std::vector<ToolPiece> pieces;
+  std::vector<ToolPiece> pieces;  ///< cylinders
 };
 
 /// Proves for a group of moves together that no stock is left where a body passes. Moves for which the proof fails are

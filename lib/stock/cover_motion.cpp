@@ -4,6 +4,8 @@
 #include <limits>
 #include <span>
 
+#include "lib/tool/evaluate.h"
+
 namespace gouge {
 
 namespace {
@@ -128,21 +130,16 @@ bool is_covered_by(const Motion& motion, double until, const std::vector<ConvexP
   return false;
 }
 
-double nearest_value(const Motion& motion, const MotionSpan& span, const std::vector<ConvexPiece>& pieces,
-                     const Vec3& point) {
-  double nearest = std::numeric_limits<double>::max();
-  const Disc disc{point, Vec3::UnitZ(), 0};
-  for (const ConvexPiece& piece : pieces) {
-    double least = 0;
-    best_instant(
-        static_cast<double>(span.t0), static_cast<double>(span.t1), -std::numeric_limits<double>::max(),
-        [&](double t) {
-          return largest_value(piece, {&disc, 1}, motion.tip_at(t, span.segment), motion.at(t).axis);
-        },
-        least);
-    nearest = std::min(nearest, least);
-  }
-  return nearest;
+double nearest_distance_mm(const Motion& motion, const MotionSpan& span, const CompiledTool& cutter,
+                           const Vec3& point) {
+  double least = 0;
+  best_instant(
+      static_cast<double>(span.t0), static_cast<double>(span.t1), -std::numeric_limits<double>::max(),
+      [&](double t) {
+        return signed_distance_mm(cutter, Pose{motion.tip_at(t, span.segment), motion.at(t).axis}, point);
+      },
+      least);
+  return least;
 }
 
 }  // namespace gouge

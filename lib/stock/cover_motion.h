@@ -38,9 +38,8 @@ struct CoverMargin {
 [[nodiscard]] bool is_covered_by(const Motion& motion, double until, const std::vector<ConvexPiece>& pieces,
                                  const SweptPiece& piece, const CoverMargin& margin);
 
-/// Returns a value that the distance of a point from the convex pieces does not exceed, at the best instant found in a
-/// span of a motion.
-[[nodiscard]] double nearest_value(const Motion& motion, const MotionSpan& span, const std::vector<ConvexPiece>& pieces,
-                                   const Vec3& point);
+/// Returns the least distance of a point from the cutter that a search over a span of a motion finds; negative inside.
+[[nodiscard]] double nearest_distance_mm(const Motion& motion, const MotionSpan& span, const CompiledTool& cutter,
+                                         const Vec3& point);
 
 }  // namespace gouge

@@ -220,7 +220,7 @@ std::optional<PassedBy> CutHistory::nearest_cut(const Vec3& point, std::size_t b
           {point, Vec3::Zero(), 0, reach}, of_tool_[k].cutter, static_cast<std::uint32_t>(before),
           [&](const MotionSpan& s) {
             if (!is_cutting(s.move)) return false;
-            const double at = nearest_value(motion_of(s.move), s, of_tool_[k].pieces, point);
+            const double at = nearest_distance_mm(motion_of(s.move), s, tools_[k].tool->cutting, point);
             if (at > reach) return false;
             if (!nearest || at < nearest->distance_mm || (!(nearest->distance_mm < at) && s.move < nearest->move))
               nearest = PassedBy{at, s.move};

@@ -8,7 +8,8 @@ namespace gouge {
 struct StockOptions {
   double tolerance_mm = 0.1;    ///< maximum depth of remaining stock in a body that is no collision
   double resolution_mm = 0.05;  ///< cutters count as wider by this much, so slivers below twice this count as removed
-  std::uint64_t budget_per_move = 500'000;  ///< number of pieces after which a move is "not certified"
+  std::uint64_t budget_per_move = 200'000;  ///< number of pieces after which a move is "not certified"
+  std::uint64_t budget_per_step = 50'000;   ///< the same for each step that narrows a first contact
 };
 
 }  // namespace gouge

@@ -52,8 +52,8 @@ void divide_piece(const ToolPiece& piece, Division division, const CompiledTool&
 /// Narrows a cylinder to the points that are `depth_mm` inside the body; a negative radius: there is none.
 void narrow_piece(ToolPiece& cylinder, const CompiledTool& body, double depth_mm);
 
-/// Returns the cylinders from which the pieces were divided, joined where they have the same radius. One cylinder is
-/// decided with fewer questions than its boxes if the tool follows its own cut.
+/// Returns the cylinders from which the pieces were divided, joined where they have the same radius. Boxes are in one frame
+/// about the axis; cylinders are in every one. A cylinder also needs fewer questions if the tool follows its own cut.
 [[nodiscard]] std::vector<ToolPiece> whole_cylinders(std::vector<ToolPiece> pieces);
 
 /// Bounds the depth of all points of a piece in the body.

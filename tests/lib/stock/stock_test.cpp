@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "lib/stock/check_stock.h"
+#include "lib/tool/evaluate.h"
 #include "tests/support/paths.h"
+#include "tests/support/scatter.h"
 #include "tests/support/tools.h"
 
 namespace gouge {
@@ -222,6 +224,43 @@ TEST(Stock, AToolThatDoesNotCutRemovesNothing) {
     const StockResult result = check_stock(history, block(), options, 1);
     EXPECT_EQ(result.findings.empty(), cuts);
   }
+}
+
+// A box is in one frame about the axis. A proof for a group of moves must not be taken for boxes of another frame.
+TEST(Stock, TurningRapidsBesideAWallAreFound) {
+  const ToolVariants tool = flat(10, 16, 10);
+  test::Scatter scatter(9);
+  std::size_t deep = 0;
+  for (int k = 0; k < 60; ++k) {
+    // Short moves, so that a group is small beside the tool.
+    std::vector<Step> steps;
+    Vec3 tip(scatter.in(-30, 30), scatter.in(-58, -54), scatter.in(-20, -2));
+    for (int n = 0; n < 8; ++n) {
+      steps.push_back({kRapid, {tip, scatter.axis(0.1)}});
+      tip += scatter.point(0.8);
+    }
+    const Toolpath path = path_of(steps);
+    const StockResult result = run(path, {tool});
+    std::vector<bool> is_found(steps.size(), false);
+    for (const StockFinding& finding : result.findings) is_found[finding.move] = true;
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      const Motion motion = MotionLaw().of(path, i);
+      double depth = 0;
+      for (int n = 0; n <= 40; ++n) {
+        const Pose pose = motion.at(n / 40.0);
+        for (double x = -5; x <= 5; x += 0.5)
+          for (double z = -20; z < 0; z += 0.5) {
+            const Vec3 point(pose.tip.x() + x, -50 + 0.1, z);
+            depth = std::max(depth, -signed_distance_mm(tool.bare, pose, point));
+          }
+      }
+      if (depth > 0.3) ++deep;
+      if (depth > 0.3) {
+        EXPECT_TRUE(is_found[i]) << "path " << k << ", move " << i << ", depth " << depth;
+      }
+    }
+  }
+  EXPECT_GT(deep, 50U);
 }
 
 TEST(Stock, ResultsAreTheSameAtAnyNumberOfThreads) {
