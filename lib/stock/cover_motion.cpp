@@ -10,6 +10,8 @@ namespace gouge {
 
 namespace {
 
+// The distance from a cutter that is not convex may have several minima along a motion.
+constexpr int kFirstOfNearest = 24;
 constexpr double kGolden = 0.6180339887498949;
 // A search for the best instant ends after this many values; it has then divided the interval by ten thousand.
 constexpr int kMaxValues = 20;
@@ -57,18 +59,18 @@ bool falls_to(double wanted, double guess, double steepest, const Function& valu
   return std::min(at_x, at_y) <= wanted;
 }
 
-/// Instants of [t0, t1] that are tried on a motion that is not straight: the ends, the middle, then about the best.
+/// Finds a low value of a function on [t0, t1]: at `first` + 1 even instants, then about the best of them.
 template <typename Function>
-double best_instant(double t0, double t1, double wanted, const Function& value, double& at_best) {
+double best_instant(double t0, double t1, double wanted, const Function& value, double& at_best, int first = 4) {
   double best = t0;
   at_best = std::numeric_limits<double>::max();
   const auto take = [&](double t) {
     const double v = value(t);
     if (v < at_best) at_best = v, best = t;
   };
-  constexpr int kFirst = 4, kRounds = 12;
-  for (int k = 0; k <= kFirst && at_best > wanted; ++k) take(t0 + (t1 - t0) * k / kFirst);
-  double step = (t1 - t0) / kFirst;
+  constexpr int kRounds = 12;
+  for (int k = 0; k <= first && at_best > wanted; ++k) take(t0 + (t1 - t0) * k / first);
+  double step = (t1 - t0) / first;
   for (int k = 0; k < kRounds && at_best > wanted; ++k) {
     step *= 0.5;
     const double about = best;
@@ -138,7 +140,7 @@ double nearest_distance_mm(const Motion& motion, const MotionSpan& span, const C
       [&](double t) {
         return signed_distance_mm(cutter, Pose{motion.tip_at(t, span.segment), motion.at(t).axis}, point);
       },
-      least);
+      least, kFirstOfNearest);
   return least;
 }
 

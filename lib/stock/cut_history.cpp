@@ -217,7 +217,7 @@ std::optional<PassedBy> CutHistory::nearest_cut(const Vec3& point, std::size_t b
     for (std::size_t k = 0; k < of_tool_.size(); ++k) {
       if (of_tool_[k].tree == nullptr) continue;
       of_tool_[k].tree->find(
-          {point, Vec3::Zero(), 0, reach}, of_tool_[k].cutter, static_cast<std::uint32_t>(before),
+          {point, Vec3::Zero(), 0, reach}, cylinder_of(tools_[k].tool->cutting), static_cast<std::uint32_t>(before),
           [&](const MotionSpan& s) {
             if (!is_cutting(s.move)) return false;
             const double at = nearest_distance_mm(motion_of(s.move), s, tools_[k].tool->cutting, point);
