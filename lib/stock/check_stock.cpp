@@ -112,11 +112,13 @@ class StockChecker {
   /// Asks about greater depths until both bounds of the depth are near each other. The next depth is twice the known one
   /// at most, since proofs for depths near the true one take longest.
   void find_depth(const StockQuestion& about, const Motion& motion, StockFinding& finding) const {
-    for (int k = 0; k < kDepthSteps; ++k) {
+    std::uint64_t examined = 0;
+    for (int k = 0; k < kDepthSteps && examined < options_.budget_per_move; ++k) {
       const double known = finding.witness->depth_mm, gap = finding.depth_upper_mm - known;
       if (gap <= std::max(2 * options_.resolution_mm, kDepthGap * known)) return;
       const double next = known + std::min(0.5 * gap, known);
       const StockAnswer answer = find_stock(about, motion, deep_pieces(about.body, next), 0, 1, next);
+      examined += answer.examined;
       if (answer.witness) {
         finding.witness = answer.witness;
       } else if (answer.is_clear) {

@@ -98,7 +98,7 @@ class Search {
     }
     std::size_t open = 0;
     while (!waiting_.empty()) {
-      if (examined_ >= q_.options.budget_per_move || open >= kMaxOpen) return answer_;
+      if (answer_.examined >= q_.options.budget_per_move || open >= kMaxOpen) return answer_;
       const Candidate next = waiting_.back();
       waiting_.pop_back();
       if (depth_upper_mm(next.piece, q_.body) <= depth_mm_ + q_.options.resolution_mm) continue;
@@ -154,7 +154,7 @@ class Search {
 
   /// Proves that no stock is left in the piece during its interval.
   bool is_free(const Candidate& c) {
-    ++examined_;
+    ++answer_.examined;
     const SweptPiece swept = swept_by(c);
     if (is_beside_stock(swept)) return true;
     if (q_.is_cutting && q_.history.is_removed_by(q_.move, c.interval.t0, swept)) return true;
@@ -296,7 +296,6 @@ class Search {
   const Motion& motion_;
   double depth_mm_;
   std::size_t hint_, touch_hint_ = kNone;
-  std::uint64_t examined_ = 0;
   std::vector<Candidate> waiting_;
   std::vector<ToolPiece> parts_;
   StockAnswer answer_;
