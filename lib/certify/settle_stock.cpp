@@ -4,6 +4,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/certify/check.h"
+#include "lib/check/check_path.h"
 #include "lib/stock/check_stock.h"
 #include "lib/tool/evaluate.h"
 
@@ -33,9 +34,11 @@ class Settling {
     if (!is_free(verdict)) return;
     if (!finding.witness) {
       verdict = open(verdict, finding.unknown_move);
-      return;
+    } else if (path_.moves[finding.move].is_linked && !path_.moves[finding.move].has_start) {
+      verdict = not_checked(link_reason(path_, finding.move));  // the file does not state the way to this position
+    } else {
+      verdict = gouge(finding);
     }
-    verdict = gouge(finding);
   }
 
   void leave_open(std::size_t move) {

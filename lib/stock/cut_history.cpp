@@ -51,10 +51,10 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
                        const StockOptions& options)
     : path_(path), law_(law), tools_(tools), resolution_mm_(options.resolution_mm), of_tool_(tools.size()) {
   std::vector<std::vector<MotionSpan>> spans(tools.size());
-  states_.reserve(path.moves.size());
+  is_known_.reserve(path.moves.size());
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    states_.push_back(is_known_motion(i));
-    if (!states_[i]) {
+    is_known_.push_back(is_known_motion(i));
+    if (!is_known_[i]) {
       add_unknown(i);
       continue;
     }

@@ -21,9 +21,9 @@ struct StockTool {
   bool cuts = true;                    ///< false: it removes no material, for example a probe
 };
 
-/// Where earlier tools passed a point.
+/// The earlier cut that passed a point nearest.
 struct PassedBy {
-  double distance_mm = 0;    ///< of the nearest earlier tool
+  double distance_mm = 0;    ///< of its cutter from the point
   std::size_t move = kNone;  ///< its move
 };
 
@@ -55,7 +55,7 @@ class CutHistory {
   [[nodiscard]] std::optional<PassedBy> nearest_cut(const Vec3& point, std::size_t before, double within_mm) const;
 
   /// Returns whether the motion of a move and its tool are known.
-  [[nodiscard]] bool is_known(std::size_t move) const { return states_[move]; }
+  [[nodiscard]] bool is_known(std::size_t move) const { return is_known_[move]; }
   /// Returns the motion of a move, straight where the file states none (Move::is_linked), or the tool at rest in its
   /// position.
   [[nodiscard]] Motion motion_of(std::size_t move) const;
@@ -88,7 +88,7 @@ class CutHistory {
   const MotionLaw& law_;
   const std::vector<StockTool>& tools_;
   double resolution_mm_;
-  std::vector<bool> states_;  // true: known
+  std::vector<bool> is_known_;  // one for each move
   std::vector<OfTool> of_tool_;
   std::vector<Unknown> unknown_;
 };

@@ -1,0 +1,78 @@
+// How the result of the check against stock enters the verdicts.
+#include <gtest/gtest.h>
+
+#include "lib/certify/check.h"
+#include "tests/support/paths.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+using paths::upright;
+
+/// A block with its face at z = -20, in stock that is 20 mm higher.
+class SettledStock : public testing::Test {
+ protected:
+  CheckResult check(const Toolpath& path) {
+    const PreparedScene prepared(scene_, 1);
+    CheckOptions options;
+    options.threads = 1;
+    const StockSetup stock{StockSolid::box(Vec3(-50, -50, -40), Vec3(50, 50, 0)), {{&tool_, true}}, {}};
+    CheckSetup setup{{&tool_}, heads_, prepared, options};
+    setup.stock = &stock;
+    return gouge::check(path, setup);
+  }
+
+  ToolVariants tool_ = tools::flat(10);
+  std::vector<HeadBody> heads_;
+  Scene scene_{{shapes::box(Vec3(-50, -50, -40), Vec3(50, 50, -20))}, {}};
+};
+
+TEST_F(SettledStock, AMoveThatMeetsItIsAGougeAgainstTheStock) {
+  Toolpath path = paths::through({upright(-80, 0, -5), upright(80, 0, -5)}, MoveKind::rapid);
+  const CheckResult result = check(path);
+  EXPECT_EQ(result.verdicts[0].state, MoveState::clean);
+  ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
+  EXPECT_TRUE(result.verdicts[1].is_in_stock());
+  EXPECT_TRUE(result.verdicts[1].reason.is(Reason::Kind::stock_met));
+  EXPECT_EQ(result.counts.gouge, 1U);
+  ASSERT_EQ(result.events.size(), 1U);
+  EXPECT_EQ(result.events[0].against, Against::stock);
+  ASSERT_TRUE(result.stock.has_value());
+  EXPECT_EQ(result.stock->examined, 2U);
+  EXPECT_EQ(result.stock->clear, 1U);
+  EXPECT_EQ(result.stock->contacts.size(), 1U);
+  // The gap of a depth in stock is no gap of a depth in the part.
+  EXPECT_EQ(result.largest_gap_mm, 0);
+}
+
+TEST_F(SettledStock, AGougeOfThePartStays) {
+  const CheckResult result = check(paths::through({upright(-80, 0, -25), upright(80, 0, -25)}, MoveKind::rapid));
+  ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
+  EXPECT_FALSE(result.verdicts[1].is_in_stock());
+  EXPECT_EQ(result.stock->contacts.size(), 1U);
+}
+
+TEST_F(SettledStock, AWayThatTheFileDoesNotStateIsNoFinding) {
+  Toolpath path = paths::through({upright(-80, 0, -5), upright(80, 0, -5)});
+  path.moves[1].has_start = false;
+  path.moves[1].is_linked = true;
+  const CheckResult result = check(path);
+  EXPECT_EQ(result.verdicts[1].state, MoveState::not_checked);
+  EXPECT_EQ(result.counts.gouge, 0U);
+}
+
+TEST_F(SettledStock, MaterialNearAnUnknownMotionIsNotCertified) {
+  Toolpath path = paths::through(
+      {upright(-80, 0, 20), upright(0, 0, -5), upright(0, 0, 40), upright(0, 10, 40), upright(0, 10, -5)});
+  path.moves[1].not_checked_reason = "the tool radius compensation is on";
+  path.moves[4].kind = MoveKind::rapid;
+  const CheckResult result = check(path);
+  EXPECT_EQ(result.verdicts[1].state, MoveState::not_checked);
+  EXPECT_EQ(result.verdicts[4].state, MoveState::not_certified);
+  EXPECT_TRUE(result.verdicts[4].reason.is(Reason::Kind::stock_unknown));
+}
+
+}  // namespace
+}  // namespace gouge
