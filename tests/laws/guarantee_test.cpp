@@ -36,9 +36,9 @@ const SampleCase kSamples[] = {{"freeform", samples::make_freeform},
                                {"arcs_nx", samples::make_arcs_nx},
                                {"arcs_creo", samples::make_arcs_creo},
                                {"arcs_catia", samples::make_arcs_catia},
+                               {"sunk_jaw", samples::make_sunk_jaw},
                                {"rapid_stock", samples::make_rapid_stock},
-                               {"holder_stock", samples::make_holder_stock},
-                               {"sunk_jaw", samples::make_sunk_jaw}};
+                               {"holder_stock", samples::make_holder_stock}};
 
 class GuaranteeOnSamples : public ::testing::TestWithParam<SampleCase> {
  protected:
