@@ -80,10 +80,8 @@ Diagnostic JobWords::unknown(const std::string& key) const {
 }
 
 std::string JobWords::located(const std::string& file) const {
-  // A preset of --machine is no file, nor is a shape of --stock.
-  if (folder_.empty() || file.empty() || file.front() == '/' || file.starts_with(kMachinePreset) ||
-      !names_stock_file(file))
-    return file;
+  // A preset of --machine is not a file.
+  if (folder_.empty() || file.empty() || file.front() == '/' || file.starts_with(kMachinePreset)) return file;
   return (std::filesystem::path(folder_) / file).string();
 }
 
@@ -120,7 +118,8 @@ Outcome JobWords::add(const std::string& given, const nlohmann::json& value) {
   if (text.find('\0') != std::string::npos)
     return wrong("\"" + key + "\" holds the character U+0000; expected a text without it");
   const std::string type = option->get_type_name();
-  const bool is_file = type == "FILE" || type == "FIXTURE";
+  const bool is_shape = key == "stock" && !names_stock_file(text);
+  const bool is_file = (type == "FILE" || type == "FIXTURE") && !is_shape;
   if (text == "-" && type == "FILE") return wrong("\"" + key + "\" is -; expected a file: " + rules_->why_no_dash);
   words_.push_back("--" + key + "=" + (is_file ? located(text) : text));
   return Done{};

@@ -128,5 +128,14 @@ TEST_F(StockSample, AProjectFileNamesTheStock) {
   EXPECT_EQ(run_gougecheck(sample_.path, {"check", sample_.toolpath()}).exit_status, 0);
 }
 
+TEST_F(StockSample, APartNamedLikeAShapeIsFoundBesideItsProjectFile) {
+  ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
+  const Outcome ran = run_script(sample_.path,
+                                 "cp part.stl part+x.stl && mkdir sub && cp rapid_stock.apt sub/ && cd sub && echo "
+                                 "'{\"part\": \"part+x.stl\", \"tools\": \"tools.json\", \"stock\": \"part+5\"}' > "
+                                 "../gougecheck.json && \"$GOUGECHECK\" check rapid_stock.apt");
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples
