@@ -1,10 +1,9 @@
 #include "lib/stock/clear_groups.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "lib/base/tolerance.h"
+#include "lib/path/path_info.h"
 
 namespace gouge {
 
@@ -50,8 +49,7 @@ GroupPlace together(const std::vector<GroupPlace>& places, std::size_t first, st
   }
   if (axis.norm() > Tolerance::kNoSide) all.axis = axis.normalized();
   for (std::size_t k = first; k < last; ++k) {
-    const double angle = std::atan2(all.axis.cross(places[k].axis).norm(), all.axis.dot(places[k].axis));
-    all.cone_rad = std::max(all.cone_rad, angle + places[k].cone_rad);
+    all.cone_rad = std::max(all.cone_rad, angle_between_rad(all.axis, places[k].axis) + places[k].cone_rad);
   }
   return all;
 }

@@ -126,11 +126,11 @@ bool CutHistory::covers(std::size_t move, double until, const SweptPiece& piece)
 }
 
 bool CutHistory::is_removed_by(std::size_t move, double until, const SweptPiece& piece) const {
-  return is_cutting(move) && is_known(move) && covers(move, until, piece);
+  return is_known(move) && is_cutting(move) && covers(move, until, piece);
 }
 
 bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, std::size_t& hint) const {
-  if (hint < before && is_known(hint) && is_cutting(hint) && covers(hint, 1, piece)) return true;
+  if (hint < before && is_removed_by(hint, 1, piece)) return true;
   const SoughtPiece sought = sought_of(piece, resolution_mm_ - piece.slack_mm);
   for (const OfTool& of : of_tool_) {
     if (of.tree == nullptr || of.pieces.empty()) continue;

@@ -62,7 +62,6 @@ class CutHistory {
   /// Returns whether the move cuts: no rapid, and no position to which the file states no motion.
   [[nodiscard]] bool is_cutting(std::size_t move) const;
   [[nodiscard]] const Toolpath& path() const { return path_; }
-  [[nodiscard]] const MotionLaw& law() const { return law_; }
   [[nodiscard]] const StockTool& tool_of(std::size_t move) const { return tools_[path_.moves[move].tool]; }
 
  private:

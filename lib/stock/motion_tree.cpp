@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "lib/base/tolerance.h"
+#include "lib/path/path_info.h"
 
 namespace gouge {
 
@@ -22,8 +23,6 @@ Vec3 vec(const std::array<float, 3>& a) { return {a[0], a[1], a[2]}; }
 void set_axis(MotionSpan& span, const Vec3& axis) {
   for (std::size_t k = 0; k < 3; ++k) span.axis[k] = static_cast<float>(axis[static_cast<int>(k)]);
 }
-
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 MotionSpan span_of(const Motion& motion, std::uint32_t move, std::uint32_t segment, double t0, double t1) {
   MotionSpan span;
@@ -104,7 +103,8 @@ MotionSpan MotionTree::around(std::uint32_t first, std::uint32_t last) const {
   set_axis(all, axis.normalized());
   double cone = 0;
   for (std::uint32_t s = first; s < last; ++s)
-    cone = std::max(cone, angle_between(vec(all.axis), vec(spans_[s].axis)) + static_cast<double>(spans_[s].cone_rad));
+    cone =
+        std::max(cone, angle_between_rad(vec(all.axis), vec(spans_[s].axis)) + static_cast<double>(spans_[s].cone_rad));
   all.cone_rad = above(cone + Tolerance::kSingleRounding);
   return all;
 }

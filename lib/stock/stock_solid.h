@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "lib/base/result.h"
