@@ -17,7 +17,7 @@ bool is_of_project(const std::vector<std::string>& words) {
 // Returns the text that reports an option. For files it has only the name; for other options also the value, because
 // the verdict depends on it.
 std::string told(const ProjectOption& option) {
-  constexpr std::string_view kFiles[] = {"part", "fixture", "head", "tools", "stock", "allow-overlap"};
+  constexpr std::string_view kFiles[] = {"part", "fixture", "head", "tools", "stock", "before", "allow-overlap"};
   const bool is_file = std::ranges::find(kFiles, option.key) != std::end(kFiles);
   const std::string value = option.value();
   return is_file || value == "yes" ? option.key : option.key + " " + value;

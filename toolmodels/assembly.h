@@ -37,6 +37,7 @@ struct ToolAssembly {
   /// extensions and holder stand on the end of the shank.
   double stickout_mm = 0;
   double gauge_length_mm = 0;  ///< tip to gauge line; reported, not checked. 0: not given
+  bool cuts = true;            ///< false: it removes no stock, for example a probe
   /// Length of an extension of the cutter above its flutes, with the diameter of their top. Only extended_up sets it;
   /// library files do not contain it.
   double cutter_goes_on_mm = 0;

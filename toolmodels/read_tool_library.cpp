@@ -186,7 +186,7 @@ class Reader {
     const std::size_t notes_before = library_.notes.size();
     warn_unknown_keys(
         entry, pointer, who,
-        {"number", "name", "cutter", "shank", "extensions", "holder", "stickout", "gauge_length", "comment"});
+        {"number", "name", "cutter", "shank", "extensions", "holder", "stickout", "gauge_length", "cuts", "comment"});
     if (!entry.contains("cutter")) return fail("library-field", who + " has no \"cutter\"; it needs one", pointer);
     read_cutter(entry["cutter"], pointer + "/cutter", who, tool);
     if (entry.contains("shank")) tool.shank = read_segments(entry["shank"], pointer + "/shank", who + ": shank");
@@ -194,6 +194,7 @@ class Reader {
     tool.stickout_mm = length(entry, "stickout", pointer, who, 0);
     tool.gauge_length_mm = length(entry, "gauge_length", pointer, who, 0);
     if (entry.contains("holder")) read_tool_holder(entry["holder"], pointer + "/holder", who, tool);
+    if (entry.contains("cuts")) read_cuts(entry["cuts"], pointer + "/cuts", who, tool);
     tool.uncertainty = first_unknown_key(notes_before);
     if (!error_) add_tool(std::move(tool), pointer, who);
   }
@@ -208,6 +209,11 @@ class Reader {
     }
     if (!tool.number && tool.name.empty())
       fail("library-field", who + " has neither \"number\" nor \"name\"; it needs one to be found by", pointer);
+  }
+
+  void read_cuts(const Json& value, const std::string& pointer, const std::string& who, ToolAssembly& tool) {
+    if (!value.is_boolean()) return fail("library-field", who + ": \"cuts\" is neither true nor false", pointer);
+    tool.cuts = value.get<bool>();
   }
 
   void read_tool_holder(const Json& value, const std::string& pointer, const std::string& who, ToolAssembly& tool) {

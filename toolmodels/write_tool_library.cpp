@@ -66,6 +66,7 @@ class LibraryWriter {
     if (!t.holder.empty()) result["holder"] = segments(t.holder);
     if (t.stickout_mm > 0) result["stickout"] = length(t.stickout_mm);
     if (t.gauge_length_mm > 0) result["gauge_length"] = length(t.gauge_length_mm);
+    if (!t.cuts) result["cuts"] = false;
     return result;
   }
 

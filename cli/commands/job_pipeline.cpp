@@ -36,9 +36,10 @@ std::optional<int> JobPipeline::load() {
 
 std::optional<int> JobPipeline::load_stock() {
   progress_.begin("preparing the stock");
-  Result<LoadedStock> stock = gouge::load_stock(arguments_, *job_);
-  if (!stock) return fail_with(stock.error());
-  stock_ = std::move(*stock);
+  Diagnostics errors;
+  stock_ = gouge::load_stock(arguments_, *job_, progress_, errors);
+  progress_.end();
+  if (!stock_) return fail(context_.err, errors);
   return std::nullopt;
 }
 

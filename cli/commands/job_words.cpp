@@ -85,6 +85,13 @@ std::string JobWords::located(const std::string& file) const {
   return (std::filesystem::path(folder_) / file).string();
 }
 
+std::string JobWords::located_before(const std::string& typed) const {
+  BeforeText before = split_before(typed);
+  before.path = located(before.path);
+  before.tools = located(before.tools);
+  return before.typed();
+}
+
 std::string option_of_key(const std::string& key) { return key == "harmless_words" ? "harmless-word" : key; }
 
 std::string key_of_option(const std::string& name) { return name == "harmless-word" ? "harmless_words" : name; }
@@ -121,7 +128,7 @@ Outcome JobWords::add(const std::string& given, const nlohmann::json& value) {
   const bool is_shape = key == "stock" && !names_stock_file(text);
   const bool is_file = (type == "FILE" || type == "FIXTURE") && !is_shape;
   if (text == "-" && type == "FILE") return wrong("\"" + key + "\" is -; expected a file: " + rules_->why_no_dash);
-  words_.push_back("--" + key + "=" + (is_file ? located(text) : text));
+  words_.push_back("--" + key + "=" + (key == "before" ? located_before(text) : is_file ? located(text) : text));
   return Done{};
 }
 

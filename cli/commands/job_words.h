@@ -52,6 +52,8 @@ class JobWords {
   [[nodiscard]] Outcome add(const std::string& key, const nlohmann::json& value);
   /// Returns `file` below the folder if it is relative.
   [[nodiscard]] std::string located(const std::string& file) const;
+  /// Locates both files of the text of --before.
+  [[nodiscard]] std::string located_before(const std::string& typed) const;
   [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
 
  private:

@@ -169,6 +169,7 @@ std::string lengths_text(const ToolAssembly& tool, LengthUnit unit) {
   if (!tool.holder.empty() || !tool.extensions.empty())
     text += "  stick-out " + in_unit(stickout_mm(tool), unit) + ", tip to what holds the tool\n";
   if (tool.gauge_length_mm > 0) text += "  gauge     " + in_unit(tool.gauge_length_mm, unit) + ", tip to gauge line\n";
+  if (!tool.cuts) text += "  cuts      no: it removes no stock\n";
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/job/read_inputs.h"
 #include "cli/machine/machine_choice.h"
 #include "cli/machine/machine_facts.h"
 #include "cli/machine/rate_notes.h"
@@ -12,11 +13,9 @@
 #include "cli/options/length_rule.h"
 #include "cli/terminal/length_text.h"
 #include "cli/tools/resolve_tools.h"
-#include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/sha256.h"
 #include "lib/base/units.h"
-#include "lib/check/reach.h"
 #include "lib/check/scene_reach.h"
 #include "lib/geom/pose.h"
 #include "lib/machine/linuxcnc_ini.h"
@@ -25,7 +24,6 @@
 #include "postproc/report/report_text.h"
 #include "toolmodels/assembly.h"
 #include "toolmodels/compile_tool.h"
-#include "toolmodels/import/read_any_tools.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge {
@@ -82,29 +80,13 @@ class JobLoader {
 
  private:
   bool read_path() {
-    progress_.begin("reading " + arguments_.path);
-    Result<PagedVector<char>> bytes = read_long_file(arguments_.path, arguments_.input.max_bytes);
-    if (!bytes) {
-      errors_.push_back(bytes.error());
-      return false;
-    }
-    SourceText text(std::move(*bytes));
-    job_.inputs.push_back(describe_input("toolpath", arguments_.path, text));
-    ReadOutcome outcome = read_toolpath(arguments_.path, std::move(text), job_.options.reading, progress_.call());
-    errors_.insert(errors_.end(), outcome.errors.begin(), outcome.errors.end());
-    if (!outcome.toolpath) return false;
-    job_.toolpath = std::move(*outcome.toolpath);
+    std::optional<Toolpath> path = read_path_file(arguments_.path, "toolpath", arguments_.input.max_bytes,
+                                                  job_.options.reading, progress_, job_.inputs, errors_);
+    if (!path) return false;
+    job_.toolpath = std::move(*path);
     add_notes(job_.toolpath.notes);
     if (job_.toolpath.unit == LengthUnit::inch && !arguments_.lengths_in_mm.empty())
       job_.notes.push_back(describe_lengths_in_mm(arguments_.lengths_in_mm, "the toolpath"));
-    for (const Move& move : job_.toolpath.moves) {
-      if (is_within_reach(move.end.tip)) continue;
-      errors_.push_back(
-          make_error("path-too-far",
-                     "the position is more than 100 m from the origin; expected a path within that; check the units",
-                     arguments_.path, move.line));
-      return false;
-    }
     return true;
   }
 
@@ -169,14 +151,10 @@ class JobLoader {
     progress_.begin("reading the tools");
     std::optional<ToolLibrary> library;
     if (!arguments_.tools_file.empty()) {
-      const Result<std::string> bytes = read_file(arguments_.tools_file, arguments_.input.max_bytes);
-      if (!bytes) return errors_.push_back(bytes.error());
-      job_.inputs.push_back(describe_input("tools", arguments_.tools_file, *bytes));
-      Result<ReadTools> read = read_any_tools(arguments_.tools_file, *bytes, arguments_.input.max_bytes);
+      Result<ToolLibrary> read =
+          read_tool_file(arguments_.tools_file, "tools", arguments_.input.max_bytes, job_.inputs);
       if (!read) return errors_.push_back(read.error());
-      for (const BesideFile& beside : read->besides)
-        job_.inputs.push_back(describe_input("named-by-tools", beside.path, beside.bytes));
-      library = std::move(read->library);
+      library = std::move(*read);
       add_notes(library->notes);
     }
     Result<ResolvedTools> resolved =

@@ -13,20 +13,30 @@ namespace {
 
 class StockLoader {
  public:
-  StockLoader(const JobArguments& arguments, Job& job) : arguments_(arguments), job_(job) {}
+  StockLoader(const JobArguments& arguments, Job& job, Progress& progress, Diagnostics& errors)
+      : arguments_(arguments), job_(job), progress_(progress), errors_(errors) {}
 
-  Result<LoadedStock> run() {
+  std::optional<LoadedStock> run() {
     const Result<StockOptions> options = understand_stock_options(arguments_);
-    if (!options) return options.error();
+    if (!options) return fail(options.error());
     Result<StockSolid> solid = make_solid();
-    if (!solid) return solid.error();
-    stock_.setup = StockSetup{std::move(*solid), {}, *options};
-    if (const std::optional<Diagnostic> error = add_tools()) return *error;
+    if (!solid) return fail(solid.error());
+    stock_.setup = StockSetup{.solid = std::move(*solid), .options = *options};
+    if (const std::optional<Diagnostic> error = add_tools()) return fail(*error);
+    std::optional<EarlierPrograms> before = read_earlier_programs(arguments_, job_, progress_, errors_);
+    if (!before) return std::nullopt;
+    stock_.setup->before = std::move(before->programs);
+    stock_.tools_before = std::move(before->tools);
     job_.basis.inputs.push_back(fact());
     return std::move(stock_);
   }
 
  private:
+  std::nullopt_t fail(const Diagnostic& error) {
+    errors_.push_back(error);
+    return std::nullopt;
+  }
+
   Result<StockSolid> make_solid() {
     const Result<StockShape> shape = understand_stock_shape(arguments_.stock);
     if (!shape) return shape.error();
@@ -76,32 +86,40 @@ class StockLoader {
           make_tool_variants(arguments_.is_extended_up ? job_.without_end(*assembly) : *assembly, 0, 0, 0);
       if (!variants) return variants.error();
       stock_.tools.push_back(std::move(*variants));
-      stock_.setup->tools.back().tool = &stock_.tools.back();
+      stock_.setup->tools.back() = {&stock_.tools.back(), assembly->cuts};
     }
     return std::nullopt;
   }
 
   [[nodiscard]] Assumption fact() const {
     Assumption fact{.subject = Subject::stock, .basis = Basis::stated, .value = description_};
-    fact.evidence = "stated by the user; only the moves of this path remove material from it";
+    std::string programs;
+    for (const EarlierProgram& earlier : stock_.setup->before)
+      programs += (programs.empty() ? "the moves of " : ", ") + earlier.path.file;
+    fact.evidence = "stated by the user; " +
+                    (programs.empty() ? "only the moves of this path" : programs + " and then those of this path") +
+                    " remove material from it";
     fact.file = job_.toolpath.file;
     return fact;
   }
 
   const JobArguments& arguments_;
   Job& job_;
+  Progress& progress_;
+  Diagnostics& errors_;
   LoadedStock stock_;
   std::string description_;
 };
 
 }  // namespace
 
-Result<LoadedStock> load_stock(const JobArguments& arguments, Job& job) {
-  if (!job.options.check.tube.is_empty())
-    return make_error("usage",
-                      "--stock does not cover the tolerances of the control yet; give --tip-tolerance 0 and "
-                      "--axis-tolerance 0");
-  return StockLoader(arguments, job).run();
+std::optional<LoadedStock> load_stock(const JobArguments& arguments, Job& job, Progress& progress,
+                                      Diagnostics& errors) {
+  if (job.options.check.tube.is_empty()) return StockLoader(arguments, job, progress, errors).run();
+  errors.push_back(make_error("usage",
+                              "--stock does not cover the tolerances of the control yet; give --tip-tolerance 0 and "
+                              "--axis-tolerance 0"));
+  return std::nullopt;
 }
 
 }  // namespace gouge

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/job/earlier_programs.h"
 #include "cli/job/job.h"
 #include "lib/certify/settle_stock.h"
 
@@ -12,7 +13,7 @@ namespace gouge {
 /// The stock of a job with the meshes and tools to which it refers.
 struct LoadedStock {
   std::deque<IndexedMesh> meshes;
-  std::deque<ToolVariants> tools;
+  std::deque<ToolVariants> tools, tools_before;
   std::optional<StockSetup> setup;
 
   LoadedStock() = default;
@@ -22,10 +23,12 @@ struct LoadedStock {
   LoadedStock& operator=(const LoadedStock&) = delete;
 };
 
-/// Makes the stock of a job, and its tools without offsets. Adds the file of the stock to the inputs of the job, and the
-/// fact that its verdict rests on the stock. The stock has the place and the unit of the parts. Requires: find_wrong_stock finds
-/// nothing.
-/// Errors: those of the file; a stock without an inside; a tool that cannot be made; a tolerance of the control.
-[[nodiscard]] Result<LoadedStock> load_stock(const JobArguments& arguments, Job& job);
+/// Makes the stock of a job, its tools without offsets, and the programs that cut it before. Adds their files to the inputs
+/// of the job, and the fact that its verdict rests on the stock. The stock has the place and the unit of the parts.
+/// Requires: find_wrong_stock finds nothing.
+/// Nothing: `errors` has those of the files; a stock without an inside; a tool that cannot be made; a tolerance of the
+/// control.
+[[nodiscard]] std::optional<LoadedStock> load_stock(const JobArguments& arguments, Job& job, Progress& progress,
+                                                    Diagnostics& errors);
 
 }  // namespace gouge

@@ -14,11 +14,27 @@ constexpr const char* kExpected =
     "box, box=LENGTH or part+LENGTH with a length of 0 to 100 m, or the name of an STL file (./NAME if it begins alike)";
 constexpr double kFinestStock_mm = 0.001;  // a finer resolution only takes longer
 constexpr std::string_view kBox = "box", kBoxWith = "box=", kPartWith = "part+";
+constexpr std::string_view kTools = ",tools=", kPlace = ",place=";
 
 }  // namespace
 
 bool names_stock_file(const std::string& typed) {
   return !typed.empty() && typed != kBox && !typed.starts_with(kBoxWith) && !typed.starts_with(kPartWith);
+}
+
+std::string BeforeText::typed() const {
+  return path + (tools.empty() ? "" : std::string(kTools) + tools) + (place.empty() ? "" : std::string(kPlace) + place);
+}
+
+BeforeText split_before(const std::string& typed) {
+  const std::size_t at_tools = typed.find(kTools), at_place = typed.find(kPlace);
+  const auto value = [&](std::string_view key, std::size_t at, std::size_t other) {
+    if (at == std::string::npos) return std::string();
+    const std::size_t begin = at + key.size();
+    return typed.substr(begin, other > begin && other != std::string::npos ? other - begin : std::string::npos);
+  };
+  return {typed.substr(0, std::min(at_tools, at_place)), value(kTools, at_tools, at_place),
+          value(kPlace, at_place, at_tools)};
 }
 
 Result<StockShape> understand_stock_shape(const std::string& typed) {
@@ -62,6 +78,15 @@ const OptionRows<JobArguments>& stock_options() {
                "STL file, box or box=MARGIN (the box about the parts), or part+ALLOWANCE",
        .scope = Scope::project,
        .recorded = Recorded::repeated},
+      {.name = "--before",
+       .field = &A::before,
+       .type = "FILE",
+       .help = "Program that cut this stock before the toolpath (repeatable, in the order of time). Its tools and its "
+               "place in the coordinates of the toolpath are appended: op10.apt,tools=op10.json,place=0,0,-5,180,0,0 "
+               "(default: the tools of --tools, the same coordinates)",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .needs = "--stock"},
       {.name = "--stock-tolerance",
        .field = &A::stock_tolerance,
        .type = "LENGTH",
@@ -84,6 +109,13 @@ std::optional<Diagnostic> find_wrong_stock(const JobArguments& arguments) {
   if (arguments.stock.empty()) return std::nullopt;
   if (const Result<StockShape> shape = understand_stock_shape(arguments.stock); !shape) return shape.error();
   if (const Result<StockOptions> options = understand_stock_options(arguments); !options) return options.error();
+  for (const std::string& typed : arguments.before) {
+    const BeforeText before = split_before(typed);
+    if (before.path.empty() || before.typed().size() != typed.size())
+      return usage_error("--before", typed, "FILE, FILE,tools=FILE or FILE,tools=FILE,place=X,Y,Z[,RX,RY,RZ]");
+    if (before.place.empty()) continue;
+    if (const auto place = understand_place("--before", before.place); !place) return place.error();
+  }
   if (!arguments.heads.empty())
     return make_error(
         "usage", "--stock does not examine the bodies of --head; leave out --head and check it in a run of its own");

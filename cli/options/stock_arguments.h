@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/options/option_table.h"
 #include "lib/base/result.h"
@@ -18,8 +19,18 @@ struct JobArguments;
 /// The options of the remaining stock, as typed.
 struct StockArguments {
   std::string stock;                              ///< "box", "box=2", "part+3" or the name of a file; empty: none
+  std::vector<std::string> before;                ///< "op10.apt,tools=lib.json,place=0,0,5", in the order of time
   std::string stock_tolerance, stock_resolution;  ///< empty: those of StockOptions
 };
+
+/// A program that ran before, as typed behind --before.
+struct BeforeText {
+  std::string path, tools, place;  ///< tools and place: empty if they are not given
+  [[nodiscard]] std::string typed() const;
+};
+
+/// Splits the text of --before. A comma of a file's name stays in it.
+[[nodiscard]] BeforeText split_before(const std::string& typed);
 
 /// The shape of the stock, understood.
 struct StockShape {

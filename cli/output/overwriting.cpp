@@ -80,6 +80,11 @@ std::vector<InputOption> inputs_of(const JobArguments& a) {
   for (const std::string& file : a.heads) inputs.push_back({"the head", file});
   if (!a.machine.empty() && !a.machine.starts_with(kMachinePreset)) inputs.push_back({"the machine", a.machine});
   if (names_stock_file(a.stock)) inputs.push_back({"the stock", a.stock});
+  for (const std::string& typed : a.before) {
+    const BeforeText before = split_before(typed);
+    inputs.push_back({"the program before", before.path});
+    if (!before.tools.empty()) inputs.push_back({"the tools of the program before", before.tools});
+  }
   return inputs;
 }
 

@@ -1,5 +1,6 @@
 #include "lib/certify/settle_stock.h"
 
+#include <deque>
 #include <utility>
 
 #include "lib/base/number_text.h"
@@ -33,7 +34,7 @@ class Settling {
     if (finding.witness) result_.stock->contacts.push_back(contact_of(finding));
     if (!is_free(verdict)) return;
     if (!finding.witness) {
-      verdict = open(verdict, finding.unknown_move);
+      verdict = open(verdict, finding.unknown);
     } else if (path_.moves[finding.move].is_linked && !path_.moves[finding.move].has_start) {
       verdict = not_checked(link_reason(path_, finding.move));  // the file does not state the way to this position
     } else {
@@ -44,7 +45,7 @@ class Settling {
   void leave_open(std::size_t move) {
     MoveVerdict& verdict = result_.verdicts[move];
     if (!is_free(verdict)) return;
-    verdict = open(verdict, std::nullopt);
+    verdict = open(verdict, {});
     verdict.reason = {Reason::Kind::stock_motion_open, Body::cutter, 0, {}};
   }
 
@@ -53,21 +54,37 @@ class Settling {
     return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
   }
 
-  static StockContact contact_of(const StockFinding& finding) {
-    StockContact contact{finding.move, finding.contact.clear_until, finding.contact.contact_at, kNone, 0};
+  [[nodiscard]] static std::size_t line_of(const CutMove& cut) { return cut.program->path().moves[cut.move].line; }
+  /// Returns the name of the file of a program that ran before; empty for the path itself.
+  [[nodiscard]] std::string file_of(const CutMove& cut) const {
+    return cut.program == &history_ ? "" : cut.program->path().file;
+  }
+  /// Returns "line 12", or "line 12 of op10.apt" for a program that ran before.
+  [[nodiscard]] std::string place_of(const CutMove& cut) const {
+    const std::string file = file_of(cut);
+    return "line " + std::to_string(line_of(cut)) + (file.empty() ? "" : " of " + file);
+  }
+
+  [[nodiscard]] StockContact contact_of(const StockFinding& finding) const {
+    StockContact contact;
+    contact.move = finding.move;
+    contact.clear_until = finding.contact.clear_until;
+    contact.contact_at = finding.contact.contact_at;
     if (finding.nearest_cut) {
-      contact.cut_move = finding.nearest_cut->move;
+      contact.cut_move = finding.nearest_cut->cut.move;
+      contact.cut_line = line_of(finding.nearest_cut->cut);
+      contact.cut_file = file_of(finding.nearest_cut->cut);
       contact.missed_by_mm = finding.nearest_cut->distance_mm;
     }
     return contact;
   }
 
-  MoveVerdict open(const MoveVerdict& free, std::optional<std::size_t> unknown) const {
+  MoveVerdict open(const MoveVerdict& free, const CutMove& unknown) const {
     MoveVerdict verdict;
     verdict.state = MoveState::not_certified;
     verdict.depth_upper_mm = free.depth_upper_mm;
     verdict.reason.kind = unknown ? Reason::Kind::stock_unknown : Reason::Kind::stock_touched;
-    if (unknown) verdict.reason.amount = static_cast<double>(std::size_t{path_.moves[*unknown].line});
+    if (unknown) verdict.reason.detail = place_of(unknown);
     return verdict;
   }
 
@@ -93,8 +110,7 @@ class Settling {
     std::string text = "first contact at t=" + display_text(finding.contact.contact_at, kInstantDecimals) +
                        ", clear until t=" + display_text(finding.contact.clear_until, kInstantDecimals) + "; ";
     if (!finding.nearest_cut) return text + "no earlier move cuts this stock";
-    return text + "the nearest earlier cut, line " +
-           std::to_string(std::size_t{path_.moves[finding.nearest_cut->move].line}) + ", misses it by " +
+    return text + "the nearest earlier cut, " + place_of(finding.nearest_cut->cut) + ", misses it by " +
            display_text(finding.nearest_cut->distance_mm, kLengthDecimals) + " mm";
   }
 
@@ -109,7 +125,13 @@ class Settling {
 
 void settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& result, const ProgressCall& progress) {
   const StockSetup& stock = *setup.stock;
-  const CutHistory history(path, setup.options.law, stock.tools, stock.options);
+  std::deque<CutHistory> programs;
+  for (const EarlierProgram& earlier : stock.before) {
+    const CutHistory* last = programs.empty() ? nullptr : &programs.back();
+    programs.emplace_back(earlier.path, earlier.law, earlier.tools, stock.options, last);
+  }
+  const CutHistory history(path, setup.options.law, stock.tools, stock.options,
+                           programs.empty() ? nullptr : &programs.back());
   const StockResult found = check_stock(history, stock.solid, stock.options, setup.options.threads, progress);
   result.stock = StockFacts{stock.options.tolerance_mm, stock.options.resolution_mm, 0, found.proved, {}};
   Settling settling(path, history, result);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,19 @@ namespace gouge {
 
 struct CheckSetup;
 
-/// The stock of a check and the tools that cut it.
+/// A program that cut the stock before the path, in the coordinates of the path.
+struct EarlierProgram {
+  Toolpath path;
+  MotionLaw law;
+  std::vector<StockTool> tools;  ///< one per path.tools, without offsets
+};
+
+/// The stock of a check and the programs and tools that cut it.
 struct StockSetup {
   StockSolid solid;
-  std::vector<StockTool> tools;  ///< one per Toolpath::tools, without offsets
-  StockOptions options;
+  std::deque<EarlierProgram> before = {};  ///< in the order in which they ran
+  std::vector<StockTool> tools = {};       ///< one per Toolpath::tools, without offsets
+  StockOptions options = {};
 };
 
 /// Checks a path against its remaining stock and enters the result into its verdicts. A clean move that meets stock

@@ -25,6 +25,8 @@ struct StockContact {
   double clear_until = 0;        ///< proved clear before this instant, in [0, 1]
   double contact_at = 0;         ///< instant of a witness, the earliest that was found
   std::size_t cut_move = kNone;  ///< the earlier cut that came nearest to the witness of the move; kNone: none
+  std::size_t cut_line = 0;      ///< its line, with cut_move
+  std::string cut_file{};        ///< its file if that is a program that ran before; empty: that of the move
   double missed_by_mm = 0;       ///< distance of that cut from it, as a search finds it; with cut_move
 };
 

@@ -30,7 +30,7 @@ struct Reason {
     out_of_budget,  ///< the budget of `amount` bounds ran out
     head_out_of_budget,
     turn_undecided,           ///< no proof covers all positions of the rotary joints
-    stock_unknown,            ///< what the motion of line `amount` removed of the stock is not known
+    stock_unknown,            ///< what the motion at `detail` (a line) removed of the stock is not known
     stock_touched,            ///< a tool touched the remaining stock, which it may have removed
     stock_motion_open,        ///< the law states no single motion, so it is not checked against the stock
     clearance_entered,        ///< the clearance of `body` is entered by `amount` mm

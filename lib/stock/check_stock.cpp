@@ -20,14 +20,13 @@ constexpr double kDepthGap = 0.1;
 /// Moves of one group have the same tool and the same body in question.
 struct Group {
   MoveRange range;
-  bool is_rapid = false;
+  bool is_whole = false;
 };
 
 class StockChecker {
  public:
   StockChecker(const CutHistory& history, const StockSolid& stock, const StockOptions& options)
-      : history_(history), path_(history.path()), stock_(stock), options_(options), step_options_(options) {
-    step_options_.budget_per_move = options.budget_per_step;
+      : history_(history), path_(history.path()), stock_(stock), options_(options) {
     is_examined_.reserve(path_.moves.size());
     for (std::size_t i = 0; i < path_.moves.size(); ++i) is_examined_.push_back(history.is_known(i));
   }
@@ -48,19 +47,17 @@ class StockChecker {
   }
 
  private:
-  /// A position to which the file states no motion is reached as in a rapid.
-  [[nodiscard]] bool is_rapid(std::size_t i) const {
-    return path_.moves[i].kind == MoveKind::rapid || !path_.moves[i].has_start;
-  }
+  /// Returns whether the whole tool is examined. A position to which the file states no motion is reached as in a rapid.
+  [[nodiscard]] bool is_whole(std::size_t i) const { return !history_.is_cutting(i); }
 
   [[nodiscard]] std::vector<Group> make_groups() const {
     std::vector<Group> groups;
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       if (!is_examined_[i]) continue;
       const bool continues = !groups.empty() && groups.back().range.last == i &&
-                             i - groups.back().range.first < kGroup && groups.back().is_rapid == is_rapid(i) &&
+                             i - groups.back().range.first < kGroup && groups.back().is_whole == is_whole(i) &&
                              path_.moves[i].tool == path_.moves[i - 1].tool;
-      if (!continues) groups.push_back({{i, i}, is_rapid(i)});
+      if (!continues) groups.push_back({{i, i}, is_whole(i)});
       groups.back().range.last = i + 1;
     }
     return groups;
@@ -69,7 +66,7 @@ class StockChecker {
   [[nodiscard]] std::vector<StockFinding> check(const Group& group) const {
     std::vector<StockFinding> found;
     const ToolVariants& tool = *history_.tool_of(group.range.first).tool;
-    const CompiledTool& body = group.is_rapid ? tool.bare : tool.non_cutting;
+    const CompiledTool& body = group.is_whole ? tool.bare : tool.non_cutting;
     if (body.elements.empty()) return found;
     const StockQuestion first = question(body, group.range.first);
     for (const OpenMove& open : moves_not_clear(first, group.range)) {
@@ -80,7 +77,7 @@ class StockChecker {
       StockFinding finding;
       finding.move = open.move;
       finding.depth_upper_mm = body.r_max_mm;
-      finding.unknown_move = answer.unknown_move;
+      finding.unknown = answer.unknown;
       finding.witness = answer.witness;
       if (finding.witness) explain(about, motion, open.pieces, finding);
       found.push_back(finding);
@@ -91,10 +88,17 @@ class StockChecker {
   [[nodiscard]] StockQuestion question(const CompiledTool& body, std::size_t move) const {
     return {history_, stock_, options_, body, move, history_.is_cutting(move)};
   }
-  [[nodiscard]] StockQuestion step_of(const StockQuestion& whole) const {
-    return {history_, stock_, step_options_, whole.body, whole.move, whole.is_cutting};
-  }
 
+  /// Asks with what is left of the budget for a bound, and takes off what that needed.
+  static StockAnswer ask(const StockQuestion& about, const Motion& motion, const std::vector<ToolPiece>& pieces,
+                         double from, double to, double depth_mm, std::uint64_t& budget) {
+    StockOptions options = about.options;
+    options.budget_per_move = budget;
+    const StockQuestion limited{about.history, about.stock, options, about.body, about.move, about.is_cutting};
+    const StockAnswer answer = find_stock(limited, motion, pieces, from, to, depth_mm);
+    budget -= std::min(budget, answer.examined);
+    return answer;
+  }
   void explain(const StockQuestion& about, const Motion& motion, const std::vector<ToolPiece>& pieces,
                StockFinding& finding) const {
     finding.contact = first_contact(about, motion, pieces, finding.witness->t);
@@ -106,19 +110,18 @@ class StockChecker {
     const Vec3 from_tip = witness.point - pose.tip;
     const double z = from_tip.dot(pose.axis);
     finding.body = bare.elements[evaluate(bare, (from_tip - z * pose.axis).norm(), z).element].body;
-    if (!is_rapid(about.move) && finding.body == Body::cutter) finding.body = Body::shank;
+    if (!is_whole(about.move) && finding.body == Body::cutter) finding.body = Body::shank;
   }
 
   /// Asks about greater depths until both bounds of the depth are near each other. The next depth is twice the known one
   /// at most, since proofs for depths near the true one take longest.
   void find_depth(const StockQuestion& about, const Motion& motion, StockFinding& finding) const {
-    std::uint64_t examined = 0;
-    for (int k = 0; k < kDepthSteps && examined < options_.budget_per_move; ++k) {
+    std::uint64_t budget = options_.budget_per_bound;
+    for (int k = 0; k < kDepthSteps && budget > 0; ++k) {
       const double known = finding.witness->depth_mm, gap = finding.depth_upper_mm - known;
       if (gap <= std::max(2 * options_.resolution_mm, kDepthGap * known)) return;
       const double next = known + std::min(0.5 * gap, known);
-      const StockAnswer answer = find_stock(about, motion, deep_pieces(about.body, next), 0, 1, next);
-      examined += answer.examined;
+      const StockAnswer answer = ask(about, motion, deep_pieces(about.body, next), 0, 1, next, budget);
       if (answer.witness) {
         finding.witness = answer.witness;
       } else if (answer.is_clear) {
@@ -137,11 +140,11 @@ class StockChecker {
     for (std::uint32_t s = 0; s < motion.segments().size(); ++s)
       length += motion.path_length_mm(motion.segments()[s].t0, motion.segments()[s].t1, s);
     length += motion.turn_rad() * std::max(about.body.z_max_mm, about.body.r_max_mm);
-    const StockQuestion step = step_of(about);
-    for (int k = 0; k < kContactSteps; ++k) {
+    std::uint64_t budget = options_.budget_per_bound;
+    for (int k = 0; k < kContactSteps && budget > 0; ++k) {
       if ((contact.contact_at - contact.clear_until) * length <= options_.resolution_mm) break;
       const double middle = 0.5 * (contact.clear_until + contact.contact_at);
-      const StockAnswer until = find_stock(step, motion, pieces, contact.clear_until, middle, options_.tolerance_mm);
+      const StockAnswer until = ask(about, motion, pieces, contact.clear_until, middle, options_.tolerance_mm, budget);
       if (until.witness) {
         contact.contact_at = until.witness->t;
       } else if (until.is_clear) {
@@ -157,7 +160,6 @@ class StockChecker {
   const Toolpath& path_;
   const StockSolid& stock_;
   const StockOptions& options_;
-  StockOptions step_options_;
   std::vector<bool> is_examined_;
 };
 

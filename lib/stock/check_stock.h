@@ -18,12 +18,12 @@ struct FirstContact {
 /// The result for one move that is not clear of remaining stock.
 struct StockFinding {
   std::size_t move = 0;
-  std::optional<StockWitness> witness;      ///< none: the move is not certified
-  double depth_upper_mm = 0;                ///< no remaining stock is deeper
-  Body body = Body::cutter;                 ///< body of the tool in which the witness is
-  FirstContact contact;                     ///< with a witness
-  std::optional<PassedBy> nearest_cut;      ///< with a witness: the earlier cutter that came nearest to it
-  std::optional<std::size_t> unknown_move;  ///< without a witness: the move whose unknown motion leaves it open
+  std::optional<StockWitness> witness;  ///< none: the move is not certified
+  double depth_upper_mm = 0;            ///< no remaining stock is deeper
+  Body body = Body::cutter;             ///< body of the tool in which the witness is
+  FirstContact contact;                 ///< with a witness
+  std::optional<PassedBy> nearest_cut;  ///< with a witness: the earlier cutter that came nearest to it
+  CutMove unknown;                      ///< without a witness: the move whose unknown motion leaves it open
 };
 
 /// The result for a path. Moves that are in no finding are proved clear, except those with `is_examined` false.

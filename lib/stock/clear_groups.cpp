@@ -56,7 +56,7 @@ GroupPlace together(const std::vector<GroupPlace>& places, std::size_t first, st
 
 class Groups {
  public:
-  Groups(const StockQuestion& question, const MoveRange& range) : q_(question), range_(range), hint_(question.move) {
+  Groups(const StockQuestion& question, const MoveRange& range) : q_(question), range_(range) {
     for (std::size_t m = range.first; m < range.last; ++m) places_.push_back(place_of(q_.history.motion_of(m)));
   }
 
@@ -71,7 +71,7 @@ class Groups {
       open_.push_back({range_.first + first, std::move(pieces)});
       return;
     }
-    // Boxes lie in the frame of this group alone; cylinders are the same about the axis of every part of it.
+    // Sectors lie in the frame of this group alone; cylinders are the same about the axis of every part of it.
     const std::vector<ToolPiece> rest = whole_cylinders(not_free(first, last, std::move(pieces)));
     if (rest.empty()) return;
     const std::size_t quarter = std::max<std::size_t>(1, (last - first + kQuarters - 1) / kQuarters);
@@ -100,29 +100,20 @@ class Groups {
   }
 
   static Division division_of(const ToolPiece& piece) {
-    if (!piece.is_box) return piece.height_mm() > piece.r_mm ? Division::height : Division::quarters;
-    Eigen::Index longest = 0;
-    piece.half.maxCoeff(&longest);
-    return static_cast<Division>(longest);
+    if (!piece.is_cylinder()) return longest_extent(piece);
+    return piece.height_mm() > piece.r_mm ? Division::height : Division::boxes;
   }
 
   bool is_free(const ToolPiece& piece, const GroupPlace& place, double slack, std::size_t before) {
     const Vec3 tip = 0.5 * (place.low + place.high), x = place.axis.unitOrthogonal(), y = place.axis.cross(x);
-    const auto at = [&](const Vec3& p) { return Vec3(tip + p.x() * x + p.y() * y + p.z() * place.axis); };
+    const PieceDiscs in_tool = discs_of(piece);
     SweptPiece swept;
     swept.slack_mm = slack;
-    const auto add = [&](const Vec3& p, double radius) {
-      swept.at0[swept.count] = swept.at1[swept.count] = {at(p), place.axis, radius};
-      ++swept.count;
-    };
-    if (piece.is_box) {
-      for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 side((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
-        add(piece.center + piece.half.cwiseProduct(side), 0);
-      }
-    } else {
-      add({0, 0, piece.z_lo_mm}, piece.r_mm);
-      add({0, 0, piece.z_hi_mm}, piece.r_mm);
+    swept.count = in_tool.count;
+    for (std::size_t k = 0; k < in_tool.count; ++k) {
+      const Vec3& p = in_tool.discs[k].center;
+      const Vec3 at = tip + p.x() * x + p.y() * y + p.z() * place.axis;
+      swept.at0[k] = swept.at1[k] = {at, place.axis, in_tool.discs[k].radius_mm};
     }
     return q_.stock.is_clear_of(swept.start(), slack - q_.options.resolution_mm) ||
            q_.history.is_removed(swept, before, hint_);
@@ -132,7 +123,7 @@ class Groups {
   MoveRange range_;
   std::vector<GroupPlace> places_;
   std::vector<OpenMove> open_;
-  std::size_t hint_;
+  CutMove hint_;
 };
 
 }  // namespace

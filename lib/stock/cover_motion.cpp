@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "lib/tool/evaluate.h"
@@ -59,28 +60,122 @@ bool falls_to(double wanted, double guess, double steepest, const Function& valu
   return std::min(at_x, at_y) <= wanted;
 }
 
-/// Finds a low value of a function on [t0, t1]: at `first` + 1 even instants, then about the best of them.
+/// An interval of instants with the value at its middle.
+struct Instants {
+  double a = 0, b = 0, value = 0;
+  [[nodiscard]] double middle() const { return 0.5 * (a + b); }
+};
+
+/// Seeks an instant of [t0, t1] with a value of at most `wanted`. `way(a, b)` bounds the change of the value over [a, b].
+/// Halves first the interval with the lowest value in its middle; intervals whose value cannot fall enough are left out.
+/// Nothing: no instant was found.
+template <typename Value, typename Way>
+std::optional<double> instant_below(double t0, double t1, double wanted, const Value& value, const Way& way) {
+  std::vector<Instants> waiting;
+  std::size_t count = 0;
+  std::optional<double> found;
+  const auto is_higher = [](const Instants& x, const Instants& y) { return x.value > y.value; };
+  const auto add = [&](double a, double b) {
+    const double middle = 0.5 * (a + b), at = value(middle);
+    ++count;
+    if (at <= wanted) found = middle;
+    if (found || at - std::max(way(a, middle), way(middle, b)) > wanted) return;
+    waiting.push_back({a, b, at});
+    std::push_heap(waiting.begin(), waiting.end(), is_higher);
+  };
+  add(t0, t1);
+  while (!found && !waiting.empty() && count < kMaxInstants) {
+    std::pop_heap(waiting.begin(), waiting.end(), is_higher);
+    const Instants lowest = waiting.back();
+    waiting.pop_back();
+    if (!(lowest.middle() > lowest.a && lowest.b > lowest.middle())) continue;
+    add(lowest.a, lowest.middle());
+    if (!found) add(lowest.middle(), lowest.b);
+  }
+  return found;
+}
+
+/// Seeks the instants of one segment of a motion at which a convex piece of its cutter contains a piece of space.
+class SegmentCover {
+ public:
+  SegmentCover(const Motion& motion, std::uint32_t segment, const ConvexPiece& piece, const SweptPiece& swept)
+      : motion_(motion),
+        segment_(segment),
+        is_turning_(motion.turn_rad() > 0),
+        axis_(motion.at(motion.segments()[segment].t0).axis),
+        piece_(piece),
+        swept_(swept) {}
+
+  [[nodiscard]] bool has_one_instant(const CutWindow& window, double wanted) const {
+    return find(window, wanted, [&](double t) { return std::max(at(t, swept_.start()), at(t, swept_.end())); })
+        .has_value();
+  }
+
+  /// The sag of the cutter's way between both instants is lost; so lower values are sought where it matters.
+  [[nodiscard]] bool has_two_instants(const CutWindow& window, double wanted) const {
+    double lower = wanted;
+    for (int k = 0; k < kLowered; ++k) {
+      const auto start = find(window, lower, [&](double t) { return at(t, swept_.start()); });
+      if (!start) return false;
+      const auto end = at(*start, swept_.end()) <= lower
+                           ? start
+                           : find(window, lower, [&](double t) { return at(t, swept_.end()); });
+      if (!end) return false;
+      const double sag = motion_.sag_mm(std::min(*start, *end), std::max(*start, *end), segment_);
+      if (std::max(at(*start, swept_.start()), at(*end, swept_.end())) <= wanted - sag) return true;
+      lower = wanted - sag;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr int kLowered = 2;
+
+  [[nodiscard]] double at(double t, std::span<const Disc> discs) const {
+    return largest_value(piece_, discs, motion_.tip_at(t, segment_), is_turning_ ? motion_.at(t).axis : axis_);
+  }
+
+  template <typename Value>
+  [[nodiscard]] std::optional<double> find(const CutWindow& window, double wanted, const Value& value) const {
+    return instant_below(window.from, window.until, wanted, value, [&](double a, double b) {
+      const double length = motion_.path_length_mm(a, b, segment_);
+      if (!is_turning_) return length;
+      const double turn = motion_.turn_rad(a, b);
+      const Vec3 tip = motion_.tip_at(a, segment_);
+      double far = 0;
+      for (const std::span<const Disc> discs : {swept_.start(), swept_.end()})
+        for (const Disc& disc : discs) far = std::max(far, (disc.center - tip).norm() + disc.radius_mm);
+      return length + turn * (far + length);
+    });
+  }
+
+  const Motion& motion_;
+  std::uint32_t segment_;
+  bool is_turning_;
+  Vec3 axis_;  // at the start
+  const ConvexPiece& piece_;
+  const SweptPiece& swept_;
+};
+
+/// Returns the lowest value of a function that is found on [t0, t1]: at even instants, then about the best of them.
 template <typename Function>
-double best_instant(double t0, double t1, double wanted, const Function& value, double& at_best, int first = 4) {
-  double best = t0;
-  at_best = std::numeric_limits<double>::max();
+double lowest_value(double t0, double t1, const Function& value) {
+  double best = t0, least = std::numeric_limits<double>::max();
   const auto take = [&](double t) {
     const double v = value(t);
-    if (v < at_best) at_best = v, best = t;
+    if (v < least) least = v, best = t;
   };
   constexpr int kRounds = 12;
-  for (int k = 0; k <= first && at_best > wanted; ++k) take(t0 + (t1 - t0) * k / first);
-  double step = (t1 - t0) / first;
-  for (int k = 0; k < kRounds && at_best > wanted; ++k) {
+  for (int k = 0; k <= kFirstOfNearest; ++k) take(t0 + (t1 - t0) * k / kFirstOfNearest);
+  double step = (t1 - t0) / kFirstOfNearest;
+  for (int k = 0; k < kRounds; ++k) {
     step *= 0.5;
     const double about = best;
     take(std::max(t0, about - step));
     take(std::min(t1, about + step));
   }
-  return best;
+  return least;
 }
-
-bool turns(const Motion& motion) { return motion.turn_rad() > 0; }
 
 }  // namespace
 
@@ -99,34 +194,18 @@ bool is_covered_by(const StraightCut& cut, const std::vector<ConvexPiece>& piece
   return false;
 }
 
-bool is_covered_by(const Motion& motion, double until, const std::vector<ConvexPiece>& pieces, const SweptPiece& swept,
-                   const CoverMargin& margin) {
-  const bool is_turning = turns(motion);
+bool is_covered_by(const Motion& motion, const CutWindow& window, const std::vector<ConvexPiece>& pieces,
+                   const SweptPiece& swept, const CoverMargin& margin) {
+  const bool is_turning = motion.turn_rad() > 0;
   for (std::uint32_t s = 0; s < motion.segments().size(); ++s) {
     const MotionSegment& segment = motion.segments()[s];
-    if (segment.t0 > until) break;
-    const double t0 = segment.t0, t1 = motion.is_alone() ? t0 : std::min(segment.t1, until);
+    if (segment.t0 > window.until || segment.t1 < window.from) continue;
+    const double from = std::max(segment.t0, window.from);
+    const CutWindow part{from, motion.is_alone() ? from : std::min(segment.t1, window.until)};
     for (const ConvexPiece& piece : pieces) {
+      const SegmentCover cover(motion, s, piece, swept);
       const double wanted = margin.largest_value(piece);
-      const auto value = [&](std::span<const Disc> discs) {
-        return [&piece, &motion, discs, s](double t) {
-          return largest_value(piece, discs, motion.tip_at(t, s), motion.at(t).axis);
-        };
-      };
-      const auto at_start = value(swept.start()), at_end = value(swept.end());
-      double least = 0;
-      if (is_turning) {
-        best_instant(
-            t0, t1, wanted, [&](double t) { return std::max(at_start(t), at_end(t)); }, least);
-        if (least <= wanted) return true;
-        continue;
-      }
-      const double u0 = best_instant(t0, t1, wanted, at_start, least);
-      if (least > wanted) continue;
-      double least_at_end = at_end(u0), u1 = u0;
-      if (least_at_end > wanted) u1 = best_instant(t0, t1, wanted, at_end, least_at_end);
-      const double sag = motion.sag_mm(std::min(u0, u1), std::max(u0, u1), s);
-      if (std::max(least, least_at_end) <= wanted - sag) return true;
+      if (is_turning ? cover.has_one_instant(part, wanted) : cover.has_two_instants(part, wanted)) return true;
     }
   }
   return false;
@@ -134,14 +213,9 @@ bool is_covered_by(const Motion& motion, double until, const std::vector<ConvexP
 
 double nearest_distance_mm(const Motion& motion, const MotionSpan& span, const CompiledTool& cutter,
                            const Vec3& point) {
-  double least = 0;
-  best_instant(
-      static_cast<double>(span.t0), static_cast<double>(span.t1), -std::numeric_limits<double>::max(),
-      [&](double t) {
-        return signed_distance_mm(cutter, Pose{motion.tip_at(t, span.segment), motion.at(t).axis}, point);
-      },
-      least, kFirstOfNearest);
-  return least;
+  return lowest_value(static_cast<double>(span.t0), static_cast<double>(span.t1), [&](double t) {
+    return signed_distance_mm(cutter, Pose{motion.tip_at(t, span.segment), motion.at(t).axis}, point);
+  });
 }
 
 }  // namespace gouge

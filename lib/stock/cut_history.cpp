@@ -4,7 +4,6 @@
 
 #include "lib/base/tolerance.h"
 #include "lib/check/reach.h"
-#include "lib/stock/cover_motion.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
@@ -43,13 +42,24 @@ SoughtPiece sought_of(const SweptPiece& piece, double grow_mm) {
   return sought;
 }
 
+/// A span contains the piece at the start of its interval. At the end of it the cutter may be in the next span.
+CutWindow about(const MotionSpan& span) {
+  const double t0 = static_cast<double>(span.t0), t1 = static_cast<double>(span.t1), more = t1 - t0 + kInstantRounding;
+  return {std::max(0.0, t0 - more), std::min(1.0, t1 + more)};
+}
+
 ToolCylinder cylinder_of(const CompiledTool& tool) { return {tool.r_max_mm, tool.z_min_mm, tool.z_max_mm}; }
 
 }  // namespace
 
 CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::vector<StockTool>& tools,
-                       const StockOptions& options)
-    : path_(path), law_(law), tools_(tools), resolution_mm_(options.resolution_mm), of_tool_(tools.size()) {
+                       const StockOptions& options, const CutHistory* earlier)
+    : path_(path),
+      law_(law),
+      tools_(tools),
+      earlier_(earlier),
+      resolution_mm_(options.resolution_mm),
+      of_tool_(tools.size()) {
   std::vector<std::vector<MotionSpan>> spans(tools.size());
   is_known_.reserve(path.moves.size());
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
@@ -115,34 +125,46 @@ bool CutHistory::is_straight_with_fixed_axis(std::size_t move) const {
              Tolerance::kExactDirection * Tolerance::kExactDirection;
 }
 
-bool CutHistory::covers(std::size_t move, double until, const SweptPiece& piece) const {
+bool CutHistory::covers(std::size_t move, const CutWindow& window, const SweptPiece& piece) const {
   const CoverMargin margin{piece.slack_mm, resolution_mm_};
   const std::vector<ConvexPiece>& pieces = of_tool_[path_.moves[move].tool].pieces;
   if (is_straight_with_fixed_axis(move)) {
     const Pose &from = path_.start_of(move), &to = path_.moves[move].end;
-    return is_covered_by({from.tip, Vec3(until * (to.tip - from.tip)), to.axis}, pieces, piece, margin);
+    const Vec3 way = to.tip - from.tip;
+    return is_covered_by({Vec3(from.tip + window.from * way), Vec3((window.until - window.from) * way), to.axis},
+                         pieces, piece, margin);
   }
-  return is_covered_by(motion_of(move), until, pieces, piece, margin);
+  return is_covered_by(motion_of(move), window, pieces, piece, margin);
 }
 
 bool CutHistory::is_removed_by(std::size_t move, double until, const SweptPiece& piece) const {
-  return is_known(move) && is_cutting(move) && covers(move, until, piece);
+  return is_known(move) && is_cutting(move) && covers(move, {0, until}, piece);
 }
 
-bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, std::size_t& hint) const {
-  if (hint < before && is_removed_by(hint, 1, piece)) return true;
+bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, CutMove& hint) const {
+  const bool is_before = hint && (hint.program != this || hint.move < before);
+  if (is_before && hint.program->is_removed_by(hint.move, 1, piece)) return true;
+  if (removes(piece, before, hint)) return true;
+  for (const CutHistory* program = earlier_; program != nullptr; program = program->earlier_)
+    if (program->removes(piece, program->size(), hint)) return true;
+  return false;
+}
+
+bool CutHistory::removes(const SweptPiece& piece, std::size_t before, CutMove& hint) const {
   const SoughtPiece sought = sought_of(piece, resolution_mm_ - piece.slack_mm);
   for (const OfTool& of : of_tool_) {
     if (of.tree == nullptr || of.pieces.empty()) continue;
-    std::size_t last = kNone;  // the spans of a move often follow each other
+    std::size_t last = kNone;  // the spans of a straight move often follow each other
     const bool is_found =
         of.tree->find(sought, of.cutter, static_cast<std::uint32_t>(before), [&](const MotionSpan& s) {
-          if (s.move == last || !is_cutting(s.move)) return false;
+          if (!is_cutting(s.move)) return false;
+          const bool is_whole = is_straight_with_fixed_axis(s.move);
+          if (is_whole && s.move == last) return false;
           last = s.move;
-          return covers(s.move, 1, piece);
+          return covers(s.move, is_whole ? CutWindow{} : about(s), piece);
         });
     if (!is_found) continue;
-    hint = last;
+    hint = {this, last};
     return true;
   }
   return false;
@@ -183,52 +205,73 @@ bool CutHistory::is_missed_by(std::size_t move, double until, const Vec3& point)
   return true;
 }
 
-std::optional<std::size_t> CutHistory::unknown_near(const Vec3& point, std::size_t before) const {
+CutMove CutHistory::unknown_near(const Vec3& point, std::size_t before) const {
+  if (earlier_ != nullptr) {
+    if (const CutMove unknown = earlier_->unknown_near(point, earlier_->size())) return unknown;
+  }
   for (const Unknown& unknown : unknown_) {
     if (unknown.move >= before) break;
     if ((point.array() >= unknown.low.array()).all() && (point.array() <= unknown.high.array()).all())
-      return unknown.move;
+      return {this, unknown.move};
   }
-  return std::nullopt;
+  return {};
 }
 
-bool CutHistory::is_untouched(const Vec3& point, std::size_t before, std::size_t& hint) const {
+bool CutHistory::is_untouched(const Vec3& point, std::size_t before, CutMove& hint) const {
   if (unknown_near(point, before)) return false;
-  if (hint < before && is_straight_with_fixed_axis(hint) && reaches(hint, tool_of(hint).tool->bare, 0, 1, 0, point))
+  const bool is_before = hint && (hint.program != this || hint.move < before);
+  if (is_before && hint.program->is_straight_with_fixed_axis(hint.move) &&
+      hint.program->reaches(hint.move, hint.program->tool_of(hint.move).tool->bare, 0, 1, 0, point))
     return false;
+  if (touches(point, before, hint)) return false;
+  for (const CutHistory* program = earlier_; program != nullptr; program = program->earlier_)
+    if (program->touches(point, program->size(), hint)) return false;
+  return true;
+}
+
+bool CutHistory::touches(const Vec3& point, std::size_t before, CutMove& hint) const {
   for (std::size_t k = 0; k < of_tool_.size(); ++k) {
     if (of_tool_[k].tree == nullptr) continue;
     const CompiledTool& bare = tools_[k].tool->bare;
-    const auto touches = [&](const MotionSpan& s) {
+    const auto is_touched = [&](const MotionSpan& s) {
       const bool does = reaches(s.move, bare, std::max(0.0, static_cast<double>(s.t0) - kInstantRounding),
                                 std::min(1.0, static_cast<double>(s.t1) + kInstantRounding), s.segment, point);
-      if (does) hint = s.move;
+      if (does) hint = {this, s.move};
       return does;
     };
-    if (of_tool_[k].tree->find({point}, of_tool_[k].whole, static_cast<std::uint32_t>(before), touches)) return false;
+    if (of_tool_[k].tree->find({point}, of_tool_[k].whole, static_cast<std::uint32_t>(before), is_touched)) return true;
   }
-  return true;
+  return false;
 }
 
 std::optional<PassedBy> CutHistory::nearest_cut(const Vec3& point, std::size_t before, double within_mm) const {
   std::optional<PassedBy> nearest;
   constexpr double kGrowth = 4;
   for (double reach = resolution_mm_; !nearest && reach < kGrowth * within_mm; reach *= kGrowth) {
-    for (std::size_t k = 0; k < of_tool_.size(); ++k) {
-      if (of_tool_[k].tree == nullptr) continue;
-      of_tool_[k].tree->find(
-          {point, Vec3::Zero(), 0, reach}, cylinder_of(tools_[k].tool->cutting), static_cast<std::uint32_t>(before),
-          [&](const MotionSpan& s) {
-            if (!is_cutting(s.move)) return false;
-            const double at = nearest_distance_mm(motion_of(s.move), s, tools_[k].tool->cutting, point);
-            if (at > reach) return false;
-            if (!nearest || at < nearest->distance_mm || (!(nearest->distance_mm < at) && s.move < nearest->move))
-              nearest = PassedBy{at, s.move};
-            return false;
-          });
-    }
+    add_nearest(point, before, reach, nearest);
+    for (const CutHistory* program = earlier_; program != nullptr; program = program->earlier_)
+      program->add_nearest(point, program->size(), reach, nearest);
   }
   return nearest;
+}
+
+void CutHistory::add_nearest(const Vec3& point, std::size_t before, double reach_mm,
+                             std::optional<PassedBy>& nearest) const {
+  for (std::size_t k = 0; k < of_tool_.size(); ++k) {
+    if (of_tool_[k].tree == nullptr) continue;
+    of_tool_[k].tree->find(
+        {point, Vec3::Zero(), 0, reach_mm}, cylinder_of(tools_[k].tool->cutting), static_cast<std::uint32_t>(before),
+        [&](const MotionSpan& s) {
+          if (!is_cutting(s.move)) return false;
+          const double at = nearest_distance_mm(motion_of(s.move), s, tools_[k].tool->cutting, point);
+          if (at > reach_mm) return false;
+          const bool is_equal = nearest && !(nearest->distance_mm < at) && !(at < nearest->distance_mm);
+          const bool is_nearer = !nearest || at < nearest->distance_mm;
+          if (is_nearer || (is_equal && nearest->cut.program == this && s.move < nearest->cut.move))
+            nearest = PassedBy{at, {this, s.move}};
+          return false;
+        });
+  }
 }
 
 }  // namespace gouge

@@ -8,6 +8,7 @@
 #include "lib/motion/motion_law.h"
 #include "lib/path/toolpath.h"
 #include "lib/stock/convex_pieces.h"
+#include "lib/stock/cover_motion.h"
 #include "lib/stock/motion_tree.h"
 #include "lib/stock/stock_options.h"
 #include "lib/stock/tool_piece.h"
@@ -21,36 +22,48 @@ struct StockTool {
   bool cuts = true;                    ///< false: it removes no material, for example a probe
 };
 
+class CutHistory;
+
+/// A move of one program of a history.
+struct CutMove {
+  const CutHistory* program = nullptr;  ///< null: no move
+  std::size_t move = kNone;
+
+  explicit operator bool() const { return program != nullptr; }
+};
+
 /// The earlier cut that passed a point nearest.
 struct PassedBy {
-  double distance_mm = 0;    ///< of its cutter from the point
-  std::size_t move = kNone;  ///< its move
+  double distance_mm = 0;  ///< of its cutter from the point
+  CutMove cut;
 };
 
 /// All motions of a path that remove material, held so that one can ask whether a piece of space is removed. Nothing is
 /// simulated in advance: a piece is removed if it lies in one convex piece of one cutter during one earlier motion.
+/// A history may follow another one, of a program that ran before. Then all moves of that program come first.
 ///
 /// Proofs: docs/method/stock.md. Any number of threads may ask.
 class CutHistory {
  public:
-  /// `tools[k]` belongs to path.tools[k]. All references must outlive it.
+  /// `tools[k]` belongs to path.tools[k]. `earlier` is the history of the program before; null: there is none. All
+  /// programs are in the same coordinates. All references must outlive it.
   CutHistory(const Toolpath& path, const MotionLaw& law, const std::vector<StockTool>& tools,
-             const StockOptions& options);
+             const StockOptions& options, const CutHistory* earlier = nullptr);
 
   /// Proves that every point of a piece is in an earlier cutter, wider by the resolution, at every instant of its
-  /// interval. Only moves before `before` count. `hint` is a move that is tried first; the result does not depend on it.
-  /// False: not proved.
-  [[nodiscard]] bool is_removed(const SweptPiece& piece, std::size_t before, std::size_t& hint) const;
+  /// interval. Only moves before `before`, and earlier programs, count. `hint` is a move that is tried first; the result
+  /// does not depend on it. False: not proved.
+  [[nodiscard]] bool is_removed(const SweptPiece& piece, std::size_t before, CutMove& hint) const;
   /// Proves the same from the motion of a move over [0, until] alone.
   [[nodiscard]] bool is_removed_by(std::size_t move, double until, const SweptPiece& piece) const;
 
   /// Proves that no tool, with all its bodies, reached a point before a move, and that all motions until then are known.
   /// `hint` is a move that is tried first; the result does not depend on it.
-  [[nodiscard]] bool is_untouched(const Vec3& point, std::size_t before, std::size_t& hint) const;
+  [[nodiscard]] bool is_untouched(const Vec3& point, std::size_t before, CutMove& hint) const;
   /// Proves that the cutter of a move did not reach a point over [0, until].
   [[nodiscard]] bool is_missed_by(std::size_t move, double until, const Vec3& point) const;
-  /// Returns the first move before `before` whose motion is not known and may have reached the point.
-  [[nodiscard]] std::optional<std::size_t> unknown_near(const Vec3& point, std::size_t before) const;
+  /// Returns the first move before `before` whose motion is not known and may have reached the point; else no move.
+  [[nodiscard]] CutMove unknown_near(const Vec3& point, std::size_t before) const;
   /// Returns the earlier cutter that came nearest to a point; none: no cutter is within `within_mm`.
   [[nodiscard]] std::optional<PassedBy> nearest_cut(const Vec3& point, std::size_t before, double within_mm) const;
 
@@ -62,6 +75,8 @@ class CutHistory {
   /// Returns whether the move cuts: no rapid, and no position to which the file states no motion.
   [[nodiscard]] bool is_cutting(std::size_t move) const;
   [[nodiscard]] const Toolpath& path() const { return path_; }
+  /// Returns the history of the program before; null: there is none.
+  [[nodiscard]] const CutHistory* earlier() const { return earlier_; }
   [[nodiscard]] const StockTool& tool_of(std::size_t move) const { return tools_[path_.moves[move].tool]; }
 
  private:
@@ -76,8 +91,13 @@ class CutHistory {
   };
 
   [[nodiscard]] bool is_known_motion(std::size_t move) const;
+  [[nodiscard]] std::size_t size() const { return path_.moves.size(); }
+  [[nodiscard]] bool removes(const SweptPiece& piece, std::size_t before, CutMove& hint) const;
+  [[nodiscard]] bool touches(const Vec3& point, std::size_t before, CutMove& hint) const;
+  /// Enters the cut nearest to a point, if it is nearer than the one that stands there and within `reach_mm`.
+  void add_nearest(const Vec3& point, std::size_t before, double reach_mm, std::optional<PassedBy>& nearest) const;
   void add_unknown(std::size_t move);
-  [[nodiscard]] bool covers(std::size_t move, double until, const SweptPiece& piece) const;
+  [[nodiscard]] bool covers(std::size_t move, const CutWindow& window, const SweptPiece& piece) const;
   [[nodiscard]] bool is_straight_with_fixed_axis(std::size_t move) const;
   /// Returns whether a body may reach the point during [t0, t1] of a segment of a move.
   [[nodiscard]] bool reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
@@ -86,6 +106,7 @@ class CutHistory {
   const Toolpath& path_;
   const MotionLaw& law_;
   const std::vector<StockTool>& tools_;
+  const CutHistory* earlier_;
   double resolution_mm_;
   std::vector<bool> is_known_;  // one for each move
   std::vector<OfTool> of_tool_;

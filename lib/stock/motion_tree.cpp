@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::uint32_t kSpansOfCell = 4;
 constexpr double kWidestTurn_rad = 0.1;
+// The sag of a span, as a share of its longest path; so an arc is divided into about an eighth of a circle.
+constexpr double kSagShare = 0.015;
 // Any two directions differ by at most pi; two points of a sphere are nearer than the arc between them.
 constexpr double kWidestCone_rad = 2;
 
@@ -51,7 +53,9 @@ void append_spans(const Motion& motion, std::uint32_t move, double longest_mm, s
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
     const double t0 = segments[s].t0, t1 = motion.is_alone() ? t0 : segments[s].t1;
     const double length = motion.path_length_mm(t0, t1, s), turn = motion.turn_rad(t0, t1);
-    const double wanted = std::ceil(std::max(length / longest_mm, turn / kWidestTurn_rad));
+    // The sag of a part falls with the square of their number.
+    const double bent = std::sqrt(motion.is_alone() ? 0.0 : motion.sag_mm(t0, t1, s) / (kSagShare * longest_mm));
+    const double wanted = std::ceil(std::max({length / longest_mm, turn / kWidestTurn_rad, bent}));
     const int parts = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(kMaxSpans)));
     // Instants are rounded to floats before they are used, so that the spans have no gaps.
     const auto instant = [&](int k) {

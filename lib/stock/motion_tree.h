@@ -33,8 +33,8 @@ struct MotionSpan {
   float t0 = 0, t1 = 1;
 };
 
-/// Appends the spans of a motion. No span has a path longer than `longest_mm` or turns by more than a tenth of a radian,
-/// unless it would need more than kMaxSpans. Requires motion.is_defined().
+/// Appends the spans of a motion. No span has a path longer than `longest_mm`, turns by more than a tenth of a radian or
+/// leaves its chord by more than a small share of `longest_mm`, unless it would need more than kMaxSpans. Requires motion.is_defined().
 void append_spans(const Motion& motion, std::uint32_t move, double longest_mm, std::vector<MotionSpan>& spans);
 inline constexpr int kMaxSpans = 256;
 

@@ -22,10 +22,21 @@ constexpr double kThin = 0.25;
 constexpr double kWorthTrimming = 0.1;
 constexpr int kTrimSteps = 10;
 
+// Sectors fit round walls, boxes the straight seams between passes. Sectors are tried first, with this part of the budget.
+constexpr std::uint64_t kFirstShare = 4;
+
 struct Candidate {
   ToolPiece piece;
   MotionInterval interval;
 };
+
+/// The time [from, to] of a move along the axis that is examined at once, with the way along it.
+struct Column {
+  AxialRange range;
+  double from = 0, to = 0, along_mm = 0;
+};
+// Number of instants at which the depth of a point in a column is evaluated.
+constexpr int kColumnInstants = 64;
 
 /// Directions of the tool and its tip at one instant.
 struct Place {
@@ -34,34 +45,21 @@ struct Place {
   [[nodiscard]] Vec3 of(const Vec3& in_tool) const { return axes * in_tool + tip; }
 };
 
-/// Adds the discs of a piece at both ends of an interval. A flat box has fewer corners.
+/// Adds the discs of a piece at both ends of an interval.
 void place_piece(const ToolPiece& piece, const Place& a, const Place& b, SweptPiece& swept) {
-  swept.count = 0;
-  const auto add = [&](const Vec3& at, double radius) {
-    swept.at0[swept.count] = {a.of(at), a.axes.col(2), radius};
-    swept.at1[swept.count++] = {b.of(at), b.axes.col(2), radius};
-  };
-  if (!piece.is_box) {
-    add({0, 0, piece.z_lo_mm}, piece.r_mm);
-    if (piece.z_hi_mm > piece.z_lo_mm) add({0, 0, piece.z_hi_mm}, piece.r_mm);
-    return;
-  }
-  for (int corner = 0; corner < 8; ++corner) {
-    bool is_twice = false;
-    Vec3 at = piece.center;
-    for (int k = 0; k < 3; ++k) {
-      const bool is_high = (corner >> k & 1) != 0;
-      is_twice = is_twice || (is_high && !(piece.half[k] > 0));
-      at[k] += is_high ? piece.half[k] : -piece.half[k];
-    }
-    if (!is_twice) add(at, 0);
+  const PieceDiscs in_tool = discs_of(piece);
+  swept.count = in_tool.count;
+  for (std::size_t k = 0; k < in_tool.count; ++k) {
+    const Disc& disc = in_tool.discs[k];
+    swept.at0[k] = {a.of(disc.center), a.axes.col(2), disc.radius_mm};
+    swept.at1[k] = {b.of(disc.center), b.axes.col(2), disc.radius_mm};
   }
 }
 
 /// Returns the part of a piece between two shares of its extent in one direction.
 ToolPiece part_of(const ToolPiece& piece, Division d, double from, double to) {
   ToolPiece part = piece;
-  if (piece.is_box) {
+  if (!piece.is_cylinder()) {
     const auto k = static_cast<Eigen::Index>(d);
     part.center[k] += piece.half[k] * (from + to - 1);
     part.half[k] *= to - from;
@@ -85,10 +83,12 @@ ToolPiece without_end(const ToolPiece& piece, Division d, bool is_high, double s
 
 class Search {
  public:
-  Search(const StockQuestion& question, const Motion& motion, double depth_mm)
-      : q_(question), motion_(motion), depth_mm_(depth_mm), hint_(question.move) {}
+  /// `parts`: what low cylinders are cut into.
+  Search(const StockQuestion& question, const Motion& motion, double depth_mm, PieceShape parts, std::uint64_t budget)
+      : q_(question), motion_(motion), depth_mm_(depth_mm), parts_shape_(parts), budget_(budget) {}
 
   StockAnswer decide(const std::vector<ToolPiece>& pieces, double from, double to) {
+    if (take_column(pieces, from, to)) return run();
     for (std::uint32_t s = 0; s < motion_.segments().size(); ++s) {
       MotionInterval interval = whole_segment(motion_, s);
       if (interval.t0 > to || interval.t1 < from) continue;
@@ -96,12 +96,41 @@ class Search {
       interval.t1 = std::min(interval.t1, to);
       for (const ToolPiece& piece : pieces) waiting_.push_back({piece, interval});
     }
+    return run();
+  }
+
+ private:
+  /// If the tool moves along its axis and does not cut, its bodies pass the same space as longer ones at rest. Then the
+  /// whole time is examined at once. Returns whether it is so.
+  bool take_column(const std::vector<ToolPiece>& pieces, double from, double to) {
+    if (q_.is_cutting || motion_.is_alone() || motion_.segments().size() > 1 || motion_.turn_rad() > 0) return false;
+    const Vec3 axis = motion_.at(from).axis, way = motion_.tip_at(to, 0) - motion_.tip_at(from, 0);
+    const double along = way.dot(axis);
+    const bool is_axial = (way - along * axis).norm() < Tolerance::kRounding_mm &&
+                          motion_.path_length_mm(from, to, 0) < std::abs(along) + Tolerance::kRounding_mm;
+    if (!is_axial || !(std::abs(along) > 0)) return false;
+    column_ = Column{{std::min(0.0, along), std::max(0.0, along)}, from, to, along};
+    MotionInterval rest = whole_segment(motion_, 0);
+    rest.t0 = rest.t1 = from;
+    for (ToolPiece piece : pieces) {
+      piece.z_lo_mm += column_.range.lo_mm;
+      piece.z_hi_mm += column_.range.hi_mm;
+      waiting_.push_back({piece, rest});
+    }
+    return true;
+  }
+
+  StockAnswer run() {
     std::size_t open = 0;
     while (!waiting_.empty()) {
-      if (answer_.examined >= q_.options.budget_per_move || open >= kMaxOpen) return answer_;
+      if (open >= kMaxOpen) return answer_;
+      if (answer_.examined >= budget_) {
+        answer_.is_out_of_budget = true;
+        return answer_;
+      }
       const Candidate next = waiting_.back();
       waiting_.pop_back();
-      if (depth_upper_mm(next.piece, q_.body) <= depth_mm_ + q_.options.resolution_mm) continue;
+      if (depth_upper_mm(next.piece, q_.body, column_.range) <= depth_mm_ + q_.options.resolution_mm) continue;
       if (is_free(next)) continue;
       if (take_witness(next)) return answer_;
       if (next.piece.ball_mm() + way_mm(next) <= q_.options.resolution_mm) {
@@ -110,11 +139,10 @@ class Search {
         divide(next);
       }
     }
-    answer_.is_clear = open == 0 && !answer_.unknown_move;
+    answer_.is_clear = open == 0 && !answer_.unknown;
     return answer_;
   }
 
- private:
   [[nodiscard]] Place place_at(double t, std::uint32_t segment) const {
     return {motion_.axes_at(t), motion_.tip_at(t, segment)};
   }
@@ -130,7 +158,7 @@ class Search {
     const MotionInterval& i = c.interval;
     SweptPiece swept;
     const double size = c.piece.ball_mm() + way_mm(c);
-    const bool is_flat = c.piece.is_box && !(c.piece.half.minCoeff() > 0);
+    const bool is_flat = !c.piece.is_cylinder() && !(c.piece.half.minCoeff() > 0);
     if (size <= q_.options.resolution_mm && !is_flat) {
       // The middle at one instant stands for the whole.
       swept.slack_mm = size;
@@ -164,8 +192,8 @@ class Search {
   /// Cuts off what is beside the stock during the whole interval. Returns whether that is worth a cut.
   [[nodiscard]] bool trim(Candidate& c) const {
     bool is_smaller = false;
-    for (const Division d : {Division::height, Division::x, Division::y}) {
-      if (!c.piece.is_box && d != Division::height) break;
+    for (const Division d : {Division::height, Division::first, Division::second}) {
+      if (c.piece.is_cylinder() && d != Division::height) break;
       for (const bool is_high : {false, true}) {
         const double share = share_beside_stock(c, d, is_high);
         if (share < kWorthTrimming) continue;
@@ -192,14 +220,12 @@ class Search {
 
   /// Takes the middle of the piece at the middle of the interval as the witness if it is one.
   bool take_witness(const Candidate& c) {
-    const double t = c.interval.middle();
-    const Vec3 in_tool = c.piece.middle();
-    const double depth = -signed_distance_mm(q_.body, in_tool.head<2>().norm(), in_tool.z());
+    const Vec3 in_tool = c.piece.middle(), point = place_at(c.interval.middle(), c.interval.segment).of(in_tool);
+    const auto [t, depth] = deepest_instant(c, in_tool);
     if (!(depth > depth_mm_)) return false;
-    const Vec3 point = place_at(t, c.interval.segment).of(in_tool);
     if (!q_.stock.contains(point)) return false;
-    if (const std::optional<std::size_t> unknown = q_.history.unknown_near(point, q_.move)) {
-      answer_.unknown_move = unknown;
+    if (const CutMove unknown = q_.history.unknown_near(point, q_.move)) {
+      answer_.unknown = unknown;
       return false;
     }
     if (q_.is_cutting && !q_.history.is_missed_by(q_.move, t, point)) return false;
@@ -208,24 +234,31 @@ class Search {
     return true;
   }
 
+  /// Returns an instant at which a point is deep in the body, and its depth then. Only in a column is there a choice.
+  [[nodiscard]] std::pair<double, double> deepest_instant(const Candidate& c, const Vec3& in_tool) const {
+    const double r = in_tool.head<2>().norm();
+    std::pair<double, double> deepest(c.interval.middle(), -signed_distance_mm(q_.body, r, in_tool.z()));
+    if (!(std::abs(column_.along_mm) > 0)) return deepest;
+    for (int k = 1; k <= kColumnInstants; ++k) {
+      const double share = static_cast<double>(k) / kColumnInstants;
+      const double depth = -signed_distance_mm(q_.body, r, in_tool.z() - share * column_.along_mm);
+      if (depth > deepest.second) deepest = {column_.from + share * (column_.to - column_.from), depth};
+    }
+    return deepest;
+  }
+
   /// Divides the piece or the time, whichever makes the parts free soonest: a direction in which the piece, made flat, is
   /// free at the middle instant. If none is, the longest extent is halved.
   void divide(Candidate c) {
     if (trim(c)) return waiting_.push_back(c);
-    if (!c.piece.is_box && cut_out_section(c)) return;
+    if (c.piece.is_cylinder() && cut_out_section(c)) return;
     const double way = way_mm(c);
     Candidate still = c;
     still.interval.t0 = still.interval.t1 = c.interval.middle();
     if (way > Tolerance::kRounding_mm && is_free(still)) return halve_time(c);
     const std::optional<Division> flat = free_when_flat(still);
     if (flat) return way > extent_mm(c.piece, *flat) ? halve_time(c) : halve_piece(c, *flat);
-    Division longest = c.piece.is_box ? Division::x : Division::height;
-    if (c.piece.is_box) {
-      for (const Division d : {Division::y, Division::height})
-        if (extent_mm(c.piece, d) > extent_mm(c.piece, longest)) longest = d;
-    } else if (c.piece.height_mm() < 0.5 * c.piece.r_mm) {
-      longest = Division::quarters;
-    }
+    const Division longest = longest_of(c.piece);
     if (way > extent_mm(c.piece, longest)) return halve_time(c);
     halve_piece(c, longest);
   }
@@ -241,7 +274,7 @@ class Search {
       if (!(to > from)) continue;
       Candidate rest = c;
       rest.piece = part_of(c.piece, Division::height, from, to);
-      narrow_piece(rest.piece, q_.body, depth_mm_);
+      narrow_piece(rest.piece, q_.body, depth_mm_, column_.range);
       if (rest.piece.r_mm >= 0) waiting_.push_back(rest);
     }
     return true;
@@ -251,9 +284,10 @@ class Search {
   [[nodiscard]] double share_removed(const Candidate& c, double end) const {
     const auto is_removed = [&](double share) {
       const double from = std::min(0.5, 0.5 + (2 * end - 1) * share), to = std::max(0.5, 0.5 + (2 * end - 1) * share);
-      return q_.history.is_removed_by(hint_, 1, swept_by({part_of(c.piece, Division::height, from, to), c.interval}));
+      return hint_.program->is_removed_by(hint_.move, 1,
+                                          swept_by({part_of(c.piece, Division::height, from, to), c.interval}));
     };
-    if (hint_ >= q_.move) return 0;
+    if (!hint_) return 0;
     if (is_removed(0.5)) return 0.5;
     double share = 0, beyond = 0.5;
     for (int k = 0; k < kTrimSteps; ++k) {
@@ -267,8 +301,8 @@ class Search {
   std::optional<Division> free_when_flat(const Candidate& still) {
     const ToolPiece& piece = still.piece;
     std::optional<Division> best;
-    for (const Division d : {Division::height, Division::x, Division::y}) {
-      if (!piece.is_box && d != Division::height) break;
+    for (const Division d : {Division::height, Division::first, Division::second}) {
+      if (piece.is_cylinder() && d != Division::height) break;
       const double extent = extent_mm(piece, d);
       if (extent <= kThin * q_.options.resolution_mm || (best && extent <= extent_mm(piece, *best))) continue;
       if (is_free({flat_piece(piece, d), still.interval})) best = d;
@@ -276,10 +310,11 @@ class Search {
     return best;
   }
 
-  [[nodiscard]] static double extent_mm(const ToolPiece& piece, Division d) {
-    if (d == Division::quarters) return 2 * piece.r_mm;
-    if (d == Division::height) return piece.height_mm();
-    return 2 * piece.half[static_cast<Eigen::Index>(d)];
+  /// A cylinder that is low beside its radius is cut into the parts of this search.
+  [[nodiscard]] Division longest_of(const ToolPiece& piece) const {
+    if (!piece.is_cylinder()) return longest_extent(piece);
+    if (!(piece.height_mm() < 0.5 * piece.r_mm)) return Division::height;
+    return parts_shape_ == PieceShape::sector ? Division::sectors : Division::boxes;
   }
 
   void halve_time(const Candidate& c) {
@@ -288,14 +323,17 @@ class Search {
 
   void halve_piece(const Candidate& c, Division d) {
     parts_.clear();
-    divide_piece(c.piece, d, q_.body, depth_mm_, parts_);
+    divide_piece(c.piece, d, q_.body, depth_mm_, parts_, column_.range);
     for (const ToolPiece& part : parts_) waiting_.push_back({part, c.interval});
   }
 
   const StockQuestion& q_;
   const Motion& motion_;
   double depth_mm_;
-  std::size_t hint_, touch_hint_ = kNone;
+  PieceShape parts_shape_;
+  std::uint64_t budget_;
+  Column column_;
+  CutMove hint_, touch_hint_;
   std::vector<Candidate> waiting_;
   std::vector<ToolPiece> parts_;
   StockAnswer answer_;
@@ -305,7 +343,13 @@ class Search {
 
 StockAnswer find_stock(const StockQuestion& question, const Motion& motion, const std::vector<ToolPiece>& pieces,
                        double from, double to, double depth_mm) {
-  return Search(question, motion, depth_mm).decide(pieces, from, to);
+  const std::uint64_t budget = question.options.budget_per_move;
+  StockAnswer first =
+      Search(question, motion, depth_mm, PieceShape::sector, budget / kFirstShare).decide(pieces, from, to);
+  if (!first.is_out_of_budget || first.unknown) return first;
+  StockAnswer second = Search(question, motion, depth_mm, PieceShape::box, budget).decide(pieces, from, to);
+  second.examined += first.examined;
+  return second;
 }
 
 }  // namespace gouge

@@ -30,10 +30,11 @@ struct StockWitness {
 
 /// The answer whether stock remains deeper in a body than a given depth.
 struct StockAnswer {
-  std::optional<StockWitness> witness;      ///< deeper than the given depth
-  bool is_clear = false;                    ///< proved: no stock is deeper than the given depth + resolution
-  std::optional<std::size_t> unknown_move;  ///< a move whose unknown motion leaves open whether material is still there
-  std::uint64_t examined = 0;               ///< number of pieces
+  std::optional<StockWitness> witness;  ///< deeper than the given depth
+  bool is_clear = false;                ///< proved: no stock is deeper than the given depth + resolution
+  CutMove unknown;                      ///< a move whose unknown motion leaves open whether material is still there
+  bool is_out_of_budget = false;        ///< open, because the budget ran out
+  std::uint64_t examined = 0;           ///< number of pieces
 };
 
 /// Decides whether stock remains deeper than `depth_mm` in a body during [from, to] of a motion. It divides the body and

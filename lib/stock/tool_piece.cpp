@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "lib/base/tolerance.h"
 #include "lib/stock/widest_radius.h"
@@ -23,7 +24,7 @@ void append(const ToolPiece& piece, std::vector<ToolPiece>& pieces) {
 }  // namespace
 
 std::vector<ToolPiece> whole_cylinders(std::vector<ToolPiece> pieces) {
-  for (ToolPiece& piece : pieces) piece.is_box = false;
+  for (ToolPiece& piece : pieces) piece.shape = PieceShape::cylinder;
   std::sort(pieces.begin(), pieces.end(), [](const ToolPiece& a, const ToolPiece& b) {
     return a.z_lo_mm < b.z_lo_mm || (!(b.z_lo_mm < a.z_lo_mm) && a.r_mm > b.r_mm);
   });
@@ -58,47 +59,130 @@ std::vector<ToolPiece> deep_pieces(const CompiledTool& body, double depth_mm) {
   return pieces;
 }
 
-void narrow_piece(ToolPiece& cylinder, const CompiledTool& body, double depth_mm) {
-  cylinder.r_mm = std::min(cylinder.r_mm, widest_radius_mm(body, cylinder.z_lo_mm, cylinder.z_hi_mm, depth_mm));
+void narrow_piece(ToolPiece& cylinder, const CompiledTool& body, double depth_mm, const AxialRange& along) {
+  cylinder.r_mm = std::min(
+      cylinder.r_mm, widest_radius_mm(body, cylinder.z_lo_mm - along.hi_mm, cylinder.z_hi_mm - along.lo_mm, depth_mm));
 }
 
-void divide_piece(const ToolPiece& piece, Division division, const CompiledTool& body, double depth_mm,
+double extent_mm(const ToolPiece& piece, Division division) {
+  if (division == Division::height) return piece.height_mm();
+  if (piece.is_cylinder()) return 2 * piece.r_mm;
+  if (piece.is_sector() && division == Division::second)
+    return 2 * piece.half.y() * (piece.center.x() + piece.half.x());
+  return 2 * piece.half[static_cast<Eigen::Index>(division)];
+}
+
+Division longest_extent(const ToolPiece& piece) {
+  Division longest = Division::first;
+  for (const Division d : {Division::second, Division::height})
+    if (extent_mm(piece, d) > extent_mm(piece, longest)) longest = d;
+  return longest;
+}
+
+namespace {
+
+void halve_height(const ToolPiece& cylinder, const CompiledTool& body, double depth_mm, const AxialRange& along,
                   std::vector<ToolPiece>& parts) {
-  ToolPiece part = piece;
-  if (piece.is_box) {
-    const auto side = static_cast<Eigen::Index>(division);
-    part.half[side] *= 0.5;
-    for (const double sign : {-1.0, 1.0}) {
-      part.center[side] = piece.center[side] + sign * part.half[side];
+  const double middle = cylinder.middle().z();
+  for (const auto& [low, high] : {std::pair(cylinder.z_lo_mm, middle), std::pair(middle, cylinder.z_hi_mm)}) {
+    ToolPiece part = cylinder;
+    part.z_lo_mm = low;
+    part.z_hi_mm = high;
+    narrow_piece(part, body, depth_mm, along);
+    if (part.r_mm >= 0) parts.push_back(part);
+  }
+}
+
+void cut_boxes(const ToolPiece& cylinder, std::vector<ToolPiece>& parts) {
+  ToolPiece part = cylinder;
+  part.shape = PieceShape::box;
+  const double half = 0.5 * cylinder.r_mm;
+  part.half = Vec3(half, half, 0.5 * cylinder.height_mm());
+  for (const double x : {-half, half})
+    for (const double y : {-half, half}) {
+      part.center = Vec3(x, y, cylinder.middle().z());
       parts.push_back(part);
     }
-  } else if (division == Division::height) {
-    const double middle = piece.middle().z();
-    for (const auto& [low, high] : {std::pair(piece.z_lo_mm, middle), std::pair(middle, piece.z_hi_mm)}) {
-      part.z_lo_mm = low;
-      part.z_hi_mm = high;
-      part.r_mm = piece.r_mm;
-      narrow_piece(part, body, depth_mm);
-      if (part.r_mm >= 0) parts.push_back(part);
-    }
-  } else {
-    part.is_box = true;
-    const double half = 0.5 * piece.r_mm;
-    part.half = Vec3(half, half, 0.5 * piece.height_mm());
-    for (const double x : {-half, half})
-      for (const double y : {-half, half}) {
-        part.center = Vec3(x, y, piece.middle().z());
-        parts.push_back(part);
-      }
+}
+
+void cut_sectors(const ToolPiece& cylinder, std::vector<ToolPiece>& parts) {
+  ToolPiece part = cylinder;
+  part.shape = PieceShape::sector;
+  const double half_angle = std::numbers::pi / kSectors;
+  part.half = Vec3(0.5 * cylinder.r_mm, half_angle, 0.5 * cylinder.height_mm());
+  for (int k = 0; k < kSectors; ++k) {
+    part.center = Vec3(0.5 * cylinder.r_mm, (2 * k + 1) * half_angle, cylinder.middle().z());
+    parts.push_back(part);
   }
 }
 
-double depth_upper_mm(const ToolPiece& piece, const CompiledTool& body) {
-  if (piece.is_box) {
-    return -signed_distance_mm(body, piece.center.head<2>().norm(), piece.center.z()) + piece.ball_mm();
+}  // namespace
+
+void divide_piece(const ToolPiece& piece, Division division, const CompiledTool& body, double depth_mm,
+                  std::vector<ToolPiece>& parts, const AxialRange& along) {
+  if (division == Division::boxes) return cut_boxes(piece, parts);
+  if (division == Division::sectors) return cut_sectors(piece, parts);
+  if (piece.is_cylinder()) return halve_height(piece, body, depth_mm, along, parts);
+  ToolPiece part = piece;
+  const auto extent = static_cast<Eigen::Index>(division);
+  part.half[extent] *= 0.5;
+  for (const double sign : {-1.0, 1.0}) {
+    part.center[extent] = piece.center[extent] + sign * part.half[extent];
+    parts.push_back(part);
   }
-  const double widest = widest_radius_mm(body, piece.z_lo_mm, piece.z_hi_mm);
-  return std::min({widest, piece.z_hi_mm - body.z_min_mm, body.z_max_mm - piece.z_lo_mm});
+}
+
+double depth_upper_mm(const ToolPiece& piece, const CompiledTool& body, const AxialRange& along) {
+  const double half_way = 0.5 * (along.hi_mm - along.lo_mm), middle_way = 0.5 * (along.hi_mm + along.lo_mm);
+  if (piece.is_cylinder()) {
+    const double low = piece.z_lo_mm - along.hi_mm, high = piece.z_hi_mm - along.lo_mm;
+    return std::min({widest_radius_mm(body, low, high), high - body.z_min_mm, body.z_max_mm - low});
+  }
+  // All points of a sector are within its extents in radius and height of its middle, in the half plane of the tool.
+  const double r = piece.is_sector() ? piece.center.x() : piece.center.head<2>().norm();
+  const double reach = piece.is_sector() ? Vec2(piece.half.x(), piece.half.z()).norm() : piece.ball_mm();
+  return half_way + reach - signed_distance_mm(body, r, piece.center.z() - middle_way);
+}
+
+double ToolPiece::ball_mm() const {
+  if (is_cylinder()) return Vec2(r_mm, 0.5 * height_mm()).norm();
+  if (!is_sector()) return half.norm();
+  // The middle of the outer arc lies between the corners of the prism.
+  const Vec3 from = middle();
+  double most = 0;
+  const PieceDiscs corners = discs_of(*this);
+  for (std::size_t k = 0; k < corners.count; ++k) most = std::max(most, (corners.discs[k].center - from).norm());
+  return most;
+}
+
+// The tangents at both ends of the outer arc meet at its radius divided by the cosine of half the angle; the corners of
+// the prism are as far out. The chord of the inner arc is inside it.
+PieceDiscs discs_of(const ToolPiece& piece) {
+  PieceDiscs all;
+  const auto add = [&](const Vec3& at, double radius) { all.discs[all.count++] = {at, Vec3::UnitZ(), radius}; };
+  if (piece.is_cylinder()) {
+    add({0, 0, piece.z_lo_mm}, piece.r_mm);
+    if (piece.z_hi_mm > piece.z_lo_mm) add({0, 0, piece.z_hi_mm}, piece.r_mm);
+    return all;
+  }
+  const double wider = piece.is_sector() ? 1 / std::cos(piece.half.y()) : 1;
+  for (int corner = 0; corner < 8; ++corner) {
+    bool is_twice = false;
+    Vec3 at = piece.center;
+    for (int k = 0; k < 3; ++k) {
+      const bool is_high = (corner >> k & 1) != 0;
+      is_twice = is_twice || (is_high && !(piece.half[k] > 0));
+      at[k] += is_high ? piece.half[k] : -piece.half[k];
+    }
+    if (is_twice) continue;
+    if (piece.is_sector()) {
+      const bool is_outer = (corner & 1) != 0 || !(piece.half.x() > 0);
+      const double r = is_outer ? at.x() * wider : std::max(0.0, at.x());
+      at = Vec3(r * std::cos(at.y()), r * std::sin(at.y()), at.z());
+    }
+    add(at, 0);
+  }
+  return all;
 }
 
 }  // namespace gouge

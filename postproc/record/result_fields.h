@@ -135,6 +135,7 @@ void describe(F& f, R& r) {
   f.number("contact_at", r.contact_at, Sign::non_negative);
   f.optional_count("cut_move", r.cut_move);
   f.optional_count("cut_line", r.cut_line);
+  f.optional_text("cut_file", r.cut_file);
   f.optional_length("missed_by", r.missed_by_mm, Sign::any);
 }
 

@@ -212,6 +212,7 @@ struct StockContactRecord {
   std::size_t move = 0, line = 0;
   double clear_until = 0, contact_at = 0;         ///< instants of the move, in [0, 1]
   std::optional<std::size_t> cut_move, cut_line;  ///< the earlier cut that came nearest to the witness
+  std::optional<std::string> cut_file;            ///< its file if that is a program of --before; none: the path
   std::optional<double> missed_by_mm;             ///< its distance from the witness
 };
 

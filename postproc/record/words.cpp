@@ -68,8 +68,8 @@ const Words& verdict_words() {
   return words;
 }
 const Words& role_words() {
-  static const Words words = {"toolpath", "machine",        "part",  "fixture",  "head",
-                              "tools",    "named-by-tools", "stock", "baseline", "project"};
+  static const Words words = {"toolpath",       "machine", "part",   "fixture",      "head",     "tools",
+                              "named-by-tools", "stock",   "before", "before-tools", "baseline", "project"};
   return words;
 }
 const Words& use_words() {

@@ -156,7 +156,8 @@ class RecordMaker {
       one.contact_at = contact.contact_at;
       if (contact.cut_move == kNone) continue;
       one.cut_move = contact.cut_move;
-      one.cut_line = path_.moves[contact.cut_move].line;
+      one.cut_line = contact.cut_line;
+      if (!contact.cut_file.empty()) one.cut_file = contact.cut_file;
       one.missed_by_mm = contact.missed_by_mm;
     }
     return record;

@@ -120,6 +120,80 @@ TEST_F(StockSample, AnOpenStockIsRefused) {
   EXPECT_NE(ran.err.find("[stock-open-mesh]"), std::string::npos) << ran.err;
 }
 
+/// A program that cuts the way of the rapid of `rapid_stock` at y = 30, from above or from below.
+std::string slot_program(bool is_from_below) {
+  const std::string at = is_from_below ? ", -30, -0.5, 0, 0, 1\n" : ", 30, -5, 0, 0, 1\n";
+  return "UNITS/MM\nMULTAX/ON\nLOADTL/1\nFEDRAT/1000, MMPM\nRAPID\nGOTO/-60" + at + "GOTO/130" + at + "FINI\n";
+}
+
+TEST_F(StockSample, AnEarlierProgramRemovesWhatItCut) {
+  ASSERT_EQ(run("rapid_stock", {"--stock", "part+5"}).exit_status, 1);
+  write_text(sample_.path + "/op10.apt", slot_program(false));
+  write_text(sample_.path + "/below.apt", slot_program(true));
+  const auto after = [&](const std::string& program) {
+    return run_again({"--stock", "part+5", "--before", program, "--json", "check.json"});
+  };
+  EXPECT_EQ(after("op10.apt").exit_status, 0);
+  EXPECT_EQ(after("op10.apt,tools=tools.json").exit_status, 0);
+  EXPECT_EQ(after("below.apt").exit_status, 1);
+  EXPECT_EQ(after("below.apt,place=0,0,0,180,0,0").exit_status, 0);
+  // Moved aside, it leaves a wall. The finding names the file of the nearest cut.
+  const Outcome beside = after("op10.apt,place=0,1,0");
+  EXPECT_EQ(beside.exit_status, 1);
+  EXPECT_NE(beside.out.find("line 7 of op10.apt, misses it by"), std::string::npos) << beside.out;
+  const Json report = json_of("check.json");
+  EXPECT_EQ(report.at("stock").at("contacts").at(0).at("cut_file"), "op10.apt");
+  EXPECT_EQ(report.at("inputs").at(3).at("role"), "before");
+}
+
+TEST_F(StockSample, AnEarlierProgramIsReadWithCare) {
+  ASSERT_EQ(run("rapid_stock", {"--stock", "part+5"}).exit_status, 1);
+  write_text(sample_.path + "/op10.apt", slot_program(false));
+  write_text(sample_.path + "/other.json",
+             R"({"units":"mm","tools":[{"number":7,"cutter":{"shape":"flat","diameter":10,"length":25}}]})");
+  const auto after = [&](const std::string& program) { return run_again({"--stock", "part+5", "--before", program}); };
+  EXPECT_EQ(after("missing.apt").exit_status, 3);
+  EXPECT_EQ(after("op10.apt,tools=missing.json").exit_status, 3);
+  EXPECT_EQ(after("op10.apt,place=0,0").exit_status, 2);
+  EXPECT_EQ(after(",tools=tools.json").exit_status, 2);
+  const Outcome undefined = after("op10.apt,tools=other.json");
+  EXPECT_EQ(undefined.exit_status, 3);
+  EXPECT_NE(undefined.err.find("[no-tool]"), std::string::npos) << undefined.err;
+  EXPECT_EQ(run_again({"--before", "op10.apt"}).exit_status, 2);
+  EXPECT_EQ(run_again({"--stock", "part+5", "--before", "op10.apt", "--json", "op10.apt"}).exit_status, 2);
+  // Half a program ends without its end mark. What it would have cut further is not known.
+  write_text(sample_.path + "/half.apt", slot_program(false).substr(0, slot_program(false).size() - 12));
+  const Outcome half = after("half.apt");
+  EXPECT_NE(half.exit_status, 0) << half.out;
+  // Where the motion depends on the machine, the program cannot be placed elsewhere.
+  const Outcome placed = run_again({"--stock", "part+5", "--before", "op10.apt,place=0,0,1", "--rapid", "dogleg"});
+  EXPECT_EQ(placed.exit_status, 3);
+  EXPECT_NE(placed.err.find("[before-place]"), std::string::npos) << placed.err;
+}
+
+TEST_F(StockSample, AToolThatDoesNotCutMeetsTheMaterial) {
+  ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
+  write_text(
+      sample_.path + "/probe.json",
+      R"({"units":"mm","tools":[{"number":1,"cuts":false,"cutter":{"shape":"flat","diameter":10,"length":25}}]})");
+  write_text(sample_.path + "/op10.apt", slot_program(false));
+  const Outcome ran = run_gougecheck(
+      sample_.path, {"check", "op10.apt", "--part", "part.stl", "--tools", "probe.json", "--stock", "part+5"});
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+  EXPECT_NE(ran.out.find("cutter in stock: "), std::string::npos) << ran.out;
+}
+
+TEST_F(StockSample, AProjectFileNamesEarlierPrograms) {
+  ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
+  write_text(sample_.path + "/op10.apt", slot_program(false));
+  const Outcome ran = run_script(sample_.path,
+                                 "mkdir sub && cp rapid_stock.apt sub/ && cd sub && echo '{\"part\": \"part.stl\", "
+                                 "\"tools\": \"tools.json\", \"stock\": \"part+5\", \"before\": "
+                                 "[\"op10.apt,tools=tools.json\"]}' > ../gougecheck.json && "
+                                 "\"$GOUGECHECK\" check rapid_stock.apt");
+  EXPECT_EQ(ran.exit_status, 0) << ran.err << ran.out;
+}
+
 TEST_F(StockSample, AProjectFileNamesTheStock) {
   ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
   write_text(sample_.path + "/gougecheck.json", R"({"part": "part.stl", "tools": "tools.json", "stock": "part+5"})");

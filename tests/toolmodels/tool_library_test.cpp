@@ -207,6 +207,18 @@ TEST(ToolLibrary, PointsAndExtensionsAreReadWithCare) {
             "what is between is not in the file and not checked [tool-gauge-length]");
 }
 
+TEST(ToolLibrary, AToolThatDoesNotCutStaysOne) {
+  const std::string flat = "{\"shape\":\"flat\",\"diameter\":6,\"length\":20}";
+  const Result<ToolLibrary> probe = read_tool_library("lib.json", with_cutter(flat + ",\"cuts\":false"));
+  ASSERT_TRUE(probe.has_value());
+  EXPECT_FALSE(probe->tools.front().cuts);
+  const Result<ToolLibrary> again = read_tool_library("lib.json", write_tool_library(*probe));
+  ASSERT_TRUE(again.has_value());
+  EXPECT_FALSE(again->tools.front().cuts);
+  EXPECT_EQ(error_of(with_cutter(flat + ",\"cuts\":\"no\"")),
+            "lib.json:4: error: tool T3 \"x\": \"cuts\" is neither true nor false [library-field]");
+}
+
 // Every single damage to a good file is a clean result, never a crash, and what reads builds.
 TEST(ToolLibrary, DamagedFilesNeverCrash) {
   test::Scatter random(31);

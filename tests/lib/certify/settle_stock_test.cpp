@@ -18,7 +18,7 @@ class SettledStock : public testing::Test {
     const PreparedScene prepared(scene_, 1);
     CheckOptions options;
     options.threads = 1;
-    const StockSetup stock{StockSolid::box(Vec3(-50, -50, -40), Vec3(50, 50, 0)), {{&tool_, true}}, {}};
+    const StockSetup stock{.solid = StockSolid::box(Vec3(-50, -50, -40), Vec3(50, 50, 0)), .tools = {{&tool_, true}}};
     CheckSetup setup{{&tool_}, heads_, prepared, options};
     setup.stock = &stock;
     return gouge::check(path, setup);

@@ -3,48 +3,21 @@
 
 #include "lib/stock/check_stock.h"
 #include "lib/tool/evaluate.h"
-#include "tests/support/paths.h"
+#include "tests/lib/stock/block.h"
 #include "tests/support/scatter.h"
-#include "tests/support/tools.h"
 
 namespace gouge {
 namespace {
 
 constexpr double kTolerance_mm = 0.1, kResolution_mm = 0.05;
 
-StockSolid block() { return StockSolid::box(Vec3(-50, -50, -40), Vec3(50, 50, 0)); }
-
-struct Step {
-  MoveKind kind;
-  Pose to;
-};
-
-Toolpath path_of(const std::vector<Step>& steps) {
-  std::vector<Pose> poses;
-  for (const Step& step : steps) poses.push_back(step.to);
-  Toolpath path = paths::through(poses);
-  for (std::size_t i = 0; i < steps.size(); ++i) path.moves[i].kind = steps[i].kind;
-  return path;
-}
-
-StockResult run(const Toolpath& path, const std::vector<ToolVariants>& tools, const StockSolid& stock = block()) {
-  std::vector<StockTool> all;
-  for (const ToolVariants& tool : tools) all.push_back({&tool, true});
-  const MotionLaw law;
-  const StockOptions options;
-  const CutHistory history(path, law, all, options);
-  return check_stock(history, stock, options, 1);
-}
-
-/// A flat cutter with flutes of this length and a shank.
-ToolVariants flat(double diameter, double flutes, double shank_diameter, double shank_length = 20) {
-  ToolAssembly tool = tools::assembly(FlatCutter{diameter, flutes}, shank_diameter);
-  tool.shank = {{shank_diameter, shank_diameter, shank_length}};
-  return tools::variants(tool);
-}
-
+using block::flat;
+using block::kFeed;
+using block::kRapid;
+using block::path_of;
+using block::run;
+using block::Step;
 using paths::upright;
-constexpr MoveKind kFeed = MoveKind::feed, kRapid = MoveKind::rapid;
 
 TEST(Stock, ARapidThroughTheBlockIsFoundWithItsFirstContact) {
   const StockResult result =
@@ -92,7 +65,7 @@ TEST(Stock, ARapidThroughItsOwnSlotIsClearAndOneBesideItIsNot) {
     EXPECT_GE(finding.depth_upper_mm, exact - 3 * kResolution_mm);
     EXPECT_LT(finding.depth_upper_mm, exact + 3 * kResolution_mm);
     ASSERT_TRUE(finding.nearest_cut.has_value());
-    EXPECT_EQ(finding.nearest_cut->move, 1U);
+    EXPECT_EQ(finding.nearest_cut->cut.move, 1U);
     EXPECT_LE(finding.nearest_cut->distance_mm, exact);
   }
 }
@@ -221,7 +194,7 @@ TEST(Stock, AToolThatDoesNotCutRemovesNothing) {
   for (const bool cuts : {true, false}) {
     const std::vector<StockTool> tools{{&probe, cuts}};
     const CutHistory history(path, law, tools, options);
-    const StockResult result = check_stock(history, block(), options, 1);
+    const StockResult result = check_stock(history, block::solid(), options, 1);
     EXPECT_EQ(result.findings.empty(), cuts);
   }
 }
@@ -273,7 +246,8 @@ TEST(Stock, ResultsAreTheSameAtAnyNumberOfThreads) {
   const MotionLaw law;
   const StockOptions options;
   const CutHistory history(path, law, all, options);
-  const StockResult one = check_stock(history, block(), options, 1), three = check_stock(history, block(), options, 3);
+  const StockResult one = check_stock(history, block::solid(), options, 1),
+                    three = check_stock(history, block::solid(), options, 3);
   ASSERT_EQ(one.findings.size(), three.findings.size());
   EXPECT_FALSE(one.findings.empty());
   for (std::size_t k = 0; k < one.findings.size(); ++k) {

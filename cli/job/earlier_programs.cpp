@@ -1,0 +1,125 @@
+#include "cli/job/earlier_programs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/job/read_inputs.h"
+#include "cli/machine/machine_choice.h"
+#include "cli/terminal/length_text.h"
+#include "cli/tools/resolve_tools.h"
+#include "lib/path/place_path.h"
+#include "toolmodels/compile_tool.h"
+
+namespace gouge {
+namespace {
+
+class ProgramReader {
+ public:
+  ProgramReader(const JobArguments& arguments, Job& job, Progress& progress, Diagnostics& errors)
+      : arguments_(arguments), job_(job), progress_(progress), errors_(errors) {}
+
+  std::optional<EarlierPrograms> run() {
+    for (const std::string& typed : arguments_.before) {
+      if (!read(split_before(typed))) return std::nullopt;
+    }
+    return std::move(read_);
+  }
+
+ private:
+  bool read(const BeforeText& stated) {
+    ReadOptions reading = job_.options.reading;
+    reading.keeps_origins = false;
+    std::optional<Toolpath> path =
+        read_path_file(stated.path, "before", arguments_.input.max_bytes, reading, progress_, job_.inputs, errors_);
+    if (!path) return false;
+    add_notes(path->notes);
+    EarlierProgram& program = read_.programs.emplace_back();
+    program.path = std::move(*path);
+    program.law = job_.options.check.law;
+    return place(stated, program.path) && add_tools(stated, program);
+  }
+
+  /// Moves the program. A law of a machine depends on the place of the path on it, which is another one then.
+  bool place(const BeforeText& stated, Toolpath& path) {
+    if (stated.place.empty()) {
+      if (job_.machine)
+        add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.options.tool_length_mm,
+                                   needs_turn(job_.laws, false), path));
+      return true;
+    }
+    const Result<RigidTransform> to_path = understand_place("--before", stated.place);
+    if (!to_path) return fail(to_path.error());
+    const MotionLaw& law = job_.options.check.law;
+    if (!law.is_great_circle() || law.rapid() == RapidMode::dogleg)
+      return fail(make_error("before-place",
+                             "the motion between its positions depends on the place of the program on the machine, so "
+                             "place= cannot move it; expected a program in the coordinates of the toolpath, or the "
+                             "great circle with straight rapids",
+                             stated.path));
+    place_path(*to_path, path);
+    return true;
+  }
+
+  bool add_tools(const BeforeText& stated, EarlierProgram& program) {
+    std::optional<ToolLibrary> library;
+    const std::string& file = stated.tools.empty() ? arguments_.tools_file : stated.tools;
+    if (!file.empty()) {
+      Result<ToolLibrary> read = read_tool_file(file, "before-tools", arguments_.input.max_bytes, job_.inputs);
+      if (!read) return fail(read.error());
+      if (!stated.tools.empty()) add_notes(read->notes);
+      library = std::move(*read);
+    }
+    const std::vector<std::string> no_names;
+    Result<ResolvedTools> resolved =
+        resolve_tools(program.path, library ? &*library : nullptr, no_names, arguments_.holder);
+    if (!resolved) return fail(resolved.error());
+    if (std::ranges::none_of(resolved->assemblies, [](const auto& assembly) { return assembly.has_value(); }))
+      return fail(make_error("no-tool",
+                             "no tool of this program is defined, so what it removed is not known; expected CUTTER or "
+                             "TLDATA in the file, or a library that has the tool: " +
+                                 stated.path + ",tools=LIB.json",
+                             stated.path));
+    add_notes(resolved->notes);
+    add_facts(program.path.assumptions, stated.path);
+    add_facts(resolved->assumptions, stated.path);
+    for (const std::optional<ToolAssembly>& assembly : resolved->assemblies) {
+      program.tools.emplace_back();
+      if (!assembly) continue;
+      Result<ToolVariants> variants = make_tool_variants(*assembly, 0, 0, 0);
+      if (!variants) return fail(variants.error());
+      read_.tools.push_back(std::move(*variants));
+      program.tools.back() = {&read_.tools.back(), assembly->cuts};
+    }
+    return true;
+  }
+
+  /// The facts of an earlier program carry the name of its file, since the path has facts of the same subjects.
+  void add_facts(const Assumptions& facts, const std::string& file) {
+    for (Assumption fact : facts) {
+      fact.object += (fact.object.empty() ? "" : " of ") + file;
+      job_.basis.inputs.push_back(std::move(fact));
+    }
+  }
+
+  void add_notes(const Diagnostics& notes) { job_.notes.insert(job_.notes.end(), notes.begin(), notes.end()); }
+
+  bool fail(const Diagnostic& error) {
+    errors_.push_back(error);
+    return false;
+  }
+
+  const JobArguments& arguments_;
+  Job& job_;
+  Progress& progress_;
+  Diagnostics& errors_;
+  EarlierPrograms read_;
+};
+
+}  // namespace
+
+std::optional<EarlierPrograms> read_earlier_programs(const JobArguments& arguments, Job& job, Progress& progress,
+                                                     Diagnostics& errors) {
+  return ProgramReader(arguments, job, progress, errors).run();
+}
+
+}  // namespace gouge

@@ -1,0 +1,47 @@
+#include "cli/job/read_inputs.h"
+
+#include <utility>
+
+#include "lib/base/files.h"
+#include "lib/check/reach.h"
+#include "toolmodels/import/read_any_tools.h"
+
+namespace gouge {
+
+std::optional<Toolpath> read_path_file(const std::string& file, const char* role, std::uint64_t max_bytes,
+                                       const ReadOptions& reading, Progress& progress, std::vector<InputFile>& inputs,
+                                       Diagnostics& errors) {
+  progress.begin("reading " + file);
+  Result<PagedVector<char>> bytes = read_long_file(file, max_bytes);
+  if (!bytes) {
+    errors.push_back(bytes.error());
+    return std::nullopt;
+  }
+  SourceText text(std::move(*bytes));
+  inputs.push_back(describe_input(role, file, text));
+  ReadOutcome outcome = read_toolpath(file, std::move(text), reading, progress.call());
+  errors.insert(errors.end(), outcome.errors.begin(), outcome.errors.end());
+  if (!outcome.toolpath) return std::nullopt;
+  for (const Move& move : outcome.toolpath->moves) {
+    if (is_within_reach(move.end.tip)) continue;
+    errors.push_back(make_error(
+        "path-too-far", "the position is more than 100 m from the origin; expected a path within that; check the units",
+        file, move.line));
+    return std::nullopt;
+  }
+  return std::move(*outcome.toolpath);
+}
+
+Result<ToolLibrary> read_tool_file(const std::string& file, const char* role, std::uint64_t max_bytes,
+                                   std::vector<InputFile>& inputs) {
+  const Result<std::string> bytes = read_file(file, max_bytes);
+  if (!bytes) return bytes.error();
+  inputs.push_back(describe_input(role, file, *bytes));
+  Result<ReadTools> read = read_any_tools(file, *bytes, max_bytes);
+  if (!read) return read.error();
+  for (const BesideFile& beside : read->besides)
+    inputs.push_back(describe_input("named-by-tools", beside.path, beside.bytes));
+  return std::move(read->library);
+}
+
+}  // namespace gouge

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/stock/check_stock.h"
+#include "tests/support/paths.h"
+#include "tests/support/tools.h"
+
+// A block of stock and short programs that cut it. Header only.
+
+namespace gouge::block {
+
+/// The block from (-50, -50, -40) to (50, 50, 0).
+inline StockSolid solid() { return StockSolid::box(Vec3(-50, -50, -40), Vec3(50, 50, 0)); }
+
+struct Step {
+  MoveKind kind;
+  Pose to;
+};
+
+inline constexpr MoveKind kFeed = MoveKind::feed, kRapid = MoveKind::rapid;
+
+/// Returns the path of the first tool through these positions.
+inline Toolpath path_of(const std::vector<Step>& steps) {
+  std::vector<Pose> poses;
+  for (const Step& step : steps) poses.push_back(step.to);
+  Toolpath path = paths::through(poses);
+  for (std::size_t i = 0; i < steps.size(); ++i) path.moves[i].kind = steps[i].kind;
+  return path;
+}
+
+/// Appends moves of another tool; its first position follows a tool change.
+inline void append(const std::vector<Step>& steps, std::size_t tool, Toolpath& path) {
+  path.tools.resize(std::max(path.tools.size(), tool + 1));
+  for (const Step& step : steps) {
+    Move move;
+    move.kind = step.kind;
+    move.end = step.to;
+    move.tool = tool;
+    move.line = path.moves.size() + 1;
+    move.has_start = &step != steps.data();
+    path.moves.push_back(move);
+  }
+}
+
+inline StockResult run(const Toolpath& path, const std::vector<ToolVariants>& tools,
+                       const StockSolid& stock = solid()) {
+  std::vector<StockTool> all;
+  for (const ToolVariants& tool : tools) all.push_back({&tool, true});
+  const MotionLaw law;
+  const StockOptions options;
+  const CutHistory history(path, law, all, options);
+  return check_stock(history, stock, options, 1);
+}
+
+/// A flat cutter with flutes of this length and a shank.
+inline ToolVariants flat(double diameter, double flutes, double shank_diameter, double shank_length = 20) {
+  ToolAssembly tool = tools::assembly(FlatCutter{diameter, flutes}, shank_diameter);
+  tool.shank = {{shank_diameter, shank_diameter, shank_length}};
+  return tools::variants(tool);
+}
+
+}  // namespace gouge::block
