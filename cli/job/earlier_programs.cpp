@@ -1,14 +1,15 @@
 #include "cli/job/earlier_programs.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "cli/job/read_inputs.h"
 #include "cli/machine/machine_choice.h"
 #include "cli/terminal/length_text.h"
 #include "cli/tools/resolve_tools.h"
+#include "cli/tools/stock_tools.h"
 #include "lib/path/place_path.h"
-#include "toolmodels/compile_tool.h"
 
 namespace gouge {
 namespace {
@@ -80,25 +81,12 @@ class ProgramReader {
                                  stated.path + ",tools=LIB.json",
                              stated.path));
     add_notes(resolved->notes);
-    add_facts(program.path.assumptions, stated.path);
-    add_facts(resolved->assumptions, stated.path);
-    for (const std::optional<ToolAssembly>& assembly : resolved->assemblies) {
-      program.tools.emplace_back();
-      if (!assembly) continue;
-      Result<ToolVariants> variants = make_tool_variants(*assembly, 0, 0, 0);
-      if (!variants) return fail(variants.error());
-      read_.tools.push_back(std::move(*variants));
-      program.tools.back() = {&read_.tools.back(), assembly->cuts};
-    }
+    for (const Assumptions* facts : {&program.path.assumptions, &resolved->assumptions})
+      std::ranges::move(facts_of_program(stated.path, *facts), std::back_inserter(job_.basis.inputs));
+    Result<std::vector<StockTool>> tools = make_stock_tools(resolved->assemblies, read_.tools);
+    if (!tools) return fail(tools.error());
+    program.tools = std::move(*tools);
     return true;
-  }
-
-  /// The facts of an earlier program carry the name of its file, since the path has facts of the same subjects.
-  void add_facts(const Assumptions& facts, const std::string& file) {
-    for (Assumption fact : facts) {
-      fact.object += (fact.object.empty() ? "" : " of ") + file;
-      job_.basis.inputs.push_back(std::move(fact));
-    }
   }
 
   void add_notes(const Diagnostics& notes) { job_.notes.insert(job_.notes.end(), notes.begin(), notes.end()); }

@@ -1,12 +1,10 @@
 #include "cli/job/load_stock.h"
 
-#include <limits>
 #include <utility>
 
+#include "cli/tools/stock_tools.h"
 #include "lib/base/files.h"
-#include "lib/base/number_text.h"
 #include "lib/mesh/load_mesh.h"
-#include "toolmodels/compile_tool.h"
 
 namespace gouge {
 namespace {
@@ -19,10 +17,12 @@ class StockLoader {
   std::optional<LoadedStock> run() {
     const Result<StockOptions> options = understand_stock_options(arguments_);
     if (!options) return fail(options.error());
-    Result<StockSolid> solid = make_solid();
-    if (!solid) return fail(solid.error());
-    stock_.setup = StockSetup{.solid = std::move(*solid), .options = *options};
-    if (const std::optional<Diagnostic> error = add_tools()) return fail(*error);
+    Result<DescribedStock> stock = make_solid();
+    if (!stock) return fail(stock.error());
+    description_ = std::move(stock->description);
+    Result<std::vector<StockTool>> tools = make_stock_tools(assemblies(), stock_.tools);
+    if (!tools) return fail(tools.error());
+    stock_.setup = StockSetup{.solid = std::move(stock->solid), .tools = std::move(*tools), .options = *options};
     std::optional<EarlierPrograms> before = read_earlier_programs(arguments_, job_, progress_, errors_);
     if (!before) return std::nullopt;
     stock_.setup->before = std::move(before->programs);
@@ -37,35 +37,10 @@ class StockLoader {
     return std::nullopt;
   }
 
-  Result<StockSolid> make_solid() {
+  Result<DescribedStock> make_solid() {
     const Result<StockShape> shape = understand_stock_shape(arguments_.stock);
     if (!shape) return shape.error();
-    if (shape->kind == StockShape::Kind::file) return read_file_solid();
-    const std::vector<IndexedMesh>& parts = job_.scene().parts;
-    if (shape->kind == StockShape::Kind::part) {
-      description_ = "the part with an allowance of " + exact_text(shape->allowance_mm) + " mm";
-      return StockSolid::meshes(parts, shape->allowance_mm);
-    }
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::max()), high = -low;
-    for (const IndexedMesh& part : parts) {
-      for (const Vec3& vertex : part.vertices) {
-        low = low.cwiseMin(vertex);
-        high = high.cwiseMax(vertex);
-      }
-    }
-    const Vec3 margin = Vec3::Constant(shape->allowance_mm);
-    low -= margin;
-    high += margin;
-    description_ = "the box from " + point(low) + " to " + point(high) + " mm about the part";
-    return StockSolid::box(low, high);
-  }
-
-  static std::string point(const Vec3& p) {
-    constexpr int kDecimals = 3;
-    return display_text(p.x(), kDecimals) + "," + display_text(p.y(), kDecimals) + "," + display_text(p.z(), kDecimals);
-  }
-
-  Result<StockSolid> read_file_solid() {
+    if (shape->kind != StockShape::Kind::file) return make_stock(*shape, job_.scene().parts, "");
     const std::string& name = arguments_.stock;
     Result<std::string> bytes = read_file(name, arguments_.input.max_bytes);
     if (!bytes) return bytes.error();
@@ -73,35 +48,18 @@ class StockLoader {
     Result<LoadedMesh> loaded = load_mesh_bytes(*bytes, name, {job_.stl_unit(arguments_), job_.options.place});
     if (!loaded) return loaded.error();
     stock_.meshes.push_back(std::move(loaded->mesh));
-    description_ = name;
-    return StockSolid::meshes({&stock_.meshes.back(), 1}, 0);
+    return make_stock(*shape, {&stock_.meshes.back(), 1}, name);
   }
 
-  /// Cutters and bodies as they are: clearances and the stock to leave concern the part.
-  std::optional<Diagnostic> add_tools() {
-    for (const std::optional<ToolAssembly>& assembly : job_.assemblies) {
-      stock_.setup->tools.emplace_back();
-      if (!assembly) continue;
-      Result<ToolVariants> variants =
-          make_tool_variants(arguments_.is_extended_up ? job_.without_end(*assembly) : *assembly, 0, 0, 0);
-      if (!variants) return variants.error();
-      stock_.tools.push_back(std::move(*variants));
-      stock_.setup->tools.back() = {&stock_.tools.back(), assembly->cuts};
-    }
-    return std::nullopt;
+  [[nodiscard]] std::vector<std::optional<ToolAssembly>> assemblies() const {
+    std::vector<std::optional<ToolAssembly>> all = job_.assemblies;
+    if (!arguments_.is_extended_up) return all;
+    for (std::optional<ToolAssembly>& assembly : all)
+      if (assembly) assembly = job_.without_end(*assembly);
+    return all;
   }
 
-  [[nodiscard]] Assumption fact() const {
-    Assumption fact{.subject = Subject::stock, .basis = Basis::stated, .value = description_};
-    std::string programs;
-    for (const EarlierProgram& earlier : stock_.setup->before)
-      programs += (programs.empty() ? "the moves of " : ", ") + earlier.path.file;
-    fact.evidence = "stated by the user; " +
-                    (programs.empty() ? "only the moves of this path" : programs + " and then those of this path") +
-                    " remove material from it";
-    fact.file = job_.toolpath.file;
-    return fact;
-  }
+  [[nodiscard]] Assumption fact() const { return assume_stock(description_, *stock_.setup, job_.toolpath.file); }
 
   const JobArguments& arguments_;
   Job& job_;

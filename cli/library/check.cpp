@@ -52,6 +52,8 @@ gouge::CorrectOptions to_correct_options(const CorrectOptions& how) {
 }
 
 Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
+  if (checked.stock != nullptr)
+    raise(gouge::make_error("usage", "stock: corrections do not cover remaining stock; expected options without it"));
   gouge::CorrectOptions options = to_correct_options(how);
   const gouge::Toolpath& path = checked.path.content().path;
   const gouge::RewritableMoves rewritable = gouge::rewritable_moves(path);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/library/path_stock.h"
 #include "cli/machine/machine_facts.h"
 #include "cli/machine/rate_notes.h"
 #include "cli/tools/resolve_tools.h"
@@ -42,20 +43,6 @@ gouge::MeshFacts facts_of(const Mesh& mesh) {
     if (note.severity == gouge::Severity::warning) facts.meaning += (facts.meaning.empty() ? "" : "; ") + note.message;
   }
   return facts;
-}
-
-/// Returns the path with an additional tool for moves for which its file names none.
-Path with_every_tool_named(const Path& path) {
-  const gouge::Moves& moves = path.content().path.moves;
-  const auto is_unnamed = [](const gouge::Move& move) { return move.tool == gouge::kNone; };
-  if (std::none_of(moves.begin(), moves.end(), is_unnamed)) return path;
-  gouge::Toolpath named = path.content().path;
-  const std::size_t tool = named.tools.size();
-  named.tools.emplace_back().name = "tool";
-  for (gouge::Move& move : named.moves) {
-    if (is_unnamed(move)) move.tool = tool;
-  }
-  return PathAccess::from(std::move(named), path.content().is_from_memory);
 }
 
 gouge::ToolFacts facts_of(const gouge::ToolAssembly& tool) {
@@ -133,19 +120,6 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
   return std::make_shared<const PathMachine>(std::move(made));
 }
 
-/// Returns the path with the joints of a machine, and with warnings if the machine cannot run it.
-Path with_joints(const Path& path, const PathMachine& machine) {
-  gouge::Toolpath jointed = path.content().path;
-  gouge::Diagnostics notes = gouge::describe_missing_axes(machine.chosen.machine, machine.options.front().value);
-  std::ranges::move(gouge::choose_joints_of(machine.chosen.machine, machine.chosen.law, machine.chosen.tool_length_mm,
-                                            gouge::needs_turn(machine.chosen.laws, false), jointed),
-                    std::back_inserter(notes));
-  std::ranges::move(gouge::describe_rate_excesses(machine.chosen.machine, machine.chosen.laws.feeds, jointed),
-                    std::back_inserter(notes));
-  std::ranges::move(notes, std::back_inserter(jointed.notes));
-  return PathAccess::from(std::move(jointed), path.content().is_from_memory);
-}
-
 /// Options with the machine that they name.
 struct UnderstoodCheck {
   gouge::CheckOptions options;
@@ -167,6 +141,11 @@ UnderstoodCheck understand(const CheckOptions& options) {
   return understood;
 }
 
+/// Returns the path with the joints of a machine.
+Path with_joints(const Path& path, const PathMachine& machine) {
+  return PathAccess::from(joints_added(path.content().path, machine), path.content().is_from_memory);
+}
+
 CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathTools> tools,
                       const CheckOptions& options, UnderstoodCheck understood) {
   gouge::SetupBasis basis = basis_of(scene, *tools, options);
@@ -179,16 +158,45 @@ CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathT
                       std::back_inserter(basis.inputs));
     path = with_joints(path, *understood.machine);
   }
+  std::shared_ptr<const PathStock> stock =
+      make_path_stock(options, understood.options, path.content().path, taken.content().index->scene().parts,
+                      tools->assemblies, understood.machine.get());
+  if (stock != nullptr) basis.inputs.insert(basis.inputs.end(), stock->facts.begin(), stock->facts.end());
   return {std::move(path),
           std::move(taken),
           std::move(tools),
           std::move(understood.options),
           understood.stated_tube,
           std::move(basis),
-          std::move(understood.machine)};
+          std::move(understood.machine),
+          std::move(stock)};
 }
 
 }  // namespace
+
+Path with_every_tool_named(const Path& path) {
+  const gouge::Moves& moves = path.content().path.moves;
+  const auto is_unnamed = [](const gouge::Move& move) { return move.tool == gouge::kNone; };
+  if (std::none_of(moves.begin(), moves.end(), is_unnamed)) return path;
+  gouge::Toolpath named = path.content().path;
+  const std::size_t tool = named.tools.size();
+  named.tools.emplace_back().name = "tool";
+  for (gouge::Move& move : named.moves) {
+    if (is_unnamed(move)) move.tool = tool;
+  }
+  return PathAccess::from(std::move(named), path.content().is_from_memory);
+}
+
+gouge::Toolpath joints_added(gouge::Toolpath path, const PathMachine& machine) {
+  const gouge::ChosenMachine& chosen = machine.chosen;
+  gouge::Diagnostics notes = gouge::describe_missing_axes(chosen.machine, machine.options.front().value);
+  std::ranges::move(gouge::choose_joints_of(chosen.machine, chosen.law, chosen.tool_length_mm,
+                                            gouge::needs_turn(chosen.laws, false), path),
+                    std::back_inserter(notes));
+  std::ranges::move(gouge::describe_rate_excesses(chosen.machine, chosen.laws.feeds, path), std::back_inserter(notes));
+  std::ranges::move(notes, std::back_inserter(path.notes));
+  return path;
+}
 
 std::vector<const gouge::ToolVariants*> PathTools::pointers() const {
   std::vector<const gouge::ToolVariants*> all;
@@ -236,6 +244,7 @@ CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, cons
   const bool has_wide = std::ranges::any_of(toolpath.moves, &gouge::Move::needs_wide_tool);
   tools->variants.assign(toolpath.tools.size(), compile(assembly, understood.options, has_wide));
   tools->facts.assign(toolpath.tools.size(), facts_of(assembly));
+  tools->assemblies.assign(toolpath.tools.size(), assembly);
   tools->assumptions = value_or_raise(gouge::resolve_given(toolpath, assembly)).assumptions;
   return completed(std::move(named), scene, std::move(tools), options, std::move(understood));
 }
@@ -259,12 +268,18 @@ CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& lib
   tools->facts = std::move(resolved.facts);
   tools->notes = std::move(resolved.notes);
   tools->assumptions = std::move(resolved.assumptions);
+  tools->assemblies = std::move(resolved.assemblies);
   tools->file = library.content().file;
   return completed(path, scene, std::move(tools), options, std::move(understood));
 }
 
 gouge::CheckSetup CheckedPath::setup() const {
-  return {tools->pointers(), no_heads(), scene.content().index->prepared(options.threads), options, nullptr, basis};
+  return {.tools = tools->pointers(),
+          .heads = no_heads(),
+          .scene = scene.content().index->prepared(options.threads),
+          .options = options,
+          .basis = basis,
+          .stock = stock == nullptr ? nullptr : &*stock->setup};
 }
 
 gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
@@ -280,6 +295,8 @@ gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
     model.more_options.push_back({"tip-tolerance", gouge::exact_text(stated_tube.tip_mm) + "mm"});
   if (options.tube.axis_rad > 0)
     model.more_options.push_back({"axis-tolerance", gouge::exact_text(options.tube.axis_rad / gouge::kDegree_rad)});
+  if (stock != nullptr)
+    model.more_options.insert(model.more_options.end(), stock->options.begin(), stock->options.end());
   model.options = options;
   model.toolpath = &toolpath;
   model.result = &result;
@@ -294,6 +311,7 @@ gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
   }
   model.tools = tools->facts;
   model.notes.insert(model.notes.end(), tools->notes.begin(), tools->notes.end());
+  if (stock != nullptr) model.notes.insert(model.notes.end(), stock->notes.begin(), stock->notes.end());
   const gouge::Diagnostics open = gouge::open_warnings(result.assumptions);
   model.notes.insert(model.notes.end(), open.begin(), open.end());
   return model;
@@ -309,6 +327,10 @@ std::vector<std::string> CheckedPath::inputs() const {
   }
   if (!tools->file.empty()) files.push_back(tools->file);
   if (machine != nullptr && machine->file) files.push_back(machine->file->name);
+  if (stock == nullptr) return files;
+  for (const Mesh& mesh : stock->meshes) {
+    if (!mesh.content().file.empty()) files.push_back(mesh.content().file);
+  }
   return files;
 }
 

@@ -15,11 +15,14 @@ struct PathTools {
   std::vector<std::optional<gouge::ToolVariants>> variants;  // one for each of Toolpath::tools; empty: no definition
   std::vector<gouge::ToolFacts> facts;
   gouge::Diagnostics notes;
-  gouge::Assumptions assumptions;  // about the tools and their holders
-  std::string file;                // of the library; empty: from memory
+  gouge::Assumptions assumptions;                              // about the tools and their holders
+  std::string file;                                            // of the library; empty: from memory
+  std::vector<std::optional<gouge::ToolAssembly>> assemblies;  // one for each of Toolpath::tools
 
   [[nodiscard]] std::vector<const gouge::ToolVariants*> pointers() const;
 };
+
+struct PathStock;
 
 /// The machine of a check.
 struct PathMachine {
@@ -37,6 +40,7 @@ struct CheckedPath {
   gouge::MotionTube stated_tube;  // of the options and the control, without the addition for intervals
   gouge::SetupBasis basis;
   std::shared_ptr<const PathMachine> machine;  // null: the axis turns on the great circle
+  std::shared_ptr<const PathStock> stock;      // null: moves are not checked against remaining stock
 
   /// Returns the set-up, which has no heads. Path and tools must outlive it.
   [[nodiscard]] gouge::CheckSetup setup() const;
@@ -44,6 +48,12 @@ struct CheckedPath {
   /// Returns the names of the files that were read for this check.
   [[nodiscard]] std::vector<std::string> inputs() const;
 };
+
+/// Returns the path with an additional tool for moves for which its file names none.
+[[nodiscard]] Path with_every_tool_named(const Path& path);
+
+/// Returns a path with the joints of a machine, and with warnings if the machine cannot run it.
+[[nodiscard]] gouge::Toolpath joints_added(gouge::Toolpath path, const PathMachine& machine);
 
 /// Converts the options. Errors: a length that is negative, too long or not a number.
 [[nodiscard]] gouge::CheckOptions to_check_options(const CheckOptions& options);

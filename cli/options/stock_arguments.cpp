@@ -10,17 +10,10 @@ namespace gouge {
 namespace {
 
 constexpr const char* kOption = "--stock";
-constexpr const char* kExpected =
-    "box, box=LENGTH or part+LENGTH with a length of 0 to 100 m, or the name of an STL file (./NAME if it begins alike)";
 constexpr double kFinestStock_mm = 0.001;  // a finer resolution only takes longer
-constexpr std::string_view kBox = "box", kBoxWith = "box=", kPartWith = "part+";
 constexpr std::string_view kTools = ",tools=", kPlace = ",place=";
 
 }  // namespace
-
-bool names_stock_file(const std::string& typed) {
-  return !typed.empty() && typed != kBox && !typed.starts_with(kBoxWith) && !typed.starts_with(kPartWith);
-}
 
 std::string BeforeText::typed() const {
   return path + (tools.empty() ? "" : std::string(kTools) + tools) + (place.empty() ? "" : std::string(kPlace) + place);
@@ -38,13 +31,9 @@ BeforeText split_before(const std::string& typed) {
 }
 
 Result<StockShape> understand_stock_shape(const std::string& typed) {
-  if (names_stock_file(typed)) return StockShape{};
-  if (typed == kBox) return StockShape{StockShape::Kind::box, 0};
-  const bool is_box = typed.starts_with(kBoxWith);
-  const std::string_view prefix = is_box ? kBoxWith : kPartWith;
-  const Result<double> length = understand_length(kOption, typed.substr(prefix.size()), Minimum::zero);
-  if (!length) return usage_error(kOption, typed, kExpected);
-  return StockShape{is_box ? StockShape::Kind::box : StockShape::Kind::part, *length};
+  const std::optional<StockShape> shape = parse_stock_shape(typed);
+  if (!shape) return usage_error(kOption, typed, kStockForms);
+  return *shape;
 }
 
 Result<StockOptions> understand_stock_options(const StockArguments& arguments) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/options/option_table.h"
+#include "cli/values/parse_stock.h"
 #include "lib/base/result.h"
 #include "lib/stock/stock_options.h"
 
@@ -31,15 +32,6 @@ struct BeforeText {
 
 /// Splits the text of --before. A comma of a file's name stays in it.
 [[nodiscard]] BeforeText split_before(const std::string& typed);
-
-/// The shape of the stock, understood.
-struct StockShape {
-  enum class Kind { box, part, file } kind = Kind::file;
-  double allowance_mm = 0;
-};
-
-/// Returns whether the text of --stock is the name of a file.
-[[nodiscard]] bool names_stock_file(const std::string& typed);
 
 /// Errors (code usage) name the option, the typed text and the expected one.
 [[nodiscard]] Result<StockShape> understand_stock_shape(const std::string& typed);

@@ -84,11 +84,61 @@ CheckOptions take_options(Keywords& keywords) {
   return options;
 }
 
+/// Returns the sequence in an argument; a single object counts as one of one element.
+std::vector<py::object> items_of(const py::object& object) {
+  if (object.is_none()) return {};
+  const bool is_list = py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object);
+  if (!is_list) return {object};
+  std::vector<py::object> items;
+  for (const py::handle& item : object) items.push_back(py::reinterpret_borrow<py::object>(item));
+  return items;
+}
+
+EarlierProgram program_of(const py::object& object, const std::string& name) {
+  const char* const kWanted = "(Path, tool) or (Path, tool, place), the tool a Tool or a ToolLibrary";
+  if (!py::isinstance<py::tuple>(object) || (py::len(object) != 2 && py::len(object) != 3))
+    refuse_argument(name, kWanted, object);
+  const py::tuple parts = object;
+  const py::object tool = parts[1];
+  std::variant<Tool, ToolLibrary> tools =
+      tool.is_none() || !py::isinstance<Tool>(tool)
+          ? std::variant<Tool, ToolLibrary>(bound<ToolLibrary>(tool, name + "[1]", "a Tool or a ToolLibrary"))
+          : tool.cast<const Tool&>();
+  EarlierProgram program{bound<Path>(parts[0], name + "[0]", "a Path"), std::move(tools)};
+  if (parts.size() == 3) program.place = text_of(parts[2], name + "[2]");
+  return program;
+}
+
+// Takes the stock: a text for a shape, or closed meshes.
+std::optional<Stock> take_stock(Keywords& keywords) {
+  const py::object shape = keywords.object("stock"), before = keywords.object("before");
+  const std::optional<double> tolerance = keywords.number_or_none("stock_tolerance"),
+                              resolution = keywords.number_or_none("stock_resolution");
+  if (shape.is_none()) {
+    if (!before.is_none() || tolerance || resolution)
+      throw py::type_error("before, stock_tolerance and stock_resolution need stock");
+    return std::nullopt;
+  }
+  Stock stock;
+  if (py::isinstance<py::str>(shape))
+    stock.shape = shape.cast<std::string>();
+  else
+    stock.meshes = meshes_of(shape, "stock", "'box', 'box=2', 'part+3', a Mesh or a list of Mesh");
+  const bool is_one = py::isinstance<py::tuple>(before) && py::len(before) > 0 &&
+                      py::isinstance<Path>(py::object(py::tuple(before)[0]));
+  for (const py::object& item : is_one ? std::vector<py::object>{before} : items_of(before))
+    stock.before.push_back(program_of(item, "before[" + std::to_string(stock.before.size()) + "]"));
+  stock.tolerance = tolerance.value_or(stock.tolerance);
+  stock.resolution = resolution;
+  return stock;
+}
+
 Report run_check(const py::object& path, const py::object& part, const py::object& tool, const py::kwargs& given) {
   Keywords keywords("check", given);
   const py::object fixtures = keywords.object("fixtures");
   CheckOptions options = take_options(keywords);
   options.near_miss = keywords.number("near_miss", options.near_miss);
+  options.stock = take_stock(keywords);
   keywords.finish();
   const Asked a = asked(path, part, tool, fixtures, options);
   const py::gil_scoped_release release;
@@ -146,7 +196,10 @@ void bind_checks(py::module_& module) {
           "check(path, part, tool, *, fixtures=(), tolerance=0.01, resolution=0.001, ...) -> Report\n\n"
           "Checks the whole motion of every move against the whole surface of every triangle: no gouge deeper "
           "than tolerance + resolution is missed, every gouge has a witness, and clean is proved.") +
-      kOptions;
+      kOptions +
+      " stock: the material before the path, 'box', 'box=2' (about the parts), 'part+3', or closed meshes; rapids must be "
+      "clear of what is left of it, other moves with shank and holder. before: programs that cut it earlier, (path, tool) "
+      "or (path, tool, place). stock_tolerance, stock_resolution: mm.";
   module.def("check", &run_check, py::arg("path"), py::arg("part"), py::arg("tool"), check_doc.c_str());
   bind_corrections(module);
   static const std::string correct_doc =

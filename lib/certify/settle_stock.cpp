@@ -123,6 +123,18 @@ class Settling {
 
 }  // namespace
 
+Assumption assume_stock(const std::string& description, const StockSetup& stock, const std::string& file) {
+  std::string programs;
+  for (const EarlierProgram& earlier : stock.before)
+    programs += (programs.empty() ? "the moves of " : ", ") + earlier.path.file;
+  Assumption fact{.subject = Subject::stock, .basis = Basis::stated, .value = description};
+  fact.evidence = "stated by the user; " +
+                  (programs.empty() ? "only the moves of this path" : programs + " and then those of this path") +
+                  " remove material from it";
+  fact.file = file;
+  return fact;
+}
+
 void settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& result, const ProgressCall& progress) {
   const StockSetup& stock = *setup.stock;
   std::deque<CutHistory> programs;

@@ -27,6 +27,9 @@ struct StockSetup {
   StockOptions options = {};
 };
 
+/// Returns the fact that a verdict rests on this stock and on the programs that cut it. `file`: of the path.
+[[nodiscard]] Assumption assume_stock(const std::string& description, const StockSetup& stock, const std::string& file);
+
 /// Checks a path against its remaining stock and enters the result into its verdicts. A clean move that meets stock
 /// becomes a gouge against the stock, and one for which that is open is not certified. The verdict of a move that gouges
 /// a part or a fixture stays.

@@ -15,7 +15,7 @@ namespace {
 
 // Pieces within the resolution are not divided further. After so many of them that are neither free nor a witness, the
 // answer is open.
-constexpr std::size_t kMaxOpen = 100;
+constexpr std::size_t kMaxOpen = 100, kMaxOpenAgain = 8;
 // Extents below this share of the resolution are not divided to make a piece free.
 constexpr double kThin = 0.25;
 // The least share of a piece that is cut off if it is beside the stock, and the number of halvings that find it.
@@ -24,6 +24,8 @@ constexpr int kTrimSteps = 10;
 
 // Sectors fit round walls, boxes the straight seams between passes. Sectors are tried first, with this part of the budget.
 constexpr std::uint64_t kFirstShare = 4;
+// Parts of the time that are searched once more where the answer is open.
+constexpr int kTimesAgain = 4;
 
 struct Candidate {
   ToolPiece piece;
@@ -84,8 +86,9 @@ ToolPiece without_end(const ToolPiece& piece, Division d, bool is_high, double s
 class Search {
  public:
   /// `parts`: what low cylinders are cut into.
-  Search(const StockQuestion& question, const Motion& motion, double depth_mm, PieceShape parts, std::uint64_t budget)
-      : q_(question), motion_(motion), depth_mm_(depth_mm), parts_shape_(parts), budget_(budget) {}
+  Search(const StockQuestion& question, const Motion& motion, double depth_mm, PieceShape parts, std::uint64_t budget,
+         std::size_t max_open = kMaxOpen)
+      : q_(question), motion_(motion), depth_mm_(depth_mm), parts_shape_(parts), budget_(budget), max_open_(max_open) {}
 
   StockAnswer decide(const std::vector<ToolPiece>& pieces, double from, double to) {
     if (take_column(pieces, from, to)) return run();
@@ -123,7 +126,7 @@ class Search {
   StockAnswer run() {
     std::size_t open = 0;
     while (!waiting_.empty()) {
-      if (open >= kMaxOpen) return answer_;
+      if (open >= max_open_) return answer_;
       if (answer_.examined >= budget_) {
         answer_.is_out_of_budget = true;
         return answer_;
@@ -133,11 +136,7 @@ class Search {
       if (depth_upper_mm(next.piece, q_.body, column_.range) <= depth_mm_ + q_.options.resolution_mm) continue;
       if (is_free(next)) continue;
       if (take_witness(next)) return answer_;
-      if (next.piece.ball_mm() + way_mm(next) <= q_.options.resolution_mm) {
-        ++open;
-      } else {
-        divide(next);
-      }
+      if (!divide(next)) ++open;
     }
     answer_.is_clear = open == 0 && !answer_.unknown;
     return answer_;
@@ -247,20 +246,27 @@ class Search {
     return deepest;
   }
 
-  /// Divides the piece or the time, whichever makes the parts free soonest: a direction in which the piece, made flat, is
-  /// free at the middle instant. If none is, the longest extent is halved.
-  void divide(Candidate c) {
-    if (trim(c)) return waiting_.push_back(c);
-    if (c.piece.is_cylinder() && cut_out_section(c)) return;
+  /// Divides the time if the piece is free at the middle instant. Otherwise no shorter time about that instant can be
+  /// free, so the piece is divided: in a direction in which it is free once it is flat, else across its longest extent.
+  /// False: it is as small as the resolution.
+  bool divide(Candidate c) {
+    const bool is_small = c.piece.ball_mm() <= q_.options.resolution_mm;
     const double way = way_mm(c);
+    if (is_small && c.piece.ball_mm() + way <= q_.options.resolution_mm) return false;
+    if (!is_small && trim(c)) {
+      waiting_.push_back(c);
+      return true;
+    }
+    if (!is_small && c.piece.is_cylinder() && cut_out_section(c)) return true;
     Candidate still = c;
     still.interval.t0 = still.interval.t1 = c.interval.middle();
-    if (way > Tolerance::kRounding_mm && is_free(still)) return halve_time(c);
-    const std::optional<Division> flat = free_when_flat(still);
-    if (flat) return way > extent_mm(c.piece, *flat) ? halve_time(c) : halve_piece(c, *flat);
-    const Division longest = longest_of(c.piece);
-    if (way > extent_mm(c.piece, longest)) return halve_time(c);
-    halve_piece(c, longest);
+    if (way > Tolerance::kRounding_mm && is_free(still)) {
+      halve_time(c);
+      return true;
+    }
+    if (is_small) return false;
+    halve_piece(c, free_when_flat(still).value_or(longest_of(c.piece)));
+    return true;
   }
 
   /// If the section through the middle of a cylinder is free, cuts out all that the same earlier cutter removed above and
@@ -332,6 +338,7 @@ class Search {
   double depth_mm_;
   PieceShape parts_shape_;
   std::uint64_t budget_;
+  std::size_t max_open_;
   Column column_;
   CutMove hint_, touch_hint_;
   std::vector<Candidate> waiting_;
@@ -344,12 +351,26 @@ class Search {
 StockAnswer find_stock(const StockQuestion& question, const Motion& motion, const std::vector<ToolPiece>& pieces,
                        double from, double to, double depth_mm) {
   const std::uint64_t budget = question.options.budget_per_move;
-  StockAnswer first =
+  StockAnswer answer =
       Search(question, motion, depth_mm, PieceShape::sector, budget / kFirstShare).decide(pieces, from, to);
-  if (!first.is_out_of_budget || first.unknown) return first;
-  StockAnswer second = Search(question, motion, depth_mm, PieceShape::box, budget).decide(pieces, from, to);
-  second.examined += first.examined;
-  return second;
+  const auto search_again = [&](PieceShape shape, double begin, double end, std::size_t max_open) {
+    const std::uint64_t before = answer.examined;
+    answer = Search(question, motion, depth_mm, shape, budget, max_open).decide(pieces, begin, end);
+    answer.examined += before;
+  };
+  if (answer.is_out_of_budget && !answer.unknown) search_again(PieceShape::box, from, to, kMaxOpen);
+  if (answer.is_clear || answer.witness || answer.is_out_of_budget) return answer;
+  // A tool touched the material at one instant. At others a witness may still be found.
+  const StockAnswer open = answer;
+  for (int k = 0; k < kTimesAgain; ++k) {
+    const double step = (to - from) / kTimesAgain;
+    search_again(PieceShape::sector, from + k * step, from + (k + 1) * step, kMaxOpenAgain);
+    if (answer.witness) return answer;
+  }
+  const std::uint64_t examined = answer.examined;
+  answer = open;
+  answer.examined = examined;
+  return answer;
 }
 
 }  // namespace gouge

@@ -144,43 +144,68 @@ double depth_upper_mm(const ToolPiece& piece, const CompiledTool& body, const Ax
   return half_way + reach - signed_distance_mm(body, r, piece.center.z() - middle_way);
 }
 
+namespace {
+
+/// Corners of the prism about a sector across the axis, as seen from its middle direction: outward and sideways.
+/// The tangents at both ends of the outer arc meet at its radius divided by the cosine of half the angle; the corners are
+/// as far out. The chord of the inner arc is inside the sector's own.
+struct SectorCorners {
+  Vec2 outer, inner;
+};
+
+SectorCorners corners_of(const ToolPiece& sector) {
+  const double sine = std::sin(sector.half.y()), cosine = std::cos(sector.half.y());
+  const double outer = sector.center.x() + sector.half.x(), inner = std::max(0.0, sector.center.x() - sector.half.x());
+  return {Vec2(outer, outer * sine / cosine), Vec2(inner * cosine, inner * sine)};
+}
+
+void add_sector(const ToolPiece& sector, PieceDiscs& all) {
+  const SectorCorners corners = corners_of(sector);
+  const Vec3 out(std::cos(sector.center.y()), std::sin(sector.center.y()), 0), side(-out.y(), out.x(), 0);
+  const auto add = [&](const Vec2& corner) {
+    for (const double y : {corner.y(), -corner.y()}) {
+      const Vec3 at = corner.x() * out + y * side;
+      for (const double z : {sector.center.z() - sector.half.z(), sector.center.z() + sector.half.z()}) {
+        all.discs[all.count++] = {at + Vec3(0, 0, z), Vec3::UnitZ(), 0};
+        if (!(sector.half.z() > 0)) break;
+      }
+      if (!(sector.half.y() > 0)) break;
+    }
+  };
+  add(corners.outer);
+  if (sector.half.x() > 0) add(corners.inner);
+}
+
+}  // namespace
+
 double ToolPiece::ball_mm() const {
   if (is_cylinder()) return Vec2(r_mm, 0.5 * height_mm()).norm();
   if (!is_sector()) return half.norm();
-  // The middle of the outer arc lies between the corners of the prism.
-  const Vec3 from = middle();
-  double most = 0;
-  const PieceDiscs corners = discs_of(*this);
-  for (std::size_t k = 0; k < corners.count; ++k) most = std::max(most, (corners.discs[k].center - from).norm());
-  return most;
+  const SectorCorners corners = corners_of(*this);
+  const Vec2 from(center.x(), 0);
+  const double across = std::max((corners.outer - from).squaredNorm(), (corners.inner - from).squaredNorm());
+  return std::sqrt(across + half.z() * half.z());
 }
 
-// The tangents at both ends of the outer arc meet at its radius divided by the cosine of half the angle; the corners of
-// the prism are as far out. The chord of the inner arc is inside it.
 PieceDiscs discs_of(const ToolPiece& piece) {
   PieceDiscs all;
   const auto add = [&](const Vec3& at, double radius) { all.discs[all.count++] = {at, Vec3::UnitZ(), radius}; };
-  if (piece.is_cylinder()) {
+  if (piece.is_sector()) {
+    add_sector(piece, all);
+  } else if (piece.is_cylinder()) {
     add({0, 0, piece.z_lo_mm}, piece.r_mm);
     if (piece.z_hi_mm > piece.z_lo_mm) add({0, 0, piece.z_hi_mm}, piece.r_mm);
-    return all;
-  }
-  const double wider = piece.is_sector() ? 1 / std::cos(piece.half.y()) : 1;
-  for (int corner = 0; corner < 8; ++corner) {
-    bool is_twice = false;
-    Vec3 at = piece.center;
-    for (int k = 0; k < 3; ++k) {
-      const bool is_high = (corner >> k & 1) != 0;
-      is_twice = is_twice || (is_high && !(piece.half[k] > 0));
-      at[k] += is_high ? piece.half[k] : -piece.half[k];
+  } else {
+    for (int corner = 0; corner < 8; ++corner) {
+      bool is_twice = false;
+      Vec3 at = piece.center;
+      for (int k = 0; k < 3; ++k) {
+        const bool is_high = (corner >> k & 1) != 0;
+        is_twice = is_twice || (is_high && !(piece.half[k] > 0));
+        at[k] += is_high ? piece.half[k] : -piece.half[k];
+      }
+      if (!is_twice) add(at, 0);
     }
-    if (is_twice) continue;
-    if (piece.is_sector()) {
-      const bool is_outer = (corner & 1) != 0 || !(piece.half.x() > 0);
-      const double r = is_outer ? at.x() * wider : std::max(0.0, at.x());
-      at = Vec3(r * std::cos(at.y()), r * std::sin(at.y()), at.z());
-    }
-    add(at, 0);
   }
   return all;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <gougecheck/mesh.h>
@@ -15,6 +16,27 @@
 namespace gougecheck {
 
 enum class Rapids : std::uint8_t { straight, dogleg, skip };
+
+/// A program that cut the stock before the path. It is not checked itself.
+struct EarlierProgram {
+  Path path;
+  std::variant<Tool, ToolLibrary> tools;  ///< one tool for all moves, or a library
+  /// Moves its coordinates into those of the path, "x,y,z" or "x,y,z,rx,ry,rz": mm, then degrees about the fixed axes X,
+  /// Y, Z. Empty: they are the same.
+  std::string place = {};
+};
+
+/// The material before the path. Rapids must be clear of what is left of it with the whole tool, and so must tools that do
+/// not cut; all other moves with shank and holder. Method: docs/method/stock.md.
+struct Stock {
+  std::string shape = "box";      ///< "box", "box=2" (about the parts, larger by 2 mm), or "part+3" (an allowance)
+  std::vector<Mesh> meshes = {};  ///< closed meshes in place of the shape
+  std::vector<EarlierProgram> before = {};  ///< in the order of time
+  double tolerance = 0.1;                   ///< depth of remaining stock that a body may have
+  /// Cutters count as wider by this, so material thinner than twice this counts as removed. None: half the tolerance, at
+  /// most 0.05.
+  std::optional<double> resolution = {};
+};
 
 struct CheckOptions {
   double tolerance = 0.01;      ///< depth that a move may have
@@ -44,7 +66,8 @@ struct CheckOptions {
   unsigned threads = 0;       ///< 0: as many as the machine has; the result does not depend on the number
   /// Facts that are taken as stated: "path-unit", "placement", "tool=T3", ... (docs/guide/assumptions.md).
   std::vector<std::string> assume = {};
-  bool strict = false;  ///< a path is clean only if no fact is taken by default
+  bool strict = false;              ///< a path is clean only if no fact is taken by default
+  std::optional<Stock> stock = {};  ///< of `check`; none: moves are not checked against remaining stock
 };
 
 /// Checks the whole motion of every move against the whole surface of every triangle.
@@ -76,7 +99,7 @@ struct Contact {
 /// its bounds are closed to the resolution. Made once, then queried from any number of threads.
 class GOUGECHECK_EXPORT DepthQuery {
  public:
-  /// The members tolerance, near_miss, rapids, machine, laws and threads of `options` have no effect here. Throws like
+  /// The members tolerance, near_miss, rapids, machine, laws, stock and threads of `options` have no effect here. Throws like
   /// check.
   DepthQuery(const Scene& scene, const Tool& tool, const CheckOptions& options = {});
 
@@ -126,7 +149,7 @@ struct Correction {
 };
 
 /// Returns a path without the gouges of `path`, as far as the limits allow. Every clean move stays clean, and no move
-/// becomes deeper. Throws like check.
+/// becomes deeper. Throws like check. Code usage: options.stock is given, which corrections do not cover.
 [[nodiscard]] GOUGECHECK_EXPORT Correction correct(const Path& path, const Scene& scene, const Tool& tool,
                                                    const CheckOptions& options = {}, const CorrectOptions& how = {});
 [[nodiscard]] GOUGECHECK_EXPORT Correction correct(const Path& path, const Scene& scene, const ToolLibrary& tools,

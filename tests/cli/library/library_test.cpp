@@ -224,6 +224,26 @@ TEST(LibraryCheck, CoversTheTolerancesOfTheControlAndIntervals) {
   std::remove(file.c_str());
 }
 
+TEST(LibraryStock, RapidsMeetWhatIsLeftOfTheStock) {
+  const std::vector<Vec3> tips = {{-20, 10, 2}, {60, 10, 2}};
+  const std::array<bool, 2> rapids = {true, true};
+  const Path rapid(tips, kUp, rapids), cut(tips, kUp);
+  CheckOptions options;
+  options.stock.emplace();
+  options.stock->shape = "part+6";
+  const Report met = check(rapid, block(), ball(), options);
+  EXPECT_FALSE(met.is_clean());
+  EXPECT_NE(met.text().find("rapid into stock"), std::string::npos) << met.text();
+  options.stock->before.push_back({cut, ball()});
+  const Report after = check(rapid, block(), ball(), options);
+  EXPECT_TRUE(after.is_clean()) << after.text();
+  options.stock->before.back().place = "0,3,0";
+  EXPECT_FALSE(check(rapid, block(), ball(), options).is_clean());
+  EXPECT_THROW(correct(rapid, block(), ball(), options), Error);
+  options.stock->tolerance = 0;
+  EXPECT_THROW(check(rapid, block(), ball(), options), Error);
+}
+
 TEST(LibraryCorrection, IsCleanByTheLawOfTheMachine) {
   const PostBesideTurn scene;
   CheckOptions options;

@@ -50,6 +50,28 @@ def test_a_machine_turns_the_tool_by_its_joints():
         gougecheck.check(path, post, TOOL, machine="preset:none")
 
 
+def test_rapids_meet_what_is_left_of_the_stock():
+    rapid = gougecheck.Path(np.array([[-20.0, 10, 2], [60, 10, 2]]), UP, rapids=np.array([True, True]))
+    cut = gougecheck.Path(np.array([[-20.0, 10, 2], [60, 10, 2]]), UP)
+    assert gougecheck.check(rapid, MESH, TOOL).is_clean
+    met = gougecheck.check(rapid, MESH, TOOL, stock="part+6")
+    assert met.verdict == "gouges" and "rapid into stock" in str(met)
+    assert met.depth[1] <= 4 <= met.depth_upper[1]
+    after = gougecheck.check(rapid, MESH, TOOL, stock="part+6", before=(cut, TOOL))
+    assert after.is_clean, str(after)
+    aside = gougecheck.check(rapid, MESH, TOOL, stock="part+6", before=[(cut, TOOL, "0,3,0")])
+    assert aside.verdict == "gouges"
+    assert gougecheck.check(rapid, MESH, TOOL, stock=MESH).is_clean
+    assert gougecheck.check(rapid, MESH, TOOL, stock="part+6", stock_tolerance=10).is_clean
+    assert json.loads(met.to_json())["stock"]["examined"] == 2
+    with pytest.raises(gougecheck.Error, match="stock.shape"):
+        gougecheck.check(rapid, MESH, TOOL, stock="barrel")
+    with pytest.raises(TypeError, match="need stock"):
+        gougecheck.check(rapid, MESH, TOOL, before=(cut, TOOL))
+    with pytest.raises(TypeError, match="before"):
+        gougecheck.check(rapid, MESH, TOOL, stock="box", before=[7])
+
+
 def test_reports_are_views_that_outlive_their_names():
     depth = gougecheck.check(PATH, MESH, TOOL).depth
     assert depth[4] > 0.2 and not depth.flags.writeable

@@ -147,6 +147,19 @@ TEST(Stock, ATiltedSlotIsFollowedByItsOwnTool) {
   EXPECT_EQ(result.findings.front().move, 2U);
 }
 
+TEST(Stock, EveryToolMayGoBackInItsOwnGroove) {
+  const std::vector<Vec3> axes{Vec3::UnitZ(), Vec3(0.3, 0.2, 1).normalized()};
+  for (const ToolVariants& tool : tools::all()) {
+    for (const Vec3& axis : axes) {
+      const Pose from{Vec3(-90, 3, -6), axis}, to{Vec3(90, -3, -8), axis};
+      const StockResult back = run(path_of({{kRapid, from}, {kFeed, to}, {kRapid, from}}), {tool});
+      EXPECT_TRUE(back.findings.empty()) << tool.bare.r_max_mm << " " << axis.transpose();
+      const Pose beside{Vec3(-90, 3.6, -6), axis};
+      EXPECT_FALSE(run(path_of({{kRapid, from}, {kFeed, to}, {kRapid, beside}}), {tool}).findings.empty());
+    }
+  }
+}
+
 TEST(Stock, AnUndercutIsLeftTheWayItWasEntered) {
   // A slot for the neck, then the T-slot below it. Out the same way is clear, straight up is not.
   ToolAssembly undercutter = tools::assembly(TSlotCutter{25, 1, 1, 8}, 8);
