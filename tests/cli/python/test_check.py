@@ -63,7 +63,6 @@ def test_rapids_meet_what_is_left_of_the_stock():
     assert aside.verdict == "gouges"
     assert gougecheck.check(rapid, MESH, TOOL, stock=MESH).is_clean
     assert gougecheck.check(rapid, MESH, TOOL, stock="part+6", stock_tolerance=10).is_clean
-    assert json.loads(met.to_json())["stock"]["examined"] == 2
     with pytest.raises(gougecheck.Error, match="stock.shape"):
         gougecheck.check(rapid, MESH, TOOL, stock="barrel")
     with pytest.raises(TypeError, match="need stock"):
