@@ -6,6 +6,7 @@
 
 #include "cli/job/claimed_result.h"
 #include "cli/job/claimed_scene.h"
+#include "cli/job/load_stock.h"
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/progress.h"
 #include "lib/base/exit_code.h"
@@ -24,8 +25,10 @@ constexpr double kMaxSeconds = 1e6;
 /// Verifies a result whose inputs are unchanged.
 class Verifier {
  public:
-  Verifier(const Job& job, const ClaimedResult& result, Progress& progress)
+  /// `stock`: null, if the check had none.
+  Verifier(const Job& job, const LoadedStock* stock, const ClaimedResult& result, Progress& progress)
       : result_(result), scene_(claimed_scene(job)), digest_(inputs_digest(result.inputs)), progress_(progress) {
+    if (stock != nullptr) stock_ = claimed_stock(job, result.arguments, *stock);
     done_.has_heads = !scene_.heads.empty();
   }
 
@@ -39,6 +42,7 @@ class Verifier {
     }
     if (const auto wrong = find_wrong_joints(scene_)) refute(*wrong, "its rotary angles do not give its tool axes");
     claims_ = result_.claims_of(result_.totals.moves);
+    if (stock_) verify_stock(seconds);
     const ClaimedTools tools = claimed_tools(scene_);
     const SceneOrders orders(scene_);
     progress_.begin("verifying witnesses");
@@ -72,6 +76,26 @@ class Verifier {
     done_.refuted.push_back(std::move(refuted));
   }
 
+  /// Verifies what the result claims about remaining stock. The other claims of these moves are those of clean ones: a
+  /// move that meets the stock as well as a part is a gouge of the part.
+  void verify_stock(double seconds) {
+    progress_.begin("verifying the stock");
+    const StockVerifier verifier(*stock_);
+    std::vector<bool> is_clear(claims_.size(), false);
+    for (std::size_t i = 0; i < claims_.size(); ++i) {
+      MoveClaim& claim = claims_[i];
+      is_clear[i] = claims_clean(claim);
+      if (!claim.witness || !claim.witness->is_stock) continue;
+      if (auto fault = verifier.find_fault(i, claim))
+        done_.refuted.push_back({i, claim.witness->t, claim.witness->point, "its witness: " + *fault});
+      else
+        ++done_.stock_witnesses;
+      claim = MoveClaim();
+    }
+    done_.stock = verifier.attack(is_clear, seconds);
+    if (const auto& c = done_.stock->found) done_.refuted.push_back({c->move, c->t, c->point, c->what});
+  }
+
   /// A result must not call a move clean whose motion the toolpath or the machine leaves open.
   void refute_open_moves() {
     for (std::size_t i = 0; i < claims_.size(); ++i) {
@@ -83,7 +107,7 @@ class Verifier {
 
   void check_witnesses(const ClaimedTools& tools) {
     for (const auto& [move, claim] : result_.claims) {
-      if (move >= claims_.size()) continue;
+      if (move >= claims_.size() || (stock_ && claim.witness && claim.witness->is_stock)) continue;
       if (result_.lines.at(move) != scene_.path.moves[move].line)
         refute(move, "the result names line " + std::to_string(result_.lines.at(move)) + " for it");
       if (auto fault = find_witness_fault(scene_, tools, move, claim)) {
@@ -113,6 +137,7 @@ class Verifier {
   const ClaimedResult& result_;
   ClaimedScene scene_;
   std::string digest_;
+  std::optional<ClaimedStock> stock_;
   std::vector<MoveClaim> claims_;
   Progress& progress_;
   Verification done_;
@@ -204,12 +229,19 @@ int run_verify(const VerifyArguments& a, std::ostream& out, std::ostream& err) {
   LoadedJob loaded = load_job(result->arguments, result->options, progress);
   progress.end();
   if (!loaded.job) return fail(err, loaded.errors, kExitInput);
+  std::optional<LoadedStock> stock;
+  if (!result->arguments.stock.empty()) {
+    Diagnostics errors;
+    stock = load_stock(result->arguments, *loaded.job, progress, errors);
+    progress.end();
+    if (!stock) return fail(err, errors, kExitInput);
+  }
   if (!are_same(loaded.job->inputs, result->inputs))
     return fail(err,
                 {make_error("input-changed", "the inputs changed while they were read; run it again", a.result_file)});
   print_notes(err, loaded.job->notes, a);
-  Result<Verification> verification =
-      Verifier(*loaded.job, *result, progress).run(a.certificate_file, certificate.bytes, *seconds);
+  Result<Verification> verification = Verifier(*loaded.job, stock ? &*stock : nullptr, *result, progress)
+                                          .run(a.certificate_file, certificate.bytes, *seconds);
   progress.end();
   if (!verification) return fail(err, {verification.error()}, kExitInput);
   if (a.is_verbose) print_peak_memory(err);
@@ -241,6 +273,9 @@ std::string verified_text(const Verification& v) {
   if (v.witnesses > 0)
     text += "verified: " + count_text(v.witnesses, "witness", "witnesses") +
             " (point on its triangle, pose, depth, side, way out)\n";
+  if (v.stock_witnesses > 0)
+    text += "verified: " + count_text(v.stock_witnesses, "witness", "witnesses") +
+            " in the stock (point in the stock, pose, depth, no earlier cutter there)\n";
   const char* const except =
       v.has_heads ? ", of the tool without its heads" : ", at every instant and for every triangle";
   if (v.proved_clean > 0) text += "verified: " + moves(v.proved_clean) + " proved clean" + except + "\n";
@@ -265,6 +300,10 @@ std::string sampled_text(const Verification& v) {
   if (v.attack.samples > 0)
     text += "attacked: nothing deeper than said was found in " + count_text(v.attack.samples, "instant") + " of " +
             moves(v.attack.moves) + "\n";
+  if (v.stock) {
+    add(moves(v.stock->moves) + " said to be clear of the stock, and the bounds of depths in it");
+    text += "attacked: no stock was left at " + count_text(v.stock->samples, "place") + " of these moves\n";
+  }
   return text;
 }
 
@@ -300,7 +339,7 @@ std::string verification_text(const Verification& v, const ClaimedResult& result
   text += verified_text(v) + sampled_text(v) + uncovered_text(v);
   if (exit_status(v) != kExitClean) return text + "result: not refuted, but not all of it is covered\n";
   const bool is_all_proved =
-      v.has_certificate && !v.has_heads && v.sampled_clean + v.sampled_gouges + v.outside.sampled == 0;
+      v.has_certificate && !v.has_heads && !v.stock && v.sampled_clean + v.sampled_gouges + v.outside.sampled == 0;
   return text + (is_all_proved ? "result: verified\n"
                                : "result: not refuted; what is only sampled may be wrong all the same\n");
 }

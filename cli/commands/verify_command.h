@@ -51,6 +51,8 @@ struct Verification {
   std::size_t uncovered = 0;                          ///< number of moves without a claim that could be verified
   OutsideCheck outside;
   AttackResult attack;
+  std::size_t stock_witnesses = 0;    ///< number of recomputed witnesses in remaining stock
+  std::optional<AttackResult> stock;  ///< none: the check had no stock
   bool has_heads = false;
 };
 

@@ -78,6 +78,8 @@ class ClaimTaker {
     if (role == "head") a.heads.push_back(name);
     if (role == "tools") a.tools_file = name;
     if (role == "machine") a.machine = name;
+    if (role == "stock") stock_file_ = name;
+    if (role == "before" || role == "before-tools") found_[input.name] = name;
     if (role == "part") named_parts_.push_back(input.name);
     if (role == "fixture") named_fixtures_.push_back(input.name);
     if (role == "part" || role == "fixture")
@@ -100,15 +102,33 @@ class ClaimTaker {
       if (!is_repeatable && texts.size() > 1) root_.at("options").at("more").at(key).fail("one text");
       return texts;
     };
-    if (!all_given("stock").empty())
-      root_.at("options").at("more").at("stock").fail("a result without --stock, which verify cannot prove yet");
     repeat_options<ReadingArguments>(a.reading, reading_options(), given);
     const std::string machine = a.machine;
     repeat_options(a, job_options(), given);
     repeat_options(a.joints, joint_options(), given);
     if (!machine.empty()) a.machine = machine;
+    take_stock(given);
     take_limits("part", Against::part, named_parts_);
     take_limits("fixture", Against::fixture, named_fixtures_);
+  }
+
+  template <typename Given>
+  void take_stock(const Given& given) {
+    JobArguments& a = result_.arguments;
+    repeat_options(a, stock_options(), given);
+    if (a.stock.empty() == record_.stock.has_value()) root_.at("stock").fail("a check of the stock of its options");
+    if (names_stock_file(a.stock)) a.stock = stock_file_;
+    const auto found = [&](const std::string& name) {
+      const auto at = found_.find(name);
+      return at == found_.end() ? name : at->second;
+    };
+    for (std::string& typed : a.before) {
+      BeforeText before = split_before(typed);
+      before.path = found(before.path);
+      before.tools = found(before.tools);
+      typed = before.typed();
+    }
+    if (const auto wrong = find_wrong_stock(a)) root_.at("options").at("more").at("stock").fail(wrong->message);
   }
 
   void take_limits(const char* option, Against against, const std::vector<std::string>& named) {
@@ -148,6 +168,7 @@ class ClaimTaker {
     claimed.normal = w.normal;
     claimed.body = w.body;
     claimed.is_fixture = w.against == Against::fixture;
+    claimed.is_stock = w.against == Against::stock;
     const auto mesh = meshes_.find(std::string(against_name(w.against)) + " " + w.mesh);
     claimed.mesh = mesh == meshes_.end() ? static_cast<std::size_t>(-1) : mesh->second;
     claimed.triangle = w.triangle;
@@ -159,6 +180,8 @@ class ClaimTaker {
   JsonField root_;
   const ResultRecord& record_;
   std::vector<std::string> named_parts_, named_fixtures_;
+  std::string stock_file_;
+  std::map<std::string, std::string> found_;   // names of earlier programs and their tools: where they were found
   std::map<std::string, std::size_t> meshes_;  // by role and name: its index among the meshes of its kind
   ClaimedResult result_;
 };

@@ -73,6 +73,50 @@ ClaimedScene claimed_scene(const Job& job) {
   return scene;
 }
 
+namespace {
+
+/// Returns a program whose motion follows the law of the scene.
+ClaimedProgram program_of(const ClaimedScene& of_path, const Toolpath& path, const std::vector<StockTool>& tools) {
+  ClaimedProgram program{ClaimedScene{path, {}, {}, {}, {}}, {}, {}};
+  program.scene.axis_law = of_path.axis_law;
+  program.scene.is_dogleg = of_path.is_dogleg;
+  program.scene.joints = of_path.joints;
+  for (const StockTool& tool : tools) {
+    program.scene.tools.push_back(tool.tool);
+    program.bare.push_back(tool.tool);
+    program.cuts.push_back(tool.cuts);
+  }
+  return program;
+}
+
+}  // namespace
+
+ClaimedStock claimed_stock(const Job& job, const JobArguments& arguments, const LoadedStock& stock) {
+  const StockShape shape = parse_stock_shape(arguments.stock).value_or(StockShape{});
+  ClaimedStock claimed;
+  claimed.tolerance_mm = stock.setup->options.tolerance_mm;
+  claimed.resolution_mm = stock.setup->options.resolution_mm;
+  const std::vector<IndexedMesh>& parts = job.scene().parts;
+  if (shape.kind == StockShape::Kind::box) {
+    Box3 box;
+    for (const IndexedMesh& part : parts)
+      for (const Vec3& vertex : part.vertices) box.extend(vertex);
+    claimed.low = box.min() - Vec3::Constant(shape.allowance_mm);
+    claimed.high = box.max() + Vec3::Constant(shape.allowance_mm);
+  } else {
+    claimed.allowance_mm = shape.allowance_mm;
+    if (shape.kind == StockShape::Kind::part)
+      for (const IndexedMesh& part : parts) claimed.solids.emplace_back(part);
+    else
+      for (const IndexedMesh& mesh : stock.meshes) claimed.solids.emplace_back(mesh);
+  }
+  const ClaimedScene scene = claimed_scene(job);
+  for (const EarlierProgram& earlier : stock.setup->before)
+    claimed.programs.push_back(program_of(scene, earlier.path, earlier.tools));
+  claimed.programs.push_back(program_of(scene, job.toolpath, stock.setup->tools));
+  return claimed;
+}
+
 std::vector<MoveClaim> claims_of(const CheckResult& result) {
   std::vector<MoveClaim> claims;
   claims.reserve(result.verdicts.size());

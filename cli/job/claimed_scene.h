@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "cli/job/job.h"
+#include "cli/job/load_stock.h"
 #include "lib/verify/certificate.h"
+#include "lib/verify/claimed_stock.h"
 
 // The input of a verification: a job and the result of its check.
 
@@ -12,6 +14,9 @@ namespace gouge {
 
 /// Returns the scene of a job, which must outlive it.
 [[nodiscard]] ClaimedScene claimed_scene(const Job& job);
+
+/// Returns the stock of a job that was loaded with these arguments. All of them must outlive it.
+[[nodiscard]] ClaimedStock claimed_stock(const Job& job, const JobArguments& arguments, const LoadedStock& stock);
 
 [[nodiscard]] ClaimedState claimed_state(MoveState state);
 

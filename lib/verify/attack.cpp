@@ -9,28 +9,13 @@
 
 #include "lib/base/number_text.h"
 #include "lib/verify/claimed_pose.h"
+#include "lib/verify/draws.h"
 #include "lib/verify/surface_proof.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kMoreSamples = 4'000;
-
-/// A generator of pseudorandom numbers: S. Vigna's SplitMix64.
-class Draws {
- public:
-  double share() { return static_cast<double>(next() >> 11) * 0x1p-53; }
-  std::size_t below(std::size_t count) { return static_cast<std::size_t>(share() * static_cast<double>(count)); }
-
- private:
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31U);
-  }
-  std::uint64_t state_ = 20260101;
-};
 
 /// A body and a surface that must not be deeper in it than `allowed_mm`. The body is a form of the tool, or the heads
 /// (no contour).

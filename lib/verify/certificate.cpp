@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "lib/verify/certificate_text.h"
+#include "lib/verify/claimed_pieces.h"
 #include "lib/verify/surface_proof.h"
 #include "lib/verify/zstd_stream.h"
 
@@ -57,7 +58,7 @@ class Questions {
                                                                std::vector<std::size_t>& of_piece) const {
     std::vector<MotionPiece> all;
     for (std::size_t i = first; i < first + count; ++i) {
-      const auto own = pieces_of(i);
+      const auto own = claimed_pieces(scene_, i);
       if (!own) return std::nullopt;
       all.insert(all.end(), own->begin(), own->end());
       of_piece.resize(all.size(), i);
@@ -75,27 +76,6 @@ class Questions {
   }
 
  private:
-  /// By the law of the claim; nothing of a law that is not evaluated here, or without the angles of its joints.
-  [[nodiscard]] std::optional<std::vector<MotionPiece>> pieces_of(std::size_t index) const {
-    const Move& move = scene_.path.moves[index];
-    if (!scene_.joints && scene_.axis_law != kGreatCircle) return std::nullopt;
-    ClaimedRun run = ClaimedRun::on_circle;
-    if (scene_.joints && (move.has_start || move.is_linked))
-      run = move.has_start && move.kind == MoveKind::rapid ? scene_.joints->rapids : scene_.joints->feeds;
-    if (run == ClaimedRun::on_circle) return motion_pieces(scene_.path, index, scene_.is_dogleg);
-    const JointPath* const angles = scene_.path.joints.get();
-    if (!move.has_start || scene_.is_dogleg || run == ClaimedRun::any || angles == nullptr ||
-        index >= angles->end.size() || !angles->start[index] || !angles->end[index])
-      return std::nullopt;
-    const ClaimedRun by_joints = run == ClaimedRun::documented ? ClaimedRun::rotary : run;
-    auto pieces =
-        motion_pieces(scene_.path, index, {&*scene_.joints, by_joints, *angles->start[index], *angles->end[index]});
-    if (run != ClaimedRun::documented || !pieces) return pieces;
-    const auto on_circle = motion_pieces(scene_.path, index, scene_.is_dogleg);
-    if (!on_circle) return std::nullopt;
-    pieces->insert(pieces->end(), on_circle->begin(), on_circle->end());
-    return pieces;
-  }
   [[nodiscard]] std::string law() const {
     return (scene_.axis_law + (scene_.is_dogleg ? " dogleg" : " straight")).substr(0, kLawBytes);
   }

@@ -28,6 +28,12 @@ class StockSample : public testing::Test {
   SampleFolder sample_;
 };
 
+/// A program that cuts the way of the rapid of `rapid_stock` at y = 30, from above or from below.
+std::string slot_program(bool is_from_below) {
+  const std::string at = is_from_below ? ", -30, -0.5, 0, 0, 1\n" : ", 30, -5, 0, 0, 1\n";
+  return "UNITS/MM\nMULTAX/ON\nLOADTL/1\nFEDRAT/1000, MMPM\nRAPID\nGOTO/-60" + at + "GOTO/130" + at + "FINI\n";
+}
+
 TEST_F(StockSample, ARapidThroughMaterialIsFoundWithItsFirstContact) {
   EXPECT_EQ(run("rapid_stock", {}).exit_status, 0);
   const Outcome ran = run_again({"--stock", "part+5", "--json", "check.json"});
@@ -91,10 +97,7 @@ TEST_F(StockSample, AllOutputsHaveTheFinding) {
 }
 
 TEST_F(StockSample, WhatItDoesNotCoverIsRefused) {
-  ASSERT_EQ(run("rapid_stock", {"--stock", "part+5", "--json", "check.json"}).exit_status, 1);
-  const Outcome verified = run_gougecheck(sample_.path, {"verify", "check.json"});
-  EXPECT_NE(verified.exit_status, 0);
-  EXPECT_NE(verified.err.find("verify cannot prove"), std::string::npos) << verified.err;
+  ASSERT_EQ(run("rapid_stock", {"--stock", "part+5"}).exit_status, 1);
   for (const std::vector<std::string>& more :
        {std::vector<std::string>{"--stock", "box", "--certificate", "c.bin"},
         std::vector<std::string>{"--stock", "box", "--head", "part.stl"}, std::vector<std::string>{"--stock", "box=x"},
@@ -110,6 +113,41 @@ TEST_F(StockSample, WhatItDoesNotCoverIsRefused) {
   EXPECT_EQ(overwritten.exit_status, 2) << overwritten.err;
 }
 
+TEST_F(StockSample, VerifyTestsTheWitnessesAndTheClearMoves) {
+  ASSERT_EQ(run("rapid_stock", {"--stock", "part+5"}).exit_status, 1);
+  write_text(sample_.path + "/op10.apt", slot_program(false));
+  const auto verified = [&](const std::string& change) {
+    Json report = json_of("check.json");
+    Json& more = report.at("options").at("more");
+    if (change == "depth")
+      report.at("moves").at(0).at("depth") = report.at("moves").at(0).at("depth").get<double>() + 0.01;
+    if (change == "smaller stock") more.at("stock") = "part+4";
+    if (change == "other cut") more.at("before") = "op10.apt";
+    if (change == "moved cut") more.at("before") = "op10.apt,place=0,2,0";
+    write_text(sample_.path + "/claim.json", report.dump());
+    return run_gougecheck(sample_.path, {"verify", "claim.json"});
+  };
+  ASSERT_EQ(run_again({"--stock", "part+5", "--before", "op10.apt,place=0,2,0", "--json", "check.json"}).exit_status,
+            1);
+  const Outcome found = verified("");
+  EXPECT_EQ(found.exit_status, 0) << found.out << found.err;
+  EXPECT_NE(found.out.find("1 witness in the stock"), std::string::npos) << found.out;
+  EXPECT_NE(verified("depth").out.find("deep, and said to be"), std::string::npos);
+  EXPECT_NE(verified("smaller stock").out.find("outside of the stock"), std::string::npos);
+  EXPECT_NE(verified("other cut").out.find("of op10.apt was there before"), std::string::npos);
+  ASSERT_EQ(run_again({"--stock", "part+5", "--before", "op10.apt", "--json", "check.json"}).exit_status, 0);
+  EXPECT_EQ(verified("").exit_status, 0);
+  const Outcome false_clean = verified("moved cut");
+  EXPECT_EQ(false_clean.exit_status, 1);
+  EXPECT_NE(false_clean.out.find("stock is left"), std::string::npos) << false_clean.out;
+}
+
+TEST_F(StockSample, VerifyAcceptsTheHolderInTheWall) {
+  ASSERT_EQ(run("holder_stock", {"--stock", "box", "--json", "check.json"}).exit_status, 1);
+  const Outcome ran = run_gougecheck(sample_.path, {"verify", "check.json"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
+}
+
 TEST_F(StockSample, AnOpenStockIsRefused) {
   ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
   write_text(sample_.path + "/open.stl",
@@ -118,12 +156,6 @@ TEST_F(StockSample, AnOpenStockIsRefused) {
   const Outcome ran = run_again({"--stock", "open.stl"});
   EXPECT_EQ(ran.exit_status, 3);
   EXPECT_NE(ran.err.find("[stock-open-mesh]"), std::string::npos) << ran.err;
-}
-
-/// A program that cuts the way of the rapid of `rapid_stock` at y = 30, from above or from below.
-std::string slot_program(bool is_from_below) {
-  const std::string at = is_from_below ? ", -30, -0.5, 0, 0, 1\n" : ", 30, -5, 0, 0, 1\n";
-  return "UNITS/MM\nMULTAX/ON\nLOADTL/1\nFEDRAT/1000, MMPM\nRAPID\nGOTO/-60" + at + "GOTO/130" + at + "FINI\n";
 }
 
 TEST_F(StockSample, AnEarlierProgramRemovesWhatItCut) {

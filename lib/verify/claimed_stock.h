@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/verify/attack.h"
+#include "lib/verify/claims.h"
+#include "lib/verify/solid_depth.h"
+
+// Claims about remaining stock, tested by this module's own formulas. Definition: docs/method/stock.md.
+
+namespace gouge {
+
+class ProgramCuts;
+
+/// A program that cuts the stock.
+struct ClaimedProgram {
+  ClaimedScene scene;                     ///< its path, its tools without offsets, and the law of its motion
+  std::vector<const ToolVariants*> bare;  ///< the tools without offsets; null: not defined
+  std::vector<bool> cuts;                 ///< one for each tool
+};
+
+/// The stock of a check with the programs that cut it. Referenced objects must outlive it.
+struct ClaimedStock {
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< the box, without solids
+  std::vector<SolidDepth> solids;                ///< the union of them, moved out by the allowance
+  double allowance_mm = 0;
+  double tolerance_mm = 0, resolution_mm = 0;
+  std::vector<ClaimedProgram> programs;  ///< in the order of time; the last is the path of the claims
+};
+
+/// Tests witnesses of findings in stock, and searches for stock in moves that claim to be clear of it.
+class StockVerifier {
+ public:
+  /// `stock` must outlive it.
+  explicit StockVerifier(const ClaimedStock& stock);
+  ~StockVerifier();
+  StockVerifier(const StockVerifier&) = delete;
+  StockVerifier& operator=(const StockVerifier&) = delete;
+
+  /// Returns the reason why the witness of a finding is wrong: it is no stock, not as deep as said, or an earlier cutter
+  /// was there. Nothing if none of these is found. Cost: a few nanoseconds for each earlier move that is far away.
+  [[nodiscard]] std::optional<std::string> find_fault(std::size_t move, const MoveClaim& claim) const;
+
+  /// Searches for stock that is deeper than tolerance + resolution in moves that claim to be clear, at random points and
+  /// instants. Stock counts as smaller and cutters as wider by the resolution. The same in every run unless `seconds` is
+  /// above 0, which is the minimum duration.
+  [[nodiscard]] AttackResult attack(const std::vector<bool>& is_clear, double seconds) const;
+
+ private:
+  /// Returns the cut that may come nearer to a point than a distance, of earlier programs and of moves below `before`.
+  [[nodiscard]] std::optional<std::string> nearer(const Vec3& point, std::size_t before, double within_mm,
+                                                  bool counts_unknown) const;
+
+  const ClaimedStock& stock_;
+  std::vector<std::unique_ptr<const ProgramCuts>> programs_;
+};
+
+}  // namespace gouge
