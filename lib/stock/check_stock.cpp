@@ -68,41 +68,49 @@ class StockChecker {
     const ToolVariants& tool = *history_.tool_of(group.range.first).tool;
     const CompiledTool& body = group.is_whole ? tool.bare : tool.non_cutting;
     if (body.elements.empty()) return found;
-    const StockQuestion first = question(body, group.range.first);
+    std::uint64_t left = options_.budget_per_group;
+    const StockQuestion first = question(body, group.range.first, options_.budget_per_move);
     for (const OpenMove& open : moves_not_clear(first, group.range)) {
-      const StockQuestion about = question(body, open.move);
+      const std::uint64_t budget = std::max(options_.least_budget, std::min(left, options_.budget_per_move));
+      const StockQuestion about = question(body, open.move, budget);
       const Motion motion = history_.motion_of(open.move);
       const StockAnswer answer = find_stock(about, motion, open.pieces, 0, 1, options_.tolerance_mm);
-      if (answer.is_clear) continue;
-      StockFinding finding;
-      finding.move = open.move;
-      finding.depth_upper_mm = body.r_max_mm;
-      finding.unknown = answer.unknown;
-      finding.witness = answer.witness;
-      if (finding.witness) explain(about, motion, open.pieces, finding);
-      found.push_back(finding);
+      std::uint64_t examined = answer.examined;
+      if (!answer.is_clear) {
+        StockFinding finding;
+        finding.move = open.move;
+        finding.depth_upper_mm = body.r_max_mm;
+        finding.unknown = answer.unknown;
+        finding.witness = answer.witness;
+        if (finding.witness) examined += explain(about, motion, open.pieces, finding);
+        found.push_back(finding);
+      }
+      left -= std::min(left, examined);
     }
     return found;
   }
 
-  [[nodiscard]] StockQuestion question(const CompiledTool& body, std::size_t move) const {
-    return {history_, stock_, options_, body, move, history_.is_cutting(move)};
+  [[nodiscard]] StockQuestion question(const CompiledTool& body, std::size_t move, std::uint64_t budget) const {
+    return {history_, stock_, options_, body, move, budget, history_.is_cutting(move)};
   }
 
   /// Asks with what is left of the budget for a bound, and takes off what that needed.
   static StockAnswer ask(const StockQuestion& about, const Motion& motion, const std::vector<ToolPiece>& pieces,
                          double from, double to, double depth_mm, std::uint64_t& budget) {
-    StockOptions options = about.options;
-    options.budget_per_move = budget;
-    const StockQuestion limited{about.history, about.stock, options, about.body, about.move, about.is_cutting};
+    StockQuestion limited = about;
+    limited.budget = budget;
     const StockAnswer answer = find_stock(limited, motion, pieces, from, to, depth_mm);
     budget -= std::min(budget, answer.examined);
     return answer;
   }
-  void explain(const StockQuestion& about, const Motion& motion, const std::vector<ToolPiece>& pieces,
-               StockFinding& finding) const {
-    finding.contact = first_contact(about, motion, pieces, finding.witness->t);
-    find_depth(about, motion, finding);
+
+  /// Completes a finding. Returns the number of examined pieces.
+  std::uint64_t explain(const StockQuestion& about, const Motion& motion, const std::vector<ToolPiece>& pieces,
+                        StockFinding& finding) const {
+    const std::uint64_t each = std::min(about.budget, options_.budget_per_bound);
+    std::uint64_t for_contact = each, for_depth = each;
+    finding.contact = first_contact(about, motion, pieces, finding.witness->t, for_contact);
+    find_depth(about, motion, finding, for_depth);
     const StockWitness& witness = *finding.witness;
     finding.nearest_cut = history_.nearest_cut(witness.point, about.move, (stock_.high() - stock_.low()).norm());
     const CompiledTool& bare = history_.tool_of(about.move).tool->bare;
@@ -111,12 +119,13 @@ class StockChecker {
     const double z = from_tip.dot(pose.axis);
     finding.body = bare.elements[evaluate(bare, (from_tip - z * pose.axis).norm(), z).element].body;
     if (!is_whole(about.move) && finding.body == Body::cutter) finding.body = Body::shank;
+    return 2 * each - for_contact - for_depth;
   }
 
   /// Asks about greater depths until both bounds of the depth are near each other. The next depth is twice the known one
   /// at most, since proofs for depths near the true one take longest.
-  void find_depth(const StockQuestion& about, const Motion& motion, StockFinding& finding) const {
-    std::uint64_t budget = options_.budget_per_bound;
+  void find_depth(const StockQuestion& about, const Motion& motion, StockFinding& finding,
+                  std::uint64_t& budget) const {
     for (int k = 0; k < kDepthSteps && budget > 0; ++k) {
       const double known = finding.witness->depth_mm, gap = finding.depth_upper_mm - known;
       if (gap <= std::max(2 * options_.resolution_mm, kDepthGap * known)) return;
@@ -134,13 +143,13 @@ class StockChecker {
 
   /// Halves the time before the witness until the instants are closer than the resolution along the path.
   [[nodiscard]] FirstContact first_contact(const StockQuestion& about, const Motion& motion,
-                                           const std::vector<ToolPiece>& pieces, double t_witness) const {
+                                           const std::vector<ToolPiece>& pieces, double t_witness,
+                                           std::uint64_t& budget) const {
     FirstContact contact{0, t_witness};
     double length = 0;
     for (std::uint32_t s = 0; s < motion.segments().size(); ++s)
       length += motion.path_length_mm(motion.segments()[s].t0, motion.segments()[s].t1, s);
     length += motion.turn_rad() * std::max(about.body.z_max_mm, about.body.r_max_mm);
-    std::uint64_t budget = options_.budget_per_bound;
     for (int k = 0; k < kContactSteps && budget > 0; ++k) {
       if ((contact.contact_at - contact.clear_until) * length <= options_.resolution_mm) break;
       const double middle = 0.5 * (contact.clear_until + contact.contact_at);

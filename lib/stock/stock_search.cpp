@@ -26,6 +26,7 @@ constexpr int kTrimSteps = 10;
 constexpr std::uint64_t kFirstShare = 4;
 // Parts of the time that are searched once more where the answer is open.
 constexpr int kTimesAgain = 4;
+constexpr std::uint64_t kShareAgain = 16;
 
 struct Candidate {
   ToolPiece piece;
@@ -350,21 +351,21 @@ class Search {
 
 StockAnswer find_stock(const StockQuestion& question, const Motion& motion, const std::vector<ToolPiece>& pieces,
                        double from, double to, double depth_mm) {
-  const std::uint64_t budget = question.options.budget_per_move;
+  const std::uint64_t budget = question.budget;
   StockAnswer answer =
       Search(question, motion, depth_mm, PieceShape::sector, budget / kFirstShare).decide(pieces, from, to);
-  const auto search_again = [&](PieceShape shape, double begin, double end, std::size_t max_open) {
+  const auto search_again = [&](PieceShape shape, double begin, double end, std::uint64_t most, std::size_t max_open) {
     const std::uint64_t before = answer.examined;
-    answer = Search(question, motion, depth_mm, shape, budget, max_open).decide(pieces, begin, end);
+    answer = Search(question, motion, depth_mm, shape, most, max_open).decide(pieces, begin, end);
     answer.examined += before;
   };
-  if (answer.is_out_of_budget && !answer.unknown) search_again(PieceShape::box, from, to, kMaxOpen);
+  if (answer.is_out_of_budget && !answer.unknown) search_again(PieceShape::box, from, to, budget, kMaxOpen);
   if (answer.is_clear || answer.witness || answer.is_out_of_budget) return answer;
   // A tool touched the material at one instant. At others a witness may still be found.
   const StockAnswer open = answer;
   for (int k = 0; k < kTimesAgain; ++k) {
     const double step = (to - from) / kTimesAgain;
-    search_again(PieceShape::sector, from + k * step, from + (k + 1) * step, kMaxOpenAgain);
+    search_again(PieceShape::sector, from + k * step, from + (k + 1) * step, budget / kShareAgain, kMaxOpenAgain);
     if (answer.witness) return answer;
   }
   const std::uint64_t examined = answer.examined;

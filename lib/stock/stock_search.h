@@ -18,7 +18,8 @@ struct StockQuestion {
   const StockOptions& options;
   const CompiledTool& body;  ///< the whole tool on a rapid, shank and holder otherwise
   std::size_t move = 0;
-  bool is_cutting = false;  ///< material that the cutter of this move removed before counts as gone
+  std::uint64_t budget = 0;  ///< number of pieces after which the answer is open
+  bool is_cutting = false;   ///< material that the cutter of this move removed before counts as gone
 };
 
 /// A point of the stock that no tool touched before, inside a body.

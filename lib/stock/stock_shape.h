@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// How a user states the material before the path.
+/// The shape of the material before the path, as a user states it.
 struct StockShape {
   enum class Kind : std::uint8_t {
     box,   ///< the box about the parts, larger by the allowance on each side
