@@ -1,0 +1,112 @@
+// The places of tools beside points and regions: CutHistory::nearest_place and is_untouched for a region.
+
+#include <limits>
+
+#include "lib/base/tolerance.h"
+#include "lib/stock/cut_history.h"
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+
+namespace {
+
+// Instants of spans are floats.
+constexpr double kRoundedInstant = 2e-7;
+
+struct Instants {
+  double from = 0, to = 1;
+  explicit Instants(const MotionSpan& span)
+      : from(std::max(0.0, static_cast<double>(span.t0) - kRoundedInstant)),
+        to(std::min(1.0, static_cast<double>(span.t1) + kRoundedInstant)) {}
+};
+
+/// Returns the direction in which the distance of a point from a tool grows.
+Vec3 away_from(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
+  const Vec3 from_tip = point - pose.tip;
+  const double z = from_tip.dot(pose.axis);
+  const Vec3 across = from_tip - z * pose.axis;
+  const double r = across.norm();
+  const Vec2 normal = evaluate(tool, r, z).normal;
+  return normal.x() * (r > 0 ? Vec3(across / r) : Vec3(pose.axis.unitOrthogonal())) + normal.y() * pose.axis;
+}
+
+NearestPlace distance_from_box(const Vec3& point, const Vec3& low, const Vec3& high) {
+  NearestPlace place{-std::numeric_limits<double>::infinity(), Vec3::UnitZ()};
+  for (int k = 0; k < 3; ++k) {
+    if (point[k] - high[k] > place.distance_mm) place = {point[k] - high[k], Vec3::Unit(k)};
+    if (low[k] - point[k] > place.distance_mm) place = {low[k] - point[k], Vec3(-Vec3::Unit(k))};
+  }
+  return place;
+}
+
+}  // namespace
+
+MovePlaces CutHistory::places_of(std::size_t move, std::uint32_t segment) const {
+  if (is_straight_with_fixed_axis(move)) return {path_.start_of(move), path_.moves[move].end.tip};
+  return {motion_of(move), segment};
+}
+
+std::optional<NearestPlace> CutHistory::nearest_place(const Vec3& point, std::size_t before, double within_mm,
+                                                      PlacesOf places) const {
+  std::optional<NearestPlace> found;
+  double most = within_mm;
+  if (places == PlacesOf::tools) {
+    for (const Unknown& unknown : unknown_) {
+      if (unknown.move >= before) break;
+      const NearestPlace place = distance_from_box(point, unknown.low, unknown.high);
+      if (place.distance_mm < most) found = place, most = place.distance_mm;
+    }
+  }
+  for (std::size_t k = 0; k < of_tool_.size(); ++k) {
+    if (of_tool_[k].tree == nullptr) continue;
+    const bool is_whole = places == PlacesOf::tools;
+    const CompiledTool& body = is_whole ? tools_[k].tool->bare : tools_[k].tool->cutting;
+    if (body.elements.empty()) continue;
+    const ToolCylinder around{body.r_max_mm, body.z_min_mm, body.z_max_mm};
+    of_tool_[k].tree->find({point, Vec3::Zero(), 0, most}, around, static_cast<std::uint32_t>(before),
+                           [&](const MotionSpan& s) {
+                             if (!is_whole && !is_cutting(s.move)) return false;
+                             const MovePlaces way = places_of(s.move, s.segment);
+                             const Instants instants(s);
+                             const auto nearest = way.nearest(body, instants.from, instants.to, point, most);
+                             if (!nearest) return false;
+                             most = nearest->distance_mm;
+                             found = NearestPlace{most, away_from(body, way.at(nearest->t), point)};
+                             return false;
+                           });
+  }
+  return found;
+}
+
+bool CutHistory::is_untouched(const ConvexRegion& region, double slack_mm, std::size_t before,
+                              std::size_t& hint) const {
+  const double slack = slack_mm + Tolerance::kRounding_mm;
+  const Vec3 low = region.low() - Vec3::Constant(slack), high = region.high() + Vec3::Constant(slack);
+  for (const Unknown& unknown : unknown_) {
+    if (unknown.move >= before) break;
+    if ((low.array() <= unknown.high.array()).all() && (high.array() >= unknown.low.array()).all()) return false;
+  }
+  const Vec3 middle = region.middle();
+  const double ball = region.reach_mm(middle) + slack;
+  if (hint < before && is_straight_with_fixed_axis(hint)) {
+    const std::size_t tool = path_.moves[hint].tool;
+    if (!places_of(hint, 0).is_apart(tools_[tool].tool->bare, of_tool_[tool].hulls, 0, 1, region, slack)) return false;
+  }
+  for (std::size_t k = 0; k < of_tool_.size(); ++k) {
+    if (of_tool_[k].tree == nullptr) continue;
+    const auto may_touch = [&](const MotionSpan& s) {
+      const Instants instants(s);
+      const bool does =
+          !places_of(s.move, s.segment)
+               .is_apart(tools_[k].tool->bare, of_tool_[k].hulls, instants.from, instants.to, region, slack);
+      if (does) hint = s.move;
+      return does;
+    };
+    if (of_tool_[k].tree->find({middle, Vec3::Zero(), 0, ball}, of_tool_[k].whole, static_cast<std::uint32_t>(before),
+                               may_touch))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace gouge
