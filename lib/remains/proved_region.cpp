@@ -10,6 +10,8 @@ namespace {
 constexpr std::size_t kCellChunk = 16;
 // A piece of a cell is halved at most this often for its proof.
 constexpr int kHalvings = 9;
+// Material between cuts counts as a sliver if no point of it is found deeper than this, as a share of the inset less one.
+constexpr double kSeam = 1.1;
 constexpr unsigned kAll = 0xffU;
 
 GridIndex around(const GridIndex& cell, std::int32_t x, std::int32_t y, std::int32_t z) {
@@ -50,7 +52,7 @@ class RegionProof {
     if (is_widened_ && side_.proves_widened(region, hint_)) return true;
     if (halvings == 0) return false;
     const Vec3 middle = region.middle();
-    if (!is_widened_ && side_.at(middle, region.reach_mm(middle)).mm < -inset_mm_) return false;
+    if (side_.at(middle, region.reach_mm(middle)).mm < (is_widened_ ? -kSeam : -1) * inset_mm_) return false;
     return std::ranges::all_of(halves(region), [&](const ConvexRegion& half) { return holds(half, halvings - 1); });
   }
 

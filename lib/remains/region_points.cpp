@@ -21,7 +21,10 @@ constexpr int kCrossingSteps = 7;
 }  // namespace
 
 RegionPoints::RegionPoints(const CellGrid& grid, const StockSide& side, double inset_mm)
-    : grid_(grid), side_(side), margin_(std::clamp(0.5 * inset_mm / grid.size.maxCoeff(), kLeastMargin, kMostMargin)) {}
+    : grid_(grid),
+      side_(side),
+      within_mm_(grid.size.maxCoeff() + 2 * inset_mm),
+      margin_(std::clamp(0.5 * inset_mm / grid.size.maxCoeff(), kLeastMargin, kMostMargin)) {}
 
 std::vector<std::uint64_t> RegionPoints::add_corners(const Keys& corners, const CellWork& work) {
   Keys missing;
@@ -30,11 +33,10 @@ std::vector<std::uint64_t> RegionPoints::add_corners(const Keys& corners, const 
   std::ranges::sort(missing);
   missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
   std::vector<double> values(missing.size());
-  const double within = 2 * grid_.size.norm();
   for_each_chunk(missing.size(), kPointChunk, work.threads, "measuring the stock", work.progress,
                  [&](std::size_t first, std::size_t last) {
                    for (std::size_t i = first; i < last; ++i)
-                     values[i] = side_.at(grid_.corner(grid_index(missing[i])), within).mm;
+                     values[i] = side_.at(grid_.corner(grid_index(missing[i])), within_mm_).mm;
                  });
   for (std::size_t i = 0; i < missing.size(); ++i) corners_[missing[i]] = {values[i], values[i] > 0};
   return missing;
@@ -53,8 +55,7 @@ RegionPoints::EdgePoint RegionPoints::cross(const GridIndex& corner, std::size_t
   if (!is_in(from)) std::swap(from, to);
   const Vec3 a = grid_.corner(from), b = grid_.corner(to);
   double low = 0, high = 1, at_low = corners_.at(grid_key(from)).value_mm, at_high = corners_.at(grid_key(to)).value_mm;
-  const double within = 2 * grid_.size.norm();
-  const auto value = [&](double t) { return side_.at(a + t * (b - a), within); };
+  const auto value = [&](double t) { return side_.at(a + t * (b - a), within_mm_); };
   for (int k = 1; k < 4 && at_high >= 0; ++k) {
     high = 0.25 * k;
     at_high = value(high).mm;

@@ -65,6 +65,7 @@ class RegionPoints {
 
   CellGrid grid_;
   const StockSide& side_;
+  double within_mm_;  // farther than this no value is needed
   double margin_;  // least distance of points from the ends of their edge, from the rim of their face; share of a cell
   std::unordered_map<std::uint64_t, Corner, GridHash> corners_;
   std::array<std::unordered_map<std::uint64_t, EdgePoint, GridHash>, 3> edges_;

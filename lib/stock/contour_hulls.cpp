@@ -24,8 +24,18 @@ ContourHull hull_of(const BoundaryElement& element) {
   ContourHull hull;
   hull.points = {element.a, element.b};
   hull.reach_mm = std::max(element.a.norm(), element.b.norm());
+  hull.around = {std::max(element.a.x(), element.b.x()), std::min(element.a.y(), element.b.y()),
+                 std::max(element.a.y(), element.b.y())};
   if (element.kind != ElementKind::arc) return hull;
   hull.reach_mm = element.center.norm() + element.radius_mm;
+  // The circle contains the arc.
+  hull.around.radius_mm =
+      std::max(hull.around.radius_mm, element.center.x() + (element.is_reflex ? 0 : element.radius_mm));
+  for (const double side : {-1.0, 1.0}) {
+    if (!has_direction(element, Vec2(0, side))) continue;
+    hull.around.z_lo_mm = std::min(hull.around.z_lo_mm, element.center.y() + side * element.radius_mm);
+    hull.around.z_hi_mm = std::max(hull.around.z_hi_mm, element.center.y() + side * element.radius_mm);
+  }
   if (element.is_reflex) {
     // Between its ends the radius is a convex function of the height, except where the arc turns back over itself.
     for (const double side : {-1.0, 1.0}) {
@@ -56,12 +66,19 @@ double ContourHull::highest_mm(const Vec3& direction, const Pose& pose) const {
   return direction.dot(pose.tip) + most;
 }
 
-std::vector<ContourHull> contour_hulls(const CompiledTool& tool) {
-  std::vector<ContourHull> hulls;
+std::vector<BodyHulls> contour_hulls(const CompiledTool& tool) {
+  std::vector<BodyHulls> bodies;
   for (const BoundaryElement& element : tool.elements) {
-    if (element.kind != ElementKind::vertex) hulls.push_back(hull_of(element));
+    if (element.kind == ElementKind::vertex) continue;
+    const ContourHull hull = hull_of(element);
+    if (bodies.empty() || bodies.back().body != element.body) bodies.push_back({element.body, hull.around, {}});
+    ToolCylinder& around = bodies.back().around;
+    around.radius_mm = std::max(around.radius_mm, hull.around.radius_mm);
+    around.z_lo_mm = std::min(around.z_lo_mm, hull.around.z_lo_mm);
+    around.z_hi_mm = std::max(around.z_hi_mm, hull.around.z_hi_mm);
+    bodies.back().hulls.push_back(hull);
   }
-  return hulls;
+  return bodies;
 }
 
 }  // namespace gouge

@@ -62,18 +62,20 @@ std::optional<NearestPlace> CutHistory::nearest_place(const Vec3& point, std::si
     const bool is_whole = places == PlacesOf::tools;
     const CompiledTool& body = is_whole ? tools_[k].tool->bare : tools_[k].tool->cutting;
     if (body.elements.empty()) continue;
-    const ToolCylinder around{body.r_max_mm, body.z_min_mm, body.z_max_mm};
-    of_tool_[k].tree->find({point, Vec3::Zero(), 0, most}, around, static_cast<std::uint32_t>(before),
-                           [&](const MotionSpan& s) {
-                             if (!is_whole && !is_cutting(s.move)) return false;
-                             const MovePlaces way = places_of(s.move, s.segment);
-                             const Instants instants(s);
-                             const auto nearest = way.nearest(body, instants.from, instants.to, point, most);
-                             if (!nearest) return false;
-                             most = nearest->distance_mm;
-                             found = NearestPlace{most, away_from(body, way.at(nearest->t), point)};
-                             return false;
-                           });
+    const auto take = [&](const MotionSpan& s) {
+      if (!is_whole && !is_cutting(s.move)) return false;
+      const MovePlaces way = places_of(s.move, s.segment);
+      const Instants instants(s);
+      const auto nearest = way.nearest(body, instants.from, instants.to, point, most);
+      if (!nearest) return false;
+      most = nearest->distance_mm;
+      found = NearestPlace{most, away_from(body, way.at(nearest->t), point)};
+      return false;
+    };
+    for (const BodyHulls& part : of_tool_[k].bodies) {
+      if (!is_whole && part.body != Body::cutter) continue;
+      of_tool_[k].tree->find({point, Vec3::Zero(), 0, most}, part.around, static_cast<std::uint32_t>(before), take);
+    }
   }
   return found;
 }
@@ -88,23 +90,25 @@ bool CutHistory::is_untouched(const ConvexRegion& region, double slack_mm, std::
   }
   const Vec3 middle = region.middle();
   const double ball = region.reach_mm(middle) + slack;
-  if (hint < before && is_straight_with_fixed_axis(hint)) {
-    const std::size_t tool = path_.moves[hint].tool;
-    if (!places_of(hint, 0).is_apart(tools_[tool].tool->bare, of_tool_[tool].hulls, 0, 1, region, slack)) return false;
-  }
   for (std::size_t k = 0; k < of_tool_.size(); ++k) {
     if (of_tool_[k].tree == nullptr) continue;
-    const auto may_touch = [&](const MotionSpan& s) {
-      const Instants instants(s);
-      const bool does =
-          !places_of(s.move, s.segment)
-               .is_apart(tools_[k].tool->bare, of_tool_[k].hulls, instants.from, instants.to, region, slack);
-      if (does) hint = s.move;
-      return does;
-    };
-    if (of_tool_[k].tree->find({middle, Vec3::Zero(), 0, ball}, of_tool_[k].whole, static_cast<std::uint32_t>(before),
-                               may_touch))
-      return false;
+    const CompiledTool& bare = tools_[k].tool->bare;
+    for (const BodyHulls& part : of_tool_[k].bodies) {
+      Vec3 away = Vec3::Zero();
+      if (hint < before && path_.moves[hint].tool == k && is_straight_with_fixed_axis(hint) &&
+          !places_of(hint, 0).is_apart(bare, part.hulls, 0, 1, region, slack, away))
+        return false;
+      const auto may_touch = [&](const MotionSpan& s) {
+        const Instants instants(s);
+        const bool does =
+            !places_of(s.move, s.segment).is_apart(bare, part.hulls, instants.from, instants.to, region, slack, away);
+        if (does) hint = s.move;
+        return does;
+      };
+      if (of_tool_[k].tree->find({middle, Vec3::Zero(), 0, ball}, part.around, static_cast<std::uint32_t>(before),
+                                 may_touch))
+        return false;
+    }
   }
   return true;
 }

@@ -88,7 +88,7 @@ class CutHistory {
  private:
   struct OfTool {
     std::vector<ConvexPiece> pieces;
-    std::vector<ContourHull> hulls;  // of all bodies
+    std::vector<BodyHulls> bodies;
     ToolCylinder cutter, whole;
     std::unique_ptr<const MotionTree> tree;
   };

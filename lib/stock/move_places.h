@@ -30,9 +30,10 @@ class MovePlaces {
   };
   [[nodiscard]] std::optional<Nearest> nearest(const CompiledTool& tool, double a, double b, const Vec3& point,
                                                double most_mm) const;
-  /// Proves that no point within `slack_mm` of a region is in the tool during [a, b], by planes between them.
+  /// Proves that no point within `slack_mm` of a region is in the tool during [a, b], by planes between them. `away` is a
+  /// direction from the tool to the region that is tried first, or zero; it becomes the one that separated them.
   [[nodiscard]] bool is_apart(const CompiledTool& tool, const std::vector<ContourHull>& hulls, double a, double b,
-                              const ConvexRegion& region, double slack_mm) const;
+                              const ConvexRegion& region, double slack_mm, Vec3& away) const;
 
  private:
   /// A region whose distance from the tool is asked for, with a ball about it.
@@ -43,8 +44,13 @@ class MovePlaces {
     Vec3 middle = Vec3::Zero();
     double ball_mm = 0, slack_mm = 0;
   };
-  [[nodiscard]] bool is_apart(const Asked& asked, double a, double b, int halvings) const;
-  [[nodiscard]] bool is_behind_planes(const Asked& asked, double a, double b, double t) const;
+  /// The tool at the ends of an interval, and how far it may be off its chord between them.
+  struct Swept {
+    Pose first, last;
+    double axis_off = 0, tip_off_mm = 0;
+  };
+  [[nodiscard]] bool is_apart(const Asked& asked, double a, double b, int halvings, Vec3& away) const;
+  [[nodiscard]] Swept swept(double a, double b) const;
 
   Pose from_;
   Vec3 by_ = Vec3::Zero();

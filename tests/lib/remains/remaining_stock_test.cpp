@@ -70,5 +70,56 @@ TEST(RemainingStock, ABlockWithASlot) {
   expect_sound(found.surely);
 }
 
+TEST(RemainingStock, ABallGroove) {
+  const Cut cut{paths::through({upright(-40, 0, -3), upright(40, 0, -3)}),
+                {tools::ball(10)},
+                StockSolid::box(Vec3(-20, -15, -12), Vec3(20, 15, 0))};
+  const RemainingStock found = cut.remaining({0.5, 0});
+  expect_sound(found.perhaps);
+  expect_sound(found.surely);
+}
+
+TEST(RemainingStock, AbuttingPasses) {
+  std::vector<Pose> poses{upright(-40, -10, -3)};
+  for (int k = -1; k <= 1; ++k) {
+    poses.push_back(upright(k % 2 == 0 ? 40 : -40, 10.0 * k, -3));
+    poses.push_back(upright(k % 2 == 0 ? -40 : 40, 10.0 * k, -3));
+  }
+  const Cut cut{paths::through(poses), {tools::flat(10)}, StockSolid::box(Vec3(-20, -25, -12), Vec3(20, 25, 0))};
+  const RemainingStock found = cut.remaining();
+  expect_sound(found.perhaps);
+  expect_sound(found.surely);
+}
+
+TEST(RemainingStock, APocketWithThinWalls) {
+  std::vector<Pose> poses;
+  for (int k = 0; k < 6; ++k) {
+    const double x = -25 + 10.3 * k;
+    poses.push_back(upright(x, -10, 5));
+    poses.push_back(upright(x, -10, -8));
+    poses.push_back(upright(x, 10, -8));
+    poses.push_back(upright(x, 10, 5));
+  }
+  const Cut cut{paths::through(poses), {tools::flat(10)}, StockSolid::box(Vec3(-35, -20, -12), Vec3(35, 20, 0))};
+  const RemainingStock found = cut.remaining();
+  expect_sound(found.perhaps);
+  expect_sound(found.surely);
+}
+
+TEST(RemainingStock, FiveAxes) {
+  std::vector<Pose> poses;
+  for (int row = 0; row < 40; ++row) {
+    for (int k = 0; k <= 40; ++k) {
+      const double x = (row % 2 == 0 ? 1 : -1) * (-20 + k), y = -10 + 0.5 * row;
+      const Vec3 axis = Vec3(0.3 * std::sin(0.1 * x), 0.3 * std::cos(0.1 * y + 0.05 * x), 1).normalized();
+      poses.push_back({Vec3(x, y, -6 + std::sin(0.3 * x) + std::cos(0.25 * y)), axis});
+    }
+  }
+  const Cut cut{paths::through(poses), {tools::ball(10)}, StockSolid::box(Vec3(-30, -20, -15), Vec3(30, 20, -3))};
+  const RemainingStock found = cut.remaining();
+  expect_sound(found.perhaps);
+  expect_sound(found.surely);
+}
+
 }  // namespace
 }  // namespace gouge
