@@ -3,65 +3,18 @@
 #include <algorithm>
 #include <limits>
 
+#include "lib/remains/region_proof.h"
+
 namespace gouge {
 
 namespace {
 
 constexpr std::size_t kCellChunk = 16;
-// A piece of a cell is halved at most this often for its proof.
-constexpr int kHalvings = 9;
-// Material between cuts counts as a sliver if no point of it is found deeper than this, as a share of the inset less one.
-constexpr double kSeam = 1.1;
 constexpr unsigned kAll = 0xffU;
 
 GridIndex around(const GridIndex& cell, std::int32_t x, std::int32_t y, std::int32_t z) {
   return {cell[0] + x, cell[1] + y, cell[2] + z};
 }
-
-/// Halves a box at the middle of its longest side, or a tetrahedron at the middle of its longest edge.
-std::array<ConvexRegion, 2> halves(const ConvexRegion& region) {
-  if (region.count == ConvexRegion::kMaxPoints) {
-    const Vec3 low = region.low(), high = region.high();
-    Eigen::Index axis = 0;
-    (high - low).maxCoeff(&axis);
-    Vec3 below = high, above = low;
-    below[axis] = above[axis] = 0.5 * (low[axis] + high[axis]);
-    return {ConvexRegion::box(low, below), ConvexRegion::box(above, high)};
-  }
-  std::array<Vec3, 4> first{}, second{};
-  std::copy_n(region.corners.begin(), 4, first.begin());
-  second = first;
-  std::size_t a = 0, b = 1;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j)
-      if ((first[i] - first[j]).squaredNorm() > (first[a] - first[b]).squaredNorm()) a = i, b = j;
-  const Vec3 middle = 0.5 * (first[a] + first[b]);
-  first[a] = middle;
-  second[b] = middle;
-  return {ConvexRegion::tetrahedron(first), ConvexRegion::tetrahedron(second)};
-}
-
-/// Proves that a region is on a side, by parts if necessary. It gives up where the middle of a part is not.
-class RegionProof {
- public:
-  RegionProof(const StockSide& side, double inset_mm, bool is_widened)
-      : side_(side), inset_mm_(inset_mm), is_widened_(is_widened) {}
-
-  [[nodiscard]] bool holds(const ConvexRegion& region, int halvings = kHalvings) {
-    if (side_.proves(region, hint_)) return true;
-    if (is_widened_ && side_.proves_widened(region, hint_)) return true;
-    if (halvings == 0) return false;
-    const Vec3 middle = region.middle();
-    if (side_.at(middle, region.reach_mm(middle)).mm < (is_widened_ ? -kSeam : -1) * inset_mm_) return false;
-    return std::ranges::all_of(halves(region), [&](const ConvexRegion& half) { return holds(half, halvings - 1); });
-  }
-
- private:
-  const StockSide& side_;
-  double inset_mm_;
-  bool is_widened_;
-  std::size_t hint_ = kNone;
-};
 
 /// Returns the corners of a face that are its diagonals, as bits of the cell's corners.
 struct FaceDiagonals {
@@ -181,7 +134,7 @@ bool ProvedRegion::make_simple() {
 
 ProvedRegion::Proof ProvedRegion::prove(const GridIndex& cell) const {
   const std::vector<ConvexRegion> pieces = points_.pieces(cell);
-  RegionProof exact(side_, inset_mm_, false);
+  RegionProof exact(side_, inset_mm_, RegionProof::Kind::exact);
   // The whole cell first: it is often in the space of one cut.
   if (pieces.size() > 1 &&
       exact.holds(ConvexRegion::box(points_.grid().corner(cell), points_.grid().corner(corner_of(cell, 7))), 0))
@@ -191,7 +144,8 @@ ProvedRegion::Proof ProvedRegion::prove(const GridIndex& cell) const {
   };
   if (std::ranges::all_of(pieces, holds(exact))) return Proof::exact;
   if (pieces.size() > 1 && points_.can_pull_back(cell)) return Proof::none;
-  RegionProof widened(side_, inset_mm_, true);
+  if (!side_.has_slivers()) return Proof::none;
+  RegionProof widened(side_, inset_mm_, RegionProof::Kind::widened);
   return std::ranges::all_of(pieces, holds(widened)) ? Proof::widened : Proof::none;
 }
 

@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "lib/remains/region_proof.h"
+
 namespace gouge {
 
 namespace {
@@ -16,6 +18,8 @@ constexpr std::array<double, 4> kPulls{0, 0.3, 0.65, 1};
 constexpr double kLeastMargin = 0.005, kMostMargin = 0.05;
 // Directions of a feature count if they are at least this strong, of the strongest.
 constexpr double kFeature = 0.08;
+// Corners of lower values are no seams, in insets.
+constexpr double kSeamInsets = 1.1;
 constexpr int kCrossingSteps = 7;
 
 }  // namespace
@@ -23,8 +27,18 @@ constexpr int kCrossingSteps = 7;
 RegionPoints::RegionPoints(const CellGrid& grid, const StockSide& side, double inset_mm)
     : grid_(grid),
       side_(side),
+      inset_mm_(inset_mm),
       within_mm_(grid.size.maxCoeff() + 2 * inset_mm),
       margin_(std::clamp(0.5 * inset_mm / grid.size.maxCoeff(), kLeastMargin, kMostMargin)) {}
+
+// Cuts that abut have a seam between them. A corner near the seam of two cuts is in the region all the same.
+double RegionPoints::value_at(const Vec3& corner) const {
+  const double value = side_.at(corner, within_mm_).mm;
+  if (value > 0 || value < -kSeamInsets * inset_mm_ || !side_.has_slivers()) return value;
+  const Vec3 about = Vec3::Constant(2 * inset_mm_);
+  RegionProof proof(side_, inset_mm_, RegionProof::Kind::widened);
+  return proof.holds(ConvexRegion::box(corner - about, corner + about)) ? 2 * inset_mm_ : value;
+}
 
 std::vector<std::uint64_t> RegionPoints::add_corners(const Keys& corners, const CellWork& work) {
   Keys missing;
@@ -36,7 +50,7 @@ std::vector<std::uint64_t> RegionPoints::add_corners(const Keys& corners, const 
   for_each_chunk(missing.size(), kPointChunk, work.threads, "measuring the stock", work.progress,
                  [&](std::size_t first, std::size_t last) {
                    for (std::size_t i = first; i < last; ++i)
-                     values[i] = side_.at(grid_.corner(grid_index(missing[i])), within_mm_).mm;
+                     values[i] = value_at(grid_.corner(grid_index(missing[i])));
                  });
   for (std::size_t i = 0; i < missing.size(); ++i) corners_[missing[i]] = {values[i], values[i] > 0};
   return missing;

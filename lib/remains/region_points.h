@@ -58,6 +58,7 @@ class RegionPoints {
   };
   using Keys = std::vector<std::uint64_t>;
 
+  [[nodiscard]] double value_at(const Vec3& corner) const;
   [[nodiscard]] EdgePoint cross(const GridIndex& corner, std::size_t axis) const;
   [[nodiscard]] Vec3 feature_of(const GridIndex& cell) const;
   [[nodiscard]] int pull_of(const GridIndex& cell) const;
@@ -65,6 +66,7 @@ class RegionPoints {
 
   CellGrid grid_;
   const StockSide& side_;
+  double inset_mm_;
   double within_mm_;  // farther than this no value is needed
   double margin_;  // least distance of points from the ends of their edge, from the rim of their face; share of a cell
   std::unordered_map<std::uint64_t, Corner, GridHash> corners_;
