@@ -19,6 +19,8 @@ struct JobArguments;
 struct StockArguments {
   std::string stock;                              ///< "box", "box=2", "part+3" or the name of a file; empty: none
   std::string stock_tolerance, stock_resolution;  ///< empty: those of StockOptions
+  std::string stock_cell;                         ///< empty: default_stock_cell
+  std::string write_stock;                        ///< file for the mesh of the remaining stock; empty: none
 };
 
 /// The shape of the stock, understood.
@@ -33,6 +35,11 @@ struct StockShape {
 /// Errors (code usage) name the option, the typed text and the expected one.
 [[nodiscard]] Result<StockShape> understand_stock_shape(const std::string& typed);
 [[nodiscard]] Result<StockOptions> understand_stock_options(const StockArguments& arguments);
+
+/// Returns the side of the cells of the meshes of the remaining stock, mm; 0: the default.
+[[nodiscard]] Result<double> understand_stock_cell(const StockArguments& arguments);
+/// Returns the name of the second file of --write-stock: "left.surely.stl" for "left.stl".
+[[nodiscard]] std::string surely_file_of(const std::string& file);
 
 /// Returns the rows of the options; of `check` alone.
 [[nodiscard]] const OptionRows<JobArguments>& stock_options();

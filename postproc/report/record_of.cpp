@@ -159,6 +159,10 @@ class RecordMaker {
       one.cut_line = path_.moves[contact.cut_move].line;
       one.missed_by_mm = contact.missed_by_mm;
     }
+    if (model_.stock_left) {
+      const StockLeft& left = *model_.stock_left;
+      record.left = StockLeftRecord{left.cell_mm, left.perhaps_mm3, left.surely_mm3, left.apart_mm, left.sliver_cells};
+    }
     return record;
   }
 
