@@ -113,8 +113,8 @@ const OptionRows<JobArguments>& stock_options() {
        .type = "FILE",
        .group = kOutputGroup,
        .help =
-           "Write the material that is left after the path as two closed meshes (binary STL): FILE.stl contains all "
-           "that may be there, for --stock of the next set-up; FILE.surely.stl has only what is surely there",
+           "Write the material that is left after the path as two closed meshes (binary STL): FILE (NAME.stl) "
+           "contains all that may be there, for --stock of the next set-up; NAME.surely.stl has only what is surely there",
        .needs = "--stock"}};
   return rows;
 }
