@@ -45,7 +45,7 @@ class StockSolid {
 
  private:
   StockSolid() = default;
-  [[nodiscard]] bool is_clear_of_meshes(const Vec3& center, double radius_mm) const;
+  [[nodiscard]] bool is_clear_of_meshes(std::span<const Disc> discs, double apart_mm) const;
 
   Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();
   std::vector<Surface> surfaces_;  // none: the box itself
