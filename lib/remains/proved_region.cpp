@@ -143,10 +143,10 @@ ProvedRegion::Proof ProvedRegion::prove(const GridIndex& cell) const {
     return [&proof](const ConvexRegion& piece) { return proof.holds(piece); };
   };
   if (std::ranges::all_of(pieces, holds(exact))) return Proof::exact;
-  if (pieces.size() > 1 && points_.can_pull_back(cell)) return Proof::none;
-  if (!side_.has_slivers()) return Proof::none;
+  if (pieces.size() > 1 && points_.can_pull_back(cell)) return Proof::failed;
+  if (!side_.has_slivers()) return Proof::failed;
   RegionProof widened(side_, inset_mm_, RegionProof::Kind::widened);
-  return std::ranges::all_of(pieces, holds(widened)) ? Proof::widened : Proof::none;
+  return std::ranges::all_of(pieces, holds(widened)) ? Proof::widened : Proof::failed;
 }
 
 void ProvedRegion::doubt_about(const GridIndex& cell) {
@@ -156,7 +156,7 @@ void ProvedRegion::doubt_about(const GridIndex& cell) {
       for (const std::int32_t z : {-1, 0, 1}) {
         const auto found = proofs_.find(grid_key(around(cell, x, y, z)));
         if (found == proofs_.end()) continue;
-        found->second = Proof::none;
+        if (found->second != Proof::failed) found->second = Proof::none;
         waiting_.push_back(found->first);
       }
 }
@@ -167,7 +167,7 @@ bool ProvedRegion::prove_all() {
   std::swap(all, waiting_);
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  std::erase_if(all, [&](std::uint64_t key) { return proofs_.at(key) != Proof::none; });
+  std::erase_if(all, [&](std::uint64_t key) { return proofs_.at(key) > Proof::failed; });
   std::ranges::copy_if(all, std::back_inserter(divided), [&](std::uint64_t key) {
     const unsigned in = points_.corners_in(grid_index(key));
     return in != 0 && in != kAll;
@@ -179,8 +179,9 @@ bool ProvedRegion::prove_all() {
                    for (std::size_t i = first; i < last; ++i) found[i] = prove(grid_index(all[i]));
                  });
   for (std::size_t i = 0; i < all.size(); ++i) proofs_.at(all[i]) = found[i];
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (found[i] == Proof::none) doubt_about(grid_index(all[i]));
+  // A cell that lost a corner meanwhile is proved anew first.
+  for (const std::uint64_t key : all)
+    if (proofs_.at(key) == Proof::failed) doubt_about(grid_index(key));
   return waiting_.empty();
 }
 

@@ -30,7 +30,7 @@ class ProvedRegion {
   [[nodiscard]] std::size_t slivers() const;
 
  private:
-  enum class Proof : std::uint8_t { none, exact, widened };
+  enum class Proof : std::uint8_t { none, failed, exact, widened };
   using Keys = std::vector<std::uint64_t>;
 
   ProvedRegion(const CellGrid& grid, const StockSide& side, double inset_mm, const CellWork& work, ProvedCells cells)
