@@ -139,6 +139,9 @@ int run_check(const CheckArguments& arguments, const JobContext& context) {
   const CheckResult result = run.check();
   Result<ReportParts> parts = find_parts(arguments, *stickout, result, run);
   if (!parts) return run.fail_with(parts.error());
+  if (!arguments.job.stock.empty()) {
+    if (const auto status = run.make_stock_meshes(*parts)) return *status;
+  }
   run.progress().begin("summing up the result");
   MadeCertificate certificate;
   if (!arguments.job.certificate_file.empty()) {

@@ -43,6 +43,19 @@ std::optional<int> JobPipeline::load_stock() {
   return std::nullopt;
 }
 
+std::optional<int> JobPipeline::make_stock_meshes(ReportParts& parts) {
+  if (arguments_.write_stock.empty() && arguments_.report_folder.empty()) return std::nullopt;
+  Result<StockMeshes> meshes = gouge::make_stock_meshes(arguments_, *job_, *stock_->setup, progress_.call());
+  if (!meshes) return fail_with(meshes.error());
+  meshes_ = std::move(*meshes);
+  if (!meshes_->remaining.perhaps.triangles.empty()) parts.shown_stock = &meshes_->remaining.perhaps;
+  if (arguments_.write_stock.empty()) return std::nullopt;
+  parts.stock_left = meshes_->facts(arguments_);
+  const Diagnostics notes = meshes_->notes(arguments_);
+  parts.notes.insert(parts.notes.end(), notes.begin(), notes.end());
+  return std::nullopt;
+}
+
 CheckResult JobPipeline::check() {
   CheckSetup checked = setup();
   if (stock_) checked.stock = &*stock_->setup;

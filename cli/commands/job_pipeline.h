@@ -7,6 +7,7 @@
 #include "cli/job/job.h"
 #include "cli/job/job_context.h"
 #include "cli/job/load_stock.h"
+#include "cli/job/stock_meshes.h"
 #include "cli/options/baseline.h"
 #include "cli/output/outputs.h"
 #include "cli/terminal/progress.h"
@@ -27,6 +28,10 @@ class JobPipeline {
 
   /// Makes the stock, which `check` then examines. Returns the exit status if there is an error.
   [[nodiscard]] std::optional<int> load_stock();
+
+  /// Makes the meshes of the remaining stock that the outputs need. Returns the exit status if there is an error.
+  /// Requires load_stock.
+  [[nodiscard]] std::optional<int> make_stock_meshes(ReportParts& parts);
 
   /// Checks the path as it was read. This and all functions below require that `load` returned none.
   [[nodiscard]] CheckResult check();
@@ -57,6 +62,7 @@ class JobPipeline {
   std::optional<Job> job_;
   const PreparedScene* scene_ = nullptr;
   std::optional<LoadedStock> stock_;
+  std::optional<StockMeshes> meshes_;
 };
 
 }  // namespace gouge

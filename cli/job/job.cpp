@@ -291,6 +291,8 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   model.cures = std::move(parts.cures);
   model.laws = std::move(parts.laws);
   model.certificate_bytes = parts.certificate_bytes;
+  model.stock_left = std::move(parts.stock_left);
+  model.shown_stock = parts.shown_stock;
   return model;
 }
 

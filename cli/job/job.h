@@ -27,6 +27,8 @@ struct ReportParts {
   std::vector<FindingCures> cures = {};
   std::vector<LawRecord> laws = {};
   std::string_view certificate_bytes = {};
+  std::optional<StockLeft> stock_left = {};
+  const IndexedMesh* shown_stock = nullptr;
 };
 
 /// All inputs of a check, read and understood. Tools point into `variants`: move a Job, do not copy it.

@@ -73,10 +73,10 @@ std::shared_ptr<CLI::FormatterBase> make_help_formatter() { return std::make_sha
 
 namespace {
 
-constexpr std::string_view kOfNoResult[] = {"threads",   "progress",     "quiet",       "verbose",  "report",
-                                            "json",      "csv",          "sarif",       "junit",    "export",
-                                            "help",      "project",      "reviewer",    "color",    "sort",
-                                            "min-depth", "max-findings", "certificate", "no-config"};
+constexpr std::string_view kOfNoResult[] = {"threads",   "progress",     "quiet",       "verbose",     "report",
+                                            "json",      "csv",          "sarif",       "junit",       "export",
+                                            "help",      "project",      "reviewer",    "color",       "sort",
+                                            "min-depth", "max-findings", "certificate", "write-stock", "no-config"};
 
 bool is_plain(char c) {
   constexpr std::string_view kMore = "%+,-./:=@_^";

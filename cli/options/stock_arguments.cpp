@@ -12,6 +12,13 @@ namespace {
 constexpr const char* kOption = "--stock";
 constexpr double kFinestStock_mm = 0.001;  // a finer resolution only takes longer
 constexpr std::string_view kTools = ",tools=", kPlace = ",place=";
+constexpr std::string_view kStl = ".stl";
+
+bool is_stl_name(const std::string& file) {
+  if (file.size() <= kStl.size()) return false;
+  const std::string_view end = std::string_view(file).substr(file.size() - kStl.size());
+  return std::ranges::equal(end, kStl, [](char a, char b) { return a == b || a == b - 'a' + 'A'; });
+}
 
 }  // namespace
 
@@ -56,6 +63,22 @@ Result<StockOptions> understand_stock_options(const StockArguments& arguments) {
   return options;
 }
 
+Result<double> understand_stock_cell(const StockArguments& arguments) {
+  if (arguments.stock_cell.empty()) return 0.0;
+  const Result<StockOptions> options = understand_stock_options(arguments);
+  if (!options) return options.error();
+  Result<double> cell = understand_length("--stock-cell", arguments.stock_cell, Minimum::above_zero);
+  if (cell && *cell < options->resolution_mm)
+    return usage_error("--stock-cell", arguments.stock_cell,
+                       "a length of at least --stock-resolution, since finer cells show nothing more");
+  return cell;
+}
+
+std::string surely_file_of(const std::string& file) {
+  const std::size_t stem = file.size() - kStl.size();
+  return file.substr(0, stem) + ".surely" + file.substr(stem);
+}
+
 const OptionRows<JobArguments>& stock_options() {
   using A = JobArguments;
   static const OptionRows<A> rows = {
@@ -90,6 +113,22 @@ const OptionRows<JobArguments>& stock_options() {
                "(default: half the tolerance, at most 0.05)",
        .scope = Scope::project,
        .recorded = Recorded::repeated,
+       .needs = "--stock"},
+      {.name = "--stock-cell",
+       .field = &A::stock_cell,
+       .type = "LENGTH",
+       .help =
+           "Side of the cells of which --write-stock and the 3D view make the remaining stock (default: 1/150 of the "
+           "diagonal of the stock)",
+       .scope = Scope::project,
+       .needs = "--stock"},
+      {.name = "--write-stock",
+       .field = &A::write_stock,
+       .type = "FILE",
+       .group = kOutputGroup,
+       .help =
+           "Write the material that is left after the path as two closed meshes (binary STL): FILE (NAME.stl) "
+           "contains all that may be there, for --stock of the next set-up; NAME.surely.stl has only what is surely there",
        .needs = "--stock"}};
   return rows;
 }
@@ -105,6 +144,10 @@ std::optional<Diagnostic> find_wrong_stock(const JobArguments& arguments) {
     if (before.place.empty()) continue;
     if (const auto place = understand_place("--before", before.place); !place) return place.error();
   }
+  if (const Result<double> cell = understand_stock_cell(arguments); !cell) return cell.error();
+  if (!arguments.write_stock.empty() && !is_stl_name(arguments.write_stock))
+    return usage_error("--write-stock", arguments.write_stock,
+                       "a file whose name ends with .stl; a mesh does not go to standard output");
   if (!arguments.heads.empty())
     return make_error(
         "usage", "--stock does not examine the bodies of --head; leave out --head and check it in a run of its own");

@@ -22,6 +22,8 @@ struct StockArguments {
   std::string stock;                              ///< "box", "box=2", "part+3" or the name of a file; empty: none
   std::vector<std::string> before;                ///< "op10.apt,tools=lib.json,place=0,0,5", in the order of time
   std::string stock_tolerance, stock_resolution;  ///< empty: those of StockOptions
+  std::string stock_cell;                         ///< empty: default_stock_cell
+  std::string write_stock;                        ///< file for the mesh of the remaining stock; empty: none
 };
 
 /// A program that ran before, as typed behind --before.
@@ -36,6 +38,11 @@ struct BeforeText {
 /// Errors (code usage) name the option, the typed text and the expected one.
 [[nodiscard]] Result<StockShape> understand_stock_shape(const std::string& typed);
 [[nodiscard]] Result<StockOptions> understand_stock_options(const StockArguments& arguments);
+
+/// Returns the side of the cells of the meshes of the remaining stock, mm; 0: the default.
+[[nodiscard]] Result<double> understand_stock_cell(const StockArguments& arguments);
+/// Returns the name of the second file of --write-stock: "left.surely.stl" for "left.stl".
+[[nodiscard]] std::string surely_file_of(const std::string& file);
 
 /// Returns the rows of the options; of `check` alone.
 [[nodiscard]] const OptionRows<JobArguments>& stock_options();

@@ -85,7 +85,7 @@ Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, cons
       if (!bytes) return bytes.error();
       if (Outcome added = pending.add(output.file, *bytes); !added) return added;
     }
-    if (output.write == nullptr) continue;
+    if (output.write == nullptr || (output.has_content != nullptr && !output.has_content(model))) continue;
     const TextWriter write = [&](const PutText& put) { output.write(model, put); };
     if (Outcome added = pending.add(output.file, write); !added) return added;
   }
@@ -136,6 +136,16 @@ void put_whole(const ReportModel& model, const PutText& put) {
 
 std::string certificate(const ReportModel& model) { return std::string(model.certificate_bytes); }
 
+template <std::string_view StockLeft::*bytes>
+Output stock_output(const std::string& file) {
+  Output output{"--write-stock", file};
+  output.write = [](const ReportModel& model, const PutText& put) { put((*model.stock_left).*bytes); };
+  output.has_content = [](const ReportModel& model) {
+    return model.stock_left.has_value() && !((*model.stock_left).*bytes).empty();
+  };
+  return output;
+}
+
 }  // namespace
 
 OutputTable outputs_of(const JobArguments& a, const std::string& corrected) {
@@ -146,6 +156,10 @@ OutputTable outputs_of(const JobArguments& a, const std::string& corrected) {
                      {"--junit", a.junit_file, Output::Kind::file, put_whole<write_junit>},
                      {"--certificate", a.certificate_file, Output::Kind::file, put_whole<certificate>},
                      {"--report", a.report_folder, Output::Kind::report_folder, nullptr}};
+  if (!a.write_stock.empty()) {
+    all.push_back(stock_output<&StockLeft::perhaps_stl>(a.write_stock));
+    all.push_back(stock_output<&StockLeft::surely_stl>(surely_file_of(a.write_stock)));
+  }
   for (const std::string& file : a.export_files)
     all.push_back({"--export", file, Output::Kind::file, nullptr, scene_format_of(file)});
   return asked_for(all);

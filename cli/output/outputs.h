@@ -26,6 +26,7 @@ struct Output {
   Kind kind = Kind::file;
   void (*write)(const ReportModel&, const PutText&) = nullptr;  ///< for a file of `check` and `correct`
   WriteScene write_scene = nullptr;                             ///< in place of `write`, for an exported scene
+  bool (*has_content)(const ReportModel&) = nullptr;  ///< the file is written only if it is true; null: always
 };
 
 using OutputTable = std::vector<Output>;

@@ -1,6 +1,5 @@
 #include "lib/certify/settle_stock.h"
 
-#include <deque>
 #include <utility>
 
 #include "lib/base/number_text.h"
@@ -123,6 +122,13 @@ class Settling {
 
 }  // namespace
 
+StockHistory::StockHistory(const Toolpath& path, const MotionLaw& law, const StockSetup& stock) {
+  const auto last = [&] { return programs_.empty() ? nullptr : &programs_.back(); };
+  for (const EarlierProgram& earlier : stock.before)
+    programs_.emplace_back(earlier.path, earlier.law, earlier.tools, stock.options, last());
+  programs_.emplace_back(path, law, stock.tools, stock.options, last());
+}
+
 Assumption assume_stock(const std::string& description, const StockSetup& stock, const std::string& file) {
   std::string programs;
   for (const EarlierProgram& earlier : stock.before)
@@ -137,13 +143,8 @@ Assumption assume_stock(const std::string& description, const StockSetup& stock,
 
 void settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& result, const ProgressCall& progress) {
   const StockSetup& stock = *setup.stock;
-  std::deque<CutHistory> programs;
-  for (const EarlierProgram& earlier : stock.before) {
-    const CutHistory* last = programs.empty() ? nullptr : &programs.back();
-    programs.emplace_back(earlier.path, earlier.law, earlier.tools, stock.options, last);
-  }
-  const CutHistory history(path, setup.options.law, stock.tools, stock.options,
-                           programs.empty() ? nullptr : &programs.back());
+  const StockHistory programs(path, setup.options.law, stock);
+  const CutHistory& history = programs.of_path();
   const StockResult found = check_stock(history, stock.solid, stock.options, setup.options.threads, progress);
   result.stock = StockFacts{stock.options.tolerance_mm, stock.options.resolution_mm, 0, found.proved, {}};
   Settling settling(path, history, result);

@@ -27,6 +27,19 @@ struct StockSetup {
   StockOptions options = {};
 };
 
+/// The cuts of a path after those of the programs before it.
+class StockHistory {
+ public:
+  /// All arguments must outlive it.
+  StockHistory(const Toolpath& path, const MotionLaw& law, const StockSetup& stock);
+
+  /// Returns the history of the path, which follows the others.
+  [[nodiscard]] const CutHistory& of_path() const { return programs_.back(); }
+
+ private:
+  std::deque<CutHistory> programs_;
+};
+
 /// Returns the fact that a verdict rests on this stock and on the programs that cut it. `file`: of the path.
 [[nodiscard]] Assumption assume_stock(const std::string& description, const StockSetup& stock, const std::string& file);
 

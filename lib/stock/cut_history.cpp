@@ -76,6 +76,7 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
     if (tools[k].tool == nullptr) continue;
     OfTool& of = of_tool_[k];
     of.pieces = convex_pieces(tools[k].tool->bare);
+    of.bodies = contour_hulls(tools[k].tool->bare);
     of.whole = cylinder_of(tools[k].tool->bare);
     of.cutter = {0, of.whole.z_hi_mm, of.whole.z_lo_mm};
     for (const ConvexPiece& piece : of.pieces) {

@@ -7,9 +7,12 @@
 
 #include "lib/motion/motion_law.h"
 #include "lib/path/toolpath.h"
+#include "lib/stock/contour_hulls.h"
 #include "lib/stock/convex_pieces.h"
+#include "lib/stock/convex_region.h"
 #include "lib/stock/cover_motion.h"
 #include "lib/stock/motion_tree.h"
+#include "lib/stock/move_places.h"
 #include "lib/stock/stock_options.h"
 #include "lib/stock/tool_piece.h"
 #include "lib/tool/tool_variants.h"
@@ -37,6 +40,15 @@ struct PassedBy {
   double distance_mm = 0;  ///< of its cutter from the point
   CutMove cut;
 };
+
+/// The place of a tool that is nearest to a point.
+struct NearestPlace {
+  double distance_mm = 0;        ///< signed; negative inside the tool
+  Vec3 outward = Vec3::UnitZ();  ///< direction in which the distance grows
+};
+
+/// The bodies of tools that count: the cutters of motions that cut, or all bodies of all motions.
+enum class PlacesOf : std::uint8_t { cutters, tools };
 
 /// All motions of a path that remove material, held so that one can ask whether a piece of space is removed. Nothing is
 /// simulated in advance: a piece is removed if it lies in one convex piece of one cutter during one earlier motion.
@@ -67,6 +79,14 @@ class CutHistory {
   /// Returns the earlier cutter that came nearest to a point; none: no cutter is within `within_mm`.
   [[nodiscard]] std::optional<PassedBy> nearest_cut(const Vec3& point, std::size_t before, double within_mm) const;
 
+  /// Returns the nearest place before a move that a search finds, if it is nearer than `within_mm`. A search may miss a
+  /// nearer place, so nothing is proved with it. Boxes about motions that are not known are places of tools.
+  [[nodiscard]] std::optional<NearestPlace> nearest_place(const Vec3& point, std::size_t before, double within_mm,
+                                                          PlacesOf places) const;
+  /// Proves that no tool, with all its bodies, reached a point within `slack_mm` of a region before a move, and that all
+  /// motions until then are known near it. `hint` is a move that is tried first; the result does not depend on it.
+  [[nodiscard]] bool is_untouched(const ConvexRegion& region, double slack_mm, std::size_t before, CutMove& hint) const;
+
   /// Returns whether the motion of a move and its tool are known.
   [[nodiscard]] bool is_known(std::size_t move) const { return is_known_[move]; }
   /// Returns the motion of a move, straight where the file states none (Move::is_linked), or the tool at rest in its
@@ -82,6 +102,7 @@ class CutHistory {
  private:
   struct OfTool {
     std::vector<ConvexPiece> pieces;
+    std::vector<BodyHulls> bodies;
     ToolCylinder cutter, whole;
     std::unique_ptr<const MotionTree> tree;
   };
@@ -96,9 +117,15 @@ class CutHistory {
   [[nodiscard]] bool touches(const Vec3& point, std::size_t before, CutMove& hint) const;
   /// Enters the cut nearest to a point, if it is nearer than the one that stands there and within `reach_mm`.
   void add_nearest(const Vec3& point, std::size_t before, double reach_mm, std::optional<PassedBy>& nearest) const;
+  // Both of this program alone.
+  [[nodiscard]] std::optional<NearestPlace> own_nearest_place(const Vec3& point, std::size_t before, double within_mm,
+                                                              PlacesOf places) const;
+  [[nodiscard]] bool is_left_alone(const ConvexRegion& region, double slack_mm, std::size_t before,
+                                   CutMove& hint) const;
   void add_unknown(std::size_t move);
   [[nodiscard]] bool covers(std::size_t move, const CutWindow& window, const SweptPiece& piece) const;
   [[nodiscard]] bool is_straight_with_fixed_axis(std::size_t move) const;
+  [[nodiscard]] MovePlaces places_of(std::size_t move, std::uint32_t segment) const;
   /// Returns whether a body may reach the point during [t0, t1] of a segment of a move.
   [[nodiscard]] bool reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
                              const Vec3& point) const;

@@ -49,21 +49,7 @@ bool StockSolid::is_clear_of(std::span<const Disc> discs, double radius_mm) cons
     }
     if (above > apart || below > apart) return true;
   }
-  if (surfaces_.empty()) return false;
-  Vec3 center = Vec3::Zero();
-  for (const Disc& disc : discs) center += disc.center / static_cast<double>(discs.size());
-  double reach = 0;
-  for (const Disc& disc : discs) reach = std::max(reach, (disc.center - center).norm() + disc.radius_mm);
-  return is_clear_of_meshes(center, std::max(0.0, reach + apart));
-}
-
-bool StockSolid::is_clear_of_meshes(const Vec3& center, double radius_mm) const {
-  const double within = radius_mm + allowance_mm_;
-  for (const Surface& surface : surfaces_) {
-    if (surface.boundary().closest_point(center, within)) return false;
-    if (surface.boundary().winds_around(center)) return false;
-  }
-  return true;
+  return !surfaces_.empty() && is_clear_of_meshes(discs, apart);
 }
 
 bool StockSolid::contains(const Vec3& point) const {

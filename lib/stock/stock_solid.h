@@ -5,6 +5,7 @@
 
 #include "lib/base/result.h"
 #include "lib/geom/vec.h"
+#include "lib/stock/convex_region.h"
 #include "lib/stock/disc.h"
 #include "lib/surface/surface.h"
 
@@ -25,13 +26,26 @@ class StockSolid {
   /// Returns whether a point is in the material, at least a rounding from its boundary.
   [[nodiscard]] bool contains(const Vec3& point) const;
 
+  /// The signed distance of a point from the surface, negative inside, and the direction in which it grows.
+  struct Distance {
+    double mm = 0;
+    Vec3 outward = Vec3::UnitZ();
+  };
+  /// Returns a distance that guides searches; nothing is proved with it. Outside a box it is the largest distance from one
+  /// of its planes.
+  [[nodiscard]] Distance signed_distance(const Vec3& point) const;
+  /// Proves that no point within `slack_mm` >= 0 of a region is in the stock.
+  [[nodiscard]] bool is_apart_from(const ConvexRegion& region, double slack_mm) const;
+  /// Proves that all points within `slack_mm` >= 0 of a region are in the stock.
+  [[nodiscard]] bool contains(const ConvexRegion& region, double slack_mm) const;
+
   /// Box about the stock.
   [[nodiscard]] const Vec3& low() const { return low_; }
   [[nodiscard]] const Vec3& high() const { return high_; }
 
  private:
   StockSolid() = default;
-  [[nodiscard]] bool is_clear_of_meshes(const Vec3& center, double radius_mm) const;
+  [[nodiscard]] bool is_clear_of_meshes(std::span<const Disc> discs, double apart_mm) const;
 
   Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();
   std::vector<Surface> surfaces_;  // none: the box itself

@@ -77,6 +77,11 @@ PictureScene::PictureScene(std::span<const HeadBody> heads, const RigidTransform
   normals_ = corner_normals();
 }
 
+PictureScene::PictureScene(const Surface& surface) {
+  add(surface, surface.mesh().vertices);
+  normals_ = corner_normals();
+}
+
 void PictureScene::add(const Surface& surface, std::span<const Vec3> vertices) {
   const std::uint32_t first_face = face_count();
   const std::uint32_t first_vertex = vertex_count();

@@ -11,6 +11,7 @@
 #include "lib/check/prepared_scene.h"
 #include "lib/geom/pose.h"
 #include "lib/head/head_body.h"
+#include "lib/surface/surface.h"
 #include "postproc/image/view.h"
 
 namespace gouge {
@@ -35,6 +36,8 @@ class PictureScene {
   explicit PictureScene(const PreparedScene& scene);
   /// Builds the list of heads at the place to which `to_part` moves them. The heads must outlive it.
   PictureScene(std::span<const HeadBody> heads, const RigidTransform& to_part);
+  /// Builds the list of one surface, which must outlive it.
+  explicit PictureScene(const Surface& surface);
   PictureScene(const PictureScene&) = delete;
   PictureScene& operator=(const PictureScene&) = delete;
 

@@ -139,6 +139,15 @@ void describe(F& f, R& r) {
   f.optional_length("missed_by", r.missed_by_mm, Sign::any);
 }
 
+template <typename F, RecordOf<StockLeftRecord> R>
+void describe(F& f, R& r) {
+  f.length("cell", r.cell_mm, Sign::non_negative);
+  f.number("perhaps_mm3", r.perhaps_mm3, Sign::non_negative);
+  f.number("surely_mm3", r.surely_mm3, Sign::non_negative);
+  f.optional_length("apart", r.apart_mm, Sign::non_negative);
+  f.count("sliver_cells", r.sliver_cells);
+}
+
 template <typename F, RecordOf<StockRecord> R>
 void describe(F& f, R& r) {
   f.length("tolerance", r.tolerance_mm, Sign::non_negative);
@@ -146,6 +155,7 @@ void describe(F& f, R& r) {
   f.count("examined", r.examined);
   f.count("clear", r.clear);
   f.list("contacts", r.contacts);
+  f.object_if_any("left", r.left);
 }
 
 template <typename F, RecordOf<ClosenessRecord> R>

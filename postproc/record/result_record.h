@@ -216,11 +216,20 @@ struct StockContactRecord {
   std::optional<double> missed_by_mm;             ///< its distance from the witness
 };
 
+/// The material that is left after the path, in two meshes.
+struct StockLeftRecord {
+  double cell_mm = 0;
+  double perhaps_mm3 = 0, surely_mm3 = 0;  ///< volumes
+  std::optional<double> apart_mm;
+  std::size_t sliver_cells = 0;
+};
+
 /// The check against remaining stock.
 struct StockRecord {
   double tolerance_mm = 0, resolution_mm = 0;
   std::size_t examined = 0, clear = 0;  ///< moves
   std::vector<StockContactRecord> contacts;
+  std::optional<StockLeftRecord> left = {};  ///< none: not requested
 };
 
 /// Result of a law of motion that a check compares.

@@ -273,6 +273,7 @@ std::string summary_text(const ReportModel& model, bool is_coloured) {
   if (model.result->closest_approach) text += line("closest approach to the part: " + closest_approach_text(model));
   if (const std::string any = any_turn_text(model); !any.empty()) text += line("rotary joints: " + any);
   if (const std::string stock = stock_text(model); !stock.empty()) text += line("stock: " + stock);
+  if (const std::string left = stock_left_text(model); !left.empty()) text += line("stock left: " + left);
   for (const LawRecord& law : model.laws) text += line(law_label(law) + ": " + law_text(model, law));
   text += stickout_lines(model);
   if (model.has_correction) text += correction_lines(model);

@@ -160,6 +160,10 @@ class RecordMaker {
       if (!contact.cut_file.empty()) one.cut_file = contact.cut_file;
       one.missed_by_mm = contact.missed_by_mm;
     }
+    if (model_.stock_left) {
+      const StockLeft& left = *model_.stock_left;
+      record.left = StockLeftRecord{left.cell_mm, left.perhaps_mm3, left.surely_mm3, left.apart_mm, left.sliver_cells};
+    }
     return record;
   }
 

@@ -199,6 +199,17 @@ std::string stock_text(const ReportModel& model) {
          " counts as removed, and pieces that are cut free stay where they are";
 }
 
+std::string stock_left_text(const ReportModel& model) {
+  if (!model.stock_left) return {};
+  const StockLeft& left = *model.stock_left;
+  if (left.perhaps_file.empty()) return "nothing is left of the stock; no mesh is written";
+  const auto volume = [](double mm3) { return display_text(mm3, 0) + " mm3"; };
+  if (left.surely_file.empty())
+    return "at most " + volume(left.perhaps_mm3) + " are left; nothing is surely left, so only one mesh is written";
+  return "between " + volume(left.surely_mm3) + " and " + volume(left.perhaps_mm3) +
+         " are left; between both meshes are at most " + length_text(left.apart_mm.value_or(0), model.toolpath->unit);
+}
+
 std::string closest_approach_text(const ReportModel& model) {
   if (!model.result->closest_approach) return {};
   const ClosestApproach& c = *model.result->closest_approach;

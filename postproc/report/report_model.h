@@ -95,6 +95,16 @@ struct OptionText {
   std::string name, value;
 };
 
+/// The material that is left after the path, in two meshes.
+struct StockLeft {
+  std::string perhaps_file, surely_file;     ///< empty: nothing is left; nothing is surely left
+  std::string_view perhaps_stl, surely_stl;  ///< the content of the files
+  double cell_mm = 0;                        ///< longest side of the cells
+  double perhaps_mm3 = 0, surely_mm3 = 0;    ///< volumes of the meshes
+  std::optional<double> apart_mm;            ///< largest distance of a vertex of the outer mesh from the inner one
+  std::size_t sliver_cells = 0;              ///< cells in which slivers count as removed
+};
+
 struct ReportModel {
   SignOff sign_off;
   std::vector<InputFile> inputs;
@@ -109,6 +119,8 @@ struct ReportModel {
   Diagnostics notes;                       ///< warnings and notes about all inputs
   bool has_correction = false;
   CorrectionFacts correction;
+  std::optional<StockLeft> stock_left;              ///< none: not requested
+  const IndexedMesh* shown_stock = nullptr;         ///< what the 3D view shows of the remaining stock; null: nothing
   std::string_view certificate_bytes;               ///< content of --certificate
   double seconds = 0;                               ///< time from the first file read to this report; only JUnit has it
   std::optional<StickoutOptions> stickout_options;  ///< none: not requested
@@ -157,6 +169,9 @@ enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 
 /// Returns how many moves are clear of remaining stock, and what counts as removed; empty if that was not examined.
 [[nodiscard]] std::string stock_text(const ReportModel& model);
+/// Returns the volume of the material that is left, between the two meshes, and how far these are apart; empty if it was
+/// not requested.
+[[nodiscard]] std::string stock_left_text(const ReportModel& model);
 
 /// Returns "seen nearest, the tool is touching; half of the 400 cutting positions examined (of 2425) are within 0.83
 /// mm". Empty if there is no ClosestApproach.

@@ -99,6 +99,8 @@ class HtmlReport {
       out += "<p class=\"soft\">Rotary joints: " + xml_escaped(any) + ".</p>\n";
     if (const std::string stock = stock_text(model_); !stock.empty())
       out += "<p class=\"soft\">Stock: " + xml_escaped(stock) + ".</p>\n";
+    if (const std::string left = stock_left_text(model_); !left.empty())
+      out += "<p class=\"soft\">Stock left: " + xml_escaped(left) + ".</p>\n";
     const std::string closest_approach = closest_approach_text(model_);
     if (closest_approach.empty()) return out;
     return out + "<p class=\"soft\">Closest approach to the part: " + xml_escaped(closest_approach) + ".</p>\n";

@@ -22,9 +22,11 @@ class Desk {
     this.surface = this.renderer.surface(mesh);
     this.renderer.ramp(json.scale.ramp);
     this.heads = json.heads && this.renderer.surface(meshOf(planes, json.heads));
+    this.stock = json.stock && this.renderer.surface(meshOf(planes, json.stock));
+    if (this.stock) this.stock.mesh.from = sub(json.stock.origin, this.middle);
     this.tools = json.tools.map(tool => tool.runs.length > 0 ? this.renderer.tool(toolMesh(tool.runs)) : null);
     this.paths = json.paths.map(one => this.preparePath(pathOf(planes, one)));
-    this.shows = { part: true, fixtures: true, path: true, tool: true };
+    this.shows = { part: true, fixtures: true, path: true, tool: true, stock: Boolean(json.stock?.shown) };
     this.camera = new Camera(json.view);
     this.measured = [];
     this.turn = 0;
@@ -169,8 +171,8 @@ class Desk {
     this.renderer.draw({
       camera, plane, depth: reach, start: json.scale.start, surface: this.surface, ranges: this.shownRanges(),
       path: this.shows.path ? this.path.drawn : null, tool: this.shows.tool ? tool : null,
-      heads: this.shows.tool ? this.heads : null, pose: this.pose(),
-      colours: { bodies: json.bodies.map(c => times(c, 1 / 255)),
+      heads: this.shows.tool ? this.heads : null, pose: this.pose(), stock: this.shows.stock ? this.stock : null,
+      colours: { bodies: json.bodies.map(c => times(c, 1 / 255)), stock: times(json.stock?.colour ?? [0, 0, 0], 1 / 255),
                  path: [...kStateColours.map((hex, k) => [...rgbOf(hex), k === 2 || k === 3 ? 1.25 : k === 6 ? 0.5 : 0.85]), [0, 0, 0, 0]] },
     });
     const over = this.over;

@@ -151,6 +151,9 @@ const startDesk = async () => {
     showFinding(event.detail);
   });
   if (!desk.ranges.some(range => !range.isPart)) section.querySelector('[data-show="fixtures"]').hidden = true;
+  const stock = section.querySelector('[data-show="stock"]');
+  stock.hidden = !desk.stock;
+  stock.setAttribute('aria-pressed', desk.shows.stock);
   if (desk.paths.length > 1) {
     byId('desk-paths').hidden = false;
     desk.paths.forEach((path, k) => {

@@ -111,7 +111,7 @@ class Renderer {
     for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, wrap, gl.CLAMP_TO_EDGE);
   }
 
-  // What a frame shows: {camera, surface, ranges, heads, tool, pose, path, plane, start, colours, depth}.
+  // What a frame shows: {camera, surface, ranges, heads, tool, pose, path, stock, plane, start, colours, depth}.
   draw(frame) {
     const gl = this.gl;
     this.frame = frame;
@@ -132,10 +132,11 @@ class Renderer {
       gl.disable(gl.CULL_FACE);
     }
     gl.enable(gl.BLEND);
-    this.drawEdges();
+    this.drawEdges(frame.surface);
     if (frame.plane) this.drawCaps();
     if (frame.path) this.drawPath();
     if (frame.tool) this.drawTool();
+    if (frame.stock) this.drawStock();
   }
 
   setCamera(program, plane) {
@@ -168,8 +169,8 @@ class Renderer {
     gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
   }
 
-  drawEdges() {
-    const gl = this.gl, program = this.programs.edges, { surface, plane } = this.frame;
+  drawEdges(surface) {
+    const gl = this.gl, program = this.programs.edges, { plane } = this.frame;
     if (surface.mesh.edges.length === 0) return;
     this.setCamera(program, plane);
     gl.uniform3fv(program.at('uOrigin'), surface.mesh.from);
@@ -201,6 +202,22 @@ class Renderer {
     this.drawBodies(this.frame.plane, 1);
     gl.colorMask(true, true, true, true);
     this.drawBodies(this.frame.plane, alpha);
+  }
+
+  // The nearest of the material that is left, as a veil over all that is in it.
+  drawStock() {
+    const gl = this.gl, { stock, plane, colours } = this.frame, program = this.programs.surface;
+    this.setCamera(program, plane);
+    this.setTurn(program, [[1, 0, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 0]);
+    gl.uniform3fv(program.at('uOrigin'), stock.mesh.from);
+    gl.uniform1f(program.at('uStep'), stock.mesh.step);
+    gl.uniform4f(program.at('uColour'), ...colours.stock, 0.34);
+    gl.bindVertexArray(stock.vertices);
+    for (const isSeen of [false, true]) {
+      gl.colorMask(isSeen, isSeen, isSeen, isSeen);
+      gl.drawElements(gl.TRIANGLES, stock.mesh.corners.length, gl.UNSIGNED_INT, 0);
+    }
+    this.drawEdges(stock);
   }
 
   drawBodies(plane, alpha) {

@@ -5,6 +5,7 @@
 
 #include "lib/base/printable_text.h"
 #include "lib/motion/motion_law.h"
+#include "lib/surface/surface.h"
 #include "postproc/image/event_scale.h"
 #include "postproc/image/heat_map.h"
 #include "postproc/image/picture_events.h"
@@ -22,6 +23,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxStations = 200'000;  // maximum number of moves of a path that are shown
 constexpr std::size_t kMaxPoints = 2000;       // maximum number of gouged points that guide the refinement
+
+constexpr Colour kStockColour{226, 160, 60};
 
 Json colour_json(const Colour& c) { return {c.r, c.g, c.b}; }
 
@@ -85,6 +88,7 @@ class ViewerWriter {
     json_["greys"] = {colour_json(kPartGrey), colour_json(kFixtureGrey)};
     json_["tools"] = tools;
     write_heads();
+    write_stock();
     write_paths();
     json_["findings"] = finding_texts(model_, input_, HtmlTable::kMaxRows);
     json_["view"] = first_view();
@@ -138,6 +142,16 @@ class ViewerWriter {
     if (input_.heads.empty()) return;
     const PictureScene heads(input_.heads, RigidTransform{});
     json_["heads"] = write_mesh(payload_, ViewerMesh::from(heads));
+  }
+
+  void write_stock() {
+    if (model_.shown_stock == nullptr) return;
+    const Surface surface(*model_.shown_stock);
+    const PictureScene stock(surface);
+    json_["stock"] = write_mesh(payload_, ViewerMesh::from(stock));
+    json_["stock"]["colour"] = colour_json(kStockColour);
+    json_["stock"]["shown"] =
+        std::ranges::any_of(model_.result->events, [](const Event& event) { return event.against == Against::stock; });
   }
 
   void write_paths() {

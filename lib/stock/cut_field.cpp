@@ -1,0 +1,133 @@
+// The places of tools beside points and regions: CutHistory::nearest_place and is_untouched for a region.
+
+#include <limits>
+
+#include "lib/base/tolerance.h"
+#include "lib/stock/cut_history.h"
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+
+namespace {
+
+// SpanInstants of spans are floats.
+constexpr double kRoundedInstant = 2e-7;
+
+struct SpanInstants {
+  double from = 0, to = 1;
+  explicit SpanInstants(const MotionSpan& span)
+      : from(std::max(0.0, static_cast<double>(span.t0) - kRoundedInstant)),
+        to(std::min(1.0, static_cast<double>(span.t1) + kRoundedInstant)) {}
+};
+
+/// Returns the direction in which the distance of a point from a tool grows.
+Vec3 away_from(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
+  const Vec3 from_tip = point - pose.tip;
+  const double z = from_tip.dot(pose.axis);
+  const Vec3 across = from_tip - z * pose.axis;
+  const double r = across.norm();
+  const Vec2 normal = evaluate(tool, r, z).normal;
+  return normal.x() * (r > 0 ? Vec3(across / r) : Vec3(pose.axis.unitOrthogonal())) + normal.y() * pose.axis;
+}
+
+NearestPlace distance_from_box(const Vec3& point, const Vec3& low, const Vec3& high) {
+  NearestPlace place{-std::numeric_limits<double>::infinity(), Vec3::UnitZ()};
+  for (int k = 0; k < 3; ++k) {
+    if (point[k] - high[k] > place.distance_mm) place = {point[k] - high[k], Vec3::Unit(k)};
+    if (low[k] - point[k] > place.distance_mm) place = {low[k] - point[k], Vec3(-Vec3::Unit(k))};
+  }
+  return place;
+}
+
+}  // namespace
+
+MovePlaces CutHistory::places_of(std::size_t move, std::uint32_t segment) const {
+  if (is_straight_with_fixed_axis(move)) return {path_.start_of(move), path_.moves[move].end.tip};
+  return {motion_of(move), segment};
+}
+
+std::optional<NearestPlace> CutHistory::nearest_place(const Vec3& point, std::size_t before, double within_mm,
+                                                      PlacesOf places) const {
+  std::optional<NearestPlace> found = own_nearest_place(point, before, within_mm, places);
+  for (const CutHistory* program = earlier_; program != nullptr; program = program->earlier_) {
+    const double within = found ? found->distance_mm : within_mm;
+    if (const auto nearer = program->own_nearest_place(point, program->size(), within, places)) found = nearer;
+  }
+  return found;
+}
+
+bool CutHistory::is_untouched(const ConvexRegion& region, double slack_mm, std::size_t before, CutMove& hint) const {
+  if (!is_left_alone(region, slack_mm, before, hint)) return false;
+  for (const CutHistory* program = earlier_; program != nullptr; program = program->earlier_)
+    if (!program->is_left_alone(region, slack_mm, program->size(), hint)) return false;
+  return true;
+}
+
+std::optional<NearestPlace> CutHistory::own_nearest_place(const Vec3& point, std::size_t before, double within_mm,
+                                                          PlacesOf places) const {
+  std::optional<NearestPlace> found;
+  double most = within_mm;
+  if (places == PlacesOf::tools) {
+    for (const Unknown& unknown : unknown_) {
+      if (unknown.move >= before) break;
+      const NearestPlace place = distance_from_box(point, unknown.low, unknown.high);
+      if (place.distance_mm < most) found = place, most = place.distance_mm;
+    }
+  }
+  for (std::size_t k = 0; k < of_tool_.size(); ++k) {
+    if (of_tool_[k].tree == nullptr) continue;
+    const bool is_whole = places == PlacesOf::tools;
+    const CompiledTool& body = is_whole ? tools_[k].tool->bare : tools_[k].tool->cutting;
+    if (body.elements.empty()) continue;
+    const auto take = [&](const MotionSpan& s) {
+      if (!is_whole && !is_cutting(s.move)) return false;
+      const MovePlaces way = places_of(s.move, s.segment);
+      const SpanInstants instants(s);
+      const auto nearest = way.nearest(body, instants.from, instants.to, point, most);
+      if (!nearest) return false;
+      most = nearest->distance_mm;
+      found = NearestPlace{most, away_from(body, way.at(nearest->t), point)};
+      return false;
+    };
+    for (const BodyHulls& part : of_tool_[k].bodies) {
+      if (!is_whole && part.body != Body::cutter) continue;
+      of_tool_[k].tree->find({point, Vec3::Zero(), 0, most}, part.around, static_cast<std::uint32_t>(before), take);
+    }
+  }
+  return found;
+}
+
+bool CutHistory::is_left_alone(const ConvexRegion& region, double slack_mm, std::size_t before, CutMove& hint) const {
+  const double slack = slack_mm + Tolerance::kRounding_mm;
+  const Vec3 low = region.low() - Vec3::Constant(slack), high = region.high() + Vec3::Constant(slack);
+  for (const Unknown& unknown : unknown_) {
+    if (unknown.move >= before) break;
+    if ((low.array() <= unknown.high.array()).all() && (high.array() >= unknown.low.array()).all()) return false;
+  }
+  const Vec3 middle = region.middle();
+  const double ball = region.reach_mm(middle) + slack;
+  for (std::size_t k = 0; k < of_tool_.size(); ++k) {
+    if (of_tool_[k].tree == nullptr) continue;
+    const CompiledTool& bare = tools_[k].tool->bare;
+    for (const BodyHulls& part : of_tool_[k].bodies) {
+      Vec3 away = Vec3::Zero();
+      if (hint.program == this && hint.move < before && path_.moves[hint.move].tool == k &&
+          is_straight_with_fixed_axis(hint.move) &&
+          !places_of(hint.move, 0).is_apart(bare, part.hulls, 0, 1, region, slack, away))
+        return false;
+      const auto may_touch = [&](const MotionSpan& s) {
+        const SpanInstants instants(s);
+        const bool does =
+            !places_of(s.move, s.segment).is_apart(bare, part.hulls, instants.from, instants.to, region, slack, away);
+        if (does) hint = {this, s.move};
+        return does;
+      };
+      if (of_tool_[k].tree->find({middle, Vec3::Zero(), 0, ball}, part.around, static_cast<std::uint32_t>(before),
+                                 may_touch))
+        return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace gouge
