@@ -1,5 +1,7 @@
 #include "lib/stock/cut_history.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lib/base/tolerance.h"
@@ -41,6 +43,31 @@ SoughtPiece sought_of(const SweptPiece& piece, double grow_mm) {
   }
   sought.half = piece.start().front().center - sought.middle;
   return sought;
+}
+
+/// Bounds from below how far the points of a body are along a unit direction during a span. A point at (r, z) of the tool
+/// is at least z cos(a) - r sin(a) above the tip, where a is the angle of the axis to the direction. This changes by at
+/// most |(r, z)| for each radian. Over the solid it is least at an end of an element or on the circle of a convex arc.
+double lowest_mm(const MotionSpan& span, const CompiledTool& body, const Vec3& up) {
+  double tip = 0, cosine = 0, length2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double of = up[static_cast<int>(k)], axis = static_cast<double>(span.axis[k]);
+    tip += std::min(of * static_cast<double>(span.low[k]), of * static_cast<double>(span.high[k]));
+    cosine += of * axis;
+    length2 += axis * axis;
+  }
+  cosine = std::clamp(cosine / std::sqrt(length2), -1.0, 1.0);
+  const Vec2 along(-std::sqrt(1 - cosine * cosine), cosine);
+  double least = std::numeric_limits<double>::max(), reach = 0;
+  for (const BoundaryElement& e : body.elements) {
+    least = std::min({least, along.dot(e.a), along.dot(e.b)});
+    reach = std::max({reach, e.a.norm(), e.b.norm()});
+    if (e.kind != ElementKind::arc || e.is_reflex) continue;
+    least = std::min(least, along.dot(e.center) - e.radius_mm);
+    reach = std::max(reach, e.center.norm() + e.radius_mm);
+  }
+  const double slack = static_cast<double>(span.cone_rad) + Tolerance::kSingleSum;
+  return tip + least - slack * reach - Tolerance::kRounding_mm;
 }
 
 ToolCylinder cylinder_of(const CompiledTool& tool) { return {tool.r_max_mm, tool.z_min_mm, tool.z_max_mm}; }
@@ -149,14 +176,14 @@ bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, std::si
 }
 
 bool CutHistory::reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
-                         const Vec3& point) const {
+                         const Vec3& point, double within_mm) const {
   if (is_straight_with_fixed_axis(move)) {
     const Pose &from = path_.start_of(move), &to = path_.moves[move].end;
     const double length = (to.tip - from.tip).norm();
     return may_reach(
         t0, t1,
         [&](double t) {
-          return signed_distance_mm(body, Pose{Vec3(from.tip + t * (to.tip - from.tip)), from.axis}, point);
+          return signed_distance_mm(body, Pose{Vec3(from.tip + t * (to.tip - from.tip)), from.axis}, point) - within_mm;
         },
         [&](double a, double b) { return (b - a) * length; });
   }
@@ -164,7 +191,7 @@ bool CutHistory::reaches(std::size_t move, const CompiledTool& body, double t0, 
   return may_reach(
       t0, t1,
       [&](double t) {
-        return signed_distance_mm(body, Pose{motion.tip_at(t, segment), motion.at(t).axis}, point);
+        return signed_distance_mm(body, Pose{motion.tip_at(t, segment), motion.at(t).axis}, point) - within_mm;
       },
       [&](double a, double b) {
         const double far = (point - motion.tip_at(a, segment)).norm();
@@ -183,29 +210,51 @@ bool CutHistory::is_missed_by(std::size_t move, double until, const Vec3& point)
   return true;
 }
 
-std::optional<std::size_t> CutHistory::unknown_near(const Vec3& point, std::size_t before) const {
+std::optional<std::size_t> CutHistory::unknown_near(const Vec3& point, std::size_t before, double within_mm) const {
   for (const Unknown& unknown : unknown_) {
     if (unknown.move >= before) break;
-    if ((point.array() >= unknown.low.array()).all() && (point.array() <= unknown.high.array()).all())
+    if ((point.array() + within_mm >= unknown.low.array()).all() &&
+        (point.array() - within_mm <= unknown.high.array()).all())
       return unknown.move;
   }
   return std::nullopt;
 }
 
+bool CutHistory::meets(const MotionSpan& span, double t0, double t1, const CutBall& ball) const {
+  const ToolVariants& tool = *tool_of(span.move).tool;
+  const auto reach = [&](const CompiledTool& body) {
+    return reaches(span.move, body, t0, t1, span.segment, ball.center, ball.radius_mm);
+  };
+  if (!reach(tool.bare)) return false;
+  if (ball.up.isZero(0)) return true;
+  // A body that stays above the plane of the ball does not meet what is left of it.
+  const double plane_mm = ball.up.dot(ball.center) + ball.height_mm;
+  for (const CompiledTool* body : {&tool.cutting, &tool.non_cutting}) {
+    if (!body->elements.empty() && reach(*body) && !(lowest_mm(span, *body, ball.up) > plane_mm)) return true;
+  }
+  return false;
+}
+
 bool CutHistory::is_untouched(const Vec3& point, std::size_t before, std::size_t& hint) const {
-  if (unknown_near(point, before)) return false;
-  if (hint < before && is_straight_with_fixed_axis(hint) && reaches(hint, tool_of(hint).tool->bare, 0, 1, 0, point))
+  return is_untouched(CutBall{point}, before, hint);
+}
+
+bool CutHistory::is_untouched(const CutBall& ball, std::size_t before, std::size_t& hint) const {
+  if (unknown_near(ball.center, before, ball.radius_mm)) return false;
+  if (hint < before && is_straight_with_fixed_axis(hint) && ball.up.isZero(0) &&
+      reaches(hint, tool_of(hint).tool->bare, 0, 1, 0, ball.center, ball.radius_mm))
     return false;
   for (std::size_t k = 0; k < of_tool_.size(); ++k) {
     if (of_tool_[k].tree == nullptr) continue;
-    const CompiledTool& bare = tools_[k].tool->bare;
     const auto touches = [&](const MotionSpan& s) {
-      const bool does = reaches(s.move, bare, std::max(0.0, static_cast<double>(s.t0) - kInstantRounding),
-                                std::min(1.0, static_cast<double>(s.t1) + kInstantRounding), s.segment, point);
+      const bool does = meets(s, std::max(0.0, static_cast<double>(s.t0) - kInstantRounding),
+                              std::min(1.0, static_cast<double>(s.t1) + kInstantRounding), ball);
       if (does) hint = s.move;
       return does;
     };
-    if (of_tool_[k].tree->find({point}, of_tool_[k].whole, static_cast<std::uint32_t>(before), touches)) return false;
+    if (of_tool_[k].tree->find({ball.center, Vec3::Zero(), 0, ball.radius_mm}, of_tool_[k].whole,
+                               static_cast<std::uint32_t>(before), touches))
+      return false;
   }
   return true;
 }

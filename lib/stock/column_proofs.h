@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "lib/stock/cut_history.h"
+#include "lib/stock/part_columns.h"
+#include "lib/stock/stock_solid.h"
+
+namespace gouge {
+
+/// The question about the material that a whole program leaves on a part.
+struct ExcessQuestion {
+  const CutHistory& history;
+  const StockSolid& stock;
+  const PartColumns& parts;
+  double resolution_mm = 0;
+
+  /// Returns a height that no column of material reaches.
+  [[nodiscard]] double highest_mm() const { return (stock.high() - stock.low()).norm() + resolution_mm; }
+};
+
+/// Proofs about the columns of material above a piece of a facet. It keeps the moves that served last and are tried first,
+/// so it belongs to one thread; no answer depends on them.
+class ColumnProofs {
+ public:
+  explicit ColumnProofs(const ExcessQuestion& question)
+      : q_(question), before_(question.history.path().moves.size()) {}
+
+  /// Proves that every column of the piece ends at a height or below: there it is removed, beside the stock, or in a
+  /// part. Cutters count as wider and the stock as smaller by the resolution.
+  [[nodiscard]] bool is_within(const FacetPiece& piece, double height_mm);
+  /// Proves that every column of the piece is higher than that: all of it is stock that no tool touched.
+  [[nodiscard]] bool is_more(const FacetPiece& piece, double height_mm);
+  /// Returns a height up to which the column above the middle of the piece is stock that no tool touched; at most
+  /// `up_to_mm`.
+  [[nodiscard]] double height_left_mm(const FacetPiece& piece, double up_to_mm);
+  /// Returns a move whose motion is not known and may have reached the columns of the piece.
+  [[nodiscard]] std::optional<std::size_t> unknown_near(const FacetPiece& piece, double height_mm) const;
+
+  /// Returns the number of questions to the history.
+  [[nodiscard]] std::uint64_t asked() const { return asked_; }
+
+ private:
+  /// The part of a column between two heights.
+  struct Stretch {
+    Vec3 from, up;
+    double low_mm, high_mm;
+  };
+  [[nodiscard]] bool is_removed(const FacetPiece& piece, double height_mm);
+  [[nodiscard]] bool is_untouched(const Vec3& from, const Vec3& up, double low_mm, double high_mm, double radius_mm);
+  [[nodiscard]] double climb(const Stretch& stretch);
+
+  const ExcessQuestion& q_;
+  std::size_t before_;
+  std::size_t cut_hint_ = kNone, touch_hint_ = kNone;
+  std::uint64_t asked_ = 0;
+};
+
+}  // namespace gouge
