@@ -24,16 +24,19 @@ struct ExcessQuestion {
 /// so it belongs to one thread; no answer depends on them.
 class ColumnProofs {
  public:
-  explicit ColumnProofs(const ExcessQuestion& question)
-      : q_(question), before_(question.history.path().moves.size()) {}
+  explicit ColumnProofs(const ExcessQuestion& question) : q_(question), before_(question.history.path().moves.size()) {}
 
-  /// Proves that every column of the piece ends at a height or below: there it is removed, beside the stock, or in a
-  /// part. Cutters count as wider and the stock as smaller by the resolution.
+  /// Proves that every column of the piece ends at a height or below: there it is removed, beside the stock, or
+  /// nearer to another facet. Cutters count as wider and the stock as smaller by the resolution; columns that end at another
+  /// facet may be higher by it.
   [[nodiscard]] bool is_within(const FacetPiece& piece, double height_mm);
-  /// Proves that every column of the piece is higher than that: all of it is stock that no tool touched.
+  /// Proves the same of the column above the middle of the piece alone.
+  [[nodiscard]] bool is_middle_within(const FacetPiece& piece, double height_mm);
+  /// Proves that every column of the piece is higher than that: all of it is stock that no tool touched, and
+  /// nearest to its foot.
   [[nodiscard]] bool is_more(const FacetPiece& piece, double height_mm);
-  /// Returns a height up to which the column above the middle of the piece is stock that no tool touched; at most
-  /// `up_to_mm`.
+  /// Returns a height up to which the column above the middle of the piece is stock that no tool touched, and
+  /// nearest to its foot; at most `up_to_mm`.
   [[nodiscard]] double height_left_mm(const FacetPiece& piece, double up_to_mm);
   /// Returns a move whose motion is not known and may have reached the columns of the piece.
   [[nodiscard]] std::optional<std::size_t> unknown_near(const FacetPiece& piece, double height_mm) const;
@@ -42,14 +45,9 @@ class ColumnProofs {
   [[nodiscard]] std::uint64_t asked() const { return asked_; }
 
  private:
-  /// The part of a column between two heights.
-  struct Stretch {
-    Vec3 from, up;
-    double low_mm, high_mm;
-  };
-  [[nodiscard]] bool is_removed(const FacetPiece& piece, double height_mm);
+  [[nodiscard]] bool is_removed(const SweptPiece& lifted);
   [[nodiscard]] bool is_untouched(const Vec3& from, const Vec3& up, double low_mm, double high_mm, double radius_mm);
-  [[nodiscard]] double climb(const Stretch& stretch);
+  [[nodiscard]] double climb(const FacetPiece& piece, double low_mm, double high_mm);
 
   const ExcessQuestion& q_;
   std::size_t before_;

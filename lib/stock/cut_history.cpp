@@ -156,6 +156,28 @@ bool CutHistory::is_removed_by(std::size_t move, double until, const SweptPiece&
   return is_known(move) && is_cutting(move) && covers(move, until, piece);
 }
 
+// The value of a convex piece changes by at most the way of a point in its frame. At the instant at which a cutter with a
+// fixed axis contains the discs together, or on average, it contains their middle; a cutter that turns contains all of
+// them at one instant.
+bool CutHistory::may_cover(const MotionSpan& span, const SweptPiece& piece, const Vec3& middle) const {
+  const CoverMargin margin{piece.slack_mm, resolution_mm_};
+  const Vec3 low(span.low[0], span.low[1], span.low[2]), high(span.high[0], span.high[1], span.high[2]);
+  const Vec3 tip = 0.5 * (low + high), axis = Vec3(span.axis[0], span.axis[1], span.axis[2]).normalized();
+  const double half = 0.5 * (high - low).norm();
+  const bool is_fixed = is_straight_with_fixed_axis(span.move);
+  const Disc alone{middle};
+  const std::span<const Disc> discs = is_fixed ? std::span(&alone, 1) : piece.start();
+  const std::vector<ConvexPiece>& pieces = of_tool_[path_.moves[span.move].tool].pieces;
+  return std::any_of(pieces.begin(), pieces.end(), [&](const ConvexPiece& one) {
+    const double wanted = margin.largest_value(one);
+    return std::all_of(discs.begin(), discs.end(), [&](const Disc& disc) {
+      const double far = (disc.center - tip).norm() + disc.radius_mm + half;
+      const double slack = half + static_cast<double>(span.cone_rad) * far + Tolerance::kSingleSum * (1 + far);
+      return one.value({disc.center, disc.normal, 0}, tip, axis) <= wanted + slack;
+    });
+  });
+}
+
 bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, std::size_t& hint) const {
   if (hint < before && is_removed_by(hint, 1, piece)) return true;
   const SoughtPiece sought = sought_of(piece, resolution_mm_ - piece.slack_mm);
@@ -164,7 +186,7 @@ bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, std::si
     std::size_t last = kNone;  // the spans of a move often follow each other
     const bool is_found =
         of.tree->find(sought, of.cutter, static_cast<std::uint32_t>(before), [&](const MotionSpan& s) {
-          if (s.move == last || !is_cutting(s.move)) return false;
+          if (s.move == last || !is_cutting(s.move) || !may_cover(s, piece, sought.middle)) return false;
           last = s.move;
           return covers(s.move, 1, piece);
         });
@@ -225,12 +247,11 @@ bool CutHistory::meets(const MotionSpan& span, double t0, double t1, const CutBa
   const auto reach = [&](const CompiledTool& body) {
     return reaches(span.move, body, t0, t1, span.segment, ball.center, ball.radius_mm);
   };
-  if (!reach(tool.bare)) return false;
-  if (ball.up.isZero(0)) return true;
+  if (ball.up.isZero(0)) return reach(tool.bare);
   // A body that stays above the plane of the ball does not meet what is left of it.
   const double plane_mm = ball.up.dot(ball.center) + ball.height_mm;
   for (const CompiledTool* body : {&tool.cutting, &tool.non_cutting}) {
-    if (!body->elements.empty() && reach(*body) && !(lowest_mm(span, *body, ball.up) > plane_mm)) return true;
+    if (!body->elements.empty() && !(lowest_mm(span, *body, ball.up) > plane_mm) && reach(*body)) return true;
   }
   return false;
 }

@@ -90,6 +90,8 @@ class CutHistory {
 
   [[nodiscard]] bool is_known_motion(std::size_t move) const;
   void add_unknown(std::size_t move);
+  /// Returns whether the cutter may contain the piece during a span.
+  [[nodiscard]] bool may_cover(const MotionSpan& span, const SweptPiece& piece, const Vec3& middle) const;
   [[nodiscard]] bool covers(std::size_t move, double until, const SweptPiece& piece) const;
   [[nodiscard]] bool is_straight_with_fixed_axis(std::size_t move) const;
   /// Returns whether a body may come within `within_mm` of the point during [t0, t1] of a segment of a move.

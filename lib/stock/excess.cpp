@@ -11,7 +11,7 @@ namespace {
 
 // Facets that one thread takes at a time, and pieces whose highest column is found together.
 constexpr std::size_t kFacets = 64, kPieces = 256;
-// Pieces nearer than this share of the part's diagonal are in one place.
+// Pieces nearer than this share of the part's diagonal are in one place, and the border of an area is found to it.
 constexpr double kPlaceShare = 0.005;
 
 struct Facet {
@@ -21,7 +21,11 @@ struct Facet {
 class ExcessFinder {
  public:
   ExcessFinder(const ExcessQuestion& question, double height_mm, unsigned threads, const ProgressCall& progress)
-      : q_(question), height_mm_(height_mm), threads_(threads), progress_(progress) {}
+      : q_(question), height_mm_(height_mm), threads_(threads), progress_(progress) {
+    Box3 box;
+    for (std::size_t m = 0; m < q_.parts.size(); ++m) box.extend(q_.parts.mesh(m).box());
+    diagonal_mm_ = box.isEmpty() ? 0 : box.diagonal().norm();
+  }
 
   ExcessResult run() {
     search_facets();
@@ -59,15 +63,13 @@ class ExcessFinder {
                      facet.mesh,
                      facet.triangle};
     if (piece.normal.isZero(0)) return 0;
-    find_left(proofs, q_, piece, height_mm_, left);
+    find_left(proofs, q_, piece, {height_mm_, kPlaceShare * diagonal_mm_}, left);
     return piece.area_mm2();
   }
 
   void group() {
-    Box3 box;
-    for (std::size_t m = 0; m < q_.parts.size(); ++m) box.extend(q_.parts.mesh(m).box());
     if (result_.left.empty()) return;
-    const std::vector<std::uint32_t> places = places_of(result_.left, kPlaceShare * box.diagonal().norm());
+    const std::vector<std::uint32_t> places = places_of(result_.left, kPlaceShare * diagonal_mm_);
     result_.places.resize(1 + *std::max_element(places.begin(), places.end()));
     for (const std::uint32_t place : places) ++result_.places[place].pieces;
     std::uint32_t first = 0;
@@ -131,7 +133,7 @@ class ExcessFinder {
   /// Leaves out places where the search for the highest column proved that there is none.
   void sort_places() {
     std::erase_if(result_.places, [&](const ExcessPlace& place) {
-      return !place.is_proved() && !(place.highest.height_upper_mm > height_mm_);
+      return !place.is_proved() && !(place.highest.height_upper_mm > height_mm_ + q_.resolution_mm);
     });
     std::stable_sort(result_.places.begin(), result_.places.end(), [](const ExcessPlace& a, const ExcessPlace& b) {
       if (a.is_proved() != b.is_proved()) return a.is_proved();
@@ -142,7 +144,7 @@ class ExcessFinder {
   }
 
   const ExcessQuestion& q_;
-  double height_mm_;
+  double height_mm_, diagonal_mm_ = 0;
   unsigned threads_;
   const ProgressCall& progress_;
   ExcessResult result_;

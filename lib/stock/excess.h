@@ -31,11 +31,12 @@ struct ExcessResult {
 };
 
 /// Finds where more than `height_mm` of material is left on the parts after all moves of a path. The material on a point of
-/// a facet is the column along the facet's normal up to the first point that is removed, beside the stock, or in a part.
+/// a facet is the column along the facet's normal up to the first point that is removed, beside the stock, or nearer to
+/// another point of a part. So the height of a column is the distance of its top from the part.
 ///
 /// Requires height_mm > 0, and resolution_mm that of the history.
-/// Ensures  (1) A column that is higher than asked, with cutters wider and the stock smaller by the resolution, stands in
-///          one of the places. (2) A place with a height has a column of that height that is stock and that no tool
+/// Ensures  (1) A column that is higher than asked + resolution, with cutters wider and the stock smaller by the
+///          resolution, stands in one of the places. (2) A place with a height has a column of that height that is stock and that no tool
 ///          touched. (3) area_mm2 has only such columns, and area_upper_mm2 has all of (1). (4) The result is the same at
 ///          any number of threads.
 /// Cost     Some microseconds for each piece of a facet; pieces are about as large as the area that one move cuts.

@@ -11,9 +11,6 @@ namespace {
 // After so many pieces of the size of the resolution that are neither proved to be within the height nor higher, the rest
 // of a facet is left.
 constexpr std::size_t kMaxOpenPieces = 32;
-// Once a facet has a proof of more, or lies near a motion that is not known, the border of the area is found to this share
-// of the facet's size.
-constexpr double kBorder = 1.0 / 64;
 // Pieces up to this many times the height, or the resolution, are asked at lower heights too.
 constexpr double kLowerSize = 8;
 // The gap between the bounds of a height at which the search ends, as a share of it.
@@ -35,11 +32,15 @@ bool ends_lower(ColumnProofs& proofs, const FacetPiece& piece, double reached_mm
 
 class FacetSearch {
  public:
-  FacetSearch(ColumnProofs& proofs, const ExcessQuestion& question, double height_mm, std::vector<LeftPiece>& left)
-      : proofs_(proofs), q_(question), height_mm_(height_mm), left_(left) {}
+  FacetSearch(ColumnProofs& proofs, const ExcessQuestion& question, const ExcessLimits& limits,
+              std::vector<LeftPiece>& left)
+      : proofs_(proofs),
+        q_(question),
+        height_mm_(limits.height_mm),
+        border_mm_(std::max(limits.border_mm, question.resolution_mm)),
+        left_(left) {}
 
   void run(const FacetPiece& facet) {
-    border_mm_ = std::max(q_.resolution_mm, kBorder * facet.radius_mm());
     waiting_.push_back(facet);
     for (std::size_t examined = 0; !waiting_.empty(); ++examined) {
       const FacetPiece piece = waiting_.back();
@@ -55,12 +56,15 @@ class FacetSearch {
  private:
   void examine(const FacetPiece& piece) {
     if (proofs_.is_within(piece, height_mm_)) return;
+    const double size = piece.radius_mm();
+    if (size > q_.resolution_mm && proofs_.is_middle_within(piece, height_mm_)) return divide(piece);
     if (proofs_.is_more(piece, height_mm_)) {
       has_more_ = true;
       left_.push_back({piece, true});
       return;
     }
-    const double size = piece.radius_mm(), reached = proofs_.height_left_mm(piece, height_mm_);
+    if (has_more_ && size <= border_mm_) return left_.push_back({piece, false});
+    const double reached = proofs_.height_left_mm(piece, height_mm_);
     if (reached >= height_mm_) {
       has_more_ = true;
     } else if (size <= kLowerSize * std::max(height_mm_, q_.resolution_mm) &&
@@ -68,17 +72,18 @@ class FacetSearch {
       return;
     }
     const bool is_coarse = has_more_ || proofs_.unknown_near(piece, height_mm_);
-    if (size > (is_coarse ? border_mm_ : q_.resolution_mm)) {
-      for (const FacetPiece& half : divided(piece)) waiting_.push_back(half);
-      return;
-    }
+    if (size > (is_coarse ? border_mm_ : q_.resolution_mm)) return divide(piece);
     if (reached < height_mm_) ++open_;
     left_.push_back({piece, false});
   }
 
+  void divide(const FacetPiece& piece) {
+    for (const FacetPiece& half : divided(piece)) waiting_.push_back(half);
+  }
+
   ColumnProofs& proofs_;
   const ExcessQuestion& q_;
-  double height_mm_, border_mm_ = 0;
+  double height_mm_, border_mm_;
   std::vector<LeftPiece>& left_;
   std::vector<FacetPiece> waiting_;
   bool has_more_ = false;
@@ -101,7 +106,7 @@ class HighestSearch {
       waiting_.pop_back();
       examine(piece);
     }
-    best_.height_upper_mm = std::max(best_.height_upper_mm, open_upper_mm_);
+    best_.height_upper_mm = std::max(best_.height_upper_mm, open_upper_mm_) + q_.resolution_mm;
     return best_;
   }
 
@@ -109,23 +114,26 @@ class HighestSearch {
   void examine(const FacetPiece& piece) {
     ++examined_;
     if (proofs_.is_within(piece, best_.height_upper_mm)) return;
+    const bool is_divisible =
+        piece.radius_mm() > q_.resolution_mm && examined_ < kMaxPiecesOfHighest && open_ < kMaxOpenPieces;
+    if (is_divisible && proofs_.is_middle_within(piece, best_.height_upper_mm)) return divide(piece);
     const double reached = proofs_.height_left_mm(piece, q_.highest_mm());
     if (reached >= asked_mm_ && reached > best_.height_mm) raise(piece, reached);
     if (ends_lower(proofs_, piece, reached, best_.height_upper_mm)) return;
-    if (piece.radius_mm() > q_.resolution_mm && examined_ < kMaxPiecesOfHighest && open_ < kMaxOpenPieces) {
-      for (const FacetPiece& half : divided(piece)) waiting_.push_back(half);
-      return;
-    }
+    if (is_divisible) return divide(piece);
     ++open_;
     bound(piece);
+  }
+
+  void divide(const FacetPiece& piece) {
+    for (const FacetPiece& half : divided(piece)) waiting_.push_back(half);
   }
 
   void raise(const FacetPiece& piece, double reached) {
     best_.height_mm = reached;
     best_.point = piece.middle();
     best_.at = piece;
-    best_.height_upper_mm =
-        std::max(best_.height_upper_mm, reached + std::max(kGap * reached, 2 * q_.resolution_mm));
+    best_.height_upper_mm = std::max(best_.height_upper_mm, reached + std::max(kGap * reached, 2 * q_.resolution_mm));
   }
 
   /// Bounds the columns of a piece that is not divided further.
@@ -145,9 +153,9 @@ class HighestSearch {
 
 }  // namespace
 
-void find_left(ColumnProofs& proofs, const ExcessQuestion& question, const FacetPiece& facet, double height_mm,
-               std::vector<LeftPiece>& left) {
-  FacetSearch(proofs, question, height_mm, left).run(facet);
+void find_left(ColumnProofs& proofs, const ExcessQuestion& question, const FacetPiece& facet,
+               const ExcessLimits& limits, std::vector<LeftPiece>& left) {
+  FacetSearch(proofs, question, limits, left).run(facet);
 }
 
 HighestColumn find_highest(ColumnProofs& proofs, const ExcessQuestion& question, std::span<const LeftPiece> left,

@@ -5,30 +5,15 @@
 #include <cmath>
 
 #include "lib/base/tolerance.h"
+#include "lib/geom/point_triangle.h"
 #include "lib/hierarchy/triangles_within.h"
 
 namespace gouge {
 
 namespace {
 
-// Half of the width of a column about a line.
-constexpr double kLine_mm = 1e-6;
 // Sides of a prism are moved in by this much, so that facets that only touch it do not enter it.
 constexpr double kInset_mm = 2 * Tolerance::kRounding_mm;
-
-std::array<HalfSpace, 6> line_above(const Vec3& from, const Vec3& up, double height_mm) {
-  const Vec3 x = up.unitOrthogonal(), y = up.cross(x);
-  std::array<HalfSpace, 6> space;
-  const auto between = [&](std::size_t k, const Vec3& direction, double low, double high) {
-    const double at = direction.dot(from);
-    space[k] = {direction, at + low};
-    space[k + 1] = {-direction, -(at + high)};
-  };
-  between(0, x, -kLine_mm, kLine_mm);
-  between(2, y, -kLine_mm, kLine_mm);
-  between(4, up, -kLine_mm, height_mm + kLine_mm);
-  return space;
-}
 
 }  // namespace
 
@@ -48,42 +33,33 @@ Result<PartColumns> PartColumns::of(std::span<const IndexedMesh> parts) {
   return columns;
 }
 
-std::optional<double> PartColumns::height_of(const Vec3& from, const Vec3& up, std::uint32_t mesh,
-                                             std::uint32_t triangle) const {
-  const IndexedMesh& of = this->mesh(mesh);
-  const Vec3 normal = gouge::face_normal(of, triangle);
-  const double along = normal.dot(up);
-  if (std::abs(along) < Tolerance::kNoSide) return std::nullopt;
-  const double height = normal.dot(of.corner(triangle, 0) - from) / along;
-  const Vec3 at = from + height * up;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3& corner = of.corner(triangle, k);
-    const Vec3 edge = of.corner(triangle, (k + 1) % 3) - corner;
-    if (normal.cross(edge).dot(at - corner) < -Tolerance::kRounding_mm * edge.norm()) return std::nullopt;
-  }
-  return height;
-}
-
-std::optional<ColumnHit> PartColumns::first_hit(const FacetPiece& piece, double up_to_mm) const {
-  std::optional<ColumnHit> first;
-  const Vec3 from = piece.middle();
+std::optional<PartFacet> PartColumns::nearer(const FacetPiece& piece, double height_mm) const {
+  const Vec3 top = piece.middle() + height_mm * piece.normal;
   for (std::uint32_t m = 0; m < surfaces_.size(); ++m) {
-    const std::array<HalfSpace, 6> space = line_above(from, piece.normal, up_to_mm);
-    for (const std::uint32_t triangle : triangles_within(surfaces_[m].boundary().tree(), space)) {
-      if (m == piece.mesh && triangle == piece.triangle) continue;
-      const std::optional<double> height = height_of(from, piece.normal, m, triangle);
-      if (!height || *height < -Tolerance::kRounding_mm || *height > up_to_mm) continue;
-      if (!first || *height < first->height_mm) first = ColumnHit{std::max(0.0, *height), m, triangle};
-    }
+    const auto closest = surfaces_[m].boundary().closest_point(top, height_mm - kInset_mm);
+    if (closest) return PartFacet{m, closest->triangle};
   }
-  return first;
+  return std::nullopt;
 }
 
-bool PartColumns::is_blocked(const FacetPiece& piece, const ColumnHit& by, double up_to_mm) const {
+bool PartColumns::is_nearer(const PartFacet& facet, const FacetPiece& piece, double height_mm) const {
+  const IndexedMesh& of = mesh(facet.mesh);
+  const std::array<Vec3, 3> corners = {of.corner(facet.triangle, 0), of.corner(facet.triangle, 1),
+                                       of.corner(facet.triangle, 2)};
+  // The distance from a triangle is convex, so it is largest at a corner.
   return std::all_of(piece.corners.begin(), piece.corners.end(), [&](const Vec3& corner) {
-    const std::optional<double> height = height_of(corner, piece.normal, by.mesh, by.triangle);
-    return height && *height >= -Tolerance::kRounding_mm && *height <= up_to_mm;
+    const Vec3 top = corner + height_mm * piece.normal;
+    return std::sqrt(closest_on_triangle(top, corners).distance2_mm2) < height_mm - kInset_mm;
   });
+}
+
+bool PartColumns::is_lower(const FacetPiece& piece, double height_mm) const {
+  // The distance from the part changes by at most the way between two points.
+  const Vec3 top = piece.middle() + height_mm * piece.normal;
+  const double within = height_mm - piece.radius_mm() - kInset_mm;
+  return within > 0 && std::any_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& surface) {
+           return surface.boundary().closest_point(top, within).has_value();
+         });
 }
 
 bool PartColumns::is_in_other(const FacetPiece& piece) const {
@@ -97,13 +73,34 @@ bool PartColumns::is_in_other(const FacetPiece& piece) const {
 }
 
 bool PartColumns::is_free(const Prism& prism) const {
-  const std::array<HalfSpace, 5> sides = prism.sides(kInset_mm);
-  for (std::size_t m = 0; m < surfaces_.size(); ++m) {
+  // A facet that is nearer to a point of the prism than its foot comes within the height of its sides, above its base.
+  std::array<HalfSpace, 5> around = Prism{prism.base, kInset_mm, 2 * prism.high_mm}.sides(0);
+  for (std::size_t k = 0; k < 3; ++k) around[k].min_mm -= prism.high_mm;
+  for (std::uint32_t m = 0; m < surfaces_.size(); ++m) {
     const Surface& part = surfaces_[m].boundary();
-    if (is_entered(part.tree(), sides)) return false;
+    if (is_entered(part.tree(), around)) {
+      for (const std::uint32_t triangle : triangles_within(part.tree(), around))
+        if (!is_apart({m, triangle}, prism)) return false;
+    }
     if (m != prism.base.mesh && part.winds_around(prism.middle())) return false;
   }
   return true;
+}
+
+// Proves that a facet is below the base, or at least the height away from the top of the prism.
+bool PartColumns::is_apart(const PartFacet& facet, const Prism& prism) const {
+  const IndexedMesh& of = mesh(facet.mesh);
+  const Vec3 normal = gouge::face_normal(of, facet.triangle);
+  double highest = 0, lowest_above = prism.high_mm, highest_below = -prism.high_mm;
+  for (std::size_t k = 0; k < 3; ++k) {
+    highest = std::max(highest, prism.base.normal.dot(of.corner(facet.triangle, k) - prism.base.corners[0]));
+    const Vec3 top = prism.base.corners[k] + prism.high_mm * prism.base.normal;
+    const double above = normal.dot(top - of.corner(facet.triangle, 0));
+    lowest_above = std::min(lowest_above, above);
+    highest_below = std::max(highest_below, above);
+  }
+  return highest <= kInset_mm || lowest_above >= prism.high_mm - kInset_mm ||
+         highest_below <= -prism.high_mm + kInset_mm;
 }
 
 }  // namespace gouge

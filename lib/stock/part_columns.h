@@ -10,13 +10,13 @@
 
 namespace gouge {
 
-/// Where a column meets the part again.
-struct ColumnHit {
-  double height_mm = 0;
+/// A facet of a part.
+struct PartFacet {
   std::uint32_t mesh = 0, triangle = 0;
 };
 
-/// The surfaces of closed parts, asked for the columns above their facets. A column ends where it enters a part.
+/// The surfaces of closed parts, asked for the columns above their facets. A column ends where another point of a part is
+/// nearer than its foot.
 class PartColumns {
  public:
   /// The meshes must outlive it. Errors: a mesh is not closed, not oriented or has no known boundary.
@@ -26,19 +26,22 @@ class PartColumns {
   [[nodiscard]] const IndexedMesh& mesh(std::size_t part) const { return surfaces_[part].boundary().mesh(); }
   [[nodiscard]] std::size_t size() const { return surfaces_.size(); }
 
-  /// Returns where the column above the middle of a piece first meets a part, up to a height.
-  [[nodiscard]] std::optional<ColumnHit> first_hit(const FacetPiece& piece, double up_to_mm) const;
-  /// Proves that every column of the piece meets the facet of a hit, up to a height.
-  [[nodiscard]] bool is_blocked(const FacetPiece& piece, const ColumnHit& by, double up_to_mm) const;
+  /// Returns a facet that is nearer to the top of the column above the middle of a piece than its foot; none: the column
+  /// is as high as that.
+  [[nodiscard]] std::optional<PartFacet> nearer(const FacetPiece& piece, double height_mm) const;
+  /// Proves that a facet is nearer to the top of every column of the piece than its foot.
+  [[nodiscard]] bool is_nearer(const PartFacet& facet, const FacetPiece& piece, double height_mm) const;
+  /// Proves that no column of the piece is as high as that, from the column above its middle.
+  [[nodiscard]] bool is_lower(const FacetPiece& piece, double height_mm) const;
   /// Proves that the piece lies in another part.
   [[nodiscard]] bool is_in_other(const FacetPiece& piece) const;
-  /// Proves that no part is in the prism, apart from its sides. Requires that the column above the middle meets none.
+  /// Proves that no facet is nearer to any point of the prism than its foot. Requires low_mm = 0, and that the middle of
+  /// the piece is in no other part.
   [[nodiscard]] bool is_free(const Prism& prism) const;
 
  private:
   PartColumns() = default;
-  [[nodiscard]] std::optional<double> height_of(const Vec3& from, const Vec3& up, std::uint32_t mesh,
-                                                std::uint32_t triangle) const;
+  [[nodiscard]] bool is_apart(const PartFacet& facet, const Prism& prism) const;
 
   std::vector<Surface> surfaces_;
 };

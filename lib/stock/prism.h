@@ -22,8 +22,8 @@ struct FacetPiece {
   /// Returns the largest distance of a corner from the middle.
   [[nodiscard]] double radius_mm() const {
     const Vec3 m = middle();
-    return std::sqrt(std::max({(corners[0] - m).squaredNorm(), (corners[1] - m).squaredNorm(),
-                               (corners[2] - m).squaredNorm()}));
+    return std::sqrt(
+        std::max({(corners[0] - m).squaredNorm(), (corners[1] - m).squaredNorm(), (corners[2] - m).squaredNorm()}));
   }
   [[nodiscard]] double area_mm2() const {
     return 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
