@@ -3,6 +3,7 @@
 #include <ostream>
 #include <utility>
 
+#include "cli/job/load_excess.h"
 #include "cli/job/setup_notes.h"
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
@@ -39,6 +40,8 @@ std::optional<int> JobPipeline::load_stock() {
   Result<LoadedStock> stock = gouge::load_stock(arguments_, *job_);
   if (!stock) return fail_with(stock.error());
   stock_ = std::move(*stock);
+  if (const Outcome excess = load_excess(arguments_, *scene_, *stock_->setup); !excess)
+    return fail_with(excess.error());
   return std::nullopt;
 }
 

@@ -19,6 +19,7 @@ struct JobArguments;
 struct StockArguments {
   std::string stock;                              ///< "box", "box=2", "part+3" or the name of a file; empty: none
   std::string stock_tolerance, stock_resolution;  ///< empty: those of StockOptions
+  std::string excess;                             ///< empty: not asked for
 };
 
 /// The shape of the stock, understood.
@@ -33,6 +34,9 @@ struct StockShape {
 /// Errors (code usage) name the option, the typed text and the expected one.
 [[nodiscard]] Result<StockShape> understand_stock_shape(const std::string& typed);
 [[nodiscard]] Result<StockOptions> understand_stock_options(const StockArguments& arguments);
+
+/// Returns the length of --excess in mm; none: not asked for. Errors as above.
+[[nodiscard]] Result<std::optional<double>> understand_excess(const StockArguments& arguments);
 
 /// Returns the rows of the options; of `check` alone.
 [[nodiscard]] const OptionRows<JobArguments>& stock_options();

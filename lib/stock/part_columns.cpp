@@ -17,16 +17,15 @@ constexpr double kInset_mm = 2 * Tolerance::kRounding_mm;
 
 }  // namespace
 
-Result<PartColumns> PartColumns::of(std::span<const IndexedMesh> parts) {
+Result<PartColumns> PartColumns::of(std::span<const Surface> parts) {
   PartColumns columns;
-  for (const IndexedMesh& mesh : parts) {
-    const Surface surface(mesh);
+  for (const Surface& surface : parts) {
     if (!surface.is_solid() || !surface.boundary().is_solid()) {
       return make_error(
           "excess-open-part",
           "the part is no closed mesh with outward facets, so --excess cannot tell which side of it is material; "
           "expected a solid; repair it with gougecheck mesh --repair",
-          mesh.name);
+          surface.mesh().name);
     }
     columns.surfaces_.push_back(surface);
   }

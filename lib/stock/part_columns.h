@@ -19,8 +19,8 @@ struct PartFacet {
 /// nearer than its foot.
 class PartColumns {
  public:
-  /// The meshes must outlive it. Errors: a mesh is not closed, not oriented or has no known boundary.
-  [[nodiscard]] static Result<PartColumns> of(std::span<const IndexedMesh> parts);
+  /// The meshes of the surfaces must outlive it. Errors: a mesh is not closed, not oriented or has no known boundary.
+  [[nodiscard]] static Result<PartColumns> of(std::span<const Surface> parts);
 
   /// Returns the boundary of a part, whose facets are asked.
   [[nodiscard]] const IndexedMesh& mesh(std::size_t part) const { return surfaces_[part].boundary().mesh(); }

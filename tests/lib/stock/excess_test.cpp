@@ -44,7 +44,9 @@ ExcessResult run(const Toolpath& path, const std::vector<ToolVariants>& tools, c
   for (const ToolVariants& tool : tools) all.push_back({&tool, true});
   const MotionLaw law;
   const CutHistory history(path, law, all, options);
-  const Result<PartColumns> columns = PartColumns::of(parts);
+  std::vector<Surface> surfaces;
+  for (const IndexedMesh& part : parts) surfaces.emplace_back(part);
+  const Result<PartColumns> columns = PartColumns::of(surfaces);
   EXPECT_TRUE(columns);
   return find_excess({history, stock, *columns, options.resolution_mm}, height, threads);
 }
@@ -220,7 +222,7 @@ TEST(Excess, ResultsAreTheSameAtAnyNumberOfThreads) {
 }
 
 TEST(Excess, AnOpenPartIsRefused) {
-  const std::vector<IndexedMesh> parts{shapes::open_cube()};
+  const std::vector<Surface> parts{Surface(shapes::open_cube())};
   EXPECT_EQ(PartColumns::of(parts).error().code, "excess-open-part");
 }
 
