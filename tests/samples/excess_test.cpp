@@ -58,7 +58,10 @@ TEST_F(ExcessSample, LessThanAskedIsClean) {
 }
 
 TEST_F(ExcessSample, AToolWithoutADefinitionLeavesItOpen) {
-  write_text(sample_.path + "/none.json", R"({"units":"mm","tools":[]})");
+  std::string tools = text("tools.json");
+  const std::string number = "\"number\":1";
+  ASSERT_NE(tools.find(number), std::string::npos);
+  write_text(sample_.path + "/none.json", tools.replace(tools.find(number), number.size(), "\"number\":2"));
   const Outcome ran = run_gougecheck(sample_.path, {"check", sample_.toolpath(), "--part", "part.stl", "--tools",
                                                     "none.json", "--stock", "box", "--excess", "0.1"});
   EXPECT_EQ(ran.exit_status, 4) << ran.out << ran.err;
