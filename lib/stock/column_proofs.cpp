@@ -53,7 +53,7 @@ bool ColumnProofs::is_middle_within(const FacetPiece& piece, double height_mm) {
 bool ColumnProofs::is_untouched(const Vec3& from, const Vec3& up, double low_mm, double high_mm, double radius_mm) {
   ++asked_;
   const double half = 0.5 * (high_mm - low_mm);
-  const CutBall ball{from + (low_mm + half) * up, std::hypot(radius_mm, half) + Tolerance::kRounding_mm, up,
+  const CutBall ball{from + (low_mm + half) * up, Vec2(radius_mm, half).norm() + Tolerance::kRounding_mm, up,
                      half + Tolerance::kRounding_mm};
   return q_.history.is_untouched(ball, before_, touch_hint_);
 }
@@ -87,7 +87,7 @@ double ColumnProofs::climb(const FacetPiece& piece, double low_mm, double high_m
 
 std::optional<std::size_t> ColumnProofs::unknown_near(const FacetPiece& piece, double height_mm) const {
   return q_.history.unknown_near(piece.middle() + 0.5 * height_mm * piece.normal, before_,
-                                 std::hypot(piece.radius_mm(), 0.5 * height_mm));
+                                 Vec2(piece.radius_mm(), 0.5 * height_mm).norm());
 }
 
 }  // namespace gouge

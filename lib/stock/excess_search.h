@@ -14,7 +14,7 @@ struct LeftPiece {
   bool is_proved = false;  ///< every column of it is proved to be higher than asked
 };
 
-/// How much material is asked for, and how closely the border of its area is found.
+/// Limits of a search: the height that is asked for, and how closely the border of its area is found.
 struct ExcessLimits {
   double height_mm = 0;
   double border_mm = 0;  ///< where a facet is proved to have more, pieces smaller than this are not divided
