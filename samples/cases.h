@@ -31,6 +31,7 @@ namespace gouge::samples {
 [[nodiscard]] Sample make_big_triangles();  ///< ball on an inclined plane of two triangles 2 m wide
 [[nodiscard]] Sample make_rapid_stock();    ///< a rapid through material that is not yet removed
 [[nodiscard]] Sample make_holder_stock();   ///< a holder in the walls of a deep slot
+[[nodiscard]] Sample make_excess_corner();  ///< material that stays in a square corner
 [[nodiscard]] Sample make_sunk_jaw();       ///< a clean path, with a vise jaw 2 mm deep in the block
 
 /// Makes the surface and the passes of make_freeform() with about 100,000 triangles and 10,000 moves, for measurements.

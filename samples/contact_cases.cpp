@@ -137,7 +137,7 @@ std::vector<Sample> make_all() {
           make_axis_limit(),    make_axis_flip(),     make_smoothing_tube(), make_between_head(),
           make_thin_post(),     make_buried(),        make_inch(),           make_needles(),
           make_big_triangles(), make_arcs_nx(),       make_arcs_creo(),      make_arcs_catia(),
-          make_sunk_jaw(),      make_rapid_stock(),   make_holder_stock()};
+          make_sunk_jaw(),      make_rapid_stock(),   make_holder_stock(),   make_excess_corner()};
 }
 
 }  // namespace gouge::samples

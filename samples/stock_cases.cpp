@@ -61,4 +61,30 @@ Sample make_holder_stock() {
   return sample;
 }
 
+// An end mill of radius 5 clears a floor between two walls 15 mm high, which meet in a square corner at (0, 0). Material stays
+// in the corner, up to (1 - 1 / sqrt(2)) * 5 = 1.464 mm from the walls.
+Sample make_excess_corner() {
+  Sample sample = small_case("excess_corner",
+                             "A floor and two walls with a square corner: clean, and 1.464 mm of material stays in the "
+                             "corner with --stock box --excess 0.1",
+                             flat_d10("25"), 0);
+  const std::array<double, 3> x = {-10, 0, 40}, y = {-10, 0, 30}, z = {-10, 0, 15};
+  sample.parts.push_back(
+      {"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) { return k == 0 || i == 0 || j == 0; })});
+  ClText cl = start_text(sample);
+  cl.rapid(upright(60, 5, 30));
+  cl.rapid(upright(60, 5, 0));
+  cl.feed(upright(5, 5, 0));
+  cl.feed(upright(5, 50, 0));
+  for (const double row : {29.0, 21.0, 13.0}) {
+    cl.feed(upright(60, 50, 0));
+    cl.feed(upright(60, row, 0));
+    cl.feed(upright(5, row, 0));
+    cl.feed(upright(60, row, 0));
+  }
+  cl.rapid(upright(60, 13, 30));
+  finish_sweep(sample, cl);
+  return sample;
+}
+
 }  // namespace gouge::samples

@@ -88,7 +88,7 @@ void add_check_options(CLI::App& command, CheckArguments& check) {
       "Example:\n"
       "  gougecheck check finish.apt --part part.stl --tools tools.json --report out\n\n"
       "Lengths in options are at most 100000 mm.\n\n"
-      "Exit status: 0 checked and clean, 1 gouges, 2 wrong command line, 3 input unreadable or invalid, 4 not "
+      "Exit status: 0 checked and clean, 1 gouges or material left (--excess), 2 wrong command line, 3 input unreadable or invalid, 4 not "
       "fully checked, 5 internal or resource failure.");
 }
 

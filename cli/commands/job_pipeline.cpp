@@ -3,6 +3,7 @@
 #include <ostream>
 #include <utility>
 
+#include "cli/job/load_excess.h"
 #include "cli/job/setup_notes.h"
 #include "cli/terminal/length_text.h"
 #include "cli/terminal/print_diagnostics.h"
@@ -40,6 +41,8 @@ std::optional<int> JobPipeline::load_stock() {
   stock_ = gouge::load_stock(arguments_, *job_, progress_, errors);
   progress_.end();
   if (!stock_) return fail(context_.err, errors);
+  if (const Outcome excess = load_excess(arguments_, *scene_, *stock_->setup); !excess)
+    return fail_with(excess.error());
   return std::nullopt;
 }
 

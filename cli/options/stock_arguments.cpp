@@ -43,6 +43,14 @@ Result<StockShape> understand_stock_shape(const std::string& typed) {
   return *shape;
 }
 
+Result<std::optional<double>> understand_excess(const StockArguments& arguments) {
+  if (arguments.excess.empty()) return std::optional<double>();
+  const Result<double> length = understand_length("--excess", arguments.excess, Minimum::above_zero);
+  if (!length) return length.error();
+  if (*length < kFinestStock_mm) return usage_error("--excess", arguments.excess, "a length from 0.001 mm");
+  return std::optional<double>(*length);
+}
+
 Result<StockOptions> understand_stock_options(const StockArguments& arguments) {
   StockOptions options;
   if (!arguments.stock_tolerance.empty()) {
@@ -52,13 +60,20 @@ Result<StockOptions> understand_stock_options(const StockArguments& arguments) {
     options.tolerance_mm = *tolerance;
     options.resolution_mm = std::min(options.resolution_mm, 0.5 * *tolerance);
   }
+  const Result<std::optional<double>> excess = understand_excess(arguments);
+  if (!excess) return excess.error();
+  if (*excess) options.resolution_mm = std::min(options.resolution_mm, 0.5 * **excess);
   if (arguments.stock_resolution.empty()) return options;
   const Result<double> resolution =
       understand_length("--stock-resolution", arguments.stock_resolution, Minimum::above_zero);
   if (!resolution) return resolution.error();
-  if (*resolution > options.tolerance_mm || *resolution < kFinestStock_mm)
+  const bool is_coarse = *resolution > options.tolerance_mm || (*excess && *resolution > **excess);
+  if (is_coarse || *resolution < kFinestStock_mm)
     return usage_error("--stock-resolution", arguments.stock_resolution,
-                       "a length from 0.001 mm to --stock-tolerance, since thinner material counts as removed");
+                       *excess
+                           ? "a length from 0.001 mm to --stock-tolerance and --excess, since thinner material "
+                             "counts as removed"
+                           : "a length from 0.001 mm to --stock-tolerance, since thinner material counts as removed");
   options.resolution_mm = *resolution;
   return options;
 }
@@ -110,7 +125,15 @@ const OptionRows<JobArguments>& stock_options() {
        .field = &A::stock_resolution,
        .type = "LENGTH",
        .help = "Length by which cutters count as wider, so that material thinner than twice this counts as removed "
-               "(default: half the tolerance, at most 0.05)",
+               "(default: half the tolerance or half of --excess, at most 0.05)",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .needs = "--stock"},
+      {.name = "--excess",
+       .field = &A::excess,
+       .type = "LENGTH",
+       .help = "Find where more than this length of material is left on the part after the whole program; such a place "
+               "gives exit status 1, and one for which it is open gives 4",
        .scope = Scope::project,
        .recorded = Recorded::repeated,
        .needs = "--stock"},

@@ -24,6 +24,7 @@ struct StockArguments {
   std::string stock_tolerance, stock_resolution;  ///< empty: those of StockOptions
   std::string stock_cell;                         ///< empty: default_stock_cell
   std::string write_stock;                        ///< file for the mesh of the remaining stock; empty: none
+  std::string excess;                             ///< empty: not asked for
 };
 
 /// A program that ran before, as typed behind --before.
@@ -43,6 +44,8 @@ struct BeforeText {
 [[nodiscard]] Result<double> understand_stock_cell(const StockArguments& arguments);
 /// Returns the name of the second file of --write-stock: "left.surely.stl" for "left.stl".
 [[nodiscard]] std::string surely_file_of(const std::string& file);
+/// Returns the length of --excess in mm; none: not asked for. Errors as above.
+[[nodiscard]] Result<std::optional<double>> understand_excess(const StockArguments& arguments);
 
 /// Returns the rows of the options; of `check` alone.
 [[nodiscard]] const OptionRows<JobArguments>& stock_options();

@@ -6,6 +6,7 @@
 #include "lib/certify/check.h"
 #include "lib/check/check_path.h"
 #include "lib/stock/check_stock.h"
+#include "lib/stock/excess.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
@@ -120,6 +121,33 @@ class Settling {
   CheckResult& result_;
 };
 
+ExcessFacts excess_facts(const CutHistory& history, const StockSetup& stock, const CheckSetup& setup,
+                         const ProgressCall& progress) {
+  const PartColumns& parts = stock.excess->parts;
+  const ExcessQuestion question{history, stock.solid, parts, stock.options.resolution_mm};
+  const ExcessResult found = find_excess(question, stock.excess->asked_mm, setup.options.threads, progress);
+  ExcessFacts facts{stock.excess->asked_mm, stock.options.resolution_mm, found.surface_mm2, {}};
+  for (const ExcessPlace& place : found.places) {
+    ExcessPlaceFacts& one = facts.places.emplace_back();
+    const HighestColumn& highest = place.highest;
+    one.height_mm = highest.height_mm;
+    one.height_upper_mm = highest.height_upper_mm;
+    one.area_mm2 = place.area_mm2;
+    one.area_upper_mm2 = place.area_upper_mm2;
+    const FacetPiece& at = place.is_proved() ? highest.at : found.left[place.first_piece].piece;
+    one.point = place.is_proved() ? highest.point : at.middle();
+    one.normal = at.normal;
+    one.part = at.mesh;
+    one.facet = parts.mesh(at.mesh).file_triangle[at.triangle];
+    if (place.is_proved() || !place.unknown) continue;
+    one.unknown_move = place.unknown.move;
+    const Toolpath& program = place.unknown.program->path();
+    one.unknown_line = program.moves[place.unknown.move].line;
+    if (place.unknown.program != &history) one.unknown_file = program.file;
+  }
+  return facts;
+}
+
 }  // namespace
 
 StockHistory::StockHistory(const Toolpath& path, const MotionLaw& law, const StockSetup& stock) {
@@ -147,6 +175,7 @@ void settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& re
   const CutHistory& history = programs.of_path();
   const StockResult found = check_stock(history, stock.solid, stock.options, setup.options.threads, progress);
   result.stock = StockFacts{stock.options.tolerance_mm, stock.options.resolution_mm, 0, found.proved, {}};
+  if (stock.excess) result.excess = excess_facts(history, stock, setup, progress);
   Settling settling(path, history, result);
   for (const StockFinding& finding : found.findings) settling.enter(finding);
   for (std::size_t i = 0; i < path.moves.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -37,6 +38,32 @@ struct StockFacts {
   std::vector<StockContact> contacts;   ///< in path order
 };
 
+/// A place of a part's surface where more material than asked may be left.
+struct ExcessPlaceFacts {
+  double height_mm = 0;                               ///< highest column of material that is proved; 0: none is
+  double height_upper_mm = 0;                         ///< no column of the place is higher
+  Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  ///< foot of that column; without a height a point of the place
+  std::size_t part = 0, facet = 0;                    ///< index in Scene::parts, and in the file of that part
+  double area_mm2 = 0, area_upper_mm2 = 0;            ///< of the surface with more than asked
+  std::size_t unknown_move = kNone;                   ///< without a height: a move that leaves it open; kNone: none
+  std::size_t unknown_line = 0;                       ///< its line, with unknown_move
+  std::string unknown_file{};                         ///< its file if that is a program that ran before; else empty
+
+  [[nodiscard]] bool is_proved() const { return height_mm > 0; }
+};
+
+/// The material that the whole program leaves on the parts.
+struct ExcessFacts {
+  double asked_mm = 0, resolution_mm = 0;
+  double surface_mm2 = 0;                ///< area of the parts
+  std::vector<ExcessPlaceFacts> places;  ///< proved ones first, the highest first
+
+  [[nodiscard]] std::size_t proved() const {
+    return static_cast<std::size_t>(
+        std::count_if(places.begin(), places.end(), [](const ExcessPlaceFacts& place) { return place.is_proved(); }));
+  }
+};
+
 /// The result for a whole path. verdicts.size() == toolpath.moves.size(); every move has exactly one state.
 struct CheckResult {
   MoveVerdicts verdicts;
@@ -53,6 +80,7 @@ struct CheckResult {
   std::optional<ClosestApproach> closest_approach;  ///< none: not measured, or nothing to measure
   std::optional<AnyTurnCounts> any_turn;            ///< none: not examined, or no clean move turns a rotary joint
   std::optional<StockFacts> stock;                  ///< none: not requested
+  std::optional<ExcessFacts> excess;                ///< none: not requested
   PathFit fit;                                      ///< Kind::fits if it was not requested
 };
 

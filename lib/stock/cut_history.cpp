@@ -1,5 +1,7 @@
 #include "lib/stock/cut_history.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lib/base/tolerance.h"
@@ -46,6 +48,31 @@ SoughtPiece sought_of(const SweptPiece& piece, double grow_mm) {
 CutWindow about(const MotionSpan& span) {
   const double t0 = static_cast<double>(span.t0), t1 = static_cast<double>(span.t1), more = t1 - t0 + kInstantRounding;
   return {std::max(0.0, t0 - more), std::min(1.0, t1 + more)};
+}
+
+/// Bounds from below how far the points of a body are along a unit direction during a span. A point at (r, z) of the tool
+/// is at least z cos(a) - r sin(a) above the tip, where a is the angle of the axis to the direction. This changes by at
+/// most |(r, z)| for each radian. Over the solid it is least at an end of an element or on the circle of a convex arc.
+double lowest_mm(const MotionSpan& span, const CompiledTool& body, const Vec3& up) {
+  double tip = 0, cosine = 0, length2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double of = up[static_cast<int>(k)], axis = static_cast<double>(span.axis[k]);
+    tip += std::min(of * static_cast<double>(span.low[k]), of * static_cast<double>(span.high[k]));
+    cosine += of * axis;
+    length2 += axis * axis;
+  }
+  cosine = std::clamp(cosine / std::sqrt(length2), -1.0, 1.0);
+  const Vec2 along(-std::sqrt(1 - cosine * cosine), cosine);
+  double least = std::numeric_limits<double>::max(), reach = 0;
+  for (const BoundaryElement& e : body.elements) {
+    least = std::min({least, along.dot(e.a), along.dot(e.b)});
+    reach = std::max({reach, e.a.norm(), e.b.norm()});
+    if (e.kind != ElementKind::arc || e.is_reflex) continue;
+    least = std::min(least, along.dot(e.center) - e.radius_mm);
+    reach = std::max(reach, e.center.norm() + e.radius_mm);
+  }
+  const double slack = static_cast<double>(span.cone_rad) + Tolerance::kSingleSum;
+  return tip + least - slack * reach - Tolerance::kRounding_mm;
 }
 
 ToolCylinder cylinder_of(const CompiledTool& tool) { return {tool.r_max_mm, tool.z_min_mm, tool.z_max_mm}; }
@@ -142,6 +169,28 @@ bool CutHistory::is_removed_by(std::size_t move, double until, const SweptPiece&
   return is_known(move) && is_cutting(move) && covers(move, {0, until}, piece);
 }
 
+// The value of a convex piece changes by at most the way of a point in its frame. At the instant at which a cutter with a
+// fixed axis contains the discs together, or on average, it contains their middle; a cutter that turns contains all of
+// them at one instant.
+bool CutHistory::may_cover(const MotionSpan& span, const SweptPiece& piece, const Vec3& middle) const {
+  const CoverMargin margin{piece.slack_mm, resolution_mm_};
+  const Vec3 low(span.low[0], span.low[1], span.low[2]), high(span.high[0], span.high[1], span.high[2]);
+  const Vec3 tip = 0.5 * (low + high), axis = Vec3(span.axis[0], span.axis[1], span.axis[2]).normalized();
+  const double half = 0.5 * (high - low).norm();
+  const bool is_fixed = is_straight_with_fixed_axis(span.move);
+  const Disc alone{middle};
+  const std::span<const Disc> discs = is_fixed ? std::span(&alone, 1) : piece.start();
+  const std::vector<ConvexPiece>& pieces = of_tool_[path_.moves[span.move].tool].pieces;
+  return std::any_of(pieces.begin(), pieces.end(), [&](const ConvexPiece& one) {
+    const double wanted = margin.largest_value(one);
+    return std::all_of(discs.begin(), discs.end(), [&](const Disc& disc) {
+      const double far = (disc.center - tip).norm() + disc.radius_mm + half;
+      const double slack = half + static_cast<double>(span.cone_rad) * far + Tolerance::kSingleSum * (1 + far);
+      return one.value({disc.center, disc.normal, 0}, tip, axis) <= wanted + slack;
+    });
+  });
+}
+
 bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, CutMove& hint) const {
   const bool is_before = hint && (hint.program != this || hint.move < before);
   if (is_before && hint.program->is_removed_by(hint.move, 1, piece)) return true;
@@ -158,7 +207,7 @@ bool CutHistory::removes(const SweptPiece& piece, std::size_t before, CutMove& h
     std::size_t last = kNone;  // the spans of a straight move often follow each other
     const bool is_found =
         of.tree->find(sought, of.cutter, static_cast<std::uint32_t>(before), [&](const MotionSpan& s) {
-          if (!is_cutting(s.move)) return false;
+          if (!is_cutting(s.move) || !may_cover(s, piece, sought.middle)) return false;
           const bool is_whole = is_straight_with_fixed_axis(s.move);
           if (is_whole && s.move == last) return false;
           last = s.move;
@@ -172,14 +221,14 @@ bool CutHistory::removes(const SweptPiece& piece, std::size_t before, CutMove& h
 }
 
 bool CutHistory::reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
-                         const Vec3& point) const {
+                         const Vec3& point, double within_mm) const {
   if (is_straight_with_fixed_axis(move)) {
     const Pose &from = path_.start_of(move), &to = path_.moves[move].end;
     const double length = (to.tip - from.tip).norm();
     return may_reach(
         t0, t1,
         [&](double t) {
-          return signed_distance_mm(body, Pose{Vec3(from.tip + t * (to.tip - from.tip)), from.axis}, point);
+          return signed_distance_mm(body, Pose{Vec3(from.tip + t * (to.tip - from.tip)), from.axis}, point) - within_mm;
         },
         [&](double a, double b) { return (b - a) * length; });
   }
@@ -187,7 +236,7 @@ bool CutHistory::reaches(std::size_t move, const CompiledTool& body, double t0, 
   return may_reach(
       t0, t1,
       [&](double t) {
-        return signed_distance_mm(body, Pose{motion.tip_at(t, segment), motion.at(t).axis}, point);
+        return signed_distance_mm(body, Pose{motion.tip_at(t, segment), motion.at(t).axis}, point) - within_mm;
       },
       [&](double a, double b) {
         const double far = (point - motion.tip_at(a, segment)).norm();
@@ -206,41 +255,62 @@ bool CutHistory::is_missed_by(std::size_t move, double until, const Vec3& point)
   return true;
 }
 
-CutMove CutHistory::unknown_near(const Vec3& point, std::size_t before) const {
+CutMove CutHistory::unknown_near(const Vec3& point, std::size_t before, double within_mm) const {
   if (earlier_ != nullptr) {
-    if (const CutMove unknown = earlier_->unknown_near(point, earlier_->size())) return unknown;
+    if (const CutMove unknown = earlier_->unknown_near(point, earlier_->size(), within_mm)) return unknown;
   }
   for (const Unknown& unknown : unknown_) {
     if (unknown.move >= before) break;
-    if ((point.array() >= unknown.low.array()).all() && (point.array() <= unknown.high.array()).all())
+    if ((point.array() + within_mm >= unknown.low.array()).all() &&
+        (point.array() - within_mm <= unknown.high.array()).all())
       return {this, unknown.move};
   }
   return {};
 }
 
+bool CutHistory::meets(const MotionSpan& span, double t0, double t1, const CutBall& ball) const {
+  const ToolVariants& tool = *tool_of(span.move).tool;
+  const auto reach = [&](const CompiledTool& body) {
+    return reaches(span.move, body, t0, t1, span.segment, ball.center, ball.radius_mm);
+  };
+  if (ball.up.isZero(0)) return reach(tool.bare);
+  // A body that stays above the plane of the ball does not meet what is left of it.
+  const double plane_mm = ball.up.dot(ball.center) + ball.height_mm;
+  for (const CompiledTool* body : {&tool.cutting, &tool.non_cutting}) {
+    if (!body->elements.empty() && !(lowest_mm(span, *body, ball.up) > plane_mm) && reach(*body)) return true;
+  }
+  return false;
+}
+
 bool CutHistory::is_untouched(const Vec3& point, std::size_t before, CutMove& hint) const {
-  if (unknown_near(point, before)) return false;
+  return is_untouched(CutBall{point}, before, hint);
+}
+
+bool CutHistory::is_untouched(const CutBall& ball, std::size_t before, CutMove& hint) const {
+  if (unknown_near(ball.center, before, ball.radius_mm)) return false;
   const bool is_before = hint && (hint.program != this || hint.move < before);
-  if (is_before && hint.program->is_straight_with_fixed_axis(hint.move) &&
-      hint.program->reaches(hint.move, hint.program->tool_of(hint.move).tool->bare, 0, 1, 0, point))
+  if (is_before && ball.up.isZero(0) && hint.program->is_straight_with_fixed_axis(hint.move) &&
+      hint.program->reaches(hint.move, hint.program->tool_of(hint.move).tool->bare, 0, 1, 0, ball.center,
+                            ball.radius_mm))
     return false;
-  if (touches(point, before, hint)) return false;
+  if (touches(ball, before, hint)) return false;
   for (const CutHistory* program = earlier_; program != nullptr; program = program->earlier_)
-    if (program->touches(point, program->size(), hint)) return false;
+    if (program->touches(ball, program->size(), hint)) return false;
   return true;
 }
 
-bool CutHistory::touches(const Vec3& point, std::size_t before, CutMove& hint) const {
+bool CutHistory::touches(const CutBall& ball, std::size_t before, CutMove& hint) const {
   for (std::size_t k = 0; k < of_tool_.size(); ++k) {
     if (of_tool_[k].tree == nullptr) continue;
-    const CompiledTool& bare = tools_[k].tool->bare;
     const auto is_touched = [&](const MotionSpan& s) {
-      const bool does = reaches(s.move, bare, std::max(0.0, static_cast<double>(s.t0) - kInstantRounding),
-                                std::min(1.0, static_cast<double>(s.t1) + kInstantRounding), s.segment, point);
+      const bool does = meets(s, std::max(0.0, static_cast<double>(s.t0) - kInstantRounding),
+                              std::min(1.0, static_cast<double>(s.t1) + kInstantRounding), ball);
       if (does) hint = {this, s.move};
       return does;
     };
-    if (of_tool_[k].tree->find({point}, of_tool_[k].whole, static_cast<std::uint32_t>(before), is_touched)) return true;
+    if (of_tool_[k].tree->find({ball.center, Vec3::Zero(), 0, ball.radius_mm}, of_tool_[k].whole,
+                               static_cast<std::uint32_t>(before), is_touched))
+      return true;
   }
   return false;
 }

@@ -50,6 +50,15 @@ struct NearestPlace {
 /// The bodies of tools that count: the cutters of motions that cut, or all bodies of all motions.
 enum class PlacesOf : std::uint8_t { cutters, tools };
 
+/// A ball, without what is above a plane across it: the points x with |x - center| <= radius_mm and
+/// up . (x - center) <= height_mm.
+struct CutBall {
+  Vec3 center = Vec3::Zero();
+  double radius_mm = 0;
+  Vec3 up = Vec3::Zero();  ///< unit, or zero: the whole ball
+  double height_mm = 0;
+};
+
 /// All motions of a path that remove material, held so that one can ask whether a piece of space is removed. Nothing is
 /// simulated in advance: a piece is removed if it lies in one convex piece of one cutter during one earlier motion.
 /// A history may follow another one, of a program that ran before. Then all moves of that program come first.
@@ -72,10 +81,13 @@ class CutHistory {
   /// Proves that no tool, with all its bodies, reached a point before a move, and that all motions until then are known.
   /// `hint` is a move that is tried first; the result does not depend on it.
   [[nodiscard]] bool is_untouched(const Vec3& point, std::size_t before, CutMove& hint) const;
+  /// Proves the same for all points of a ball without its part above a plane.
+  [[nodiscard]] bool is_untouched(const CutBall& ball, std::size_t before, CutMove& hint) const;
   /// Proves that the cutter of a move did not reach a point over [0, until].
   [[nodiscard]] bool is_missed_by(std::size_t move, double until, const Vec3& point) const;
-  /// Returns the first move before `before` whose motion is not known and may have reached the point; else no move.
-  [[nodiscard]] CutMove unknown_near(const Vec3& point, std::size_t before) const;
+  /// Returns the first move before `before` whose motion is not known and may have come within `within_mm` of the point;
+  /// else no move.
+  [[nodiscard]] CutMove unknown_near(const Vec3& point, std::size_t before, double within_mm = 0) const;
   /// Returns the earlier cutter that came nearest to a point; none: no cutter is within `within_mm`.
   [[nodiscard]] std::optional<PassedBy> nearest_cut(const Vec3& point, std::size_t before, double within_mm) const;
 
@@ -114,7 +126,7 @@ class CutHistory {
   [[nodiscard]] bool is_known_motion(std::size_t move) const;
   [[nodiscard]] std::size_t size() const { return path_.moves.size(); }
   [[nodiscard]] bool removes(const SweptPiece& piece, std::size_t before, CutMove& hint) const;
-  [[nodiscard]] bool touches(const Vec3& point, std::size_t before, CutMove& hint) const;
+  [[nodiscard]] bool touches(const CutBall& ball, std::size_t before, CutMove& hint) const;
   /// Enters the cut nearest to a point, if it is nearer than the one that stands there and within `reach_mm`.
   void add_nearest(const Vec3& point, std::size_t before, double reach_mm, std::optional<PassedBy>& nearest) const;
   // Both of this program alone.
@@ -123,12 +135,16 @@ class CutHistory {
   [[nodiscard]] bool is_left_alone(const ConvexRegion& region, double slack_mm, std::size_t before,
                                    CutMove& hint) const;
   void add_unknown(std::size_t move);
+  /// Returns whether the cutter may contain the piece during a span.
+  [[nodiscard]] bool may_cover(const MotionSpan& span, const SweptPiece& piece, const Vec3& middle) const;
   [[nodiscard]] bool covers(std::size_t move, const CutWindow& window, const SweptPiece& piece) const;
   [[nodiscard]] bool is_straight_with_fixed_axis(std::size_t move) const;
   [[nodiscard]] MovePlaces places_of(std::size_t move, std::uint32_t segment) const;
-  /// Returns whether a body may reach the point during [t0, t1] of a segment of a move.
+  /// Returns whether a body may come within `within_mm` of the point during [t0, t1] of a segment of a move.
   [[nodiscard]] bool reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
-                             const Vec3& point) const;
+                             const Vec3& point, double within_mm = 0) const;
+  /// Returns whether a body of the tool may meet the ball during [t0, t1] of a span.
+  [[nodiscard]] bool meets(const MotionSpan& span, double t0, double t1, const CutBall& ball) const;
 
   const Toolpath& path_;
   const MotionLaw& law_;

@@ -1,8 +1,11 @@
 #include "lib/stock/stock_solid.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "lib/base/tolerance.h"
+#include "lib/hierarchy/triangles_within.h"
 
 namespace gouge {
 
@@ -52,17 +55,46 @@ bool StockSolid::is_clear_of(std::span<const Disc> discs, double radius_mm) cons
   return !surfaces_.empty() && is_clear_of_meshes(discs, apart);
 }
 
-bool StockSolid::contains(const Vec3& point) const {
-  const Vec3 inset = Vec3::Constant(Tolerance::kRounding_mm);
+bool StockSolid::contains(const Vec3& point, double radius_mm) const {
+  const Vec3 inset = Vec3::Constant(radius_mm + Tolerance::kRounding_mm);
   if (((point - low_ - inset).array() < 0).any() || ((high_ - inset - point).array() < 0).any()) return false;
   if (surfaces_.empty()) return true;
   for (const Surface& surface : surfaces_) {
     const std::optional<ClosestPoint> closest = surface.boundary().closest_point(point);
     if (!closest) continue;
     const double signed_mm = surface.boundary().winds_around(point) ? -closest->distance_mm : closest->distance_mm;
-    if (signed_mm < allowance_mm_ - Tolerance::kRounding_mm) return true;
+    if (signed_mm < allowance_mm_ - radius_mm - Tolerance::kRounding_mm) return true;
   }
   return false;
+}
+
+bool StockSolid::is_in_box(std::span<const Vec3> points) const {
+  const Vec3 inset = Vec3::Constant(Tolerance::kRounding_mm);
+  return std::all_of(points.begin(), points.end(), [&](const Vec3& point) {
+    return ((point - low_ - inset).array() >= 0).all() && ((high_ - inset - point).array() >= 0).all();
+  });
+}
+
+bool StockSolid::contains(const Vec3& from, const Vec3& to) const {
+  if (!surfaces_.empty()) return contains(Vec3(0.5 * (from + to)), 0.5 * (to - from).norm());
+  return is_in_box(std::array<Vec3, 2>{from, to});
+}
+
+bool StockSolid::contains(const Prism& prism) const {
+  const std::array<Vec3, 6> corners = prism.corners();
+  if (!is_in_box(corners)) return false;
+  if (surfaces_.empty()) return true;
+  const Vec3 middle = prism.middle();
+  double reach = 0;
+  for (const Vec3& corner : corners) reach = std::max(reach, (corner - middle).norm());
+  if (contains(middle, reach)) return true;
+  if (allowance_mm_ > 0) return false;
+  // A prism that no facet enters is on one side of the surface.
+  const std::array<HalfSpace, 5> sides = prism.sides(-Tolerance::kRounding_mm);
+  return std::any_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& surface) {
+    const Surface& boundary = surface.boundary();
+    return !is_entered(boundary.tree(), sides) && boundary.winds_around(middle);
+  });
 }
 
 }  // namespace gouge

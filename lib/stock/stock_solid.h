@@ -7,6 +7,7 @@
 #include "lib/geom/vec.h"
 #include "lib/stock/convex_region.h"
 #include "lib/stock/disc.h"
+#include "lib/stock/prism.h"
 #include "lib/surface/surface.h"
 
 namespace gouge {
@@ -23,8 +24,12 @@ class StockSolid {
   /// Returns whether the hull of the discs, moved out by `radius_mm`, is proved to have no point of the stock inside it.
   /// A negative radius leaves out stock that is nearer to its surface than that. False if it is not known.
   [[nodiscard]] bool is_clear_of(std::span<const Disc> discs, double radius_mm) const;
-  /// Returns whether a point is in the material, at least a rounding from its boundary.
-  [[nodiscard]] bool contains(const Vec3& point) const;
+  /// Returns whether a ball about a point is in the material, at least a rounding from its boundary.
+  [[nodiscard]] bool contains(const Vec3& point, double radius_mm = 0) const;
+  /// Returns whether a line segment is proved to be in the material.
+  [[nodiscard]] bool contains(const Vec3& from, const Vec3& to) const;
+  /// Returns whether a prism is proved to be in the material.
+  [[nodiscard]] bool contains(const Prism& prism) const;
 
   /// The signed distance of a point from the surface, negative inside, and the direction in which it grows.
   struct Distance {
@@ -45,6 +50,7 @@ class StockSolid {
 
  private:
   StockSolid() = default;
+  [[nodiscard]] bool is_in_box(std::span<const Vec3> points) const;
   [[nodiscard]] bool is_clear_of_meshes(std::span<const Disc> discs, double apart_mm) const;
 
   Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();

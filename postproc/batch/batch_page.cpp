@@ -17,7 +17,7 @@ th[aria-sort=descending] button::after { content: " \25BC"; }
 #filter { font: inherit; width: 100%; max-width: 26em; padding: 6px 10px; border: 1px solid var(--line); border-radius: 5px; }
 #shown { margin-left: 14px; } td:nth-child(2) { min-width: 15em; } td.picture { min-width: 0; width: 108px; padding: 4px 12px 4px 0; }
 td.picture img { width: 96px; height: 60px; object-fit: cover; border: 1px solid var(--line); border-radius: 3px; display: block; }
-.state.gouges, .state.failed { background: var(--alarm); } .state.clean { background: var(--calm); }
+.state.gouges, .state.material-left, .state.failed { background: var(--alarm); } .state.clean { background: var(--calm); }
 .state.not-fully-checked { background: var(--open); } .banner.failed { background: var(--alarm); }
 @media print { #tools { display: none; } }
 )css";

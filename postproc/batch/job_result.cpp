@@ -17,6 +17,20 @@ std::size_t JobResult::moves() const {
   return counts.clean + counts.near_miss + counts.gouge + counts.buried + counts.not_checked + counts.not_certified;
 }
 
+namespace {
+
+// Returns whether material left on the part is all that failed.
+bool has_only_excess(const std::vector<JunitCase>& cases) {
+  const auto failed = [&](bool is_excess) {
+    return std::ranges::any_of(cases, [is_excess](const JunitCase& one) {
+      return !one.failure_type.empty() && (one.failure_type == kExcessFailure) == is_excess;
+    });
+  };
+  return failed(true) && !failed(false);
+}
+
+}  // namespace
+
 std::size_t JobResult::gouge_findings() const {
   return static_cast<std::size_t>(std::ranges::count_if(findings, [](const Finding& finding) {
     return finding.state == MoveState::gouge || finding.state == MoveState::buried;
@@ -41,7 +55,8 @@ const char* JobResult::verdict() const {
   if (*status == kExitNotChecked) return verdict_name(OverallVerdict::not_fully_checked);
   // `correct` also has this status if it refuses a path that clearly does not fit the part; then no check was
   // completed.
-  if (*status == kExitGouges && !unit.empty()) return verdict_name(OverallVerdict::gouges);
+  if (*status == kExitGouges && !unit.empty())
+    return verdict_name(has_only_excess(cases) ? OverallVerdict::material_left : OverallVerdict::gouges);
   return "failed";
 }
 
@@ -72,7 +87,7 @@ std::vector<std::size_t> worst_first(const std::vector<JobResult>& jobs) {
 std::string verdict_counts(const std::vector<JobResult>& jobs) {
   std::string text;
   for (const std::string_view verdict :
-       {"failed", "gouges", "not-fully-checked", "accepted-gouges", "clean", "not-run"}) {
+       {"failed", "gouges", "material-left", "not-fully-checked", "accepted-gouges", "clean", "not-run"}) {
     const auto count = std::ranges::count_if(jobs, [&](const JobResult& job) { return job.verdict() == verdict; });
     if (count == 0) continue;
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(verdict);

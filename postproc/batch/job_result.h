@@ -50,7 +50,7 @@ struct JobResult {
   [[nodiscard]] std::size_t gouge_findings() const;
   /// Returns its warnings as text; for a job without a result the errors that its command reported.
   [[nodiscard]] std::vector<std::string> remarks() const;
-  /// Returns "clean", "accepted-gouges", "gouges", "not-fully-checked", "failed" or "not-run".
+  /// Returns "clean", "accepted-gouges", "gouges", "material-left", "not-fully-checked", "failed" or "not-run".
   [[nodiscard]] const char* verdict() const;
 };
 

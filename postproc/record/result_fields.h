@@ -14,6 +14,8 @@
 
 namespace gouge {
 
+inline constexpr int kArea = -2;  ///< the power of an area in per_length
+
 template <typename F, RecordOf<Assumption> R>
 void describe(F& f, R& r) {
   f.word("fact", r.subject, subject_words());
@@ -156,6 +158,29 @@ void describe(F& f, R& r) {
   f.count("clear", r.clear);
   f.list("contacts", r.contacts);
   f.object_if_any("left", r.left);
+}
+
+template <typename F, RecordOf<ExcessPlaceRecord> R>
+void describe(F& f, R& r) {
+  f.optional_length("height", r.height_mm, Sign::non_negative);
+  f.length("height_upper", r.height_upper_mm, Sign::non_negative);
+  f.point("point", r.point_mm);
+  f.direction("normal", r.normal);
+  f.text("part", r.part);
+  f.count("facet", r.facet);
+  f.per_length("area", r.area_mm2, kArea);
+  f.per_length("area_upper", r.area_upper_mm2, kArea);
+  f.optional_count("unknown_move", r.unknown_move);
+  f.optional_count("unknown_line", r.unknown_line);
+  f.optional_text("unknown_file", r.unknown_file);
+}
+
+template <typename F, RecordOf<ExcessRecord> R>
+void describe(F& f, R& r) {
+  f.length("asked", r.asked_mm, Sign::non_negative);
+  f.length("resolution", r.resolution_mm, Sign::non_negative);
+  f.per_length("surface", r.surface_mm2, kArea);
+  f.list("places", r.places);
 }
 
 template <typename F, RecordOf<ClosenessRecord> R>
@@ -360,6 +385,7 @@ void describe(F& f, R& r) {
   f.optional_object("closeness", r.closeness);
   f.object_if_any("any_turn", r.any_turn);
   f.object_if_any("stock", r.stock);
+  f.object_if_any("excess", r.excess);
   f.list_if_any("laws", r.laws);
   f.optional_object("stickout", r.stickout);
   f.optional_object("cures", r.cures);

@@ -232,6 +232,25 @@ struct StockRecord {
   std::optional<StockLeftRecord> left = {};  ///< none: not requested
 };
 
+/// A place where more material than asked may be left on a part.
+struct ExcessPlaceRecord {
+  std::optional<double> height_mm;  ///< none: nothing is proved
+  double height_upper_mm = 0;
+  Vec3 point_mm = Vec3::Zero(), normal = Vec3::Zero();
+  std::string part;
+  std::size_t facet = 0;
+  double area_mm2 = 0, area_upper_mm2 = 0;
+  std::optional<std::size_t> unknown_move, unknown_line;  ///< without a height: the move that leaves it open
+  std::optional<std::string> unknown_file;                ///< its file if that is a program of --before; none: the path
+};
+
+/// The material that the whole program leaves on the parts.
+struct ExcessRecord {
+  double asked_mm = 0, resolution_mm = 0;
+  double surface_mm2 = 0;
+  std::vector<ExcessPlaceRecord> places;
+};
+
 /// Result of a law of motion that a check compares.
 struct LawRecord {
   std::string law;
@@ -267,6 +286,7 @@ struct ResultRecord {
   std::optional<ClosenessRecord> closeness;
   std::optional<AnyTurnCounts> any_turn;  ///< none: not examined, or nothing to examine
   std::optional<StockRecord> stock;       ///< none: not requested
+  std::optional<ExcessRecord> excess;     ///< none: not requested
   std::vector<LawRecord> laws;            ///< empty: not compared
   std::optional<StickoutRecord> stickout;
   std::optional<CureOptionsRecord> cures;

@@ -64,7 +64,7 @@ const Words& uncut_words() {
   return words;
 }
 const Words& verdict_words() {
-  static const Words words = {"clean", "gouges", "not-fully-checked", "accepted-gouges"};
+  static const Words words = {"clean", "gouges", "not-fully-checked", "accepted-gouges", "material-left"};
   return words;
 }
 const Words& role_words() {

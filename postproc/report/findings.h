@@ -55,6 +55,9 @@ struct SarifJob {
 /// order.
 [[nodiscard]] std::string write_sarif(const std::vector<SarifJob>& jobs);
 
+/// The type of the failure of a test case about material left on the part.
+inline constexpr const char* kExcessFailure = "excess";
+
 /// One test case of JUnit: an operation with one tool.
 struct JunitCase {
   std::string name;

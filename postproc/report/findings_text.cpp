@@ -8,6 +8,7 @@
 #include "lib/base/printable_text.h"
 #include "postproc/report/axis_text.h"
 #include "postproc/report/baseline_text.h"
+#include "postproc/report/excess_text.h"
 #include "postproc/report/remedies.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
@@ -66,6 +67,9 @@ std::string open_words(const CheckResult& result, const ReportModel* model) {
   if (facts > 0)
     text += (text.empty() ? "" : ", and ") + count_text(facts, "fact") + " that the verdict rests on " +
             (facts == 1 ? "is" : "are") + " not established";
+  if (result.excess && result.excess->proved() < result.excess->places.size())
+    text += (text.empty() ? "" : ", and ") + std::string("whether material is left is open in ") +
+            count_text(result.excess->places.size() - result.excess->proved(), "place");
   return text;
 }
 
@@ -84,6 +88,8 @@ std::string headline(const Checked& checked, const CheckOptions& limits, const s
     case OverallVerdict::not_fully_checked:
       return std::string("not fully checked: no ") + (n.gouge > 0 ? "other " : "") + "gouge found, but " +
              open_words(result, accepting) + (n.gouge > 0 ? "; " + accepted_words(*accepting) : "");
+    case OverallVerdict::material_left:
+      return excess_headline(result, checked.path.unit);
     case OverallVerdict::gouges:
       break;
   }
@@ -100,9 +106,9 @@ std::string headline(const Checked& checked, const CheckOptions& limits, const s
 
 // Returns the line of the verdict. The word before the colon is the verdict, which a terminal shows in colour.
 std::string verdict_line(const std::string& text, OverallVerdict verdict, bool is_coloured) {
-  const Paint paint = verdict == OverallVerdict::clean    ? Paint::clean
-                      : verdict == OverallVerdict::gouges ? Paint::error
-                                                          : Paint::warning;
+  const Paint paint = verdict == OverallVerdict::clean      ? Paint::clean
+                      : exit_status(verdict) == kExitGouges ? Paint::error
+                                                            : Paint::warning;
   const std::string shown = printable(text);
   const std::size_t end = shown.find(':') + 1;
   return painted(shown.substr(0, end), paint, is_coloured) + shown.substr(end) + "\n";
@@ -176,6 +182,7 @@ class FindingsWriter {
       add(*model_.toolpath, model_.toolpath->moves[group.first_move].line, group_text(group), Paint::warning);
       add_statement(group.first_move);
     }
+    add_excess();
     if (model_.has_correction) add_uncorrected();
     return std::move(text_);
   }
@@ -228,6 +235,20 @@ class FindingsWriter {
                length_text(view_.min_depth_mm, unit) + "\n";
   }
 
+  // Lists places with material; they have no line of the toolpath, so the name of the part comes first.
+  void add_excess() {
+    if (!model_.result->excess) return;
+    const std::vector<ExcessPlaceFacts>& places = model_.result->excess->places;
+    for (std::size_t k = 0; k < std::min(places.size(), view_.most); ++k) {
+      const std::string kind = excess_kind(places[k]) + ":";
+      text_ += painted(printable(model_.parts[places[k].part].name) + ":", Paint::place, view_.is_coloured) + " " +
+               painted(kind, places[k].is_proved() ? Paint::error : Paint::warning, view_.is_coloured) + " " +
+               printable(excess_place_text(model_, places[k])) + "\n";
+    }
+    if (places.size() > view_.most)
+      text_ += "and " + grouped_text(places.size() - view_.most) + " more places (--max-findings all lists them)\n";
+  }
+
   void add_uncorrected() {
     const CorrectionFacts& correction = model_.correction;
     const Toolpath& before = correction.toolpath_before ? *correction.toolpath_before : *model_.toolpath;
@@ -274,6 +295,7 @@ std::string summary_text(const ReportModel& model, bool is_coloured) {
   if (const std::string any = any_turn_text(model); !any.empty()) text += line("rotary joints: " + any);
   if (const std::string stock = stock_text(model); !stock.empty()) text += line("stock: " + stock);
   if (const std::string left = stock_left_text(model); !left.empty()) text += line("stock left: " + left);
+  if (const std::string excess = excess_text(model); !excess.empty()) text += line("excess: " + excess);
   for (const LawRecord& law : model.laws) text += line(law_label(law) + ": " + law_text(model, law));
   text += stickout_lines(model);
   if (model.has_correction) text += correction_lines(model);

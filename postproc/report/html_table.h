@@ -54,7 +54,7 @@ p { margin: 6px 0; }
 .soft { color: var(--soft); }
 .banner { display: flex; align-items: center; gap: 22px; margin: 22px 0 10px; padding: 18px 24px; border-radius: 5px;
   color: #fff; }
-.banner.gouges { background: var(--alarm); } .banner.clean { background: var(--calm); }
+.banner.gouges, .banner.material-left { background: var(--alarm); } .banner.clean { background: var(--calm); }
 .banner.not-fully-checked, .banner.accepted-gouges { background: var(--open); }
 .banner strong { font-size: 25px; line-height: 1.2; white-space: nowrap; }
 .but { border-left: 4px solid var(--open); background: #fff6e0; padding: 8px 14px; margin: 10px 0; }

@@ -167,6 +167,28 @@ class RecordMaker {
     return record;
   }
 
+  [[nodiscard]] std::optional<ExcessRecord> excess() const {
+    if (!result_.excess) return std::nullopt;
+    const ExcessFacts& facts = *result_.excess;
+    ExcessRecord record{facts.asked_mm, facts.resolution_mm, facts.surface_mm2, {}};
+    for (const ExcessPlaceFacts& place : facts.places) {
+      ExcessPlaceRecord& one = record.places.emplace_back();
+      if (place.is_proved()) one.height_mm = place.height_mm;
+      one.height_upper_mm = place.height_upper_mm;
+      one.point_mm = place.point;
+      one.normal = place.normal;
+      one.part = model_.parts[place.part].name;
+      one.facet = place.facet;
+      one.area_mm2 = place.area_mm2;
+      one.area_upper_mm2 = place.area_upper_mm2;
+      if (place.unknown_move == kNone) continue;
+      one.unknown_move = place.unknown_move;
+      one.unknown_line = place.unknown_line;
+      if (!place.unknown_file.empty()) one.unknown_file = place.unknown_file;
+    }
+    return record;
+  }
+
   [[nodiscard]] std::vector<ReasonRecord> reasons() const {
     std::vector<ReasonRecord> all;
     for (const ReasonGroup& group : group_reasons(result_)) {
@@ -322,6 +344,7 @@ ResultRecord record_of(const ReportModel& model) {
     record.closeness = {closest->cuts, closest->positions, closest->nearest_mm, closest->median_mm};
   record.any_turn = model.result->any_turn;
   record.stock = maker.stock();
+  record.excess = maker.excess();
   record.laws = model.laws;
   record.stickout = maker.stickout();
   if (const std::optional<CureOptions>& o = model.cure_options)

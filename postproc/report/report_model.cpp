@@ -44,10 +44,21 @@ std::size_t warnings_as_errors(const ReportModel& model) {
 
 }  // namespace
 
+namespace {
+
+bool has_material_left(const CheckResult& result) { return result.excess && result.excess->proved() > 0; }
+
+bool is_open(const CheckResult& result) {
+  return has_open_moves(result.counts) || has_open(result.assumptions) ||
+         (result.excess && result.excess->proved() < result.excess->places.size());
+}
+
+}  // namespace
+
 OverallVerdict overall_verdict(const CheckResult& result) {
-  const StateCounts& n = result.counts;
-  if (n.gouge + n.buried > 0) return OverallVerdict::gouges;
-  return has_open_moves(n) || has_open(result.assumptions) ? OverallVerdict::not_fully_checked : OverallVerdict::clean;
+  if (result.counts.gouge + result.counts.buried > 0) return OverallVerdict::gouges;
+  if (has_material_left(result)) return OverallVerdict::material_left;
+  return is_open(result) ? OverallVerdict::not_fully_checked : OverallVerdict::clean;
 }
 
 OverallVerdict overall_verdict(const ReportModel& model) {
@@ -61,14 +72,16 @@ OverallVerdict overall_verdict(const ReportModel& model) {
   }
   const StateCounts& n = model.result->counts;
   if (n.buried > 0 || n.gouge != model.baseline.accepted_moves) return verdict;
-  const bool is_open = has_open_moves(n) || has_open(model.result->assumptions) || warnings_as_errors(model) > 0;
-  return is_open ? OverallVerdict::not_fully_checked : OverallVerdict::accepted_gouges;
+  if (has_material_left(*model.result)) return OverallVerdict::material_left;
+  const bool is_unsettled = is_open(*model.result) || warnings_as_errors(model) > 0;
+  return is_unsettled ? OverallVerdict::not_fully_checked : OverallVerdict::accepted_gouges;
 }
 
 const char* verdict_name(OverallVerdict verdict) { return verdict_words()[static_cast<std::size_t>(verdict)].c_str(); }
 
 ExitCode exit_status(OverallVerdict verdict) {
-  static constexpr std::array<ExitCode, 4> kStatus = {kExitClean, kExitGouges, kExitNotChecked, kExitClean};
+  static constexpr std::array<ExitCode, 5> kStatus = {kExitClean, kExitGouges, kExitNotChecked, kExitClean,
+                                                      kExitGouges};
   return kStatus[static_cast<std::size_t>(verdict)];
 }
 

@@ -132,14 +132,14 @@ struct ReportModel {
 };
 
 /// Verdict on a result, in the order of verdict_words().
-enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
+enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges, material_left };
 
-/// Returns the verdict. Gouges and buried tools decide first. Next are moves that are not checked, except those
-/// excluded on request, and open assumptions.
+/// Returns the verdict. Gouges and buried tools decide first, then material that is left. Next are moves that are not
+/// checked, except those excluded on request, open assumptions, and places where it is open whether material is left.
 [[nodiscard]] OverallVerdict overall_verdict(const CheckResult& result);
 /// Returns the verdict with accepted gouges, which come last before clean, and with warnings that count as errors.
 [[nodiscard]] OverallVerdict overall_verdict(const ReportModel& model);
-/// Returns clean, gouges, not-fully-checked or accepted-gouges.
+/// Returns clean, gouges, not-fully-checked, accepted-gouges or material-left.
 [[nodiscard]] const char* verdict_name(OverallVerdict verdict);
 /// Returns the exit status of `check` and `correct` for a verdict.
 [[nodiscard]] ExitCode exit_status(OverallVerdict verdict);

@@ -10,6 +10,7 @@
 #include "postproc/report/axis_chart.h"
 #include "postproc/report/axis_text.h"
 #include "postproc/report/baseline_text.h"
+#include "postproc/report/excess_text.h"
 #include "postproc/report/findings_html.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
@@ -76,6 +77,7 @@ class HtmlReport {
     const char* word = verdict == OverallVerdict::accepted_gouges ? accepted.c_str()
                        : verdict == OverallVerdict::clean         ? "Clean"
                        : verdict == OverallVerdict::gouges        ? "Gouges"
+                       : verdict == OverallVerdict::material_left ? "Material left"
                                                                   : "Not fully checked";
     auto [headline, before] = headlines(model_);
     headline.erase(0, headline.find(": ") + 2);  // the banner has this word already
@@ -101,6 +103,8 @@ class HtmlReport {
       out += "<p class=\"soft\">Stock: " + xml_escaped(stock) + ".</p>\n";
     if (const std::string left = stock_left_text(model_); !left.empty())
       out += "<p class=\"soft\">Stock left: " + xml_escaped(left) + ".</p>\n";
+    if (const std::string excess = excess_text(model_); !excess.empty())
+      out += "<p class=\"soft\">Excess: " + xml_escaped(excess) + ".</p>\n";
     const std::string closest_approach = closest_approach_text(model_);
     if (closest_approach.empty()) return out;
     return out + "<p class=\"soft\">Closest approach to the part: " + xml_escaped(closest_approach) + ".</p>\n";

@@ -7,6 +7,7 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/report/baseline_text.h"
+#include "postproc/report/excess_text.h"
 #include "postproc/report/findings.h"
 #include "postproc/report/report_text.h"
 
@@ -114,6 +115,24 @@ JunitCase open_case(const std::vector<std::string>& facts) {
   return made;
 }
 
+// Returns a separate test case for the material that is left on the part.
+JunitCase excess_case(const ReportModel& model) {
+  const ExcessFacts& facts = *model.result->excess;
+  JunitCase made;
+  made.name = "material left on the part";
+  std::string places;
+  for (const ExcessPlaceFacts& place : facts.places)
+    places += model.parts[place.part].name + ": " + excess_kind(place) + ": " + excess_place_text(model, place) + "\n";
+  if (facts.proved() > 0) {
+    made.failure_type = kExcessFailure;
+    made.failure_message = excess_text(model);
+    made.failure_text = places;
+  } else if (!facts.places.empty()) {
+    made.skipped_message = excess_text(model);
+  }
+  return made;
+}
+
 // Returns text that build servers show, but that fails no test.
 std::string beside_the_verdict(const ReportModel& model) {
   std::string text;
@@ -184,6 +203,7 @@ JunitSuite junit_suite_of(const ReportModel& model) {
                    {},
                    beside_the_verdict(model)};
   for (const Case& one : cases_of(model)) suite.cases.push_back(case_of(model, one));
+  if (model.result->excess) suite.cases.push_back(excess_case(model));
   if (const std::vector<std::string> open = open_facts(model); !open.empty()) suite.cases.push_back(open_case(open));
   return suite;
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/base/printable_text.h"
+#include "postproc/report/excess_text.h"
 #include "postproc/report/findings.h"
 #include "postproc/report/report_text.h"
 
@@ -120,6 +121,13 @@ SarifJob sarif_job_of(const ReportModel& model) {
   SarifJob job{model.toolpath->file, exit_status(overall_verdict(model)), {}, list_findings(model)};
   for (const Diagnostic& note : model.notes) {
     if (note.severity == Severity::warning) job.notes.push_back(sarif_note_of(note));
+  }
+  if (model.result->excess) {
+    for (const ExcessPlaceFacts& place : model.result->excess->places) {
+      job.notes.push_back(
+          {place.is_proved() ? "error" : "warning", "material-left",
+           model.parts[place.part].name + ": " + excess_kind(place) + ": " + excess_place_text(model, place)});
+    }
   }
   return job;
 }

@@ -38,7 +38,8 @@ const SampleCase kSamples[] = {{"freeform", samples::make_freeform},
                                {"arcs_catia", samples::make_arcs_catia},
                                {"sunk_jaw", samples::make_sunk_jaw},
                                {"rapid_stock", samples::make_rapid_stock},
-                               {"holder_stock", samples::make_holder_stock}};
+                               {"holder_stock", samples::make_holder_stock},
+                               {"excess_corner", samples::make_excess_corner}};
 
 class GuaranteeOnSamples : public ::testing::TestWithParam<SampleCase> {
  protected:

@@ -30,7 +30,7 @@ TEST(SampleSolids, AreClosedManifoldOutwardAndDoNotCrossThemselves) {
       }
     }
   }
-  EXPECT_EQ(solids, 26U);
+  EXPECT_EQ(solids, 27U);
 }
 
 TEST(SampleSolids, ABoxHasTheVolumeOfItsSides) {

@@ -15,7 +15,7 @@ const std::vector<std::string>& sample_names() {
       "axis_limit",    "axis_flip",     "smoothing_tube", "between_head",
       "thin_post",     "buried",        "inch",           "needles",
       "big_triangles", "arcs_nx",       "arcs_creo",      "arcs_catia",
-      "sunk_jaw",      "rapid_stock",   "holder_stock"};
+      "sunk_jaw",      "rapid_stock",   "holder_stock",   "excess_corner"};
   return kNames;
 }
 
