@@ -34,17 +34,24 @@ std::optional<int> JobPipeline::load() {
   return std::nullopt;
 }
 
-std::optional<int> JobPipeline::load_stock() {
+std::optional<int> JobPipeline::load_stock(double clearance_mm) {
   progress_.begin("preparing the stock");
   Result<LoadedStock> stock = gouge::load_stock(arguments_, *job_);
   if (!stock) return fail_with(stock.error());
+  if (const auto error = add_roomy_tools(clearance_mm, arguments_, *job_, *stock)) return fail_with(*error);
   stock_ = std::move(*stock);
   return std::nullopt;
 }
 
 CheckResult JobPipeline::check() {
   CheckSetup checked = setup();
-  if (stock_) checked.stock = &*stock_->setup;
+  checked.stock = stock();
+  return check_with(std::move(checked));
+}
+
+CheckResult JobPipeline::check_without_stock() { return check_with(setup()); }
+
+CheckResult JobPipeline::check_with(CheckSetup checked) {
   if (context_.checkpoints_of) checked.kept = context_.checkpoints_of(job_->inputs);
   return gouge::check(job_->toolpath, checked, progress_.call());
 }

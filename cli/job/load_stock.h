@@ -12,7 +12,7 @@ namespace gouge {
 /// The stock of a job with the meshes and tools to which it refers.
 struct LoadedStock {
   std::deque<IndexedMesh> meshes;
-  std::deque<ToolVariants> tools;
+  std::deque<ToolVariants> tools, roomy_tools;
   std::optional<StockSetup> setup;
 
   LoadedStock() = default;
@@ -27,5 +27,10 @@ struct LoadedStock {
 /// nothing.
 /// Errors: those of the file; a stock without an inside; a tool that cannot be made; a tolerance of the control.
 [[nodiscard]] Result<LoadedStock> load_stock(const JobArguments& arguments, Job& job);
+
+/// Adds tools with which rapids keep a clearance from stock (StockSetup::roomy). A clearance of 0 adds none.
+/// Errors: a tool that cannot be made.
+[[nodiscard]] std::optional<Diagnostic> add_roomy_tools(double clearance_mm, const JobArguments& arguments,
+                                                        const Job& job, LoadedStock& stock);
 
 }  // namespace gouge

@@ -78,13 +78,7 @@ class Settling {
     verdict.state = MoveState::gouge;
     verdict.depth_mm = finding.witness->depth_mm;
     verdict.depth_upper_mm = finding.depth_upper_mm;
-    Witness witness;
-    witness.t = finding.witness->t;
-    witness.point = finding.witness->point;
-    witness.normal = way_out(body, history_.motion_of(finding.move).at(witness.t), witness.point);
-    witness.body = finding.body;
-    witness.against = Against::stock;
-    verdict.witness = witness;
+    verdict.witness = stock_witness(*finding.witness, finding.body, body, history_.motion_of(finding.move));
     verdict.reason = {Reason::Kind::stock_met, finding.body, 0, evidence(finding)};
     return verdict;
   }
@@ -107,10 +101,25 @@ class Settling {
 
 }  // namespace
 
-void settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& result, const ProgressCall& progress) {
+Witness stock_witness(const StockWitness& found, Body of, const CompiledTool& body, const Motion& motion) {
+  Witness witness;
+  witness.t = found.t;
+  witness.point = found.point;
+  witness.normal = way_out(body, motion.at(found.t), found.point);
+  witness.body = of;
+  witness.against = Against::stock;
+  return witness;
+}
+
+CutHistory cuts_of(const Toolpath& path, const CheckSetup& setup) {
+  return {path, setup.options.law, setup.stock->tools, setup.stock->options};
+}
+
+StockResult settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& result,
+                         const ProgressCall& progress) {
   const StockSetup& stock = *setup.stock;
-  const CutHistory history(path, setup.options.law, stock.tools, stock.options);
-  const StockResult found = check_stock(history, stock.solid, stock.options, setup.options.threads, progress);
+  const CutHistory history = cuts_of(path, setup);
+  StockResult found = check_stock(history, stock.solid, stock.options, setup.options.threads, progress);
   result.stock = StockFacts{stock.options.tolerance_mm, stock.options.resolution_mm, 0, found.proved, {}};
   Settling settling(path, history, result);
   for (const StockFinding& finding : found.findings) settling.enter(finding);
@@ -121,6 +130,7 @@ void settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& re
       settling.leave_open(i);
     }
   }
+  return found;
 }
 
 }  // namespace gouge

@@ -27,6 +27,13 @@ constexpr const char* kCycleStep =
     "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of "
     "the holes";
 constexpr const char* kRound = "an arc or curve that no change of its positions frees";
+constexpr const char* kNoWayOverStock =
+    "no clear way over the remaining stock was found: the way up from its start or down to its end is blocked";
+constexpr const char* kShankInStock =
+    "remaining stock is in the way of shank or holder, and no lift within the largest shift frees them; it takes a "
+    "longer tool, or a cut before that removes the stock";
+constexpr const char* kEndsInStock =
+    "the rapid ends in remaining stock and a cut begins there; only a feed may lead into material";
 constexpr const char* kUncertain = "the check cannot tell whether it is clean, so neither can a correction";
 
 bool is_straight(const Move& move) { return move.kind == MoveKind::feed || move.kind == MoveKind::rapid; }
@@ -51,6 +58,7 @@ std::string out_of_budget(std::uint64_t budget) {
 std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
   if (verdict.state == MoveState::buried) return verdict.reason.body == Body::head ? kHeadBuried : kToolBuried;
   if (verdict.state == MoveState::not_certified) return kUncertain;
+  if (verdict.is_in_stock()) return move.kind == MoveKind::rapid ? kNoWayOverStock : kShankInStock;
   if (move.kind == MoveKind::cycle) return kCycleStep;
   if (!is_straight(move)) return kRound;
   const bool is_head = verdict.witness && verdict.witness->body == Body::head;
@@ -59,13 +67,14 @@ std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
 
 PathCorrector::PathCorrector(const Toolpath& path, const CheckResult& result,
                              const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
-                             const CorrectOptions& correct)
+                             const CorrectOptions& correct, const std::vector<std::size_t>* origin)
     : path_(path),
       result_(result),
       tools_(tools),
       checker_(checker),
       options_(checker.options()),
       correct_(correct),
+      origin_(origin),
       step_budget_(step_budget(result)) {
   limits_.aim = {aim_of(options_.tolerance_mm), -kAir_mm, -kAir_mm};
   limits_.largest_shift_mm = correct.max_shift_mm;
@@ -136,9 +145,10 @@ void PathCorrector::choose_positions() {
   }
 }
 
-/// Returns the strategy for the body with which a move gouges.
+/// Returns the strategy for the body with which a move gouges. The tool leaves stock only along its axis.
 Strategy PathCorrector::strategy_of(std::size_t i) const {
   const MoveVerdict& verdict = result_.verdicts[i];
+  if (verdict.is_in_stock()) return Strategy::axis;
   return correct_.strategies[verdict.witness ? verdict.witness->body : Body::cutter];
 }
 
@@ -152,13 +162,28 @@ Strategy PathCorrector::strategy_at(std::size_t i) const {
   return strategy_of(has_next && depth(i + 1) > depth(i) ? i + 1 : i);
 }
 
+/// Returns the checker with the stock that is left before a move.
+MotionChecker PathCorrector::checker_of(std::size_t i) const {
+  return checker_.for_move(origin_of(i), path_.moves[i].kind == MoveKind::rapid || !path_.moves[i].has_start);
+}
+
+/// Returns whether the tool is in stock at the end of a move, after the programmed cut of that move.
+bool PathCorrector::is_end_in_stock(std::size_t i) const {
+  const bool is_whole = path_.moves[i].kind == MoveKind::rapid || !path_.moves[i].has_start;
+  return checker_.after_move(origin_of(i), is_whole).stock_excess(path_.moves[i].end) > 0;
+}
+
+bool PathCorrector::is_followed_by_cut(std::size_t i) const {
+  return i + 1 < path_.moves.size() && path_.moves[i + 1].has_start && path_.moves[i + 1].kind != MoveKind::rapid;
+}
+
 void PathCorrector::correct_position(std::size_t i) {
   PositionWork& work = positions_[i];
   work.is_worked = true;
   const Move& move = path_.moves[i];
   if (move.tool == kNone || tools_[move.tool] == nullptr) return;
   const ToolVariants& tool = *tools_[move.tool];
-  work.depth_before_mm = depth_at(move.end, move.kind, tool);
+  work.depth_before_mm = depth_at(move.end, i);
   // A position within the tolerance is left alone, even if it is deeper than the aim of a correction.
   const double within = kMotionAimShare * options_.tolerance_mm;
   const CorrectionAim allowed{within, within, 0};
@@ -166,14 +191,23 @@ void PathCorrector::correct_position(std::size_t i) {
   PoseLimits now = usual;
   now.aim = allowed;
   const bool is_head_in = head_excess(move.end, checker_, now) > 0;
-  if (!is_head_in && largest_excess(move.end, tool, checker_.scene(), allowed, options_.resolution_mm / 4) <= 0) return;
+  const bool is_in_mesh =
+      is_head_in || largest_excess(move.end, tool, checker_.scene(), allowed, options_.resolution_mm / 4) > 0;
+  const bool is_in_stock = is_end_in_stock(i);
+  if (!is_in_mesh && !is_in_stock) return;
   work.failure = reason_to_leave(i);
   if (!work.failure.empty()) return;
+  const bool is_plunge = is_in_stock && move.kind == MoveKind::rapid && is_followed_by_cut(i);
+  if (is_plunge && !is_in_mesh) {
+    work.failure = kEndsInStock;
+    return;
+  }
   WorkBudget budget(step_budget_);
-  const MotionChecker checker = checker_.within(budget);
+  const MotionChecker checker = (is_plunge ? checker_ : checker_of(i)).within(budget);
   const auto freed = [&](const PoseLimits& limits) {
-    return free_pose(strategy_at(i), move.end, work.depth_before_mm, move.kind, tool, checker, limits,
-                     correct_.max_side_shift_mm);
+    const bool keeps_room = move.kind == MoveKind::rapid && limits.aim.workpiece_mm < usual.aim.workpiece_mm;
+    return free_pose(strategy_at(i), move.end, work.depth_before_mm, move.kind, tool,
+                     keeps_room ? checker.keeping_room() : checker, limits, correct_.max_side_shift_mm);
   };
   FreedPose found;
   if (move.kind == MoveKind::rapid) {
@@ -186,11 +220,11 @@ void PathCorrector::correct_position(std::size_t i) {
     work.failure = budget.is_spent() ? out_of_budget(step_budget_) : found.reason;
     return;
   }
-  work.depth_after_mm = depth_at(work.corrected->pose, move.kind, tool);
+  work.depth_after_mm = depth_at(work.corrected->pose, i);
 }
 
-double PathCorrector::depth_at(const Pose& pose, MoveKind kind, const ToolVariants& tool) const {
-  return checker_.measure(pose, kind, tool).depth_mm;
+double PathCorrector::depth_at(const Pose& pose, std::size_t i) const {
+  return checker_of(i).measure(pose, path_.moves[i].kind, *tools_[path_.moves[i].tool]).depth_mm;
 }
 
 bool PathCorrector::has_new_end(std::size_t i) const {
@@ -258,12 +292,11 @@ void PathCorrector::link_move(std::size_t i) {
   const bool can_change = move.has_start && is_straight(move) && move.not_checked_reason.empty() && !work.is_kept;
   if (can_change && !has_bad_end) {
     WorkBudget budget(step_budget_);
-    const MotionChecker checker = checker_.within(budget);
-    LinkTask task = task_of(i);
-    task.checker = &checker;
-    const Motion programmed = options_.law.between(path_.start_of(i), move.end, move.kind);
-    if (move.kind == MoveKind::feed && programmed.is_defined()) task.programmed = &programmed;
-    if (auto waypoints = link(start_of(i), end_of(i), task)) {
+    auto waypoints = link_with(i, checker_of(i).within(budget));
+    // Another gouge shall not stay because stock is in the way. The check of the written path decides about the stock.
+    if (!waypoints && checker_of(i).has_stock() && !result_.verdicts[i].is_in_stock())
+      waypoints = link_with(i, checker_.within(budget));
+    if (waypoints) {
       work.inserted = std::move(*waypoints);
       return;
     }
@@ -273,6 +306,15 @@ void PathCorrector::link_move(std::size_t i) {
   if (!has_new_end(i) || is_free(i)) return;
   work.inserted = programmed_again(i);
   work.is_refused = work.inserted.empty();
+}
+
+std::optional<std::vector<LinkPose>> PathCorrector::link_with(std::size_t i, const MotionChecker& checker) const {
+  LinkTask task = task_of(i);
+  task.checker = &checker;
+  const Move& move = path_.moves[i];
+  const Motion programmed = options_.law.between(path_.start_of(i), move.end, move.kind);
+  if (move.kind == MoveKind::feed && programmed.is_defined()) task.programmed = &programmed;
+  return link(start_of(i), end_of(i), task);
 }
 
 /// Returns positions with which a still gouging move runs as it was programmed. It leads from its new start to the old
@@ -319,7 +361,8 @@ bool PathCorrector::is_free(std::size_t i) const {
   const Motion motion =
       move.has_start ? options_.law.between(start_of(i), end_of(i), move.kind) : options_.law.at(end_of(i));
   if (!motion.is_defined()) return false;
-  const MoveVerdict after = checker_.check(motion, move.kind, *tools_[move.tool], options_);
+  const MotionChecker checker = move.kind == MoveKind::rapid ? checker_of(i) : checker_;
+  const MoveVerdict after = checker.check(motion, move.kind, *tools_[move.tool], options_);
   return after.state != MoveState::gouge && is_no_worse_than(verdict_before(i), after, options_.resolution_mm);
 }
 
@@ -362,7 +405,7 @@ Correction PathCorrector::gather() const {
 
 void PathCorrector::gather_records(std::size_t i, Correction& correction) const {
   for (const LinkPose& stop : moves_[i].inserted) {
-    const double after = depth_at(stop.corrected.pose, path_.moves[i].kind, *tools_[path_.moves[i].tool]);
+    const double after = depth_at(stop.corrected.pose, i);
     correction.records.push_back({i, stop.corrected.strategy, true, stop.corrected.pose.tip - stop.before.tip,
                                   stop.depth_before_mm, after, stop.corrected.iterations, 0, stop.corrected.pose});
   }
