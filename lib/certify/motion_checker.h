@@ -99,8 +99,8 @@ class MotionChecker {
 
   const PreparedScene& scene_;
   const CheckOptions& options_;
-  std::shared_ptr<const HeadChecker> heads_;  // null: there are no heads
-  WorkBudget* budget_ = nullptr;              // null: the work is limited only by the options
+  std::shared_ptr<const HeadChecker> heads_;   // null: there are no heads
+  WorkBudget* budget_ = nullptr;               // null: the work is limited only by the options
   std::shared_ptr<const StockAtMoves> stock_;  // null: there is no stock
   StockPlace place_;                           // no tool: stock is not examined
 };

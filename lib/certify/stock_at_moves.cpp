@@ -12,10 +12,10 @@ namespace gouge {
 
 namespace {
 
-constexpr double kAimShare = 0.8;                // share of the tolerance, as in the other searches of a correction
-constexpr std::uint64_t kBudget = 20'000;        // pieces for a motion: a search tries many
-constexpr double kBlindStep_mm = 0.5;            // step where it is not known how deep the stock is
-constexpr double kMargin_mm = 1e-3;              // beyond the highest stock
+constexpr double kAimShare = 0.8;         // share of the tolerance, as in the other searches of a correction
+constexpr std::uint64_t kBudget = 4'000;  // pieces for a motion: a search tries many
+constexpr double kBlindStep_mm = 0.5;     // step where it is not known how deep the stock is
+constexpr double kMargin_mm = 1e-3;       // beyond the highest stock
 
 }  // namespace
 

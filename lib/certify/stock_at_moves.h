@@ -14,10 +14,10 @@ struct CheckSetup;
 
 /// The place of a question about stock: the tool, and the cuts that were made before.
 struct StockPlace {
-  std::size_t tool = kNone;    ///< index into Toolpath::tools
-  std::size_t before = 0;      ///< only moves before this one, of the path with the cuts, removed material
-  bool is_whole = false;       ///< the cutter must not meet stock either
-  bool keeps_room = false;     ///< the whole tool must keep a distance (StockSetup::roomy_mm)
+  std::size_t tool = kNone;  ///< index into Toolpath::tools
+  std::size_t before = 0;    ///< only moves before this one, of the path with the cuts, removed material
+  bool is_whole = false;     ///< the cutter must not meet stock either
+  bool keeps_room = false;   ///< the whole tool must keep a distance (StockSetup::roomy_mm)
 };
 
 /// The material that is left before each move of a path, for searches that try other motions in place of a move.

@@ -18,7 +18,7 @@ namespace {
 constexpr int kRounds = 6;       // number of rounds that take back worse changes, before all changes are taken back
 constexpr int kStockRounds = 4;  // number of searches anew because changes left other stock
 constexpr const char* kLeftForLaws = "a change here would make a move of the written file worse";
-constexpr const char* kLeavesStock = "a change here would leave stock that a later move meets";
+constexpr const char* kLeavesStock = "a change here would bring a move of the written file into remaining stock";
 constexpr const char* kUnwritable = "the file's records do not allow this change: ";
 
 /// Returns the changed moves of a line, if the error names only the line and not the change that cannot be written.

@@ -20,6 +20,10 @@ constexpr int kHalvings = 6;
 
 Pose retracted(const Pose& pose, double lift) { return {pose.tip + lift * pose.axis, pose.axis}; }
 
+bool is_same_place(const Pose& a, const Pose& b) {
+  return (a.tip - b.tip).norm() <= Tolerance::kFilePoint_mm && (a.axis - b.axis).norm() <= Tolerance::kFileAxis;
+}
+
 }  // namespace
 
 LinkPose link_stop(const Pose& before, const Pose& after, double lift_mm, double depth_mm) {
@@ -107,17 +111,18 @@ std::vector<double> LinkFinder::lifts_of_way(const Pose& from, const Pose& to) c
 std::optional<LinkNodes> LinkFinder::over(const LinkNode& from, const LinkNode& to, double clearance_mm) {
   const bool is_rapid = task_.kind == MoveKind::rapid, has_stock = task_.checker->has_stock();
   const auto [rise_from, rise_to] = lifts_to_level(from.pose(), to.pose());
-  bool is_blocked = false;  // a way up or down is blocked
   const auto is_free = [&, rise_from = rise_from, rise_to = rise_to](double lift) {
     const Pose up = retracted(from.pose(), rise_from + lift), down = retracted(to.pose(), rise_to + lift);
-    is_blocked = !is_clean(from.pose(), up) || !is_clean(down, to.pose());
-    return !is_blocked && is_clean(up, down, clearance_mm);
+    is_blocked_ = !is_clean(from.pose(), up) || !is_clean(down, to.pose());
+    return !is_blocked_ && is_clean(up, down, clearance_mm);
   };
   const auto way = [&, rise_from = rise_from, rise_to = rise_to](double lift) {
     const double depth = check(motion_between(from.pose(), to.pose())).depth_mm;
     LinkNodes nodes;
     for (const auto& [node, rise] : {std::pair(&from, rise_from + lift), std::pair(&to, rise_to + lift)}) {
-      if (rise > 0) nodes.push_back({link_stop(node->pose(), retracted(node->pose(), rise), rise, depth), node->t});
+      const Pose stop = retracted(node->pose(), rise);
+      if (rise > 0 && !is_same_place(stop, to.pose()))
+        nodes.push_back({link_stop(node->pose(), stop, rise, depth), node->t});
     }
     return nodes;
   };
@@ -133,7 +138,7 @@ std::optional<LinkNodes> LinkFinder::over(const LinkNode& from, const LinkNode& 
       return way(high);
     }
     // An obstacle to a straight lift is also an obstacle to every longer lift.
-    if (is_blocked && (!is_rapid || has_stock)) return std::nullopt;
+    if (is_blocked_ && (!is_rapid || has_stock)) return std::nullopt;
   }
   for (std::size_t k = 0; is_rapid && k + 1 < lifts.size(); ++k) {
     const double between = has_stock ? 0.5 * (lifts[k] + lifts[k + 1]) : std::sqrt(lifts[k] * lifts[k + 1]);
@@ -172,8 +177,7 @@ bool LinkFinder::is_between(const Pose& from, const Pose& to, const Pose& pose) 
   const Vec3 along = to.tip - from.tip;
   if (!motion.is_defined() || along.squaredNorm() <= 0) return false;
   const Pose there = motion.at(std::clamp((pose.tip - from.tip).dot(along) / along.squaredNorm(), 0.0, 1.0));
-  return (there.tip - pose.tip).norm() <= Tolerance::kFilePoint_mm &&
-         (there.axis - pose.axis).norm() <= Tolerance::kFileAxis;
+  return is_same_place(there, pose);
 }
 
 Motion LinkFinder::motion_between(const Pose& from, const Pose& to) const {
@@ -208,6 +212,8 @@ std::optional<LinkNodes> LinkFinder::find_rapid(const LinkNode& u, const LinkNod
   if (is_straight_clean && task_.is_free_as_programmed) return LinkNodes{};
   if (clearance > 0) {
     if (auto waypoints = over(u, v, clearance)) return waypoints;
+    // No way leads out of stock in which the tool is at an end.
+    if (is_blocked_ && task_.checker->has_stock()) return std::nullopt;
     if (auto waypoints = round(u, v, clearance)) return waypoints;
   }
   if (is_straight_clean) return LinkNodes{};

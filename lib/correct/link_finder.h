@@ -76,6 +76,7 @@ class LinkFinder {
                                      // leaves
   std::size_t count_ = 0;            // number of positions found since the last start
   double air_mm_ = 0;                // the current clearance
+  bool is_blocked_ = false;          // the way up or down of the last lift is blocked
 };
 
 /// Returns a waypoint at `after` for a motion that was at `before`; `lift_mm` is the distance between them.

@@ -16,28 +16,9 @@ constexpr std::size_t kPositionsPerChunk = 4;
 // the job. If there are few gouges, each may take as long as many of them together.
 constexpr std::uint64_t kJobBudget = 3'000'000, kMinStepBudget = 300'000;
 
-constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
-constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
-constexpr const char* kNoWayBetween = "no clean path was found between its positions within the largest shift";
-constexpr const char* kHeadBetween =
-    "the head is in the way between its positions: no clean path was found within the largest shift; it takes another "
-    "tilt or a longer tool";
 constexpr const char* kWorse = "a change here would make a neighbouring move worse";
-constexpr const char* kCycleStep =
-    "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of "
-    "the holes";
-constexpr const char* kRound = "an arc or curve that no change of its positions frees";
-constexpr const char* kNoWayOverStock =
-    "no clear way over the remaining stock was found: the way up from its start or down to its end is blocked";
-constexpr const char* kShankInStock =
-    "remaining stock is in the way of shank or holder, and no lift within the largest shift frees them; it takes a "
-    "longer tool, or a cut before that removes the stock";
 constexpr const char* kEndsInStock =
-    "the rapid ends in remaining stock and a cut begins there; only a feed may lead into material";
-constexpr const char* kUncertain = "the check cannot tell whether it is clean, so neither can a correction";
-
-bool is_straight(const Move& move) { return move.kind == MoveKind::feed || move.kind == MoveKind::rapid; }
-
+    "the rapid leads into remaining stock, and a cut begins there; only a feed may lead into material";
 /// Returns the permitted depth of the cutter in the part after a correction.
 double aim_of(double tolerance_mm) { return tolerance_mm > 2 * kAir_mm ? kPositionAimShare * tolerance_mm : -kAir_mm; }
 
@@ -48,22 +29,7 @@ std::uint64_t step_budget(const CheckResult& result) {
   return std::max(kMinStepBudget, kJobBudget / std::max<std::uint64_t>(1, gouges));
 }
 
-std::string out_of_budget(std::uint64_t budget) {
-  return "not corrected: the budget of " + std::to_string(budget) +
-         " bounds for this step was spent; a larger tolerance or resolution needs fewer";
-}
-
 }  // namespace
-
-std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
-  if (verdict.state == MoveState::buried) return verdict.reason.body == Body::head ? kHeadBuried : kToolBuried;
-  if (verdict.state == MoveState::not_certified) return kUncertain;
-  if (verdict.is_in_stock()) return move.kind == MoveKind::rapid ? kNoWayOverStock : kShankInStock;
-  if (move.kind == MoveKind::cycle) return kCycleStep;
-  if (!is_straight(move)) return kRound;
-  const bool is_head = verdict.witness && verdict.witness->body == Body::head;
-  return is_head ? kHeadBetween : kNoWayBetween;
-}
 
 PathCorrector::PathCorrector(const Toolpath& path, const CheckResult& result,
                              const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
@@ -173,8 +139,13 @@ bool PathCorrector::is_end_in_stock(std::size_t i) const {
   return checker_.after_move(origin_of(i), is_whole).stock_excess(path_.moves[i].end) > 0;
 }
 
-bool PathCorrector::is_followed_by_cut(std::size_t i) const {
-  return i + 1 < path_.moves.size() && path_.moves[i + 1].has_start && path_.moves[i + 1].kind != MoveKind::rapid;
+/// Returns whether a cut begins in the stock in which a rapid ends, at that place or after more rapids in it.
+bool PathCorrector::is_plunge(std::size_t i) const {
+  while (path_.moves[i].kind == MoveKind::rapid && is_end_in_stock(i)) {
+    if (++i == path_.moves.size() || !path_.moves[i].has_start) return false;
+    if (path_.moves[i].kind != MoveKind::rapid) return true;
+  }
+  return false;
 }
 
 void PathCorrector::correct_position(std::size_t i) {
@@ -197,13 +168,13 @@ void PathCorrector::correct_position(std::size_t i) {
   if (!is_in_mesh && !is_in_stock) return;
   work.failure = reason_to_leave(i);
   if (!work.failure.empty()) return;
-  const bool is_plunge = is_in_stock && move.kind == MoveKind::rapid && is_followed_by_cut(i);
-  if (is_plunge && !is_in_mesh) {
+  const bool is_into_stock = is_in_stock && is_plunge(i);
+  if (is_into_stock && !is_in_mesh) {
     work.failure = kEndsInStock;
     return;
   }
   WorkBudget budget(step_budget_);
-  const MotionChecker checker = (is_plunge ? checker_ : checker_of(i)).within(budget);
+  const MotionChecker checker = (is_into_stock ? checker_ : checker_of(i)).within(budget);
   const auto freed = [&](const PoseLimits& limits) {
     const bool keeps_room = move.kind == MoveKind::rapid && limits.aim.workpiece_mm < usual.aim.workpiece_mm;
     return free_pose(strategy_at(i), move.end, work.depth_before_mm, move.kind, tool,
@@ -217,7 +188,7 @@ void PathCorrector::correct_position(std::size_t i) {
   if (!found.corrected) found = freed(usual);
   work.corrected = found.corrected;
   if (!work.corrected) {
-    work.failure = budget.is_spent() ? out_of_budget(step_budget_) : found.reason;
+    work.failure = budget.is_spent() ? out_of_budget() : found.reason;
     return;
   }
   work.depth_after_mm = depth_at(work.corrected->pose, i);
@@ -387,51 +358,6 @@ void PathCorrector::work(std::string_view stage, const std::vector<std::size_t>&
                  [&](std::size_t first, std::size_t last) {
                    for (std::size_t k = first; k < last; ++k) what(wanted[k]);
                  });
-}
-
-Correction PathCorrector::gather() const {
-  Correction correction;
-  for (std::size_t i = 0; i < path_.moves.size(); ++i) {
-    gather_records(i, correction);
-    PathChange change;
-    change.move = i;
-    if (positions_[i].corrected) change.new_end = positions_[i].corrected->pose;
-    for (const LinkPose& stop : moves_[i].inserted) change.inserted_before.push_back(stop.corrected.pose);
-    if (change.new_end || !change.inserted_before.empty()) correction.changes.push_back(change);
-    gather_failure(i, correction);
-  }
-  return correction;
-}
-
-void PathCorrector::gather_records(std::size_t i, Correction& correction) const {
-  for (const LinkPose& stop : moves_[i].inserted) {
-    const double after = depth_at(stop.corrected.pose, i);
-    correction.records.push_back({i, stop.corrected.strategy, true, stop.corrected.pose.tip - stop.before.tip,
-                                  stop.depth_before_mm, after, stop.corrected.iterations, 0, stop.corrected.pose});
-  }
-  const PositionWork& p = positions_[i];
-  if (!p.corrected) return;
-  correction.records.push_back({i, p.corrected->strategy, false, p.corrected->pose.tip - path_.moves[i].end.tip,
-                                p.depth_before_mm, p.depth_after_mm, p.corrected->iterations, 0, p.corrected->pose});
-}
-
-void PathCorrector::gather_failure(std::size_t i, Correction& correction) const {
-  const MoveVerdict& verdict = result_.verdicts[i];
-  const MoveWork& work = moves_[i];
-  const bool is_left = verdict.state == MoveState::buried || verdict.state == MoveState::gouge;
-  if (!is_left || (work.is_wanted && !work.is_failed)) return;
-  // A single position that was corrected does not gouge any more.
-  if (!path_.moves[i].has_start && positions_[i].corrected) return;
-  std::string reason = usual_reason(path_.moves[i], verdict);
-  const bool is_gouge = verdict.state == MoveState::gouge;
-  if (is_gouge && work.is_out_of_budget) reason = out_of_budget(step_budget_);
-  if (is_gouge && is_straight(path_.moves[i]) && !work.kept_reason.empty()) reason = work.kept_reason;
-  if (is_gouge && !positions_[i].failure.empty() && path_.moves[i].kind != MoveKind::cycle) {
-    reason = positions_[i].failure;
-  } else if (is_gouge && is_chained(i) && !positions_[i - 1].failure.empty() && is_straight(path_.moves[i])) {
-    reason = "it begins at a position that stays: " + positions_[i - 1].failure;
-  }
-  correction.uncorrected.push_back({.move = i, .depth_mm = is_gouge ? verdict.depth_mm : 0, .reason = reason});
 }
 
 }  // namespace gouge

@@ -46,7 +46,7 @@ class PathCorrector {
   [[nodiscard]] std::size_t origin_of(std::size_t i) const { return origin_ != nullptr ? (*origin_)[i] : i; }
   [[nodiscard]] MotionChecker checker_of(std::size_t i) const;
   [[nodiscard]] bool is_end_in_stock(std::size_t i) const;
-  [[nodiscard]] bool is_followed_by_cut(std::size_t i) const;
+  [[nodiscard]] bool is_plunge(std::size_t i) const;
   [[nodiscard]] std::optional<std::vector<LinkPose>> link_with(std::size_t i, const MotionChecker& checker) const;
   void keep_position(std::size_t i, const std::string& reason);
   void mark_moves_at(std::size_t i);
@@ -70,6 +70,8 @@ class PathCorrector {
   [[nodiscard]] double depth_at(const Pose& pose, std::size_t i) const;
   void work(std::string_view stage, const std::vector<std::size_t>& wanted, const ProgressCall& progress,
             const std::function<void(std::size_t)>& what);
+  [[nodiscard]] std::string out_of_budget() const;
+  // gather_correction.cpp
   [[nodiscard]] Correction gather() const;
   void gather_records(std::size_t i, Correction& correction) const;
   void gather_failure(std::size_t i, Correction& correction) const;
@@ -86,6 +88,11 @@ class PathCorrector {
   std::vector<PositionWork> positions_;
   std::vector<MoveWork> moves_;
 };
+
+/// Returns whether a move is a single straight motion.
+[[nodiscard]] inline bool is_straight(const Move& move) {
+  return move.kind == MoveKind::feed || move.kind == MoveKind::rapid;
+}
 
 /// Returns the usual reason why a gouge, a buried or an uncertain move of this kind stays, if no other reason is known.
 [[nodiscard]] std::string usual_reason(const Move& move, const MoveVerdict& verdict);

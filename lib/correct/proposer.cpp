@@ -52,9 +52,9 @@ void Proposer::rework() {
   if (!plan_.runs.empty()) tilted_ = tilt_path(path_, result_, straight_, plan_, tools_, checker_);
   plan_trimming();
   const ReworkedPath* const base = last();
-  corrector_ = std::make_unique<PathCorrector>(base != nullptr ? base->path : path_,
-                                               base != nullptr ? base->result : result_, tools_, checker_, correct_,
-                                               base != nullptr ? &base->origin : nullptr);
+  corrector_ =
+      std::make_unique<PathCorrector>(base != nullptr ? base->path : path_, base != nullptr ? base->result : result_,
+                                      tools_, checker_, correct_, base != nullptr ? &base->origin : nullptr);
   for (const auto& [move, reason] : kept_) keep_pieces(move, reason);
   for (const Untrimmed& failed : trims_.failed) {
     for (std::size_t i = failed.first; i <= failed.last; ++i)

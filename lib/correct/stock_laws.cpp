@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "lib/correct/plan_holes.h"
+
 namespace gouge {
 
 namespace {
@@ -18,9 +20,15 @@ bool is_clear(const StockResult& result, std::size_t move) {
   return result.is_examined[move] && finding_of(result, move) == nullptr;
 }
 
-/// Returns whether a change belongs to a move, or moves its start.
-bool touches(const PathChange& change, std::size_t move) {
-  return change.move == move || (change.move + 1 == move && (change.new_end || change.hole_shift_mm));
+/// The moves [first, last) that a change rewrites, or whose start it moves.
+struct Touched {
+  std::size_t first = 0, last = 0;
+};
+
+Touched touched_by(const PathChange& change, const Toolpath& path) {
+  const std::size_t last = change.hole_shift_mm ? end_of_hole(path, change.move) : change.move + 1;
+  const bool moves_start = change.new_end || change.hole_shift_mm;
+  return {change.move, std::min(last + (moves_start ? 1 : 0), path.moves.size())};
 }
 
 }  // namespace
@@ -45,9 +53,14 @@ StockLaws::Examined StockLaws::examine(const Correction& correction, const Check
   const StockResult found = settle_stock(*after.path, setup_, examined.result, progress);
   summarise(*after.path, examined.result);
   const std::vector<MovesAfter> spans = moves_after(path_.moves.size(), correction.changes);
-  std::vector<bool> has_failed(path_.moves.size(), false);
+  std::vector<bool> has_failed(path_.moves.size(), false), is_touched(path_.moves.size(), false);
+  for (const PathChange& change : correction.changes) {
+    const Touched touched = touched_by(change, path_);
+    for (std::size_t i = touched.first; i < touched.last; ++i) is_touched[i] = true;
+  }
   for (const Uncorrected& left : correction.uncorrected) has_failed[left.move] = true;
   for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+    const bool is_new_rapid = path_.moves[i].kind == MoveKind::rapid && is_touched[i];
     for (std::size_t k = spans[i].first; k < spans[i].last; ++k) {
       const MoveVerdict& verdict = examined.result.verdicts[k];
       const bool is_sought = !examined.sought.empty() && examined.sought.back() == i;
@@ -55,7 +68,7 @@ StockLaws::Examined StockLaws::examine(const Correction& correction, const Check
         examined.sought.push_back(i);
         examined.found.push_back(verdict);
       }
-      if (is_no_worse(i, found, k)) continue;
+      if (is_no_worse(i, found, k, is_new_rapid)) continue;
       const std::vector<std::size_t> blamed = blame(i, correction.changes, finding_of(found, k));
       examined.blamed.insert(examined.blamed.end(), blamed.begin(), blamed.end());
     }
@@ -66,13 +79,14 @@ StockLaws::Examined StockLaws::examine(const Correction& correction, const Check
   return examined;
 }
 
-bool StockLaws::is_no_worse(std::size_t move, const StockResult& after, std::size_t piece) const {
+bool StockLaws::is_no_worse(std::size_t move, const StockResult& after, std::size_t piece, bool is_new_rapid) const {
   if (is_clear(after, piece)) return true;
   if (is_clear(found_, move)) return false;
   const StockFinding* const was = finding_of(found_, move);
-  if (was == nullptr || !was->witness) return true;
   const StockFinding* const is = finding_of(after, piece);
-  if (is == nullptr || !is->witness) return false;
+  const bool meets_stock = is != nullptr && is->witness;
+  if (was == nullptr || !was->witness) return !(is_new_rapid && meets_stock);
+  if (!meets_stock) return false;
   const double gap = depth_gap_mm(was->witness->depth_mm, setup_.stock->options);
   return is->witness->depth_mm <= was->depth_upper_mm && is->depth_upper_mm <= was->depth_upper_mm + gap;
 }
@@ -81,12 +95,12 @@ bool StockLaws::is_no_worse(std::size_t move, const StockResult& after, std::siz
 // removed the material before.
 std::vector<std::size_t> StockLaws::blame(std::size_t move, const std::vector<PathChange>& changes,
                                           const StockFinding* finding) const {
-  if (std::ranges::any_of(changes, [&](const PathChange& change) { return touches(change, move); })) return {move};
   std::vector<std::size_t> blamed;
   for (const PathChange& change : changes) {
-    for (std::size_t i = change.move; i < std::min(change.move + 2, move); ++i) {
-      if (touches(change, i) && (finding == nullptr || !finding->witness || was_cut(i, finding->witness->point)))
-        blamed.push_back(i);
+    const Touched touched = touched_by(change, path_);
+    if (move >= touched.first && move < touched.last) return {move};
+    for (std::size_t i = touched.first; i < std::min(touched.last, move); ++i) {
+      if (finding == nullptr || !finding->witness || was_cut(i, finding->witness->point)) blamed.push_back(i);
     }
   }
   if (blamed.empty()) blamed.push_back(move);
