@@ -121,6 +121,7 @@ const std::vector<OptionKind>& project_options() {
     add_project_options(job_options(), all);
     add_project_options(joint_options(), all);
     add_project_options(stock_options(), all);
+    add_project_options(left_stock_options(), all);
     add_project_options(check_options(), all);
     add_project_options(correct_options(), all);
     return all;

@@ -83,6 +83,7 @@ void add_check_options(CLI::App& command, CheckArguments& check) {
   add_job_options(command, check.job);
   add_baseline_option(command, check.job.baseline_file);
   add_options(command, check.job, stock_options());
+  add_options(command, check.job, left_stock_options());
   add_options(command, check, check_options());
   command.footer(
       "Example:\n"

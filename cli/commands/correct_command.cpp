@@ -87,6 +87,7 @@ CauseRecord cause_of(std::size_t move, const BeforeCorrection& before) {
   cause.body = verdict.witness ? verdict.witness->body : verdict.reason.body;
   if (!verdict.witness) return cause;
   cause.against = verdict.witness->against;
+  if (*cause.against == Against::stock) return cause;
   const SceneFiles& files = before.files;
   cause.mesh = (*cause.against == Against::part ? files.parts : files.fixtures).at(verdict.witness->mesh).name;
   return cause;
@@ -199,7 +200,7 @@ std::optional<Diagnostic> find_wrong_value(const CorrectArguments& arguments) {
   if (const Result<CorrectOptions> correct = understand_correction(arguments); !correct) return correct.error();
   if (const Result<RotaryLimit> limit = understand_rotary_limit(arguments.max_rotary_speed); !limit)
     return limit.error();
-  return std::nullopt;
+  return find_wrong_stock(arguments.job);
 }
 
 int run_correct(const CorrectArguments& arguments, const JobContext& context) {
@@ -208,11 +209,15 @@ int run_correct(const CorrectArguments& arguments, const JobContext& context) {
   if (!options || !correct) return fail(context.err, {!options ? options.error() : correct.error()});
   const Result<RotaryLimit> limit = understand_rotary_limit(arguments.max_rotary_speed);
   if (!limit) return fail(context.err, {limit.error()});
+  if (const auto wrong = find_wrong_stock(arguments.job)) return fail(context.err, {*wrong});
   options->reading.keeps_origins = true;
   JobPipeline run(arguments.job, *options, arguments.output, context);
   if (const auto status = run.load()) return *status;
+  if (!arguments.job.stock.empty()) {
+    if (const auto status = run.load_stock(correct->rapid_clearance_mm)) return *status;
+  }
   const Toolpath& path = run.job().toolpath;
-  const CheckResult before = run.check();
+  const CheckResult before = run.check_without_stock();
   if (const auto misfit = find_misfit(path, before); misfit && !arguments.job.is_forced)
     return run.fail_with(*misfit, kExitGouges);
   const RewritableMoves rewritable = rewritable_moves(path);
@@ -225,11 +230,14 @@ int run_correct(const CorrectArguments& arguments, const JobContext& context) {
     run.progress().begin("reading the corrected path");
     return read_again(run.job(), arguments.reported_output(), text);
   };
+  CheckSetup setup = run.setup();
+  setup.stock = run.stock();
   const Result<LawfulCorrection> corrected =
-      correct_lawfully(path, before, run.setup(), *correct, rewrite, run.progress().call());
+      correct_lawfully(path, before, setup, *correct, rewrite, run.progress().call());
   if (!corrected) return run.fail_with(corrected.error(), kExitInternal);
   run.progress().begin("summing up the result");
-  ReportParts parts = parts_of(arguments, *correct, *limit, *corrected, {path, before, *run.job().files}, text);
+  const CheckResult& known = corrected->before ? *corrected->before : before;
+  ReportParts parts = parts_of(arguments, *correct, *limit, *corrected, {path, known, *run.job().files}, text);
   return run.write(run.report(corrected->after.path, corrected->after.result, std::move(parts)));
 }
 

@@ -35,12 +35,13 @@ std::optional<int> JobPipeline::load() {
   return std::nullopt;
 }
 
-std::optional<int> JobPipeline::load_stock() {
+std::optional<int> JobPipeline::load_stock(double clearance_mm) {
   progress_.begin("preparing the stock");
   Diagnostics errors;
   stock_ = gouge::load_stock(arguments_, *job_, progress_, errors);
   progress_.end();
   if (!stock_) return fail(context_.err, errors);
+  if (const auto error = add_roomy_tools(clearance_mm, arguments_, *job_, *stock_)) return fail_with(*error);
   if (const Outcome excess = load_excess(arguments_, *scene_, *stock_->setup); !excess)
     return fail_with(excess.error());
   return std::nullopt;
@@ -61,7 +62,13 @@ std::optional<int> JobPipeline::make_stock_meshes(ReportParts& parts) {
 
 CheckResult JobPipeline::check() {
   CheckSetup checked = setup();
-  if (stock_) checked.stock = &*stock_->setup;
+  checked.stock = stock();
+  return check_with(std::move(checked));
+}
+
+CheckResult JobPipeline::check_without_stock() { return check_with(setup()); }
+
+CheckResult JobPipeline::check_with(CheckSetup checked) {
   if (context_.checkpoints_of) checked.kept = context_.checkpoints_of(job_->inputs);
   return gouge::check(job_->toolpath, checked, progress_.call());
 }

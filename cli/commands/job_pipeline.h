@@ -26,8 +26,9 @@ class JobPipeline {
   /// errors and returns the exit status; otherwise returns none.
   [[nodiscard]] std::optional<int> load();
 
-  /// Makes the stock, which `check` then examines. Returns the exit status if there is an error.
-  [[nodiscard]] std::optional<int> load_stock();
+  /// Makes the stock, which `check` then examines. Returns the exit status if there is an error. Corrected rapids shall
+  /// keep `clearance_mm` from it.
+  [[nodiscard]] std::optional<int> load_stock(double clearance_mm = 0);
 
   /// Makes the meshes of the remaining stock that the outputs need. Returns the exit status if there is an error.
   /// Requires load_stock.
@@ -35,6 +36,8 @@ class JobPipeline {
 
   /// Checks the path as it was read. This and all functions below require that `load` returned none.
   [[nodiscard]] CheckResult check();
+  /// Does the same without the stock.
+  [[nodiscard]] CheckResult check_without_stock();
 
   /// Builds the report of `result` for `path`, with the accepted findings. Both must outlive the report.
   [[nodiscard]] ReportModel report(const Toolpath& path, const CheckResult& result, ReportParts parts) const;
@@ -50,9 +53,13 @@ class JobPipeline {
   [[nodiscard]] const Job& job() const { return *job_; }
   [[nodiscard]] const PreparedScene& scene() const { return *scene_; }
   [[nodiscard]] CheckSetup setup() const { return job_->setup(*scene_); }
+  /// Returns the stock; null: none was loaded.
+  [[nodiscard]] const StockSetup* stock() const { return stock_ ? &*stock_->setup : nullptr; }
   [[nodiscard]] Progress& progress() { return progress_; }
 
  private:
+  [[nodiscard]] CheckResult check_with(CheckSetup checked);
+
   const JobArguments& arguments_;
   const JobOptions& options_;
   const JobContext& context_;

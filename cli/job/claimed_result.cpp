@@ -116,6 +116,7 @@ class ClaimTaker {
   void take_stock(const Given& given) {
     JobArguments& a = result_.arguments;
     repeat_options(a, stock_options(), given);
+    repeat_options(a, left_stock_options(), given);
     if (a.stock.empty() == record_.stock.has_value()) root_.at("stock").fail("a check of the stock of its options");
     if (names_stock_file(a.stock)) a.stock = stock_file_;
     const auto found = [&](const std::string& name) {

@@ -253,6 +253,7 @@ std::vector<OptionText> options_in_force(const JobArguments& arguments) {
   std::ranges::move(recorded_options(arguments, job_options()), std::back_inserter(options));
   std::ranges::move(recorded_options(arguments.joints, joint_options()), std::back_inserter(options));
   std::ranges::move(recorded_options(arguments, stock_options()), std::back_inserter(options));
+  std::ranges::move(recorded_options(arguments, left_stock_options()), std::back_inserter(options));
   for (const auto& [file, limits] : arguments.part_limits) options.push_back({"part", file + "," + limits});
   for (const auto& [file, limits] : arguments.fixture_limits) options.push_back({"fixture", file + "," + limits});
   return options;

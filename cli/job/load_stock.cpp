@@ -80,4 +80,23 @@ std::optional<LoadedStock> load_stock(const JobArguments& arguments, Job& job, P
   return std::nullopt;
 }
 
+// The tool with the room may be as deep in stock as the tolerance and the resolution, and the stock counts as smaller by the
+// resolution. So the tool is wider by these too.
+std::optional<Diagnostic> add_roomy_tools(double clearance_mm, const JobArguments& arguments, const Job& job,
+                                          LoadedStock& stock) {
+  StockSetup& setup = *stock.setup;
+  if (!(clearance_mm > 0)) return std::nullopt;
+  setup.roomy_mm = clearance_mm + setup.options.tolerance_mm + 2 * setup.options.resolution_mm;
+  for (const std::optional<ToolAssembly>& assembly : job.assemblies) {
+    setup.roomy.push_back(nullptr);
+    if (!assembly) continue;
+    Result<ToolVariants> wide = make_tool_variants(arguments.is_extended_up ? job.without_end(*assembly) : *assembly,
+                                                   setup.roomy_mm, setup.roomy_mm, setup.roomy_mm);
+    if (!wide) return wide.error();
+    stock.roomy_tools.push_back(std::move(*wide));
+    setup.roomy.back() = &stock.roomy_tools.back().against_part;
+  }
+  return std::nullopt;
+}
+
 }  // namespace gouge

@@ -13,7 +13,7 @@ namespace gouge {
 /// The stock of a job with the meshes and tools to which it refers.
 struct LoadedStock {
   std::deque<IndexedMesh> meshes;
-  std::deque<ToolVariants> tools, tools_before;
+  std::deque<ToolVariants> tools, tools_before, roomy_tools;
   std::optional<StockSetup> setup;
 
   LoadedStock() = default;
@@ -30,5 +30,10 @@ struct LoadedStock {
 /// control.
 [[nodiscard]] std::optional<LoadedStock> load_stock(const JobArguments& arguments, Job& job, Progress& progress,
                                                     Diagnostics& errors);
+
+/// Adds tools with which rapids keep a clearance from stock (StockSetup::roomy). A clearance of 0 adds none.
+/// Errors: a tool that cannot be made.
+[[nodiscard]] std::optional<Diagnostic> add_roomy_tools(double clearance_mm, const JobArguments& arguments,
+                                                        const Job& job, LoadedStock& stock);
 
 }  // namespace gouge

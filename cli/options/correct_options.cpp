@@ -288,6 +288,7 @@ const OptionRows<CorrectArguments>& correct_options() {
 
 void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
   add_job_options(command, arguments.job);
+  add_options(command, arguments.job, stock_options());
   add_options(command, arguments, correct_options());
   command.footer(
       "Example:\n"

@@ -128,10 +128,17 @@ const OptionRows<JobArguments>& stock_options() {
                "(default: half the tolerance or half of --excess, at most 0.05)",
        .scope = Scope::project,
        .recorded = Recorded::repeated,
-       .needs = "--stock"},
+       .needs = "--stock"}};
+  return rows;
+}
+
+const OptionRows<JobArguments>& left_stock_options() {
+  using A = JobArguments;
+  static const OptionRows<A> rows = {
       {.name = "--excess",
        .field = &A::excess,
        .type = "LENGTH",
+       .group = "Check",
        .help = "Find where more than this length of material is left on the part after the whole program; such a place "
                "gives exit status 1, and one for which it is open gives 4",
        .scope = Scope::project,

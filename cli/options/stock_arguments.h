@@ -47,8 +47,10 @@ struct BeforeText {
 /// Returns the length of --excess in mm; none: not asked for. Errors as above.
 [[nodiscard]] Result<std::optional<double>> understand_excess(const StockArguments& arguments);
 
-/// Returns the rows of the options; of `check` alone.
+/// Returns the rows of the options of stock.
 [[nodiscard]] const OptionRows<JobArguments>& stock_options();
+/// Returns the rows of the options about material that a path leaves; of `check` alone.
+[[nodiscard]] const OptionRows<JobArguments>& left_stock_options();
 
 /// Finds a wrong value, or an option that excludes --stock, before any input is read. Code: usage.
 [[nodiscard]] std::optional<Diagnostic> find_wrong_stock(const JobArguments& arguments);

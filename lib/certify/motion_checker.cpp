@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lib/base/best_first_search.h"
+#include "lib/base/tolerance.h"
 #include "lib/check/check_move.h"
 #include "lib/head/check_heads.h"
 
@@ -32,6 +33,33 @@ MotionChecker MotionChecker::within(WorkBudget& budget) const {
   limited.budget_ = &budget;
   return limited;
 }
+
+MotionChecker MotionChecker::with_stock(std::shared_ptr<const StockAtMoves> stock) const {
+  MotionChecker checker = *this;
+  checker.stock_ = std::move(stock);
+  return checker;
+}
+
+MotionChecker MotionChecker::at_place(std::size_t move, bool is_whole, bool is_after) const {
+  MotionChecker checker = *this;
+  if (!stock_) return checker;
+  checker.place_ = stock_->place_of(move, is_after);
+  checker.place_.is_whole = is_whole;
+  return checker;
+}
+
+MotionChecker MotionChecker::for_move(std::size_t move, bool is_whole) const { return at_place(move, is_whole, false); }
+MotionChecker MotionChecker::after_move(std::size_t move, bool is_whole) const {
+  return at_place(move, is_whole, true);
+}
+
+MotionChecker MotionChecker::keeping_room() const {
+  MotionChecker checker = *this;
+  checker.place_.keeps_room = true;
+  return checker;
+}
+
+MotionChecker MotionChecker::without_stock() const { return with_stock(nullptr); }
 
 void MotionChecker::charge(std::uint64_t bounds) const {
   if (budget_ != nullptr) budget_->charge(bounds);
@@ -68,6 +96,18 @@ MoveVerdict MotionChecker::check(const Motion& motion, MoveKind kind, const Tool
     verdict.state = MoveState::buried;
     verdict.reason = {Reason::Kind::buried, Body::cutter};
   }
+  return has_stock() ? with_stock_of(motion, kind, options, std::move(verdict)) : verdict;
+}
+
+MoveVerdict MotionChecker::with_stock_of(const Motion& motion, MoveKind kind, const CheckOptions& options,
+                                         MoveVerdict verdict) const {
+  if (verdict.state != MoveState::clean && verdict.state != MoveState::near_miss) return verdict;
+  if (is_out_of_budget()) return uncertain_if_clean(std::move(verdict), budget_->most());
+  StockPlace place = place_;
+  place.is_whole = place.is_whole || kind == MoveKind::rapid;
+  std::uint64_t examined = 0;
+  verdict = stock_->check(motion, place, verdict, options.is_depth_alone, examined);
+  charge(examined);
   return verdict;
 }
 
@@ -94,6 +134,22 @@ double MotionChecker::head_excess(const Pose& pose, double allowed_mm, double ac
   const double excess = heads_->excess_at(pose, options().law, allowed_mm, accuracy_mm, bounds);
   charge(bounds);
   return excess;
+}
+
+double MotionChecker::stock_excess(const Pose& pose) const {
+  if (!has_stock()) return 0;
+  if (is_out_of_budget()) return std::numeric_limits<double>::infinity();
+  std::uint64_t examined = 0;
+  const double excess = stock_->excess_mm(pose, place_, examined);
+  charge(examined);
+  return excess;
+}
+
+double MotionChecker::lift_over_stock_mm(const Pose& from, const Pose& to) const {
+  const double lift = std::max(stock_->lift_over_mm(from, place_), stock_->lift_over_mm(to, place_));
+  const bool is_turning = (from.axis - to.axis).norm() > Tolerance::kExactDirection;
+  // Between two axes the tool may cross the edges of the stock.
+  return is_turning ? lift + 2 * stock_->size_mm() : lift;
 }
 
 Side MotionChecker::side_of(const Pose& pose, const ToolVariants& tool) const {

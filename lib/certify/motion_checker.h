@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "lib/certify/check.h"
+#include "lib/certify/stock_at_moves.h"
 #include "lib/check/scene_sides.h"
 #include "lib/motion/motion.h"
 
@@ -44,6 +45,18 @@ class MotionChecker {
   /// infinity.
   [[nodiscard]] MotionChecker within(WorkBudget& budget) const;
   [[nodiscard]] bool is_out_of_budget() const { return budget_ != nullptr && budget_->is_spent(); }
+  /// Returns the same checker with remaining stock, which is examined only in the places of for_move.
+  [[nodiscard]] MotionChecker with_stock(std::shared_ptr<const StockAtMoves> stock) const;
+  /// Returns the same checker for motions in place of a move, with the material that is left before it. `is_whole`: the
+  /// whole tool must not meet it, not only shank and holder. That holds for every rapid too.
+  [[nodiscard]] MotionChecker for_move(std::size_t move, bool is_whole) const;
+  /// Returns the same checker for a tool at rest after a move.
+  [[nodiscard]] MotionChecker after_move(std::size_t move, bool is_whole) const;
+  /// Returns the same checker for rapids that keep a distance from stock.
+  [[nodiscard]] MotionChecker keeping_room() const;
+  /// Returns the same checker without stock.
+  [[nodiscard]] MotionChecker without_stock() const;
+  [[nodiscard]] bool has_stock() const { return stock_ != nullptr && place_.tool != kNone; }
   /// Charges bounds that a step computes elsewhere to the budget.
   void charge(std::uint64_t bounds) const;
 
@@ -61,6 +74,12 @@ class MotionChecker {
   /// heads.
   [[nodiscard]] double head_excess(const Pose& pose, double allowed_mm, double accuracy_mm) const;
 
+  /// Returns StockAtMoves::excess_mm at the place of for_move; 0 without stock.
+  [[nodiscard]] double stock_excess(const Pose& pose) const;
+  /// Returns the lift along the tool axes that takes the tool above all stock at both poses and between them. Requires
+  /// has_stock().
+  [[nodiscard]] double lift_over_stock_mm(const Pose& from, const Pose& to) const;
+
   /// Returns the side on which the middle of the cutter lies.
   [[nodiscard]] Side side_of(const Pose& pose, const ToolVariants& tool) const;
 
@@ -73,11 +92,17 @@ class MotionChecker {
   /// Runs check_move within the rest of the budget, and charges it to the budget.
   [[nodiscard]] MoveVerdict check_tool(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                                        const CheckOptions& options) const;
+  /// Completes a verdict that part and fixtures leave free.
+  [[nodiscard]] MoveVerdict with_stock_of(const Motion& motion, MoveKind kind, const CheckOptions& options,
+                                          MoveVerdict verdict) const;
+  [[nodiscard]] MotionChecker at_place(std::size_t move, bool is_whole, bool is_after) const;
 
   const PreparedScene& scene_;
   const CheckOptions& options_;
-  std::shared_ptr<const HeadChecker> heads_;  // null: there are no heads
-  WorkBudget* budget_ = nullptr;              // null: the work is limited only by the options
+  std::shared_ptr<const HeadChecker> heads_;   // null: there are no heads
+  WorkBudget* budget_ = nullptr;               // null: the work is limited only by the options
+  std::shared_ptr<const StockAtMoves> stock_;  // null: there is no stock
+  StockPlace place_;                           // no tool: stock is not examined
 };
 
 }  // namespace gouge

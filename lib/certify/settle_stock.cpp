@@ -95,13 +95,7 @@ class Settling {
     verdict.state = MoveState::gouge;
     verdict.depth_mm = finding.witness->depth_mm;
     verdict.depth_upper_mm = finding.depth_upper_mm;
-    Witness witness;
-    witness.t = finding.witness->t;
-    witness.point = finding.witness->point;
-    witness.normal = way_out(body, history_.motion_of(finding.move).at(witness.t), witness.point);
-    witness.body = finding.body;
-    witness.against = Against::stock;
-    verdict.witness = witness;
+    verdict.witness = stock_witness(*finding.witness, finding.body, body, history_.motion_of(finding.move));
     verdict.reason = {Reason::Kind::stock_met, finding.body, 0, evidence(finding)};
     return verdict;
   }
@@ -169,11 +163,22 @@ Assumption assume_stock(const std::string& description, const StockSetup& stock,
   return fact;
 }
 
-void settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& result, const ProgressCall& progress) {
+Witness stock_witness(const StockWitness& found, Body of, const CompiledTool& body, const Motion& motion) {
+  Witness witness;
+  witness.t = found.t;
+  witness.point = found.point;
+  witness.normal = way_out(body, motion.at(found.t), found.point);
+  witness.body = of;
+  witness.against = Against::stock;
+  return witness;
+}
+
+StockResult settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& result,
+                         const ProgressCall& progress) {
   const StockSetup& stock = *setup.stock;
   const StockHistory programs(path, setup.options.law, stock);
   const CutHistory& history = programs.of_path();
-  const StockResult found = check_stock(history, stock.solid, stock.options, setup.options.threads, progress);
+  StockResult found = check_stock(history, stock.solid, stock.options, setup.options.threads, progress);
   result.stock = StockFacts{stock.options.tolerance_mm, stock.options.resolution_mm, 0, found.proved, {}};
   if (stock.excess) result.excess = excess_facts(history, stock, setup, progress);
   Settling settling(path, history, result);
@@ -185,6 +190,7 @@ void settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& re
       settling.leave_open(i);
     }
   }
+  return found;
 }
 
 }  // namespace gouge

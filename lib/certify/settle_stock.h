@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/check/check_result.h"
+#include "lib/stock/check_stock.h"
 #include "lib/stock/cut_history.h"
 #include "lib/stock/part_columns.h"
 #include "lib/stock/stock_solid.h"
@@ -34,6 +35,9 @@ struct StockSetup {
   std::vector<StockTool> tools = {};       ///< one per Toolpath::tools, without offsets
   StockOptions options = {};
   std::optional<ExcessSetup> excess = {};  ///< none: material that is left on the parts is not asked for
+  /// One per tool: the whole tool, wider in all directions, for corrections of rapids. Null or missing: not made.
+  std::vector<const CompiledTool*> roomy = {};
+  double roomy_mm = 0;  ///< by how much these are wider
 };
 
 /// The cuts of a path after those of the programs before it.
@@ -57,6 +61,11 @@ class StockHistory {
 /// a part or a fixture stays. If asked, enters the material that is left on the parts; it changes no verdict of a move.
 ///
 /// Requires a verdict for each move. The events and counts of the result must be computed anew (summarise).
-void settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& result, const ProgressCall& progress);
+/// Returns what was found for each move.
+StockResult settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& result,
+                         const ProgressCall& progress);
+
+/// Returns the evidence for stock in a body of a tool.
+[[nodiscard]] Witness stock_witness(const StockWitness& found, Body of, const CompiledTool& body, const Motion& motion);
 
 }  // namespace gouge

@@ -121,11 +121,15 @@ using RewritePath = std::function<Result<Toolpath>(const std::vector<PathChange>
 struct LawfulCorrection {
   Correction correction;
   ChangedPath after;
+  std::optional<CheckResult> before = std::nullopt;  ///< with stock: the given result with the findings in stock
 };
 
 /// Returns the changes that keep the laws (laws.h) in the file that `rewrite` makes of them. That file is checked like
 /// any other path. A change that makes a move worse there, or that cannot be written, is taken back. This is repeated
 /// until no such change is left.
+///
+/// With setup.stock the moves are also freed from remaining stock, each with the material that the corrected path leaves
+/// before it (stock_laws.h). `result` must then be that of a check without stock.
 ///
 /// Ensures  The list `uncorrected` has every move that gouges or is buried in `after`, and no other.
 /// Errors   Those of `rewrite` without any change. correct-law: a move is worse even without a change, which is an

@@ -31,8 +31,9 @@ std::optional<CorrectedPose> lift_along(const Vec3& way, Strategy strategy, cons
                                         const MotionChecker& checker, const PoseLimits& limits) {
   CorrectedPose result{pose, strategy, 0, 0};
   for (;; ++result.iterations) {
-    const double excess =
+    double excess =
         std::max(tool_excess(result.pose, tool, checker, limits.aim), head_excess(result.pose, checker, limits));
+    if (excess <= 0) excess = checker.stock_excess(result.pose);
     if (excess <= 0) return result;
     if (!std::isfinite(excess)) return std::nullopt;
     result.shift_mm += std::max(excess, kSmallestStep_mm);
@@ -116,7 +117,8 @@ std::optional<CorrectedPose> correct_as(Strategy wanted, const Pose& pose, const
   if (wanted == Strategy::normal) result = correct_along_normal(pose, tool, checker, limits);
   if (wanted == Strategy::direction) result = correct_along_direction(pose, tool, checker, limits);
   if (wanted == Strategy::axis) result = correct_along_axis(pose, tool, checker, limits);
-  return result && head_excess(result->pose, checker, limits) <= 0 ? result : std::nullopt;
+  const bool is_free = result && head_excess(result->pose, checker, limits) <= 0;
+  return is_free && checker.stock_excess(result->pose) <= 0 ? result : std::nullopt;
 }
 
 namespace {
@@ -130,12 +132,14 @@ constexpr const char* kOpenWay = "whether the way out leads into the solid is no
 constexpr const char* kHeadStays =
     "the head is in the way: no lift along the tool axis within the largest shift frees it; it takes another tilt or a "
     "longer tool";
+constexpr const char* kStockStays =
+    "remaining stock is in the way: no lift along the tool axis within the largest shift frees the tool";
 
 }  // namespace
 
 const char* why_not_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolVariants& tool,
                           const MotionChecker& checker) {
-  switch (check_shift(from, to, kind, tool, checker)) {
+  switch (check_shift(from, to, kind, tool, checker.without_stock())) {
     case ShiftHazard::none:
       return nullptr;
     case ShiftHazard::deeper:
@@ -156,7 +160,7 @@ FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind
   const double side = largest_side_mm.value_or(kSideShiftsPerDepth * depth_mm);
   const bool is_head_in = head_excess(pose, checker, limits) > 0;
   FreedPose freed;
-  freed.reason = is_head_in ? kHeadStays : kTooFar;
+  freed.reason = is_head_in ? kHeadStays : checker.stock_excess(pose) > 0 ? kStockStays : kTooFar;
   if (wanted != Strategy::axis) {
     if (const auto shifted = correct_as(wanted, pose, tool, checker, limits)) {
       const bool is_aside = side_shift_mm(shifted->pose.tip - pose.tip, pose.axis) > side;

@@ -20,6 +20,10 @@ constexpr int kHalvings = 6;
 
 Pose retracted(const Pose& pose, double lift) { return {pose.tip + lift * pose.axis, pose.axis}; }
 
+bool is_same_place(const Pose& a, const Pose& b) {
+  return (a.tip - b.tip).norm() <= Tolerance::kFilePoint_mm && (a.axis - b.axis).norm() <= Tolerance::kFileAxis;
+}
+
 }  // namespace
 
 LinkPose link_stop(const Pose& before, const Pose& after, double lift_mm, double depth_mm) {
@@ -82,37 +86,62 @@ PoseLimits LinkFinder::limits() const {
   return limits;
 }
 
+/// Returns the lifts of both ends that bring them to one height, for a rapid over stock with a fixed axis. Otherwise no
+/// lifts.
+std::array<double, 2> LinkFinder::lifts_to_level(const Pose& from, const Pose& to) const {
+  const bool is_level = task_.kind == MoveKind::rapid && task_.checker->has_stock() &&
+                        (from.axis - to.axis).norm() <= Tolerance::kFileAxis;
+  if (!is_level) return {0, 0};
+  const double rise = (to.tip - from.tip).dot(from.axis);
+  return {std::max(0.0, rise), std::max(0.0, -rise)};
+}
+
+/// Returns the lifts to try, in increasing order. A rapid may go over all stock, since no cut is shifted.
+std::vector<double> LinkFinder::lifts_of_way(const Pose& from, const Pose& to) const {
+  const double most = task_.limits.largest_shift_mm;
+  if (task_.kind != MoveKind::rapid || !task_.checker->has_stock()) return lifts_up_to(most);
+  std::vector<double> lifts = lifts_up_to(std::max(most, task_.checker->lift_over_stock_mm(from, to)));
+  lifts.insert(lifts.begin(), 0);
+  return lifts;
+}
+
 /// Finds a path up, across and down. The crossing keeps `clearance_mm`; the ways up and down do not. Lifts grow. If
-/// only the largest lift is free, halving finds the smallest free lift between it and the one before. If no lift is
-/// free for a rapid, lifts in between are tried.
+/// only the largest lift is free, halving finds the smallest free lift between it and the one before; with stock it does
+/// so for every lift. If no lift is free for a rapid, lifts in between are tried.
 std::optional<LinkNodes> LinkFinder::over(const LinkNode& from, const LinkNode& to, double clearance_mm) {
-  const bool is_rapid = task_.kind == MoveKind::rapid;
-  bool is_blocked = false;  // a way up or down is blocked
-  const auto is_free = [&](double lift) {
-    const Pose up = retracted(from.pose(), lift), down = retracted(to.pose(), lift);
-    is_blocked = !is_clean(from.pose(), up) || !is_clean(down, to.pose());
-    return !is_blocked && is_clean(up, down, clearance_mm);
+  const bool is_rapid = task_.kind == MoveKind::rapid, has_stock = task_.checker->has_stock();
+  const auto [rise_from, rise_to] = lifts_to_level(from.pose(), to.pose());
+  const auto is_free = [&, rise_from = rise_from, rise_to = rise_to](double lift) {
+    const Pose up = retracted(from.pose(), rise_from + lift), down = retracted(to.pose(), rise_to + lift);
+    is_blocked_ = !is_clean(from.pose(), up) || !is_clean(down, to.pose());
+    return !is_blocked_ && is_clean(up, down, clearance_mm);
   };
-  const auto way = [&](double lift) {
+  const auto way = [&, rise_from = rise_from, rise_to = rise_to](double lift) {
     const double depth = check(motion_between(from.pose(), to.pose())).depth_mm;
-    return LinkNodes{{link_stop(from.pose(), retracted(from.pose(), lift), lift, depth), from.t},
-                     {link_stop(to.pose(), retracted(to.pose(), lift), lift, depth), to.t}};
+    LinkNodes nodes;
+    for (const auto& [node, rise] : {std::pair(&from, rise_from + lift), std::pair(&to, rise_to + lift)}) {
+      const Pose stop = retracted(node->pose(), rise);
+      if (rise > 0 && !is_same_place(stop, to.pose()))
+        nodes.push_back({link_stop(node->pose(), stop, rise, depth), node->t});
+    }
+    return nodes;
   };
-  const std::vector<double> lifts = lifts_up_to(task_.limits.largest_shift_mm);
+  const std::vector<double> lifts = lifts_of_way(from.pose(), to.pose());
   for (std::size_t k = 0; k < lifts.size(); ++k) {
     if (is_free(lifts[k])) {
       double low = k > 0 ? lifts[k - 1] : 0, high = lifts[k];
-      for (int step = 0; k + 1 == lifts.size() && step < kHalvings; ++step) {
+      const bool is_narrowed = k > 0 && (has_stock || k + 1 == lifts.size());
+      for (int step = 0; is_narrowed && step < kHalvings; ++step) {
         const double middle = 0.5 * (low + high);
         (is_free(middle) ? high : low) = middle;
       }
       return way(high);
     }
     // An obstacle to a straight lift is also an obstacle to every longer lift.
-    if (is_blocked && !is_rapid) return std::nullopt;
+    if (is_blocked_ && (!is_rapid || has_stock)) return std::nullopt;
   }
   for (std::size_t k = 0; is_rapid && k + 1 < lifts.size(); ++k) {
-    const double between = std::sqrt(lifts[k] * lifts[k + 1]);
+    const double between = has_stock ? 0.5 * (lifts[k] + lifts[k + 1]) : std::sqrt(lifts[k] * lifts[k + 1]);
     if (is_free(between)) return way(between);
   }
   return std::nullopt;
@@ -136,8 +165,9 @@ void LinkFinder::leave_out_needless(const Pose& from, const Pose& to, LinkNodes&
 
 bool LinkFinder::is_clean(const Pose& from, const Pose& to, double clearance_mm) const {
   CheckOptions options = task_.options;
-  options.near_miss_mm = std::max({options.near_miss_mm, clearance_mm, air_mm_});
-  return task_.checker->is_clean(motion_between(from, to), task_.kind, *task_.tool, options, true);
+  const double room = std::max(clearance_mm, air_mm_);
+  options.near_miss_mm = std::max(options.near_miss_mm, room);
+  return checker_with(room).is_clean(motion_between(from, to), task_.kind, *task_.tool, options, true);
 }
 
 // Returns whether a pose lies on the straight path. The parts of a dogleg are not searched: all its positions stay.
@@ -147,8 +177,7 @@ bool LinkFinder::is_between(const Pose& from, const Pose& to, const Pose& pose) 
   const Vec3 along = to.tip - from.tip;
   if (!motion.is_defined() || along.squaredNorm() <= 0) return false;
   const Pose there = motion.at(std::clamp((pose.tip - from.tip).dot(along) / along.squaredNorm(), 0.0, 1.0));
-  return (there.tip - pose.tip).norm() <= Tolerance::kFilePoint_mm &&
-         (there.axis - pose.axis).norm() <= Tolerance::kFileAxis;
+  return is_same_place(there, pose);
 }
 
 Motion LinkFinder::motion_between(const Pose& from, const Pose& to) const {
@@ -159,7 +188,11 @@ MoveVerdict LinkFinder::check(const Motion& motion) const {
   CheckOptions options = task_.options;
   options.gouge_gap_mm = kGap_mm;
   options.near_miss_mm = std::max(options.near_miss_mm, air_mm_);
-  return task_.checker->check(motion, task_.kind, *task_.tool, options, true);
+  return checker_with(air_mm_).check(motion, task_.kind, *task_.tool, options, true);
+}
+
+MotionChecker LinkFinder::checker_with(double room_mm) const {
+  return task_.kind == MoveKind::rapid && room_mm > 0 ? task_.checker->keeping_room() : *task_.checker;
 }
 
 std::optional<LinkNodes> LinkFinder::find(const LinkNode& u, const LinkNode& v) {
@@ -179,6 +212,8 @@ std::optional<LinkNodes> LinkFinder::find_rapid(const LinkNode& u, const LinkNod
   if (is_straight_clean && task_.is_free_as_programmed) return LinkNodes{};
   if (clearance > 0) {
     if (auto waypoints = over(u, v, clearance)) return waypoints;
+    // No way leads out of stock in which the tool is at an end.
+    if (is_blocked_ && task_.checker->has_stock()) return std::nullopt;
     if (auto waypoints = round(u, v, clearance)) return waypoints;
   }
   if (is_straight_clean) return LinkNodes{};

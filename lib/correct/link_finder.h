@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,10 @@ class LinkFinder {
   std::optional<LinkNodes> halve(const LinkNode& u, const LinkNode& v, int level);
   std::optional<LinkNodes> corner(const LinkNode& u, const LinkNode& v, double depth_mm);
   std::optional<LinkNodes> over(const LinkNode& from, const LinkNode& to, double clearance_mm);
+  [[nodiscard]] std::array<double, 2> lifts_to_level(const Pose& from, const Pose& to) const;
+  [[nodiscard]] std::vector<double> lifts_of_way(const Pose& from, const Pose& to) const;
+  /// Returns the checker for motions that keep `room_mm` from stock too, if it is not 0.
+  [[nodiscard]] MotionChecker checker_with(double room_mm) const;
   std::optional<LinkNodes> find_rapid(const LinkNode& u, const LinkNode& v);
   std::optional<LinkNodes> round(const LinkNode& u, const LinkNode& v, double air_mm);
   [[nodiscard]] PoseLimits limits() const;
@@ -71,6 +76,7 @@ class LinkFinder {
                                      // leaves
   std::size_t count_ = 0;            // number of positions found since the last start
   double air_mm_ = 0;                // the current clearance
+  bool is_blocked_ = false;          // the way up or down of the last lift is blocked
 };
 
 /// Returns a waypoint at `after` for a motion that was at `before`; `lift_mm` is the distance between them.

@@ -16,21 +16,9 @@ constexpr std::size_t kPositionsPerChunk = 4;
 // the job. If there are few gouges, each may take as long as many of them together.
 constexpr std::uint64_t kJobBudget = 3'000'000, kMinStepBudget = 300'000;
 
-constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
-constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
-constexpr const char* kNoWayBetween = "no clean path was found between its positions within the largest shift";
-constexpr const char* kHeadBetween =
-    "the head is in the way between its positions: no clean path was found within the largest shift; it takes another "
-    "tilt or a longer tool";
 constexpr const char* kWorse = "a change here would make a neighbouring move worse";
-constexpr const char* kCycleStep =
-    "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of "
-    "the holes";
-constexpr const char* kRound = "an arc or curve that no change of its positions frees";
-constexpr const char* kUncertain = "the check cannot tell whether it is clean, so neither can a correction";
-
-bool is_straight(const Move& move) { return move.kind == MoveKind::feed || move.kind == MoveKind::rapid; }
-
+constexpr const char* kEndsInStock =
+    "the rapid leads into remaining stock, and a cut begins there; only a feed may lead into material";
 /// Returns the permitted depth of the cutter in the part after a correction.
 double aim_of(double tolerance_mm) { return tolerance_mm > 2 * kAir_mm ? kPositionAimShare * tolerance_mm : -kAir_mm; }
 
@@ -41,31 +29,18 @@ std::uint64_t step_budget(const CheckResult& result) {
   return std::max(kMinStepBudget, kJobBudget / std::max<std::uint64_t>(1, gouges));
 }
 
-std::string out_of_budget(std::uint64_t budget) {
-  return "not corrected: the budget of " + std::to_string(budget) +
-         " bounds for this step was spent; a larger tolerance or resolution needs fewer";
-}
-
 }  // namespace
-
-std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
-  if (verdict.state == MoveState::buried) return verdict.reason.body == Body::head ? kHeadBuried : kToolBuried;
-  if (verdict.state == MoveState::not_certified) return kUncertain;
-  if (move.kind == MoveKind::cycle) return kCycleStep;
-  if (!is_straight(move)) return kRound;
-  const bool is_head = verdict.witness && verdict.witness->body == Body::head;
-  return is_head ? kHeadBetween : kNoWayBetween;
-}
 
 PathCorrector::PathCorrector(const Toolpath& path, const CheckResult& result,
                              const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
-                             const CorrectOptions& correct)
+                             const CorrectOptions& correct, const std::vector<std::size_t>* origin)
     : path_(path),
       result_(result),
       tools_(tools),
       checker_(checker),
       options_(checker.options()),
       correct_(correct),
+      origin_(origin),
       step_budget_(step_budget(result)) {
   limits_.aim = {aim_of(options_.tolerance_mm), -kAir_mm, -kAir_mm};
   limits_.largest_shift_mm = correct.max_shift_mm;
@@ -136,9 +111,10 @@ void PathCorrector::choose_positions() {
   }
 }
 
-/// Returns the strategy for the body with which a move gouges.
+/// Returns the strategy for the body with which a move gouges. The tool leaves stock only along its axis.
 Strategy PathCorrector::strategy_of(std::size_t i) const {
   const MoveVerdict& verdict = result_.verdicts[i];
+  if (verdict.is_in_stock()) return Strategy::axis;
   return correct_.strategies[verdict.witness ? verdict.witness->body : Body::cutter];
 }
 
@@ -152,13 +128,33 @@ Strategy PathCorrector::strategy_at(std::size_t i) const {
   return strategy_of(has_next && depth(i + 1) > depth(i) ? i + 1 : i);
 }
 
+/// Returns the checker with the stock that is left before a move.
+MotionChecker PathCorrector::checker_of(std::size_t i) const {
+  return checker_.for_move(origin_of(i), path_.moves[i].kind == MoveKind::rapid || !path_.moves[i].has_start);
+}
+
+/// Returns whether the tool is in stock at the end of a move, after the programmed cut of that move.
+bool PathCorrector::is_end_in_stock(std::size_t i) const {
+  const bool is_whole = path_.moves[i].kind == MoveKind::rapid || !path_.moves[i].has_start;
+  return checker_.after_move(origin_of(i), is_whole).stock_excess(path_.moves[i].end) > 0;
+}
+
+/// Returns whether a cut begins in the stock in which a rapid ends, at that place or after more rapids in it.
+bool PathCorrector::is_plunge(std::size_t i) const {
+  while (path_.moves[i].kind == MoveKind::rapid && is_end_in_stock(i)) {
+    if (++i == path_.moves.size() || !path_.moves[i].has_start) return false;
+    if (path_.moves[i].kind != MoveKind::rapid) return true;
+  }
+  return false;
+}
+
 void PathCorrector::correct_position(std::size_t i) {
   PositionWork& work = positions_[i];
   work.is_worked = true;
   const Move& move = path_.moves[i];
   if (move.tool == kNone || tools_[move.tool] == nullptr) return;
   const ToolVariants& tool = *tools_[move.tool];
-  work.depth_before_mm = depth_at(move.end, move.kind, tool);
+  work.depth_before_mm = depth_at(move.end, i);
   // A position within the tolerance is left alone, even if it is deeper than the aim of a correction.
   const double within = kMotionAimShare * options_.tolerance_mm;
   const CorrectionAim allowed{within, within, 0};
@@ -166,14 +162,23 @@ void PathCorrector::correct_position(std::size_t i) {
   PoseLimits now = usual;
   now.aim = allowed;
   const bool is_head_in = head_excess(move.end, checker_, now) > 0;
-  if (!is_head_in && largest_excess(move.end, tool, checker_.scene(), allowed, options_.resolution_mm / 4) <= 0) return;
+  const bool is_in_mesh =
+      is_head_in || largest_excess(move.end, tool, checker_.scene(), allowed, options_.resolution_mm / 4) > 0;
+  const bool is_in_stock = is_end_in_stock(i);
+  if (!is_in_mesh && !is_in_stock) return;
   work.failure = reason_to_leave(i);
   if (!work.failure.empty()) return;
+  const bool is_into_stock = is_in_stock && is_plunge(i);
+  if (is_into_stock && !is_in_mesh) {
+    work.failure = kEndsInStock;
+    return;
+  }
   WorkBudget budget(step_budget_);
-  const MotionChecker checker = checker_.within(budget);
+  const MotionChecker checker = (is_into_stock ? checker_ : checker_of(i)).within(budget);
   const auto freed = [&](const PoseLimits& limits) {
-    return free_pose(strategy_at(i), move.end, work.depth_before_mm, move.kind, tool, checker, limits,
-                     correct_.max_side_shift_mm);
+    const bool keeps_room = move.kind == MoveKind::rapid && limits.aim.workpiece_mm < usual.aim.workpiece_mm;
+    return free_pose(strategy_at(i), move.end, work.depth_before_mm, move.kind, tool,
+                     keeps_room ? checker.keeping_room() : checker, limits, correct_.max_side_shift_mm);
   };
   FreedPose found;
   if (move.kind == MoveKind::rapid) {
@@ -183,14 +188,14 @@ void PathCorrector::correct_position(std::size_t i) {
   if (!found.corrected) found = freed(usual);
   work.corrected = found.corrected;
   if (!work.corrected) {
-    work.failure = budget.is_spent() ? out_of_budget(step_budget_) : found.reason;
+    work.failure = budget.is_spent() ? out_of_budget() : found.reason;
     return;
   }
-  work.depth_after_mm = depth_at(work.corrected->pose, move.kind, tool);
+  work.depth_after_mm = depth_at(work.corrected->pose, i);
 }
 
-double PathCorrector::depth_at(const Pose& pose, MoveKind kind, const ToolVariants& tool) const {
-  return checker_.measure(pose, kind, tool).depth_mm;
+double PathCorrector::depth_at(const Pose& pose, std::size_t i) const {
+  return checker_of(i).measure(pose, path_.moves[i].kind, *tools_[path_.moves[i].tool]).depth_mm;
 }
 
 bool PathCorrector::has_new_end(std::size_t i) const {
@@ -258,12 +263,11 @@ void PathCorrector::link_move(std::size_t i) {
   const bool can_change = move.has_start && is_straight(move) && move.not_checked_reason.empty() && !work.is_kept;
   if (can_change && !has_bad_end) {
     WorkBudget budget(step_budget_);
-    const MotionChecker checker = checker_.within(budget);
-    LinkTask task = task_of(i);
-    task.checker = &checker;
-    const Motion programmed = options_.law.between(path_.start_of(i), move.end, move.kind);
-    if (move.kind == MoveKind::feed && programmed.is_defined()) task.programmed = &programmed;
-    if (auto waypoints = link(start_of(i), end_of(i), task)) {
+    auto waypoints = link_with(i, checker_of(i).within(budget));
+    // Another gouge shall not stay because stock is in the way. The check of the written path decides about the stock.
+    if (!waypoints && checker_of(i).has_stock() && !result_.verdicts[i].is_in_stock())
+      waypoints = link_with(i, checker_.within(budget));
+    if (waypoints) {
       work.inserted = std::move(*waypoints);
       return;
     }
@@ -273,6 +277,15 @@ void PathCorrector::link_move(std::size_t i) {
   if (!has_new_end(i) || is_free(i)) return;
   work.inserted = programmed_again(i);
   work.is_refused = work.inserted.empty();
+}
+
+std::optional<std::vector<LinkPose>> PathCorrector::link_with(std::size_t i, const MotionChecker& checker) const {
+  LinkTask task = task_of(i);
+  task.checker = &checker;
+  const Move& move = path_.moves[i];
+  const Motion programmed = options_.law.between(path_.start_of(i), move.end, move.kind);
+  if (move.kind == MoveKind::feed && programmed.is_defined()) task.programmed = &programmed;
+  return link(start_of(i), end_of(i), task);
 }
 
 /// Returns positions with which a still gouging move runs as it was programmed. It leads from its new start to the old
@@ -319,7 +332,8 @@ bool PathCorrector::is_free(std::size_t i) const {
   const Motion motion =
       move.has_start ? options_.law.between(start_of(i), end_of(i), move.kind) : options_.law.at(end_of(i));
   if (!motion.is_defined()) return false;
-  const MoveVerdict after = checker_.check(motion, move.kind, *tools_[move.tool], options_);
+  const MotionChecker checker = move.kind == MoveKind::rapid ? checker_of(i) : checker_;
+  const MoveVerdict after = checker.check(motion, move.kind, *tools_[move.tool], options_);
   return after.state != MoveState::gouge && is_no_worse_than(verdict_before(i), after, options_.resolution_mm);
 }
 
@@ -344,51 +358,6 @@ void PathCorrector::work(std::string_view stage, const std::vector<std::size_t>&
                  [&](std::size_t first, std::size_t last) {
                    for (std::size_t k = first; k < last; ++k) what(wanted[k]);
                  });
-}
-
-Correction PathCorrector::gather() const {
-  Correction correction;
-  for (std::size_t i = 0; i < path_.moves.size(); ++i) {
-    gather_records(i, correction);
-    PathChange change;
-    change.move = i;
-    if (positions_[i].corrected) change.new_end = positions_[i].corrected->pose;
-    for (const LinkPose& stop : moves_[i].inserted) change.inserted_before.push_back(stop.corrected.pose);
-    if (change.new_end || !change.inserted_before.empty()) correction.changes.push_back(change);
-    gather_failure(i, correction);
-  }
-  return correction;
-}
-
-void PathCorrector::gather_records(std::size_t i, Correction& correction) const {
-  for (const LinkPose& stop : moves_[i].inserted) {
-    const double after = depth_at(stop.corrected.pose, path_.moves[i].kind, *tools_[path_.moves[i].tool]);
-    correction.records.push_back({i, stop.corrected.strategy, true, stop.corrected.pose.tip - stop.before.tip,
-                                  stop.depth_before_mm, after, stop.corrected.iterations, 0, stop.corrected.pose});
-  }
-  const PositionWork& p = positions_[i];
-  if (!p.corrected) return;
-  correction.records.push_back({i, p.corrected->strategy, false, p.corrected->pose.tip - path_.moves[i].end.tip,
-                                p.depth_before_mm, p.depth_after_mm, p.corrected->iterations, 0, p.corrected->pose});
-}
-
-void PathCorrector::gather_failure(std::size_t i, Correction& correction) const {
-  const MoveVerdict& verdict = result_.verdicts[i];
-  const MoveWork& work = moves_[i];
-  const bool is_left = verdict.state == MoveState::buried || verdict.state == MoveState::gouge;
-  if (!is_left || (work.is_wanted && !work.is_failed)) return;
-  // A single position that was corrected does not gouge any more.
-  if (!path_.moves[i].has_start && positions_[i].corrected) return;
-  std::string reason = usual_reason(path_.moves[i], verdict);
-  const bool is_gouge = verdict.state == MoveState::gouge;
-  if (is_gouge && work.is_out_of_budget) reason = out_of_budget(step_budget_);
-  if (is_gouge && is_straight(path_.moves[i]) && !work.kept_reason.empty()) reason = work.kept_reason;
-  if (is_gouge && !positions_[i].failure.empty() && path_.moves[i].kind != MoveKind::cycle) {
-    reason = positions_[i].failure;
-  } else if (is_gouge && is_chained(i) && !positions_[i - 1].failure.empty() && is_straight(path_.moves[i])) {
-    reason = "it begins at a position that stays: " + positions_[i - 1].failure;
-  }
-  correction.uncorrected.push_back({.move = i, .depth_mm = is_gouge ? verdict.depth_mm : 0, .reason = reason});
 }
 
 }  // namespace gouge

@@ -16,9 +16,11 @@ namespace gouge {
 /// together with the changes that rely on it. This is repeated until no move is worse.
 class PathCorrector {
  public:
-  /// Prepares the corrector. All objects must outlive it. `tools` has the meaning of check_path.
+  /// Prepares the corrector. All objects must outlive it. `tools` has the meaning of check_path. `origin` has for each
+  /// move the move of which it is a piece, as the stock of the checker counts them; null: the move itself.
   PathCorrector(const Toolpath& path, const CheckResult& result, const std::vector<const ToolVariants*>& tools,
-                const MotionChecker& checker, const CorrectOptions& correct);
+                const MotionChecker& checker, const CorrectOptions& correct,
+                const std::vector<std::size_t>* origin = nullptr);
 
   /// Keeps this move unchanged: both its positions and the motion between them.
   void keep(std::size_t move, const std::string& reason);
@@ -41,6 +43,11 @@ class PathCorrector {
     std::string kept_reason;
   };
 
+  [[nodiscard]] std::size_t origin_of(std::size_t i) const { return origin_ != nullptr ? (*origin_)[i] : i; }
+  [[nodiscard]] MotionChecker checker_of(std::size_t i) const;
+  [[nodiscard]] bool is_end_in_stock(std::size_t i) const;
+  [[nodiscard]] bool is_plunge(std::size_t i) const;
+  [[nodiscard]] std::optional<std::vector<LinkPose>> link_with(std::size_t i, const MotionChecker& checker) const;
   void keep_position(std::size_t i, const std::string& reason);
   void mark_moves_at(std::size_t i);
   [[nodiscard]] bool is_chained(std::size_t i) const;
@@ -60,9 +67,11 @@ class PathCorrector {
   [[nodiscard]] std::vector<LinkPose> programmed_again(std::size_t i) const;
   [[nodiscard]] MoveVerdict verdict_before(std::size_t i) const;
   [[nodiscard]] bool take_back();
-  [[nodiscard]] double depth_at(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;
+  [[nodiscard]] double depth_at(const Pose& pose, std::size_t i) const;
   void work(std::string_view stage, const std::vector<std::size_t>& wanted, const ProgressCall& progress,
             const std::function<void(std::size_t)>& what);
+  [[nodiscard]] std::string out_of_budget() const;
+  // gather_correction.cpp
   [[nodiscard]] Correction gather() const;
   void gather_records(std::size_t i, Correction& correction) const;
   void gather_failure(std::size_t i, Correction& correction) const;
@@ -73,11 +82,17 @@ class PathCorrector {
   const MotionChecker& checker_;
   const CheckOptions& options_;
   const CorrectOptions& correct_;
+  const std::vector<std::size_t>* origin_;
   std::uint64_t step_budget_;  // maximum number of bounds for one position or one move
   PoseLimits limits_;          // limits without those of a tool, see limits_for
   std::vector<PositionWork> positions_;
   std::vector<MoveWork> moves_;
 };
+
+/// Returns whether a move is a single straight motion.
+[[nodiscard]] inline bool is_straight(const Move& move) {
+  return move.kind == MoveKind::feed || move.kind == MoveKind::rapid;
+}
 
 /// Returns the usual reason why a gouge, a buried or an uncertain move of this kind stays, if no other reason is known.
 [[nodiscard]] std::string usual_reason(const Move& move, const MoveVerdict& verdict);

@@ -87,6 +87,7 @@ class HolePlanner {
     for (std::size_t i = first; i < plan.last; ++i) {
       const MoveVerdict& verdict = result_.verdicts[i];
       if (verdict.state == MoveState::buried || verdict.state == MoveState::not_checked) return;
+      if (verdict.is_in_stock()) return;  // where the drill itself is free, a lift of the hole is no way out
       if (verdict.state != MoveState::gouge) continue;
       gouging.push_back(i);
       plan.depth_before_mm = std::max(plan.depth_before_mm, verdict.depth_mm);

@@ -21,8 +21,13 @@ void sort_by_move(std::vector<Thing>& things) {
 }  // namespace
 
 Proposer::Proposer(const Toolpath& path, const CheckResult& result, const CheckSetup& setup,
-                   const CorrectOptions& correct, const ProgressCall& progress)
-    : path_(path), result_(result), tools_(setup.tools), checker_(setup), correct_(correct) {
+                   const CorrectOptions& correct, const ProgressCall& progress,
+                   std::shared_ptr<const StockAtMoves> stock)
+    : path_(path),
+      result_(result),
+      tools_(setup.tools),
+      checker_(MotionChecker(setup).with_stock(std::move(stock))),
+      correct_(correct) {
   if (correct.rewritable != nullptr) can_keep_arc_ = correct.rewritable->arc;
   if (correct.rewritable != nullptr) can_split_ = correct.rewritable->split;
   can_split_.resize(path.moves.size(), false);
@@ -47,8 +52,9 @@ void Proposer::rework() {
   if (!plan_.runs.empty()) tilted_ = tilt_path(path_, result_, straight_, plan_, tools_, checker_);
   plan_trimming();
   const ReworkedPath* const base = last();
-  corrector_ = std::make_unique<PathCorrector>(base != nullptr ? base->path : path_,
-                                               base != nullptr ? base->result : result_, tools_, checker_, correct_);
+  corrector_ =
+      std::make_unique<PathCorrector>(base != nullptr ? base->path : path_, base != nullptr ? base->result : result_,
+                                      tools_, checker_, correct_, base != nullptr ? &base->origin : nullptr);
   for (const auto& [move, reason] : kept_) keep_pieces(move, reason);
   for (const Untrimmed& failed : trims_.failed) {
     for (std::size_t i = failed.first; i <= failed.last; ++i)
@@ -131,13 +137,6 @@ std::size_t Proposer::deepest(std::size_t first, std::size_t last) const {
     }
   }
   return found;
-}
-
-bool Proposer::give_up_arc(const std::vector<PathChange>& changes, std::size_t move) {
-  const bool was_arc = std::any_of(changes.begin(), changes.end(),
-                                   [move](const PathChange& c) { return c.move == move && c.has_arc(); });
-  if (was_arc) can_keep_arc_[move] = false;
-  return was_arc;
 }
 
 void Proposer::keep(std::size_t move, const std::string& reason) {

@@ -20,14 +20,15 @@ namespace gouge {
 /// are lifted.
 class Proposer {
  public:
-  /// Plans the tilts and the stretches to leave out. All objects must outlive it.
+  /// Plans the tilts and the stretches to leave out. All objects must outlive it. `stock` is the material before each
+  /// move; null: stock is not examined.
   Proposer(const Toolpath& path, const CheckResult& result, const CheckSetup& setup, const CorrectOptions& correct,
-           const ProgressCall& progress);
+           const ProgressCall& progress, std::shared_ptr<const StockAtMoves> stock = nullptr);
 
   Correction propose(const ProgressCall& progress);
 
-  /// Makes a proposed arc straight in all later proposals. Returns false if no arc was proposed for the move.
-  [[nodiscard]] bool give_up_arc(const std::vector<PathChange>& changes, std::size_t move);
+  /// Makes the arc of a move straight in all later proposals.
+  void make_straight(std::size_t move) { can_keep_arc_[move] = false; }
 
   /// Keeps a move from being changed. If it belongs to a left-out stretch or a tilted run, that is given up; otherwise
   /// the move stays as it is.

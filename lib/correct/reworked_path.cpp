@@ -39,7 +39,9 @@ ReworkedPath with_positions(const Toolpath& path, const CheckResult& result, con
   const auto add = [&](const Move& move, std::size_t origin) {
     const Motion motion = move.has_start ? options.law.between(moved.path.moves.back().end, move.end, move.kind)
                                          : options.law.at(move.end);
-    moved.add(move, origin, true, checker.check(motion, move.kind, *tools[move.tool], options, true));
+    const bool is_rapid = move.kind == MoveKind::rapid;
+    const MotionChecker in_place = is_rapid ? checker.for_move(origin, true) : checker;
+    moved.add(move, origin, true, in_place.check(motion, move.kind, *tools[move.tool], options, true));
   };
   auto next = positions.begin();
   bool is_start_moved = false;

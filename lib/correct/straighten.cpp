@@ -57,8 +57,9 @@ class CurveChoice {
   }
   [[nodiscard]] bool may_move(std::size_t i) const {
     const Move& move = path_.moves[i];
-    return checker_.check(options_.law.at(move.end), move.kind, *tools_[move.tool], options_, true).state !=
-           MoveState::clean;
+    return checker_.for_move(i, move.kind == MoveKind::rapid)
+               .check(options_.law.at(move.end), move.kind, *tools_[move.tool], options_, true)
+               .state != MoveState::clean;
   }
 
   const Toolpath& path_;
@@ -94,7 +95,8 @@ std::optional<ReworkedPath> straighten(const Toolpath& path, const CheckResult& 
       chord.end = to;
       const Motion motion = options.law.straight(from, to);
       from = to;
-      straight.add(chord, i, false, checker.check(motion, chord.kind, *tools[chord.tool], options, true));
+      const MotionChecker in_place = result.verdicts[i].is_in_stock() ? checker.for_move(i, false) : checker;
+      straight.add(chord, i, false, in_place.check(motion, chord.kind, *tools[chord.tool], options, true));
     }
   }
   return straight;

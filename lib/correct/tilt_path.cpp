@@ -12,7 +12,8 @@ std::vector<bool> moves_to(Strategy wanted, const Toolpath& path, const CheckRes
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const MoveVerdict& verdict = result.verdicts[i];
     const bool is_buried = verdict.state == MoveState::buried && wanted == Strategy::trim;
-    const bool is_gouge = verdict.state == MoveState::gouge && verdict.witness;
+    // From remaining stock the tool is only lifted: tilts and crossings are planned about meshes.
+    const bool is_gouge = verdict.state == MoveState::gouge && verdict.witness && !verdict.is_in_stock();
     if (!is_buried && !is_gouge) continue;
     is_wanted[i] = strategies[is_buried ? verdict.reason.body : verdict.witness->body] == wanted;
   }

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "lib/stock/clear_groups.h"
-#include "lib/tool/evaluate.h"
 
 namespace gouge {
 
@@ -13,9 +12,6 @@ namespace {
 
 constexpr std::size_t kGroup = 256;
 constexpr int kContactSteps = 16;
-constexpr int kDepthSteps = 24;
-// The gap between the bounds of a depth at which the search ends, as a share of the depth.
-constexpr double kDepthGap = 0.1;
 
 /// Moves of one group have the same tool and the same body in question.
 struct Group {
@@ -107,38 +103,18 @@ class StockChecker {
   /// Completes a finding. Returns the number of examined pieces.
   std::uint64_t explain(const StockQuestion& about, const Motion& motion, const std::vector<ToolPiece>& pieces,
                         StockFinding& finding) const {
-    const std::uint64_t each = std::min(about.budget, options_.budget_per_bound);
-    std::uint64_t for_contact = each, for_depth = each;
-    finding.contact = first_contact(about, motion, pieces, finding.witness->t, for_contact);
-    find_depth(about, motion, finding, for_depth);
+    StockQuestion limited = about;
+    limited.budget = std::min(about.budget, options_.budget_per_bound);
+    std::uint64_t left = limited.budget;
+    finding.contact = first_contact(about, motion, pieces, finding.witness->t, left);
+    const StockDepth deepest = find_depth(limited, motion, *finding.witness, finding.depth_upper_mm);
+    finding.witness = deepest.witness;
+    finding.depth_upper_mm = deepest.upper_mm;
     const StockWitness& witness = *finding.witness;
     finding.nearest_cut = history_.nearest_cut(witness.point, about.move, (stock_.high() - stock_.low()).norm());
-    const CompiledTool& bare = history_.tool_of(about.move).tool->bare;
-    const Pose pose = motion.at(witness.t);
-    const Vec3 from_tip = witness.point - pose.tip;
-    const double z = from_tip.dot(pose.axis);
-    finding.body = bare.elements[evaluate(bare, (from_tip - z * pose.axis).norm(), z).element].body;
+    finding.body = body_at(history_.tool_of(about.move).tool->bare, motion.at(witness.t), witness.point);
     if (!is_whole(about.move) && finding.body == Body::cutter) finding.body = Body::shank;
-    return 2 * each - for_contact - for_depth;
-  }
-
-  /// Asks about greater depths until both bounds of the depth are near each other. The next depth is twice the known one
-  /// at most, since proofs for depths near the true one take longest.
-  void find_depth(const StockQuestion& about, const Motion& motion, StockFinding& finding,
-                  std::uint64_t& budget) const {
-    for (int k = 0; k < kDepthSteps && budget > 0; ++k) {
-      const double known = finding.witness->depth_mm, gap = finding.depth_upper_mm - known;
-      if (gap <= std::max(2 * options_.resolution_mm, kDepthGap * known)) return;
-      const double next = known + std::min(0.5 * gap, known);
-      const StockAnswer answer = ask(about, motion, deep_pieces(about.body, next), 0, 1, next, budget);
-      if (answer.witness) {
-        finding.witness = answer.witness;
-      } else if (answer.is_clear) {
-        finding.depth_upper_mm = std::min(finding.depth_upper_mm, next + options_.resolution_mm);
-      } else {
-        return;
-      }
-    }
+    return limited.budget - left + deepest.examined;
   }
 
   /// Halves the time before the witness until the instants are closer than the resolution along the path.

@@ -21,6 +21,7 @@ constexpr double kThin = 0.25;
 // The least share of a piece that is cut off if it is beside the stock, and the number of halvings that find it.
 constexpr double kWorthTrimming = 0.1;
 constexpr int kTrimSteps = 10;
+constexpr int kDepthSteps = 24;
 
 // Sectors fit round walls, boxes the straight seams between passes. Sectors are tried first, with this part of the budget.
 constexpr std::uint64_t kFirstShare = 4;
@@ -372,6 +373,38 @@ StockAnswer find_stock(const StockQuestion& question, const Motion& motion, cons
   answer = open;
   answer.examined = examined;
   return answer;
+}
+
+StockDepth find_depth(const StockQuestion& question, const Motion& motion, const StockWitness& known, double upper_mm) {
+  StockDepth deepest{known, upper_mm};
+  StockQuestion limited = question;
+  for (int k = 0; k < kDepthSteps && deepest.examined < question.budget; ++k) {
+    const double depth = deepest.witness.depth_mm, gap = deepest.upper_mm - depth;
+    if (gap <= depth_gap_mm(depth, question.options)) break;
+    const double next = depth + std::min(0.5 * gap, depth);
+    limited.budget = question.budget - deepest.examined;
+    const StockAnswer answer = find_stock(limited, motion, deep_pieces(question.body, next), 0, 1, next);
+    deepest.examined += answer.examined;
+    if (answer.witness) {
+      deepest.witness = *answer.witness;
+    } else if (answer.is_clear) {
+      deepest.upper_mm = std::min(deepest.upper_mm, next + question.options.resolution_mm);
+    } else {
+      break;
+    }
+  }
+  return deepest;
+}
+
+double depth_gap_mm(double depth_mm, const StockOptions& options) {
+  constexpr double kShare = 0.1;
+  return std::max(2 * options.resolution_mm, kShare * depth_mm);
+}
+
+Body body_at(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
+  const Vec3 from_tip = point - pose.tip;
+  const double z = from_tip.dot(pose.axis);
+  return tool.elements[evaluate(tool, (from_tip - z * pose.axis).norm(), z).element].body;
 }
 
 }  // namespace gouge

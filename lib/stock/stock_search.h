@@ -48,4 +48,23 @@ struct StockAnswer {
 [[nodiscard]] StockAnswer find_stock(const StockQuestion& question, const Motion& motion,
                                      const std::vector<ToolPiece>& pieces, double from, double to, double depth_mm);
 
+/// A witness and an upper bound of the depth of all remaining stock.
+struct StockDepth {
+  StockWitness witness;
+  double upper_mm = 0;
+  std::uint64_t examined = 0;  ///< number of pieces
+};
+
+/// Asks about greater depths until both bounds of the depth are within depth_gap_mm, if the budget allows. The next depth
+/// is twice the known one at most, since proofs for depths near the true one take longest.
+/// Requires  `known` is a witness of the question, and no stock is deeper than `upper_mm`.
+[[nodiscard]] StockDepth find_depth(const StockQuestion& question, const Motion& motion, const StockWitness& known,
+                                    double upper_mm);
+
+/// Returns the gap between the bounds of a depth at which the search ends.
+[[nodiscard]] double depth_gap_mm(double depth_mm, const StockOptions& options);
+
+/// Returns the body of the tool's boundary that is nearest to a point.
+[[nodiscard]] Body body_at(const CompiledTool& tool, const Pose& pose, const Vec3& point);
+
 }  // namespace gouge

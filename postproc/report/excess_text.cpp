@@ -41,8 +41,8 @@ std::string excess_place_text(const ReportModel& model, const ExcessPlaceFacts& 
   const std::string text = "up to " + length_text(place.height_upper_mm, unit) + " may be left" + where;
   if (place.unknown_move == kNone)
     return text + ": a tool touched it without cutting it for certain, or the budget ended";
-  return text + ": the motion of line " + std::to_string(std::size_t{model.toolpath->moves[place.unknown_move].line}) +
-         " is not known";
+  return text + ": the motion of line " + std::to_string(place.unknown_line) +
+         (place.unknown_file.empty() ? "" : " of " + place.unknown_file) + " is not known";
 }
 
 std::string excess_text(const ReportModel& model) {

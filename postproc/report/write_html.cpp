@@ -250,7 +250,8 @@ class HtmlReport {
     if (!r.cause) return {};
     const std::string body = body_name(r.cause->body);
     if (!r.cause->against) return body + " inside a solid";
-    return body + " against " + against_name(*r.cause->against) + " " + r.cause->mesh.value_or("");
+    const std::string against = body + " against " + against_name(*r.cause->against);
+    return r.cause->mesh ? against + " " + *r.cause->mesh : against;
   }
 
   [[nodiscard]] std::string left_as_was() const {

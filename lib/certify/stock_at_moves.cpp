@@ -1,0 +1,104 @@
+#include "lib/certify/stock_at_moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lib/base/tolerance.h"
+#include "lib/certify/check.h"
+#include "lib/stock/stock_search.h"
+
+namespace gouge {
+
+namespace {
+
+constexpr double kAimShare = 0.8;         // share of the tolerance, as in the other searches of a correction
+constexpr std::uint64_t kBudget = 4'000;  // pieces for a motion: a search tries many
+constexpr double kBlindStep_mm = 0.5;     // step where it is not known how deep the stock is
+constexpr double kMargin_mm = 1e-3;       // beyond the highest stock
+
+}  // namespace
+
+StockAtMoves::StockAtMoves(Toolpath path, std::vector<std::size_t> first, const CheckSetup& setup)
+    : stock_(*setup.stock),
+      law_(setup.options.law),
+      options_(setup.stock->options),
+      path_(std::move(path)),
+      first_(std::move(first)),
+      history_(path_, setup.options.law, *setup.stock) {
+  options_.tolerance_mm *= kAimShare;
+  options_.budget_per_move = std::min(options_.budget_per_move, kBudget);
+}
+
+StockPlace StockAtMoves::place_of(std::size_t i, bool is_after) const {
+  const std::size_t tool = first_[i] < path_.moves.size() ? std::size_t{path_.moves[first_[i]].tool} : kNone;
+  return {tool, first_[i + (is_after ? 1 : 0)]};
+}
+
+const CompiledTool* StockAtMoves::body_of(const StockPlace& place) const {
+  if (place.tool >= stock_.tools.size() || stock_.tools[place.tool].tool == nullptr) return nullptr;
+  const ToolVariants& tool = *stock_.tools[place.tool].tool;
+  if (!place.is_whole && stock_.tools[place.tool].cuts)
+    return tool.non_cutting.elements.empty() ? nullptr : &tool.non_cutting;
+  const bool has_roomy = place.tool < stock_.roomy.size() && stock_.roomy[place.tool] != nullptr;
+  return place.keeps_room && has_roomy ? stock_.roomy[place.tool] : &tool.bare;
+}
+
+StockQuestion StockAtMoves::question(const CompiledTool& body, const StockPlace& place) const {
+  return {history_.of_path(), stock_.solid, options_, body, place.before, options_.budget_per_move, false};
+}
+
+MoveVerdict StockAtMoves::check(const Motion& motion, const StockPlace& place, const MoveVerdict& free,
+                                bool is_depth_wanted, std::uint64_t& examined) const {
+  const CompiledTool* const body = body_of(place);
+  if (body == nullptr) return free;
+  const StockQuestion about = question(*body, place);
+  const double tolerance = options_.tolerance_mm;
+  const StockAnswer answer = find_stock(about, motion, deep_pieces(*body, tolerance), 0, 1, tolerance);
+  examined += answer.examined;
+  if (answer.is_clear) return free;
+  MoveVerdict verdict;
+  if (!answer.witness) {
+    verdict.state = MoveState::not_certified;
+    verdict.reason.kind = Reason::Kind::stock_touched;
+    return verdict;
+  }
+  StockDepth depth{*answer.witness, body->r_max_mm};
+  if (is_depth_wanted) depth = find_depth(about, motion, depth.witness, depth.upper_mm);
+  verdict.state = MoveState::gouge;
+  verdict.depth_mm = depth.witness.depth_mm;
+  verdict.depth_upper_mm = depth.upper_mm;
+  const CompiledTool& bare = stock_.tools[place.tool].tool->bare;
+  const Body of = body_at(bare, motion.at(depth.witness.t), depth.witness.point);
+  verdict.witness = stock_witness(depth.witness, of, *body, motion);
+  return verdict;
+}
+
+double StockAtMoves::excess_mm(const Pose& pose, const StockPlace& place, std::uint64_t& examined) const {
+  const CompiledTool* const body = body_of(place);
+  if (body == nullptr) return 0;
+  const StockQuestion about = question(*body, place);
+  const Motion rest = law_.at(pose);
+  double excess = 0;
+  for (double depth = options_.tolerance_mm;;) {
+    const StockAnswer answer = find_stock(about, rest, deep_pieces(*body, depth), 0, 1, depth);
+    examined += answer.examined;
+    if (answer.is_clear) return excess;
+    if (!answer.witness) return std::max(excess, kBlindStep_mm);
+    excess = std::max(answer.witness->depth_mm - options_.tolerance_mm, options_.resolution_mm);
+    depth = 2 * answer.witness->depth_mm;
+  }
+}
+
+double StockAtMoves::lift_over_mm(const Pose& pose, const StockPlace& place) const {
+  if (place.tool >= stock_.tools.size() || stock_.tools[place.tool].tool == nullptr) return 0;
+  const Vec3 &low = stock_.solid.low(), &high = stock_.solid.high();
+  double top = 0;
+  for (int k = 0; k < 3; ++k) top += std::max(pose.axis[k] * low[k], pose.axis[k] * high[k]);
+  const double bottom = pose.tip.dot(pose.axis) + stock_.tools[place.tool].tool->bare.z_min_mm;
+  return std::max(0.0, top + stock_.roomy_mm + kMargin_mm - bottom);
+}
+
+double StockAtMoves::size_mm() const { return (stock_.solid.high() - stock_.solid.low()).norm(); }
+
+}  // namespace gouge

@@ -1,0 +1,89 @@
+#include <string>
+
+#include "lib/correct/path_corrector.h"
+
+// Gathers the changes of a search, and the reasons of moves that stay.
+
+namespace gouge {
+namespace {
+
+constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
+constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
+constexpr const char* kNoWayBetween = "no clean path was found between its positions within the largest shift";
+constexpr const char* kHeadBetween =
+    "the head is in the way between its positions: no clean path was found within the largest shift; it takes another "
+    "tilt or a longer tool";
+constexpr const char* kCycleStep =
+    "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of "
+    "the holes";
+constexpr const char* kRound = "an arc or curve that no change of its positions frees";
+constexpr const char* kNoWayOverStock =
+    "no clear way over the remaining stock was found: the way up from its start or down to its end is blocked";
+constexpr const char* kShankInStock =
+    "remaining stock is in the way of shank or holder, and no lift within the largest shift frees them; it takes a "
+    "longer tool, or a cut before that removes the stock";
+constexpr const char* kUncertain = "the check cannot tell whether it is clean, so neither can a correction";
+
+}  // namespace
+
+std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
+  if (verdict.state == MoveState::buried) return verdict.reason.body == Body::head ? kHeadBuried : kToolBuried;
+  if (verdict.state == MoveState::not_certified) return kUncertain;
+  if (verdict.is_in_stock()) return move.kind == MoveKind::rapid ? kNoWayOverStock : kShankInStock;
+  if (move.kind == MoveKind::cycle) return kCycleStep;
+  if (!is_straight(move)) return kRound;
+  const bool is_head = verdict.witness && verdict.witness->body == Body::head;
+  return is_head ? kHeadBetween : kNoWayBetween;
+}
+
+std::string PathCorrector::out_of_budget() const {
+  return "not corrected: the budget of " + std::to_string(step_budget_) +
+         " bounds for this step was spent; a larger tolerance or resolution needs fewer";
+}
+
+Correction PathCorrector::gather() const {
+  Correction correction;
+  for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+    gather_records(i, correction);
+    PathChange change;
+    change.move = i;
+    if (positions_[i].corrected) change.new_end = positions_[i].corrected->pose;
+    for (const LinkPose& stop : moves_[i].inserted) change.inserted_before.push_back(stop.corrected.pose);
+    if (change.new_end || !change.inserted_before.empty()) correction.changes.push_back(change);
+    gather_failure(i, correction);
+  }
+  return correction;
+}
+
+void PathCorrector::gather_records(std::size_t i, Correction& correction) const {
+  for (const LinkPose& stop : moves_[i].inserted) {
+    const double after = depth_at(stop.corrected.pose, i);
+    correction.records.push_back({i, stop.corrected.strategy, true, stop.corrected.pose.tip - stop.before.tip,
+                                  stop.depth_before_mm, after, stop.corrected.iterations, 0, stop.corrected.pose});
+  }
+  const PositionWork& p = positions_[i];
+  if (!p.corrected) return;
+  correction.records.push_back({i, p.corrected->strategy, false, p.corrected->pose.tip - path_.moves[i].end.tip,
+                                p.depth_before_mm, p.depth_after_mm, p.corrected->iterations, 0, p.corrected->pose});
+}
+
+void PathCorrector::gather_failure(std::size_t i, Correction& correction) const {
+  const MoveVerdict& verdict = result_.verdicts[i];
+  const MoveWork& work = moves_[i];
+  const bool is_left = verdict.state == MoveState::buried || verdict.state == MoveState::gouge;
+  if (!is_left || (work.is_wanted && !work.is_failed)) return;
+  // A single position that was corrected does not gouge any more.
+  if (!path_.moves[i].has_start && positions_[i].corrected) return;
+  std::string reason = usual_reason(path_.moves[i], verdict);
+  const bool is_gouge = verdict.state == MoveState::gouge;
+  if (is_gouge && work.is_out_of_budget) reason = out_of_budget();
+  if (is_gouge && is_straight(path_.moves[i]) && !work.kept_reason.empty()) reason = work.kept_reason;
+  if (is_gouge && !positions_[i].failure.empty() && path_.moves[i].kind != MoveKind::cycle) {
+    reason = positions_[i].failure;
+  } else if (is_gouge && is_chained(i) && !positions_[i - 1].failure.empty() && is_straight(path_.moves[i])) {
+    reason = "it begins at a position that stays: " + positions_[i - 1].failure;
+  }
+  correction.uncorrected.push_back({.move = i, .depth_mm = is_gouge ? verdict.depth_mm : 0, .reason = reason});
+}
+
+}  // namespace gouge
