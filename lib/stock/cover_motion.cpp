@@ -80,6 +80,15 @@ double best_instant(double t0, double t1, double wanted, const Function& value, 
   return best;
 }
 
+/// Returns whether a piece is at one place during its interval.
+bool rests(const SweptPiece& piece) {
+  return std::equal(piece.at0.begin(), piece.at0.begin() + static_cast<std::ptrdiff_t>(piece.count), piece.at1.begin(),
+                    [](const Disc& a, const Disc& b) {
+                      return (a.center - b.center).isZero(0) && (a.normal - b.normal).isZero(0) &&
+                             !(a.radius_mm < b.radius_mm) && !(b.radius_mm < a.radius_mm);
+                    });
+}
+
 bool turns(const Motion& motion) { return motion.turn_rad() > 0; }
 
 }  // namespace
@@ -101,7 +110,7 @@ bool is_covered_by(const StraightCut& cut, const std::vector<ConvexPiece>& piece
 
 bool is_covered_by(const Motion& motion, double until, const std::vector<ConvexPiece>& pieces, const SweptPiece& swept,
                    const CoverMargin& margin) {
-  const bool is_turning = turns(motion);
+  const bool is_turning = turns(motion), is_at_rest = rests(swept);
   for (std::uint32_t s = 0; s < motion.segments().size(); ++s) {
     const MotionSegment& segment = motion.segments()[s];
     if (segment.t0 > until) break;
@@ -117,7 +126,12 @@ bool is_covered_by(const Motion& motion, double until, const std::vector<ConvexP
       double least = 0;
       if (is_turning) {
         best_instant(
-            t0, t1, wanted, [&](double t) { return std::max(at_start(t), at_end(t)); }, least);
+            t0, t1, wanted,
+            [&](double t) {
+              const double start = at_start(t);
+              return is_at_rest ? start : std::max(start, at_end(t));
+            },
+            least);
         if (least <= wanted) return true;
         continue;
       }
