@@ -4,7 +4,7 @@
 
 namespace gouge {
 
-Outcome load_excess(const StockArguments& arguments, const PreparedScene& scene, StockSetup& stock) {
+Outcome load_excess(const JobArguments& arguments, const PreparedScene& scene, StockSetup& stock) {
   const Result<std::optional<double>> asked = understand_excess(arguments);
   if (!asked) return asked.error();
   if (!*asked) return Done{};
@@ -14,7 +14,7 @@ Outcome load_excess(const StockArguments& arguments, const PreparedScene& scene,
                       "origin");
   Result<PartColumns> parts = PartColumns::of(scene.obstacle(Against::part).surfaces);
   if (!parts) return parts.error();
-  stock.excess = ExcessSetup{**asked, std::move(*parts)};
+  stock.excess = ExcessSetup{**asked, std::move(*parts), !arguments.report_folder.empty()};
   return Done{};
 }
 

@@ -115,12 +115,16 @@ class Settling {
   CheckResult& result_;
 };
 
+// The size of the pieces in pictures, as a share of the diagonal of the stock, and about how many there are at most.
+constexpr double kPatchShare = 0.004;
+constexpr std::size_t kPatches = 20'000;
+
 ExcessFacts excess_facts(const CutHistory& history, const StockSetup& stock, const CheckSetup& setup,
                          const ProgressCall& progress) {
   const PartColumns& parts = stock.excess->parts;
   const ExcessQuestion question{history, stock.solid, parts, stock.options.resolution_mm};
   const ExcessResult found = find_excess(question, stock.excess->asked_mm, setup.options.threads, progress);
-  ExcessFacts facts{stock.excess->asked_mm, stock.options.resolution_mm, found.surface_mm2, {}};
+  ExcessFacts facts{stock.excess->asked_mm, stock.options.resolution_mm, found.surface_mm2, {}, {}};
   for (const ExcessPlace& place : found.places) {
     ExcessPlaceFacts& one = facts.places.emplace_back();
     const HighestColumn& highest = place.highest;
@@ -139,6 +143,11 @@ ExcessFacts excess_facts(const CutHistory& history, const StockSetup& stock, con
     one.unknown_line = program.moves[place.unknown.move].line;
     if (place.unknown.program != &history) one.unknown_file = program.file;
   }
+  if (!stock.excess->is_pictured) return facts;
+  const double size = kPatchShare * (stock.solid.high() - stock.solid.low()).norm();
+  for (const ColumnSample& sample :
+       sample_columns(question, found, facts.asked_mm, size, kPatches, setup.options.threads))
+    facts.patches.push_back({sample.corners, sample.height_mm});
   return facts;
 }
 

@@ -17,8 +17,9 @@ struct CheckSetup;
 
 /// The question about material that the whole program leaves on the parts.
 struct ExcessSetup {
-  double asked_mm = 0;  ///< above 0
-  PartColumns parts;    ///< in the order of Scene::parts
+  double asked_mm = 0;       ///< above 0
+  PartColumns parts;         ///< in the order of Scene::parts
+  bool is_pictured = false;  ///< the heights of the columns are kept for pictures
 };
 
 /// A program that cut the stock before the path, in the coordinates of the path.

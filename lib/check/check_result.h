@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -52,11 +53,18 @@ struct ExcessPlaceFacts {
   [[nodiscard]] bool is_proved() const { return height_mm > 0; }
 };
 
+/// A piece of a part's surface with the material above its middle, for pictures.
+struct LeftPatch {
+  std::array<Vec3, 3> corners{};
+  double height_mm = 0;
+};
+
 /// The material that the whole program leaves on the parts.
 struct ExcessFacts {
   double asked_mm = 0, resolution_mm = 0;
   double surface_mm2 = 0;                ///< area of the parts
   std::vector<ExcessPlaceFacts> places;  ///< proved ones first, the highest first
+  std::vector<LeftPatch> patches;        ///< all pieces with more than asked; empty unless pictures are made
 
   [[nodiscard]] std::size_t proved() const {
     return static_cast<std::size_t>(

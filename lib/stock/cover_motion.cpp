@@ -95,6 +95,15 @@ std::optional<double> instant_below(double t0, double t1, double wanted, const V
   return found;
 }
 
+/// Returns whether a piece is at one place during its interval.
+bool rests(const SweptPiece& piece) {
+  return std::equal(piece.at0.begin(), piece.at0.begin() + static_cast<std::ptrdiff_t>(piece.count), piece.at1.begin(),
+                    [](const Disc& a, const Disc& b) {
+                      return (a.center - b.center).isZero(0) && (a.normal - b.normal).isZero(0) &&
+                             !(a.radius_mm < b.radius_mm) && !(b.radius_mm < a.radius_mm);
+                    });
+}
+
 /// Seeks the instants of one segment of a motion at which a convex piece of its cutter contains a piece of space.
 class SegmentCover {
  public:
@@ -102,12 +111,17 @@ class SegmentCover {
       : motion_(motion),
         segment_(segment),
         is_turning_(motion.turn_rad() > 0),
+        is_at_rest_(rests(swept)),
         axis_(motion.at(motion.segments()[segment].t0).axis),
         piece_(piece),
         swept_(swept) {}
 
   [[nodiscard]] bool has_one_instant(const CutWindow& window, double wanted) const {
-    return find(window, wanted, [&](double t) { return std::max(at(t, swept_.start()), at(t, swept_.end())); })
+    return find(window, wanted,
+                [&](double t) {
+                  const double start = at(t, swept_.start());
+                  return is_at_rest_ ? start : std::max(start, at(t, swept_.end()));
+                })
         .has_value();
   }
 
@@ -116,7 +130,7 @@ class SegmentCover {
     double lower = wanted;
     for (int k = 0; k < kLowered; ++k) {
       const auto start = find(window, lower, [&](double t) { return at(t, swept_.start()); });
-      if (!start) return false;
+      if (!start || is_at_rest_) return start.has_value();
       const auto end = at(*start, swept_.end()) <= lower
                            ? start
                            : find(window, lower, [&](double t) { return at(t, swept_.end()); });
@@ -151,7 +165,7 @@ class SegmentCover {
 
   const Motion& motion_;
   std::uint32_t segment_;
-  bool is_turning_;
+  bool is_turning_, is_at_rest_;
   Vec3 axis_;  // at the start
   const ConvexPiece& piece_;
   const SweptPiece& swept_;
@@ -182,6 +196,7 @@ double lowest_value(double t0, double t1, const Function& value) {
 bool is_covered_by(const StraightCut& cut, const std::vector<ConvexPiece>& pieces, const SweptPiece& swept,
                    const CoverMargin& margin) {
   const double length = cut.by.norm();
+  const bool is_at_rest = rests(swept);
   for (const ConvexPiece& piece : pieces) {
     const double wanted = margin.largest_value(piece);
     const auto is_swept = [&](const Disc& disc) {
@@ -189,7 +204,8 @@ bool is_covered_by(const StraightCut& cut, const std::vector<ConvexPiece>& piece
                       [&](double u) { return piece.value(disc, cut.from + u * cut.by, cut.axis); });
     };
     const std::span<const Disc> start = swept.start(), end = swept.end();
-    if (std::all_of(start.begin(), start.end(), is_swept) && std::all_of(end.begin(), end.end(), is_swept)) return true;
+    const bool has_start = std::all_of(start.begin(), start.end(), is_swept);
+    if (has_start && (is_at_rest || std::all_of(end.begin(), end.end(), is_swept))) return true;
   }
   return false;
 }

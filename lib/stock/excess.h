@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -43,5 +44,17 @@ struct ExcessResult {
 /// Source   docs/method/stock.md.
 [[nodiscard]] ExcessResult find_excess(const ExcessQuestion& question, double height_mm, unsigned threads,
                                        const ProgressCall& progress = {});
+
+/// The column above the middle of a piece of a facet, for pictures.
+struct ColumnSample {
+  std::array<Vec3, 3> corners{};
+  double height_mm = 0;  ///< proved
+};
+
+/// Returns the columns of the pieces of a result, which are divided to `size_mm` or to about `most` pieces. Columns up to
+/// `height_mm` are left out.
+[[nodiscard]] std::vector<ColumnSample> sample_columns(const ExcessQuestion& question, const ExcessResult& result,
+                                                       double height_mm, double size_mm, std::size_t most,
+                                                       unsigned threads);
 
 }  // namespace gouge

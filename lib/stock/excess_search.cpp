@@ -18,13 +18,6 @@ constexpr double kGap = 0.1;
 // Number of pieces after which a facet, or the search for a highest column, is not divided further.
 constexpr std::size_t kMaxPieces = 4'000'000, kMaxPiecesOfHighest = 20'000;
 
-std::array<FacetPiece, 2> divided(const FacetPiece& piece) {
-  const auto parts = halves(piece.corners, longest_edge(piece.corners));
-  std::array<FacetPiece, 2> both{piece, piece};
-  for (std::size_t k = 0; k < 2; ++k) both[k].corners = parts[k];
-  return both;
-}
-
 /// Proves that no column of a piece is higher than `height_mm`, from where the column above its middle ends.
 bool ends_lower(ColumnProofs& proofs, const FacetPiece& piece, double reached_mm, double height_mm) {
   return proofs.is_within(piece, reached_mm) || proofs.is_within(piece, 0.5 * (reached_mm + height_mm));
@@ -152,6 +145,13 @@ class HighestSearch {
 };
 
 }  // namespace
+
+std::array<FacetPiece, 2> divided(const FacetPiece& piece) {
+  const auto parts = halves(piece.corners, longest_edge(piece.corners));
+  std::array<FacetPiece, 2> both{piece, piece};
+  for (std::size_t k = 0; k < 2; ++k) both[k].corners = parts[k];
+  return both;
+}
 
 void find_left(ColumnProofs& proofs, const ExcessQuestion& question, const FacetPiece& facet,
                const ExcessLimits& limits, std::vector<LeftPiece>& left) {

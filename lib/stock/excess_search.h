@@ -20,6 +20,9 @@ struct ExcessLimits {
   double border_mm = 0;  ///< where a facet is proved to have more, pieces smaller than this are not divided
 };
 
+/// Returns the halves of a piece, divided at its longest edge.
+[[nodiscard]] std::array<FacetPiece, 2> divided(const FacetPiece& piece);
+
 /// Divides a facet until each piece is proved to have no more material than the asked height above it, or more, or is as
 /// small as the resolution. Near a proof of more, or near a motion that is not known, `border_mm` is small enough. Adds all pieces but the first kind to `left`.
 ///

@@ -33,6 +33,7 @@ Result<PartColumns> PartColumns::of(std::span<const Surface> parts) {
 }
 
 std::optional<PartFacet> PartColumns::nearer(const FacetPiece& piece, double height_mm) const {
+  if (!(height_mm > kInset_mm)) return std::nullopt;
   const Vec3 top = piece.middle() + height_mm * piece.normal;
   for (std::uint32_t m = 0; m < surfaces_.size(); ++m) {
     const auto closest = surfaces_[m].boundary().closest_point(top, height_mm - kInset_mm);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "lib/base/number_text.h"
 #include "lib/base/tolerance.h"
@@ -12,6 +13,9 @@ namespace {
 
 constexpr std::array<Colour, 6> kRamp{
     {{255, 226, 110, 1}, {253, 174, 68, 1}, {240, 104, 44, 1}, {203, 30, 58, 1}, {128, 14, 92, 1}, {52, 8, 72, 1}}};
+
+constexpr std::array<Colour, 5> kLeftRamp{
+    {{178, 221, 240, 1}, {112, 182, 224, 1}, {52, 132, 196, 1}, {24, 84, 156, 1}, {12, 40, 98, 1}}};
 
 constexpr double kRootRatio = 100;
 
@@ -25,6 +29,20 @@ std::string length_digits(double value) {
 
 unsigned char mix(unsigned char a, unsigned char b, double t) {
   return static_cast<unsigned char>(std::lround((1 - t) * a + t * b));
+}
+
+// Returns the place of a depth between the ends of the colours.
+double share_of(const ColourScale& scale, double depth_mm) {
+  const double start = scale.place(scale.low_mm);
+  return start < 1 ? std::clamp((scale.place(depth_mm) - start) / (1 - start), 0.0, 1.0) : 1.0;
+}
+
+Colour colour_on(std::span<const Colour> ramp, double share) {
+  const double step = share * static_cast<double>(ramp.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(step), ramp.size() - 2);
+  const double rest = step - static_cast<double>(i);
+  return {mix(ramp[i].r, ramp[i + 1].r, rest), mix(ramp[i].g, ramp[i + 1].g, rest), mix(ramp[i].b, ramp[i + 1].b, rest),
+          1};
 }
 
 }  // namespace
@@ -43,13 +61,15 @@ double ColourScale::place(double depth_mm) const {
 double ColourScale::depth_at(double place) const { return high_mm * (is_root ? place * place : place); }
 
 Colour ColourScale::at(double depth_mm) const {
-  const double start = place(low_mm);
-  const double t = start < 1 ? std::clamp((place(depth_mm) - start) / (1 - start), 0.0, 1.0) : 1.0;
-  const double step = t * static_cast<double>(kRamp.size() - 1);
-  const std::size_t i = std::min(static_cast<std::size_t>(step), kRamp.size() - 2);
-  const double rest = step - static_cast<double>(i);
-  return {mix(kRamp[i].r, kRamp[i + 1].r, rest), mix(kRamp[i].g, kRamp[i + 1].g, rest),
-          mix(kRamp[i].b, kRamp[i + 1].b, rest), 1};
+  if (depth_mm < 0) {
+    const ColourScale left = left_scale(*this);
+    return colour_on(std::span(kLeftRamp), share_of(left, -depth_mm));
+  }
+  return colour_on(std::span(kRamp), share_of(*this, depth_mm));
+}
+
+ColourScale left_scale(const ColourScale& scale) {
+  return {scale.left_low_mm, scale.left_high_mm, scale.left_high_mm > kRootRatio * scale.left_low_mm, 0, 0};
 }
 
 double round_up(double value) {
@@ -92,7 +112,7 @@ std::string tick_text(double value, double step) {
 ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit, double headroom) {
   const double scale = mm_per(unit);
   const double worst = std::max({worst_mm * headroom, 2 * tolerance_mm, Tolerance::kWitness_mm}) / scale;
-  return {tolerance_mm, round_up(worst) * scale, worst_mm > kRootRatio * tolerance_mm && tolerance_mm > 0};
+  return {tolerance_mm, round_up(worst) * scale, worst_mm > kRootRatio * tolerance_mm && tolerance_mm > 0, 0, 0};
 }
 
 std::vector<Tick> make_ticks(const ColourScale& scale, LengthUnit unit, double gap) {

@@ -26,6 +26,8 @@ inline constexpr Colour kCalm{34, 120, 84, 1};
 struct ColourScale {
   double low_mm = 0, high_mm = 1;
   bool is_root = false;
+  /// Material left has negative values: pale blue just below -left_low_mm to dark blue at -left_high_mm. 0: there is none.
+  double left_low_mm = 0, left_high_mm = 0;
   /// Returns the place on the scale from 0 (depth 0) to 1 (high_mm).
   [[nodiscard]] double place(double depth_mm) const;
   /// Returns the depth at a place on the scale.
@@ -39,6 +41,9 @@ struct Tick {
   std::string text;
 };
 [[nodiscard]] std::vector<Tick> make_ticks(const ColourScale& scale, LengthUnit unit, double gap);
+
+/// Returns the scale of material left by itself, from 0 to left_high_mm.
+[[nodiscard]] ColourScale left_scale(const ColourScale& scale);
 
 /// Makes the scale from the tolerance to a round number not below the worst depth and its headroom.
 [[nodiscard]] ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit, double headroom = 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/base/tolerance.h"
+#include "postproc/image/material_left.h"
 #include "postproc/image/tool_outline.h"
 
 namespace gouge {
@@ -92,7 +93,10 @@ ColourScale depth_scale(const ReportModel& model, const CheckedToolpath& input) 
 }
 
 ColourScale surface_scale(const ReportModel& model, const CheckedToolpath& input) {
-  return make_colour_scale(model.options.tolerance_mm, worst_on_surface_of(model, input), model.toolpath->unit);
+  ColourScale scale =
+      make_colour_scale(model.options.tolerance_mm, worst_on_surface_of(model, input), model.toolpath->unit);
+  add_material_left(*input.result, model.toolpath->unit, scale);
+  return scale;
 }
 
 }  // namespace gouge

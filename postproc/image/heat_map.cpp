@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "postproc/image/material_left.h"
 #include "postproc/image/path_plot.h"
 #include "postproc/image/pixel_points.h"
 #include "postproc/image/shade.h"
@@ -31,10 +32,11 @@ View view_for(const PictureSet& set, const Vec3& toward, const Area& area) {
 View add_view(Page& page, const PictureSet& set, const Vec3& toward, const Area& area, bool shows_path) {
   const View view = view_for(set, toward, area);
   const SurfaceBuffer buffer = draw_surface(set.scene, view);
-  const std::vector<float> depth = set.overcuts.is_empty() ? depth_on_pixels(set.field, set.scene, buffer)
-                                                           : overcut_on_pixels(set.overcuts, set.scene, buffer);
+  std::vector<float> depth = set.overcuts.is_empty() ? depth_on_pixels(set.field, set.scene, buffer)
+                                                     : overcut_on_pixels(set.overcuts, set.scene, buffer);
+  add_material_left(*set.input.result, buffer, depth);
   Raster raster = shade(set.scene, buffer, depth, set.surface_scale);
-  if (shows_path && set.events.empty()) lay_path(raster, buffer, set.input);
+  if (shows_path && set.events.empty() && !shows_material_left(*set.input.result)) lay_path(raster, buffer, set.input);
   page.rasters.push_back({static_cast<int>(area.x), static_cast<int>(area.y), std::move(raster)});
   for (const PictureEvent& event : set.events) {
     const Vec2 target = on_page(area, view.project(event.at));
@@ -83,9 +85,22 @@ std::string tool_names(const ReportModel& model) {
   return text.empty() ? "no tool" : text;
 }
 
+// Adds one bar for both sides of the surface: what is cut below it upwards, and what is left above it downwards.
+void add_two_bars(Page& page, const Area& area, const PictureSet& set, const std::string& title) {
+  const LengthUnit unit = set.model.toolpath->unit;
+  constexpr double kShareOfLeft = 0.5;
+  const double left = set.events.empty() ? area.height : kShareOfLeft * area.height;
+  if (!set.events.empty())
+    add_colour_bar(page, {area.x, area.y, area.width, area.height - left}, set.surface_scale, unit, title);
+  add_left_bar(page, {area.x, area.bottom() - left, area.width, left}, set.surface_scale, unit, "Material left");
+}
+
 void add_surface_bar(Page& page, const Area& area, const PictureSet& set) {
   const bool is_depth = set.overcuts.is_empty();
-  add_colour_bar(page, area, set.surface_scale, set.model.toolpath->unit, is_depth ? "Gouge depth" : "Overcut");
+  const LengthUnit unit = set.model.toolpath->unit;
+  const char* const title = is_depth ? "Gouge depth" : "Overcut";
+  if (shows_material_left(*set.input.result)) return add_two_bars(page, area, set, title);
+  add_colour_bar(page, area, set.surface_scale, unit, title);
   if (is_depth) return;
   page.text({area.x, area.bottom() + 22}, "how far below the", 12.5, kSoftInk);
   page.text({area.x, area.bottom() + 38}, "surface the tool reached", 12.5, kSoftInk);
@@ -176,6 +191,8 @@ std::vector<std::string> caption_lines(const ReportModel& model, const Toolpath&
 std::string badge_text(const ReportModel& model, const CheckResult& result) {
   const OverallVerdict verdict = overall_verdict(result);
   if (verdict == OverallVerdict::clean) return "CLEAN";
+  if (verdict == OverallVerdict::material_left)
+    return "MATERIAL LEFT " + length_text(result.excess->places.front().height_mm, model.toolpath->unit);
   if (verdict == OverallVerdict::not_fully_checked) return "NOT FULLY CHECKED";
   if (!(result.worst_depth_mm > 0)) return "TOOL BURIED";
   const LengthUnit unit = model.toolpath->unit;
@@ -187,10 +204,15 @@ std::string badge_text(const ReportModel& model, const CheckResult& result) {
 Colour badge_colour(const CheckResult& result) {
   const OverallVerdict verdict = overall_verdict(result);
   if (verdict == OverallVerdict::clean) return kCalm;
-  return verdict == OverallVerdict::gouges ? kAlarm : Colour{166, 110, 12, 1};
+  return exit_status(verdict) == kExitGouges ? kAlarm : Colour{166, 110, 12, 1};
 }
 
 std::string heat_map_title(const PictureSet& set) {
+  if (shows_material_left(*set.input.result)) {
+    if (set.events.empty()) return "Material left on the part";
+    return set.overcuts.is_empty() ? "Gouge depth and material left on the part"
+                                   : "Overcut and material left on the part";
+  }
   if (set.events.empty()) {
     const bool is_clean = overall_verdict(*set.input.result) == OverallVerdict::clean;
     return is_clean ? "The path on the part: no gouge" : "The path on the part: no gouge found";
@@ -218,12 +240,13 @@ Page draw_heat_map(const PictureSet& set) {
   else
     page.line({812, kContentTop + 20}, {812, kContentBottom - 20}, kHairline, 1);
   page.line({1380, kContentTop + 20}, {1380, kContentBottom - 20}, kHairline, 1);
-  if (set.events.empty()) {
+  if (set.events.empty() && !shows_material_left(*set.input.result)) {
     add_path_key(page, set, 1408, 190);
     return page;
   }
   add_surface_bar(page, {1408, 190, 26, 360}, set);
-  add_event_key(page, set, 1408, set.overcuts.is_empty() ? 604 : 626);
+  const double key = shows_material_left(*set.input.result) ? 650 : set.overcuts.is_empty() ? 604 : 626;
+  add_event_key(page, set, 1408, key);
   return page;
 }
 

@@ -118,6 +118,29 @@ void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, Leng
   }
 }
 
+void add_left_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit, const std::string& title) {
+  const ColourScale left = left_scale(scale);
+  const auto y_of = [&](double height_mm) { return area.y + area.height * left.place(height_mm); };
+  page.box(area, kPartGrey);
+  const int strips = static_cast<int>(area.height);
+  for (int k = 0; k < strips; ++k) {
+    const double height_mm = left.depth_at((k + 0.5) / area.height);
+    if (height_mm > left.low_mm) page.box({area.x, area.y + k, area.width, 1.0}, scale.at(-height_mm));
+  }
+  page.frame(area, kSoftInk, 1);
+  page.text({area.x, area.bottom() + 22}, title, 15, kInk, TextAnchor::left, true);
+  page.text({area.x, area.bottom() + 41}, std::string("in ") + unit_words(unit), 14, kSoftInk);
+  const double asked_y = y_of(left.low_mm);
+  for (const Tick& tick : make_ticks(left, unit, 26 / area.height)) {
+    const double y = y_of(tick.depth_mm);
+    if (std::abs(y - asked_y) < 15 || !(tick.depth_mm > 0)) continue;
+    page.line({area.right(), y}, {area.right() + 6, y}, kSoftInk, 1);
+    page.text({area.right() + 11, y + 5}, tick.text, 15, kInk);
+  }
+  page.line({area.x - 5, asked_y}, {area.right() + 6, asked_y}, kInk, 1.5);
+  page.text({area.right() + 11, asked_y + 5}, "asked", 14, kInk);
+}
+
 namespace {
 
 struct ScaleBar {

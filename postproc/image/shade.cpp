@@ -289,7 +289,7 @@ class Shader {
 
   void colour(std::uint8_t* pixel, std::uint32_t face, float depth_mm, double light) const {
     // Gouges have less contrast, so that their colour is comparable with the colour bar everywhere.
-    if (depth_mm > 0) return put(pixel, scale_.at(static_cast<double>(depth_mm)), 0.55 + 0.42 * light);
+    if (depth_mm > 0 || depth_mm < 0) return put(pixel, scale_.at(static_cast<double>(depth_mm)), 0.55 + 0.42 * light);
     put(pixel, scene_.is_of_workpiece(face) ? kPartGrey : kFixtureGrey, 0.12 + 0.97 * light);
   }
 

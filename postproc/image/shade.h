@@ -12,7 +12,7 @@
 namespace gouge {
 
 /// Shades the surface of a buffer in a soft light, with faint lines at sharp edges. Untouched surface is grey, and
-/// gouged surface has the colour of its depth (0: untouched). `depth_mm` has one value for each pixel or is empty. Four
+/// gouged surface has the colour of its depth (0: untouched; negative: material is left). `depth_mm` has one value for each pixel or is empty. Four
 /// pixels that show one piece of surface, or faces nearly in line, share their light.
 [[nodiscard]] Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer, const std::vector<float>& depth_mm,
                            const ColourScale& scale);

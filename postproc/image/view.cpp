@@ -6,6 +6,7 @@
 
 #include "lib/base/tolerance.h"
 #include "postproc/image/heat_map.h"
+#include "postproc/image/material_left.h"
 #include "postproc/image/picture_events.h"
 
 namespace gouge {
@@ -94,7 +95,8 @@ double gouged_area(const CheckedToolpath& input, const std::vector<GougeWitness>
 std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene,
                                     const std::vector<PictureEvent>& events, std::size_t count) {
   const Vec3 axis = mean_axis(*input.toolpath);
-  const std::vector<GougeWitness> gouges = gouge_witnesses(input, kMaxWitnessesSeen);
+  std::vector<GougeWitness> gouges = gouge_witnesses(input, kMaxWitnessesSeen);
+  if (gouges.empty()) gouges = material_witnesses(*input.result, kMaxWitnessesSeen);
   const double clear_mm = kClear * scene.part_size_mm();
   std::vector<Candidate> all = candidates(axis);
   double max_gouged = 0;

@@ -33,16 +33,20 @@ std::string area_range_text(double low_mm2, double high_mm2, LengthUnit unit) {
 
 std::string excess_kind(const ExcessPlaceFacts& place) { return place.is_proved() ? "material left" : "material open"; }
 
+std::string why_open_text(const ReportModel& model, const ExcessPlaceFacts& place) {
+  if (place.is_proved()) return {};
+  if (place.unknown_move == kNone) return "a tool touched it without cutting it for certain, or the budget ended";
+  return "the motion of line " + std::to_string(place.unknown_line) +
+         (place.unknown_file.empty() ? "" : " of " + place.unknown_file) + " is not known";
+}
+
 std::string excess_place_text(const ReportModel& model, const ExcessPlaceFacts& place) {
   const LengthUnit unit = model.toolpath->unit;
   const std::string where = " at " + point_text(place.point, unit) + ", facet " + std::to_string(place.facet) +
                             ", on " + area_range_text(place.area_mm2, place.area_upper_mm2, unit);
   if (place.is_proved()) return height_range(place, unit) + where;
-  const std::string text = "up to " + length_text(place.height_upper_mm, unit) + " may be left" + where;
-  if (place.unknown_move == kNone)
-    return text + ": a tool touched it without cutting it for certain, or the budget ended";
-  return text + ": the motion of line " + std::to_string(place.unknown_line) +
-         (place.unknown_file.empty() ? "" : " of " + place.unknown_file) + " is not known";
+  return "up to " + length_text(place.height_upper_mm, unit) + " may be left" + where + ": " +
+         why_open_text(model, place);
 }
 
 std::string excess_text(const ReportModel& model) {

@@ -51,8 +51,9 @@ class HtmlReport {
            title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
            against() + sign_off_facts(model_) + banner() + numbers() + sign_off_lines(model_) + overview() + changes() +
            axis_section(model_) + summaries_html(model_) + findings_html(model_, pictures_) + laws() + stickouts() +
-           open_queries() + close_ups() + assumptions_html(*model_.result) + inputs() + tools() + options() + notes() +
-           "<footer>" + kProgramName + " " + kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
+           material_left() + open_queries() + close_ups() + assumptions_html(*model_.result) + inputs() + tools() +
+           options() + notes() + "<footer>" + kProgramName + " " + kProgramVersion +
+           "</footer>\n</main>\n</body>\n</html>\n";
   }
 
  private:
@@ -157,6 +158,32 @@ class HtmlReport {
       if (file.name.starts_with("event_")) out += figure(file);
     }
     return out.empty() ? out : "<h2>The worst findings close up</h2>\n" + out;
+  }
+
+  [[nodiscard]] std::string material_left() const {
+    if (!model_.result->excess || model_.result->excess->places.empty()) return {};
+    HtmlTable table({{"State"},
+                     {"Height", "n"},
+                     {"At most", "n"},
+                     {"Area", "n"},
+                     {"Point", "k"},
+                     {"Part"},
+                     {"Facet", "n"},
+                     {"Open because"}});
+    for (const ExcessPlaceFacts& place : model_.result->excess->places) {
+      if (!table.has_room()) {
+        table.skip();
+        continue;
+      }
+      const std::string state = place.is_proved() ? "gouge" : "not-certified";
+      table.add("<td><span class=\"state " + state + "\">" + excess_kind(place) + "</span></td>" +
+                html_cell(place.is_proved() ? length_text(place.height_mm, unit_) : "", "n") +
+                html_cell(length_text(place.height_upper_mm, unit_), "n") +
+                html_cell(area_range_text(place.area_mm2, place.area_upper_mm2, unit_), "n") +
+                html_cell(point_text(place.point, unit_), "k") + html_cell(model_.parts[place.part].name) +
+                html_cell(std::to_string(place.facet), "n") + html_cell(why_open_text(model_, place)));
+    }
+    return "<h2>Material left on the part</h2>\n" + table.html();
   }
 
   [[nodiscard]] std::string open_queries() const {
