@@ -34,7 +34,7 @@ struct StockShape {
 [[nodiscard]] Result<StockShape> understand_stock_shape(const std::string& typed);
 [[nodiscard]] Result<StockOptions> understand_stock_options(const StockArguments& arguments);
 
-/// Returns the rows of the options; of `check` alone.
+/// Returns the rows of the options; of `check` and `correct`.
 [[nodiscard]] const OptionRows<JobArguments>& stock_options();
 
 /// Finds a wrong value, or an option that excludes --stock, before any input is read. Code: usage.
