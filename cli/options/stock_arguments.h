@@ -47,7 +47,7 @@ struct BeforeText {
 /// Returns the length of --excess in mm; none: not asked for. Errors as above.
 [[nodiscard]] Result<std::optional<double>> understand_excess(const StockArguments& arguments);
 
-/// Returns the rows of the options of stock.
+/// Returns the rows of the options of stock; of `check` and `correct`.
 [[nodiscard]] const OptionRows<JobArguments>& stock_options();
 /// Returns the rows of the options about material that a path leaves; of `check` alone.
 [[nodiscard]] const OptionRows<JobArguments>& left_stock_options();

@@ -52,6 +52,8 @@ class MotionChecker {
   [[nodiscard]] MotionChecker for_move(std::size_t move, bool is_whole) const;
   /// Returns the same checker for a tool at rest after a move.
   [[nodiscard]] MotionChecker after_move(std::size_t move, bool is_whole) const;
+  /// Returns whether a move is known to meet stock.
+  [[nodiscard]] bool meets_stock(std::size_t move) const { return stock_ != nullptr && stock_->meets_stock(move); }
   /// Returns the same checker for rapids that keep a distance from stock.
   [[nodiscard]] MotionChecker keeping_room() const;
   /// Returns the same checker without stock.

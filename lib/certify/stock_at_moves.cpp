@@ -19,19 +19,21 @@ constexpr double kMargin_mm = 1e-3;       // beyond the highest stock
 
 }  // namespace
 
-StockAtMoves::StockAtMoves(Toolpath path, std::vector<std::size_t> first, const CheckSetup& setup)
+StockAtMoves::StockAtMoves(std::shared_ptr<const Toolpath> path, std::vector<std::size_t> first,
+                           std::vector<bool> meets_stock, const CheckSetup& setup)
     : stock_(*setup.stock),
       law_(setup.options.law),
       options_(setup.stock->options),
       path_(std::move(path)),
       first_(std::move(first)),
-      history_(path_, setup.options.law, *setup.stock) {
+      meets_stock_(std::move(meets_stock)),
+      history_(*path_, setup.options.law, *setup.stock) {
   options_.tolerance_mm *= kAimShare;
   options_.budget_per_move = std::min(options_.budget_per_move, kBudget);
 }
 
 StockPlace StockAtMoves::place_of(std::size_t i, bool is_after) const {
-  const std::size_t tool = first_[i] < path_.moves.size() ? std::size_t{path_.moves[first_[i]].tool} : kNone;
+  const std::size_t tool = first_[i] < path_->moves.size() ? std::size_t{path_->moves[first_[i]].tool} : kNone;
   return {tool, first_[i + (is_after ? 1 : 0)]};
 }
 

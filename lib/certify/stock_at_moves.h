@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "lib/certify/settle_stock.h"
@@ -28,14 +28,18 @@ struct StockPlace {
 class StockAtMoves {
  public:
   /// Takes the cuts from `path`. `first[i]` is the first of its moves that replaced move i of the path in question, and
-  /// the last entry is their number. `setup` must outlive this, and has a stock.
-  StockAtMoves(Toolpath path, std::vector<std::size_t> first, const CheckSetup& setup);
+  /// the last entry is their number. `meets_stock` marks the moves that are known to meet stock. `setup` must outlive
+  /// this, and has a stock.
+  StockAtMoves(std::shared_ptr<const Toolpath> path, std::vector<std::size_t> first, std::vector<bool> meets_stock,
+               const CheckSetup& setup);
   ~StockAtMoves() = default;
   StockAtMoves(const StockAtMoves&) = delete;
   StockAtMoves& operator=(const StockAtMoves&) = delete;
 
   /// Returns the place of move i, or, if `is_after`, the same tool after the move's own cut.
   [[nodiscard]] StockPlace place_of(std::size_t i, bool is_after) const;
+  [[nodiscard]] bool meets_stock(std::size_t i) const { return meets_stock_[i]; }
+  [[nodiscard]] const CutHistory& cuts() const { return history_.of_path(); }
 
   /// Returns `free`, the verdict about part and fixtures, or the one about stock if that is not clear. `examined` grows
   /// by the number of pieces. `is_depth_wanted` narrows the bounds of the depth.
@@ -58,8 +62,9 @@ class StockAtMoves {
   const StockSetup& stock_;
   const MotionLaw& law_;
   StockOptions options_;
-  Toolpath path_;
+  std::shared_ptr<const Toolpath> path_;
   std::vector<std::size_t> first_;
+  std::vector<bool> meets_stock_;
   StockHistory history_;
 };
 

@@ -15,8 +15,8 @@
 namespace gouge {
 namespace {
 
-constexpr int kRounds = 6;       // number of rounds that take back worse changes, before all changes are taken back
-constexpr int kStockRounds = 4;  // number of searches anew because changes left other stock
+constexpr int kRounds = 6;  // number of rounds that take back worse changes, before all changes are taken back
+constexpr int kStockRounds = 4, kAllStockRounds = 12;  // number of searches anew because changes left other stock
 constexpr const char* kLeftForLaws = "a change here would make a move of the written file worse";
 constexpr const char* kLeavesStock = "a change here would bring a move of the written file into remaining stock";
 constexpr const char* kUnwritable = "the file's records do not allow this change: ";
@@ -111,7 +111,9 @@ class LawfulSearch {
       std::string reason = kLeftForLaws;
       if (worse.empty() && stock_) {
         StockLaws::Examined examined = stock_->examine(correction, {&after.path, &after.result}, progress_);
-        if (!examined.sought.empty() && stock_rounds_++ < kStockRounds) {
+        if (!examined.sought.empty() && stock_rounds_ < kStockRounds && all_stock_rounds_ < kAllStockRounds) {
+          ++stock_rounds_;
+          ++all_stock_rounds_;
           stock_->seek(examined, correction.changes, std::move(after.path));
           start();
           continue;
@@ -123,6 +125,7 @@ class LawfulSearch {
       if (worse.empty()) return finish(std::move(correction), std::move(after));
       if (correction.changes.empty()) return changed_alone(worse.front());
       take_back(correction, worse, reason);
+      seek_from_the_start();
     }
   }
 
@@ -134,6 +137,14 @@ class LawfulSearch {
     for (const auto& [move, why] : kept_) proposer_->keep(move, why);
     for (const std::size_t move : straight_) proposer_->make_straight(move);
     if (!all_kept_.empty()) proposer_->keep_all(all_kept_);
+  }
+
+  /// Forgets what a change left that was taken back, so that no move is changed because of it.
+  void seek_from_the_start() {
+    if (stock_rounds_ == 0) return;
+    stock_rounds_ = 0;
+    stock_->forget();
+    start();
   }
 
   void take_back(const Correction& correction, const std::vector<std::size_t>& worse, const std::string& reason) {
@@ -195,7 +206,7 @@ class LawfulSearch {
   std::vector<std::pair<std::size_t, std::string>> kept_;
   std::vector<std::size_t> straight_;
   std::string all_kept_;
-  int round_ = 0, stock_rounds_ = 0;
+  int round_ = 0, stock_rounds_ = 0, all_stock_rounds_ = 0;
 };
 
 }  // namespace

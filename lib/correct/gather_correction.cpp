@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 
 #include "lib/correct/path_corrector.h"
@@ -17,6 +18,9 @@ constexpr const char* kCycleStep =
     "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of "
     "the holes";
 constexpr const char* kRound = "an arc or curve that no change of its positions frees";
+constexpr const char* kCycleInStock =
+    "a step of a drilling cycle in remaining stock: holes are not lifted for stock; it takes a longer tool, or a cut "
+    "before that removes the stock";
 constexpr const char* kNoWayOverStock =
     "no clear way over the remaining stock was found: the way up from its start or down to its end is blocked";
 constexpr const char* kShankInStock =
@@ -29,8 +33,8 @@ constexpr const char* kUncertain = "the check cannot tell whether it is clean, s
 std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
   if (verdict.state == MoveState::buried) return verdict.reason.body == Body::head ? kHeadBuried : kToolBuried;
   if (verdict.state == MoveState::not_certified) return kUncertain;
+  if (move.kind == MoveKind::cycle) return verdict.is_in_stock() ? kCycleInStock : kCycleStep;
   if (verdict.is_in_stock()) return move.kind == MoveKind::rapid ? kNoWayOverStock : kShankInStock;
-  if (move.kind == MoveKind::cycle) return kCycleStep;
   if (!is_straight(move)) return kRound;
   const bool is_head = verdict.witness && verdict.witness->body == Body::head;
   return is_head ? kHeadBetween : kNoWayBetween;
@@ -56,10 +60,13 @@ Correction PathCorrector::gather() const {
 }
 
 void PathCorrector::gather_records(std::size_t i, Correction& correction) const {
+  // A search that finds no witness states no depth.
+  const double in_stock = result_.verdicts[i].is_in_stock() ? result_.verdicts[i].depth_mm : 0;
   for (const LinkPose& stop : moves_[i].inserted) {
     const double after = depth_at(stop.corrected.pose, i);
     correction.records.push_back({i, stop.corrected.strategy, true, stop.corrected.pose.tip - stop.before.tip,
-                                  stop.depth_before_mm, after, stop.corrected.iterations, 0, stop.corrected.pose});
+                                  std::max(stop.depth_before_mm, in_stock), after, stop.corrected.iterations, 0,
+                                  stop.corrected.pose});
   }
   const PositionWork& p = positions_[i];
   if (!p.corrected) return;

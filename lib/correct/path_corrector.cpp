@@ -129,19 +129,17 @@ Strategy PathCorrector::strategy_at(std::size_t i) const {
 }
 
 /// Returns the checker with the stock that is left before a move.
-MotionChecker PathCorrector::checker_of(std::size_t i) const {
-  return checker_.for_move(origin_of(i), path_.moves[i].kind == MoveKind::rapid || !path_.moves[i].has_start);
-}
+MotionChecker PathCorrector::checker_of(std::size_t i) const { return checker_.for_move(origin_of(i), is_whole(i)); }
 
 /// Returns whether the tool is in stock at the end of a move, after the programmed cut of that move.
 bool PathCorrector::is_end_in_stock(std::size_t i) const {
-  const bool is_whole = path_.moves[i].kind == MoveKind::rapid || !path_.moves[i].has_start;
-  return checker_.after_move(origin_of(i), is_whole).stock_excess(path_.moves[i].end) > 0;
+  return checker_.after_move(origin_of(i), is_whole(i)).stock_excess(path_.moves[i].end) > 0;
 }
 
-/// Returns whether a cut begins in the stock in which a rapid ends, at that place or after more rapids in it.
+/// Returns whether a cut begins in the stock in which a rapid or a position alone ends, at that place or after more
+/// rapids in it.
 bool PathCorrector::is_plunge(std::size_t i) const {
-  while (path_.moves[i].kind == MoveKind::rapid && is_end_in_stock(i)) {
+  while (is_whole(i) && is_end_in_stock(i)) {
     if (++i == path_.moves.size() || !path_.moves[i].has_start) return false;
     if (path_.moves[i].kind != MoveKind::rapid) return true;
   }

@@ -40,7 +40,9 @@ ReworkedPath with_positions(const Toolpath& path, const CheckResult& result, con
     const Motion motion = move.has_start ? options.law.between(moved.path.moves.back().end, move.end, move.kind)
                                          : options.law.at(move.end);
     const bool is_rapid = move.kind == MoveKind::rapid;
-    const MotionChecker in_place = is_rapid ? checker.for_move(origin, true) : checker;
+    // A cut gets no credit here for what it removes itself, so one that is not known to meet stock may seem to.
+    const bool has_stock = is_rapid || checker.meets_stock(origin);
+    const MotionChecker in_place = has_stock ? checker.for_move(origin, is_rapid) : checker;
     moved.add(move, origin, true, in_place.check(motion, move.kind, *tools[move.tool], options, true));
   };
   auto next = positions.begin();

@@ -35,17 +35,21 @@ Touched touched_by(const PathChange& change, const Toolpath& path) {
 
 StockLaws::StockLaws(const Toolpath& path, const CheckResult& result, const CheckSetup& setup,
                      const ProgressCall& progress)
-    : path_(path),
-      setup_(setup),
-      before_(result),
-      found_(settle_stock(path, setup, before_, progress)),
-      programs_(path, setup.options.law, *setup.stock),
-      cuts_(programs_.of_path()) {
+    : path_(path), setup_(setup), before_(result), found_(settle_stock(path, setup, before_, progress)) {
   summarise(path, before_);
   sought_ = before_;
+  std::vector<bool> meets_stock(path.moves.size(), false);
+  for (const StockFinding& finding : found_.findings) meets_stock[finding.move] = finding.witness.has_value();
   std::vector<std::size_t> first(path.moves.size() + 1);
   std::iota(first.begin(), first.end(), std::size_t{0});
-  material_ = std::make_shared<const StockAtMoves>(path, std::move(first), setup);
+  const std::shared_ptr<const Toolpath> not_owned(std::shared_ptr<const Toolpath>(), &path);
+  programmed_ = std::make_shared<const StockAtMoves>(not_owned, std::move(first), std::move(meets_stock), setup);
+  material_ = programmed_;
+}
+
+void StockLaws::forget() {
+  sought_ = before_;
+  material_ = programmed_;
 }
 
 StockLaws::Examined StockLaws::examine(const Correction& correction, const CheckedPath& after,
@@ -109,7 +113,8 @@ std::vector<std::size_t> StockLaws::blame(std::size_t move, const std::vector<Pa
 }
 
 bool StockLaws::was_cut(std::size_t move, const Vec3& point) const {
-  return cuts_.is_known(move) && cuts_.is_cutting(move) && !cuts_.is_missed_by(move, 1, point);
+  const CutHistory& cuts = programmed_->cuts();
+  return cuts.is_known(move) && cuts.is_cutting(move) && !cuts.is_missed_by(move, 1, point);
 }
 
 void StockLaws::seek(const Examined& examined, const std::vector<PathChange>& changes, Toolpath after) {
@@ -123,7 +128,11 @@ void StockLaws::seek(const Examined& examined, const std::vector<PathChange>& ch
   first.reserve(spans.size() + 1);
   for (const MovesAfter& span : spans) first.push_back(span.first);
   first.push_back(after.moves.size());
-  material_ = std::make_shared<const StockAtMoves>(std::move(after), std::move(first), setup_);
+  std::vector<bool> meets_stock(path_.moves.size());
+  for (std::size_t i = 0; i < meets_stock.size(); ++i) meets_stock[i] = material_->meets_stock(i);
+  for (const std::size_t i : examined.sought) meets_stock[i] = true;
+  material_ = std::make_shared<const StockAtMoves>(std::make_shared<const Toolpath>(std::move(after)), std::move(first),
+                                                   std::move(meets_stock), setup_);
 }
 
 }  // namespace gouge

@@ -39,6 +39,8 @@ class StockLaws {
 
   /// Adds the findings of a corrected path to those that are sought, and takes the material from that path.
   void seek(const Examined& examined, const std::vector<PathChange>& changes, Toolpath after);
+  /// Forgets what `seek` added.
+  void forget();
 
  private:
   [[nodiscard]] bool is_no_worse(std::size_t move, const StockResult& after, std::size_t piece,
@@ -51,9 +53,7 @@ class StockLaws {
   const CheckSetup& setup_;
   CheckResult before_, sought_;
   StockResult found_;
-  StockHistory programs_;
-  const CutHistory& cuts_;  // of the path itself
-  std::shared_ptr<const StockAtMoves> material_;
+  std::shared_ptr<const StockAtMoves> programmed_, material_;
 };
 
 }  // namespace gouge

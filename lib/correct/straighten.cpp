@@ -95,7 +95,7 @@ std::optional<ReworkedPath> straighten(const Toolpath& path, const CheckResult& 
       chord.end = to;
       const Motion motion = options.law.straight(from, to);
       from = to;
-      const MotionChecker in_place = result.verdicts[i].is_in_stock() ? checker.for_move(i, false) : checker;
+      const MotionChecker in_place = checker.meets_stock(i) ? checker.for_move(i, false) : checker;
       straight.add(chord, i, false, in_place.check(motion, chord.kind, *tools[chord.tool], options, true));
     }
   }
