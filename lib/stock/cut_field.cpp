@@ -80,8 +80,7 @@ std::optional<NearestPlace> CutHistory::nearest_place(const Vec3& point, std::si
   return found;
 }
 
-bool CutHistory::is_untouched(const ConvexRegion& region, double slack_mm, std::size_t before,
-                              std::size_t& hint) const {
+bool CutHistory::is_untouched(const HullRegion& region, double slack_mm, std::size_t before, std::size_t& hint) const {
   const double slack = slack_mm + Tolerance::kRounding_mm;
   const Vec3 low = region.low() - Vec3::Constant(slack), high = region.high() + Vec3::Constant(slack);
   for (const Unknown& unknown : unknown_) {

@@ -9,7 +9,7 @@
 #include "lib/path/toolpath.h"
 #include "lib/stock/contour_hulls.h"
 #include "lib/stock/convex_pieces.h"
-#include "lib/stock/convex_region.h"
+#include "lib/stock/hull_region.h"
 #include "lib/stock/motion_tree.h"
 #include "lib/stock/move_places.h"
 #include "lib/stock/stock_options.h"
@@ -72,7 +72,7 @@ class CutHistory {
                                                           PlacesOf places) const;
   /// Proves that no tool, with all its bodies, reached a point within `slack_mm` of a region before a move, and that all
   /// motions until then are known near it. `hint` is a move that is tried first; the result does not depend on it.
-  [[nodiscard]] bool is_untouched(const ConvexRegion& region, double slack_mm, std::size_t before,
+  [[nodiscard]] bool is_untouched(const HullRegion& region, double slack_mm, std::size_t before,
                                   std::size_t& hint) const;
 
   /// Returns whether the motion of a move and its tool are known.
