@@ -31,12 +31,12 @@ struct GridHash {
 /// Equal cells about a box. The planes of the box pass through the middles of cells, and the outermost cells on all sides
 /// are beyond them. mm.
 struct CellGrid {
-  static constexpr std::int32_t kMostCells = 1 << 20;  ///< along one axis
+  static constexpr std::int32_t kMaxCells = 1 << 20;  ///< along one axis
 
   Vec3 origin = Vec3::Zero(), size = Vec3::Ones();  ///< of corner 0, and of one cell
   GridIndex count{};                                ///< number of cells
 
-  /// Requires at most kMostCells - 3 cells along an axis.
+  /// Requires at most kMaxCells - 3 cells along an axis.
   [[nodiscard]] static CellGrid about(const Vec3& low, const Vec3& high, double cell_mm);
 
   [[nodiscard]] Vec3 corner(const GridIndex& at) const { return origin + Vec3(at[0], at[1], at[2]).cwiseProduct(size); }

@@ -30,13 +30,13 @@ CubeSide side_of(const Cube& cube, const StockSide& side) {
   const double value = side.at(0.5 * (cube.low + cube.high), reach).mm;
   if (value < -reach) return CubeSide::other;
   CutMove hint;
-  if (value > 0 && side.proves(ConvexRegion::box(cube.low, cube.high), hint)) return CubeSide::proved;
+  if (value > 0 && side.proves(HullRegion::box(cube.low, cube.high), hint)) return CubeSide::proved;
   return CubeSide::open;
 }
 
 Diagnostic too_many() {
   return make_error("stock-cells-too-many", "the surface of the remaining stock takes more than " +
-                                                std::to_string(ProvedCells::kMostOpen) +
+                                                std::to_string(ProvedCells::kMaxOpen) +
                                                 " cells; expected a larger --stock-cell");
 }
 
@@ -72,7 +72,7 @@ Result<ProvedCells> ProvedCells::find(const CellGrid& grid, const StockSide& sid
         if (is_in) next.push_back(grid_key(child));
       }
     }
-    if (next.size() > kMostOpen) return too_many();
+    if (next.size() > kMaxOpen) return too_many();
     std::ranges::sort(next);
     now = std::move(next);
     if (level == 0) break;

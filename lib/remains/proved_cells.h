@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-/// How the work on cells runs.
+/// Threads and progress of the work on cells.
 struct CellWork {
   unsigned threads = 0;
   ProgressCall progress;
@@ -30,7 +30,7 @@ class ProvedCells {
   /// Returns whether a cell is in a proved cube.
   [[nodiscard]] bool is_proved(const GridIndex& cell) const;
 
-  static constexpr std::size_t kMostOpen = 8'000'000;
+  static constexpr std::size_t kMaxOpen = 8'000'000;
 
  private:
   std::vector<std::unordered_set<std::uint64_t, GridHash>> proved_;  // cubes of 2^level cells a side, for each level

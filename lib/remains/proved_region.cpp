@@ -133,14 +133,14 @@ bool ProvedRegion::make_simple() {
 }
 
 ProvedRegion::Proof ProvedRegion::prove(const GridIndex& cell) const {
-  const std::vector<ConvexRegion> pieces = points_.pieces(cell);
+  const std::vector<HullRegion> pieces = points_.pieces(cell);
   RegionProof exact(side_, inset_mm_, RegionProof::Kind::exact);
   // The whole cell first: it is often in the space of one cut.
   if (pieces.size() > 1 &&
-      exact.holds(ConvexRegion::box(points_.grid().corner(cell), points_.grid().corner(corner_of(cell, 7))), 0))
+      exact.holds(HullRegion::box(points_.grid().corner(cell), points_.grid().corner(corner_of(cell, 7))), 0))
     return Proof::exact;
   const auto holds = [](RegionProof& proof) {
-    return [&proof](const ConvexRegion& piece) { return proof.holds(piece); };
+    return [&proof](const HullRegion& piece) { return proof.holds(piece); };
   };
   if (std::ranges::all_of(pieces, holds(exact))) return Proof::exact;
   if (pieces.size() > 1 && points_.can_pull_back(cell)) return Proof::failed;

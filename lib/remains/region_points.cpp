@@ -15,7 +15,7 @@ constexpr std::size_t kPointChunk = 256;
 // How far points are moved back to the region each time that its proof fails, as a share of the whole way.
 constexpr std::array<double, 4> kPulls{0, 0.3, 0.65, 1};
 // Points keep away from the corners of their cell by half of the inset, between these shares of the cell.
-constexpr double kLeastMargin = 0.005, kMostMargin = 0.05;
+constexpr double kMinMargin = 0.005, kMaxMargin = 0.05;
 // Directions of a feature count if they are at least this strong, of the strongest.
 constexpr double kFeature = 0.08;
 // Corners of lower values are no seams, in insets.
@@ -29,7 +29,7 @@ RegionPoints::RegionPoints(const CellGrid& grid, const StockSide& side, double i
       side_(side),
       inset_mm_(inset_mm),
       within_mm_(grid.size.maxCoeff() + 2 * inset_mm),
-      margin_(std::clamp(0.5 * inset_mm / grid.size.maxCoeff(), kLeastMargin, kMostMargin)) {}
+      margin_(std::clamp(0.5 * inset_mm / grid.size.maxCoeff(), kMinMargin, kMaxMargin)) {}
 
 // Cuts that abut have a seam between them. A corner near the seam of two cuts is in the region all the same.
 double RegionPoints::value_at(const Vec3& corner) const {
@@ -37,7 +37,7 @@ double RegionPoints::value_at(const Vec3& corner) const {
   if (value > 0 || value < -kSeamInsets * inset_mm_ || !side_.has_slivers()) return value;
   const Vec3 about = Vec3::Constant(2 * inset_mm_);
   RegionProof proof(side_, inset_mm_, RegionProof::Kind::widened);
-  return proof.holds(ConvexRegion::box(corner - about, corner + about)) ? 2 * inset_mm_ : value;
+  return proof.holds(HullRegion::box(corner - about, corner + about)) ? 2 * inset_mm_ : value;
 }
 
 std::vector<std::uint64_t> RegionPoints::add_corners(const Keys& corners, const CellWork& work) {
@@ -238,11 +238,11 @@ RegionPoints::FacePoint RegionPoints::on_face(const GridIndex& cell, std::size_t
   return {kept + kPulls[static_cast<std::size_t>(pull)] * (goal - kept), false};
 }
 
-std::vector<ConvexRegion> RegionPoints::pieces(const GridIndex& cell) const {
+std::vector<HullRegion> RegionPoints::pieces(const GridIndex& cell) const {
   const unsigned in = corners_in(cell);
   if (in == 0) return {};
-  if (in == 0xffU) return {ConvexRegion::box(grid_.corner(cell), grid_.corner(corner_of(cell, 7)))};
-  std::vector<ConvexRegion> all;
+  if (in == 0xffU) return {HullRegion::box(grid_.corner(cell), grid_.corner(corner_of(cell, 7)))};
+  std::vector<HullRegion> all;
   const Vec3 v = in_cell(cell);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::size_t u = (axis + 1) % 3, w = (axis + 2) % 3;
@@ -255,8 +255,8 @@ std::vector<ConvexRegion> RegionPoints::pieces(const GridIndex& cell) const {
       if (count == 0) continue;
       const auto at = [&](std::size_t k) { return grid_.corner(ring[k % 4]); };
       if (count == 4) {
-        all.push_back(ConvexRegion::tetrahedron({at(0), at(1), at(2), v}));
-        all.push_back(ConvexRegion::tetrahedron({at(0), at(2), at(3), v}));
+        all.push_back(HullRegion::tetrahedron({at(0), at(1), at(2), v}));
+        all.push_back(HullRegion::tetrahedron({at(0), at(2), at(3), v}));
         continue;
       }
       const Vec3 f = on_face(face, axis).at;
@@ -264,12 +264,12 @@ std::vector<ConvexRegion> RegionPoints::pieces(const GridIndex& cell) const {
         const std::size_t next = (k + 1) % 4;
         if (!is[k] && !is[next]) continue;
         if (is[k] && is[next]) {
-          all.push_back(ConvexRegion::tetrahedron({at(k), at(next), f, v}));
+          all.push_back(HullRegion::tetrahedron({at(k), at(next), f, v}));
           continue;
         }
         const std::size_t along = k % 2 == 0 ? u : w;
         const Vec3 e = on_edge(k < 2 ? ring[k] : ring[next], along);
-        all.push_back(ConvexRegion::tetrahedron({at(is[k] ? k : next), e, f, v}));
+        all.push_back(HullRegion::tetrahedron({at(is[k] ? k : next), e, f, v}));
       }
     }
   }

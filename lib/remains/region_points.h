@@ -9,7 +9,7 @@
 #include "lib/remains/cell_grid.h"
 #include "lib/remains/proved_cells.h"
 #include "lib/remains/stock_side.h"
-#include "lib/stock/convex_region.h"
+#include "lib/stock/hull_region.h"
 
 namespace gouge {
 
@@ -50,7 +50,7 @@ class RegionPoints {
   [[nodiscard]] FacePoint on_face(const GridIndex& cell, std::size_t axis) const;
   [[nodiscard]] Vec3 in_cell(const GridIndex& cell) const;
   /// Returns the part of a cell that is in the region, as convex pieces.
-  [[nodiscard]] std::vector<ConvexRegion> pieces(const GridIndex& cell) const;
+  [[nodiscard]] std::vector<HullRegion> pieces(const GridIndex& cell) const;
 
  private:
   struct EdgePoint {

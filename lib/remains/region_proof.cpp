@@ -11,14 +11,14 @@ namespace {
 constexpr double kSeam = 0.1;
 
 /// Halves a box at the middle of its longest side, or a tetrahedron at the middle of its longest edge.
-std::array<ConvexRegion, 2> halves(const ConvexRegion& region) {
-  if (region.count == ConvexRegion::kMaxPoints) {
+std::array<HullRegion, 2> halves(const HullRegion& region) {
+  if (region.count == HullRegion::kMaxPoints) {
     const Vec3 low = region.low(), high = region.high();
     Eigen::Index axis = 0;
     (high - low).maxCoeff(&axis);
     Vec3 below = high, above = low;
     below[axis] = above[axis] = 0.5 * (low[axis] + high[axis]);
-    return {ConvexRegion::box(low, below), ConvexRegion::box(above, high)};
+    return {HullRegion::box(low, below), HullRegion::box(above, high)};
   }
   std::array<Vec3, 4> first{}, second{};
   std::copy_n(region.corners.begin(), 4, first.begin());
@@ -30,12 +30,12 @@ std::array<ConvexRegion, 2> halves(const ConvexRegion& region) {
   const Vec3 middle = 0.5 * (first[a] + first[b]);
   first[a] = middle;
   second[b] = middle;
-  return {ConvexRegion::tetrahedron(first), ConvexRegion::tetrahedron(second)};
+  return {HullRegion::tetrahedron(first), HullRegion::tetrahedron(second)};
 }
 
 }  // namespace
 
-bool RegionProof::holds(const ConvexRegion& region, int halvings) {
+bool RegionProof::holds(const HullRegion& region, int halvings) {
   if (side_.proves(region, hint_)) return true;
   const bool is_widened = kind_ == Kind::widened;
   const Vec3 middle = region.middle();
@@ -43,7 +43,7 @@ bool RegionProof::holds(const ConvexRegion& region, int halvings) {
   if (depth < (is_widened ? -kSeam * inset_mm_ : 0)) return false;
   if (is_widened && side_.proves_widened(region, hint_)) return true;
   if (halvings == 0) return false;
-  return std::ranges::all_of(halves(region), [&](const ConvexRegion& half) { return holds(half, halvings - 1); });
+  return std::ranges::all_of(halves(region), [&](const HullRegion& half) { return holds(half, halvings - 1); });
 }
 
 }  // namespace gouge

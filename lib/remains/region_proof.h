@@ -15,7 +15,7 @@ class RegionProof {
 
   /// A region is halved at most this often, one part after the other.
   static constexpr int kHalvings = 9;
-  [[nodiscard]] bool holds(const ConvexRegion& region, int halvings = kHalvings);
+  [[nodiscard]] bool holds(const HullRegion& region, int halvings = kHalvings);
 
  private:
   const StockSide& side_;

@@ -26,8 +26,8 @@ Result<Plan> plan_of(const CutHistory& history, const StockSolid& stock, std::si
                      const RemainsOptions& options) {
   const double cell = options.cell_mm > 0 ? options.cell_mm : default_stock_cell(stock, resolution_mm);
   const Vec3 size = stock.high() - stock.low();
-  if (size.maxCoeff() / cell > CellGrid::kMostCells / 2)
-    return make_error("stock-cells-too-many", "the stock is more than " + std::to_string(CellGrid::kMostCells / 2) +
+  if (size.maxCoeff() / cell > CellGrid::kMaxCells / 2)
+    return make_error("stock-cells-too-many", "the stock is more than " + std::to_string(CellGrid::kMaxCells / 2) +
                                                   " cells long; expected a larger --stock-cell");
   Plan plan{CellGrid::about(stock.low(), stock.high(), cell),
             {history, stock, before, resolution_mm, options.rounding_mm, 0}};

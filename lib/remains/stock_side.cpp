@@ -9,8 +9,8 @@ namespace gouge {
 namespace {
 
 /// Returns the points of a region as a piece of space that rests.
-SweptPiece piece_of(const ConvexRegion& region, double slack_mm) {
-  static_assert(ConvexRegion::kMaxPoints <= SweptPiece::kMaxDiscs);
+SweptPiece piece_of(const HullRegion& region, double slack_mm) {
+  static_assert(HullRegion::kMaxPoints <= SweptPiece::kMaxDiscs);
   SweptPiece piece;
   piece.count = region.count;
   piece.slack_mm = slack_mm;
@@ -32,12 +32,12 @@ StockSide::Value GoneSide::at(const Vec3& point, double within_mm) const {
 }
 
 // The history proves with cutters that are wider by the resolution; that much slack makes them as they are.
-bool GoneSide::proves(const ConvexRegion& region, CutMove& hint) const {
+bool GoneSide::proves(const HullRegion& region, CutMove& hint) const {
   if (after_.stock.is_apart_from(region, after_.rounding_mm)) return true;
   return after_.history.is_removed(piece_of(region, after_.resolution_mm + after_.rounding_mm), after_.before, hint);
 }
 
-bool GoneSide::proves_widened(const ConvexRegion& region, CutMove& hint) const {
+bool GoneSide::proves_widened(const HullRegion& region, CutMove& hint) const {
   if (after_.stock.is_clear_of(piece_of(region, 0).start(), after_.rounding_mm - after_.resolution_mm)) return true;
   return after_.history.is_removed(piece_of(region, after_.rounding_mm), after_.before, hint);
 }
@@ -51,7 +51,7 @@ StockSide::Value ThereSide::at(const Vec3& point, double within_mm) const {
   return -stock.mm > within_mm ? Value{within_mm - after_.inset_mm, value.rise} : value;
 }
 
-bool ThereSide::proves(const ConvexRegion& region, CutMove& hint) const {
+bool ThereSide::proves(const HullRegion& region, CutMove& hint) const {
   return after_.stock.contains(region, after_.rounding_mm) &&
          after_.history.is_untouched(region, after_.rounding_mm, after_.before, hint);
 }

@@ -20,12 +20,12 @@ class StockSide {
   /// Returns the value; exact only where it is within `within_mm` of 0. Nothing is proved with it.
   [[nodiscard]] virtual Value at(const Vec3& point, double within_mm) const = 0;
   /// Proves that a region is on this side. `hint` is a move that is tried first; the result does not depend on it.
-  [[nodiscard]] virtual bool proves(const ConvexRegion& region, CutMove& hint) const = 0;
+  [[nodiscard]] virtual bool proves(const HullRegion& region, CutMove& hint) const = 0;
   /// Returns whether proves_widened may succeed where proves does not.
   [[nodiscard]] virtual bool has_slivers() const = 0;
   /// Proves the same if cutters count as wider by the resolution and the stock as smaller. It is for material between
   /// cuts that is thinner than twice the resolution.
-  [[nodiscard]] virtual bool proves_widened(const ConvexRegion& region, CutMove& hint) const = 0;
+  [[nodiscard]] virtual bool proves_widened(const HullRegion& region, CutMove& hint) const = 0;
 };
 
 /// The remaining stock after the first moves of a path.
@@ -43,9 +43,9 @@ class GoneSide : public StockSide {
  public:
   explicit GoneSide(const StockAfter& after) : after_(after) {}
   [[nodiscard]] Value at(const Vec3& point, double within_mm) const override;
-  [[nodiscard]] bool proves(const ConvexRegion& region, CutMove& hint) const override;
+  [[nodiscard]] bool proves(const HullRegion& region, CutMove& hint) const override;
   [[nodiscard]] bool has_slivers() const override { return true; }
-  [[nodiscard]] bool proves_widened(const ConvexRegion& region, CutMove& hint) const override;
+  [[nodiscard]] bool proves_widened(const HullRegion& region, CutMove& hint) const override;
 
  private:
   StockAfter after_;
@@ -56,9 +56,9 @@ class ThereSide : public StockSide {
  public:
   explicit ThereSide(const StockAfter& after) : after_(after) {}
   [[nodiscard]] Value at(const Vec3& point, double within_mm) const override;
-  [[nodiscard]] bool proves(const ConvexRegion& region, CutMove& hint) const override;
+  [[nodiscard]] bool proves(const HullRegion& region, CutMove& hint) const override;
   [[nodiscard]] bool has_slivers() const override { return false; }
-  [[nodiscard]] bool proves_widened(const ConvexRegion&, CutMove&) const override { return false; }
+  [[nodiscard]] bool proves_widened(const HullRegion&, CutMove&) const override { return false; }
 
  private:
   StockAfter after_;

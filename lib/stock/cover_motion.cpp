@@ -84,7 +84,7 @@ std::optional<double> instant_below(double t0, double t1, double wanted, const V
     std::push_heap(waiting.begin(), waiting.end(), is_higher);
   };
   add(t0, t1);
-  while (!found && !waiting.empty() && count < kMaxInstants) {
+  while (!found && !waiting.empty() && count < kMaxCoverInstants) {
     std::pop_heap(waiting.begin(), waiting.end(), is_higher);
     const Instants lowest = waiting.back();
     waiting.pop_back();

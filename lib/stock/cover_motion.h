@@ -40,12 +40,12 @@ struct CutWindow {
 /// Returns whether the piece is in one of the convex pieces of a cutter during a window of a motion, with that margin. The
 /// cutter is at one instant at the start of the piece's interval and at another one at its end: between them the piece
 /// moves straight in the cutter's frame. Where the axis turns, one instant serves for the whole interval.
-/// Cost  A few evaluations of a convex piece, at most kMaxInstants for each.
+/// Cost  A few evaluations of a convex piece, at most kMaxCoverInstants for each.
 [[nodiscard]] bool is_covered_by(const Motion& motion, const CutWindow& window, const std::vector<ConvexPiece>& pieces,
                                  const SweptPiece& piece, const CoverMargin& margin);
 
 /// Number of instants after which the search for one that contains a piece ends.
-inline constexpr std::size_t kMaxInstants = 256;
+inline constexpr std::size_t kMaxCoverInstants = 256;
 
 /// Returns the least distance of a point from the cutter that a search over a span of a motion finds; negative inside.
 [[nodiscard]] double nearest_distance_mm(const Motion& motion, const MotionSpan& span, const CompiledTool& cutter,

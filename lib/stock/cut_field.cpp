@@ -56,7 +56,7 @@ std::optional<NearestPlace> CutHistory::nearest_place(const Vec3& point, std::si
   return found;
 }
 
-bool CutHistory::is_untouched(const ConvexRegion& region, double slack_mm, std::size_t before, CutMove& hint) const {
+bool CutHistory::is_untouched(const HullRegion& region, double slack_mm, std::size_t before, CutMove& hint) const {
   if (!is_left_alone(region, slack_mm, before, hint)) return false;
   for (const CutHistory* program = earlier_; program != nullptr; program = program->earlier_)
     if (!program->is_left_alone(region, slack_mm, program->size(), hint)) return false;
@@ -97,7 +97,7 @@ std::optional<NearestPlace> CutHistory::own_nearest_place(const Vec3& point, std
   return found;
 }
 
-bool CutHistory::is_left_alone(const ConvexRegion& region, double slack_mm, std::size_t before, CutMove& hint) const {
+bool CutHistory::is_left_alone(const HullRegion& region, double slack_mm, std::size_t before, CutMove& hint) const {
   const double slack = slack_mm + Tolerance::kRounding_mm;
   const Vec3 low = region.low() - Vec3::Constant(slack), high = region.high() + Vec3::Constant(slack);
   for (const Unknown& unknown : unknown_) {

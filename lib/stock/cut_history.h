@@ -9,8 +9,8 @@
 #include "lib/path/toolpath.h"
 #include "lib/stock/contour_hulls.h"
 #include "lib/stock/convex_pieces.h"
-#include "lib/stock/convex_region.h"
 #include "lib/stock/cover_motion.h"
+#include "lib/stock/hull_region.h"
 #include "lib/stock/motion_tree.h"
 #include "lib/stock/move_places.h"
 #include "lib/stock/stock_options.h"
@@ -97,7 +97,7 @@ class CutHistory {
                                                           PlacesOf places) const;
   /// Proves that no tool, with all its bodies, reached a point within `slack_mm` of a region before a move, and that all
   /// motions until then are known near it. `hint` is a move that is tried first; the result does not depend on it.
-  [[nodiscard]] bool is_untouched(const ConvexRegion& region, double slack_mm, std::size_t before, CutMove& hint) const;
+  [[nodiscard]] bool is_untouched(const HullRegion& region, double slack_mm, std::size_t before, CutMove& hint) const;
 
   /// Returns whether the motion of a move and its tool are known.
   [[nodiscard]] bool is_known(std::size_t move) const { return is_known_[move]; }
@@ -132,8 +132,7 @@ class CutHistory {
   // Both of this program alone.
   [[nodiscard]] std::optional<NearestPlace> own_nearest_place(const Vec3& point, std::size_t before, double within_mm,
                                                               PlacesOf places) const;
-  [[nodiscard]] bool is_left_alone(const ConvexRegion& region, double slack_mm, std::size_t before,
-                                   CutMove& hint) const;
+  [[nodiscard]] bool is_left_alone(const HullRegion& region, double slack_mm, std::size_t before, CutMove& hint) const;
   void add_unknown(std::size_t move);
   /// Returns whether the cutter may contain the piece during a span.
   [[nodiscard]] bool may_cover(const MotionSpan& span, const SweptPiece& piece, const Vec3& middle) const;

@@ -14,7 +14,7 @@ namespace {
 
 // An interval of time is halved at most this often for one region; the region is then too near to the tool.
 constexpr int kMaxHalvings = 12;
-constexpr int kFirstInstants = 3, kMostInstants = 12, kRefinements = 8;
+constexpr int kFirstInstants = 3, kMaxInstants = 12, kRefinements = 8;
 
 /// Returns the direction in which the distance from the tool grows at a point.
 Vec3 outward_of(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
@@ -47,8 +47,8 @@ std::optional<MovePlaces::Nearest> MovePlaces::nearest(const CompiledTool& tool,
     const double here = distance(t);
     if (here < best.distance_mm) best = {here, t};
   };
-  const int first = std::clamp(static_cast<int>(2 * way / std::max(tool.r_max_mm, Tolerance::kNoSide)), kFirstInstants,
-                               kMostInstants);
+  const int first =
+      std::clamp(static_cast<int>(2 * way / std::max(tool.r_max_mm, Tolerance::kNoSide)), kFirstInstants, kMaxInstants);
   for (int k = 0; k <= first; ++k) take(a + (b - a) * k / first);
   double step = (b - a) / first;
   for (int k = 0; k < kRefinements; ++k) {
@@ -62,7 +62,7 @@ std::optional<MovePlaces::Nearest> MovePlaces::nearest(const CompiledTool& tool,
 }
 
 bool MovePlaces::is_apart(const CompiledTool& tool, const std::vector<ContourHull>& hulls, double a, double b,
-                          const ConvexRegion& region, double slack_mm, Vec3& away) const {
+                          const HullRegion& region, double slack_mm, Vec3& away) const {
   Asked asked{tool, hulls, region, region.middle(), 0, slack_mm + Tolerance::kRounding_mm};
   asked.ball_mm = region.reach_mm(asked.middle) + asked.slack_mm;
   return is_apart(asked, a, b, kMaxHalvings, away);

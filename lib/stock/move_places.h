@@ -6,7 +6,7 @@
 
 #include "lib/motion/motion.h"
 #include "lib/stock/contour_hulls.h"
-#include "lib/stock/convex_region.h"
+#include "lib/stock/hull_region.h"
 #include "lib/tool/compiled_tool.h"
 
 namespace gouge {
@@ -33,14 +33,14 @@ class MovePlaces {
   /// Proves that no point within `slack_mm` of a region is in the tool during [a, b], by planes between them. `away` is a
   /// direction from the tool to the region that is tried first, or zero; it becomes the one that separated them.
   [[nodiscard]] bool is_apart(const CompiledTool& tool, const std::vector<ContourHull>& hulls, double a, double b,
-                              const ConvexRegion& region, double slack_mm, Vec3& away) const;
+                              const HullRegion& region, double slack_mm, Vec3& away) const;
 
  private:
   /// A region whose distance from the tool is asked for, with a ball about it.
   struct Asked {
     const CompiledTool& tool;
     const std::vector<ContourHull>& hulls;
-    const ConvexRegion& region;
+    const HullRegion& region;
     Vec3 middle = Vec3::Zero();
     double ball_mm = 0, slack_mm = 0;
   };

@@ -18,7 +18,7 @@ namespace {
 /// Half-spaces whose intersection contains a region, grown by a length in all directions.
 class GrownRegion {
  public:
-  GrownRegion(const ConvexRegion& region, double grow_mm) : grow_mm_(grow_mm) {
+  GrownRegion(const HullRegion& region, double grow_mm) : grow_mm_(grow_mm) {
     const Vec3 low = region.low(), high = region.high();
     for (int k = 0; k < 3; ++k) {
       add({Vec3::Unit(k), low[k]});
@@ -36,7 +36,7 @@ class GrownRegion {
   std::size_t count_ = 0;
 };
 
-HalfSpace behind(const ConvexRegion& region, const Vec3& direction) {
+HalfSpace behind(const HullRegion& region, const Vec3& direction) {
   double least = std::numeric_limits<double>::max();
   for (const Vec3& point : region.points()) least = std::min(least, direction.dot(point));
   return {direction, least};
@@ -145,7 +145,7 @@ StockSolid::Distance StockSolid::signed_distance(const Vec3& point) const {
   return nearest;
 }
 
-bool StockSolid::is_apart_from(const ConvexRegion& region, double slack_mm) const {
+bool StockSolid::is_apart_from(const HullRegion& region, double slack_mm) const {
   const double apart = slack_mm + Tolerance::kRounding_mm;
   if (((region.low() - high_).array() >= apart).any() || ((low_ - region.high()).array() >= apart).any()) return true;
   if (surfaces_.empty()) return false;
@@ -162,7 +162,7 @@ bool StockSolid::is_apart_from(const ConvexRegion& region, double slack_mm) cons
   return true;
 }
 
-bool StockSolid::contains(const ConvexRegion& region, double slack_mm) const {
+bool StockSolid::contains(const HullRegion& region, double slack_mm) const {
   const double inset = slack_mm + Tolerance::kRounding_mm;
   if (surfaces_.empty())
     return ((region.low() - low_).array() >= inset).all() && ((high_ - region.high()).array() >= inset).all();

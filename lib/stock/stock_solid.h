@@ -5,8 +5,8 @@
 
 #include "lib/base/result.h"
 #include "lib/geom/vec.h"
-#include "lib/stock/convex_region.h"
 #include "lib/stock/disc.h"
+#include "lib/stock/hull_region.h"
 #include "lib/stock/prism.h"
 #include "lib/surface/surface.h"
 
@@ -40,9 +40,9 @@ class StockSolid {
   /// of its planes.
   [[nodiscard]] Distance signed_distance(const Vec3& point) const;
   /// Proves that no point within `slack_mm` >= 0 of a region is in the stock.
-  [[nodiscard]] bool is_apart_from(const ConvexRegion& region, double slack_mm) const;
+  [[nodiscard]] bool is_apart_from(const HullRegion& region, double slack_mm) const;
   /// Proves that all points within `slack_mm` >= 0 of a region are in the stock.
-  [[nodiscard]] bool contains(const ConvexRegion& region, double slack_mm) const;
+  [[nodiscard]] bool contains(const HullRegion& region, double slack_mm) const;
 
   /// Box about the stock.
   [[nodiscard]] const Vec3& low() const { return low_; }

@@ -33,7 +33,7 @@ std::string area_range_text(double low_mm2, double high_mm2, LengthUnit unit) {
 
 std::string excess_kind(const ExcessPlaceFacts& place) { return place.is_proved() ? "material left" : "material open"; }
 
-std::string why_open_text(const ReportModel& model, const ExcessPlaceFacts& place) {
+std::string why_open_text(const ExcessPlaceFacts& place) {
   if (place.is_proved()) return {};
   if (place.unknown_move == kNone) return "a tool touched it without cutting it for certain, or the budget ended";
   return "the motion of line " + std::to_string(place.unknown_line) +
@@ -45,8 +45,7 @@ std::string excess_place_text(const ReportModel& model, const ExcessPlaceFacts& 
   const std::string where = " at " + point_text(place.point, unit) + ", facet " + std::to_string(place.facet) +
                             ", on " + area_range_text(place.area_mm2, place.area_upper_mm2, unit);
   if (place.is_proved()) return height_range(place, unit) + where;
-  return "up to " + length_text(place.height_upper_mm, unit) + " may be left" + where + ": " +
-         why_open_text(model, place);
+  return "up to " + length_text(place.height_upper_mm, unit) + " may be left" + where + ": " + why_open_text(place);
 }
 
 std::string excess_text(const ReportModel& model) {

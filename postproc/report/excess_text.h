@@ -12,7 +12,7 @@ namespace gouge {
 [[nodiscard]] std::string excess_place_text(const ReportModel& model, const ExcessPlaceFacts& place);
 
 /// Returns why a place is open; empty for a place that is proved.
-[[nodiscard]] std::string why_open_text(const ReportModel& model, const ExcessPlaceFacts& place);
+[[nodiscard]] std::string why_open_text(const ExcessPlaceFacts& place);
 
 /// Returns the kind of a place, in which its line of the findings begins: "material left" or "material open".
 [[nodiscard]] std::string excess_kind(const ExcessPlaceFacts& place);

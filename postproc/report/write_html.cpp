@@ -181,7 +181,7 @@ class HtmlReport {
                 html_cell(length_text(place.height_upper_mm, unit_), "n") +
                 html_cell(area_range_text(place.area_mm2, place.area_upper_mm2, unit_), "n") +
                 html_cell(point_text(place.point, unit_), "k") + html_cell(model_.parts[place.part].name) +
-                html_cell(std::to_string(place.facet), "n") + html_cell(why_open_text(model_, place)));
+                html_cell(std::to_string(place.facet), "n") + html_cell(why_open_text(place)));
     }
     return "<h2>Material left on the part</h2>\n" + table.html();
   }

@@ -32,7 +32,7 @@ bool is_message_code(const std::string& word) {
   static const std::array<const char*, 15> kKinds = {"cgal-",    "cutter-", "file-",  "folder-", "jobs-",
                                                      "library-", "merge-",  "mesh-",  "path-",   "picture-",
                                                      "report-",  "stl-",    "store-", "tool-",   "write-"};
-  static const std::set<std::string> kOptionNames = {"stl-units", "tool-library"};
+  static const std::set<std::string> kOptionNames = {"stl-units", "tool-library", "write-stock"};
   if (kOptionNames.count(word) != 0 || word.empty() || word.back() == '-') return false;
   for (const char c : word) {
     if (c != '-' && std::islower(static_cast<unsigned char>(c)) == 0) return false;

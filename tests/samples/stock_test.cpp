@@ -243,5 +243,88 @@ TEST_F(StockSample, APartNamedLikeAShapeIsFoundBesideItsProjectFile) {
   EXPECT_EQ(ran.exit_status, 1) << ran.err;
 }
 
+TEST_F(StockSample, TheMeshesOfWhatIsLeftAreSoundAndStockOfTheNextSetUp) {
+  const std::vector<std::string> writing{"--stock",       "box=5",    "--stock-cell", "1.5",
+                                         "--write-stock", "left.stl", "--json",       "check.json"};
+  ASSERT_EQ(run("rapid_stock", writing).exit_status, 1);
+  const Json left = json_of("check.json").at("stock").at("left");
+  EXPECT_GE(left.at("perhaps_mm3").get<double>(), left.at("surely_mm3").get<double>());
+  EXPECT_LE(left.at("cell").get<double>(), 1.5);
+  EXPECT_GT(left.at("apart").get<double>(), 4);  // the rapid went through 5 mm of material
+  for (const std::string mesh : {"left.stl", "left.surely.stl"}) {
+    EXPECT_EQ(run_gougecheck(sample_.path, {"mesh", mesh, "--json", "mesh.json"}).exit_status, 0) << mesh;
+    EXPECT_NEAR(json_of("mesh.json").at("volume").get<double>(),
+                left.at(mesh == "left.stl" ? "perhaps_mm3" : "surely_mm3").get<double>(), 1)
+        << mesh;
+  }
+  // The same path again: now the rapid meets the stock from its start on, and the slot is cut.
+  const Outcome again = run_again({"--stock", "left.stl"});
+  EXPECT_EQ(again.exit_status, 1) << again.out;
+  EXPECT_NE(again.out.find("stock: 6 of 7 moves"), std::string::npos) << again.out;
+  // With an inch file and a place of its own the same numbers come back.
+  ASSERT_EQ(run_again({"--stock", "box=5", "--stock-cell", "1.5", "--write-stock", "placed.stl", "--place", "1,2,3",
+                       "--json", "placed.json"})
+                .exit_status,
+            1);
+  ASSERT_EQ(run_again({"--stock", "placed.stl", "--place", "1,2,3", "--stock-cell", "1.5", "--write-stock",
+                       "second.stl", "--json", "second.json"})
+                .exit_status,
+            1);
+  const Json placed = json_of("placed.json").at("stock").at("left"),
+             second = json_of("second.json").at("stock").at("left");
+  EXPECT_GE(second.at("perhaps_mm3").get<double>(), placed.at("perhaps_mm3").get<double>());
+  EXPECT_LT(second.at("perhaps_mm3").get<double>(), placed.at("perhaps_mm3").get<double>() * 1.02);
+}
+
+TEST_F(StockSample, TheMeshesAreTheSameAtAnyNumberOfThreads) {
+  ASSERT_EQ(run("holder_stock", {"--stock", "box", "--threads", "1", "--write-stock", "one.stl"}).exit_status, 1);
+  ASSERT_EQ(run_again({"--stock", "box", "--threads", "3", "--write-stock", "three.stl"}).exit_status, 1);
+  EXPECT_EQ(text_of(sample_.path + "/one.stl"), text_of(sample_.path + "/three.stl"));
+  EXPECT_EQ(text_of(sample_.path + "/one.surely.stl"), text_of(sample_.path + "/three.surely.stl"));
+}
+
+TEST_F(StockSample, WrongFilesAndCellsOfTheMeshesAreRefused) {
+  ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
+  write_text(sample_.path + "/raw.surely.stl", text_of(sample_.path + "/part.stl"));
+  for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+           {"--write-stock", "left.stl"},
+           {"--stock", "box", "--write-stock", "-"},
+           {"--stock", "box", "--write-stock", "left.obj"},
+           {"--stock", "box", "--write-stock", ".stl"},
+           {"--stock", "box", "--write-stock", "part.stl"},
+           {"--stock", "raw.surely.stl", "--write-stock", "raw.stl"},
+           {"--stock", "box", "--write-stock", "left.stl", "--json", "left.surely.stl"},
+           {"--stock", "box", "--stock-cell", "0.01", "--write-stock", "left.stl"},
+           {"--stock", "box", "--stock-cell", "x"}}) {
+    const Outcome ran = run_again(more);
+    EXPECT_EQ(ran.exit_status, 2) << more.back() << ": " << ran.err;
+  }
+  const Outcome fine = run_again(
+      {"--stock", "box", "--stock-resolution", "0.001", "--stock-cell", "0.002", "--write-stock", "left.stl"});
+  EXPECT_EQ(fine.exit_status, 3);
+  EXPECT_NE(fine.err.find("[stock-cells-too-many]"), std::string::npos) << fine.err;
+  EXPECT_EQ(text_of(sample_.path + "/left.stl"), "");
+  write_text(sample_.path + "/gougecheck.json",
+             R"({"part": "part.stl", "tools": "tools.json", "stock": "box", "write-stock": "left.stl"})");
+  const Outcome project = run_gougecheck(sample_.path, {"check", sample_.toolpath()});
+  EXPECT_NE(project.err.find("[project-option]"), std::string::npos) << project.err;
+}
+
+TEST_F(StockSample, OfStockThatIsCutAwayNoMeshIsWritten) {
+  ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
+  write_text(
+      sample_.path + "/tiny.stl",
+      "solid t\nfacet normal 0 0 -1\nouter loop\nvertex 30 9 -4\nvertex 30 11 -4\nvertex 32 9 -4\nendloop\nendfacet\n"
+      "facet normal 0 -1 0\nouter loop\nvertex 30 9 -4\nvertex 32 9 -4\nvertex 30 9 -2\nendloop\nendfacet\n"
+      "facet normal -1 0 0\nouter loop\nvertex 30 9 -4\nvertex 30 9 -2\nvertex 30 11 -4\nendloop\nendfacet\n"
+      "facet normal 1 1 1\nouter loop\nvertex 32 9 -4\nvertex 30 11 -4\nvertex 30 9 -2\nendloop\nendfacet\n"
+      "endsolid t\n");
+  const Outcome ran = run_again({"--stock", "tiny.stl", "--write-stock", "left.stl"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_NE(ran.err.find("[stock-nothing-left]"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.out.find("nothing is left of the stock"), std::string::npos) << ran.out;
+  EXPECT_EQ(text_of(sample_.path + "/left.stl"), "");
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples

@@ -11,23 +11,23 @@
 namespace gouge {
 
 /// A box along the axes, or a tetrahedron: the hull of up to eight points. mm, part coordinates.
-struct ConvexRegion {
+struct HullRegion {
   static constexpr std::size_t kMaxPoints = 8, kMaxFaces = 4;
   std::array<Vec3, kMaxPoints> corners;
   std::size_t count = 0;
   std::array<HalfSpace, kMaxFaces> faces;  ///< half-spaces that contain it, besides those of its box
   std::size_t face_count = 0;
 
-  [[nodiscard]] static ConvexRegion box(const Vec3& low, const Vec3& high) {
-    ConvexRegion region;
+  [[nodiscard]] static HullRegion box(const Vec3& low, const Vec3& high) {
+    HullRegion region;
     for (std::size_t k = 0; k < kMaxPoints; ++k)
       region.corners[k] = Vec3((k & 1U) != 0 ? high.x() : low.x(), (k & 2U) != 0 ? high.y() : low.y(),
                                (k & 4U) != 0 ? high.z() : low.z());
     region.count = kMaxPoints;
     return region;
   }
-  [[nodiscard]] static ConvexRegion tetrahedron(const std::array<Vec3, 4>& points) {
-    ConvexRegion region;
+  [[nodiscard]] static HullRegion tetrahedron(const std::array<Vec3, 4>& points) {
+    HullRegion region;
     region.count = points.size();
     for (std::size_t k = 0; k < points.size(); ++k) {
       region.corners[k] = points[k];
