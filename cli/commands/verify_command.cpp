@@ -30,6 +30,7 @@ class Verifier {
       : result_(result), scene_(claimed_scene(job)), digest_(inputs_digest(result.inputs)), progress_(progress) {
     if (stock != nullptr) stock_ = claimed_stock(job, result.arguments, *stock);
     done_.has_heads = !scene_.heads.empty();
+    done_.has_excess = result.has_excess;
   }
 
   /// Verifies the result and its certificate. Errors: certificate-invalid.
@@ -317,6 +318,7 @@ std::string uncovered_text(const Verification& v) {
         std::to_string(v.without_proof.front()) + ")");
   if (v.outside.unexamined > 0)
     add("whether " + moves(v.outside.unexamined) + " of tools with a thin body are outside of all solids");
+  if (v.has_excess) add("the material that the result states to be left on the parts");
   text +=
       "not part of a verification: overcut, that no move is nearer than said, how far thin features reach into a solid\n";
   return text;
@@ -326,7 +328,8 @@ std::string uncovered_text(const Verification& v) {
 
 int exit_status(const Verification& v) {
   if (!v.refuted.empty()) return kExitGouges;
-  return v.uncovered > 0 || !v.without_proof.empty() || v.outside.unexamined > 0 ? kExitNotChecked : kExitClean;
+  return v.uncovered > 0 || v.has_excess || !v.without_proof.empty() || v.outside.unexamined > 0 ? kExitNotChecked
+                                                                                                 : kExitClean;
 }
 
 std::string verification_text(const Verification& v, const ClaimedResult& result, const Toolpath* path) {

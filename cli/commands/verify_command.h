@@ -53,6 +53,7 @@ struct Verification {
   AttackResult attack;
   std::size_t stock_witnesses = 0;    ///< number of recomputed witnesses in remaining stock
   std::optional<AttackResult> stock;  ///< none: the check had no stock
+  bool has_excess = false;            ///< the result states material left on the parts
   bool has_heads = false;
 };
 

@@ -36,6 +36,7 @@ class ClaimTaker {
     result_.verdict = record_.verdict;
     result_.exit_status = record_.exit_status;
     result_.has_baseline = record_.baseline.has_value();
+    if (record_.excess) take_excess(*record_.excess);
     for (const Assumption& fact : record_.assumptions) take_fact(fact);
     const std::vector<JsonField> inputs = root_.at("inputs").list();
     for (std::size_t k = 0; k < record_.inputs.size(); ++k) take_input(inputs[k], record_.inputs[k]);
@@ -56,6 +57,12 @@ class ClaimTaker {
     } else if (fact.basis == Basis::contradicted || fact.basis == Basis::unknown) {
       result_.hidden_facts.push_back(name + " (" + basis_name(fact.basis) + ")");
     }
+  }
+
+  void take_excess(const ExcessRecord& excess) {
+    result_.has_excess = true;
+    for (const ExcessPlaceRecord& place : excess.places)
+      (place.height_mm ? result_.has_material_left : result_.is_material_open) = true;
   }
 
   // Adds warnings to the open facts. With --warnings-as-errors a warning keeps the verdict open like an open fact.
@@ -217,15 +224,16 @@ void compare_findings(const ClaimedResult& result, std::vector<std::string>& all
 /// Finds a verdict that contradicts the totals. It ignores which gouges were accepted.
 std::optional<std::string> find_wrong_verdict(const ClaimedResult& result) {
   const TotalsRecord& total = result.totals;
-  const bool is_open =
-      total.not_checked > total.left_out_as_asked || total.not_certified > 0 || !result.open_facts.empty();
+  const bool is_open = total.not_checked > total.left_out_as_asked || total.not_certified > 0 ||
+                       !result.open_facts.empty() || result.is_material_open;
   const bool may_be_accepted = result.has_baseline && total.buried == 0;
-  std::string expected = is_open ? "not-fully-checked" : "clean";
-  if (total.gouge + total.buried > 0 && !(may_be_accepted && is_open && result.verdict == expected))
-    expected = may_be_accepted && !is_open && result.verdict == "accepted-gouges" ? result.verdict : "gouges";
+  std::string expected = result.has_material_left ? "material-left" : is_open ? "not-fully-checked" : "clean";
+  const bool is_settled = !is_open && !result.has_material_left;
+  if (total.gouge + total.buried > 0 && !(may_be_accepted && !is_settled && result.verdict == expected))
+    expected = may_be_accepted && is_settled && result.verdict == "accepted-gouges" ? result.verdict : "gouges";
   if (result.verdict != expected)
     return "its verdict is '" + result.verdict + "', that of its totals '" + expected + "'";
-  const int status = expected == "gouges" ? 1 : expected == "not-fully-checked" ? 4 : 0;
+  const int status = expected == "gouges" || expected == "material-left" ? 1 : expected == "not-fully-checked" ? 4 : 0;
   if (result.exit_status == status) return std::nullopt;
   return "its exit status is " + std::to_string(result.exit_status) + ", that of its verdict " + std::to_string(status);
 }

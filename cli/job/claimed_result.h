@@ -22,8 +22,10 @@ struct ClaimedResult {
   std::string program;  ///< name and version
   std::string verdict;  ///< the word that the result states
   int exit_status = 0;
-  bool has_baseline = false;              ///< some gouges may be accepted
-  std::vector<std::string> open_facts;    ///< assumptions that the result calls open
+  bool has_baseline = false;                                 ///< some gouges may be accepted
+  bool has_excess = false;                                   ///< material left on the parts was asked for
+  bool has_material_left = false, is_material_open = false;  ///< at some place of the parts
+  std::vector<std::string> open_facts;                       ///< assumptions that the result calls open
   std::vector<std::string> hidden_facts;  ///< contradicted or unknown assumptions that it does not call open
   double mm_per_unit = 1;
   TotalsRecord totals;                       ///< as the result states them, independent of the toolpath

@@ -114,7 +114,8 @@ struct Case {
   Scene scene;
   CheckOptions options;
   CorrectOptions correction;
-  StockSetup stock{StockSolid::box(Vec3(-50, -50, -40), Vec3(50, 50, 0)), {}, {kTolerance_mm, kResolution_mm}};
+  StockSetup stock{.solid = StockSolid::box(Vec3(-50, -50, -40), Vec3(50, 50, 0)),
+                   .options = {.tolerance_mm = kTolerance_mm, .resolution_mm = kResolution_mm}};
 };
 
 void expect_clean_again(const Case& c, const LawfulCorrection& lawful) {

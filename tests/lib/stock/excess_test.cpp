@@ -197,7 +197,7 @@ TEST(Excess, AnUnknownMotionLeavesItOpen) {
   for (const ExcessPlace& place : found.places) {
     if (place.is_proved()) continue;
     is_open = true;
-    EXPECT_EQ(place.unknown_move, 3U);
+    EXPECT_EQ(place.unknown.move, 3U);
   }
   EXPECT_TRUE(is_open || found.area_upper_mm2() > found.area_mm2() + 300);
   // A cut that is known proves that nothing is left all the same.

@@ -51,10 +51,7 @@ Toolpath helix(double radius, double depth, int turns) {
 TEST(StockForms, AHelixOpensAHoleOfItsRadiusAndThatOfItsCutter) {
   // The shank is as wide as the flutes and follows the hole that the helix has opened above it.
   const ToolVariants cutter = flat(10, 6, 10, 30);
-  for (const StockFinding& finding : run(helix(4, 20, 8), {cutter}).findings)
-    ADD_FAILURE() << "move " << finding.move << ", witness " << finding.witness.has_value() << " "
-                  << (finding.witness ? finding.witness->t : 0) << " "
-                  << (finding.witness ? Vec3(finding.witness->point) : Vec3(0, 0, 0)).transpose();
+  EXPECT_TRUE(run(helix(4, 20, 8), {cutter}).findings.empty());
   for (const auto& [diameter, depth, exact] :
        {std::tuple(17.6, 19.99, 0.0), std::tuple(18.6, 19.9, 0.3), std::tuple(17.6, 20.4, 0.4)}) {
     Toolpath path = helix(4, 20, 8);
