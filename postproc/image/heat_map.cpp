@@ -85,14 +85,39 @@ std::string tool_names(const ReportModel& model) {
   return text.empty() ? "no tool" : text;
 }
 
+// Adds the bar of material left, with its title and the highest places.
+void add_material_bar(Page& page, const Area& area, const PictureSet& set, double title_y) {
+  const LengthUnit unit = set.model.toolpath->unit;
+  add_left_bar(page, area, set.surface_scale, unit);
+  page.text({area.x, title_y}, "Material left", 15, kInk, TextAnchor::left, true);
+  page.text({area.x, title_y + 19}, std::string("in ") + unit_words(unit), 14, kSoftInk);
+}
+
+// Adds the highest places of material left, as far as there is room.
+void add_place_key(Page& page, const PictureSet& set, double x, double y) {
+  constexpr std::size_t kMostPlaces = 5;
+  const ExcessFacts& facts = *set.input.result->excess;
+  const LengthUnit unit = set.model.toolpath->unit;
+  page.text({x, y}, "Highest places", 15, kInk, TextAnchor::left, true);
+  const double room = kPageWidth - 24 - x;
+  for (std::size_t k = 0; k < std::min(facts.proved(), kMostPlaces); ++k) {
+    const std::string height = depth_text(facts.places[k].height_mm, unit) + " left";
+    const std::string where = "at " + point_text(facts.places[k].point, unit);
+    page.text({x, y + 26}, height, fitting_size(height, 15, room, true), kInk, TextAnchor::left, true);
+    page.text({x, y + 44}, where, fitting_size(where, 13, room), kSoftInk);
+    y += 44;
+  }
+}
+
 // Adds one bar for both sides of the surface: what is cut below it upwards, and what is left above it downwards.
 void add_two_bars(Page& page, const Area& area, const PictureSet& set, const std::string& title) {
-  const LengthUnit unit = set.model.toolpath->unit;
-  constexpr double kShareOfLeft = 0.5;
-  const double left = set.events.empty() ? area.height : kShareOfLeft * area.height;
-  if (!set.events.empty())
-    add_colour_bar(page, {area.x, area.y, area.width, area.height - left}, set.surface_scale, unit, title);
-  add_left_bar(page, {area.x, area.bottom() - left, area.width, left}, set.surface_scale, unit, "Material left");
+  if (set.events.empty()) {
+    add_material_bar(page, area, set, area.y - 32);
+    return add_place_key(page, set, area.x, area.bottom() + 44);
+  }
+  const double half = 0.5 * area.height;
+  add_colour_bar(page, {area.x, area.y, area.width, half}, set.surface_scale, set.model.toolpath->unit, title);
+  add_material_bar(page, {area.x, area.y + half, area.width, half}, set, area.bottom() + 24);
 }
 
 void add_surface_bar(Page& page, const Area& area, const PictureSet& set) {

@@ -118,7 +118,7 @@ void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, Leng
   }
 }
 
-void add_left_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit, const std::string& title) {
+void add_left_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit) {
   const ColourScale left = left_scale(scale);
   const auto y_of = [&](double height_mm) { return area.y + area.height * left.place(height_mm); };
   page.box(area, kPartGrey);
@@ -128,8 +128,6 @@ void add_left_bar(Page& page, const Area& area, const ColourScale& scale, Length
     if (height_mm > left.low_mm) page.box({area.x, area.y + k, area.width, 1.0}, scale.at(-height_mm));
   }
   page.frame(area, kSoftInk, 1);
-  page.text({area.x, area.bottom() + 22}, title, 15, kInk, TextAnchor::left, true);
-  page.text({area.x, area.bottom() + 41}, std::string("in ") + unit_words(unit), 14, kSoftInk);
   const double asked_y = y_of(left.low_mm);
   for (const Tick& tick : make_ticks(left, unit, 26 / area.height)) {
     const double y = y_of(tick.depth_mm);

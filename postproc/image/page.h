@@ -49,9 +49,8 @@ struct Page {
 
 /// Adds a vertical bar with numbers, grey below the tolerance.
 void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit, const std::string& title);
-/// Adds the bar of material left, which continues a bar of depths downwards: its zero is at the top of `area`. The title
-/// is below it.
-void add_left_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit, const std::string& title);
+/// Adds the bar of material left, without a title. It continues a bar of depths downwards: its zero is at the top of `area`.
+void add_left_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit);
 /// Adds a bar of a round length in the view's scale, with its left end at `at`. The pixels of the view are supersampled
 /// ones. `max_width` limits the bar without its words.
 void add_scale_bar(Page& page, const Vec2& at, const View& view, LengthUnit unit, double max_width);
