@@ -42,8 +42,7 @@ Result<StockMeshes> make_stock_meshes(const JobArguments& arguments, const Job& 
   StockMeshes meshes;
   if (arguments.write_stock.empty()) {
     if (!(*cell > 0)) options.cell_mm = kCoarser * default_stock_cell(stock.solid, stock.options.resolution_mm);
-    Result<IndexedMesh> shown =
-        stock_perhaps_there(history, stock.solid, moves, stock.options.resolution_mm, options, work);
+    Result<IndexedMesh> shown = stock_picture(history, stock.solid, moves, stock.options.resolution_mm, options, work);
     if (!shown) return shown.error();
     meshes.remaining.perhaps = std::move(*shown);
     return meshes;
