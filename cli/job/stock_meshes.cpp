@@ -9,6 +9,9 @@
 namespace gouge {
 namespace {
 
+// Cells for the 3D view alone are larger: fewer triangles in the page, and a quarter of the time.
+constexpr double kCoarser = 2;
+
 /// Bounds how far a point of the stock moves when it is written with single precision and read again.
 double rounding_of(const StockSolid& stock, const RigidTransform& to_file) {
   const Vec3 middle = 0.5 * (stock.low() + stock.high());
@@ -35,12 +38,12 @@ Result<StockMeshes> make_stock_meshes(const JobArguments& arguments, const Job& 
   const CellWork work{job.options.check.threads, progress};
   const StockHistory programs(job.toolpath, job.options.check.law, stock);
   const CutHistory& history = programs.of_path();
-  const RemainsOptions options{*cell, rounding_of(stock.solid, to_file)};
+  RemainsOptions options{*cell, rounding_of(stock.solid, to_file)};
   const std::size_t moves = job.toolpath.moves.size();
   StockMeshes meshes;
   if (arguments.write_stock.empty()) {
-    Result<IndexedMesh> shown =
-        stock_perhaps_there(history, stock.solid, moves, stock.options.resolution_mm, options, work);
+    if (!(*cell > 0)) options.cell_mm = kCoarser * default_stock_cell(stock.solid, stock.options.resolution_mm);
+    Result<IndexedMesh> shown = stock_picture(history, stock.solid, moves, stock.options.resolution_mm, options, work);
     if (!shown) return shown.error();
     meshes.remaining.perhaps = std::move(*shown);
     return meshes;

@@ -29,6 +29,7 @@ CubeSide side_of(const Cube& cube, const StockSide& side) {
   const double reach = 0.5 * (cube.high - cube.low).norm();
   const double value = side.at(0.5 * (cube.low + cube.high), reach).mm;
   if (value < -reach) return CubeSide::other;
+  if (!side.is_proved()) return value > reach ? CubeSide::proved : CubeSide::open;
   CutMove hint;
   if (value > 0 && side.proves(HullRegion::box(cube.low, cube.high), hint)) return CubeSide::proved;
   return CubeSide::open;

@@ -133,6 +133,7 @@ bool ProvedRegion::make_simple() {
 }
 
 ProvedRegion::Proof ProvedRegion::prove(const GridIndex& cell) const {
+  if (!side_.is_proved()) return Proof::exact;
   const std::vector<HullRegion> pieces = points_.pieces(cell);
   RegionProof exact(side_, inset_mm_, RegionProof::Kind::exact);
   // The whole cell first: it is often in the space of one cut.

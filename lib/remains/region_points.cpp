@@ -34,7 +34,7 @@ RegionPoints::RegionPoints(const CellGrid& grid, const StockSide& side, double i
 // Cuts that abut have a seam between them. A corner near the seam of two cuts is in the region all the same.
 double RegionPoints::value_at(const Vec3& corner) const {
   const double value = side_.at(corner, within_mm_).mm;
-  if (value > 0 || value < -kSeamInsets * inset_mm_ || !side_.has_slivers()) return value;
+  if (value > 0 || value < -kSeamInsets * inset_mm_ || !side_.has_slivers() || !side_.is_proved()) return value;
   const Vec3 about = Vec3::Constant(2 * inset_mm_);
   RegionProof proof(side_, inset_mm_, RegionProof::Kind::widened);
   return proof.holds(HullRegion::box(corner - about, corner + about)) ? 2 * inset_mm_ : value;

@@ -88,11 +88,11 @@ Result<RemainingStock> remaining_stock(const CutHistory& history, const StockSol
   return remaining;
 }
 
-Result<IndexedMesh> stock_perhaps_there(const CutHistory& history, const StockSolid& stock, std::size_t before,
-                                        double resolution_mm, const RemainsOptions& options, const CellWork& work) {
+Result<IndexedMesh> stock_picture(const CutHistory& history, const StockSolid& stock, std::size_t before,
+                                  double resolution_mm, const RemainsOptions& options, const CellWork& work) {
   const Result<Plan> plan = plan_of(history, stock, before, resolution_mm, options);
   if (!plan) return plan.error();
-  const GoneSide side(plan->after);
+  const PicturedGoneSide side(plan->after);
   const Result<ProvedRegion> gone = ProvedRegion::find(plan->grid, side, plan->after.inset_mm, work);
   if (!gone) return gone.error();
   return mesh_of(*gone, MeshOf::rest);

@@ -46,9 +46,9 @@ inline constexpr double kCellsOfDiagonal = 150;
                                                      std::size_t before, double resolution_mm,
                                                      const RemainsOptions& options, const CellWork& work);
 
-/// Returns only the outer one of the two meshes.
-[[nodiscard]] Result<IndexedMesh> stock_perhaps_there(const CutHistory& history, const StockSolid& stock,
-                                                      std::size_t before, double resolution_mm,
-                                                      const RemainsOptions& options, const CellWork& work);
+/// Returns about the outer one of the two meshes, for a picture. Nothing is proved, so it takes less time.
+[[nodiscard]] Result<IndexedMesh> stock_picture(const CutHistory& history, const StockSolid& stock, std::size_t before,
+                                                double resolution_mm, const RemainsOptions& options,
+                                                const CellWork& work);
 
 }  // namespace gouge

@@ -19,6 +19,8 @@ class StockSide {
   };
   /// Returns the value; exact only where it is within `within_mm` of 0. Nothing is proved with it.
   [[nodiscard]] virtual Value at(const Vec3& point, double within_mm) const = 0;
+  /// Returns false if values alone decide, for a picture.
+  [[nodiscard]] virtual bool is_proved() const { return true; }
   /// Proves that a region is on this side. `hint` is a move that is tried first; the result does not depend on it.
   [[nodiscard]] virtual bool proves(const HullRegion& region, CutMove& hint) const = 0;
   /// Returns whether proves_widened may succeed where proves does not.
@@ -49,6 +51,13 @@ class GoneSide : public StockSide {
 
  private:
   StockAfter after_;
+};
+
+/// The same space as values alone show it. Nothing is proved: it serves only for pictures.
+class PicturedGoneSide : public GoneSide {
+ public:
+  using GoneSide::GoneSide;
+  [[nodiscard]] bool is_proved() const override { return false; }
 };
 
 /// The space in the stock that no tool reached, with all its bodies.

@@ -14,7 +14,7 @@ namespace {
 
 // An interval of time is halved at most this often for one region; the region is then too near to the tool.
 constexpr int kMaxHalvings = 12;
-constexpr int kFirstInstants = 3, kMaxInstants = 12, kRefinements = 8;
+constexpr int kFirstInstants = 3, kMaxInstants = 12, kRefinements = 6;
 
 /// Returns the direction in which the distance from the tool grows at a point.
 Vec3 outward_of(const CompiledTool& tool, const Pose& pose, const Vec3& point) {

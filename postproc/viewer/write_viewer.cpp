@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/printable_text.h"
+#include "lib/mesh/union_find.h"
 #include "lib/motion/motion_law.h"
 #include "lib/surface/surface.h"
 #include "postproc/image/event_scale.h"
@@ -56,6 +57,16 @@ Json tools_json(const ReportModel& model, const CheckedToolpath& input) {
     out.push_back({{"label", valid_utf8(tool_label(*model.toolpath, i))}, {"runs", runs}});
   }
   return out;
+}
+
+/// Leaves out sharp edges that form no long line: where the surface passes near a corner of a cell, small triangles bend.
+void drop_short_lines(ViewerMesh& mesh) {
+  constexpr std::size_t kMinEdges = 24;
+  UnionFind lines(mesh.positions.size());
+  for (const auto& edge : mesh.edges) lines.join(edge[0], edge[1]);
+  std::vector<std::size_t> counts(mesh.positions.size(), 0);
+  for (const auto& edge : mesh.edges) ++counts[lines.root(edge[0])];
+  std::erase_if(mesh.edges, [&](const auto& edge) { return counts[lines.root(edge[0])] < kMinEdges; });
 }
 
 Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -148,7 +159,9 @@ class ViewerWriter {
     if (model_.shown_stock == nullptr) return;
     const Surface surface(*model_.shown_stock);
     const PictureScene stock(surface);
-    json_["stock"] = write_mesh(payload_, ViewerMesh::from(stock));
+    ViewerMesh mesh = ViewerMesh::from(stock);
+    drop_short_lines(mesh);
+    json_["stock"] = write_mesh(payload_, mesh);
     json_["stock"]["colour"] = colour_json(kStockColour);
     json_["stock"]["shown"] =
         std::ranges::any_of(model_.result->events, [](const Event& event) { return event.against == Against::stock; });

@@ -21,10 +21,9 @@ class Failures:
         self.count += 0 if is_right else 1
 
 
-def report_of(gougecheck, folder):
-    done = subprocess.run([gougecheck, "check", "pocket.apt", "--part", "part.stl", "--fixture", "clamp.stl", "--tools",
-                           "tools.json", "--report", "r", "--reviewer", "A. Noether"], cwd=folder, capture_output=True,
-                          text=True, check=False)
+def report_of(gougecheck, folder, path="pocket.apt", more=("--fixture", "clamp.stl", "--reviewer", "A. Noether")):
+    done = subprocess.run([gougecheck, "check", path, "--part", "part.stl", "--tools", "tools.json", "--report", "r", *more],
+                          cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode != 1:
         raise RuntimeError(done.stderr)
     return os.path.join(folder, "r")
@@ -161,6 +160,25 @@ def check_large(browser, found):
     browser.evaluate("for (const range of desk.ranges) range.facing = 0; desk.redraw();")
 
 
+def check_stock(browser, report, found):
+    """The stock that is left is a veil over the part, and the button Stock takes it away."""
+    browser.open(os.path.join(report, "report.html"))
+    browser.wait("!!window.desk")
+    found.check(browser.evaluate("desk.shows.stock && desk.stock.mesh.corners.length > 1000"), "a finding in stock shows the stock")
+    size = browser.evaluate("[0, 1, 2].map(k => desk.stock.mesh.places.filter((_, i) => i % 4 === k)"
+                            ".reduce((most, v) => Math.max(most, v), 0) * desk.stock.mesh.step)")
+    found.check(abs(size[0] - 90.1) < 0.1, f"the stock is 5 mm larger than the part ({size[0]:.3f} mm long)")
+    changed = browser.evaluate("""(() => {
+      const seen = isShown => { desk.shows.stock = isShown; desk.draw();
+        const g = desk.renderer.gl, c = desk.renderer.canvas, p = new Uint8Array(4 * c.width * c.height);
+        g.readPixels(0, 0, c.width, c.height, g.RGBA, g.UNSIGNED_BYTE, p); return p; };
+      const without = seen(false), veiled = seen(true);
+      return veiled.reduce((n, v, i) => n + (i % 4 === 2 && without[i] !== v ? 1 : 0), 0) / (veiled.length / 4); })()""")
+    found.check(0.1 < changed < 0.9, f"it veils {changed:.2f} of the picture")
+    browser.evaluate("document.querySelector('[data-show=\"stock\"]').click()")
+    found.check(browser.evaluate("!desk.shows.stock"), "the button takes it away")
+
+
 def check_paper(browser, report, found):
     browser.open(os.path.join(report, "report.html"))
     browser.wait("!!window.desk")
@@ -207,6 +225,9 @@ def main():
     try:
         check_page(browser, report, found)
         check_large(browser, found)
+        found.check(browser.evaluate("document.querySelector('[data-show=\"stock\"]').hidden"), "without --stock there is no button")
+        stock = report_of(gougecheck, os.path.join(folder, "rapid_stock"), "rapid_stock.apt", ("--stock", "part+5"))
+        check_stock(browser, stock, found)
         check_paper(browser, report, found)
         check_phone(browser, report, found)
         found.check(browser.errors == [], "the console has no error " + "; ".join(browser.errors))
