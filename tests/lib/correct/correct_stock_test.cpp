@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <optional>
 
 #include "lib/correct/correct_path.h"
 #include "lib/correct/laws.h"
 #include "tests/support/paths.h"
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
@@ -273,21 +274,23 @@ TEST(CorrectStock, ALiftThatLeavesStockForALaterMoveIsTakenBack) {
 }
 
 /// Cuts and rapids through the block, with a fixed axis or with a new one at each position.
-std::vector<Step> random_steps(std::mt19937& random, bool is_tilted) {
-  const auto number = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
+std::vector<Step> random_steps(test::Scatter& random, bool is_tilted) {
   Vec3 axis = Vec3::UnitZ();
-  std::vector<Step> steps{{kRapid, upright(number(-60, 60), number(-60, 60), 30)}};
+  const auto offset = [&random](double size, double low, double high) {
+    Vec3 by = random.point(size);
+    by.z() = random.in(low, high);
+    return by;
+  };
+  std::vector<Step> steps{{kRapid, {offset(60, 30, 30), axis}}};
   for (int k = 0; k < 4; ++k) {
-    Vec3 at(number(-45, 45), number(-45, 45), number(-5, 5));
-    if (is_tilted) axis = Vec3(number(-0.4, 0.4), number(-0.4, 0.4), 1).normalized();
+    Vec3 at = offset(45, -5, 5);
+    if (is_tilted) axis = offset(0.4, 1, 1).normalized();
     steps.push_back({kRapid, {at, axis}});
-    at.z() = number(-14, -3);
+    at.z() = random.in(-14, -3);
     steps.push_back({kFeed, {at, axis}});
-    at += Vec3(number(-40, 40), number(-40, 40), number(-1, 1));
+    at += offset(40, -1, 1);
     steps.push_back({kFeed, {at, axis}});
-    at.z() = number(-5, 3);
+    at.z() = random.in(-5, 3);
     steps.push_back({kRapid, {at, axis}});
   }
   steps.push_back({kRapid, upright(0, 0, 60)});
@@ -295,9 +298,9 @@ std::vector<Step> random_steps(std::mt19937& random, bool is_tilted) {
 }
 
 TEST(CorrectStock, NoMoveOfRandomProgramsBecomesWorseAndChangedOnesAreCleanOrListed) {
-  std::mt19937 random(7);
+  test::Scatter random(7);
   std::size_t changed = 0, freed = 0;
-  for (int k = 0; k < 12; ++k) {
+  for (int k = 0; k < 8; ++k) {
     const Case c(random_steps(random, k % 2 == 1), flat(k % 3 == 0 ? 8 : 20));
     const LawfulCorrection lawful = c.correct();
     const CheckResult before = c.check_again(c.path), after = c.check_again(lawful.after.path);
