@@ -40,7 +40,7 @@ inline constexpr double kCellsOfDiagonal = 150;
 ///          any body. Near motions that are not known nothing is surely there. (3) Both meshes are closed and outward,
 ///          and their triangles meet only at common edges. (4) They are the same at any number of threads.
 /// Errors   stock-cells-too-many, stock-mesh-failed.
-/// Cost     About 200 bytes and 50 microseconds for each cell on the surface, more where many moves cut it.
+/// Cost     About 200 bytes and 20 microseconds for each cell on the surface, milliseconds where hundreds of moves cut it.
 /// Proof    docs/method/stock_meshes.md.
 [[nodiscard]] Result<RemainingStock> remaining_stock(const CutHistory& history, const StockSolid& stock,
                                                      std::size_t before, double resolution_mm,
