@@ -12,6 +12,8 @@
 namespace gouge {
 namespace {
 
+constexpr std::uint64_t kBoundsPerPiece = 8;  // a piece of a question about stock takes as long as so many bounds
+
 /// Makes a clean verdict uncertain: a motion whose heads and sides were not checked is not clean.
 MoveVerdict uncertain_if_clean(MoveVerdict verdict, std::uint64_t budget) {
   if (verdict.state != MoveState::clean && verdict.state != MoveState::near_miss) return verdict;
@@ -107,7 +109,7 @@ MoveVerdict MotionChecker::with_stock_of(const Motion& motion, MoveKind kind, co
   place.is_whole = place.is_whole || kind == MoveKind::rapid;
   std::uint64_t examined = 0;
   verdict = stock_->check(motion, place, verdict, options.is_depth_alone, examined);
-  charge(examined);
+  charge(kBoundsPerPiece * examined);
   return verdict;
 }
 
@@ -141,7 +143,7 @@ double MotionChecker::stock_excess(const Pose& pose) const {
   if (is_out_of_budget()) return std::numeric_limits<double>::infinity();
   std::uint64_t examined = 0;
   const double excess = stock_->excess_mm(pose, place_, examined);
-  charge(examined);
+  charge(kBoundsPerPiece * examined);
   return excess;
 }
 

@@ -210,10 +210,12 @@ std::optional<LinkNodes> LinkFinder::find_rapid(const LinkNode& u, const LinkNod
   if (is_clean(u.pose(), v.pose(), clearance)) return LinkNodes{};
   const bool is_straight_clean = clearance > 0 && is_clean(u.pose(), v.pose());
   if (is_straight_clean && task_.is_free_as_programmed) return LinkNodes{};
-  if (clearance > 0) {
+  if (clearance > 0 || task_.checker->has_stock()) {
     if (auto waypoints = over(u, v, clearance)) return waypoints;
     // No way leads out of stock in which the tool is at an end.
     if (is_blocked_ && task_.checker->has_stock()) return std::nullopt;
+  }
+  if (clearance > 0) {
     if (auto waypoints = round(u, v, clearance)) return waypoints;
   }
   if (is_straight_clean) return LinkNodes{};
