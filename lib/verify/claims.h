@@ -23,10 +23,10 @@ struct ClaimedWitness {
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  ///< mm, part coordinates; unit
   Body body = Body::cutter;
   bool is_fixture = false;
-  bool is_stock = false;             ///< a point of remaining stock, which has neither mesh nor triangle
   std::size_t mesh = 0;              ///< index among the parts or the fixtures
   std::size_t triangle = 0;          ///< index in the file, from 0
   std::optional<TurnShares> turn{};  ///< shares of the rotary joints' ways; none: as the law states at `t`
+  bool is_stock = false;             ///< a point of remaining stock, which has neither mesh nor triangle
 };
 
 struct MoveClaim {
