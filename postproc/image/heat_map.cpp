@@ -95,12 +95,12 @@ void add_material_bar(Page& page, const Area& area, const PictureSet& set, doubl
 
 // Adds the highest places of material left, as far as there is room.
 void add_place_key(Page& page, const PictureSet& set, double x, double y) {
-  constexpr std::size_t kMostPlaces = 5;
+  constexpr std::size_t kMaxPlaces = 5;
   const ExcessFacts& facts = *set.input.result->excess;
   const LengthUnit unit = set.model.toolpath->unit;
   page.text({x, y}, "Highest places", 15, kInk, TextAnchor::left, true);
   const double room = kPageWidth - 24 - x;
-  for (std::size_t k = 0; k < std::min(facts.proved(), kMostPlaces); ++k) {
+  for (std::size_t k = 0; k < std::min(facts.proved(), kMaxPlaces); ++k) {
     const std::string height = depth_text(facts.places[k].height_mm, unit) + " left";
     const std::string where = "at " + point_text(facts.places[k].point, unit);
     page.text({x, y + 26}, height, fitting_size(height, 15, room, true), kInk, TextAnchor::left, true);
