@@ -7,6 +7,7 @@
 
 #include "lib/correct/correct_path.h"
 #include "lib/correct/laws.h"
+#include "tests/lib/stock/block.h"
 #include "tests/support/paths.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
@@ -16,22 +17,12 @@
 namespace gouge {
 namespace {
 
+using block::kFeed;
+using block::kRapid;
+using block::path_of;
+using block::Step;
 using paths::upright;
-constexpr MoveKind kFeed = MoveKind::feed, kRapid = MoveKind::rapid;
 constexpr double kClearance_mm = 1, kTolerance_mm = 0.1, kResolution_mm = 0.05;
-
-struct Step {
-  MoveKind kind;
-  Pose to;
-};
-
-Toolpath path_of(const std::vector<Step>& steps) {
-  std::vector<Pose> poses;
-  for (const Step& step : steps) poses.push_back(step.to);
-  Toolpath path = paths::through(poses);
-  for (std::size_t i = 0; i < steps.size(); ++i) path.moves[i].kind = steps[i].kind;
-  return path;
-}
 
 /// A flat cutter of 10 mm with flutes of this length, a shank of 5 mm and a holder of 30 mm.
 ToolAssembly flat(double flutes = 30) {

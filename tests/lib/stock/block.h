@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "lib/stock/check_stock.h"
@@ -58,6 +59,21 @@ inline ToolVariants flat(double diameter, double flutes, double shank_diameter, 
   ToolAssembly tool = tools::assembly(FlatCutter{diameter, flutes}, shank_diameter);
   tool.shank = {{shank_diameter, shank_diameter, shank_length}};
   return tools::variants(tool);
+}
+
+/// Small tools of all shapes of cutters, with a shank and a holder close above their flutes.
+inline std::vector<ToolVariants> small_tools() {
+  std::vector<ToolVariants> made;
+  for (const Cutter& cutter :
+       std::vector<Cutter>{FlatCutter{6, 5}, BallCutter{6, 6}, BullNoseCutter{8, 1, 5}, TaperedCutter{3, 1, 5, 8},
+                           LollipopCutter{6, 3, 0}, TSlotCutter{10, 0.5, 0.5, 4}, DovetailCutter{8, 0.5, 30, 5},
+                           RadiusCutter{4, 0.5, 2, 8, 5}}) {
+    ToolAssembly tool = tools::assembly(cutter, 5);
+    tool.shank = {{5, 5, 10}};
+    tool.holder = {{14, 16, 12}};
+    made.push_back(tools::variants(tool));
+  }
+  return made;
 }
 
 }  // namespace gouge::block

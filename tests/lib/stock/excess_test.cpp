@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lib/stock/excess.h"
+#include "tests/lib/stock/block.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -12,26 +13,16 @@
 namespace gouge {
 namespace {
 
+using block::kFeed;
+using block::kRapid;
+using block::path_of;
+using block::Step;
 using paths::upright;
-constexpr MoveKind kFeed = MoveKind::feed, kRapid = MoveKind::rapid;
 
 StockOptions fine() {
   StockOptions options;
   options.resolution_mm = 0.025;
   return options;
-}
-
-struct Step {
-  MoveKind kind;
-  Pose to;
-};
-
-Toolpath path_of(const std::vector<Step>& steps) {
-  std::vector<Pose> poses;
-  for (const Step& step : steps) poses.push_back(step.to);
-  Toolpath path = paths::through(poses);
-  for (std::size_t i = 0; i < steps.size(); ++i) path.moves[i].kind = steps[i].kind;
-  return path;
 }
 
 ToolVariants flat(double diameter, double flutes = 40) {

@@ -6,6 +6,7 @@
 
 #include "lib/stock/check_stock.h"
 #include "lib/tool/evaluate.h"
+#include "tests/lib/stock/block.h"
 #include "tests/support/paths.h"
 #include "tests/support/scatter.h"
 #include "tests/support/tools.h"
@@ -82,16 +83,7 @@ TEST(StockBruteForce, NoPointThatRemainsIsDeeperThanItsBound) {
   const StockOptions options;
   const Vec3 low(-15, -15, -15), high(15, 15, 0);
   const StockSolid stock = StockSolid::box(low, high);
-  std::vector<ToolVariants> tools;
-  for (const Cutter& cutter :
-       std::vector<Cutter>{FlatCutter{6, 5}, BallCutter{6, 6}, BullNoseCutter{8, 1, 5}, TaperedCutter{3, 1, 5, 8},
-                           LollipopCutter{6, 3, 0}, TSlotCutter{10, 0.5, 0.5, 4}, DovetailCutter{8, 0.5, 30, 5},
-                           RadiusCutter{4, 0.5, 2, 8, 5}}) {
-    ToolAssembly tool = tools::assembly(cutter, 5);
-    tool.shank = {{5, 5, 10}};
-    tool.holder = {{14, 16, 12}};
-    tools.push_back(tools::variants(tool));
-  }
+  const std::vector<ToolVariants> tools = block::small_tools();
   test::Scatter scatter(44);
   std::size_t points = 0, deep = 0, findings = 0, proved = 0, open = 0, touched = 0;
   for (int program = 0; points < wanted_points(); ++program) {
