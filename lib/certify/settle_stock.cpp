@@ -1,5 +1,7 @@
 #include "lib/certify/settle_stock.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "lib/base/number_text.h"
@@ -34,7 +36,7 @@ class Settling {
     if (finding.witness) result_.stock->contacts.push_back(contact_of(finding));
     if (!is_free(verdict)) return;
     if (!finding.witness) {
-      verdict = open(verdict, finding.unknown);
+      verdict = open(std::max(verdict.depth_upper_mm, finding.depth_upper_mm), finding.unknown);
     } else if (path_.moves[finding.move].is_linked && !path_.moves[finding.move].has_start) {
       verdict = not_checked(link_reason(path_, finding.move));  // the file does not state the way to this position
     } else {
@@ -45,7 +47,7 @@ class Settling {
   void leave_open(std::size_t move) {
     MoveVerdict& verdict = result_.verdicts[move];
     if (!is_free(verdict)) return;
-    verdict = open(verdict, {});
+    verdict = open(std::numeric_limits<double>::infinity(), {});
     verdict.reason = {Reason::Kind::stock_motion_open, Body::cutter, 0, {}};
   }
 
@@ -79,10 +81,10 @@ class Settling {
     return contact;
   }
 
-  MoveVerdict open(const MoveVerdict& free, const CutMove& unknown) const {
+  [[nodiscard]] MoveVerdict open(double depth_upper_mm, const CutMove& unknown) const {
     MoveVerdict verdict;
     verdict.state = MoveState::not_certified;
-    verdict.depth_upper_mm = free.depth_upper_mm;
+    verdict.depth_upper_mm = depth_upper_mm;
     verdict.reason.kind = unknown ? Reason::Kind::stock_unknown : Reason::Kind::stock_touched;
     if (unknown) verdict.reason.detail = place_of(unknown);
     return verdict;
