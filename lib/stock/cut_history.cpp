@@ -121,7 +121,9 @@ bool CutHistory::is_known_motion(std::size_t i) const {
       tools_[move.tool].tool == nullptr)
     return false;
   const Motion motion = motion_of(i);
-  return motion.is_defined() && !motion.is_any() && !motion.has_other() && motion.is_within(kFarthest_mm);
+  // A tool at rest stands alike by every law.
+  const bool is_single = motion.is_alone() || (!motion.is_any() && !motion.has_other());
+  return motion.is_defined() && is_single && motion.is_within(kFarthest_mm);
 }
 
 Motion CutHistory::motion_of(std::size_t move) const {

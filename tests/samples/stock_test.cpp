@@ -215,6 +215,19 @@ TEST_F(StockSample, AToolThatDoesNotCutMeetsTheMaterial) {
   EXPECT_NE(ran.out.find("cutter in stock: "), std::string::npos) << ran.out;
 }
 
+TEST_F(StockSample, MovesWithoutASingleMotionAreOpenButNotPositions) {
+  ASSERT_LE(run("pole_crossing", {}).exit_status, 1);
+  const auto examined = [&](const std::string& law) {
+    EXPECT_NE(run_again({"--stock", "box=5", "--machine", "preset:linuxcnc-xyzac-trt", "--feed-law", law, "--json",
+                         "check.json"})
+                  .exit_status,
+              0);
+    return json_of("check.json").at("stock").at("examined").get<int>();
+  };
+  EXPECT_EQ(examined("axis"), 2);
+  EXPECT_EQ(examined("documented"), 1);
+}
+
 TEST_F(StockSample, AProjectFileNamesEarlierPrograms) {
   ASSERT_EQ(run("rapid_stock", {}).exit_status, 0);
   write_text(sample_.path + "/op10.apt", slot_program(false));
