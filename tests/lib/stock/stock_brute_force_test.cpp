@@ -117,10 +117,9 @@ TEST(StockBruteForce, NoPointThatRemainsIsDeeperThanItsBound) {
     }
     proved += result.proved;
     for (int k = 0; k < 400; ++k, ++points) {
-      Vec3 point = scatter.point(15);
-      point.z() = scatter.in(-15, 0);
       // The stock counts as smaller by the resolution.
-      if (std::min((point - low).minCoeff(), (high - point).minCoeff()) < options.resolution_mm) continue;
+      Vec3 point = scatter.point(15 - options.resolution_mm);
+      point.z() = scatter.in(-15 + options.resolution_mm, -options.resolution_mm);
       const std::vector<double> depths = PointHistory(path, law, tool, point).depths(options.resolution_mm);
       for (std::size_t i = 1; i < depths.size(); ++i) {
         if (depths[i] > 0) ++touched;
