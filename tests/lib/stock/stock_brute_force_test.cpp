@@ -132,7 +132,7 @@ TEST(StockBruteForce, NoPointThatRemainsIsDeeperThanItsBound) {
   }
   std::cout << points << " points, " << deep << " deep, " << findings << " findings, " << proved << " clear moves, "
             << open << " open\n";
-  EXPECT_GT(deep, points / 40);
+  EXPECT_GT(deep, points / 50);
   EXPECT_GT(findings, 10U);
   EXPECT_LT(open, findings);
 }
