@@ -25,21 +25,6 @@ std::size_t wanted_programs() {
   return given == nullptr ? 6 : static_cast<std::size_t>(std::strtoull(given, nullptr, 10));
 }
 
-Toolpath random_program(test::Scatter& scatter, bool is_five_axis) {
-  std::vector<Pose> poses;
-  Vec3 tip = scatter.point(12), axis = is_five_axis ? scatter.axis(0.5) : Vec3::UnitZ();
-  tip.z() = scatter.in(-6, 6);
-  for (int k = 0; k < 14; ++k) {
-    poses.push_back({tip, axis});
-    tip += scatter.point(scatter.is(0.5) ? 2 : 12);
-    tip = tip.cwiseMin(Vec3(14, 14, 8)).cwiseMax(Vec3(-14, -14, -9));
-    if (is_five_axis && scatter.is(0.7)) axis = Vec3((axis + 0.15 * scatter.point(1)).normalized());
-  }
-  Toolpath path = paths::through(poses);
-  for (Move& move : path.moves) move.kind = scatter.is(0.3) ? MoveKind::rapid : MoveKind::feed;
-  return path;
-}
-
 /// How near tools came to a point, from samples of every motion.
 struct Nearest {
   double cutters_mm = 1e9;  ///< no cutter of a motion that cuts came nearer
@@ -74,7 +59,7 @@ TEST(RemainsBruteForce, EveryPointThatIsLeftIsInTheOuterMeshAndNoOtherPointIsInT
   std::size_t left = 0, inside = 0, between = 0, slivers = 0;
   for (std::size_t program = 0; program < wanted_programs(); ++program) {
     const ToolVariants& tool = tools[program % tools.size()];
-    const Toolpath path = random_program(scatter, program % 2 == 1);
+    const Toolpath path = block::random_program(scatter, program % 2 == 1, 14);
     const std::vector<StockTool> all{{&tool, true}};
     const CutHistory history(path, law, all, options);
     const Result<RemainingStock> found =

@@ -5,6 +5,7 @@
 
 #include "lib/stock/check_stock.h"
 #include "tests/support/paths.h"
+#include "tests/support/scatter.h"
 #include "tests/support/tools.h"
 
 // A block of stock and short programs that cut it. Header only.
@@ -59,6 +60,22 @@ inline ToolVariants flat(double diameter, double flutes, double shank_diameter, 
   ToolAssembly tool = tools::assembly(FlatCutter{diameter, flutes}, shank_diameter);
   tool.shank = {{shank_diameter, shank_diameter, shank_length}};
   return tools::variants(tool);
+}
+
+/// Returns a program of feeds and rapids about the upper face of a small block, whose face is z = 0.
+inline Toolpath random_program(test::Scatter& scatter, bool is_five_axis, int positions) {
+  std::vector<Pose> poses;
+  Vec3 tip = scatter.point(12), axis = is_five_axis ? scatter.axis(0.5) : Vec3::UnitZ();
+  tip.z() = scatter.in(-6, 6);
+  for (int k = 0; k < positions; ++k) {
+    poses.push_back({tip, axis});
+    tip += scatter.point(scatter.is(0.5) ? 2 : 12);
+    tip = tip.cwiseMin(Vec3(14, 14, 8)).cwiseMax(Vec3(-14, -14, -9));
+    if (is_five_axis && scatter.is(0.7)) axis = Vec3((axis + 0.15 * scatter.point(1)).normalized());
+  }
+  Toolpath path = paths::through(poses);
+  for (Move& move : path.moves) move.kind = scatter.is(0.3) ? MoveKind::rapid : MoveKind::feed;
+  return path;
 }
 
 /// Small tools of all shapes of cutters, with a shank and a holder close above their flutes.
