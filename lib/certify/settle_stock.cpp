@@ -9,21 +9,10 @@
 #include "lib/check/check_path.h"
 #include "lib/stock/check_stock.h"
 #include "lib/stock/excess.h"
-#include "lib/tool/evaluate.h"
+#include "lib/stock/move_places.h"
 
 namespace gouge {
 namespace {
-
-/// Returns the direction in which the tool leaves the witness soonest.
-Vec3 way_out(const CompiledTool& body, const Pose& pose, const Vec3& point) {
-  const Vec3 from_tip = point - pose.tip;
-  const double z = from_tip.dot(pose.axis);
-  const Vec3 across = from_tip - z * pose.axis;
-  const double r = across.norm();
-  const Vec2 normal = evaluate(body, r, z).normal;
-  const Vec3 out = r > 0 ? Vec3(across / r) : Vec3(pose.axis.unitOrthogonal());
-  return -(normal.x() * out + normal.y() * pose.axis);
-}
 
 /// Enters findings into verdicts.
 class Settling {
@@ -178,7 +167,7 @@ Witness stock_witness(const StockWitness& found, Body of, const CompiledTool& bo
   Witness witness;
   witness.t = found.t;
   witness.point = found.point;
-  witness.normal = way_out(body, motion.at(found.t), found.point);
+  witness.normal = -outward_of(body, motion.at(found.t), found.point);  // the tool leaves the point soonest
   witness.body = of;
   witness.against = Against::stock;
   return witness;

@@ -4,31 +4,10 @@
 
 #include "lib/base/tolerance.h"
 #include "lib/stock/cut_history.h"
-#include "lib/tool/evaluate.h"
 
 namespace gouge {
 
 namespace {
-
-// SpanInstants of spans are floats.
-constexpr double kRoundedInstant = 2e-7;
-
-struct SpanInstants {
-  double from = 0, to = 1;
-  explicit SpanInstants(const MotionSpan& span)
-      : from(std::max(0.0, static_cast<double>(span.t0) - kRoundedInstant)),
-        to(std::min(1.0, static_cast<double>(span.t1) + kRoundedInstant)) {}
-};
-
-/// Returns the direction in which the distance of a point from a tool grows.
-Vec3 away_from(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
-  const Vec3 from_tip = point - pose.tip;
-  const double z = from_tip.dot(pose.axis);
-  const Vec3 across = from_tip - z * pose.axis;
-  const double r = across.norm();
-  const Vec2 normal = evaluate(tool, r, z).normal;
-  return normal.x() * (r > 0 ? Vec3(across / r) : Vec3(pose.axis.unitOrthogonal())) + normal.y() * pose.axis;
-}
 
 NearestPlace distance_from_box(const Vec3& point, const Vec3& low, const Vec3& high) {
   NearestPlace place{-std::numeric_limits<double>::infinity(), Vec3::UnitZ()};
@@ -82,11 +61,10 @@ std::optional<NearestPlace> CutHistory::own_nearest_place(const Vec3& point, std
     const auto take = [&](const MotionSpan& s) {
       if (!is_whole && !is_cutting(s.move)) return false;
       const MovePlaces way = places_of(s.move, s.segment);
-      const SpanInstants instants(s);
-      const auto nearest = way.nearest(body, instants.from, instants.to, point, most);
+      const auto nearest = way.nearest(body, s.from(), s.until(), point, most);
       if (!nearest) return false;
       most = nearest->distance_mm;
-      found = NearestPlace{most, away_from(body, way.at(nearest->t), point)};
+      found = NearestPlace{most, outward_of(body, way.at(nearest->t), point)};
       return false;
     };
     for (const BodyHulls& part : of_tool_[k].bodies) {
@@ -116,9 +94,8 @@ bool CutHistory::is_left_alone(const HullRegion& region, double slack_mm, std::s
           !places_of(hint.move, 0).is_apart(bare, part.hulls, 0, 1, region, slack, away))
         return false;
       const auto may_touch = [&](const MotionSpan& s) {
-        const SpanInstants instants(s);
         const bool does =
-            !places_of(s.move, s.segment).is_apart(bare, part.hulls, instants.from, instants.to, region, slack, away);
+            !places_of(s.move, s.segment).is_apart(bare, part.hulls, s.from(), s.until(), region, slack, away);
         if (does) hint = {this, s.move};
         return does;
       };

@@ -16,8 +16,6 @@ namespace {
 constexpr double kSpanDiameters = 2;
 // A point that is nearer than this to a place of a tool counts as touched.
 constexpr double kNearest_mm = 1e-6;
-// Instants of spans are floats.
-constexpr double kInstantRounding = 2e-7;
 
 /// Halves [a, b] until `value` minus the longest way is positive in every part, or a value is negative. Returns whether a
 /// value is, or cannot be excluded.
@@ -46,8 +44,8 @@ SoughtPiece sought_of(const SweptPiece& piece, double grow_mm) {
 
 /// A span contains the piece at the start of its interval. At the end of it the cutter may be in the next span.
 CutWindow about(const MotionSpan& span) {
-  const double t0 = static_cast<double>(span.t0), t1 = static_cast<double>(span.t1), more = t1 - t0 + kInstantRounding;
-  return {std::max(0.0, t0 - more), std::min(1.0, t1 + more)};
+  const double more = static_cast<double>(span.t1) - static_cast<double>(span.t0);
+  return {std::max(0.0, span.from() - more), std::min(1.0, span.until() + more)};
 }
 
 /// Bounds from below how far the points of a body are along a unit direction during a span. A point at (r, z) of the tool
@@ -224,27 +222,10 @@ bool CutHistory::removes(const SweptPiece& piece, std::size_t before, CutMove& h
 
 bool CutHistory::reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
                          const Vec3& point, double within_mm) const {
-  if (is_straight_with_fixed_axis(move)) {
-    const Pose &from = path_.start_of(move), &to = path_.moves[move].end;
-    const double length = (to.tip - from.tip).norm();
-    return may_reach(
-        t0, t1,
-        [&](double t) {
-          return signed_distance_mm(body, Pose{Vec3(from.tip + t * (to.tip - from.tip)), from.axis}, point) - within_mm;
-        },
-        [&](double a, double b) { return (b - a) * length; });
-  }
-  const Motion motion = motion_of(move);
+  const MovePlaces places = places_of(move, segment);
   return may_reach(
-      t0, t1,
-      [&](double t) {
-        return signed_distance_mm(body, Pose{motion.tip_at(t, segment), motion.at(t).axis}, point) - within_mm;
-      },
-      [&](double a, double b) {
-        const double far = (point - motion.tip_at(a, segment)).norm();
-        const double length = motion.path_length_mm(a, b, segment);
-        return length + motion.turn_rad(a, b) * (far + length);
-      });
+      t0, t1, [&](double t) { return signed_distance_mm(body, places.at(t), point) - within_mm; },
+      [&](double a, double b) { return places.way_mm(a, b, point); });
 }
 
 bool CutHistory::is_missed_by(std::size_t move, double until, const Vec3& point) const {
@@ -270,10 +251,10 @@ CutMove CutHistory::unknown_near(const Vec3& point, std::size_t before, double w
   return {};
 }
 
-bool CutHistory::meets(const MotionSpan& span, double t0, double t1, const CutBall& ball) const {
+bool CutHistory::meets(const MotionSpan& span, const CutBall& ball) const {
   const ToolVariants& tool = *tool_of(span.move).tool;
   const auto reach = [&](const CompiledTool& body) {
-    return reaches(span.move, body, t0, t1, span.segment, ball.center, ball.radius_mm);
+    return reaches(span.move, body, span.from(), span.until(), span.segment, ball.center, ball.radius_mm);
   };
   if (ball.up.isZero(0)) return reach(tool.bare);
   // A body that stays above the plane of the ball does not meet what is left of it.
@@ -305,8 +286,7 @@ bool CutHistory::touches(const CutBall& ball, std::size_t before, CutMove& hint)
   for (std::size_t k = 0; k < of_tool_.size(); ++k) {
     if (of_tool_[k].tree == nullptr) continue;
     const auto is_touched = [&](const MotionSpan& s) {
-      const bool does = meets(s, std::max(0.0, static_cast<double>(s.t0) - kInstantRounding),
-                              std::min(1.0, static_cast<double>(s.t1) + kInstantRounding), ball);
+      const bool does = meets(s, ball);
       if (does) hint = {this, s.move};
       return does;
     };

@@ -142,8 +142,8 @@ class CutHistory {
   /// Returns whether a body may come within `within_mm` of the point during [t0, t1] of a segment of a move.
   [[nodiscard]] bool reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
                              const Vec3& point, double within_mm = 0) const;
-  /// Returns whether a body of the tool may meet the ball during [t0, t1] of a span.
-  [[nodiscard]] bool meets(const MotionSpan& span, double t0, double t1, const CutBall& ball) const;
+  /// Returns whether a body of the tool may meet the ball during a span.
+  [[nodiscard]] bool meets(const MotionSpan& span, const CutBall& ball) const;
 
   const Toolpath& path_;
   const MotionLaw& law_;

@@ -31,6 +31,13 @@ struct MotionSpan {
   float cone_rad = 0;                  ///< largest angle of the axis to it
   std::uint32_t move = 0, segment = 0;
   float t0 = 0, t1 = 1;
+
+  /// Returns the first and the last instant, moved out by the rounding of floats.
+  [[nodiscard]] double from() const { return std::max(0.0, static_cast<double>(t0) - kInstantRounding); }
+  [[nodiscard]] double until() const { return std::min(1.0, static_cast<double>(t1) + kInstantRounding); }
+
+ private:
+  static constexpr double kInstantRounding = 2e-7;
 };
 
 /// Appends the spans of a motion. No span has a path longer than `longest_mm`, turns by more than a tenth of a radian or

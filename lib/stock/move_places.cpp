@@ -16,7 +16,8 @@ namespace {
 constexpr int kMaxHalvings = 12;
 constexpr int kFirstInstants = 3, kMaxInstants = 12, kRefinements = 6;
 
-/// Returns the direction in which the distance from the tool grows at a point.
+}  // namespace
+
 Vec3 outward_of(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
   const Vec3 from_tip = point - pose.tip;
   const double z = from_tip.dot(pose.axis);
@@ -26,8 +27,6 @@ Vec3 outward_of(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
   const Vec3 out = r > 0 ? Vec3(across / r) : Vec3(pose.axis.unitOrthogonal());
   return normal.x() * out + normal.y() * pose.axis;
 }
-
-}  // namespace
 
 double MovePlaces::way_mm(double a, double b, const Vec3& point) const {
   if (!motion_) return (b - a) * by_.norm();

@@ -11,6 +11,9 @@
 
 namespace gouge {
 
+/// Returns the unit direction in which the distance of a point from a tool at a pose grows.
+[[nodiscard]] Vec3 outward_of(const CompiledTool& tool, const Pose& pose, const Vec3& point);
+
 /// The places of a tool on one segment of a motion.
 class MovePlaces {
  public:
