@@ -21,6 +21,9 @@ std::size_t wanted_points() {
   return given == nullptr ? 1200 : static_cast<std::size_t>(std::strtoull(given, nullptr, 10));
 }
 
+/// Few programs with many points each where many points are wanted, as the points cost less than the check.
+std::size_t points_of_a_program() { return std::max<std::size_t>(400, wanted_points() / 1000); }
+
 /// The whole tool must be clear in a rapid and in a position without a motion to it, shank and holder in other moves.
 bool is_whole_tool_examined(const Move& move) { return move.kind == MoveKind::rapid || !move.has_start; }
 
@@ -96,7 +99,7 @@ TEST(StockBruteForce, NoPointThatRemainsIsDeeperThanItsBound) {
       }
     }
     proved += result.proved;
-    for (int k = 0; k < 400; ++k, ++points) {
+    for (std::size_t k = 0; k < points_of_a_program(); ++k, ++points) {
       Vec3 point = scatter.point(15);
       point.z() = scatter.in(-15, 0);
       // The stock counts as smaller by the resolution.
