@@ -66,9 +66,11 @@ class StockChecker {
     if (body.elements.empty()) return found;
     std::uint64_t left = options_.budget_per_group;
     const StockQuestion first = question(body, group.range.first, options_.budget_per_move);
+    StockHints hints;
     for (const OpenMove& open : moves_not_clear(first, group.range)) {
       const std::uint64_t budget = std::max(options_.least_budget, std::min(left, options_.budget_per_move));
-      const StockQuestion about = question(body, open.move, budget);
+      StockQuestion about = question(body, open.move, budget);
+      about.hints = &hints;
       const Motion motion = history_.motion_of(open.move);
       const StockAnswer answer = find_stock(about, motion, open.pieces, 0, 1, options_.tolerance_mm);
       std::uint64_t examined = answer.examined;

@@ -115,8 +115,9 @@ class Groups {
       const Vec3 at = tip + p.x() * x + p.y() * y + p.z() * place.axis;
       swept.at0[k] = swept.at1[k] = {at, place.axis, in_tool.discs[k].radius_mm};
     }
-    return q_.stock.is_clear_of(swept.start(), slack - q_.options.resolution_mm) ||
-           q_.history.is_removed(swept, before, hint_);
+    return q_.history.is_removed_by_hint(swept, before, hint_) ||
+           q_.stock.is_clear_of(swept.start(), slack - q_.options.resolution_mm) ||
+           q_.history.find_removal(swept, before, hint_);
   }
 
   const StockQuestion& q_;

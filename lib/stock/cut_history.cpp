@@ -102,8 +102,7 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
     OfTool& of = of_tool_[k];
     of.pieces = convex_pieces(tools[k].tool->bare);
     of.bodies = contour_hulls(tools[k].tool->bare);
-    of.whole = cylinder_of(tools[k].tool->bare);
-    of.cutter = {0, of.whole.z_hi_mm, of.whole.z_lo_mm};
+    of.cutter = {0, tools[k].tool->bare.z_max_mm, tools[k].tool->bare.z_min_mm};
     for (const ConvexPiece& piece : of.pieces) {
       of.cutter.radius_mm = std::max(of.cutter.radius_mm, piece.r_max_mm);
       of.cutter.z_lo_mm = std::min(of.cutter.z_lo_mm, piece.z_lo_mm);
@@ -192,8 +191,15 @@ bool CutHistory::may_cover(const MotionSpan& span, const SweptPiece& piece, cons
 }
 
 bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, CutMove& hint) const {
+  return is_removed_by_hint(piece, before, hint) || find_removal(piece, before, hint);
+}
+
+bool CutHistory::is_removed_by_hint(const SweptPiece& piece, std::size_t before, const CutMove& hint) const {
   const bool is_before = hint && (hint.program != this || hint.move < before);
-  if (is_before && hint.program->is_removed_by(hint.move, 1, piece)) return true;
+  return is_before && hint.program->is_removed_by(hint.move, 1, piece);
+}
+
+bool CutHistory::find_removal(const SweptPiece& piece, std::size_t before, CutMove& hint) const {
   if (removes(piece, before, hint)) return true;
   for (const CutHistory* program = earlier_; program != nullptr; program = program->earlier_)
     if (program->removes(piece, program->size(), hint)) return true;
@@ -290,9 +296,11 @@ bool CutHistory::touches(const CutBall& ball, std::size_t before, CutMove& hint)
       if (does) hint = {this, s.move};
       return does;
     };
-    if (of_tool_[k].tree->find({ball.center, Vec3::Zero(), 0, ball.radius_mm}, of_tool_[k].whole,
-                               static_cast<std::uint32_t>(before), is_touched))
-      return true;
+    for (const BodyHulls& body : of_tool_[k].bodies) {
+      if (of_tool_[k].tree->find({ball.center, Vec3::Zero(), 0, ball.radius_mm}, body.around,
+                                 static_cast<std::uint32_t>(before), is_touched))
+        return true;
+    }
   }
   return false;
 }

@@ -75,6 +75,9 @@ class CutHistory {
   /// interval. Only moves before `before`, and earlier programs, count. `hint` is a move that is tried first; the result
   /// does not depend on it. False: not proved.
   [[nodiscard]] bool is_removed(const SweptPiece& piece, std::size_t before, CutMove& hint) const;
+  /// Both halves of is_removed: by the hint alone, and by a search for a move, which becomes the hint.
+  [[nodiscard]] bool is_removed_by_hint(const SweptPiece& piece, std::size_t before, const CutMove& hint) const;
+  [[nodiscard]] bool find_removal(const SweptPiece& piece, std::size_t before, CutMove& hint) const;
   /// Proves the same from the motion of a move over [0, until] alone.
   [[nodiscard]] bool is_removed_by(std::size_t move, double until, const SweptPiece& piece) const;
 
@@ -115,7 +118,7 @@ class CutHistory {
   struct OfTool {
     std::vector<ConvexPiece> pieces;
     std::vector<BodyHulls> bodies;
-    ToolCylinder cutter, whole;
+    ToolCylinder cutter;
     std::unique_ptr<const MotionTree> tree;
   };
   struct Unknown {

@@ -11,6 +11,11 @@
 
 namespace gouge {
 
+/// Moves that removed or touched the material of the last question. They are tried first in the next one.
+struct StockHints {
+  CutMove removed, touched;
+};
+
 /// The question about one move: which body is examined, and which material may still be there.
 struct StockQuestion {
   const CutHistory& history;
@@ -20,6 +25,8 @@ struct StockQuestion {
   std::size_t move = 0;
   std::uint64_t budget = 0;  ///< number of pieces after which the answer is open
   bool is_cutting = false;   ///< material that the cutter of this move removed before counts as gone
+  /// Null: nothing is kept. With hints an answer depends on the questions before it, through the order of the pieces.
+  StockHints* hints = nullptr;
 };
 
 /// A point of the stock that no tool touched before, inside a body.
