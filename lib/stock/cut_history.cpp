@@ -14,6 +14,8 @@ namespace {
 
 // A span of a tree has no path longer than this many diameters, so that its box is not mostly empty.
 constexpr double kSpanDiameters = 2;
+// A move whose motions differ by more is not known.
+constexpr double kMaxDeparture_rad = 0.5;
 // A point that is nearer than this to a place of a tool counts as touched.
 constexpr double kNearest_mm = 1e-6;
 
@@ -75,6 +77,11 @@ double lowest_mm(const MotionSpan& span, const CompiledTool& body, const Vec3& u
 
 ToolCylinder cylinder_of(const CompiledTool& tool) { return {tool.r_max_mm, tool.z_min_mm, tool.z_max_mm}; }
 
+/// Bounds the distance of the points of a cylinder from the tip.
+double reach_of(const ToolCylinder& cylinder) {
+  return std::hypot(cylinder.radius_mm, std::max(std::abs(cylinder.z_lo_mm), std::abs(cylinder.z_hi_mm)));
+}
+
 }  // namespace
 
 CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::vector<StockTool>& tools,
@@ -84,6 +91,8 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
       tools_(tools),
       earlier_(earlier),
       resolution_mm_(options.resolution_mm),
+      tube_{options.tube.tip_mm, options.tube.axis_rad},
+      departs_(!tube_.is_none()),
       of_tool_(tools.size()) {
   std::vector<std::vector<MotionSpan>> spans(tools.size());
   is_known_.reserve(path.moves.size());
@@ -94,7 +103,10 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
       continue;
     }
     const CompiledTool& bare = tool_of(i).tool->bare;
-    append_spans(motion_of(i), static_cast<std::uint32_t>(i), kSpanDiameters * 2 * bare.r_max_mm,
+    const Motion motion = motion_of(i);
+    const Departure departure = departure_from(motion);
+    departs_ = departs_ || !departure.is_none();
+    append_spans(motion, departure, static_cast<std::uint32_t>(i), kSpanDiameters * 2 * bare.r_max_mm,
                  spans[path.moves[i].tool]);
   }
   for (std::size_t k = 0; k < tools.size(); ++k) {
@@ -108,6 +120,8 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
       of.cutter.z_lo_mm = std::min(of.cutter.z_lo_mm, piece.z_lo_mm);
       of.cutter.z_hi_mm = std::max(of.cutter.z_hi_mm, piece.z_hi_mm);
     }
+    of.cutter_reach_mm = reach_of(of.cutter);
+    of.reach_mm = reach_of(cylinder_of(tools[k].tool->bare));
     of.tree = std::make_unique<const MotionTree>(std::move(spans[k]));
   }
 }
@@ -118,9 +132,11 @@ bool CutHistory::is_known_motion(std::size_t i) const {
       tools_[move.tool].tool == nullptr)
     return false;
   const Motion motion = motion_of(i);
-  // A tool at rest stands alike by every law.
-  const bool is_single = motion.is_alone() || (!motion.is_any() && !motion.has_other());
-  return motion.is_defined() && is_single && motion.is_within(kFarthest_mm);
+  return motion.is_defined() && departure_from(motion).axis_rad < kMaxDeparture_rad && motion.is_within(kFarthest_mm);
+}
+
+Departure CutHistory::departure_of(std::size_t move) const {
+  return departs_ ? departure_from(motion_of(move)) : tube_;
 }
 
 Motion CutHistory::motion_of(std::size_t move) const {
@@ -153,8 +169,10 @@ bool CutHistory::is_straight_with_fixed_axis(std::size_t move) const {
 }
 
 bool CutHistory::covers(std::size_t move, const CutWindow& window, const SweptPiece& piece) const {
-  const CoverMargin margin{piece.slack_mm, resolution_mm_};
-  const std::vector<ConvexPiece>& pieces = of_tool_[path_.moves[move].tool].pieces;
+  // A point that is deep enough in the cutter on its motion is in the cutter wherever it departs to.
+  const OfTool& of = of_tool_[path_.moves[move].tool];
+  const CoverMargin margin{piece.slack_mm + departure_of(move).at_mm(of.cutter_reach_mm), resolution_mm_};
+  const std::vector<ConvexPiece>& pieces = of.pieces;
   if (is_straight_with_fixed_axis(move)) {
     const Pose &from = path_.start_of(move), &to = path_.moves[move].end;
     const Vec3 way = to.tip - from.tip;
@@ -229,8 +247,9 @@ bool CutHistory::removes(const SweptPiece& piece, std::size_t before, CutMove& h
 bool CutHistory::reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
                          const Vec3& point, double within_mm) const {
   const MovePlaces places = places_of(move, segment);
+  const double within = within_mm + departure_of(move).at_mm(of_tool_[path_.moves[move].tool].reach_mm);
   return may_reach(
-      t0, t1, [&](double t) { return signed_distance_mm(body, places.at(t), point) - within_mm; },
+      t0, t1, [&](double t) { return signed_distance_mm(body, places.at(t), point) - within; },
       [&](double a, double b) { return places.way_mm(a, b, point); });
 }
 

@@ -52,13 +52,13 @@ SweptPiece PiecePlacer::swept_by(const ToolPiece& piece, const MotionInterval& i
   const bool is_flat = !piece.is_cylinder() && !(piece.half.minCoeff() > 0);
   if (size <= resolution_mm_ && !is_flat) {
     // The middle at one instant stands for the whole.
-    swept.slack_mm = size;
+    swept.slack_mm = size + departure_.at_mm(piece.reach_mm());
     swept.at0[0] = {place_at(interval.middle(), interval.segment).of(piece.middle()), Vec3::UnitZ(), 0};
     swept.at1[0] = swept.at0[0];
     swept.count = 1;
     return swept;
   }
-  swept.slack_mm = ends().tip_sag_mm + ends().axis_sag_rad * piece.reach_mm();
+  swept.slack_mm = ends().tip_sag_mm + ends().axis_sag_rad * piece.reach_mm() + departure_.at_mm(piece.reach_mm());
   place_piece(piece, ends().start, ends().end, swept);
   return swept;
 }

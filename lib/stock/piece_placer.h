@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "lib/motion/departure.h"
 #include "lib/motion/motion.h"
 #include "lib/motion/motion_interval.h"
 #include "lib/stock/tool_piece.h"
@@ -21,7 +22,8 @@ struct ToolPlace {
 class PiecePlacer {
  public:
   /// Pieces that stay within `resolution_mm` of one point are placed as that point.
-  PiecePlacer(const Motion& motion, double resolution_mm) : motion_(motion), resolution_mm_(resolution_mm) {}
+  PiecePlacer(const Motion& motion, const Departure& departure, double resolution_mm)
+      : motion_(motion), departure_(departure), resolution_mm_(resolution_mm) {}
 
   [[nodiscard]] ToolPlace place_at(double t, std::uint32_t segment) const;
   /// Bounds the length of the way of every point of the piece.
@@ -44,6 +46,7 @@ class PiecePlacer {
   [[nodiscard]] const Ends& ends();
 
   const Motion& motion_;
+  Departure departure_;
   double resolution_mm_;
   std::optional<Stretch> last_;
   std::optional<Ends> ends_;  // of last_

@@ -66,7 +66,8 @@ class Search {
         budget_(budget),
         max_open_(max_open),
         hints_(question.hints != nullptr ? *question.hints : own_hints_),
-        placer_(motion, question.options.resolution_mm) {}
+        departure_(question.history.departure_from(motion)),
+        placer_(motion, departure_, question.options.resolution_mm) {}
 
   StockAnswer decide(const std::vector<ToolPiece>& pieces, double from, double to) {
     if (take_column(pieces, from, to)) return run();
@@ -84,7 +85,9 @@ class Search {
   /// If the tool moves along its axis and does not cut, its bodies pass the same space as longer ones at rest. Then the
   /// whole time is examined at once. Returns whether it is so.
   bool take_column(const std::vector<ToolPiece>& pieces, double from, double to) {
-    if (q_.is_cutting || motion_.is_alone() || motion_.segments().size() > 1 || motion_.turn_rad() > 0) return false;
+    if (q_.is_cutting || !departure_.is_none() || motion_.is_alone() || motion_.segments().size() > 1 ||
+        motion_.turn_rad() > 0)
+      return false;
     const Vec3 axis = motion_.at(from).axis, way = motion_.tip_at(to, 0) - motion_.tip_at(from, 0);
     const double along = way.dot(axis);
     const bool is_axial = (way - along * axis).norm() < Tolerance::kRounding_mm &&
@@ -185,7 +188,9 @@ class Search {
   /// Returns an instant at which a point is deep in the body, and its depth then. Only in a column is there a choice.
   [[nodiscard]] std::pair<double, double> deepest_instant(const Candidate& c, const Vec3& in_tool) const {
     const double r = in_tool.head<2>().norm();
-    std::pair<double, double> deepest(c.interval.middle(), -signed_distance_mm(q_.body, r, in_tool.z()));
+    // The point is at least that deep wherever the tool departs to.
+    const double off = departure_.at_mm(in_tool.norm());
+    std::pair<double, double> deepest(c.interval.middle(), -signed_distance_mm(q_.body, r, in_tool.z()) - off);
     if (!(std::abs(column_.along_mm) > 0)) return deepest;
     for (int k = 1; k <= kColumnInstants; ++k) {
       const double share = static_cast<double>(k) / kColumnInstants;
@@ -290,6 +295,7 @@ class Search {
   std::size_t max_open_;
   StockHints own_hints_;
   StockHints& hints_;
+  Departure departure_;
   PiecePlacer placer_;
   Column column_;
   std::vector<Candidate> waiting_;

@@ -66,7 +66,8 @@ std::optional<std::string> StockVerifier::find_fault(std::size_t move, const Mov
   const ToolContour& body = program.cuts(move) ? forms.non_cutting : forms.whole;
   const double depth =
       -body.nearest(in_tool(claimed_pose(program.scene(), move, w.t, w.turn), w.point)).signed_distance_mm;
-  if (std::abs(depth - claim.depth_mm) > kStockExact_mm)
+  const bool is_less = depth<claim.depth_mm - kStockExact_mm, is_more = depth> claim.depth_mm + kStockExact_mm;
+  if (is_less || (is_more && !stock_.is_motion_open))
     return "the point is " + length_mm(depth) + " deep, and said to be " + length_mm(claim.depth_mm);
   if (const auto cut = nearer(w.point, move, -kStockExact_mm, false))
     return "the cutter of " + *cut + " was there before";
