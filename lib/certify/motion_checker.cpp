@@ -61,6 +61,12 @@ MotionChecker MotionChecker::keeping_room() const {
   return checker;
 }
 
+MotionChecker MotionChecker::searching() const {
+  MotionChecker checker = *this;
+  checker.place_.is_brief = true;
+  return checker;
+}
+
 MotionChecker MotionChecker::without_stock() const { return with_stock(nullptr); }
 
 void MotionChecker::charge(std::uint64_t bounds) const {

@@ -56,6 +56,8 @@ class MotionChecker {
   [[nodiscard]] bool meets_stock(std::size_t move) const { return stock_ != nullptr && stock_->meets_stock(move); }
   /// Returns the same checker for rapids that keep a distance from stock.
   [[nodiscard]] MotionChecker keeping_room() const;
+  /// Returns the same checker for a search over many motions: it examines few pieces for each, and certifies fewer.
+  [[nodiscard]] MotionChecker searching() const;
   /// Returns the same checker without stock.
   [[nodiscard]] MotionChecker without_stock() const;
   [[nodiscard]] bool has_stock() const { return stock_ != nullptr && place_.tool != kNone; }

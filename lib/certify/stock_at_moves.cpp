@@ -12,6 +12,8 @@ namespace gouge {
 
 namespace {
 
+// Number of pieces of a brief examination. Most motions that are clear need fewer.
+constexpr std::uint64_t kBriefBudget = 500;
 constexpr double kAimShare = 0.8;         // share of the tolerance, as in the other searches of a correction
 constexpr std::uint64_t kBudget = 4'000;  // pieces for a motion: a search tries many
 constexpr double kBlindStep_mm = 0.5;     // step where it is not known how deep the stock is
@@ -47,7 +49,10 @@ const CompiledTool* StockAtMoves::body_of(const StockPlace& place) const {
 }
 
 StockQuestion StockAtMoves::question(const CompiledTool& body, const StockPlace& place) const {
-  return {history_.of_path(), stock_.solid, options_, body, place.before, options_.budget_per_move, false};
+  const std::uint64_t budget = place.is_brief ? kBriefBudget : options_.budget_per_move;
+  StockQuestion about{history_.of_path(), stock_.solid, options_, body, place.before, budget, false};
+  about.is_clear_alone = place.is_brief;
+  return about;
 }
 
 MoveVerdict StockAtMoves::check(const Motion& motion, const StockPlace& place, const MoveVerdict& free,

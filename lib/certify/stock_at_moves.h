@@ -17,6 +17,7 @@ struct StockPlace {
   std::size_t tool = kNone;  ///< index into Toolpath::tools
   std::size_t before = 0;    ///< only moves before this one, of the path with the cuts, removed material
   bool is_whole = false;     ///< the cutter must not meet stock either
+  bool is_brief = false;     ///< the examination ends after few pieces, for searches over many motions
   bool keeps_room = false;   ///< the whole tool must keep a distance (StockSetup::roomy_mm)
 };
 

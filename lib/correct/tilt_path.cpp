@@ -12,8 +12,13 @@ std::vector<bool> moves_to(Strategy wanted, const Toolpath& path, const CheckRes
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const MoveVerdict& verdict = result.verdicts[i];
     const bool is_buried = verdict.state == MoveState::buried && wanted == Strategy::trim;
-    // From remaining stock the tool is only lifted: tilts and crossings are planned about meshes.
-    const bool is_gouge = verdict.state == MoveState::gouge && verdict.witness && !verdict.is_in_stock();
+    // From remaining stock feeds are tilted or lifted, and rapids are lifted: crossings are planned about meshes.
+    const bool may_leave_stock = wanted == Strategy::tilt && path.moves[i].kind != MoveKind::rapid;
+    const bool is_gouge =
+        verdict.state == MoveState::gouge && verdict.witness && (!verdict.is_in_stock() || may_leave_stock);
+    const bool continues =
+        may_leave_stock && i > 0 && is_wanted[i - 1] && path.moves[i].has_start && may_be_in_stock(verdict);
+    if (continues) is_wanted[i] = true;
     if (!is_buried && !is_gouge) continue;
     is_wanted[i] = strategies[is_buried ? verdict.reason.body : verdict.witness->body] == wanted;
   }
@@ -31,7 +36,9 @@ TiltProposal propose_tilts(const TiltRequest& request, const ProgressCall& progr
   const Toolpath& base = proposal.straight ? proposal.straight->path : path;
   const CheckResult& verdicts = proposal.straight ? proposal.straight->result : result;
   proposal.is_wanted = moves_to(Strategy::tilt, base, verdicts, strategies);
-  if (may_tilt) proposal.plan = plan_tilts({base, verdicts, tools, checker, options, proposal.is_wanted}, progress);
+  const std::vector<std::size_t>* const origin = proposal.straight ? &proposal.straight->origin : nullptr;
+  if (may_tilt)
+    proposal.plan = plan_tilts({base, verdicts, tools, checker, options, proposal.is_wanted, origin}, progress);
   return proposal;
 }
 

@@ -15,6 +15,7 @@ struct Disc {
 
   /// Returns the smallest coordinate of the disc along a unit direction.
   [[nodiscard]] double lowest_mm(const Vec3& direction) const {
+    if (!(radius_mm > 0)) return center.dot(direction);
     const double along = normal.dot(direction);
     return center.dot(direction) - radius_mm * std::sqrt(std::max(0.0, 1 - along * along));
   }

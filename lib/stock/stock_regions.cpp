@@ -65,8 +65,10 @@ struct DiscBox {
       if (size < least) *this = box, least = size;
     };
     try_side(up.unitOrthogonal());
-    for (const Disc& disc : discs.subspan(1)) {
-      const Vec3 way = disc.center - discs.front().center, side = way - way.dot(up) * up;
+    // Edges of the piece, and its motion: the second half of the discs is where it ends.
+    for (const std::size_t k : {std::size_t{1}, std::size_t{2}, discs.size() / 2}) {
+      if (k >= discs.size()) continue;
+      const Vec3 way = discs[k].center - discs.front().center, side = way - way.dot(up) * up;
       if (side.norm() > Tolerance::kNoSide) try_side(side.normalized());
     }
   }

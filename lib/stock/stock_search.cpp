@@ -117,6 +117,7 @@ class Search {
       if (depth_upper_mm(next.piece, q_.body, column_.range) <= depth_mm_ + q_.options.resolution_mm) continue;
       if (is_free(next)) continue;
       if (take_witness(next)) return answer_;
+      if (q_.is_clear_alone && is_left(next)) return answer_;
       if (!divide(next)) ++open;
     }
     answer_.is_clear = open == 0 && !answer_.unknown;
@@ -183,6 +184,20 @@ class Search {
     if (!q_.history.is_untouched(point, q_.move, hints_.touched)) return false;
     answer_.witness = StockWitness{depth, t, point};
     return true;
+  }
+
+  /// Returns whether the middle of a piece is deep in the body and in the stock, and no earlier cutter removed it. If it is
+  /// deeper by more than the resolution, no proof can succeed; else one may, after many more pieces.
+  bool is_left(const Candidate& c) {
+    const Vec3 in_tool = c.piece.middle();
+    const auto [t, depth] = deepest_instant(c, in_tool);
+    if (!(depth > depth_mm_)) return false;
+    SweptPiece alone;
+    alone.count = 1;
+    alone.at0[0] = alone.at1[0] = {placer_.place_at(c.interval.middle(), c.interval.segment).of(in_tool)};
+    if (!q_.stock.contains(alone.at0[0].center)) return false;
+    if (q_.is_cutting && q_.history.is_removed_by(q_.move, t, alone)) return false;
+    return !q_.history.is_removed(alone, q_.move, hints_.removed);
   }
 
   /// Returns an instant at which a point is deep in the body, and its depth then. Only in a column is there a choice.

@@ -23,8 +23,9 @@ struct StockQuestion {
   const StockOptions& options;
   const CompiledTool& body;  ///< the whole tool on a rapid, shank and holder otherwise
   std::size_t move = 0;
-  std::uint64_t budget = 0;  ///< number of pieces after which the answer is open
-  bool is_cutting = false;   ///< material that the cutter of this move removed before counts as gone
+  std::uint64_t budget = 0;     ///< number of pieces after which the answer is open
+  bool is_cutting = false;      ///< material that the cutter of this move removed before counts as gone
+  bool is_clear_alone = false;  ///< the search ends at a deep point that no cut removed, and may miss a proof
   /// Null: nothing is kept. With hints an answer depends on the questions before it, through the order of the pieces.
   StockHints* hints = nullptr;
 };

@@ -272,7 +272,7 @@ Attempt attempt(const TiltJob& job, double spacing_mm, const ProgressCall& progr
   std::vector<bool> is_left = job.is_wanted;
   for (int round = 0; round <= kFinerSpacings; ++round, spacing_mm /= 2) {
     const std::vector<TiltRun> runs =
-        find_tilt_runs({job.path, job.result, job.tools, job.checker, job.options, is_left}, spacing_mm);
+        find_tilt_runs({job.path, job.result, job.tools, job.checker, job.options, is_left, job.origin}, spacing_mm);
     std::erase_if(plan.failed, [&](const UntiltedRun& run) { return is_left[run.first_wanted]; });
     contours.begin(runs);
     for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -300,7 +300,8 @@ TiltPlan plan_tilts(const TiltJob& job, const ProgressCall& progress) {
   double spacing = spacing_mm(options);
   std::optional<TiltPlan> best;
   for (int k = 0; k <= kSlowerBlends; ++k) {
-    Attempt made = attempt({job.path, job.result, job.tools, job.checker, options, job.is_wanted}, spacing, progress);
+    Attempt made =
+        attempt({job.path, job.result, job.tools, job.checker, options, job.is_wanted, job.origin}, spacing, progress);
     if (!best || made.plan.failed.size() < best->failed.size()) best = std::move(made.plan);
     // A longer blend makes the tool turn slower. Closer positions make it turn less from one position to the next.
     if (!made.is_too_fast && !made.is_too_far) break;

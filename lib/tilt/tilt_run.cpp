@@ -39,7 +39,8 @@ bool is_tiltable(const TiltJob& job, std::size_t i) {
   const bool is_straight = move.kind == MoveKind::feed ||
                            (move.kind == MoveKind::rapid && job.checker.options().law.rapid() == RapidMode::straight);
   const MoveState state = job.result.verdicts[i].state;
-  const bool is_verdict_final = state == MoveState::clean || state == MoveState::near_miss || state == MoveState::gouge;
+  const bool is_verdict_final = state == MoveState::clean || state == MoveState::near_miss ||
+                                state == MoveState::gouge || may_be_in_stock(job.result.verdicts[i]);
   return is_straight && is_verdict_final && move.curve_kind == CurveKind::none && move.not_checked_reason.empty() &&
          move.tool != kNone && job.tools[move.tool] != nullptr;
 }
@@ -74,8 +75,9 @@ class Chain {
     for (int k = 1; k <= pieces; ++k) {
       const double t = k == pieces ? 1.0 : static_cast<double>(k) / pieces;
       const Motion piece = law().straight(motion.at(t - 1.0 / pieces), motion.at(t));
-      const bool is_clean = !is_gouge || (pieces > 1 && job_.checker.is_clean(piece, move.kind, *job_.tools[move.tool],
-                                                                              job_.checker.options(), true));
+      const bool is_clean =
+          !is_gouge || (pieces > 1 && job_.checker_of(i).is_clean(piece, move.kind, *job_.tools[move.tool],
+                                                                  job_.checker.options(), true));
       is_any = is_any || !is_clean;
       stations_.push_back({i, t, way + t * length, is_clean});
     }
@@ -126,14 +128,16 @@ class Chain {
 
   [[nodiscard]] bool is_clean_at(const Station& station) const {
     const Move& move = job_.path.moves[station.move];
-    return job_.checker.is_clean(law().at(position_at(station, 0).programmed), move.kind, *job_.tools[move.tool],
-                                 job_.checker.options(), true);
+    return job_.checker_of(station.move)
+        .is_clean(law().at(position_at(station, 0).programmed), move.kind, *job_.tools[move.tool],
+                  job_.checker.options(), true);
   }
 
   [[nodiscard]] TiltPosition position_at(const Station& station, double begin_mm) const {
     const Move& move = job_.path.moves[station.move];
     TiltPosition at;
     at.move = station.move;
+    at.origin = job_.origin_of(station.move);
     at.t = station.t;
     at.arc_length_mm = station.arc_length_mm - begin_mm;
     at.kind = move.kind;

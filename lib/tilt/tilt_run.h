@@ -17,6 +17,14 @@ struct TiltJob {
   const MotionChecker& checker;
   const TiltOptions& options;
   const std::vector<bool>& is_wanted;  ///< moves whose gouges tilts shall remove
+  /// For each move, the move of the path of remaining stock of which it is a piece; null: the path is that one.
+  const std::vector<std::size_t>* origin = nullptr;
+
+  [[nodiscard]] std::size_t origin_of(std::size_t move) const { return origin != nullptr ? (*origin)[move] : move; }
+  /// Returns the checker for feeds in place of a move, with the material that is left before it.
+  [[nodiscard]] MotionChecker checker_of(std::size_t move) const {
+    return checker.for_move(origin_of(move), false).searching();
+  }
 };
 
 /// A stretch of straight moves of one tool that must be tilted somewhere. It includes the parts before and after, on
@@ -27,6 +35,12 @@ struct TiltRun {
   std::vector<TiltPosition> positions;  ///< in path order; fixed at both ends, unless the path ends there in a
                                         ///< collision
 };
+
+/// Returns whether a move is not certified because a tool touched the stock there before. Once that tool is led elsewhere,
+/// the move meets the stock.
+[[nodiscard]] inline bool may_be_in_stock(const MoveVerdict& verdict) {
+  return verdict.state == MoveState::not_certified && verdict.reason.is(Reason::Kind::stock_touched);
+}
 
 /// Finds the runs of a path, in path order. No two of them overlap. Positions are at most `spacing_mm` of the tip's
 /// path apart.

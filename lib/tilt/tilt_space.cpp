@@ -150,8 +150,9 @@ bool TiltSpace::is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusin
   options.near_miss_mm = kAir_mm;
   options.gouge_gap_mm = kAnyGap_mm;
   // An end of the run is outside of solids. From there clean motions lead to every position of a proved sequence.
-  const MoveVerdict verdict = task_.checker->check(options.law.at(pose), at.kind, *task_.tool, options, true);
-  const bool is_of_tool = verdict.witness && verdict.witness->body != Body::head;
+  const MoveVerdict verdict = checker_at(i).check(options.law.at(pose), at.kind, *task_.tool, options, true);
+  // A point of the stock may be gone at other positions.
+  const bool is_of_tool = verdict.witness && verdict.witness->body != Body::head && !verdict.is_in_stock();
   if (refusing != nullptr && verdict.state == MoveState::gouge && is_of_tool) {
     learn(*verdict.witness, *refusing);
   }
@@ -232,8 +233,12 @@ bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, 
   if (!motion.is_defined() || motion.turn_rad() > largest_turn_rad(i, k) || !stays_within_limits(i, *start, k, *end))
     return false;
   return std::ranges::any_of(std::array{kMotionAimShare, kMaxShare}, [&](double share) {
-    return task_.checker->is_clean(motion, positions_[k].kind, *task_.tool, options_for(share), true);
+    return checker_at(k).is_clean(motion, positions_[k].kind, *task_.tool, options_for(share), true);
   });
+}
+
+MotionChecker TiltSpace::checker_at(std::size_t i) const {
+  return task_.checker->for_move(positions_[i].origin, false).searching();
 }
 
 /// Returns whether the programmed position is deeper than any motion that is certified clean.
@@ -261,7 +266,7 @@ bool TiltSpace::holds_back(std::size_t i) const {
 
 MoveVerdict TiltSpace::verdict(std::size_t i, const Tilt& tilt) const {
   const std::optional<Pose> at = pose(i, tilt);
-  return task_.checker->measure(at.value_or(positions_[i].programmed), positions_[i].kind, *task_.tool);
+  return checker_at(i).measure(at.value_or(positions_[i].programmed), positions_[i].kind, *task_.tool);
 }
 
 bool TiltProofs::is_free(std::size_t i, const Tilt& tilt) {

@@ -18,6 +18,7 @@ using Tilt = Vec2;
 /// A position of a run whose tool axis may be tilted: the end of a move, or an instant of it.
 struct TiltPosition {
   std::size_t move = 0;      ///< index in the path
+  std::size_t origin = 0;    ///< index of the move before which the remaining stock is that of the position
   double t = 1;              ///< instant of that move; 1: its end
   double arc_length_mm = 0;  ///< length of the tip's path from the beginning of the run, plus 10 mm for each radian
                              ///< that the axis turns
@@ -103,6 +104,7 @@ class TiltSpace {
   [[nodiscard]] bool stays_within_limits(std::size_t i, const Pose& from, std::size_t k, const Pose& to) const;
   [[nodiscard]] double largest_turn_rad(std::size_t i, std::size_t k) const;
   [[nodiscard]] CheckOptions options_for(double tolerance_share) const;
+  [[nodiscard]] MotionChecker checker_at(std::size_t i) const;
   [[nodiscard]] bool is_gouge(std::size_t i, MoveKind kind) const;
   [[nodiscard]] bool may_stay_programmed(std::size_t i) const;
   /// Returns the pose that keeps the contact, without a rise.

@@ -240,6 +240,55 @@ TEST(CorrectStock, AHolderInTheWallOfASlotIsLifted) {
   EXPECT_LE(highest_mm(change.inserted_before), -19.5);
 }
 
+/// A ball cutter that finishes the floor 10 mm beside a wall of stock 60 mm high. Its holder reaches 10 mm into the wall.
+struct WallCase : Case {
+  WallCase()
+      : Case({{kRapid, upright(-60, 10, 80)},
+              {kRapid, upright(-60, 10, 0)},
+              {kFeed, upright(-20, 10, 0)},
+              {kFeed, upright(60, 10, 0)},
+              {kFeed, upright(100, 10, 0)},
+              {kRapid, upright(100, 10, 80)}},
+             wide_tool()) {
+    scene.parts = {shapes::box(Vec3(0, -40, -20), Vec3(40, 60, 0))};
+    stock.solid = StockSolid::box(Vec3(0, 20, 0), Vec3(40, 60, 60));
+  }
+
+  static ToolAssembly wide_tool() {
+    ToolAssembly tool = tools::assembly(BallCutter{10, 15}, 10);
+    tool.shank = {{10, 10, 10}};
+    tool.holder = {{40, 40, 40}};
+    return tool;
+  }
+};
+
+TEST(CorrectStock, AHolderBesideAWallOfStockIsTiltedAndTheFloorStaysCut) {
+  const WallCase c;
+  EXPECT_EQ(c.check_again(c.path).counts.gouge, 1U);
+  const LawfulCorrection lawful = c.correct();
+  expect_clean_again(c, lawful);
+  EXPECT_TRUE(lawful.correction.not_tilted.empty());
+  double lowest = 1, off_floor_mm = 0;
+  for (const Move& move : lawful.after.path.moves) {
+    if (move.end.tip.x() < 0 || move.end.tip.x() > 40) continue;
+    lowest = std::min(lowest, move.end.axis.z());
+    // The ball stays on the floor: its centre is 5 mm above it, along the tilted axis from the tip.
+    const Vec3 centre = move.end.tip + 5 * move.end.axis;
+    off_floor_mm = std::max(off_floor_mm, std::abs(centre.z() - 5));
+  }
+  EXPECT_LT(lowest, std::cos(0.1));
+  EXPECT_LT(off_floor_mm, 0.02);
+}
+
+TEST(CorrectStock, OnlyALiftFreesTheHolderWhereTiltsAreNotAllowed) {
+  WallCase c;
+  c.correction.strategies = BodyStrategies::all(Strategy::axis);
+  const LawfulCorrection lawful = c.correct();
+  for (const Move& move : lawful.after.path.moves) EXPECT_TRUE(move.end.axis.isApprox(Vec3::UnitZ()));
+  EXPECT_TRUE(lawful.correction.uncorrected.size() == 1 ||
+              highest_mm(lawful.correction.changes.at(0).inserted_before) > 34);
+}
+
 TEST(CorrectStock, ALiftThatIsTooLongIsListed) {
   Case c(levels(-25), flat(15));
   c.correction.max_shift_mm = 2;
