@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lib/base/tolerance.h"
+#include "lib/motion/body_motion.h"
 #include "lib/motion/motion_interval.h"
 #include "lib/tool/evaluate.h"
 
@@ -90,7 +91,9 @@ class Search {
   /// `parts`: what low cylinders are cut into.
   Search(const StockQuestion& question, const Motion& motion, double depth_mm, PieceShape parts, std::uint64_t budget,
          std::size_t max_open = kMaxOpen)
-      : q_(question), motion_(motion), depth_mm_(depth_mm), parts_shape_(parts), budget_(budget), max_open_(max_open) {}
+      : q_(question), motion_(motion), depth_mm_(depth_mm), parts_shape_(parts), budget_(budget), max_open_(max_open) {
+    if (q_.head != nullptr) frame_.emplace(motion);
+  }
 
   StockAnswer decide(const std::vector<ToolPiece>& pieces, double from, double to) {
     if (take_column(pieces, from, to)) return run();
@@ -109,6 +112,7 @@ class Search {
   /// whole time is examined at once. Returns whether it is so.
   bool take_column(const std::vector<ToolPiece>& pieces, double from, double to) {
     if (q_.is_cutting || motion_.is_alone() || motion_.segments().size() > 1 || motion_.turn_rad() > 0) return false;
+    if (frame_ && frame_->turn_rad() * q_.head->reach_mm() > Tolerance::kRounding_mm) return false;
     const Vec3 axis = motion_.at(from).axis, way = motion_.tip_at(to, 0) - motion_.tip_at(from, 0);
     const double along = way.dot(axis);
     const bool is_axial = (way - along * axis).norm() < Tolerance::kRounding_mm &&
@@ -136,6 +140,7 @@ class Search {
       const Candidate next = waiting_.back();
       waiting_.pop_back();
       if (depth_upper_mm(next.piece, q_.body, column_.range) <= depth_mm_ + q_.options.resolution_mm) continue;
+      if (q_.head != nullptr && is_outside_head(next.piece)) continue;
       if (is_free(next)) continue;
       if (take_witness(next)) return answer_;
       if (!divide(next)) ++open;
@@ -145,13 +150,38 @@ class Search {
   }
 
   [[nodiscard]] Place place_at(double t, std::uint32_t segment) const {
-    return {motion_.axes_at(t), motion_.tip_at(t, segment)};
+    return {frame_ ? frame_->at(t).rotation : motion_.axes_at(t), motion_.tip_at(t, segment)};
   }
+
+  [[nodiscard]] MotionRates rates_of(const MotionInterval& i) const {
+    return frame_ ? frame_->rates(i.t0, i.t1, i.segment) : motion_.rates(i.t0, i.t1, i.segment);
+  }
+
+  /// Proves that no point of the piece is deep in the head, at any height of a column. The depth changes by no more than the
+  /// way between two points; for larger pieces a box about them is tried instead.
+  [[nodiscard]] bool is_outside_head(const ToolPiece& piece) const {
+    const double most_mm = depth_mm_ + q_.options.resolution_mm, half_way = 0.5 * (range().hi_mm - range().lo_mm);
+    if (piece.ball_mm() + half_way <= most_mm) {
+      const Vec3 middle = piece.middle() - 0.5 * (range().hi_mm + range().lo_mm) * Vec3::UnitZ();
+      return piece.ball_mm() + half_way - q_.head->closest_point(middle).signed_mm() <= most_mm;
+    }
+    const PieceDiscs in_tool = discs_of(piece);
+    std::array<Disc, 2 * PieceDiscs::kMax> both;
+    for (std::size_t k = 0; k < in_tool.count; ++k) {
+      both[2 * k] = both[2 * k + 1] = in_tool.discs[k];
+      both[2 * k].center.z() -= range().lo_mm;
+      both[2 * k + 1].center.z() -= range().hi_mm;
+    }
+    return q_.head->is_no_deeper({both.data(), 2 * in_tool.count}, most_mm);
+  }
+
+  [[nodiscard]] const AxialRange& range() const { return column_.range; }
 
   /// Bounds the length of the way of every point of the piece.
   [[nodiscard]] double way_mm(const Candidate& c) const {
     return motion_.path_length_mm(c.interval.t0, c.interval.t1, c.interval.segment) +
-           c.piece.reach_mm() * motion_.turn_rad(c.interval.t0, c.interval.t1);
+           c.piece.reach_mm() *
+               (frame_ ? rates_of(c.interval).turn_rad : motion_.turn_rad(c.interval.t0, c.interval.t1));
   }
 
   /// Places the piece at both ends of its interval.
@@ -167,7 +197,7 @@ class Search {
       swept.at1[0] = swept.at0[0];
       swept.count = 1;
     } else {
-      const MotionRates rates = motion_.rates(i.t0, i.t1, i.segment);
+      const MotionRates rates = rates_of(i);
       swept.slack_mm = rates.tip_sag_mm + rates.axis_acceleration_rad() / 8 * c.piece.reach_mm();
       place_piece(c.piece, place_at(i.t0, i.segment), place_at(i.t1, i.segment), swept);
     }
@@ -238,11 +268,15 @@ class Search {
   /// Returns an instant at which a point is deep in the body, and its depth then. Only in a column is there a choice.
   [[nodiscard]] std::pair<double, double> deepest_instant(const Candidate& c, const Vec3& in_tool) const {
     const double r = in_tool.head<2>().norm();
-    std::pair<double, double> deepest(c.interval.middle(), -signed_distance_mm(q_.body, r, in_tool.z()));
+    const auto depth_at = [&](double z) {
+      if (q_.head != nullptr) return -q_.head->closest_point({in_tool.x(), in_tool.y(), z}).signed_mm();
+      return -signed_distance_mm(q_.body, r, z);
+    };
+    std::pair<double, double> deepest(c.interval.middle(), depth_at(in_tool.z()));
     if (!(std::abs(column_.along_mm) > 0)) return deepest;
     for (int k = 1; k <= kColumnInstants; ++k) {
       const double share = static_cast<double>(k) / kColumnInstants;
-      const double depth = -signed_distance_mm(q_.body, r, in_tool.z() - share * column_.along_mm);
+      const double depth = depth_at(in_tool.z() - share * column_.along_mm);
       if (depth > deepest.second) deepest = {column_.from + share * (column_.to - column_.from), depth};
     }
     return deepest;
@@ -337,6 +371,7 @@ class Search {
 
   const StockQuestion& q_;
   const Motion& motion_;
+  std::optional<BodyMotion> frame_;  // of a head
   double depth_mm_;
   PieceShape parts_shape_;
   std::uint64_t budget_;

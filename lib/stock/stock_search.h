@@ -6,6 +6,7 @@
 
 #include "lib/motion/motion.h"
 #include "lib/stock/cut_history.h"
+#include "lib/stock/stock_head.h"
 #include "lib/stock/stock_solid.h"
 #include "lib/stock/tool_piece.h"
 
@@ -20,6 +21,9 @@ struct StockQuestion {
   std::size_t move = 0;
   std::uint64_t budget = 0;  ///< number of pieces after which the answer is open
   bool is_cutting = false;   ///< material that the cutter of this move removed before counts as gone
+  /// Null: the body itself is examined. Else `body` is head->around(), and depths are those in the head at its turn. Requires
+  /// motions with has_known_turn.
+  const StockHead* head = nullptr;
 };
 
 /// A point of the stock that no tool touched before, inside a body.

@@ -1,0 +1,172 @@
+// Heads beside remaining stock where the answer is known in closed form.
+#include <gtest/gtest.h>
+
+#include "lib/stock/check_stock.h"
+#include "lib/stock/stock_head.h"
+#include "lib/surface/surface.h"
+#include "tests/lib/stock/block.h"
+#include "tests/support/shapes.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kTolerance_mm = 0.1, kResolution_mm = 0.05;
+
+using block::kFeed;
+using block::kRapid;
+using block::path_of;
+using block::Step;
+using paths::upright;
+
+StockHead head_of(const IndexedMesh& mesh) { return StockHead(Surface(IndexedMesh(mesh)).boundary()); }
+
+/// A flat cutter with a shank as wide, and no holder.
+ToolVariants flat(double diameter, double flutes) {
+  ToolAssembly tool = tools::assembly(FlatCutter{diameter, flutes}, diameter);
+  tool.holder.clear();
+  return tools::variants(tool);
+}
+
+/// Runs a program with one tool and heads.
+StockResult run(const Toolpath& path, const ToolVariants& tool, const std::vector<StockHead>& heads,
+                const StockSolid& stock, const Toolpath* before = nullptr) {
+  const std::vector<StockTool> tools{{&tool, true}};
+  const MotionLaw law;
+  const StockOptions options;
+  const Toolpath none;
+  const CutHistory earlier(before != nullptr ? *before : none, law, tools, options);
+  const CutHistory history(path, law, tools, options, &earlier, heads);
+  return check_stock(history, stock, options, 1);
+}
+
+/// A wall whose face is x = 0.
+StockSolid wall() { return StockSolid::box(Vec3(0, -50, -100), Vec3(50, 50, 200)); }
+
+void expect_depth(const StockFinding& finding, double exact) {
+  ASSERT_TRUE(finding.witness.has_value());
+  EXPECT_EQ(finding.body, Body::head);
+  EXPECT_LE(finding.witness->depth_mm, exact + 1e-9);
+  EXPECT_GE(finding.depth_upper_mm, exact - kResolution_mm);
+  EXPECT_LE(finding.depth_upper_mm - finding.witness->depth_mm, std::max(3 * kResolution_mm, 0.15 * exact));
+}
+
+TEST(HeadBesideStock, IsClearOfAWallUntilItIsDeeperThanTheTolerance) {
+  const std::vector<StockHead> heads{head_of(shapes::box(Vec3(-20, -20, 40), Vec3(20, 20, 80)))};
+  const ToolVariants tool = flat(10, 30);
+  for (const auto kind : {kRapid, kFeed}) {
+    for (const double depth : {-1.0, 0.0, 0.09, 2.0}) {
+      const double x = depth - 20;
+      const StockResult result =
+          run(path_of({{kRapid, upright(x, -90, 0)}, {kind, upright(x, 90, 0)}}), tool, heads, wall());
+      if (depth < kTolerance_mm) {
+        EXPECT_TRUE(result.findings.empty()) << depth;
+        EXPECT_EQ(result.proved, 2U);
+        continue;
+      }
+      ASSERT_EQ(result.findings.size(), 1U) << depth;
+      expect_depth(result.findings.front(), depth);
+      EXPECT_EQ(result.findings.front().head, 0U);
+      // The corner of the head is deeper than the tolerance once it is so much beyond the face y = -50.
+      const double exact = (90 - 50 - 20 + kTolerance_mm) / 180;
+      EXPECT_LE(result.findings.front().contact.clear_until, exact + 2 * kResolution_mm / 180);
+      EXPECT_GE(result.findings.front().contact.contact_at, exact - 1e-9);
+    }
+  }
+}
+
+TEST(HeadBesideStock, CountsWithItsTurnAboutTheAxis) {
+  // The head is 40 mm long in x and 10 mm wide in y. Upright it is turned as its file states.
+  const std::vector<StockHead> heads{head_of(shapes::box(Vec3(-20, -5, 40), Vec3(20, 5, 80)))};
+  const ToolVariants tool = flat(8, 30);
+  const StockSolid behind = StockSolid::box(Vec3(-50, 6, -100), Vec3(50, 50, 200));
+  EXPECT_TRUE(
+      run(path_of({{kRapid, upright(-90, 0, 0)}, {kRapid, upright(90, 0, 0)}}), tool, heads, behind).findings.empty());
+  const StockSolid beside = StockSolid::box(Vec3(6, -50, -100), Vec3(50, 50, 200));
+  const StockResult result =
+      run(path_of({{kRapid, upright(0, -90, 0)}, {kRapid, upright(0, 90, 0)}}), tool, heads, beside);
+  ASSERT_EQ(result.findings.size(), 1U);
+  expect_depth(result.findings.front(), 5);
+}
+
+TEST(HeadBesideStock, IsFoundBesideASlotAsItGoesDeeper) {
+  const std::vector<StockHead> heads{head_of(shapes::box(Vec3(-20, -20, 35), Vec3(20, 20, 60)))};
+  const auto levels = [](int count) {
+    std::vector<Step> steps{{kRapid, upright(-90, 0, 60)}};
+    for (int level = 1; level <= count; ++level) {
+      steps.push_back({kRapid, upright(-90, 0, -10.0 * level)});
+      steps.push_back({kFeed, upright(0, 0, -10.0 * level)});
+      steps.push_back({kRapid, upright(0, 0, 60)});
+      steps.push_back({kRapid, upright(-90, 0, 60)});
+    }
+    return path_of(steps);
+  };
+  const ToolVariants tool = flat(10, 30);
+  EXPECT_TRUE(run(levels(3), tool, heads, block::solid()).findings.empty());
+  // On the fourth level the lower face of the head is 5 mm below that of the stock, on the way in and up again.
+  const StockResult result = run(levels(4), tool, heads, block::solid());
+  ASSERT_GE(result.findings.size(), 1U);
+  EXPECT_EQ(result.findings.front().move, 14U);
+  expect_depth(result.findings.front(), 5);
+  for (const StockFinding& finding : result.findings) EXPECT_GE(finding.move, 14U);
+
+  // An earlier program cleared the upper 6 mm about the slot: the tool is the same, at many steps.
+  std::vector<Step> clearing{{kRapid, upright(-90, -30, 60)}};
+  for (int pass = 0; pass <= 60; pass += 8) {
+    clearing.push_back({kRapid, upright(-90, -30.0 + pass, -6)});
+    clearing.push_back({kFeed, upright(40, -30.0 + pass, -6)});
+    clearing.push_back({kRapid, upright(40, -30.0 + pass, 60)});
+  }
+  const Toolpath before = path_of(clearing);
+  EXPECT_TRUE(run(levels(4), tool, heads, block::solid(), &before).findings.empty());
+}
+
+TEST(HeadBesideStock, LeavesMaterialOpenThatItTouchedBefore) {
+  const std::vector<StockHead> heads{head_of(shapes::box(Vec3(-20, -20, 40), Vec3(20, 20, 80)))};
+  const ToolVariants tool = flat(10, 30);
+  // The head is 2 mm deep in the wall, twice.
+  const Toolpath path = path_of({{kRapid, upright(-18, -90, 0)},
+                                 {kRapid, upright(-18, 90, 0)},
+                                 {kRapid, upright(-18, -90, 0)},
+                                 {kRapid, upright(-60, -90, 0)},
+                                 {kRapid, upright(-60, -90, 50)},
+                                 {kRapid, upright(-3.5, -90, 50)},
+                                 {kRapid, upright(-3.5, 90, 50)}});
+  const StockResult result = run(path, tool, heads, wall());
+  ASSERT_EQ(result.findings.size(), 3U);
+  EXPECT_EQ(result.findings[0].move, 1U);
+  EXPECT_TRUE(result.findings[0].witness.has_value());
+  EXPECT_EQ(result.findings[1].move, 2U);
+  EXPECT_FALSE(result.findings[1].witness.has_value());
+  EXPECT_EQ(result.findings[1].body, Body::head);
+  // Later the cutter and the head are in the wall at once, higher and deeper: the deepest place is reported.
+  EXPECT_EQ(result.findings[2].move, 6U);
+  EXPECT_TRUE(result.findings[2].witness.has_value());
+  EXPECT_EQ(result.findings[2].body, Body::head);
+}
+
+TEST(HeadBesideStock, MayHaveAPostBetweenItAndTheTool) {
+  const std::vector<StockHead> heads{head_of(shapes::box(Vec3(25, -8, 20), Vec3(40, 8, 60)))};
+  const ToolVariants tool = flat(6, 40);
+  const StockSolid post = StockSolid::box(Vec3(10, -4, 0), Vec3(24, 4, 100));
+  const StockResult result =
+      run(path_of({{kRapid, upright(0, 0, 150)}, {kRapid, upright(0, 0, 10)}, {kRapid, upright(2, 0, 10)}}), tool,
+          heads, post);
+  EXPECT_TRUE(result.findings.empty());
+  const StockResult met =
+      run(path_of({{kRapid, upright(0, 0, 150)}, {kRapid, upright(0, 0, 10)}, {kRapid, upright(-4, 0, 10)}}), tool,
+          heads, post);
+  ASSERT_EQ(met.findings.size(), 1U);
+  EXPECT_EQ(met.findings.front().move, 2U);
+  expect_depth(met.findings.front(), 3);
+}
+
+TEST(CylindersAround, ContainTheMesh) {
+  const IndexedMesh block = shapes::box(Vec3(-3, 4, 10), Vec3(5, 12, 30));
+  const CompiledTool around = cylinders_around(block);
+  EXPECT_NEAR(around.r_max_mm, 13, 1e-6);
+  EXPECT_NEAR(around.z_min_mm, 10, 1e-6);
+  EXPECT_NEAR(around.z_max_mm, 30, 1e-6);
+}
+
+}  // namespace
+}  // namespace gouge
