@@ -277,9 +277,7 @@ bool CutHistory::meets(const StockHead& head, const MotionSpan& span, const CutB
   const BodyMotion moving(motion);
   return may_reach(
       span.from(), span.until(),
-      [&](double t) {
-        return head.closest_point(moving.at(t).inverse().point(ball.center)).signed_mm() - ball.radius_mm;
-      },
+      [&](double t) { return head.signed_distance_mm(moving.at(t).inverse().point(ball.center)) - ball.radius_mm; },
       [&](double a, double b) {
         const MotionRates rates = moving.rates(a, b, span.segment);
         const double far = (ball.center - motion.tip_at(a, span.segment)).norm() + rates.tip_path_mm;

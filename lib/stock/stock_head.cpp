@@ -88,6 +88,27 @@ std::vector<Cylinder> stack_around(const IndexedMesh& mesh) {
   return stack;
 }
 
+/// Returns cylinders that contain these moved out in all directions. At every height the radius is the largest within that
+/// distance.
+std::vector<Cylinder> grown(const std::vector<Cylinder>& stack, double by_mm) {
+  std::vector<double> heights;
+  for (const Cylinder& one : stack)
+    for (const double z : {one.z_lo_mm - by_mm, one.z_lo_mm + by_mm, one.z_hi_mm - by_mm, one.z_hi_mm + by_mm})
+      heights.push_back(z);
+  std::sort(heights.begin(), heights.end());
+  std::vector<Cylinder> all;
+  for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
+    Cylinder next{heights[k], heights[k + 1], 0};
+    for (const Cylinder& one : stack) {
+      const bool is_near = one.z_lo_mm - by_mm < next.z_hi_mm && one.z_hi_mm + by_mm > next.z_lo_mm;
+      if (is_near) next.r_mm = std::max(next.r_mm, one.r_mm + by_mm);
+    }
+    if (next.z_hi_mm > next.z_lo_mm) all.push_back(next);
+  }
+  join_neighbours(all);
+  return all;
+}
+
 /// Appends a straight element that ends at `to`. The solid is on its left.
 void add_line(const Vec2& to, Vec2& at, CompiledTool& tool) {
   const Vec2 way = to - at;
@@ -103,11 +124,12 @@ void add_line(const Vec2& to, Vec2& at, CompiledTool& tool) {
 
 }  // namespace
 
-CompiledTool cylinders_around(const IndexedMesh& mesh) {
-  const std::vector<Cylinder> stack = stack_around(mesh);
+CompiledTool cylinders_around(const IndexedMesh& mesh, double grow_mm) {
+  std::vector<Cylinder> stack = stack_around(mesh);
   CompiledTool tool;
   tool.name = mesh.name;
   if (stack.empty()) return tool;
+  if (grow_mm > 0) stack = grown(stack, grow_mm);
   tool.z_min_mm = stack.front().z_lo_mm;
   tool.z_max_mm = stack.back().z_hi_mm;
   Vec2 at(0, tool.z_min_mm);
@@ -120,8 +142,11 @@ CompiledTool cylinders_around(const IndexedMesh& mesh) {
   return tool;
 }
 
-StockHead::StockHead(const Surface& boundary)
-    : surface_(boundary), solid_(StockSolid::solid(boundary)), around_(cylinders_around(boundary.mesh())) {
+StockHead::StockHead(const Surface& boundary, double grow_mm)
+    : surface_(boundary),
+      grow_mm_(grow_mm),
+      solid_(StockSolid::solid(boundary)),
+      around_(cylinders_around(boundary.mesh(), grow_mm)) {
   for (const BodyHulls& body : contour_hulls(around_))
     hulls_.insert(hulls_.end(), body.hulls.begin(), body.hulls.end());
   cylinder_ = {around_.r_max_mm, around_.z_min_mm, around_.z_max_mm};

@@ -163,7 +163,7 @@ class Search {
     const double most_mm = depth_mm_ + q_.options.resolution_mm, half_way = 0.5 * (range().hi_mm - range().lo_mm);
     if (piece.ball_mm() + half_way <= most_mm) {
       const Vec3 middle = piece.middle() - 0.5 * (range().hi_mm + range().lo_mm) * Vec3::UnitZ();
-      return piece.ball_mm() + half_way - q_.head->closest_point(middle).signed_mm() <= most_mm;
+      return piece.ball_mm() + half_way - q_.head->signed_distance_mm(middle) <= most_mm;
     }
     const PieceDiscs in_tool = discs_of(piece);
     std::array<Disc, 2 * PieceDiscs::kMax> both;
@@ -269,7 +269,7 @@ class Search {
   [[nodiscard]] std::pair<double, double> deepest_instant(const Candidate& c, const Vec3& in_tool) const {
     const double r = in_tool.head<2>().norm();
     const auto depth_at = [&](double z) {
-      if (q_.head != nullptr) return -q_.head->closest_point({in_tool.x(), in_tool.y(), z}).signed_mm();
+      if (q_.head != nullptr) return -q_.head->signed_distance_mm({in_tool.x(), in_tool.y(), z});
       return -signed_distance_mm(q_.body, r, z);
     };
     std::pair<double, double> deepest(c.interval.middle(), depth_at(in_tool.z()));
