@@ -100,8 +100,7 @@ TEST_F(StockSample, WhatItDoesNotCoverIsRefused) {
   ASSERT_EQ(run("rapid_stock", {"--stock", "part+5"}).exit_status, 1);
   for (const std::vector<std::string>& more :
        {std::vector<std::string>{"--stock", "box", "--certificate", "c.bin"},
-        std::vector<std::string>{"--stock", "box", "--head", "part.stl"}, std::vector<std::string>{"--stock", "box=x"},
-        std::vector<std::string>{"--stock", "part+-1"},
+        std::vector<std::string>{"--stock", "box=x"}, std::vector<std::string>{"--stock", "part+-1"},
         std::vector<std::string>{"--stock", "box", "--stock-resolution", "0"}}) {
     const Outcome ran = run_again(more);
     EXPECT_EQ(ran.exit_status, 2) << ran.err;
