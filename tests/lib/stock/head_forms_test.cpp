@@ -1,6 +1,10 @@
 // Heads beside remaining stock where the answer is known in closed form.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "lib/motion/body_motion.h"
 #include "lib/stock/check_stock.h"
 #include "lib/stock/stock_head.h"
 #include "lib/surface/surface.h"
@@ -158,6 +162,42 @@ TEST(HeadBesideStock, MayHaveAPostBetweenItAndTheTool) {
   ASSERT_EQ(met.findings.size(), 1U);
   EXPECT_EQ(met.findings.front().move, 2U);
   expect_depth(met.findings.front(), 3);
+}
+
+TEST(HeadBesideStock, IsFoundWhereItPassesAPlateAlongTheAxis) {
+  const std::vector<StockHead> heads{head_of(shapes::box(Vec3(-30, -5, 40), Vec3(0, 5, 50)))};
+  const ToolVariants tool = flat(6, 30);
+  const StockSolid plate = StockSolid::box(Vec3(30, -50, 0), Vec3(50, 50, 4));
+  const Pose above = upright(60, 0, 60), below = upright(60, 0, -60);
+  for (const auto& [from, to] : {std::pair(above, below), std::pair(below, above)}) {
+    const StockResult result = run(path_of({{kRapid, from}, {kRapid, to}}), tool, heads, plate);
+    ASSERT_EQ(result.findings.size(), 1U);
+    expect_depth(result.findings.front(), 5);
+  }
+  EXPECT_TRUE(run(path_of({{kRapid, above}, {kRapid, upright(60, 0, -36)}}), tool, heads, plate).findings.empty());
+  EXPECT_TRUE(run(path_of({{kRapid, below}, {kRapid, upright(60, 0, -50)}}), tool, heads, plate).findings.empty());
+}
+
+TEST(HeadBesideStock, IsFoundWhereItSwingsAboutAnAxisThatHardlyTurns) {
+  // Near -z the directions that a tool axis states turn fast. The head swings by 120 degrees past a post.
+  const std::vector<StockHead> heads{head_of(shapes::box(Vec3(10, -2, 5), Vec3(20, 2, 15)))};
+  const ToolVariants tool = flat(2, 20);
+  const double tilt = 0.01, angle = std::numbers::pi / 3;
+  const Pose from{Vec3::Zero(), Vec3(tilt, 0, -1).normalized()};
+  const Pose to{Vec3::Zero(), Vec3(tilt * std::cos(angle), tilt * std::sin(angle), -1).normalized()};
+  const Toolpath path = path_of({{kRapid, from}, {kRapid, to}});
+  const Motion motion = MotionLaw().of(path, 1);
+  const auto head_at = [&](double t) { return BodyMotion(motion).at(t).point(Vec3(15, 0, 10)); };
+  const Vec3 half = Vec3::Constant(0.5);
+  for (int k = 1; k < 16; ++k) {
+    const Vec3 at = head_at(k / 16.0);
+    const StockResult met = run(path, tool, heads, StockSolid::box(at - half, at + half));
+    ASSERT_EQ(met.findings.size(), 1U) << k;
+    expect_depth(met.findings.front(), 2);
+  }
+  const Vec3 at = head_at(0.5);
+  const Vec3 inward = 0.3 * at, beside(inward.x(), inward.y(), at.z());
+  EXPECT_TRUE(run(path, tool, heads, StockSolid::box(beside - half, beside + half)).findings.empty());
 }
 
 TEST(CylindersAround, ContainTheMesh) {
