@@ -189,7 +189,7 @@ TEST(HeadBesideStock, IsFoundWhereItSwingsAboutAnAxisThatHardlyTurns) {
   const Motion motion = MotionLaw().of(path, 1);
   const auto head_at = [&](double t) { return BodyMotion(motion).at(t).point(Vec3(15, 0, 10)); };
   const Vec3 half = Vec3::Constant(0.5);
-  for (int k = 1; k < 16; ++k) {
+  for (int k = 4; k <= 12; ++k) {
     const Vec3 at = head_at(k / 16.0);
     const StockResult met = run(path, tool, heads, StockSolid::box(at - half, at + half));
     ASSERT_EQ(met.findings.size(), 1U) << k;
