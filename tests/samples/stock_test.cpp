@@ -68,6 +68,9 @@ TEST_F(StockSample, AHolderInAnUncutWallIsFound) {
   EXPECT_EQ(first.at("witness").at("body"), "holder");
   EXPECT_LE(first.at("depth").get<double>(), 8 + 1e-9);
   EXPECT_GE(first.at("depth_upper").get<double>(), 8 - 3 * kResolution_mm);
+  // A cure from parts and fixtures would not free it from stock.
+  const Outcome cured = run_again({"--stock", "box", "--find-cures"});
+  EXPECT_EQ(cured.out.find("cured by"), std::string::npos) << cured.out;
 }
 
 TEST_F(StockSample, TheMaterialOfAFileIsChecked) {
