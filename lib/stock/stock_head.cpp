@@ -13,7 +13,7 @@ namespace {
 
 // Cylinders of a stack, and heights at which the mesh is cut before neighbours are joined.
 constexpr std::size_t kMaxCylinders = 12, kMaxHeights = 48;
-constexpr double kLeastRadius = 1e-3;  // share of the widest radius, for heights without a triangle
+constexpr double kMinRadius = 1e-3;  // share of the widest radius, for heights without a triangle
 
 struct Cylinder {
   double z_lo_mm = 0, z_hi_mm = 0, r_mm = 0;
@@ -81,7 +81,7 @@ std::vector<Cylinder> stack_around(const IndexedMesh& mesh) {
     widen({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, stack);
   double widest = 0;
   for (const Cylinder& one : stack) widest = std::max(widest, one.r_mm);
-  for (Cylinder& one : stack) one.r_mm = std::max(one.r_mm, kLeastRadius * widest) + Tolerance::kSamePoint_mm;
+  for (Cylinder& one : stack) one.r_mm = std::max(one.r_mm, kMinRadius * widest) + Tolerance::kSamePoint_mm;
   join_neighbours(stack);
   stack.front().z_lo_mm -= Tolerance::kSamePoint_mm;
   stack.back().z_hi_mm += Tolerance::kSamePoint_mm;
