@@ -200,6 +200,45 @@ TEST(HeadBesideStock, IsFoundWhereItSwingsAboutAnAxisThatHardlyTurns) {
   EXPECT_TRUE(run(path, tool, heads, StockSolid::box(beside - half, beside + half)).findings.empty());
 }
 
+TEST(HeadBesideStock, TouchesWhatItPasses) {
+  const std::vector<StockHead> heads{head_of(shapes::box(Vec3(-20, -20, 40), Vec3(20, 20, 80)))};
+  const ToolVariants tool = flat(10, 30);
+  const std::vector<StockTool> tools{{&tool, true}};
+  const Toolpath path = path_of({{kRapid, upright(-18, -90, 0)}, {kRapid, upright(-18, 90, 0)}});
+  const MotionLaw law;
+  const CutHistory history(path, law, tools, {}, nullptr, heads), without(path, law, tools, {});
+  CutMove hint;
+  const auto is_left = [&](const CutHistory& of, double x, double z) {
+    return of.is_untouched(HullRegion::box(Vec3(x, -1, z), Vec3(x + 0.5, 1, z + 1)), 0, 2, hint);
+  };
+  EXPECT_FALSE(is_left(history, 1, 50));
+  EXPECT_TRUE(is_left(without, 1, 50));
+  EXPECT_TRUE(is_left(history, 1, 81));
+  EXPECT_TRUE(is_left(history, 11, 50));
+  // A region meets the cylinder about the head, a point only the head itself.
+  EXPECT_FALSE(is_left(history, 5, 50));
+  EXPECT_TRUE(history.is_untouched(Vec3(2.001, 0, 50), 2, hint));
+  EXPECT_FALSE(history.is_untouched(Vec3(1.999, 0, 50), 2, hint));
+  EXPECT_TRUE(history.is_untouched(CutBall{Vec3(1, 0, 39), 2, Vec3::UnitZ(), 0.9}, 2, hint));
+  EXPECT_FALSE(history.is_untouched(CutBall{Vec3(1, 0, 39), 2, Vec3::UnitZ(), 1.1}, 2, hint));
+  const auto nearest = history.nearest_place(Vec3(15, 0, 50), 2, 100, PlacesOf::tools);
+  ASSERT_TRUE(nearest.has_value());
+  EXPECT_NEAR(nearest->distance_mm, 33 - 20 * std::numbers::sqrt2, 0.01);
+}
+
+TEST(StockHead, MovedOutIsDeeper) {
+  const StockHead head = head_of(shapes::box(Vec3(-20, -20, 40), Vec3(20, 20, 80))), wide = head.grown(2);
+  const Vec3 point(21, 0, 50);
+  EXPECT_NEAR(head.signed_distance_mm(point), 1, 1e-9);
+  EXPECT_NEAR(wide.signed_distance_mm(point), -1, 1e-9);
+  EXPECT_NEAR(wide.around().r_max_mm, 20 * std::numbers::sqrt2 + 2, 1e-6);
+  EXPECT_NEAR(wide.around().z_min_mm, 38, 1e-6);
+  EXPECT_NEAR(wide.around().z_max_mm, 82, 1e-6);
+  const Disc disc{point};
+  EXPECT_TRUE(wide.is_no_deeper({&disc, 1}, 1.01));
+  EXPECT_FALSE(wide.is_no_deeper({&disc, 1}, 0.99));
+}
+
 TEST(CylindersAround, ContainTheMesh) {
   const IndexedMesh block = shapes::box(Vec3(-3, 4, 10), Vec3(5, 12, 30));
   const CompiledTool around = cylinders_around(block);
