@@ -96,6 +96,9 @@ ClaimedStock claimed_stock(const Job& job, const JobArguments& arguments, const 
   ClaimedStock claimed;
   claimed.tolerance_mm = stock.setup->options.tolerance_mm;
   claimed.resolution_mm = stock.setup->options.resolution_mm;
+  const auto is_open = [](TurnLaw law) { return law == TurnLaw::documented || law == TurnLaw::any; };
+  claimed.is_motion_open =
+      !job.options.check.tube.is_empty() || (job.machine && (is_open(job.laws.feeds) || is_open(job.laws.rapids)));
   const std::vector<IndexedMesh>& parts = job.scene().parts;
   if (shape.kind == StockShape::Kind::box) {
     Box3 box;

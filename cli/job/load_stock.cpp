@@ -15,8 +15,9 @@ class StockLoader {
       : arguments_(arguments), job_(job), progress_(progress), errors_(errors) {}
 
   std::optional<LoadedStock> run() {
-    const Result<StockOptions> options = understand_stock_options(arguments_);
+    Result<StockOptions> options = understand_stock_options(arguments_);
     if (!options) return fail(options.error());
+    options->tube = job_.options.check.tube;
     Result<DescribedStock> stock = make_solid();
     if (!stock) return fail(stock.error());
     description_ = std::move(stock->description);
@@ -74,11 +75,7 @@ class StockLoader {
 
 std::optional<LoadedStock> load_stock(const JobArguments& arguments, Job& job, Progress& progress,
                                       Diagnostics& errors) {
-  if (job.options.check.tube.is_empty()) return StockLoader(arguments, job, progress, errors).run();
-  errors.push_back(make_error("usage",
-                              "--stock does not cover the tolerances of the control yet; give --tip-tolerance 0 and "
-                              "--axis-tolerance 0"));
-  return std::nullopt;
+  return StockLoader(arguments, job, progress, errors).run();
 }
 
 // The tool with the room may be as deep in stock as the tolerance and the resolution, and the stock counts as smaller by the

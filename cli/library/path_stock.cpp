@@ -38,11 +38,11 @@ class StockMaker {
 
   std::shared_ptr<const PathStock> run(const std::vector<gouge::IndexedMesh>& parts,
                                        const std::vector<std::optional<gouge::ToolAssembly>>& assemblies) {
-    if (!understood_.tube.is_empty()) refuse("stock does not cover the tolerances of the control");
     gouge::DescribedStock solid = solid_of(parts);
     made_->setup = gouge::StockSetup{.solid = std::move(solid.solid),
                                      .tools = value_or_raise(gouge::make_stock_tools(assemblies, made_->tools)),
                                      .options = options_of(stock_)};
+    made_->setup->options.tube = understood_.tube;
     for (const EarlierProgram& program : stock_.before) add(program);
     made_->facts.push_back(gouge::assume_stock(solid.description, *made_->setup, path_.file));
     record();

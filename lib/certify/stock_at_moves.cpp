@@ -52,8 +52,8 @@ std::vector<StockQuestion> StockAtMoves::questions(const StockPlace& place) cons
   std::vector<StockQuestion> all;
   if (place.tool >= stock_.tools.size() || stock_.tools[place.tool].tool == nullptr) return all;
   const auto add = [&](const CompiledTool& body, const StockHead* head) {
-    all.push_back(
-        {history_.of_path(), stock_.solid, options_, body, place.before, options_.budget_per_move, false, head});
+    all.push_back({history_.of_path(), stock_.solid, options_, body, place.before, options_.budget_per_move, false,
+                   nullptr, head});
   };
   if (const CompiledTool* const body = body_of(place)) add(*body, nullptr);
   for (const StockHead& head : place.keeps_room && !roomy_heads_.empty() ? roomy_heads_ : stock_.heads)
@@ -82,7 +82,7 @@ std::optional<MoveVerdict> StockAtMoves::find_stock_in(const StockQuestion& abou
   verdict.state = MoveState::not_certified;
   verdict.reason.kind = Reason::Kind::stock_touched;
   if (is_head) verdict.reason.body = Body::head;
-  if (is_head && !has_known_turn(motion)) return verdict;
+  if (is_head && !(has_known_turn(motion) && about.history.departure_from(motion).is_none())) return verdict;
   const StockAnswer answer = find_stock(about, motion, deep_pieces(about.body, tolerance), 0, 1, tolerance);
   examined += answer.examined;
   if (answer.is_clear) return std::nullopt;
@@ -110,7 +110,8 @@ double StockAtMoves::excess_mm(const Pose& pose, const StockPlace& place, std::u
 }
 
 double StockAtMoves::excess_mm(const StockQuestion& about, const Motion& rest, std::uint64_t& examined) const {
-  if (about.head != nullptr && !has_known_turn(rest)) return kBlindStep_mm;
+  if (about.head != nullptr && !(has_known_turn(rest) && about.history.departure_from(rest).is_none()))
+    return kBlindStep_mm;
   double excess = 0;
   for (double depth = options_.tolerance_mm;;) {
     const StockAnswer answer = find_stock(about, rest, deep_pieces(about.body, depth), 0, 1, depth);

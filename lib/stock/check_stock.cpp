@@ -106,11 +106,14 @@ class StockChecker {
     if (asked.body.elements.empty()) return found;
     std::uint64_t left = options_.budget_per_group;
     const StockQuestion first = question(asked, group.range.first, options_.budget_per_move);
+    StockHints hints;
     for (const OpenMove& open : moves_not_clear(first, group.range)) {
       const std::uint64_t budget = std::max(options_.least_budget, std::min(left, options_.budget_per_move));
       StockQuestion about = question(asked, open.move, budget);
+      about.hints = &hints;
       const Motion motion = history_.motion_of(open.move);
-      const bool is_turn_open = about.head != nullptr && !has_known_turn(motion);
+      const bool is_turn_open =
+          about.head != nullptr && !(has_known_turn(motion) && history_.departure_from(motion).is_none());
       if (is_turn_open) about.head = nullptr;
       const StockAnswer answer = find_stock(about, motion, open.pieces, 0, 1, options_.tolerance_mm);
       std::uint64_t examined = answer.examined;
@@ -133,7 +136,7 @@ class StockChecker {
 
   [[nodiscard]] StockQuestion question(const AskedBody& asked, std::size_t move, std::uint64_t budget) const {
     const StockHead* const head = asked.head == kNone ? nullptr : &history_.heads()[asked.head];
-    return {history_, stock_, options_, asked.body, move, budget, history_.is_cutting(move), head};
+    return {history_, stock_, options_, asked.body, move, budget, history_.is_cutting(move), nullptr, head};
   }
 
   /// Asks with what is left of the budget for a bound, and takes off what that needed.

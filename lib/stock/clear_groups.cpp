@@ -22,14 +22,15 @@ struct GroupPlace {
   double cone_rad = 0;
 };
 
-GroupPlace place_of(const Motion& motion) {
+GroupPlace place_of(const Motion& motion, const Departure& departure) {
   GroupPlace place;
   place.axis = motion.at(0.5).axis;
-  place.cone_rad = std::max(motion.turn_rad(0, 0.5), motion.turn_rad(0.5, 1)) + Tolerance::kExactDirection;
+  place.cone_rad =
+      std::max(motion.turn_rad(0, 0.5), motion.turn_rad(0.5, 1)) + departure.axis_rad + Tolerance::kExactDirection;
   place.low = place.high = motion.start().tip;
   for (std::uint32_t s = 0; s < motion.segments().size(); ++s) {
     const MotionSegment& segment = motion.segments()[s];
-    const Vec3 sag = Vec3::Constant(motion.rates(segment.t0, segment.t1, s).tip_sag_mm);
+    const Vec3 sag = Vec3::Constant(motion.rates(segment.t0, segment.t1, s).tip_sag_mm + departure.tip_mm);
     for (const double t : {segment.t0, segment.t1}) {
       const Vec3 tip = motion.tip_at(t, s);
       place.low = place.low.cwiseMin(tip - sag);
@@ -57,7 +58,10 @@ GroupPlace together(const std::vector<GroupPlace>& places, std::size_t first, st
 class Groups {
  public:
   Groups(const StockQuestion& question, const MoveRange& range) : q_(question), range_(range) {
-    for (std::size_t m = range.first; m < range.last; ++m) places_.push_back(place_of(q_.history.motion_of(m)));
+    for (std::size_t m = range.first; m < range.last; ++m) {
+      const Motion motion = q_.history.motion_of(m);
+      places_.push_back(place_of(motion, q_.history.departure_from(motion)));
+    }
   }
 
   std::vector<OpenMove> run() {
@@ -115,8 +119,9 @@ class Groups {
       const Vec3 at = tip + p.x() * x + p.y() * y + p.z() * place.axis;
       swept.at0[k] = swept.at1[k] = {at, place.axis, in_tool.discs[k].radius_mm};
     }
-    return q_.stock.is_clear_of(swept.start(), slack - q_.options.resolution_mm) ||
-           q_.history.is_removed(swept, before, hint_);
+    return q_.history.is_removed_by_hint(swept, before, hint_) ||
+           q_.stock.is_clear_of(swept.start(), slack - q_.options.resolution_mm) ||
+           q_.history.find_removal(swept, before, hint_);
   }
 
   const StockQuestion& q_;

@@ -92,15 +92,16 @@ bool CutHistory::is_left_alone(const HullRegion& region, double slack_mm, std::s
   for (std::size_t k = 0; k < of_tool_.size(); ++k) {
     if (of_tool_[k].tree == nullptr) continue;
     const CompiledTool& bare = tools_[k].tool->bare;
+    const auto off = [&](std::size_t move) { return departure_of(move).at_mm(of_tool_[k].reach_mm); };
     for (const BodyHulls& part : of_tool_[k].bodies) {
       Vec3 away = Vec3::Zero();
       if (hint.program == this && hint.move < before && path_.moves[hint.move].tool == k &&
           is_straight_with_fixed_axis(hint.move) &&
-          !places_of(hint.move, 0).is_apart(bare, part.hulls, 0, 1, region, slack, away))
+          !places_of(hint.move, 0).is_apart(bare, part.hulls, 0, 1, region, slack + off(hint.move), away))
         return false;
       const auto may_touch = [&](const MotionSpan& s) {
-        const bool does =
-            !places_of(s.move, s.segment).is_apart(bare, part.hulls, s.from(), s.until(), region, slack, away);
+        const bool does = !places_of(s.move, s.segment)
+                               .is_apart(bare, part.hulls, s.from(), s.until(), region, slack + off(s.move), away);
         if (does) hint = {this, s.move};
         return does;
       };
@@ -113,7 +114,8 @@ bool CutHistory::is_left_alone(const HullRegion& region, double slack_mm, std::s
       Vec3 away = Vec3::Zero();
       const auto may_touch = [&](const MotionSpan& s) {
         return !places_of(s.move, s.segment)
-                    .is_apart(head.around(), head.hulls(), s.from(), s.until(), region, slack, away);
+                    .is_apart(head.around(), head.hulls(), s.from(), s.until(), region,
+                              slack + departure_of(s.move).at_mm(head.reach_mm()), away);
       };
       if (of_tool_[k].tree->find({middle, Vec3::Zero(), 0, ball}, head.cylinder(), static_cast<std::uint32_t>(before),
                                  may_touch))

@@ -14,6 +14,8 @@ namespace {
 
 // A span of a tree has no path longer than this many diameters, so that its box is not mostly empty.
 constexpr double kSpanDiameters = 2;
+// A move whose motions differ by more is not known.
+constexpr double kMaxDeparture_rad = 0.5;
 // A point that is nearer than this to a place of a tool counts as touched.
 constexpr double kNearest_mm = 1e-6;
 
@@ -75,6 +77,11 @@ double lowest_mm(const MotionSpan& span, const CompiledTool& body, const Vec3& u
 
 ToolCylinder cylinder_of(const CompiledTool& tool) { return {tool.r_max_mm, tool.z_min_mm, tool.z_max_mm}; }
 
+/// Bounds the distance of the points of a cylinder from the tip.
+double reach_of(const ToolCylinder& cylinder) {
+  return std::hypot(cylinder.radius_mm, std::max(std::abs(cylinder.z_lo_mm), std::abs(cylinder.z_hi_mm)));
+}
+
 }  // namespace
 
 CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::vector<StockTool>& tools,
@@ -85,6 +92,8 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
       earlier_(earlier),
       heads_(heads),
       resolution_mm_(options.resolution_mm),
+      tube_{options.tube.tip_mm, options.tube.axis_rad},
+      departs_(!tube_.is_none()),
       of_tool_(tools.size()) {
   std::vector<std::vector<MotionSpan>> spans(tools.size());
   is_known_.reserve(path.moves.size());
@@ -95,7 +104,10 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
       continue;
     }
     const CompiledTool& bare = tool_of(i).tool->bare;
-    append_spans(motion_of(i), static_cast<std::uint32_t>(i), kSpanDiameters * 2 * bare.r_max_mm,
+    const Motion motion = motion_of(i);
+    const Departure departure = departure_from(motion);
+    departs_ = departs_ || !departure.is_none();
+    append_spans(motion, departure, static_cast<std::uint32_t>(i), kSpanDiameters * 2 * bare.r_max_mm,
                  spans[path.moves[i].tool]);
   }
   for (std::size_t k = 0; k < tools.size(); ++k) {
@@ -103,13 +115,14 @@ CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::ve
     OfTool& of = of_tool_[k];
     of.pieces = convex_pieces(tools[k].tool->bare);
     of.bodies = contour_hulls(tools[k].tool->bare);
-    of.whole = cylinder_of(tools[k].tool->bare);
-    of.cutter = {0, of.whole.z_hi_mm, of.whole.z_lo_mm};
+    of.cutter = {0, tools[k].tool->bare.z_max_mm, tools[k].tool->bare.z_min_mm};
     for (const ConvexPiece& piece : of.pieces) {
       of.cutter.radius_mm = std::max(of.cutter.radius_mm, piece.r_max_mm);
       of.cutter.z_lo_mm = std::min(of.cutter.z_lo_mm, piece.z_lo_mm);
       of.cutter.z_hi_mm = std::max(of.cutter.z_hi_mm, piece.z_hi_mm);
     }
+    of.cutter_reach_mm = reach_of(of.cutter);
+    of.reach_mm = reach_of(cylinder_of(tools[k].tool->bare));
     of.tree = std::make_unique<const MotionTree>(std::move(spans[k]));
   }
 }
@@ -120,9 +133,11 @@ bool CutHistory::is_known_motion(std::size_t i) const {
       tools_[move.tool].tool == nullptr)
     return false;
   const Motion motion = motion_of(i);
-  // A tool at rest stands alike by every law.
-  const bool is_single = motion.is_alone() || (!motion.is_any() && !motion.has_other());
-  return motion.is_defined() && is_single && motion.is_within(kFarthest_mm);
+  return motion.is_defined() && departure_from(motion).axis_rad < kMaxDeparture_rad && motion.is_within(kFarthest_mm);
+}
+
+Departure CutHistory::departure_of(std::size_t move) const {
+  return departs_ ? departure_from(motion_of(move)) : tube_;
 }
 
 Motion CutHistory::motion_of(std::size_t move) const {
@@ -156,8 +171,10 @@ bool CutHistory::is_straight_with_fixed_axis(std::size_t move) const {
 }
 
 bool CutHistory::covers(std::size_t move, const CutWindow& window, const SweptPiece& piece) const {
-  const CoverMargin margin{piece.slack_mm, resolution_mm_};
-  const std::vector<ConvexPiece>& pieces = of_tool_[path_.moves[move].tool].pieces;
+  // A point that is deep enough in the cutter on its motion is in the cutter wherever it departs to.
+  const OfTool& of = of_tool_[path_.moves[move].tool];
+  const CoverMargin margin{piece.slack_mm + departure_of(move).at_mm(of.cutter_reach_mm), resolution_mm_};
+  const std::vector<ConvexPiece>& pieces = of.pieces;
   if (is_straight_with_fixed_axis(move)) {
     const Pose &from = path_.start_of(move), &to = path_.moves[move].end;
     const Vec3 way = to.tip - from.tip;
@@ -194,8 +211,15 @@ bool CutHistory::may_cover(const MotionSpan& span, const SweptPiece& piece, cons
 }
 
 bool CutHistory::is_removed(const SweptPiece& piece, std::size_t before, CutMove& hint) const {
+  return is_removed_by_hint(piece, before, hint) || find_removal(piece, before, hint);
+}
+
+bool CutHistory::is_removed_by_hint(const SweptPiece& piece, std::size_t before, const CutMove& hint) const {
   const bool is_before = hint && (hint.program != this || hint.move < before);
-  if (is_before && hint.program->is_removed_by(hint.move, 1, piece)) return true;
+  return is_before && hint.program->is_removed_by(hint.move, 1, piece);
+}
+
+bool CutHistory::find_removal(const SweptPiece& piece, std::size_t before, CutMove& hint) const {
   if (removes(piece, before, hint)) return true;
   for (const CutHistory* program = earlier_; program != nullptr; program = program->earlier_)
     if (program->removes(piece, program->size(), hint)) return true;
@@ -225,8 +249,9 @@ bool CutHistory::removes(const SweptPiece& piece, std::size_t before, CutMove& h
 bool CutHistory::reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
                          const Vec3& point, double within_mm) const {
   const MovePlaces places = places_of(move, segment);
+  const double within = within_mm + departure_of(move).at_mm(of_tool_[path_.moves[move].tool].reach_mm);
   return may_reach(
-      t0, t1, [&](double t) { return signed_distance_mm(body, places.at(t), point) - within_mm; },
+      t0, t1, [&](double t) { return signed_distance_mm(body, places.at(t), point) - within; },
       [&](double a, double b) { return places.way_mm(a, b, point); });
 }
 
@@ -270,10 +295,12 @@ bool CutHistory::meets(const MotionSpan& span, const CutBall& ball) const {
 bool CutHistory::meets(const StockHead& head, const MotionSpan& span, const CutBall& ball) const {
   const double plane_mm = ball.up.dot(ball.center) + ball.height_mm;
   if (!ball.up.isZero(0) && lowest_mm(span, head.around(), ball.up) > plane_mm) return false;
-  if (!reaches(span.move, head.around(), span.from(), span.until(), span.segment, ball.center, ball.radius_mm))
-    return false;
+  // Where the tool may depart, the head departs farther than the tool does.
+  const double beyond = std::max(0.0, head.reach_mm() - of_tool_[path_.moves[span.move].tool].reach_mm);
+  const double within = ball.radius_mm + departure_of(span.move).axis_rad * beyond;
+  if (!reaches(span.move, head.around(), span.from(), span.until(), span.segment, ball.center, within)) return false;
   const Motion motion = motion_of(span.move);
-  if (!has_known_turn(motion)) return true;
+  if (!has_known_turn(motion) || !departure_of(span.move).is_none()) return true;
   const BodyMotion moving(motion);
   return may_reach(
       span.from(), span.until(),
@@ -310,9 +337,11 @@ bool CutHistory::touches(const CutBall& ball, std::size_t before, CutMove& hint)
       if (does) hint = {this, s.move};
       return does;
     };
-    if (of_tool_[k].tree->find({ball.center, Vec3::Zero(), 0, ball.radius_mm}, of_tool_[k].whole,
-                               static_cast<std::uint32_t>(before), is_touched))
-      return true;
+    for (const BodyHulls& body : of_tool_[k].bodies) {
+      if (of_tool_[k].tree->find({ball.center, Vec3::Zero(), 0, ball.radius_mm}, body.around,
+                                 static_cast<std::uint32_t>(before), is_touched))
+        return true;
+    }
     for (const StockHead& head : heads_) {
       const auto is_touched_by_head = [&](const MotionSpan& s) { return meets(head, s, ball); };
       if (of_tool_[k].tree->find({ball.center, Vec3::Zero(), 0, ball.radius_mm}, head.cylinder(),

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "lib/motion/departure.h"
 #include "lib/motion/motion_law.h"
 #include "lib/path/toolpath.h"
 #include "lib/stock/contour_hulls.h"
@@ -78,6 +79,9 @@ class CutHistory {
   /// interval. Only moves before `before`, and earlier programs, count. `hint` is a move that is tried first; the result
   /// does not depend on it. False: not proved.
   [[nodiscard]] bool is_removed(const SweptPiece& piece, std::size_t before, CutMove& hint) const;
+  /// Both halves of is_removed: by the hint alone, and by a search for a move, which becomes the hint.
+  [[nodiscard]] bool is_removed_by_hint(const SweptPiece& piece, std::size_t before, const CutMove& hint) const;
+  [[nodiscard]] bool find_removal(const SweptPiece& piece, std::size_t before, CutMove& hint) const;
   /// Proves the same from the motion of a move over [0, until] alone.
   [[nodiscard]] bool is_removed_by(std::size_t move, double until, const SweptPiece& piece) const;
 
@@ -102,11 +106,13 @@ class CutHistory {
   /// motions until then are known near it. `hint` is a move that is tried first; the result does not depend on it.
   [[nodiscard]] bool is_untouched(const HullRegion& region, double slack_mm, std::size_t before, CutMove& hint) const;
 
-  /// Returns whether the motion of a move and its tool are known.
+  /// Returns whether the tool of a move is known, and its motion within a departure.
   [[nodiscard]] bool is_known(std::size_t move) const { return is_known_[move]; }
   /// Returns the motion of a move, straight where the file states none (Move::is_linked), or the tool at rest in its
   /// position.
   [[nodiscard]] Motion motion_of(std::size_t move) const;
+  /// Returns how far the tool may be from a motion: by the law, and by the tolerances of the control.
+  [[nodiscard]] Departure departure_from(const Motion& motion) const { return gouge::departure_of(motion) + tube_; }
   /// Returns whether the move cuts: no rapid, and no position to which the file states no motion.
   [[nodiscard]] bool is_cutting(std::size_t move) const;
   [[nodiscard]] const Toolpath& path() const { return path_; }
@@ -119,7 +125,8 @@ class CutHistory {
   struct OfTool {
     std::vector<ConvexPiece> pieces;
     std::vector<BodyHulls> bodies;
-    ToolCylinder cutter, whole;
+    ToolCylinder cutter;
+    double cutter_reach_mm = 0, reach_mm = 0;  // largest distances from the tip
     std::unique_ptr<const MotionTree> tree;
   };
   struct Unknown {
@@ -142,6 +149,8 @@ class CutHistory {
   [[nodiscard]] bool may_cover(const MotionSpan& span, const SweptPiece& piece, const Vec3& middle) const;
   [[nodiscard]] bool covers(std::size_t move, const CutWindow& window, const SweptPiece& piece) const;
   [[nodiscard]] bool is_straight_with_fixed_axis(std::size_t move) const;
+  /// The departure of a move that is known.
+  [[nodiscard]] Departure departure_of(std::size_t move) const;
   [[nodiscard]] MovePlaces places_of(std::size_t move, std::uint32_t segment) const;
   /// Returns whether a body may come within `within_mm` of the point during [t0, t1] of a segment of a move.
   [[nodiscard]] bool reaches(std::size_t move, const CompiledTool& body, double t0, double t1, std::uint32_t segment,
@@ -157,6 +166,8 @@ class CutHistory {
   const CutHistory* earlier_;
   std::span<const StockHead> heads_;
   double resolution_mm_;
+  Departure tube_;
+  bool departs_ = false;        // some move has a departure
   std::vector<bool> is_known_;  // one for each move
   std::vector<OfTool> of_tool_;
   std::vector<Unknown> unknown_;

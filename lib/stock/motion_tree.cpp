@@ -26,7 +26,8 @@ void set_axis(MotionSpan& span, const Vec3& axis) {
   for (std::size_t k = 0; k < 3; ++k) span.axis[k] = static_cast<float>(axis[static_cast<int>(k)]);
 }
 
-MotionSpan span_of(const Motion& motion, std::uint32_t move, std::uint32_t segment, double t0, double t1) {
+MotionSpan span_of(const Motion& motion, const Departure& departure, std::uint32_t move, std::uint32_t segment,
+                   double t0, double t1) {
   MotionSpan span;
   span.move = move;
   span.segment = segment;
@@ -34,21 +35,23 @@ MotionSpan span_of(const Motion& motion, std::uint32_t move, std::uint32_t segme
   span.t1 = static_cast<float>(t1);
   const MotionRates rates = motion.rates(t0, t1, segment);
   const Vec3 a = motion.tip_at(t0, segment), b = motion.tip_at(t1, segment);
+  const double off = rates.tip_sag_mm + departure.tip_mm;
   for (int k = 0; k < 3; ++k) {
-    span.low[static_cast<std::size_t>(k)] = below(std::min(a[k], b[k]) - rates.tip_sag_mm);
-    span.high[static_cast<std::size_t>(k)] = above(std::max(a[k], b[k]) + rates.tip_sag_mm);
+    span.low[static_cast<std::size_t>(k)] = below(std::min(a[k], b[k]) - off);
+    span.high[static_cast<std::size_t>(k)] = above(std::max(a[k], b[k]) + off);
   }
   set_axis(span, motion.at(0.5 * (t0 + t1)).axis);
   // Half of the turn from the middle, and the rounding of the direction.
   const double turn =
       rates.turn_rad > 0 ? std::max(motion.turn_rad(t0, 0.5 * (t0 + t1)), motion.turn_rad(0.5 * (t0 + t1), t1)) : 0;
-  span.cone_rad = above(turn + Tolerance::kSingleRounding);
+  span.cone_rad = above(turn + departure.axis_rad + Tolerance::kSingleRounding);
   return span;
 }
 
 }  // namespace
 
-void append_spans(const Motion& motion, std::uint32_t move, double longest_mm, std::vector<MotionSpan>& spans) {
+void append_spans(const Motion& motion, const Departure& departure, std::uint32_t move, double longest_mm,
+                  std::vector<MotionSpan>& spans) {
   const std::span<const MotionSegment> segments = motion.segments();
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
     const double t0 = segments[s].t0, t1 = motion.is_alone() ? t0 : segments[s].t1;
@@ -61,7 +64,8 @@ void append_spans(const Motion& motion, std::uint32_t move, double longest_mm, s
     const auto instant = [&](int k) {
       return k == parts ? t1 : static_cast<double>(static_cast<float>(t0 + (t1 - t0) * k / parts));
     };
-    for (int k = 0; k < parts; ++k) spans.push_back(span_of(motion, move, s, k == 0 ? t0 : instant(k), instant(k + 1)));
+    for (int k = 0; k < parts; ++k)
+      spans.push_back(span_of(motion, departure, move, s, k == 0 ? t0 : instant(k), instant(k + 1)));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lib/geom/vec.h"
+#include "lib/motion/departure.h"
 #include "lib/motion/motion.h"
 
 namespace gouge {
@@ -17,8 +18,8 @@ struct ToolCylinder {
   double radius_mm = 0, z_lo_mm = 0, z_hi_mm = 0;
 };
 
-/// A piece of space that a body of the tool must contain, moved out by `grow_mm` (in where it is negative). It contains a disc about its middle, in a
-/// plane of any direction, and the points middle +- half.
+/// A piece of space that a body of the tool must contain, moved out by `grow_mm` (in where it is negative). It contains a
+/// disc about its middle, in a plane of any direction, and the points middle +- half.
 struct SoughtPiece {
   Vec3 middle = Vec3::Zero(), half = Vec3::Zero();
   double disc_mm = 0, grow_mm = 0;
@@ -40,9 +41,10 @@ struct MotionSpan {
   static constexpr double kInstantRounding = 2e-7;
 };
 
-/// Appends the spans of a motion. No span has a path longer than `longest_mm`, turns by more than a tenth of a radian or
+/// Appends the spans of a motion and its departure. No span has a path longer than `longest_mm`, turns by more than a tenth of a radian or
 /// leaves its chord by more than a small share of `longest_mm`, unless it would need more than kMaxSpans. Requires motion.is_defined().
-void append_spans(const Motion& motion, std::uint32_t move, double longest_mm, std::vector<MotionSpan>& spans);
+void append_spans(const Motion& motion, const Departure& departure, std::uint32_t move, double longest_mm,
+                  std::vector<MotionSpan>& spans);
 inline constexpr int kMaxSpans = 256;
 
 /// Motions of one tool, held in a binary tree by place. It finds the motions that may bring a body of the tool to a point.

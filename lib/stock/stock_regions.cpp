@@ -109,6 +109,9 @@ bool StockSolid::is_clear_of_meshes(std::span<const Disc> discs, double apart_mm
     const Surface& boundary = surface.boundary();
     const std::optional<ClosestPoint> closest = boundary.closest_point(center, within);
     if (closest) {
+      // Material at the middle that is deep enough settles it.
+      const double room = std::max(0.0, -(apart_mm + allowance_mm_)) + Tolerance::kRounding_mm;
+      if (closest->is_inside && closest->distance_mm > room) return false;
       // The ball about the hull meets the surface; its box may not.
       if (!box) box.emplace(discs);
       const std::array<HalfSpace, 6> moved = box->moved_out(apart_mm + allowance_mm_);

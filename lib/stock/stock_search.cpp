@@ -8,6 +8,7 @@
 #include "lib/base/tolerance.h"
 #include "lib/motion/body_motion.h"
 #include "lib/motion/motion_interval.h"
+#include "lib/stock/piece_placer.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
@@ -43,38 +44,6 @@ struct Column {
 // Number of instants at which the depth of a point in a column is evaluated.
 constexpr int kColumnInstants = 64;
 
-/// Directions of the tool and its tip at one instant.
-struct Place {
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  Vec3 tip = Vec3::Zero();
-  [[nodiscard]] Vec3 of(const Vec3& in_tool) const { return axes * in_tool + tip; }
-};
-
-/// Adds the discs of a piece at both ends of an interval.
-void place_piece(const ToolPiece& piece, const Place& a, const Place& b, SweptPiece& swept) {
-  const PieceDiscs in_tool = discs_of(piece);
-  swept.count = in_tool.count;
-  for (std::size_t k = 0; k < in_tool.count; ++k) {
-    const Disc& disc = in_tool.discs[k];
-    swept.at0[k] = {a.of(disc.center), a.axes.col(2), disc.radius_mm};
-    swept.at1[k] = {b.of(disc.center), b.axes.col(2), disc.radius_mm};
-  }
-}
-
-/// Returns the part of a piece between two shares of its extent in one direction.
-ToolPiece part_of(const ToolPiece& piece, Division d, double from, double to) {
-  ToolPiece part = piece;
-  if (!piece.is_cylinder()) {
-    const auto k = static_cast<Eigen::Index>(d);
-    part.center[k] += piece.half[k] * (from + to - 1);
-    part.half[k] *= to - from;
-  } else {
-    part.z_lo_mm = piece.z_lo_mm + from * piece.height_mm();
-    part.z_hi_mm = piece.z_lo_mm + to * piece.height_mm();
-  }
-  return part;
-}
-
 /// Returns the section through the middle of a piece.
 ToolPiece flat_piece(const ToolPiece& piece, Division d) { return part_of(piece, d, 0.5, 0.5); }
 
@@ -91,9 +60,15 @@ class Search {
   /// `parts`: what low cylinders are cut into.
   Search(const StockQuestion& question, const Motion& motion, double depth_mm, PieceShape parts, std::uint64_t budget,
          std::size_t max_open = kMaxOpen)
-      : q_(question), motion_(motion), depth_mm_(depth_mm), parts_shape_(parts), budget_(budget), max_open_(max_open) {
-    if (q_.head != nullptr) frame_.emplace(motion);
-  }
+      : q_(question),
+        motion_(motion),
+        depth_mm_(depth_mm),
+        parts_shape_(parts),
+        budget_(budget),
+        max_open_(max_open),
+        hints_(question.hints != nullptr ? *question.hints : own_hints_),
+        departure_(question.history.departure_from(motion)),
+        placer_(motion, departure_, question.options.resolution_mm, question.head != nullptr) {}
 
   StockAnswer decide(const std::vector<ToolPiece>& pieces, double from, double to) {
     if (take_column(pieces, from, to)) return run();
@@ -111,8 +86,11 @@ class Search {
   /// If the tool moves along its axis and does not cut, its bodies pass the same space as longer ones at rest. Then the
   /// whole time is examined at once. Returns whether it is so.
   bool take_column(const std::vector<ToolPiece>& pieces, double from, double to) {
-    if (q_.is_cutting || motion_.is_alone() || motion_.segments().size() > 1 || motion_.turn_rad() > 0) return false;
-    if (frame_ && frame_->turn_rad() * q_.head->reach_mm() > Tolerance::kRounding_mm) return false;
+    if (q_.is_cutting || !departure_.is_none() || motion_.is_alone() || motion_.segments().size() > 1 ||
+        motion_.turn_rad() > 0)
+      return false;
+    if (q_.head != nullptr && BodyMotion(motion_).turn_rad() * q_.head->reach_mm() > Tolerance::kRounding_mm)
+      return false;
     const Vec3 axis = motion_.at(from).axis, way = motion_.tip_at(to, 0) - motion_.tip_at(from, 0);
     const double along = way.dot(axis);
     const bool is_axial = (way - along * axis).norm() < Tolerance::kRounding_mm &&
@@ -149,14 +127,6 @@ class Search {
     return answer_;
   }
 
-  [[nodiscard]] Place place_at(double t, std::uint32_t segment) const {
-    return {frame_ ? frame_->at(t).rotation : motion_.axes_at(t), motion_.tip_at(t, segment)};
-  }
-
-  [[nodiscard]] MotionRates rates_of(const MotionInterval& i) const {
-    return frame_ ? frame_->rates(i.t0, i.t1, i.segment) : motion_.rates(i.t0, i.t1, i.segment);
-  }
-
   /// Proves that no point of the piece is deep in the head, at any height of a column. The depth changes by no more than the
   /// way between two points; for larger pieces a box about them is tried instead.
   [[nodiscard]] bool is_outside_head(const ToolPiece& piece) const {
@@ -177,33 +147,6 @@ class Search {
 
   [[nodiscard]] const AxialRange& range() const { return column_.range; }
 
-  /// Bounds the length of the way of every point of the piece.
-  [[nodiscard]] double way_mm(const Candidate& c) const {
-    return motion_.path_length_mm(c.interval.t0, c.interval.t1, c.interval.segment) +
-           c.piece.reach_mm() *
-               (frame_ ? rates_of(c.interval).turn_rad : motion_.turn_rad(c.interval.t0, c.interval.t1));
-  }
-
-  /// Places the piece at both ends of its interval.
-  [[nodiscard]] SweptPiece swept_by(const Candidate& c) const {
-    const MotionInterval& i = c.interval;
-    SweptPiece swept;
-    const double size = c.piece.ball_mm() + way_mm(c);
-    const bool is_flat = !c.piece.is_cylinder() && !(c.piece.half.minCoeff() > 0);
-    if (size <= q_.options.resolution_mm && !is_flat) {
-      // The middle at one instant stands for the whole.
-      swept.slack_mm = size;
-      swept.at0[0] = {place_at(i.middle(), i.segment).of(c.piece.middle()), Vec3::UnitZ(), 0};
-      swept.at1[0] = swept.at0[0];
-      swept.count = 1;
-    } else {
-      const MotionRates rates = rates_of(i);
-      swept.slack_mm = rates.tip_sag_mm + rates.axis_acceleration_rad() / 8 * c.piece.reach_mm();
-      place_piece(c.piece, place_at(i.t0, i.segment), place_at(i.t1, i.segment), swept);
-    }
-    return swept;
-  }
-
   [[nodiscard]] bool is_beside_stock(const SweptPiece& swept) const {
     std::array<Disc, 2 * SweptPiece::kMaxDiscs> both;
     const auto end = std::copy_n(swept.at0.begin(), swept.count, both.begin());
@@ -214,14 +157,14 @@ class Search {
   /// Proves that no stock is left in the piece during its interval.
   bool is_free(const Candidate& c) {
     ++answer_.examined;
-    const SweptPiece swept = swept_by(c);
-    if (is_beside_stock(swept)) return true;
+    const SweptPiece swept = placer_.swept_by(c.piece, c.interval);
+    if (q_.history.is_removed_by_hint(swept, q_.move, hints_.removed) || is_beside_stock(swept)) return true;
     if (q_.is_cutting && q_.history.is_removed_by(q_.move, c.interval.t0, swept)) return true;
-    return q_.history.is_removed(swept, q_.move, hint_);
+    return q_.history.find_removal(swept, q_.move, hints_.removed);
   }
 
   /// Cuts off what is beside the stock during the whole interval. Returns whether that is worth a cut.
-  [[nodiscard]] bool trim(Candidate& c) const {
+  bool trim(Candidate& c) {
     bool is_smaller = false;
     for (const Division d : {Division::height, Division::first, Division::second}) {
       if (c.piece.is_cylinder() && d != Division::height) break;
@@ -236,9 +179,9 @@ class Search {
   }
 
   /// Returns the share of the piece, from one of its ends, that is beside the stock.
-  [[nodiscard]] double share_beside_stock(const Candidate& c, Division d, bool is_high) const {
+  [[nodiscard]] double share_beside_stock(const Candidate& c, Division d, bool is_high) {
     const auto is_beside = [&](double share) {
-      return is_beside_stock(swept_by({end_of(c.piece, d, is_high, share), c.interval}));
+      return is_beside_stock(placer_.swept_by(end_of(c.piece, d, is_high, share), c.interval));
     };
     if (!is_beside(kWorthTrimming)) return 0;
     double share = kWorthTrimming, above = 1;
@@ -251,7 +194,8 @@ class Search {
 
   /// Takes the middle of the piece at the middle of the interval as the witness if it is one.
   bool take_witness(const Candidate& c) {
-    const Vec3 in_tool = c.piece.middle(), point = place_at(c.interval.middle(), c.interval.segment).of(in_tool);
+    const Vec3 in_tool = c.piece.middle(),
+               point = placer_.place_at(c.interval.middle(), c.interval.segment).of(in_tool);
     const auto [t, depth] = deepest_instant(c, in_tool);
     if (!(depth > depth_mm_)) return false;
     if (!q_.stock.contains(point)) return false;
@@ -260,7 +204,7 @@ class Search {
       return false;
     }
     if (q_.is_cutting && !q_.history.is_missed_by(q_.move, t, point)) return false;
-    if (!q_.history.is_untouched(point, q_.move, touch_hint_)) return false;
+    if (!q_.history.is_untouched(point, q_.move, hints_.touched)) return false;
     answer_.witness = StockWitness{depth, t, point};
     return true;
   }
@@ -272,7 +216,9 @@ class Search {
       if (q_.head != nullptr) return -q_.head->signed_distance_mm({in_tool.x(), in_tool.y(), z});
       return -signed_distance_mm(q_.body, r, z);
     };
-    std::pair<double, double> deepest(c.interval.middle(), depth_at(in_tool.z()));
+    // The point is at least that deep wherever the tool departs to.
+    const double off = departure_.at_mm(in_tool.norm());
+    std::pair<double, double> deepest(c.interval.middle(), depth_at(in_tool.z()) - off);
     if (!(std::abs(column_.along_mm) > 0)) return deepest;
     for (int k = 1; k <= kColumnInstants; ++k) {
       const double share = static_cast<double>(k) / kColumnInstants;
@@ -287,7 +233,7 @@ class Search {
   /// False: it is as small as the resolution.
   bool divide(Candidate c) {
     const bool is_small = c.piece.ball_mm() <= q_.options.resolution_mm;
-    const double way = way_mm(c);
+    const double way = placer_.way_mm(c.piece, c.interval);
     if (is_small && c.piece.ball_mm() + way <= q_.options.resolution_mm) return false;
     if (!is_small && trim(c)) {
       waiting_.push_back(c);
@@ -323,13 +269,13 @@ class Search {
   }
 
   /// Returns the share of a cylinder from its middle towards an end (0 or 1) that the cutter of the last proof removed.
-  [[nodiscard]] double share_removed(const Candidate& c, double end) const {
+  [[nodiscard]] double share_removed(const Candidate& c, double end) {
     const auto is_removed = [&](double share) {
       const double from = std::min(0.5, 0.5 + (2 * end - 1) * share), to = std::max(0.5, 0.5 + (2 * end - 1) * share);
-      return hint_.program->is_removed_by(hint_.move, 1,
-                                          swept_by({part_of(c.piece, Division::height, from, to), c.interval}));
+      return hints_.removed.program->is_removed_by(
+          hints_.removed.move, 1, placer_.swept_by(part_of(c.piece, Division::height, from, to), c.interval));
     };
-    if (!hint_) return 0;
+    if (!hints_.removed) return 0;
     if (is_removed(0.5)) return 0.5;
     double share = 0, beyond = 0.5;
     for (int k = 0; k < kTrimSteps; ++k) {
@@ -371,13 +317,15 @@ class Search {
 
   const StockQuestion& q_;
   const Motion& motion_;
-  std::optional<BodyMotion> frame_;  // of a head
   double depth_mm_;
   PieceShape parts_shape_;
   std::uint64_t budget_;
   std::size_t max_open_;
+  StockHints own_hints_;
+  StockHints& hints_;
+  Departure departure_;
+  PiecePlacer placer_;
   Column column_;
-  CutMove hint_, touch_hint_;
   std::vector<Candidate> waiting_;
   std::vector<ToolPiece> parts_;
   StockAnswer answer_;

@@ -12,6 +12,11 @@
 
 namespace gouge {
 
+/// Moves that removed or touched the material of the last question. They are tried first in the next one.
+struct StockHints {
+  CutMove removed, touched;
+};
+
 /// The question about one move: which body is examined, and which material may still be there.
 struct StockQuestion {
   const CutHistory& history;
@@ -21,6 +26,8 @@ struct StockQuestion {
   std::size_t move = 0;
   std::uint64_t budget = 0;  ///< number of pieces after which the answer is open
   bool is_cutting = false;   ///< material that the cutter of this move removed before counts as gone
+  /// Null: nothing is kept. With hints an answer depends on the questions before it, through the order of the pieces.
+  StockHints* hints = nullptr;
   /// Null: the body itself is examined. Else `body` is head->around(), and depths are those in the head at its turn. Requires
   /// motions with has_known_turn.
   const StockHead* head = nullptr;

@@ -2,12 +2,33 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "lib/base/tolerance.h"
 #include "lib/hierarchy/triangles_within.h"
 
 namespace gouge {
+
+namespace {
+
+/// Returns whether a closed mesh is the box about it. Its solid is in the hull of its vertices. If these are corners of
+/// the box, the solid is a union of some of the few tetrahedra between them, so the volume decides.
+bool is_box(const IndexedMesh& mesh) {
+  const Box3 box = mesh.box();
+  const auto is_corner = [&](const Vec3& v) {
+    return ((v.array() <= box.min().array()) || (v.array() >= box.max().array())).all();
+  };
+  if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_corner)) return false;
+  double volume = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 a = mesh.corner(t, 0) - box.min(), b = mesh.corner(t, 1) - box.min(), c = mesh.corner(t, 2) - box.min();
+    volume += a.dot(b.cross(c)) / 6;
+  }
+  return std::abs(volume - box.volume()) < Tolerance::kSingleSum * box.volume();
+}
+
+}  // namespace
 
 StockSolid StockSolid::box(const Vec3& low, const Vec3& high) {
   StockSolid solid;
@@ -30,6 +51,7 @@ Result<StockSolid> StockSolid::meshes(std::span<const IndexedMesh> meshes, doubl
           "it with gougecheck mesh --repair",
           mesh.name);
     }
+    if (meshes.size() == 1 && !(allowance_mm > 0) && is_box(mesh)) return box(mesh.box().min(), mesh.box().max());
     solid.surfaces_.push_back(surface);
     for (const Vec3& vertex : mesh.vertices) {
       solid.low_ = solid.low_.cwiseMin(vertex);

@@ -33,6 +33,19 @@ std::vector<ToolPiece> whole_cylinders(std::vector<ToolPiece> pieces) {
   return whole;
 }
 
+ToolPiece part_of(const ToolPiece& piece, Division d, double from, double to) {
+  ToolPiece part = piece;
+  if (!piece.is_cylinder()) {
+    const auto k = static_cast<Eigen::Index>(d);
+    part.center[k] += piece.half[k] * (from + to - 1);
+    part.half[k] *= to - from;
+  } else {
+    part.z_lo_mm = piece.z_lo_mm + from * piece.height_mm();
+    part.z_hi_mm = piece.z_lo_mm + to * piece.height_mm();
+  }
+  return part;
+}
+
 std::vector<ToolPiece> deep_pieces(const CompiledTool& body, double depth_mm) {
   const double low = body.z_min_mm + depth_mm, high = body.z_max_mm - depth_mm;
   std::vector<ToolPiece> pieces;

@@ -71,6 +71,8 @@ inline constexpr int kSectors = 8;
 
 /// Returns the extent of a piece in the direction of a division. mm.
 [[nodiscard]] double extent_mm(const ToolPiece& piece, Division division);
+/// Returns the part of a piece between two shares of its extent, in [0, 1]. A cylinder is divided by its height alone.
+[[nodiscard]] ToolPiece part_of(const ToolPiece& piece, Division division, double from, double to);
 /// Returns the division of a box or sector that halves its largest extent.
 [[nodiscard]] Division longest_extent(const ToolPiece& piece);
 

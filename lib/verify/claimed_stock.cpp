@@ -88,7 +88,10 @@ std::optional<std::string> StockVerifier::find_wrong_depth(std::size_t move, con
     depths.push_back(
         -body.nearest(in_tool(claimed_pose(program.scene(), move, w.t, w.turn), w.point)).signed_distance_mm);
   }
-  const auto is_as_said = [&](double depth) { return std::abs(depth - claim.depth_mm) <= kStockExact_mm; };
+  const auto is_as_said = [&](double depth) {
+    const bool is_less = depth + kStockExact_mm<claim.depth_mm, is_more = depth> claim.depth_mm + kStockExact_mm;
+    return !is_less && (!is_more || stock_.is_motion_open);
+  };
   if (std::ranges::any_of(depths, is_as_said)) return std::nullopt;
   return "the point is " + length_mm(std::ranges::max(depths)) + " deep, and said to be " + length_mm(claim.depth_mm);
 }

@@ -29,6 +29,7 @@ struct ClaimedStock {
   std::vector<SolidDepth> solids;                ///< the union of them, moved out by the allowance
   double allowance_mm = 0;
   double tolerance_mm = 0, resolution_mm = 0;
+  bool is_motion_open = false;  ///< several motions are permitted: depths are the least of all, on the first one larger
   std::vector<ClaimedProgram> programs;  ///< in the order of time; the last is the path of the claims
   std::vector<SolidDepth> heads = {};    ///< bodies that move with the tools of that path, in the tool's frame
 };

@@ -109,10 +109,31 @@ TEST_F(StockSample, WhatItDoesNotCoverIsRefused) {
     EXPECT_EQ(ran.exit_status, 2) << ran.err;
     EXPECT_NE(ran.err.find("--stock"), std::string::npos) << ran.err;
   }
-  EXPECT_EQ(run_again({"--stock", "box", "--tip-tolerance", "0.1"}).exit_status, 2);
   EXPECT_EQ(run_again({"--stock", "missing.stl"}).exit_status, 3);
   const Outcome overwritten = run_again({"--stock", "part.stl", "--json", "part.stl"});
   EXPECT_EQ(overwritten.exit_status, 2) << overwritten.err;
+}
+
+TEST_F(StockSample, DepthsHoldForAllMotionsThatTolerancesAndLawsPermit) {
+  const std::vector<std::string> plain{"--stock", "box", "--tolerance", "0.2", "--json", "check.json"};
+  ASSERT_EQ(run("holder_stock", plain).exit_status, 1);
+  const double depth = json_of("check.json").at("moves").at(0).at("depth").get<double>();
+  const double upper = json_of("check.json").at("moves").at(0).at("depth_upper").get<double>();
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--tip-tolerance", "0.05", "--axis-tolerance", "0.05"},
+        std::vector<std::string>{"--machine", "preset:haas-umc750", "--rapid-law", "documented"}}) {
+    std::vector<std::string> all = plain;
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome ran = run_again(all);
+    EXPECT_EQ(ran.exit_status, 1) << ran.err;
+    EXPECT_NE(ran.out.find("holder in stock"), std::string::npos) << ran.out;
+    const Json move = json_of("check.json").at("moves").at(0);
+    EXPECT_LE(move.at("depth").get<double>(), upper);
+    EXPECT_GT(move.at("depth").get<double>(), 0.9 * depth);
+    EXPECT_GE(move.at("depth_upper").get<double>(), depth);
+    const Outcome verified = run_gougecheck(sample_.path, {"verify", "check.json"});
+    EXPECT_EQ(verified.exit_status, 0) << verified.out << verified.err;
+  }
 }
 
 TEST_F(StockSample, VerifyTestsTheWitnessesAndTheClearMoves) {

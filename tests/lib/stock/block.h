@@ -62,8 +62,9 @@ inline ToolVariants flat(double diameter, double flutes, double shank_diameter, 
   return tools::variants(tool);
 }
 
-/// Returns a program of feeds and rapids about the upper face of a small block, whose face is z = 0.
-inline Toolpath random_program(test::Scatter& scatter, bool is_five_axis, int positions) {
+/// Returns a program of feeds and rapids about the upper face of a small block, whose face is z = 0. In moves of five axes
+/// the tool axis turns by up to about `turn_rad`.
+inline Toolpath random_program(test::Scatter& scatter, bool is_five_axis, int positions, double turn_rad = 0.15) {
   std::vector<Pose> poses;
   Vec3 tip = scatter.point(12), axis = is_five_axis ? scatter.axis(0.5) : Vec3::UnitZ();
   tip.z() = scatter.in(-6, 6);
@@ -71,7 +72,7 @@ inline Toolpath random_program(test::Scatter& scatter, bool is_five_axis, int po
     poses.push_back({tip, axis});
     tip += scatter.point(scatter.is(0.5) ? 2 : 12);
     tip = tip.cwiseMin(Vec3(14, 14, 8)).cwiseMax(Vec3(-14, -14, -9));
-    if (is_five_axis && scatter.is(0.7)) axis = Vec3((axis + 0.15 * scatter.point(1)).normalized());
+    if (is_five_axis && scatter.is(0.7)) axis = Vec3((axis + turn_rad * scatter.point(1)).normalized());
   }
   Toolpath path = paths::through(poses);
   for (Move& move : path.moves) move.kind = scatter.is(0.3) ? MoveKind::rapid : MoveKind::feed;

@@ -5,6 +5,7 @@
 #include "lib/tool/evaluate.h"
 #include "tests/lib/stock/block.h"
 #include "tests/support/scatter.h"
+#include "tests/support/shapes.h"
 
 namespace gouge {
 namespace {
@@ -272,6 +273,19 @@ TEST(Stock, ResultsAreTheSameAtAnyNumberOfThreads) {
     EXPECT_EQ(one.findings[k].depth_upper_mm, three.findings[k].depth_upper_mm);
     EXPECT_EQ(one.findings[k].contact.contact_at, three.findings[k].contact.contact_at);
   }
+}
+
+// A mesh in the form of a box is held as a box; other meshes may have the corners of a box too.
+TEST(StockSolid, OnlyAMeshThatFillsItsBoxIsTheBox) {
+  const std::vector<IndexedMesh> box{shapes::box({-1, -2, -3}, {7, 8, 9})}, corner{shapes::tetrahedron(10)};
+  const Result<StockSolid> whole = StockSolid::meshes(box, 0), sixth = StockSolid::meshes(corner, 0);
+  ASSERT_TRUE(whole.has_value() && sixth.has_value());
+  EXPECT_TRUE(whole->contains(Vec3(6.9, 7.9, 8.9)));
+  EXPECT_FALSE(whole->contains(Vec3(7.1, 7.9, 8.9)));
+  EXPECT_TRUE(sixth->contains(Vec3(1, 1, 1)));
+  EXPECT_FALSE(sixth->contains(Vec3(8, 8, 8)));
+  EXPECT_TRUE(sixth->is_clear_of(std::vector<Disc>{{Vec3(8, 8, 8)}}, 1));
+  EXPECT_FALSE(whole->is_clear_of(std::vector<Disc>{{Vec3(8, 7, 8)}}, 1.5));
 }
 
 }  // namespace
