@@ -26,6 +26,8 @@ class Settling {
     if (!is_free(verdict)) return;
     if (!finding.witness) {
       verdict = open(std::max(verdict.depth_upper_mm, finding.depth_upper_mm), finding.unknown, finding.body);
+      if (finding.body == Body::head && is_turn_open(finding.move))
+        verdict.reason = {Reason::Kind::turn_undecided, Body::head, 0, {}};
     } else if (path_.moves[finding.move].is_linked && !path_.moves[finding.move].has_start) {
       verdict = not_checked(link_reason(path_, finding.move));  // the file does not state the way to this position
     } else {
@@ -43,6 +45,12 @@ class Settling {
  private:
   static bool is_free(const MoveVerdict& verdict) {
     return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
+  }
+
+  /// Returns whether the law leaves open how a head is turned about the tool axis.
+  [[nodiscard]] bool is_turn_open(std::size_t move) const {
+    const Motion motion = history_.motion_of(move);
+    return !has_known_turn(motion) || !history_.departure_from(motion).is_none();
   }
 
   [[nodiscard]] static std::size_t line_of(const CutMove& cut) { return cut.program->path().moves[cut.move].line; }
