@@ -10,7 +10,7 @@ namespace gouge {
 struct StockOptions {
   double tolerance_mm = 0.1;    ///< maximum depth of remaining stock in a body that is no collision
   double resolution_mm = 0.05;  ///< cutters count as wider by this much, so slivers below twice this count as removed
-  MotionTube tube;              ///< largest departure of the tools from their motions
+  MotionTube tube = {};         ///< largest departure of the tools from their motions
   std::uint64_t budget_per_group = 2'000'000;  ///< number of pieces for 256 moves, after which each gets the least
   std::uint64_t least_budget = 5'000;          ///< number of pieces that every move may take
   std::uint64_t budget_per_move = 200'000;     ///< number of pieces after which a move is "not certified"
