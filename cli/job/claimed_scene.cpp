@@ -117,6 +117,7 @@ ClaimedStock claimed_stock(const Job& job, const JobArguments& arguments, const 
   for (const EarlierProgram& earlier : stock.setup->before)
     claimed.programs.push_back(program_of(scene, earlier.path, earlier.tools));
   claimed.programs.push_back(program_of(scene, job.toolpath, stock.setup->tools));
+  claimed.heads = scene.heads;
   return claimed;
 }
 

@@ -24,6 +24,7 @@ class StockLoader {
     Result<std::vector<StockTool>> tools = make_stock_tools(assemblies(), stock_.tools);
     if (!tools) return fail(tools.error());
     stock_.setup = StockSetup{.solid = std::move(stock->solid), .tools = std::move(*tools), .options = *options};
+    stock_.setup->heads = stock_heads(job_.heads());
     std::optional<EarlierPrograms> before = read_earlier_programs(arguments_, job_, progress_, errors_);
     if (!before) return std::nullopt;
     stock_.setup->before = std::move(before->programs);

@@ -101,8 +101,9 @@ const OptionRows<JobArguments>& stock_options() {
        .field = &A::stock,
        .type = "FILE",
        .group = "Check",
-       .help = "Check rapids, shank and holder against the material that earlier moves left of this stock: a closed "
-               "STL file, box or box=MARGIN (the box about the parts), or part+ALLOWANCE",
+       .help =
+           "Check rapids, shank, holder and heads against the material that earlier moves left of this stock: a closed "
+           "STL file, box or box=MARGIN (the box about the parts), or part+ALLOWANCE",
        .scope = Scope::project,
        .recorded = Recorded::repeated},
       {.name = "--before",
@@ -178,9 +179,6 @@ std::optional<Diagnostic> find_wrong_stock(const JobArguments& arguments) {
   if (!arguments.write_stock.empty() && !is_stl_name(arguments.write_stock))
     return usage_error("--write-stock", arguments.write_stock,
                        "a file whose name ends with .stl; a mesh does not go to standard output");
-  if (!arguments.heads.empty())
-    return make_error(
-        "usage", "--stock does not examine the bodies of --head; leave out --head and check it in a run of its own");
   if (!arguments.certificate_file.empty())
     return make_error("usage",
                       "--certificate does not prove that moves are clear of the stock; leave out --stock for it");

@@ -25,7 +25,9 @@ class Settling {
     if (finding.witness) result_.stock->contacts.push_back(contact_of(finding));
     if (!is_free(verdict)) return;
     if (!finding.witness) {
-      verdict = open(std::max(verdict.depth_upper_mm, finding.depth_upper_mm), finding.unknown);
+      verdict = open(std::max(verdict.depth_upper_mm, finding.depth_upper_mm), finding.unknown, finding.body);
+      if (finding.body == Body::head && is_turn_open(finding.move))
+        verdict.reason = {Reason::Kind::turn_undecided, Body::head, 0, {}};
     } else if (path_.moves[finding.move].is_linked && !path_.moves[finding.move].has_start) {
       verdict = not_checked(link_reason(path_, finding.move));  // the file does not state the way to this position
     } else {
@@ -36,13 +38,19 @@ class Settling {
   void leave_open(std::size_t move) {
     MoveVerdict& verdict = result_.verdicts[move];
     if (!is_free(verdict)) return;
-    verdict = open(std::numeric_limits<double>::infinity(), {});
+    verdict = open(std::numeric_limits<double>::infinity(), {}, Body::cutter);
     verdict.reason = {Reason::Kind::stock_motion_open, Body::cutter, 0, {}};
   }
 
  private:
   static bool is_free(const MoveVerdict& verdict) {
     return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
+  }
+
+  /// Returns whether the law leaves open how a head is turned about the tool axis.
+  [[nodiscard]] bool is_turn_open(std::size_t move) const {
+    const Motion motion = history_.motion_of(move);
+    return !has_known_turn(motion) || !history_.departure_from(motion).is_none();
   }
 
   [[nodiscard]] static std::size_t line_of(const CutMove& cut) { return cut.program->path().moves[cut.move].line; }
@@ -70,12 +78,13 @@ class Settling {
     return contact;
   }
 
-  [[nodiscard]] MoveVerdict open(double depth_upper_mm, const CutMove& unknown) const {
+  [[nodiscard]] MoveVerdict open(double depth_upper_mm, const CutMove& unknown, Body body) const {
     MoveVerdict verdict;
     verdict.state = MoveState::not_certified;
     verdict.depth_upper_mm = depth_upper_mm;
     verdict.reason.kind = unknown ? Reason::Kind::stock_unknown : Reason::Kind::stock_touched;
     if (unknown) verdict.reason.detail = place_of(unknown);
+    verdict.reason.body = body;
     return verdict;
   }
 
@@ -86,7 +95,10 @@ class Settling {
     verdict.state = MoveState::gouge;
     verdict.depth_mm = finding.witness->depth_mm;
     verdict.depth_upper_mm = finding.depth_upper_mm;
-    verdict.witness = stock_witness(*finding.witness, finding.body, body, history_.motion_of(finding.move));
+    const Motion motion = history_.motion_of(finding.move);
+    verdict.witness = finding.body == Body::head
+                          ? stock_witness(*finding.witness, history_.heads()[finding.head], motion)
+                          : stock_witness(*finding.witness, finding.body, body, motion);
     verdict.reason = {Reason::Kind::stock_met, finding.body, 0, evidence(finding)};
     return verdict;
   }
@@ -148,7 +160,7 @@ StockHistory::StockHistory(const Toolpath& path, const MotionLaw& law, const Sto
   const auto last = [&] { return programs_.empty() ? nullptr : &programs_.back(); };
   for (const EarlierProgram& earlier : stock.before)
     programs_.emplace_back(earlier.path, earlier.law, earlier.tools, stock.options, last());
-  programs_.emplace_back(path, law, stock.tools, stock.options, last());
+  programs_.emplace_back(path, law, stock.tools, stock.options, last(), stock.heads);
 }
 
 Assumption assume_stock(const std::string& description, const StockSetup& stock, const std::string& file) {
@@ -161,6 +173,23 @@ Assumption assume_stock(const std::string& description, const StockSetup& stock,
                   " remove material from it";
   fact.file = file;
   return fact;
+}
+
+std::vector<StockHead> stock_heads(const std::vector<HeadBody>& heads) {
+  std::vector<StockHead> all;
+  for (const HeadBody& head : heads) all.emplace_back(head.surface);
+  return all;
+}
+
+Witness stock_witness(const StockWitness& found, const StockHead& head, const Motion& motion) {
+  const RigidTransform to_part = BodyMotion(motion).at(found.t);
+  Witness witness;
+  witness.t = found.t;
+  witness.point = found.point;
+  witness.normal = -to_part.direction(head.outward(to_part.inverse().point(found.point)));
+  witness.body = Body::head;
+  witness.against = Against::stock;
+  return witness;
 }
 
 Witness stock_witness(const StockWitness& found, Body of, const CompiledTool& body, const Motion& motion) {

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "lib/check/check_result.h"
+#include "lib/head/head_body.h"
 #include "lib/stock/check_stock.h"
 #include "lib/stock/cut_history.h"
 #include "lib/stock/part_columns.h"
+#include "lib/stock/stock_head.h"
 #include "lib/stock/stock_solid.h"
 
 namespace gouge {
@@ -35,6 +37,7 @@ struct StockSetup {
   std::deque<EarlierProgram> before = {};  ///< in the order in which they ran
   std::vector<StockTool> tools = {};       ///< one per Toolpath::tools, without offsets
   StockOptions options = {};
+  std::vector<StockHead> heads = {};       ///< one per CheckSetup::heads
   std::optional<ExcessSetup> excess = {};  ///< none: material that is left on the parts is not asked for
   /// One per tool: the whole tool, wider in all directions, for corrections of rapids. Null or missing: not made.
   std::vector<const CompiledTool*> roomy = {};
@@ -66,7 +69,12 @@ class StockHistory {
 StockResult settle_stock(const Toolpath& path, const CheckSetup& setup, CheckResult& result,
                          const ProgressCall& progress);
 
+/// Returns the heads of a check for its stock, which refer to them.
+[[nodiscard]] std::vector<StockHead> stock_heads(const std::vector<HeadBody>& heads);
+
 /// Returns the evidence for stock in a body of a tool.
 [[nodiscard]] Witness stock_witness(const StockWitness& found, Body of, const CompiledTool& body, const Motion& motion);
+/// Returns the evidence for stock in a head.
+[[nodiscard]] Witness stock_witness(const StockWitness& found, const StockHead& head, const Motion& motion);
 
 }  // namespace gouge

@@ -32,6 +32,8 @@ StockAtMoves::StockAtMoves(std::shared_ptr<const Toolpath> path, std::vector<std
       history_(*path_, setup.options.law, *setup.stock) {
   options_.tolerance_mm *= kAimShare;
   options_.budget_per_move = std::min(options_.budget_per_move, kBudget);
+  if (!(stock_.roomy_mm > 0)) return;
+  for (const StockHead& head : stock_.heads) roomy_heads_.push_back(head.grown(stock_.roomy_mm));
 }
 
 StockPlace StockAtMoves::place_of(std::size_t i, bool is_after) const {
@@ -48,47 +50,76 @@ const CompiledTool* StockAtMoves::body_of(const StockPlace& place) const {
   return place.keeps_room && has_roomy ? stock_.roomy[place.tool] : &tool.bare;
 }
 
-StockQuestion StockAtMoves::question(const CompiledTool& body, const StockPlace& place) const {
+std::vector<StockQuestion> StockAtMoves::questions(const StockPlace& place) const {
+  std::vector<StockQuestion> all;
+  if (place.tool >= stock_.tools.size() || stock_.tools[place.tool].tool == nullptr) return all;
   const std::uint64_t budget = place.is_brief ? kBriefBudget : options_.budget_per_move;
-  StockQuestion about{history_.of_path(), stock_.solid, options_, body, place.before, budget, false};
-  about.is_clear_alone = place.is_brief;
-  return about;
+  const auto add = [&](const CompiledTool& body, const StockHead* head) {
+    StockQuestion about{history_.of_path(), stock_.solid, options_, body, place.before, budget, false};
+    about.is_clear_alone = place.is_brief;
+    about.head = head;
+    all.push_back(about);
+  };
+  if (const CompiledTool* const body = body_of(place)) add(*body, nullptr);
+  for (const StockHead& head : place.keeps_room && !roomy_heads_.empty() ? roomy_heads_ : stock_.heads)
+    add(head.around(), &head);
+  return all;
 }
 
 MoveVerdict StockAtMoves::check(const Motion& motion, const StockPlace& place, const MoveVerdict& free,
                                 bool is_depth_wanted, std::uint64_t& examined) const {
-  const CompiledTool* const body = body_of(place);
-  if (body == nullptr) return free;
-  const StockQuestion about = question(*body, place);
-  const double tolerance = options_.tolerance_mm;
-  const StockAnswer answer = find_stock(about, motion, deep_pieces(*body, tolerance), 0, 1, tolerance);
-  examined += answer.examined;
-  if (answer.is_clear) return free;
-  MoveVerdict verdict;
-  if (!answer.witness) {
-    verdict.state = MoveState::not_certified;
-    verdict.reason.kind = Reason::Kind::stock_touched;
-    return verdict;
+  std::optional<MoveVerdict> worst;
+  for (const StockQuestion& about : questions(place)) {
+    std::optional<MoveVerdict> found = find_stock_in(about, place.tool, motion, is_depth_wanted, examined);
+    if (!found) continue;
+    if (!worst || found->depth_mm > worst->depth_mm) worst = std::move(found);
+    if (!is_depth_wanted) break;
   }
-  StockDepth depth{*answer.witness, body->r_max_mm};
+  return worst.value_or(free);
+}
+
+std::optional<MoveVerdict> StockAtMoves::find_stock_in(const StockQuestion& about, std::size_t tool,
+                                                       const Motion& motion, bool is_depth_wanted,
+                                                       std::uint64_t& examined) const {
+  const double tolerance = options_.tolerance_mm;
+  const bool is_head = about.head != nullptr;
+  MoveVerdict verdict;
+  verdict.state = MoveState::not_certified;
+  verdict.reason.kind = Reason::Kind::stock_touched;
+  if (is_head) verdict.reason.body = Body::head;
+  if (is_head && !(has_known_turn(motion) && about.history.departure_from(motion).is_none())) return verdict;
+  const StockAnswer answer = find_stock(about, motion, deep_pieces(about.body, tolerance), 0, 1, tolerance);
+  examined += answer.examined;
+  if (answer.is_clear) return std::nullopt;
+  if (!answer.witness) return verdict;
+  StockDepth depth{*answer.witness, about.body.r_max_mm};
   if (is_depth_wanted) depth = find_depth(about, motion, depth.witness, depth.upper_mm);
+  verdict = {};
   verdict.state = MoveState::gouge;
   verdict.depth_mm = depth.witness.depth_mm;
   verdict.depth_upper_mm = depth.upper_mm;
-  const CompiledTool& bare = stock_.tools[place.tool].tool->bare;
-  const Body of = body_at(bare, motion.at(depth.witness.t), depth.witness.point);
-  verdict.witness = stock_witness(depth.witness, of, *body, motion);
+  if (is_head) {
+    verdict.witness = stock_witness(depth.witness, *about.head, motion);
+    return verdict;
+  }
+  const Body of = body_at(stock_.tools[tool].tool->bare, motion.at(depth.witness.t), depth.witness.point);
+  verdict.witness = stock_witness(depth.witness, of, about.body, motion);
   return verdict;
 }
 
 double StockAtMoves::excess_mm(const Pose& pose, const StockPlace& place, std::uint64_t& examined) const {
-  const CompiledTool* const body = body_of(place);
-  if (body == nullptr) return 0;
-  const StockQuestion about = question(*body, place);
   const Motion rest = law_.at(pose);
   double excess = 0;
+  for (const StockQuestion& about : questions(place)) excess = std::max(excess, excess_mm(about, rest, examined));
+  return excess;
+}
+
+double StockAtMoves::excess_mm(const StockQuestion& about, const Motion& rest, std::uint64_t& examined) const {
+  if (about.head != nullptr && !(has_known_turn(rest) && about.history.departure_from(rest).is_none()))
+    return kBlindStep_mm;
+  double excess = 0;
   for (double depth = options_.tolerance_mm;;) {
-    const StockAnswer answer = find_stock(about, rest, deep_pieces(*body, depth), 0, 1, depth);
+    const StockAnswer answer = find_stock(about, rest, deep_pieces(about.body, depth), 0, 1, depth);
     examined += answer.examined;
     if (answer.is_clear) return excess;
     if (!answer.witness) return std::max(excess, kBlindStep_mm);
@@ -102,7 +133,9 @@ double StockAtMoves::lift_over_mm(const Pose& pose, const StockPlace& place) con
   const Vec3 &low = stock_.solid.low(), &high = stock_.solid.high();
   double top = 0;
   for (int k = 0; k < 3; ++k) top += std::max(pose.axis[k] * low[k], pose.axis[k] * high[k]);
-  const double bottom = pose.tip.dot(pose.axis) + stock_.tools[place.tool].tool->bare.z_min_mm;
+  double lowest = stock_.tools[place.tool].tool->bare.z_min_mm;
+  for (const StockHead& head : stock_.heads) lowest = std::min(lowest, head.around().z_min_mm);
+  const double bottom = pose.tip.dot(pose.axis) + lowest;
   return std::max(0.0, top + stock_.roomy_mm + kMargin_mm - bottom);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lib/certify/settle_stock.h"
@@ -58,7 +59,13 @@ class StockAtMoves {
 
  private:
   [[nodiscard]] const CompiledTool* body_of(const StockPlace& place) const;
-  [[nodiscard]] StockQuestion question(const CompiledTool& body, const StockPlace& place) const;
+  /// Returns the questions about all bodies that must be clear at a place.
+  [[nodiscard]] std::vector<StockQuestion> questions(const StockPlace& place) const;
+  /// Returns a verdict other than clean; nothing: the body of the question is clear.
+  [[nodiscard]] std::optional<MoveVerdict> find_stock_in(const StockQuestion& about, std::size_t tool,
+                                                         const Motion& motion, bool is_depth_wanted,
+                                                         std::uint64_t& examined) const;
+  [[nodiscard]] double excess_mm(const StockQuestion& about, const Motion& rest, std::uint64_t& examined) const;
 
   const StockSetup& stock_;
   const MotionLaw& law_;
@@ -67,6 +74,7 @@ class StockAtMoves {
   std::vector<std::size_t> first_;
   std::vector<bool> meets_stock_;
   StockHistory history_;
+  std::vector<StockHead> roomy_heads_;  // wider in all directions; empty: none are asked for
 };
 
 }  // namespace gouge

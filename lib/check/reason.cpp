@@ -16,7 +16,7 @@ struct Text {
 
 // Texts with placeholders. {body} and {detail} are members of the reason. {count} is the amount as a whole number, {mm}
 // the amount as a length. {reach} is the length of thin_feature. {whole} is the body; for the cutter it is the whole
-// tool.
+// tool. {in head} is "in the head" for a head, else "there".
 constexpr std::array kTexts{
     Text{Reason::Kind::of_path, "{detail}"},
     Text{Reason::Kind::rapid_skipped, "rapid moves are skipped as asked"},
@@ -48,9 +48,10 @@ constexpr std::array kTexts{
          "the head comes too close to the surface for too long: the budget of bounds ran out"},
     Text{Reason::Kind::turn_undecided,
          "it is not proved for all positions of the rotary joints between the ends of the move"},
-    Text{Reason::Kind::stock_unknown, "whether stock is still there is not known: the motion of {detail} is not known"},
+    Text{Reason::Kind::stock_unknown,
+         "whether stock is still {in head} is not known: the motion of {detail} is not known"},
     Text{Reason::Kind::stock_touched,
-         "whether stock is still there is not known: a tool touched it before without cutting it for certain"},
+         "whether stock is still {in head} is not known: a tool touched it before without cutting it for certain"},
     Text{Reason::Kind::stock_motion_open, "it is not checked against the stock: its motion, or its tool, is not known"},
     Text{Reason::Kind::clearance_entered, "the clearance of the {body} is entered by {mm} mm"},
     Text{Reason::Kind::mesh_clearance_entered, "the {body} enters the clearance of this mesh by {mm} mm"},
@@ -71,6 +72,7 @@ std::string value_of(std::string_view name, const Reason& reason) {
   if (name == "count") return std::to_string(static_cast<std::uint64_t>(reason.amount));
   if (name == "mm") return exact_text(reason.amount);
   if (name == "reach") return reach_text(reason.amount);
+  if (name == "in head") return reason.body == Body::head ? "in the head" : "there";
   // For the cutter the word "tool" stays, because reports have always used it.
   return name == "whole" && reason.body == Body::cutter ? "tool" : body_name(reason.body);
 }

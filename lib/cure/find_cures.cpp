@@ -18,8 +18,10 @@ bool is_free(const MoveVerdict& verdict) {
 
 Body body_of(const MoveVerdict& verdict) { return verdict.witness ? verdict.witness->body : verdict.reason.body; }
 
+/// Cures are sought among parts and fixtures; `correct --stock` finds ways out of stock.
 bool is_curable(const Event& event) {
-  return event.body != Body::cutter && (event.state == MoveState::gouge || event.state == MoveState::buried);
+  return event.body != Body::cutter && event.against != Against::stock &&
+         (event.state == MoveState::gouge || event.state == MoveState::buried);
 }
 
 /// Returns the moves that an event counts.

@@ -30,7 +30,8 @@ struct FindingCures {
   LiftCure lift;
 };
 
-/// Finds cures of every gouge and every buried finding of shank, holder and heads, in the order of the events.
+/// Finds cures of every gouge and every buried finding of shank, holder and heads, in the order of the events. Findings in
+/// remaining stock have none.
 ///
 /// Requires `result` from check() with the same path and setup.
 /// Ensures  (1) The lift is that of find_lift for all moves of the finding. (2) The tilt is that of the runs that

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lib/stock/clear_groups.h"
 
@@ -18,6 +19,39 @@ struct Group {
   MoveRange range;
   bool is_whole = false;
 };
+
+/// A body of a group that must be clear of stock.
+struct AskedBody {
+  const CompiledTool& body;
+  std::size_t head = kNone;  ///< index of the head of which `body` is the surroundings
+};
+
+/// Joins what two bodies of one move find. The deeper witness stays; both bounds hold for the other body too.
+StockFinding joined(StockFinding one, StockFinding other) {
+  const bool is_other_first = other.witness && (!one.witness || one.witness->depth_mm < other.witness->depth_mm);
+  StockFinding& first = is_other_first ? other : one;
+  const StockFinding& second = is_other_first ? one : other;
+  first.depth_upper_mm = std::max(first.depth_upper_mm, second.depth_upper_mm);
+  if (!first.unknown) first.unknown = second.unknown;
+  if (!first.witness) return first;
+  // A body that is open may have met stock at any time.
+  first.contact.clear_until = second.witness ? std::min(first.contact.clear_until, second.contact.clear_until) : 0;
+  if (second.witness) first.contact.contact_at = std::min(first.contact.contact_at, second.contact.contact_at);
+  return first;
+}
+
+/// Enters the findings of one more body. Both are in path order.
+void join(const std::vector<StockFinding>& more, std::vector<StockFinding>& found) {
+  std::vector<StockFinding> all;
+  auto at = found.begin();
+  for (const StockFinding& finding : more) {
+    while (at != found.end() && at->move < finding.move) all.push_back(*at++);
+    const bool is_both = at != found.end() && at->move == finding.move;
+    all.push_back(is_both ? joined(*at++, finding) : finding);
+  }
+  all.insert(all.end(), at, found.end());
+  found = std::move(all);
+}
 
 class StockChecker {
  public:
@@ -60,26 +94,38 @@ class StockChecker {
   }
 
   [[nodiscard]] std::vector<StockFinding> check(const Group& group) const {
-    std::vector<StockFinding> found;
     const ToolVariants& tool = *history_.tool_of(group.range.first).tool;
-    const CompiledTool& body = group.is_whole ? tool.bare : tool.non_cutting;
-    if (body.elements.empty()) return found;
+    std::vector<StockFinding> found = check(group, {group.is_whole ? tool.bare : tool.non_cutting});
+    for (std::size_t h = 0; h < history_.heads().size(); ++h)
+      join(check(group, {history_.heads()[h].around(), h}), found);
+    return found;
+  }
+
+  [[nodiscard]] std::vector<StockFinding> check(const Group& group, const AskedBody& asked) const {
+    std::vector<StockFinding> found;
+    if (asked.body.elements.empty()) return found;
     std::uint64_t left = options_.budget_per_group;
-    const StockQuestion first = question(body, group.range.first, options_.budget_per_move);
+    const StockQuestion first = question(asked, group.range.first, options_.budget_per_move);
     StockHints hints;
     for (const OpenMove& open : moves_not_clear(first, group.range)) {
       const std::uint64_t budget = std::max(options_.least_budget, std::min(left, options_.budget_per_move));
-      StockQuestion about = question(body, open.move, budget);
+      StockQuestion about = question(asked, open.move, budget);
       about.hints = &hints;
       const Motion motion = history_.motion_of(open.move);
+      const bool is_turn_open =
+          about.head != nullptr && !(has_known_turn(motion) && history_.departure_from(motion).is_none());
+      if (is_turn_open) about.head = nullptr;
       const StockAnswer answer = find_stock(about, motion, open.pieces, 0, 1, options_.tolerance_mm);
       std::uint64_t examined = answer.examined;
       if (!answer.is_clear) {
         StockFinding finding;
         finding.move = open.move;
-        finding.depth_upper_mm = body.r_max_mm;
+        finding.depth_upper_mm = asked.body.r_max_mm;
         finding.unknown = answer.unknown;
-        finding.witness = answer.witness;
+        if (asked.head != kNone) finding.body = Body::head;
+        finding.head = asked.head;
+        // A witness in the surroundings of a head is none where the turn of the head is not known.
+        if (!is_turn_open) finding.witness = answer.witness;
         if (finding.witness) examined += explain(about, motion, open.pieces, finding);
         found.push_back(finding);
       }
@@ -88,8 +134,11 @@ class StockChecker {
     return found;
   }
 
-  [[nodiscard]] StockQuestion question(const CompiledTool& body, std::size_t move, std::uint64_t budget) const {
-    return {history_, stock_, options_, body, move, budget, history_.is_cutting(move)};
+  [[nodiscard]] StockQuestion question(const AskedBody& asked, std::size_t move, std::uint64_t budget) const {
+    const StockHead* const head = asked.head == kNone ? nullptr : &history_.heads()[asked.head];
+    StockQuestion about{history_, stock_, options_, asked.body, move, budget, history_.is_cutting(move)};
+    about.head = head;
+    return about;
   }
 
   /// Asks with what is left of the budget for a bound, and takes off what that needed.
@@ -114,6 +163,7 @@ class StockChecker {
     finding.depth_upper_mm = deepest.upper_mm;
     const StockWitness& witness = *finding.witness;
     finding.nearest_cut = history_.nearest_cut(witness.point, about.move, (stock_.high() - stock_.low()).norm());
+    if (about.head != nullptr) return limited.budget - left + deepest.examined;
     finding.body = body_at(history_.tool_of(about.move).tool->bare, motion.at(witness.t), witness.point);
     if (!is_whole(about.move) && finding.body == Body::cutter) finding.body = Body::shank;
     return limited.budget - left + deepest.examined;

@@ -20,7 +20,8 @@ struct StockFinding {
   std::size_t move = 0;
   std::optional<StockWitness> witness;  ///< none: the move is not certified
   double depth_upper_mm = 0;            ///< no remaining stock is deeper
-  Body body = Body::cutter;             ///< body of the tool in which the witness is
+  Body body = Body::cutter;             ///< body in which the witness is; head: a head leaves the move open
+  std::size_t head = kNone;             ///< with Body::head: its index among those of the history
   FirstContact contact;                 ///< with a witness
   std::optional<PassedBy> nearest_cut;  ///< with a witness: the earlier cutter that came nearest to it
   CutMove unknown;                      ///< without a witness: the move whose unknown motion leaves it open
@@ -34,7 +35,7 @@ struct StockResult {
 };
 
 /// Checks every move of a path against the material that is still there: the whole tool on rapids, shank and holder on
-/// all other moves. Material is gone once the cutter of an earlier cutting move was there, or that of the same move
+/// all other moves, and the heads of the history on all moves. Material is gone once the cutter of an earlier cutting move was there, or that of the same move
 /// earlier.
 ///
 /// Shape    `tools[k]` belongs to path.tools[k], without offsets.

@@ -58,18 +58,23 @@ std::optional<NearestPlace> CutHistory::own_nearest_place(const Vec3& point, std
     const bool is_whole = places == PlacesOf::tools;
     const CompiledTool& body = is_whole ? tools_[k].tool->bare : tools_[k].tool->cutting;
     if (body.elements.empty()) continue;
-    const auto take = [&](const MotionSpan& s) {
-      if (!is_whole && !is_cutting(s.move)) return false;
+    const auto take_place_of = [&](const CompiledTool& of, const MotionSpan& s) {
       const MovePlaces way = places_of(s.move, s.segment);
-      const auto nearest = way.nearest(body, s.from(), s.until(), point, most);
+      const auto nearest = way.nearest(of, s.from(), s.until(), point, most);
       if (!nearest) return false;
       most = nearest->distance_mm;
-      found = NearestPlace{most, outward_of(body, way.at(nearest->t), point)};
+      found = NearestPlace{most, outward_of(of, way.at(nearest->t), point)};
       return false;
     };
+    const auto take = [&](const MotionSpan& s) { return (is_whole || is_cutting(s.move)) && take_place_of(body, s); };
     for (const BodyHulls& part : of_tool_[k].bodies) {
       if (!is_whole && part.body != Body::cutter) continue;
       of_tool_[k].tree->find({point, Vec3::Zero(), 0, most}, part.around, static_cast<std::uint32_t>(before), take);
+    }
+    if (!is_whole) continue;
+    for (const StockHead& head : heads_) {
+      of_tool_[k].tree->find({point, Vec3::Zero(), 0, most}, head.cylinder(), static_cast<std::uint32_t>(before),
+                             [&](const MotionSpan& s) { return take_place_of(head.around(), s); });
     }
   }
   return found;
@@ -101,6 +106,18 @@ bool CutHistory::is_left_alone(const HullRegion& region, double slack_mm, std::s
         return does;
       };
       if (of_tool_[k].tree->find({middle, Vec3::Zero(), 0, ball}, part.around, static_cast<std::uint32_t>(before),
+                                 may_touch))
+        return false;
+    }
+    // A head counts as the solid of revolution about it: its turn does not matter then.
+    for (const StockHead& head : heads_) {
+      Vec3 away = Vec3::Zero();
+      const auto may_touch = [&](const MotionSpan& s) {
+        return !places_of(s.move, s.segment)
+                    .is_apart(head.around(), head.hulls(), s.from(), s.until(), region,
+                              slack + departure_of(s.move).at_mm(head.reach_mm()), away);
+      };
+      if (of_tool_[k].tree->find({middle, Vec3::Zero(), 0, ball}, head.cylinder(), static_cast<std::uint32_t>(before),
                                  may_touch))
         return false;
     }

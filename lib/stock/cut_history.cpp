@@ -85,11 +85,12 @@ double reach_of(const ToolCylinder& cylinder) {
 }  // namespace
 
 CutHistory::CutHistory(const Toolpath& path, const MotionLaw& law, const std::vector<StockTool>& tools,
-                       const StockOptions& options, const CutHistory* earlier)
+                       const StockOptions& options, const CutHistory* earlier, std::span<const StockHead> heads)
     : path_(path),
       law_(law),
       tools_(tools),
       earlier_(earlier),
+      heads_(heads),
       resolution_mm_(options.resolution_mm),
       tube_{options.tube.tip_mm, options.tube.axis_rad},
       departs_(!tube_.is_none()),
@@ -151,6 +152,7 @@ void CutHistory::add_unknown(std::size_t i) {
   if (move.tool != kNone && move.tool < tools_.size() && tools_[move.tool].tool != nullptr) {
     const CompiledTool& bare = tools_[move.tool].tool->bare;
     reach = std::max(bare.z_max_mm, -bare.z_min_mm) + bare.r_max_mm;
+    for (const StockHead& head : heads_) reach = std::max(reach, head.reach_mm());
   }
   const Vec3 from = i > 0 ? path_.moves[i - 1].end.tip : move.end.tip;
   unknown_.push_back({i, Vec3(from.cwiseMin(move.end.tip) - Vec3::Constant(reach)),
@@ -290,6 +292,26 @@ bool CutHistory::meets(const MotionSpan& span, const CutBall& ball) const {
   return false;
 }
 
+bool CutHistory::meets(const StockHead& head, const MotionSpan& span, const CutBall& ball) const {
+  const double plane_mm = ball.up.dot(ball.center) + ball.height_mm;
+  if (!ball.up.isZero(0) && lowest_mm(span, head.around(), ball.up) > plane_mm) return false;
+  // Where the tool may depart, the head departs farther than the tool does.
+  const double beyond = std::max(0.0, head.reach_mm() - of_tool_[path_.moves[span.move].tool].reach_mm);
+  const double within = ball.radius_mm + departure_of(span.move).axis_rad * beyond;
+  if (!reaches(span.move, head.around(), span.from(), span.until(), span.segment, ball.center, within)) return false;
+  const Motion motion = motion_of(span.move);
+  if (!has_known_turn(motion) || !departure_of(span.move).is_none()) return true;
+  const BodyMotion moving(motion);
+  return may_reach(
+      span.from(), span.until(),
+      [&](double t) { return head.signed_distance_mm(moving.at(t).inverse().point(ball.center)) - ball.radius_mm; },
+      [&](double a, double b) {
+        const MotionRates rates = moving.rates(a, b, span.segment);
+        const double far = (ball.center - motion.tip_at(a, span.segment)).norm() + rates.tip_path_mm;
+        return rates.tip_path_mm + rates.turn_rad * far;
+      });
+}
+
 bool CutHistory::is_untouched(const Vec3& point, std::size_t before, CutMove& hint) const {
   return is_untouched(CutBall{point}, before, hint);
 }
@@ -318,6 +340,12 @@ bool CutHistory::touches(const CutBall& ball, std::size_t before, CutMove& hint)
     for (const BodyHulls& body : of_tool_[k].bodies) {
       if (of_tool_[k].tree->find({ball.center, Vec3::Zero(), 0, ball.radius_mm}, body.around,
                                  static_cast<std::uint32_t>(before), is_touched))
+        return true;
+    }
+    for (const StockHead& head : heads_) {
+      const auto is_touched_by_head = [&](const MotionSpan& s) { return meets(head, s, ball); };
+      if (of_tool_[k].tree->find({ball.center, Vec3::Zero(), 0, ball.radius_mm}, head.cylinder(),
+                                 static_cast<std::uint32_t>(before), is_touched_by_head))
         return true;
     }
   }

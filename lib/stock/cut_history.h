@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lib/motion/departure.h"
@@ -14,6 +15,7 @@
 #include "lib/stock/hull_region.h"
 #include "lib/stock/motion_tree.h"
 #include "lib/stock/move_places.h"
+#include "lib/stock/stock_head.h"
 #include "lib/stock/stock_options.h"
 #include "lib/stock/tool_piece.h"
 #include "lib/tool/tool_variants.h"
@@ -68,9 +70,10 @@ struct CutBall {
 class CutHistory {
  public:
   /// `tools[k]` belongs to path.tools[k]. `earlier` is the history of the program before; null: there is none. All
-  /// programs are in the same coordinates. All references must outlive it.
+  /// programs are in the same coordinates. `heads` move with every tool of the path; they touch material and remove none.
+  /// All references must outlive it.
   CutHistory(const Toolpath& path, const MotionLaw& law, const std::vector<StockTool>& tools,
-             const StockOptions& options, const CutHistory* earlier = nullptr);
+             const StockOptions& options, const CutHistory* earlier = nullptr, std::span<const StockHead> heads = {});
 
   /// Proves that every point of a piece is in an earlier cutter, wider by the resolution, at every instant of its
   /// interval. Only moves before `before`, and earlier programs, count. `hint` is a move that is tried first; the result
@@ -116,6 +119,7 @@ class CutHistory {
   /// Returns the history of the program before; null: there is none.
   [[nodiscard]] const CutHistory* earlier() const { return earlier_; }
   [[nodiscard]] const StockTool& tool_of(std::size_t move) const { return tools_[path_.moves[move].tool]; }
+  [[nodiscard]] std::span<const StockHead> heads() const { return heads_; }
 
  private:
   struct OfTool {
@@ -153,11 +157,14 @@ class CutHistory {
                              const Vec3& point, double within_mm = 0) const;
   /// Returns whether a body of the tool may meet the ball during a span.
   [[nodiscard]] bool meets(const MotionSpan& span, const CutBall& ball) const;
+  /// Returns the same for a head.
+  [[nodiscard]] bool meets(const StockHead& head, const MotionSpan& span, const CutBall& ball) const;
 
   const Toolpath& path_;
   const MotionLaw& law_;
   const std::vector<StockTool>& tools_;
   const CutHistory* earlier_;
+  std::span<const StockHead> heads_;
   double resolution_mm_;
   Departure tube_;
   bool departs_ = false;        // some move has a departure

@@ -22,19 +22,24 @@ void place_piece(const ToolPiece& piece, const ToolPlace& a, const ToolPlace& b,
 }  // namespace
 
 ToolPlace PiecePlacer::place_at(double t, std::uint32_t segment) const {
-  return {motion_.axes_at(t), motion_.tip_at(t, segment)};
+  return {of_head_ ? of_head_->at(t).rotation : motion_.axes_at(t), motion_.tip_at(t, segment)};
+}
+
+MotionRates PiecePlacer::rates_of(const MotionInterval& i) const {
+  return of_head_ ? of_head_->rates(i.t0, i.t1, i.segment) : motion_.rates(i.t0, i.t1, i.segment);
 }
 
 void PiecePlacer::enter(const MotionInterval& i) {
   if (last_ && is_same(last_->interval, i)) return;
-  last_ = Stretch{i, motion_.path_length_mm(i.t0, i.t1, i.segment), motion_.turn_rad(i.t0, i.t1)};
+  last_ = Stretch{i, motion_.path_length_mm(i.t0, i.t1, i.segment),
+                  of_head_ ? rates_of(i).turn_rad : motion_.turn_rad(i.t0, i.t1)};
   ends_.reset();
 }
 
 const PiecePlacer::Ends& PiecePlacer::ends() {
   if (!ends_) {
     const MotionInterval& i = last_->interval;
-    const MotionRates rates = motion_.rates(i.t0, i.t1, i.segment);
+    const MotionRates rates = rates_of(i);
     ends_ =
         Ends{place_at(i.t0, i.segment), place_at(i.t1, i.segment), rates.tip_sag_mm, rates.axis_acceleration_rad() / 8};
   }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "lib/motion/body_motion.h"
 #include "lib/motion/departure.h"
 #include "lib/motion/motion.h"
 #include "lib/motion/motion_interval.h"
@@ -21,9 +22,12 @@ struct ToolPlace {
 /// the last interval, as a search asks for many pieces in each. The motion must outlive it.
 class PiecePlacer {
  public:
-  /// Pieces that stay within `resolution_mm` of one point are placed as that point.
-  PiecePlacer(const Motion& motion, const Departure& departure, double resolution_mm)
-      : motion_(motion), departure_(departure), resolution_mm_(resolution_mm) {}
+  /// Pieces that stay within `resolution_mm` of one point are placed as that point. `is_of_head`: the pieces turn about the
+  /// tool axis as a body does that is no solid of revolution (BodyMotion).
+  PiecePlacer(const Motion& motion, const Departure& departure, double resolution_mm, bool is_of_head = false)
+      : motion_(motion), departure_(departure), resolution_mm_(resolution_mm) {
+    if (is_of_head) of_head_.emplace(motion);
+  }
 
   [[nodiscard]] ToolPlace place_at(double t, std::uint32_t segment) const;
   /// Bounds the length of the way of every point of the piece.
@@ -43,9 +47,11 @@ class PiecePlacer {
   };
 
   void enter(const MotionInterval& interval);
+  [[nodiscard]] MotionRates rates_of(const MotionInterval& interval) const;
   [[nodiscard]] const Ends& ends();
 
   const Motion& motion_;
+  std::optional<BodyMotion> of_head_;
   Departure departure_;
   double resolution_mm_;
   std::optional<Stretch> last_;

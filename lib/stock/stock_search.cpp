@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lib/base/tolerance.h"
+#include "lib/motion/body_motion.h"
 #include "lib/motion/motion_interval.h"
 #include "lib/stock/piece_placer.h"
 #include "lib/tool/evaluate.h"
@@ -22,7 +23,6 @@ constexpr double kThin = 0.25;
 // The least share of a piece that is cut off if it is beside the stock, and the number of halvings that find it.
 constexpr double kWorthTrimming = 0.1;
 constexpr int kTrimSteps = 10;
-constexpr int kDepthSteps = 24;
 
 // Sectors fit round walls, boxes the straight seams between passes. Sectors are tried first, with this part of the budget.
 constexpr std::uint64_t kFirstShare = 4;
@@ -67,7 +67,7 @@ class Search {
         max_open_(max_open),
         hints_(question.hints != nullptr ? *question.hints : own_hints_),
         departure_(question.history.departure_from(motion)),
-        placer_(motion, departure_, question.options.resolution_mm) {}
+        placer_(motion, departure_, question.options.resolution_mm, question.head != nullptr) {}
 
   StockAnswer decide(const std::vector<ToolPiece>& pieces, double from, double to) {
     if (take_column(pieces, from, to)) return run();
@@ -87,6 +87,8 @@ class Search {
   bool take_column(const std::vector<ToolPiece>& pieces, double from, double to) {
     if (q_.is_cutting || !departure_.is_none() || motion_.is_alone() || motion_.segments().size() > 1 ||
         motion_.turn_rad() > 0)
+      return false;
+    if (q_.head != nullptr && BodyMotion(motion_).turn_rad() * q_.head->reach_mm() > Tolerance::kRounding_mm)
       return false;
     const Vec3 axis = motion_.at(from).axis, way = motion_.tip_at(to, 0) - motion_.tip_at(from, 0);
     const double along = way.dot(axis);
@@ -115,6 +117,7 @@ class Search {
       const Candidate next = waiting_.back();
       waiting_.pop_back();
       if (depth_upper_mm(next.piece, q_.body, column_.range) <= depth_mm_ + q_.options.resolution_mm) continue;
+      if (q_.head != nullptr && is_outside_head(next.piece)) continue;
       if (is_free(next)) continue;
       if (take_witness(next)) return answer_;
       if (q_.is_clear_alone && is_left(next)) return answer_;
@@ -123,6 +126,26 @@ class Search {
     answer_.is_clear = open == 0 && !answer_.unknown;
     return answer_;
   }
+
+  /// Proves that no point of the piece is deep in the head, at any height of a column. The depth changes by no more than the
+  /// way between two points; for larger pieces a box about them is tried instead.
+  [[nodiscard]] bool is_outside_head(const ToolPiece& piece) const {
+    const double most_mm = depth_mm_ + q_.options.resolution_mm, half_way = 0.5 * (range().hi_mm - range().lo_mm);
+    if (piece.ball_mm() + half_way <= most_mm) {
+      const Vec3 middle = piece.middle() - 0.5 * (range().hi_mm + range().lo_mm) * Vec3::UnitZ();
+      return piece.ball_mm() + half_way - q_.head->signed_distance_mm(middle) <= most_mm;
+    }
+    const PieceDiscs in_tool = discs_of(piece);
+    std::array<Disc, 2 * PieceDiscs::kMax> both;
+    for (std::size_t k = 0; k < in_tool.count; ++k) {
+      both[2 * k] = both[2 * k + 1] = in_tool.discs[k];
+      both[2 * k].center.z() -= range().lo_mm;
+      both[2 * k + 1].center.z() -= range().hi_mm;
+    }
+    return q_.head->is_no_deeper({both.data(), 2 * in_tool.count}, most_mm);
+  }
+
+  [[nodiscard]] const AxialRange& range() const { return column_.range; }
 
   [[nodiscard]] bool is_beside_stock(const SweptPiece& swept) const {
     std::array<Disc, 2 * SweptPiece::kMaxDiscs> both;
@@ -203,13 +226,17 @@ class Search {
   /// Returns an instant at which a point is deep in the body, and its depth then. Only in a column is there a choice.
   [[nodiscard]] std::pair<double, double> deepest_instant(const Candidate& c, const Vec3& in_tool) const {
     const double r = in_tool.head<2>().norm();
+    const auto depth_at = [&](double z) {
+      if (q_.head != nullptr) return -q_.head->signed_distance_mm({in_tool.x(), in_tool.y(), z});
+      return -signed_distance_mm(q_.body, r, z);
+    };
     // The point is at least that deep wherever the tool departs to.
     const double off = departure_.at_mm(in_tool.norm());
-    std::pair<double, double> deepest(c.interval.middle(), -signed_distance_mm(q_.body, r, in_tool.z()) - off);
+    std::pair<double, double> deepest(c.interval.middle(), depth_at(in_tool.z()) - off);
     if (!(std::abs(column_.along_mm) > 0)) return deepest;
     for (int k = 1; k <= kColumnInstants; ++k) {
       const double share = static_cast<double>(k) / kColumnInstants;
-      const double depth = -signed_distance_mm(q_.body, r, in_tool.z() - share * column_.along_mm);
+      const double depth = depth_at(in_tool.z() - share * column_.along_mm);
       if (depth > deepest.second) deepest = {column_.from + share * (column_.to - column_.from), depth};
     }
     return deepest;
@@ -343,38 +370,6 @@ StockAnswer find_stock(const StockQuestion& question, const Motion& motion, cons
   answer = open;
   answer.examined = examined;
   return answer;
-}
-
-StockDepth find_depth(const StockQuestion& question, const Motion& motion, const StockWitness& known, double upper_mm) {
-  StockDepth deepest{known, upper_mm};
-  StockQuestion limited = question;
-  for (int k = 0; k < kDepthSteps && deepest.examined < question.budget; ++k) {
-    const double depth = deepest.witness.depth_mm, gap = deepest.upper_mm - depth;
-    if (gap <= depth_gap_mm(depth, question.options)) break;
-    const double next = depth + std::min(0.5 * gap, depth);
-    limited.budget = question.budget - deepest.examined;
-    const StockAnswer answer = find_stock(limited, motion, deep_pieces(question.body, next), 0, 1, next);
-    deepest.examined += answer.examined;
-    if (answer.witness) {
-      deepest.witness = *answer.witness;
-    } else if (answer.is_clear) {
-      deepest.upper_mm = std::min(deepest.upper_mm, next + question.options.resolution_mm);
-    } else {
-      break;
-    }
-  }
-  return deepest;
-}
-
-double depth_gap_mm(double depth_mm, const StockOptions& options) {
-  constexpr double kShare = 0.1;
-  return std::max(2 * options.resolution_mm, kShare * depth_mm);
-}
-
-Body body_at(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
-  const Vec3 from_tip = point - pose.tip;
-  const double z = from_tip.dot(pose.axis);
-  return tool.elements[evaluate(tool, (from_tip - z * pose.axis).norm(), z).element].body;
 }
 
 }  // namespace gouge

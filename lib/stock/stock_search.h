@@ -6,6 +6,7 @@
 
 #include "lib/motion/motion.h"
 #include "lib/stock/cut_history.h"
+#include "lib/stock/stock_head.h"
 #include "lib/stock/stock_solid.h"
 #include "lib/stock/tool_piece.h"
 
@@ -28,6 +29,9 @@ struct StockQuestion {
   bool is_clear_alone = false;  ///< the search ends at a deep point that no cut removed, and may miss a proof
   /// Null: nothing is kept. With hints an answer depends on the questions before it, through the order of the pieces.
   StockHints* hints = nullptr;
+  /// Null: the body itself is examined. Else `body` is head->around(), and depths are those in the head at its turn. Requires
+  /// motions with has_known_turn.
+  const StockHead* head = nullptr;
 };
 
 /// A point of the stock that no tool touched before, inside a body.

@@ -63,6 +63,13 @@ Result<StockSolid> StockSolid::meshes(std::span<const IndexedMesh> meshes, doubl
   return solid;
 }
 
+StockSolid StockSolid::solid(const Surface& boundary) {
+  const Box3 box = boundary.mesh().box();
+  StockSolid solid = StockSolid::box(box.min(), box.max());
+  solid.surfaces_.push_back(boundary);
+  return solid;
+}
+
 bool StockSolid::is_clear_of(std::span<const Disc> discs, double radius_mm) const {
   const double apart = radius_mm + Tolerance::kRounding_mm;
   for (int k = 0; k < 3; ++k) {

@@ -21,6 +21,9 @@ class StockSolid {
   /// solid. Errors: a mesh is not closed, not oriented or has triangles that cross, so that it has no inside.
   [[nodiscard]] static Result<StockSolid> meshes(std::span<const IndexedMesh> meshes, double allowance_mm);
 
+  /// Returns the inside of a closed surface that is the boundary of its solid. Its mesh must outlive the solid.
+  [[nodiscard]] static StockSolid solid(const Surface& boundary);
+
   /// Returns whether the hull of the discs, moved out by `radius_mm`, is proved to have no point of the stock inside it.
   /// A negative radius leaves out stock that is nearer to its surface than that. False if it is not known.
   [[nodiscard]] bool is_clear_of(std::span<const Disc> discs, double radius_mm) const;

@@ -62,13 +62,8 @@ std::optional<std::string> StockVerifier::find_fault(std::size_t move, const Mov
   if (!(claim.depth_mm > stock_.tolerance_mm)) return "its depth is no more than the tolerance of the stock";
   const double in_stock = depth_in(stock_, w.point);
   if (in_stock < -kStockExact_mm) return "its point is " + length_mm(-in_stock) + " outside of the stock";
+  if (auto wrong = find_wrong_depth(move, claim)) return wrong;
   const CutterForms& forms = *program.forms_of(move);
-  const ToolContour& body = program.cuts(move) ? forms.non_cutting : forms.whole;
-  const double depth =
-      -body.nearest(in_tool(claimed_pose(program.scene(), move, w.t, w.turn), w.point)).signed_distance_mm;
-  const bool is_less = depth<claim.depth_mm - kStockExact_mm, is_more = depth> claim.depth_mm + kStockExact_mm;
-  if (is_less || (is_more && !stock_.is_motion_open))
-    return "the point is " + length_mm(depth) + " deep, and said to be " + length_mm(claim.depth_mm);
   if (const auto cut = nearer(w.point, move, -kStockExact_mm, false))
     return "the cutter of " + *cut + " was there before";
   for (int k = 0; k <= kInstants && program.cuts(move); ++k) {
@@ -77,6 +72,61 @@ std::optional<std::string> StockVerifier::find_fault(std::size_t move, const Mov
       return "the cutter of its own move was there before";
   }
   return std::nullopt;
+}
+
+std::optional<std::string> StockVerifier::find_wrong_depth(std::size_t move, const MoveClaim& claim) const {
+  const ClaimedWitness& w = *claim.witness;
+  const ProgramCuts& program = *programs_.back();
+  std::vector<double> depths;
+  if (w.body == Body::head) {
+    const Vec3 at = head_frame(program.scene(), move, w.t, w.turn).inverse().point(w.point);
+    for (const SolidDepth& head : stock_.heads) depths.push_back(head.at(at));
+    if (depths.empty()) return "it names a head, and there is none";
+  } else {
+    const CutterForms& forms = *program.forms_of(move);
+    const ToolContour& body = program.cuts(move) ? forms.non_cutting : forms.whole;
+    depths.push_back(
+        -body.nearest(in_tool(claimed_pose(program.scene(), move, w.t, w.turn), w.point)).signed_distance_mm);
+  }
+  const auto is_as_said = [&](double depth) {
+    const bool is_less = depth + kStockExact_mm<claim.depth_mm, is_more = depth> claim.depth_mm + kStockExact_mm;
+    return !is_less && (!is_more || stock_.is_motion_open);
+  };
+  if (std::ranges::any_of(depths, is_as_said)) return std::nullopt;
+  return "the point is " + length_mm(std::ranges::max(depths)) + " deep, and said to be " + length_mm(claim.depth_mm);
+}
+
+std::optional<StockVerifier::Draw> StockVerifier::draw_in_tool(std::size_t move, double t, double least_mm,
+                                                               Draws& draws) const {
+  const ProgramCuts& program = *programs_.back();
+  const CutterForms& forms = *program.forms_of(move);
+  const ToolContour& body = program.cuts(move) ? forms.non_cutting : forms.whole;
+  const Pose pose = claimed_pose(program.scene(), move, t);
+  const Vec3 x = pose.axis.unitOrthogonal(), y = pose.axis.cross(x);
+  const double size = body.size_mm(), angle = 2 * std::numbers::pi * draws.share();
+  Vec2 q(size * draws.share(), size * draws.share());
+  const ToolContour::Nearest nearest = body.nearest(q);
+  // Half of the points are as near to the boundary as a claim is about: there the last remains of a cut are.
+  if (draws.below(2) == 0) q = nearest.foot - (least_mm + kStockExact_mm) * nearest.normal;
+  const double depth = -body.nearest(q).signed_distance_mm;
+  if (q.x() < 0 || depth < least_mm) return std::nullopt;
+  return Draw{pose.tip + q.x() * (std::cos(angle) * x + std::sin(angle) * y) + q.y() * pose.axis, depth};
+}
+
+std::optional<StockVerifier::Draw> StockVerifier::draw_in_head(const SolidDepth& head, std::size_t move, double t,
+                                                               double least_mm, Draws& draws) const {
+  const IndexedMesh& mesh = head.mesh();
+  Vec3 q;
+  for (int k = 0; k < 3; ++k) q[k] = head.box().min()[k] + draws.share() * head.box().sizes()[k];
+  if (draws.below(2) == 0) {
+    const std::size_t triangle = draws.below(mesh.triangles.size());
+    const Vec3 a = mesh.corner(triangle, 0), u = mesh.corner(triangle, 1) - a, v = mesh.corner(triangle, 2) - a;
+    const double along = draws.share(), across = draws.share() * (1 - along);
+    q = a + along * u + across * v - (least_mm + kStockExact_mm) * u.cross(v).normalized();
+  }
+  const double depth = head.at(q);
+  if (depth < least_mm) return std::nullopt;
+  return Draw{head_frame(programs_.back()->scene(), move, t).point(q), depth};
 }
 
 AttackResult StockVerifier::attack(const std::vector<bool>& is_clear, double seconds) const {
@@ -94,30 +144,26 @@ AttackResult StockVerifier::attack(const std::vector<bool>& is_clear, double sec
     return seconds > 0 ? std::chrono::duration<double>(Clock::now() - began).count() >= seconds
                        : result.samples >= kPlaces;
   };
+  std::size_t looks_per_head = 2;  // the time of each query of a head is linear in its facets
+  for (const SolidDepth& head : stock_.heads) looks_per_head += head.mesh().triangles.size() / 100;
   while (!moves.empty() && !is_over() && !result.found) {
     ++result.samples;
     const std::size_t move = moves[draws.below(moves.size())];
     const bool cuts = program.cuts(move);
+    const bool has_head = !stock_.heads.empty() && draws.below(looks_per_head) == 0;
+    const SolidDepth* const head = has_head ? &stock_.heads[draws.below(stock_.heads.size())] : nullptr;
     const CutterForms& forms = *program.forms_of(move);
-    const ToolContour& body = cuts ? forms.non_cutting : forms.whole;
-    if (body.empty()) continue;
+    if (head == nullptr && (cuts ? forms.non_cutting : forms.whole).empty()) continue;
     const double t = program.path().moves[move].has_start ? draws.share() : 1;
-    const Pose pose = claimed_pose(program.scene(), move, t);
-    const Vec3 x = pose.axis.unitOrthogonal(), y = pose.axis.cross(x);
     for (std::size_t k = 0; k < kTriesOfPoint; ++k) {
-      const double size = body.size_mm(), angle = 2 * std::numbers::pi * draws.share();
-      Vec2 q(size * draws.share(), size * draws.share());
-      const ToolContour::Nearest nearest = body.nearest(q);
-      // Half of the points are as near to the boundary as a claim is about: there the last remains of a cut are.
-      if (draws.below(2) == 0) q = nearest.foot - (least_mm + kStockExact_mm) * nearest.normal;
-      if (q.x() < 0 || -body.nearest(q).signed_distance_mm < least_mm) continue;
-      const Vec3 point = pose.tip + q.x() * (std::cos(angle) * x + std::sin(angle) * y) + q.y() * pose.axis;
-      if (depth_in(stock_, point) < stock_.resolution_mm + kStockExact_mm) continue;
+      const std::optional<Draw> drawn =
+          head != nullptr ? draw_in_head(*head, move, t, least_mm, draws) : draw_in_tool(move, t, least_mm, draws);
+      if (!drawn || depth_in(stock_, drawn->point) < stock_.resolution_mm + kStockExact_mm) continue;
       // The move itself counts with all of its time.
-      if (nearer(point, cuts ? move + 1 : move, stock_.resolution_mm + kStockExact_mm, true)) break;
-      result.found = Counterexample{
-          move, t, point,
-          "stock is left " + length_mm(-body.nearest(q).signed_distance_mm) + " deep in a body of the tool"};
+      if (nearer(drawn->point, cuts ? move + 1 : move, stock_.resolution_mm + kStockExact_mm, true)) break;
+      result.found = Counterexample{move, t, drawn->point,
+                                    "stock is left " + length_mm(drawn->depth_mm) + " deep in a " +
+                                        (head != nullptr ? "head" : "body of the tool")};
       break;
     }
   }

@@ -13,6 +13,7 @@
 
 namespace gouge {
 
+class Draws;
 class ProgramCuts;
 
 /// A program that cuts the stock.
@@ -30,6 +31,7 @@ struct ClaimedStock {
   double tolerance_mm = 0, resolution_mm = 0;
   bool is_motion_open = false;  ///< several motions are permitted: depths are the least of all, on the first one larger
   std::vector<ClaimedProgram> programs;  ///< in the order of time; the last is the path of the claims
+  std::vector<SolidDepth> heads = {};    ///< bodies that move with the tools of that path, in the tool's frame
 };
 
 /// Tests witnesses of findings in stock, and searches for stock in moves that claim to be clear of it.
@@ -51,6 +53,18 @@ class StockVerifier {
   [[nodiscard]] AttackResult attack(const std::vector<bool>& is_clear, double seconds) const;
 
  private:
+  /// A point in a body of the tool at an instant, and its depth.
+  struct Draw {
+    Vec3 point = Vec3::Zero();
+    double depth_mm = 0;
+  };
+  /// Returns a random point at least `least_mm` deep in the body that must be clear, or in a head; nothing: the try failed.
+  [[nodiscard]] std::optional<Draw> draw_in_tool(std::size_t move, double t, double least_mm, Draws& draws) const;
+  [[nodiscard]] std::optional<Draw> draw_in_head(const SolidDepth& head, std::size_t move, double t, double least_mm,
+                                                 Draws& draws) const;
+  /// Returns the reason why a point is not as deep as said in the body that it names.
+  [[nodiscard]] std::optional<std::string> find_wrong_depth(std::size_t move, const MoveClaim& claim) const;
+
   /// Returns the cut that may come nearer to a point than a distance, of earlier programs and of moves below `before`.
   [[nodiscard]] std::optional<std::string> nearer(const Vec3& point, std::size_t before, double within_mm,
                                                   bool counts_unknown) const;

@@ -15,20 +15,33 @@ constexpr std::size_t kBlock = 64;  // moves that share a ball
 // A piece of time of a motion is not divided further once nothing in it moves by more than this.
 constexpr double kFinest_mm = 1e-7;
 
-/// Returns whether a cutter may come nearer to a point than `within_mm` during a piece of time.
-bool may_come(const MotionPiece& piece, const ToolContour& cutter, const Vec3& point, double within_mm) {
+// Below this length the bounds of a piece may not shrink any more, since each half has the rounding of its own bounds.
+constexpr double kStagnation_mm = 1e-3;
+constexpr double kShrunk = 0.75;  // share of the length before, to which half a piece shrinks
+
+/// A question whether a cutter comes nearer to a point than a distance.
+struct Approach {
+  const ToolContour& cutter;
+  const Vec3& point;
+  double within_mm = 0;
+  bool counts_open = false;  ///< the answer where rounding leaves it open
+};
+
+/// Returns whether the cutter may come that near during a piece of time. `before_mm` bounds the way in twice the piece.
+bool may_come(const MotionPiece& piece, const Approach& asked, double before_mm) {
   const PoseBounds &from = piece.start(), &to = piece.end();
   const Pose pose{from.tip.middle(), from.axis.middle().normalized()};
-  const double distance = cutter.nearest(in_tool(pose, point)).signed_distance_mm;
-  if (distance < within_mm) return true;
+  const double distance = asked.cutter.nearest(in_tool(pose, asked.point)).signed_distance_mm;
+  if (distance < asked.within_mm) return true;
   const double way = length(to.tip - from.tip).sup() + piece.sag_mm();
   const double turn = length(to.axis - from.axis).sup() + piece.bend();
   // The point moves in the cutter's frame by no more than this: an arc is at most twice as long as its chord here.
-  const double longest = way + 2 * turn * ((point - pose.tip).norm() + way);
-  if (distance - longest > within_mm) return false;
+  const double longest = way + 2 * turn * ((asked.point - pose.tip).norm() + way);
+  if (distance - longest > asked.within_mm) return false;
   if (longest < kFinest_mm) return true;
+  if (longest < kStagnation_mm && longest > kShrunk * before_mm) return asked.counts_open;
   const auto halves = piece.halves();
-  return may_come(halves[0], cutter, point, within_mm) || may_come(halves[1], cutter, point, within_mm);
+  return may_come(halves[0], asked, longest) || may_come(halves[1], asked, longest);
 }
 
 }  // namespace
@@ -93,9 +106,10 @@ ProgramCuts::Ball ProgramCuts::ball_of(std::size_t move) {
 bool ProgramCuts::may_reach(std::size_t move, const Vec3& point, double within_mm, bool counts_unknown) const {
   const auto pieces = claimed_pieces(scene(), move);
   if (!pieces) return counts_unknown;
-  const ToolContour& cutter = forms_of(move)->cutting;
-  return std::ranges::any_of(*pieces,
-                             [&](const MotionPiece& piece) { return may_come(piece, cutter, point, within_mm); });
+  const Approach asked{forms_of(move)->cutting, point, within_mm, counts_unknown};
+  return std::ranges::any_of(*pieces, [&](const MotionPiece& piece) {
+    return may_come(piece, asked, std::numeric_limits<double>::infinity());
+  });
 }
 
 }  // namespace gouge

@@ -1,0 +1,48 @@
+// The depth of remaining stock in a body, by questions about greater depths: find_depth of stock_search.
+
+#include <algorithm>
+
+#include "lib/stock/stock_search.h"
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+
+namespace {
+
+constexpr int kDepthSteps = 24;
+
+}  // namespace
+
+StockDepth find_depth(const StockQuestion& question, const Motion& motion, const StockWitness& known, double upper_mm) {
+  StockDepth deepest{known, upper_mm};
+  StockQuestion limited = question;
+  for (int k = 0; k < kDepthSteps && deepest.examined < question.budget; ++k) {
+    const double depth = deepest.witness.depth_mm, gap = deepest.upper_mm - depth;
+    if (gap <= depth_gap_mm(depth, question.options)) break;
+    const double next = depth + std::min(0.5 * gap, depth);
+    limited.budget = question.budget - deepest.examined;
+    const StockAnswer answer = find_stock(limited, motion, deep_pieces(question.body, next), 0, 1, next);
+    deepest.examined += answer.examined;
+    if (answer.witness) {
+      deepest.witness = *answer.witness;
+    } else if (answer.is_clear) {
+      deepest.upper_mm = std::min(deepest.upper_mm, next + question.options.resolution_mm);
+    } else {
+      break;
+    }
+  }
+  return deepest;
+}
+
+double depth_gap_mm(double depth_mm, const StockOptions& options) {
+  constexpr double kShare = 0.1;
+  return std::max(2 * options.resolution_mm, kShare * depth_mm);
+}
+
+Body body_at(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
+  const Vec3 from_tip = point - pose.tip;
+  const double z = from_tip.dot(pose.axis);
+  return tool.elements[evaluate(tool, (from_tip - z * pose.axis).norm(), z).element].body;
+}
+
+}  // namespace gouge
