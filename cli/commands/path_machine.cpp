@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/commands/machine_words.h"
+#include "cli/machine/program_machine.h"
 #include "cli/machine/rate_notes.h"
 #include "cli/options/joint_options.h"
 #include "cli/output/output_file.h"
@@ -165,7 +166,13 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
     return *status;
   Result<std::string> text = read_file(arguments.path, arguments.input.max_bytes);
   if (!text) return fail(err, {text.error()});
-  ReadOutcome outcome = read_toolpath(arguments.path, std::move(*text), *options);
+  ReadOptions reading = *options;
+  std::string lengths;
+  if (auto error = read_tool_lengths(arguments.reading, arguments.input.max_bytes, reading, lengths))
+    return fail(err, {*error});
+  reading.program =
+      with_machine(reading.program, *machine, arguments.stated, machine->control.joint_rapid_law, std::nullopt);
+  ReadOutcome outcome = read_toolpath(arguments.path, std::move(*text), reading);
   if (!outcome.toolpath) return fail(err, outcome.errors);
   Toolpath& path = *outcome.toolpath;
   print(err, path.notes);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/job/read_inputs.h"
+#include "cli/machine/joint_laws.h"
 #include "cli/machine/machine_choice.h"
 #include "cli/terminal/length_text.h"
 #include "cli/tools/resolve_tools.h"
@@ -37,6 +38,11 @@ class ProgramReader {
     EarlierProgram& program = read_.programs.emplace_back();
     program.path = std::move(*path);
     program.law = job_.options.check.law;
+    if (job_.machine) {
+      if (auto error = add_joint_laws(*job_.machine, job_.laws, job_.options.tool_length_mm,
+                                      job_.options.tool_length_slack_mm, program.path, program.law))
+        return fail(*error);
+    }
     return place(stated, program.path) && add_tools(stated, program);
   }
 

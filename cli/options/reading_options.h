@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct ReadingArguments {
   std::string dialect, units, cutcom;
   std::vector<std::string> harmless_words;
   std::string retract_plane;
+  // Of programs of a machine's control.
+  std::string control, tool_lengths, block_delete, home, plain_numbers, rotary_turns;
+  std::vector<std::string> offsets, start, tip_control_ends;
 };
 
 [[nodiscard]] const OptionRows<ReadingArguments>& reading_options();
@@ -23,6 +27,11 @@ struct ReadingArguments {
 /// Errors (code usage): a retract plane that is not a length, or an unknown dialect. Also a harmless word that is not a
 /// word, or that is read.
 [[nodiscard]] Result<ReadOptions> understand(const ReadingArguments& arguments);
+
+/// Reads the file of --tool-lengths into the set-up of the program. Nothing is read if none is given.
+/// Returns the first error. `bytes`: takes the text that was read.
+[[nodiscard]] std::optional<Diagnostic> read_tool_lengths(const ReadingArguments& arguments, std::uint64_t max_bytes,
+                                                          ReadOptions& options, std::string& bytes);
 
 /// --max-input of a command, in bytes: no file it reads may have more.
 struct InputLimit {

@@ -37,6 +37,10 @@ Motion MotionLaw::of(const Toolpath& toolpath, std::size_t index) const {
     return alone;
   }
   Motion motion(toolpath.start_of(index), move.end, axes_of(move), toolpath.joints.get(), index);
+  // No law of the tip covers the joints of a move without tool centre point control.
+  const bool is_open =
+      move.runs_joints && joint_feed_axes_ == nullptr && toolpath.start_of(index).axis != move.end.axis;
+  motion.is_defined_ = motion.is_defined_ && !is_open;
   if (move.curve_kind == CurveKind::arc) {
     motion.run_along(toolpath.arcs[move.curve]);
   } else if (move.curve_kind == CurveKind::spline) {
