@@ -8,7 +8,7 @@
 #include "cli/values/parse_lengths.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
-#include "postproc/gcode/language/control_table.h"
+#include "postproc/gcode/reading/read_gcode.h"
 
 namespace gouge {
 namespace {
@@ -79,7 +79,7 @@ std::optional<std::pair<int, double>> parse_table_row(std::string_view line) {
 
 std::vector<std::string> control_ids() {
   std::vector<std::string> ids;
-  for (const ControlTable* control : all_controls()) ids.emplace_back(control->id);
+  for (const ProgramLanguage& language : all_languages()) ids.emplace_back(language.id);
   return ids;
 }
 

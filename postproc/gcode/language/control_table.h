@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
 
 // What a control does with each code, as data: one table a control. A code without a row is not understood.
@@ -137,11 +136,5 @@ struct ControlTable {
 /// Returns the row of a code; null: the control's table has none.
 [[nodiscard]] const GcodeRow* find_row(const ControlTable& control, char letter, CodeNumber number);
 [[nodiscard]] const GcodeCycle* find_cycle(const ControlTable& control, CodeNumber number);
-
-[[nodiscard]] std::span<const ControlTable* const> all_controls();
-/// Returns the control with this id, in upper or lower case; null: there is none.
-[[nodiscard]] const ControlTable* control_called(std::string_view id);
-/// Returns "linuxcnc, haas or fanuc".
-[[nodiscard]] std::string control_names();
 
 }  // namespace gouge

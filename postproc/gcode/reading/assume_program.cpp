@@ -5,28 +5,27 @@
 namespace gouge {
 namespace {
 
-Assumption unit_of_program(const Toolpath& path, const ProgramFacts& facts) {
+Assumption unit_of_program(const Toolpath& path, const GcodeOptions& options, const ProgramFacts& facts) {
   Assumption fact{.subject = Subject::path_unit, .value = unit_name(path.unit), .code = "path-unit"};
   fact.remedy = "give --path-units mm or --path-units inch";
   if (facts.unit_line > 0) {
     fact.basis = Basis::stated;
-    fact.evidence = path.unit == LengthUnit::inch ? "G20" : "G21";
+    fact.evidence = facts.unit_word;
     fact.line = facts.unit_line;
   } else if (path.is_unit_stated) {
     fact.basis = Basis::stated;
-    fact.evidence = facts.has_unit_option ? "--path-units" : "the blocks in force at the start";
+    fact.evidence = options.unit ? "--path-units" : "the blocks in force at the start";
   } else {
     fact.basis = Basis::unknown;
-    fact.evidence = "the program states neither G20 nor G21; mm was taken";
+    fact.evidence = "the program states no unit; mm was taken";
   }
   return fact;
 }
 
-Assumption control_of_program(const ControlTable& control, const ProgramFacts& facts) {
-  Assumption fact{
-      .subject = Subject::dialect, .value = "G-code of " + std::string(control.title), .code = "gcode-control"};
+Assumption control_of_program(std::string_view control, const ProgramSetup& setup) {
+  Assumption fact{.subject = Subject::dialect, .value = "program of " + std::string(control), .code = "gcode-control"};
   fact.basis = Basis::stated;
-  fact.evidence = facts.is_control_stated ? "--control" : "the control of the machine";
+  fact.evidence = setup.is_control_stated ? "--control" : "the control of the machine";
   fact.remedy = "give --control";
   return fact;
 }
@@ -40,7 +39,7 @@ Assumption end_of_program(const ProgramFacts& facts) {
     fact.line = facts.end_line;
   } else {
     fact.basis = Basis::unknown;
-    fact.evidence = "the program has no end (M30, M2 or %)";
+    fact.evidence = "the program does not have its end, such as M30";
   }
   return fact;
 }
@@ -80,10 +79,10 @@ Assumption frame_of_program(const ProgramSetup& setup, const ProgramMotion& moti
 
 }  // namespace
 
-Assumptions assume_program(const Toolpath& path, const ControlTable& control, const ProgramSetup& setup,
+Assumptions assume_program(const Toolpath& path, std::string_view control, const GcodeOptions& options,
                            const ProgramMotion& motion, const ProgramFacts& facts) {
-  Assumptions all = {unit_of_program(path, facts), control_of_program(control, facts), end_of_program(facts),
-                     words_of_program(path), frame_of_program(setup, motion, facts)};
+  Assumptions all = {unit_of_program(path, options, facts), control_of_program(control, options.setup),
+                     end_of_program(facts), words_of_program(path), frame_of_program(options.setup, motion, facts)};
   for (Assumption& fact : all) fact.file = path.file;
   return all;
 }

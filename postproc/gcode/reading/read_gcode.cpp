@@ -1,19 +1,19 @@
 #include "postproc/gcode/reading/read_gcode.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "postproc/gcode/iso/read_iso.h"
+#include "postproc/gcode/language/control_tables.h"
 #include "postproc/gcode/reading/assume_program.h"
-#include "postproc/gcode/reading/program_run.h"
+#include "postproc/gcode/running/program_text.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kLongestProgram = (std::size_t{1} << 32U) - 2;  // a SmallIndex can count its bytes
-constexpr std::size_t kLinesOfRecognition = 300;
-constexpr std::string_view kMarkOfBytes = "\xef\xbb\xbf";
 
 bool is_forbidden(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -44,39 +44,16 @@ std::optional<Diagnostic> find_unreadable_program(const std::string& file, std::
   return find_wrong_byte(file, bytes);
 }
 
-/// Returns whether a code that applies a tool length stands in the text. Comments count too: then a length must be given
-/// that would not be needed otherwise.
-bool may_apply_lengths(std::string_view text) {
-  for (const std::string_view code : {"G43", "g43", "G 43", "g 43", "G44", "g44", "G043", "G234", "g234", "#", "G4["})
-    if (text.find(code) != std::string_view::npos) return true;
-  return false;
-}
-
-Result<const ControlTable*> control_of(const GcodeOptions& options, const std::string& file) {
+Result<const ProgramLanguage*> language_of(const GcodeOptions& options, const std::string& file) {
   const std::string& id = options.setup.control;
   if (id.empty())
     return make_error("gcode-control",
                       "the file is a program of a machine's control, and nothing states which; expected --control " +
-                          control_names() + ", or \"program\" in the control of the machine file",
+                          language_names() + ", or \"program\" in the control of the machine file",
                       file);
-  if (const ControlTable* const control = control_called(id)) return control;
-  return make_error("gcode-control", "the control is '" + id + "'; expected " + control_names(), file);
-}
-
-/// Text before the first percent sign and after the second is no part of the program. Blocks there are not overlooked.
-void find_blocks_outside(const ProgramText& text, const ControlTable& control, BlockRunner& runner) {
-  GcodeBlock block;
-  const GcodeVariables variables;
-  const auto is_block = [&](std::size_t index) {
-    const std::string_view line = trim_blanks(text.line(index));
-    if (line.starts_with('%')) return false;
-    read_gcode_block(line, control.syntax, variables, block);
-    return block.error.empty() && (!block.words.empty() || !block.flow.empty() || !block.assignments.empty()) &&
-           block.flow.empty();
-  };
-  for (std::size_t i = 0; i < text.begin(); ++i)
-    if (is_block(i))
-      return runner.lose_rest("a block before the percent sign at which the program begins", text.number(i));
+  for (const ProgramLanguage& language : all_languages())
+    if (language.id == id) return &language;
+  return make_error("gcode-control", "the control is '" + id + "'; expected " + language_names(), file);
 }
 
 void name_first_tool(const std::string& name, Toolpath& path) {
@@ -98,33 +75,30 @@ bool has_checked_move(const Toolpath& path) {
 
 }  // namespace
 
-bool is_gcode(std::string_view bytes) {
-  if (bytes.starts_with(kMarkOfBytes)) bytes.remove_prefix(kMarkOfBytes.size());
-  GcodeBlock block;
-  const GcodeVariables variables;
-  const GcodeSyntax syntax = {.has_o_words = true, .has_macros = false, .has_named_variables = true};
-  std::size_t blocks = 0, others = 0;
-  for (std::size_t at = 0, lines = 0; at < bytes.size() && lines < kLinesOfRecognition; ++lines) {
-    const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
-    const std::string_view line = trim_blanks(bytes.substr(at, end - at));
-    at = end + 1;
-    if (line.empty() || line.front() == '%') continue;
-    read_gcode_block(line, syntax, variables, block);
-    if (!block.error.empty() || (block.words.empty() && block.comment.empty() && block.assignments.empty()))
-      others += block.flow.empty() ? 1U : 0U;
-    else if (!block.words.empty())
-      ++blocks;
-  }
-  return blocks > 2 && blocks > 4 * others;
+std::span<const ProgramLanguage> all_languages() {
+  static const std::array<ProgramLanguage, 3> languages = {{
+      {linuxcnc_table().id, linuxcnc_table().title,
+       [](const ProgramInput& input) { return run_iso(linuxcnc_table(), input); }},
+      {haas_table().id, haas_table().title, [](const ProgramInput& input) { return run_iso(haas_table(), input); }},
+      {fanuc_table().id, fanuc_table().title, [](const ProgramInput& input) { return run_iso(fanuc_table(), input); }},
+  }};
+  return languages;
 }
+
+std::string language_names() {
+  std::vector<std::string> names;
+  for (const ProgramLanguage& language : all_languages()) names.emplace_back(language.id);
+  return listed(names, " or ");
+}
+
+bool is_gcode(std::string_view bytes) { return is_iso_program(bytes); }
 
 ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const GcodeOptions& options,
                        const ProgressCall& progress) {
   ReadOutcome outcome;
   if (auto error = find_unreadable_program(file_name, bytes)) return {std::nullopt, {std::move(*error)}};
-  const Result<const ControlTable*> control = control_of(options, file_name);
-  if (!control) return {std::nullopt, {control.error()}};
-  const ControlTable& table = **control;
+  const Result<const ProgramLanguage*> language = language_of(options, file_name);
+  if (!language) return {std::nullopt, {language.error()}};
   if (options.setup.machine) {
     if (const std::string unfit = describe_unfit(*options.setup.machine); !unfit.empty())
       return {std::nullopt, {make_error("gcode-machine", unfit, file_name)}};
@@ -136,23 +110,13 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
   path.harmless_words = options.harmless_words;
   path.unit = options.unit.value_or(LengthUnit::mm);
   path.is_unit_stated = options.unit.has_value();
-  const std::string_view all = path.source;
-  add_lines(all, path.statements);
-
+  add_lines(path.source, path.statements);
+  if (path.statements.empty()) return {std::nullopt, {make_error("path-no-motion", "holds no block", file_name)}};
   PathBuilder builder(path);
-  const CodeIndex index(table, options.harmless_words);
   ProgramMotion motion(builder, options.setup);
-  BlockRunner runner(index, options.setup, options.unit, motion, path);
-  const ProgramText text(all, path.statements);
-  if (text.size() == 0) return {std::nullopt, {make_error("path-no-motion", "holds no block", file_name)}};
-  if (!may_apply_lengths(all)) motion.omit_lengths();
-  ProgramRun run(table, options.setup, text, runner, motion);
-  run.run_start(table.start);
-  run.run_start(options.setup.start);
-  find_blocks_outside(text, table, runner);
-  run.run(progress, file_name);
+  const ProgramFacts facts = (*language)->run({options, path, motion, progress});
   motion.finish();
-  if (runner.error()) return {std::nullopt, {*runner.error()}};
+  if (facts.error) return {std::nullopt, {*facts.error}};
   if (!has_checked_move(path)) {
     const std::string reason = path.moves.empty() ? "" : ": " + std::string(path.moves.front().not_checked_reason);
     return {std::nullopt,
@@ -160,12 +124,7 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
                         path.moves.empty() ? std::size_t{0} : std::size_t{path.moves.front().line})}};
   }
   name_first_tool(options.unnamed_tool, path);
-  const ProgramFacts facts{runner.unit_line(), runner.offset_line(),
-                           run.end_line() > 0    ? run.end_line()
-                           : text.has_end_mark() ? text.number(text.end())
-                                                 : 0,
-                           options.unit.has_value(), options.setup.is_control_stated};
-  path.assumptions = assume_program(path, table, options.setup, motion, facts);
+  path.assumptions = assume_program(path, (*language)->title, options, motion, facts);
   outcome.toolpath = std::move(path);
   return outcome;
 }

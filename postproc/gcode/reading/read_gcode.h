@@ -1,29 +1,24 @@
 #pragma once
 
-#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "lib/base/parallel.h"
-#include "lib/base/units.h"
-#include "postproc/gcode/running/program_setup.h"
+#include "postproc/gcode/running/program_language.h"
 #include "postproc/program/read_outcome.h"
 
 namespace gouge {
 
-/// Options of the user for a program.
-struct GcodeOptions {
-  ProgramSetup setup;
-  std::optional<LengthUnit> unit;           ///< for a program that states none
-  std::vector<std::string> harmless_words;  ///< codes that neither move nor change anything: "M200"
-  std::string unnamed_tool;                 ///< name of the tool of moves before a tool change; empty: they have none
-};
+/// Returns all controls whose programs are read, in the order for the user.
+[[nodiscard]] std::span<const ProgramLanguage> all_languages();
+/// Returns "linuxcnc, haas or fanuc".
+[[nodiscard]] std::string language_names();
 
-/// Returns whether a text is certainly a program of words of one letter: its first lines are blocks.
+/// Returns whether a text is certainly a program of one of them.
 [[nodiscard]] bool is_gcode(std::string_view bytes);
 
-/// Reads a program of a control (ISO 6983) as the control runs it.
+/// Reads a program of a control as the control runs it.
 ///
 /// Units    Coordinates become mm and part coordinates: those of the work offset that the program chooses first, or of
 ///          ProgramSetup::zero.

@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "lib/base/units.h"
-#include "postproc/gcode/reading/arc_words.h"
-#include "postproc/gcode/reading/block_words.h"
-#include "postproc/gcode/running/program_motion.h"
+#include "postproc/gcode/iso/block_words.h"
+#include "postproc/gcode/running/arc_words.h"
+#include "postproc/gcode/running/program_language.h"
 
 namespace gouge {
 
@@ -42,9 +42,8 @@ struct DrillState {
 /// Carries out the blocks of a program of a control, one after another.
 class BlockRunner {
  public:
-  /// All must outlive the object. `unit`: of the user, for a program that states none.
-  BlockRunner(const CodeIndex& index, const ProgramSetup& setup, std::optional<LengthUnit> unit, ProgramMotion& motion,
-              Toolpath& path);
+  /// Both must outlive the object.
+  BlockRunner(const CodeIndex& index, const ProgramInput& input);
 
   /// Carries out a block. A word that is not understood ends the knowledge of all that follows, with its line.
   NextBlock run(const GcodeBlock& block, std::size_t line);
@@ -92,6 +91,7 @@ class BlockRunner {
   void set_feed();
 
   const CodeIndex& index_;
+  const ProgramInput& input_;
   const ProgramSetup& setup_;
   ProgramMotion& motion_;
   Toolpath& path_;

@@ -1,4 +1,4 @@
-#include "postproc/gcode/reading/program_run.h"
+#include "postproc/gcode/iso/program_run.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
-#include "postproc/gcode/reading/program_run.h"
+#include "postproc/gcode/iso/program_run.h"
 
 // O-words of LinuxCNC. Source: LinuxCNC, O Codes.
 

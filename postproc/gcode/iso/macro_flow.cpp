@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "lib/base/number_text.h"
-#include "postproc/gcode/reading/program_run.h"
+#include "postproc/gcode/iso/program_run.h"
 
 // IF, WHILE and GOTO of Fanuc's custom macros, which Haas has too.
 // Source: Fanuc B-64484EN, custom macro, branch and repetition.

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "lib/base/parallel.h"
+#include "postproc/gcode/iso/block_runner.h"
 #include "postproc/gcode/lexing/block_lexer.h"
 #include "postproc/gcode/lexing/variables.h"
-#include "postproc/gcode/reading/block_runner.h"
-#include "postproc/gcode/reading/program_text.h"
+#include "postproc/gcode/running/program_text.h"
 
 namespace gouge {
 

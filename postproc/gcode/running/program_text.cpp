@@ -1,4 +1,4 @@
-#include "postproc/gcode/reading/program_text.h"
+#include "postproc/gcode/running/program_text.h"
 
 #include <algorithm>
 

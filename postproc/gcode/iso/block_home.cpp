@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "postproc/gcode/reading/block_runner.h"
+#include "postproc/gcode/iso/block_runner.h"
 
 // Motions to places of the machine.
 

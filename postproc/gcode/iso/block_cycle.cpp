@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "postproc/gcode/reading/block_runner.h"
+#include "postproc/gcode/iso/block_runner.h"
 
 // Drilling cycles as the motions that the control makes. Pecks are on the line of the hole.
 

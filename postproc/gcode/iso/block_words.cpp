@@ -1,4 +1,4 @@
-#include "postproc/gcode/reading/block_words.h"
+#include "postproc/gcode/iso/block_words.h"
 
 #include <algorithm>
 #include <cmath>

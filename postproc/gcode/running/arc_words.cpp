@@ -1,4 +1,4 @@
-#include "postproc/gcode/reading/arc_words.h"
+#include "postproc/gcode/running/arc_words.h"
 
 #include <algorithm>
 #include <cmath>

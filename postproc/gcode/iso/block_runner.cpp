@@ -1,4 +1,4 @@
-#include "postproc/gcode/reading/block_runner.h"
+#include "postproc/gcode/iso/block_runner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,22 +39,15 @@ bool moves_axes_itself(const GcodeRow& row) {
 
 }  // namespace
 
-BlockRunner::BlockRunner(const CodeIndex& index, const ProgramSetup& setup, std::optional<LengthUnit> unit,
-                         ProgramMotion& motion, Toolpath& path)
-    : index_(index), setup_(setup), motion_(motion), path_(path) {
-  modes_.unit = unit;
+BlockRunner::BlockRunner(const CodeIndex& index, const ProgramInput& input)
+    : index_(index), input_(input), setup_(input.options.setup), motion_(input.motion), path_(input.path) {
+  modes_.unit = input.options.unit;
 }
 
 void BlockRunner::lose_rest(const std::string& reason, std::size_t line) {
   if (motion_.is_rest_unknown()) return;
   lost_line_ = line;
-  ++path_.words_not_understood[reason.substr(0, reason.find(' '))];
-  motion_.doubt(ProgramDoubt::rest, "line " + std::to_string(line) + " is not understood: " + reason);
-  path_.notes.push_back(make_warning("gcode-word",
-                                     reason + "; nothing after it is checked: correct the program, or state a word "
-                                              "that neither moves nor changes anything with --harmless-word",
-                                     path_.file, line));
-  motion_.go_unchecked(MoveKind::feed, AxisPlace{}, {});
+  lose_program(reason, line, input_);
 }
 
 NextBlock BlockRunner::run(const GcodeBlock& block, std::size_t line) {
