@@ -241,10 +241,12 @@ CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* n
   added->add_option("PATH", arguments.path, "Toolpath: CL data of any dialect, recognized by its content")
       ->type_name("FILE")
       ->required();
+  const std::string usual_group = added->option_defaults()->get_group();
   added->add_option("--machine", arguments.stated.machine, kMachineHelp)->type_name("FILE")->group(kMachineGroup);
   add_joint_options(*added, arguments.stated.joints);
   added->add_option("--zero", arguments.stated.zero, kZeroHelp)->type_name("X,Y,Z")->group(kMachineGroup);
   add_options(*added, arguments.reading, reading_options());
+  added->option_defaults()->group(usual_group);
   add_input_limit(*added, arguments.input);
   return *added;
 }

@@ -110,7 +110,9 @@ void add_common(CLI::App& command, PathMachineArguments& arguments) {
   command.add_option("--machine", arguments.stated.machine, kMachineHelp)->type_name("FILE")->required();
   add_joint_options(command, arguments.stated.joints);
   command.add_option("--zero", arguments.stated.zero, kZeroHelp)->type_name("X,Y,Z")->group(kMachineGroup);
+  const std::string usual_group = command.option_defaults()->get_group();
   add_options(command, arguments.reading, reading_options());
+  command.option_defaults()->group(usual_group);
   add_input_limit(command, arguments.input);
 }
 

@@ -13,6 +13,7 @@ constexpr double kRadiusDifference_mm = 0.01, kRadiusShare = 0.001, kMaxRadiusDi
 // Ends of an arc that nearly meet: by the rounding of its numbers it is a full circle, or none.
 constexpr double kNearlyMeet_rad = 1e-4;
 constexpr double kMaxTurns = 1000;
+constexpr double kMeet_mm = 1e-6;  // below the last digit of any program
 
 struct InPlane {
   double u = 0, v = 0;
@@ -62,7 +63,7 @@ ArcReading read_program_arc(const ArcWords& of, const Vec3& start, const Vec3& e
                a1 = std::atan2(to.v - centre->v, to.u - centre->u);
   double sweep = of.is_clockwise ? a0 - a1 : a1 - a0;
   if (sweep < 0) sweep += kWhole_rad;
-  const bool do_meet = std::abs(from.u - to.u) + std::abs(from.v - to.v) <= 0;
+  const bool do_meet = std::abs(from.u - to.u) + std::abs(from.v - to.v) <= kMeet_mm;
   if (do_meet)
     sweep = kWhole_rad;
   else if (sweep < kNearlyMeet_rad || sweep > kWhole_rad - kNearlyMeet_rad)

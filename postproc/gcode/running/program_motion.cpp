@@ -56,6 +56,8 @@ void ProgramMotion::change_state(const Change& change) {
   const AxisMap& after = map_at(place_.angles);
   Vec3& xyz = place_.xyz;
   const bool is_known_now = !is_doubtful && after.open.empty() && offset_doubt.empty();
+  const bool is_same_map = before.linear == after.linear && before.origin == after.origin;
+  if (is_known_now && is_same_map) return;
   if (is_known_now && is_complete(xyz)) {
     xyz = after.coordinates(before.tip(xyz));
   } else if (is_known_now && (after.linear - before.linear).cwiseAbs().maxCoeff() <= Tolerance::kExactDirection) {
