@@ -21,10 +21,10 @@ std::string place_text(const Toolpath& path, std::size_t move) {
   return path.file + ":" + std::to_string(std::size_t{path.moves[move].line});
 }
 
-std::string difference_text(const PathDifference& of, const Toolpath& path, const Toolpath& other) {
+std::string difference_text(const char* which, const PathDifference& of, const Toolpath& path, const Toolpath& other) {
   const std::string to = " at " + place_text(path, of.tip_move) + ", nearest " + place_text(other, of.tip_other);
   const std::string axis_to = " at " + place_text(path, of.axis_move) + ", nearest " + place_text(other, of.axis_other);
-  return machine_row("feeds of " + path.file, std::to_string(of.positions)) +
+  return machine_row(which, count_text(of.positions, "feed")) +
          machine_row("  largest distance of a tip", display_text(of.tip_mm, kDistanceDecimals) + " mm" + to) +
          machine_row("  largest angle of an axis",
                      display_text(of.axis_rad / kDegree_rad, kDistanceDecimals) + " deg" + axis_to);
@@ -46,8 +46,7 @@ int run_compare_paths(const CompareArguments& arguments, double same_within_mm, 
   if (!arguments.stated.machine.empty()) {
     const Result<Machine> machine = load_machine(arguments.stated, max_bytes, bytes);
     if (!machine) return fail(err, {machine.error()});
-    options->program =
-        with_machine(options->program, *machine, arguments.stated, machine->control.joint_rapid_law, std::nullopt);
+    options->program = with_machine(options->program, *machine, arguments.stated, std::nullopt, std::nullopt);
   }
   std::vector<Toolpath> paths;
   for (const std::string& file : {arguments.before, arguments.after}) {
@@ -68,7 +67,8 @@ int run_compare_paths(const CompareArguments& arguments, double same_within_mm, 
                                  paths[forward ? 1 : 0].file)});
   const std::size_t unchecked = count_unchecked(paths[0]) + count_unchecked(paths[1]);
   if (!arguments.is_quiet) {
-    out << difference_text(*forward, paths[0], paths[1]) << difference_text(*backward, paths[1], paths[0]);
+    out << difference_text("OLD against NEW", *forward, paths[0], paths[1])
+        << difference_text("NEW against OLD", *backward, paths[1], paths[0]);
     if (unchecked > 0) out << machine_row("moves not checked, not compared", std::to_string(unchecked));
   }
   const double farthest = std::max(forward->tip_mm, backward->tip_mm),

@@ -102,6 +102,8 @@ Result<ProgramSetup> understand_program(const ReadingArguments& arguments) {
   }
   if (arguments.plain_numbers == "units") setup.plain_numbers = PlainNumbers::units;
   if (arguments.plain_numbers == "increments") setup.plain_numbers = PlainNumbers::increments;
+  if (!arguments.tip_frame.empty())
+    setup.tip_frame = arguments.tip_frame == "table" ? TipFrame::table : TipFrame::workpiece;
   if (!arguments.rotary_turns.empty()) setup.winds_as_programmed = true;
   return setup;
 }

@@ -117,6 +117,14 @@ const OptionRows<ReadingArguments>& reading_options() {
        .scope = Scope::project,
        .recorded = Recorded::repeated,
        .choices = {"units", "increments"}},
+      {.name = "--tip-frame",
+       .field = &A::tip_frame,
+       .help =
+           "Coordinates under tool centre point control on a machine whose table turns, where a parameter states it "
+           "(Fanuc G43.4). table: they turn with the table",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .choices = {"table", "workpiece"}},
       {.name = "--rotary-turns",
        .field = &A::rotary_turns,
        .help = "Way of a rotary joint to an absolute position. as-programmed: it turns by the difference",

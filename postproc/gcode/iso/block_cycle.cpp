@@ -19,6 +19,7 @@ void BlockRunner::drill(const GcodeRow& row) {
   const int times = words_.has('L')   ? words_.integer('L').value_or(0)
                     : words_.has('K') ? words_.integer('K').value_or(0)
                                       : 1;
+  if (!modes_.has_feed) at.open = "no feed is stated, so the control refuses the cycle; expected F before it";
   if (times < 1 || (times > 1 && is_incremental)) at.open = "the number of times of the cycle is not understood";
   if (!cycle_.r_mm || !cycle_.z_mm) at.open = "the cycle has no R or no Z";
   if (!modes_.retracts_to_start) at.open = "nothing states G98 or G99 before the cycle; expected --start G98";

@@ -72,6 +72,10 @@ NextBlock BlockRunner::run(const GcodeBlock& block, std::size_t line) {
   take_modes();
   if (motion_.is_rest_unknown()) return {};
   move();
+  if (modes_.feed_unit == FeedUnit::not_understood) {  // F holds for its block
+    motion_.set_inverse_time(std::nullopt);
+    modes_.has_feed = false;
+  }
   return take_flow();
 }
 
@@ -132,6 +136,7 @@ void BlockRunner::take_code(const GcodeRow& row) {
                          : row.meaning == Meaning::feed_per_revolution ? FeedUnit::per_revolution
                                                                        : FeedUnit::not_understood;
       modes_.feed.reset();
+      modes_.has_feed = false;
       set_feed();
       break;
     case Meaning::cycle_to_start:
@@ -145,16 +150,16 @@ void BlockRunner::take_code(const GcodeRow& row) {
 
 void BlockRunner::take_feed() {
   const double feed = number('F', 1);
-  modes_.feed = is_known(feed) && feed > 0 ? std::optional(feed * mm_per_unit()) : std::nullopt;
+  modes_.has_feed = !(std::abs(words_.value('F')) <= 0);
+  const bool is_time = modes_.feed_unit == FeedUnit::not_understood;
+  modes_.feed = is_known(feed) && feed > 0 ? std::optional(is_time ? feed : feed * mm_per_unit()) : std::nullopt;
   lost_.clear();  // only the time of the motion depends on it
   set_feed();
 }
 
 void BlockRunner::set_feed() {
-  const bool is_number = modes_.feed && modes_.feed_unit != FeedUnit::not_understood;
-  motion_.set_feed(is_number ? Feed{*modes_.feed, modes_.feed_unit}
-                             : Feed{0, modes_.feed_unit == FeedUnit::not_understood ? FeedUnit::not_understood
-                                                                                    : FeedUnit::not_stated});
+  if (modes_.feed_unit == FeedUnit::not_understood) return motion_.set_inverse_time(modes_.feed);
+  motion_.set_feed(modes_.feed ? Feed{*modes_.feed, modes_.feed_unit} : Feed{});
 }
 
 // Codes that make later motions leave the programmed path, and those that end it.
@@ -195,7 +200,7 @@ void BlockRunner::take_length(const GcodeRow& row) {
         motion_.apply_length(h);
       }
       if (row.meaning == Meaning::tip_control_on)
-        motion_.set_tip_control(TipControl::on);
+        begin_tip_control(row);
       else if (motion_.tip_control() == TipControl::on && index_.has_tip_control_of(ModalGroup::length))
         motion_.set_tip_control(TipControl::off);
       break;
@@ -203,11 +208,14 @@ void BlockRunner::take_length(const GcodeRow& row) {
       motion_.end_doubt(ProgramDoubt::length);
       if (motion_.tip_control() == TipControl::turned_offset)
         motion_.set_tip_control(TipControl::unknown);
-      else if (index_.has_tip_control_of(ModalGroup::length))
+      else if (index_.has_tip_control_of(ModalGroup::length)) {
+        motion_.end_doubt(ProgramDoubt::tip_control);
         motion_.set_tip_control(TipControl::off);
+      }
       motion_.cancel_length();
       break;
     case Meaning::tip_control_off:
+      motion_.end_doubt(ProgramDoubt::tip_control);
       motion_.set_tip_control(TipControl::off);
       break;
     case Meaning::turned_offset_on:
@@ -220,6 +228,31 @@ void BlockRunner::take_length(const GcodeRow& row) {
     default:
       break;
   }
+}
+
+// Source: Fanuc A-79294E, p.2 and 3: P1 turns the tool axis on the plane of its ends, P0 moves the rotary axes on their own.
+// A-79348E: parameter 19696#5 (WKP) chooses the coordinates.
+void BlockRunner::begin_tip_control(const GcodeRow& row) {
+  motion_.set_tip_control(TipControl::on);
+  motion_.end_doubt(ProgramDoubt::tip_control);
+  const std::string code = code_text(row.letter, row.number) + " in line " + std::to_string(line_);
+  const bool turns_table = std::ranges::any_of(
+      setup_.machine->rotary, [&](std::size_t k) { return setup_.machine->joints[k].side == JointSide::table; });
+  const bool follows_table = index_.control().has_tip_frame_of_table || setup_.tip_frame == TipFrame::table;
+  if (turns_table && !follows_table)
+    return motion_.doubt(ProgramDoubt::tip_control,
+                         code + (setup_.tip_frame == TipFrame::workpiece
+                                     ? " follows coordinates that do not turn with the table, which are not read"
+                                     : ": a parameter of the control states whether coordinates turn with the table; "
+                                       "expected --tip-frame"));
+  if (!words_.has('P')) return;
+  const auto p = words_.integer('P');
+  const bool covers_both = setup_.feed_law == TurnLaw::documented || setup_.feed_law == TurnLaw::any;
+  const bool is_covered =
+      (p == 0 && setup_.feed_law != TurnLaw::vector) || (p == 1 && setup_.feed_law == TurnLaw::vector);
+  if (!covers_both && !is_covered)
+    motion_.doubt(ProgramDoubt::tip_control, code + " chooses another law of motion than that of the check; expected " +
+                                                 (p == 1 ? "--feed-law vector" : "--feed-law documented or any"));
 }
 
 // G255 ends the turned work offset. Programs end tool centre point control by it too, and no manual states that it does.
@@ -343,8 +376,10 @@ void BlockRunner::move() {
 }
 
 void BlockRunner::go_by(const GcodeRow& row) {
-  const Target to = target();
+  Target to = target();
   if (error_) return;
+  if (row.meaning != Meaning::rapid && !modes_.has_feed)
+    to.open = "no feed is stated, so the control refuses the motion; expected F before it";
   const bool is_arc = row.meaning == Meaning::arc_clockwise || row.meaning == Meaning::arc_counterclockwise;
   if (is_arc) return go_round(row, to);
   const MoveKind kind = row.meaning == Meaning::rapid ? MoveKind::rapid : MoveKind::feed;

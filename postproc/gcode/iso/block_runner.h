@@ -29,6 +29,7 @@ struct GcodeModes {
   std::optional<LengthUnit> unit;
   FeedUnit feed_unit = FeedUnit::per_minute;
   std::optional<double> feed;
+  bool has_feed = false;  ///< F is stated and not 0, though it may not be known
   std::optional<bool> retracts_to_start;
   std::optional<int> next_tool;
 };
@@ -68,6 +69,7 @@ class BlockRunner {
   void take_code(const GcodeRow& row);
   void take_path_control(const GcodeRow& row);
   void take_length(const GcodeRow& row);
+  void begin_tip_control(const GcodeRow& row);
   void end_tip_control(const GcodeRow& row);
   void take_offset(const GcodeRow& row);
   void take_tilted_plane();

@@ -109,6 +109,8 @@ std::string BlockWords::take(const GcodeBlock& block, const CodeIndex& index, co
     of_codes |= bits_of(words_of(index.control(), *row));
     may_have_axes = may_have_axes && row->takes_axes;
     if (row->meaning == GcodeMeaning::cycle) of_codes |= bits_of("R");
+    const bool needs_word = row->meaning == GcodeMeaning::harmless && !row->takes_axes && !row->words.empty();
+    if (needs_word && !has_any(row->words)) return code_text(row->letter, row->number) + " lacks its word";
   }
   const bool is_modal_cycle = modal != nullptr && modal->meaning == GcodeMeaning::cycle;
   if (modal != nullptr && row_of(ModalGroup::motion) == nullptr)

@@ -11,7 +11,7 @@ namespace gouge {
 namespace {
 
 /// Blocks that may run beyond those of the file: loops that do not end are ended here.
-constexpr std::size_t kMaxRepeatedBlocks = 10'000'000;
+constexpr std::size_t kMaxRepeatedBlocks = 2'000'000;
 constexpr std::size_t kMaxCalls = 64;
 
 char first_letter(std::string_view line) {

@@ -14,7 +14,8 @@ constexpr std::string_view kMarkOfBytes = "\xef\xbb\xbf";
 /// Returns whether a code that applies a tool length stands in the text. Comments count too: then a length must be given
 /// that would not be needed otherwise.
 bool may_apply_lengths(std::string_view text) {
-  for (const std::string_view code : {"G43", "g43", "G 43", "g 43", "G44", "g44", "G043", "G234", "g234", "#", "G4["})
+  for (const std::string_view code :
+       {"G43", "g43", "G 43", "g 43", "G44", "g44", "G043", "G234", "g234", "G#", "g#", "G[", "g["})
     if (text.find(code) != std::string_view::npos) return true;
   return false;
 }

@@ -128,8 +128,9 @@ struct ControlTable {
   std::string_view start;           ///< blocks in force at the start by the manual; others must be stated
   bool has_default_length = false;  ///< G43 without H takes the length of the tool in the spindle
   bool winds_as_programmed =
-      false;                      ///< an absolute rotary word states the turn too; else a parameter may shorten the way
-  bool turns_along_arcs = false;  ///< rotary joints may turn along an arc, evenly with it
+      false;  ///< an absolute rotary word states the turn too; else a parameter may shorten the way
+  bool has_tip_frame_of_table = false;  ///< tool centre point control follows the table; else a parameter states it
+  bool turns_along_arcs = false;        ///< rotary joints may turn along an arc, evenly with it
   std::string_view source;
 };
 

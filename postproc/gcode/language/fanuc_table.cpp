@@ -127,7 +127,7 @@ const ControlTable& fanuc_table() {
                  .binds_and_as_times = true},
       .rows = kFanucRows,
       .cycles = kFanucCycles,
-      .always = "NFSTD",
+      .always = "FSTD",
       .start = "G54 G80",
       .source = kFanucCodes,
   };

@@ -154,9 +154,10 @@ const ControlTable& haas_table() {
       .syntax = {.numbers = NumberRule::by_point, .has_semicolon_comments = false, .has_macros = true},
       .rows = kHaasRows,
       .cycles = kHaasCycles,
-      .always = "NFSTD",
+      .always = "FSTD",
       .start = "G54 G80 G98",
       .winds_as_programmed = true,
+      .has_tip_frame_of_table = true,
       .source = kHaasCodes,
   };
   return table;

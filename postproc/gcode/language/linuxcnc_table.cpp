@@ -105,10 +105,11 @@ const ControlTable& linuxcnc_table() {
                  .has_equal_tolerance = true},
       .rows = kLinuxcncRows,
       .cycles = kLinuxcncCycles,
-      .always = "NFST",
-      .start = "G17 G40 G49 G54 G80 G90 G91.1 G94 G98",
+      .always = "FST",
+      .start = "G17 G40 G49 G54 G80 G90 G91.1 G94",
       .has_default_length = true,
       .winds_as_programmed = true,
+      .has_tip_frame_of_table = true,
       .turns_along_arcs = true,
       .source = "LinuxCNC, G-Code Reference; src/emc/rs274ngc/interp_convert.cc: state after a reset",
   };

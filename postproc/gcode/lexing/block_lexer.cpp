@@ -96,7 +96,9 @@ class BlockLexer {
     if (c_.error.empty() && c_.peek() != '=') return c_.fail("a variable alone");
     ++c_.at;
     bool has_point = false;
-    if (c_.error.empty()) made.value = read_value(c_, syntax_, variables_, has_point);
+    if (c_.error.empty())
+      made.value = syntax_.has_macros ? read_expression(c_, syntax_, variables_)
+                                      : read_value(c_, syntax_, variables_, has_point);
     block_.assignments.push_back(std::move(made));
   }
 

@@ -53,6 +53,8 @@ class Evaluator {
     return number();
   }
 
+  double whole() { return operation(Rank::comparison); }
+
  private:
   enum class Rank { comparison, logic, sum, product, power, none };
   enum class Operator {
@@ -319,6 +321,10 @@ double read_value(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVar
   has_point =
       (is_expression && read.find_first_of("#[") != std::string_view::npos) || read.find('.') != std::string_view::npos;
   return value;
+}
+
+double read_expression(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables) {
+  return Evaluator(cursor, syntax, variables).whole();
 }
 
 std::string read_variable_name(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables) {

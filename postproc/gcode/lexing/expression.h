@@ -30,6 +30,9 @@ struct GcodeCursor {
 [[nodiscard]] double read_value(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables,
                                 bool& has_point);
 
+/// Reads an expression without brackets around it, which custom macros have on the right of an assignment.
+[[nodiscard]] double read_expression(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables);
+
 /// Reads the name of a variable behind its #: "101" or "<name>"; empty, with an error at the cursor: it is not known which
 /// variable is meant.
 [[nodiscard]] std::string read_variable_name(GcodeCursor& cursor, const GcodeSyntax& syntax,

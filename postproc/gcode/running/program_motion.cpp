@@ -5,6 +5,7 @@
 
 #include "lib/base/tolerance.h"
 #include "lib/base/units.h"
+#include "lib/path/path_info.h"
 #include "postproc/gcode/language/gcode_block.h"
 
 namespace gouge {
@@ -210,6 +211,9 @@ void ProgramMotion::change_tool(const PathTool& tool) {
 }
 
 void ProgramMotion::apply_length(std::optional<int> h) {
+  if (!has_lengths_ && chain_.last_pose())
+    doubt(ProgramDoubt::rest, "a tool length is applied in a program that is called, and positions before it had none");
+  has_lengths_ = true;
   if (h && *h == 0) return cancel_length();
   change_state([&] {
     length_ = Length::applied;
@@ -275,10 +279,10 @@ void ProgramMotion::add(Move& move, const AxisPlace& to, const Reached& reached,
   move.runs_joints = mapper_.has_machine() && state_.tip_control != TipControl::on;
   move.has_start = chain_.last_pose().has_value();
   const char* const unknown_start = chain_.unknown_start();
-  if (reason.empty() && unknown_start != nullptr && move.has_start) reason = unknown_start;
   const bool is_end_known = reached.open.empty();
   move.end = is_end_known ? reached.pose : chain_.last_pose().value_or(Pose{});
   if (!is_end_known && reason.empty()) reason = reached.open;
+  if (reason.empty() && unknown_start != nullptr && move.has_start) reason = unknown_start;
   if (!reason.empty()) {
     move.not_checked_reason = lasting_text(std::move(reason));
     move.curve_kind = CurveKind::none;
@@ -294,6 +298,10 @@ void ProgramMotion::add(Move& move, const AxisPlace& to, const Reached& reached,
   }
   builder_.make_room(path.moves);
   path.moves.push_back(move);
+  if (moves_per_minute_ && move.kind != MoveKind::rapid && move.has_start && move.not_checked_reason.empty()) {
+    const double feed_mm = move_length_mm(path, path.moves.size() - 1) * *moves_per_minute_;
+    if (feed_mm > 0) path.moves.back().set_feed({feed_mm, FeedUnit::per_minute});
+  }
   place_ = to;
 }
 

@@ -40,9 +40,10 @@ enum class ProgramDoubt : std::uint8_t {
   frame,         ///< a frame of the program whose place is not known
   offset,        ///< a work offset whose value is not given
   length,        ///< a tool length whose value is not given
+  tip_control,   ///< tool centre point control by a rule that is not known, or not that of the check
   path_control   ///< the control may leave the path by an unknown distance
 };
-inline constexpr std::size_t kProgramDoubts = 6;
+inline constexpr std::size_t kProgramDoubts = 7;
 
 class ProgramMotion {
  public:
@@ -71,7 +72,15 @@ class ProgramMotion {
   void cancel_length();
   /// The program never applies a length: the work offset includes that of the first tool.
   void omit_lengths() { has_lengths_ = false; }
-  void set_feed(const Feed& feed) { feed_ = feed; }
+  void set_feed(const Feed& feed) {
+    feed_ = feed;
+    moves_per_minute_.reset();
+  }
+  /// Sets the feed by the number of such motions in a minute (G93). Each move takes its length in that time.
+  void set_inverse_time(std::optional<double> moves_per_minute) {
+    feed_ = {};
+    moves_per_minute_ = moves_per_minute;
+  }
   void name_operation(std::string name) { operation_.name(std::move(name), line_); }
   /// Begins a doubt, with a reason for the user; a rest of the program that is not known keeps its first reason.
   void doubt(ProgramDoubt kind, std::string reason);
@@ -133,6 +142,7 @@ class ProgramMotion {
   bool is_map_current_ = false;
   std::array<std::string, kProgramDoubts> doubts_;
   Feed feed_;
+  std::optional<double> moves_per_minute_;
   std::size_t statement_ = 0, line_ = 0, tool_ = kNone;
   std::string part_offset_, offset_name_;
   RotaryAngles angle_shift_{};  // of the work offset, rad

@@ -24,6 +24,13 @@ enum class PlainNumbers : std::uint8_t {
   increments  ///< X100 is 100 increments of 0.001 mm, 0.0001 inches or 0.001 degrees
 };
 
+/// Coordinates that tool centre point control follows on machines whose table turns, where a parameter states it.
+enum class TipFrame : std::uint8_t {
+  not_stated,
+  table,     ///< they turn with the table
+  workpiece  ///< they stand while the table turns
+};
+
 /// Facts about a program that are not in its file. What is absent is not known, and never zero.
 struct ProgramSetup {
   std::string control;                        ///< id of a ControlTable; empty: that of the machine's control
@@ -39,6 +46,8 @@ struct ProgramSetup {
   std::optional<double> tip_tolerance_mm;     ///< the check covers this distance of the tip from its path
   bool are_joint_rapids_straight = false;     ///< rapids without tool centre point control run evenly
   std::optional<bool> winds_as_programmed;    ///< an absolute rotary word states the turn; none: as the control does
+  TipFrame tip_frame = TipFrame::not_stated;
+  std::optional<TurnLaw> feed_law;  ///< by which the check moves feeds with tool centre point control
   PlainNumbers plain_numbers = PlainNumbers::not_stated;
   std::optional<Vec3> home_mm;  ///< of X, Y and Z, in machine coordinates
   /// Returns the text of a program beside the file by its name; nothing: there is none. Empty: none is looked for.
