@@ -17,7 +17,7 @@ struct ReadingArguments {
   std::string dialect, units, cutcom;
   std::vector<std::string> harmless_words;
   std::string retract_plane;
-  // Of programs of a machine's control.
+  // These hold for programs of a machine's control.
   std::string control, tool_lengths, block_delete, home, plain_numbers, rotary_turns, tip_frame;
   std::vector<std::string> offsets, start, tip_control_ends;
 };

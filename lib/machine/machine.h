@@ -49,7 +49,7 @@ inline constexpr std::array<const char*, 6> kTurnLawNames = {"vector", "axis",  
 inline constexpr std::size_t kFeedLaws = 5;
 struct TurnLaws {
   TurnLaw feeds = TurnLaw::vector, rapids = TurnLaw::vector;
-  /// Of rapids without tool centre point control (Move::runs_joints): joint or independent; none: not known. Such feeds
+  /// Law of rapids without tool centre point control (Move::runs_joints): joint or independent; none: not known. Such feeds
   /// run by the law joint.
   std::optional<TurnLaw> joint_rapids = {};
 };

@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// How far the positions of one path are from the motions of another.
+/// Distances of the positions of one path from the motions of another.
 struct PathDifference {
   std::size_t positions = 0;  ///< feed positions that were compared
   double tip_mm = 0;          ///< largest distance of a tip from the nearest motion

@@ -40,7 +40,7 @@ struct ClaimedJoints {
   double tool_length_mm = 0;
   RigidTransform rest;  ///< frame of the tool with all joints at 0: gauge point, and the tool axis as z
   ClaimedRun feeds = ClaimedRun::on_circle, rapids = ClaimedRun::on_circle;
-  /// Of moves without tool centre point control (Move::runs_joints).
+  /// Runs of moves without tool centre point control (Move::runs_joints).
   ClaimedRun joint_feeds = ClaimedRun::together, joint_rapids = ClaimedRun::together;
 };
 

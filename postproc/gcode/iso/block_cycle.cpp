@@ -12,7 +12,10 @@ void BlockRunner::drill(const GcodeRow& row) {
   const bool is_incremental = modes_.is_absolute == false;
   if (words_.has('R')) cycle_.r_mm = length('R');
   if (words_.is_axis('Z')) cycle_.z_mm = length('Z');
-  if (!words_.has_axes() && !words_.has('R')) return;
+  if (!words_.has_axes() && !words_.has('R')) {
+    if (words_.row_of(ModalGroup::motion) != nullptr) lose_rest("a cycle begins without a position", line_);
+    return;
+  }
   Target at = target();
   if (error_) return;
   at.place.xyz.z() = motion_.place().xyz.z();

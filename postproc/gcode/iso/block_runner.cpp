@@ -82,9 +82,10 @@ NextBlock BlockRunner::run(const GcodeBlock& block, std::size_t line) {
 void BlockRunner::take_modes() {
   for (const GcodeRow* row : words_.rows()) take_code(*row);
   if (words_.has('F')) take_feed();
+  if (words_.has('S') && !(words_.value('S') >= 0)) return lose_rest("the speed of the spindle is not known", line_);
   if (words_.has('T')) {
     modes_.next_tool = words_.integer('T');
-    if (!modes_.next_tool) return lose_rest("the number of the tool is not known", line_);
+    if (!modes_.next_tool || *modes_.next_tool < 0) return lose_rest("the number of the tool is not known", line_);
   }
   if (words_.row_of(Meaning::tool_change) != nullptr) change_tool();
   for (const GcodeRow* row : words_.rows()) take_path_control(*row);
@@ -150,7 +151,7 @@ void BlockRunner::take_code(const GcodeRow& row) {
 
 void BlockRunner::take_feed() {
   const double feed = number('F', 1);
-  modes_.has_feed = !(std::abs(words_.value('F')) <= 0);
+  modes_.has_feed = !(words_.value('F') <= 0);
   const bool is_time = modes_.feed_unit == FeedUnit::not_understood;
   modes_.feed = is_known(feed) && feed > 0 ? std::optional(is_time ? feed : feed * mm_per_unit()) : std::nullopt;
   lost_.clear();  // only the time of the motion depends on it
@@ -346,6 +347,7 @@ double BlockRunner::number(char letter, double plain_increment) {
 }
 
 double BlockRunner::length(char letter) {
+  if (!modes_.unit && std::abs(words_.value(letter)) > 0) has_assumed_unit_ = true;
   constexpr double kIncrement_mm = 0.001, kIncrement_inch = 0.0001;
   return number(letter, modes_.unit == LengthUnit::inch ? kIncrement_inch : kIncrement_mm) * mm_per_unit();
 }
@@ -360,6 +362,11 @@ void BlockRunner::move() {
     if (stated != nullptr) modes_.motion = stated;
     return words_.has_axes() ? move_to_machine_place() : void();
   }
+  const bool needs_feed =
+      stated != nullptr && stated->meaning != Meaning::rapid && stated->meaning != Meaning::no_motion;
+  if (needs_feed && !modes_.has_feed)
+    return lose_rest(code_text(stated->letter, stated->number) + " has no feed, so the control refuses it; expected F",
+                     line_);
   if (stated != nullptr) {
     const bool begins =
         stated->meaning == Meaning::cycle && (modes_.motion == nullptr || modes_.motion->meaning != Meaning::cycle);
@@ -379,7 +386,7 @@ void BlockRunner::go_by(const GcodeRow& row) {
   Target to = target();
   if (error_) return;
   if (row.meaning != Meaning::rapid && !modes_.has_feed)
-    to.open = "no feed is stated, so the control refuses the motion; expected F before it";
+    to.open = "no feed is stated, so the control refuses the motion; expected F";
   const bool is_arc = row.meaning == Meaning::arc_clockwise || row.meaning == Meaning::arc_counterclockwise;
   if (is_arc) return go_round(row, to);
   const MoveKind kind = row.meaning == Meaning::rapid ? MoveKind::rapid : MoveKind::feed;

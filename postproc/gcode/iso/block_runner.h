@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-/// What comes after a block.
+/// The block that follows another one.
 struct NextBlock {
   enum class Kind : std::uint8_t { following, end, call_program, call_block, back };
   Kind kind = Kind::following;
@@ -53,6 +53,8 @@ class BlockRunner {
 
   [[nodiscard]] const GcodeModes& modes() const { return modes_; }
   [[nodiscard]] std::size_t unit_line() const { return unit_line_; }
+  /// Returns whether a length stands before the unit.
+  [[nodiscard]] bool has_assumed_unit() const { return has_assumed_unit_; }
   [[nodiscard]] std::size_t offset_line() const { return offset_line_; }
   /// Returns an error that no later block can cure: a rotary word without a machine.
   [[nodiscard]] const std::optional<Diagnostic>& error() const { return error_; }
@@ -103,7 +105,7 @@ class BlockRunner {
   std::optional<Diagnostic> error_;
   std::string lost_;  // why a number of the block is not known
   std::size_t line_ = 0, unit_line_ = 0, offset_line_ = 0, lost_line_ = kNone;
-  bool has_ended_ = false;
+  bool has_ended_ = false, has_assumed_unit_ = false;
 };
 
 }  // namespace gouge

@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr int kMostArguments = 30;
+constexpr int kMaxArguments = 30;
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -136,7 +136,7 @@ void ProgramRun::call_o_word(const std::string& label, std::string_view argument
   begin_call(*text, *begin, 1, true);
   if (motion_.is_rest_unknown()) return;
   variables_.begin_call();
-  for (std::size_t k = 0; k < kMostArguments; ++k)
+  for (std::size_t k = 0; k < kMaxArguments; ++k)
     variables_.set(std::to_string(k + 1), k < values.size() ? values[k] : 0);
 }
 

@@ -68,8 +68,13 @@ ProgramFacts run_iso(const ControlTable& control, const ProgramInput& input) {
   run.run_start(input.options.setup.start);
   find_blocks_outside(text, control, runner);
   run.run(input.progress, input.path.file);
-  ProgramFacts facts{runner.unit_line(), input.path.unit == LengthUnit::inch ? "G20" : "G21", runner.offset_line(),
-                     run.end_line(), runner.error()};
+  ProgramFacts facts;
+  facts.unit_line = runner.unit_line();
+  facts.has_assumed_unit = runner.has_assumed_unit();
+  facts.unit_word = input.path.unit == LengthUnit::inch ? "G20" : "G21";
+  facts.offset_line = runner.offset_line();
+  facts.end_line = run.end_line();
+  facts.error = runner.error();
   if (facts.end_line == 0 && text.has_end_mark()) facts.end_line = text.number(text.end());
   return facts;
 }

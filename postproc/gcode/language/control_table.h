@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-// What a control does with each code, as data: one table a control. A code without a row is not understood.
+// Tables of codes and their effects: one for each control. A code without a row is not understood.
 
 namespace gouge {
 

@@ -271,7 +271,7 @@ constexpr std::array<double, 16> kPowers = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e
 
 // Reads a number without sign that a double holds exactly but for one division, which rounds once. None: another text.
 std::optional<double> plain_number(GcodeCursor& c, bool& has_point) {
-  constexpr std::size_t kMostDigits = 15;
+  constexpr std::size_t kMaxDigits = 15;
   std::size_t at = c.at, digits = 0, decimals = 0;
   long long value = 0;
   bool is_behind = false;
@@ -281,7 +281,7 @@ std::optional<double> plain_number(GcodeCursor& c, bool& has_point) {
       value = value * 10 + (one - '0');
       ++digits;
       decimals += is_behind ? 1U : 0U;
-      if (digits > kMostDigits) return std::nullopt;
+      if (digits > kMaxDigits) return std::nullopt;
     } else if (one == '.' && !is_behind) {
       is_behind = true;
     } else {
@@ -344,8 +344,8 @@ std::string read_variable_name(GcodeCursor& cursor, const GcodeSyntax& syntax, c
   }
   bool has_point = false;
   const double number = read_value(cursor, syntax, variables, has_point);
-  constexpr double kMostVariables = 1e6;
-  if (!is_known(number) || number < 0 || number > kMostVariables || std::floor(number) < number) {
+  constexpr double kMaxVariables = 1e6;
+  if (!is_known(number) || number < 0 || number > kMaxVariables || std::floor(number) < number) {
     cursor.fail("it is not known which variable is meant");
     return {};
   }

@@ -8,7 +8,10 @@ namespace {
 Assumption unit_of_program(const Toolpath& path, const GcodeOptions& options, const ProgramFacts& facts) {
   Assumption fact{.subject = Subject::path_unit, .value = unit_name(path.unit), .code = "path-unit"};
   fact.remedy = "give --path-units mm or --path-units inch";
-  if (facts.unit_line > 0) {
+  if (facts.has_assumed_unit) {
+    fact.basis = Basis::unknown;
+    fact.evidence = "lengths stand before the block that states their unit; mm was taken";
+  } else if (facts.unit_line > 0) {
     fact.basis = Basis::stated;
     fact.evidence = facts.unit_word;
     fact.line = facts.unit_line;

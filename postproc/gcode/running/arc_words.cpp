@@ -19,13 +19,15 @@ struct InPlane {
   double u = 0, v = 0;
 };
 
+double length_of(double u, double v) { return std::sqrt(u * u + v * v); }
+
 InPlane in_plane(const Vec3& point, const PlaneAxes& plane) { return {point[plane[0]], point[plane[1]]}; }
 
 ArcReading unknown_arc(std::string reason) { return {{}, std::move(reason)}; }
 
 /// Returns the centre of an arc by its radius. None: its ends are farther apart than the diameter.
 std::optional<InPlane> centre_by_radius(const ArcWords& of, InPlane from, InPlane to) {
-  const double du = to.u - from.u, dv = to.v - from.v, chord = std::hypot(du, dv), radius = std::abs(*of.radius_mm);
+  const double du = to.u - from.u, dv = to.v - from.v, chord = length_of(du, dv), radius = std::abs(*of.radius_mm);
   const double over = chord / 2 - radius;
   if (!(chord > 0) || over > std::min(kRadiusDifference_mm, kRadiusShare * radius)) return std::nullopt;
   const double height = std::sqrt(std::max(0.0, radius * radius - chord * chord / 4));
@@ -54,8 +56,8 @@ ArcReading read_program_arc(const ArcWords& of, const Vec3& start, const Vec3& e
   if (!centre)
     return unknown_arc(of.radius_mm ? "no arc of this radius joins both ends"
                                     : "an arc needs its centre by the two words of its plane, or R");
-  const double r0 = std::hypot(from.u - centre->u, from.v - centre->v),
-               r1 = std::hypot(to.u - centre->u, to.v - centre->v), apart = std::abs(r1 - r0);
+  const double r0 = length_of(from.u - centre->u, from.v - centre->v),
+               r1 = length_of(to.u - centre->u, to.v - centre->v), apart = std::abs(r1 - r0);
   if (!(r0 > 0) || !(r1 > 0)) return unknown_arc("the centre of an arc is at one of its ends");
   if (apart > kMaxRadiusDifference_mm || (apart > kRadiusDifference_mm && apart > kRadiusShare * std::max(r0, r1)))
     return unknown_arc("the ends of an arc are not equally far from its centre");

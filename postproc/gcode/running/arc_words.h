@@ -11,7 +11,7 @@ namespace gouge {
 /// Axes of a plane: the first and the second turn counterclockwise about the third.
 using PlaneAxes = std::array<int, 3>;
 
-/// What a block states of an arc besides its end; mm.
+/// Words of a block about an arc, besides its end; mm.
 struct ArcWords {
   PlaneAxes plane{0, 1, 2};
   bool is_clockwise = false;  ///< seen against the third axis of the plane

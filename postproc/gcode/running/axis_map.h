@@ -9,7 +9,7 @@
 
 namespace gouge {
 
-/// What carries the coordinates of a program to the part.
+/// Way in which the coordinates of a program become those of the tip.
 enum class TipControl : std::uint8_t {
   off,            ///< the coordinates are those of the joints
   on,             ///< the coordinates are those of the tip on the part

@@ -22,7 +22,7 @@ struct GcodeOptions {
   std::string unnamed_tool;                 ///< name of the tool of moves before a tool change; empty: they have none
 };
 
-/// What the reader of a language works on. Toolpath::source and ::statements (its lines that are not blank) are there.
+/// Data on which the reader of a language works. Toolpath::source and ::statements (its lines that are not blank) are there.
 struct ProgramInput {
   const GcodeOptions& options;
   Toolpath& path;
@@ -30,9 +30,10 @@ struct ProgramInput {
   const ProgressCall& progress;
 };
 
-/// What the reader of a language found, besides the moves.
+/// Facts that the reader of a language finds, besides the moves.
 struct ProgramFacts {
   std::size_t unit_line = 0;        ///< block that states the unit; 0: none
+  bool has_assumed_unit = false;    ///< a length stands before the block that states the unit
   std::string unit_word;            ///< "G20"; Toolpath::unit has the unit
   std::size_t offset_line = 0;      ///< block that chooses the work offset; 0: none
   std::size_t end_line = 0;         ///< block that ends the program; 0: none

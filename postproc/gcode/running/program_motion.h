@@ -33,7 +33,7 @@ struct ProgramArc {
   double sweep_rad = 0;       ///< right-handed about `axis`, above 0
 };
 
-/// Why later motions cannot be checked. Each kind ends apart.
+/// Reasons for which later motions cannot be checked. Each kind ends apart.
 enum class ProgramDoubt : std::uint8_t {
   rest,          ///< a word that is not understood: nothing after it is known
   compensation,  ///< radius compensation
