@@ -32,10 +32,10 @@ inline std::optional<std::string> write_program(const Toolpath& path, const Mach
     if (move.curve_kind == CurveKind::arc) {
       const PathArc& arc = path.arcs[move.curve];
       if (std::abs(std::abs(arc.axis.z()) - 1) > 0) return std::nullopt;
-      block = arc.axis.z() > 0 ? "G3" : "G2";
+      block = arc.axis.z() * arc.sweep_rad > 0 ? "G3" : "G2";
       const Vec3 to = (arc.center - path.start_of(i).tip) / unit;
       centre = word('I', to.x()) + word('J', to.y());
-      const int turns = static_cast<int>(arc.sweep_rad / (2 * std::numbers::pi) - 1e-9);
+      const int turns = static_cast<int>(std::abs(arc.sweep_rad) / (2 * std::numbers::pi) - 1e-9);
       if (turns > 0) centre += word('P', turns + 1);
     }
     for (int k = 0; k < 3; ++k) block += word("XYZ"[k], move.end.tip[k] / unit);

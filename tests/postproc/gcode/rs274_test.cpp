@@ -141,7 +141,11 @@ void expect_same(const Toolpath& path, const OracleRun& run, const std::string& 
   }
 }
 
-std::string number_text(Scatter& random, double half) { return fixed_text(random.in(-half, half), 3); }
+std::string number_text(Scatter& random, double half) {
+  constexpr double kMin = 0.01;  // above the last digit of the interpreter
+  const double number = random.in(kMin, half);
+  return fixed_text(random.is(0.5) ? number : -number, 3);
+}
 
 /// A program of motions, arcs, cycles, frames and expressions.
 std::string generated(Scatter& random) {
