@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "cli/commands/machine_words.h"
+#include "cli/machine/program_files.h"
 #include "cli/machine/program_machine.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
@@ -52,9 +53,8 @@ int run_compare_paths(const CompareArguments& arguments, double same_within_mm, 
   for (const std::string& file : {arguments.before, arguments.after}) {
     Result<std::string> text = read_file(file, max_bytes);
     if (!text) return fail(err, {text.error()});
-    // --control names the control of the program; the other file is recognized by its content.
     ReadOptions of_file = *options;
-    if (arguments.reading.dialect.empty()) of_file.dialect.reset();
+    of_file.program = with_files_beside(options->program, file, max_bytes, {});
     ReadOutcome outcome = read_toolpath(file, std::move(*text), of_file);
     if (!outcome.toolpath) return fail(err, outcome.errors);
     print(err, outcome.toolpath->notes);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/job/scene_files.h"
+#include "cli/machine/program_files.h"
 #include "cli/machine/program_machine.h"
 #include "cli/options/command_doc.h"
 #include "cli/options/job_options.h"
@@ -329,6 +330,7 @@ int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& er
   Result<std::string> bytes = read_file(arguments.path, arguments.input.max_bytes);
   if (!bytes) return fail(err, {bytes.error()});
   if (auto error = complete_program(arguments, *options)) return fail(err, {*error});
+  options->program = with_files_beside(options->program, arguments.path, arguments.input.max_bytes, {});
   const ReadOutcome outcome = read_toolpath(arguments.path, std::move(*bytes), *options);
   if (!outcome.toolpath) return fail(err, outcome.errors);
   if (arguments.is_info) return run_info(arguments, *outcome.toolpath, out, err);

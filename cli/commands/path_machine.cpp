@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/commands/machine_words.h"
+#include "cli/machine/program_files.h"
 #include "cli/machine/program_machine.h"
 #include "cli/machine/rate_notes.h"
 #include "cli/options/joint_options.h"
@@ -173,6 +174,7 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
   if (auto error = read_tool_lengths(arguments.reading, arguments.input.max_bytes, reading, lengths))
     return fail(err, {*error});
   reading.program = with_machine(reading.program, *machine, arguments.stated, std::nullopt, std::nullopt);
+  reading.program = with_files_beside(reading.program, arguments.path, arguments.input.max_bytes, {});
   ReadOutcome outcome = read_toolpath(arguments.path, std::move(*text), reading);
   if (!outcome.toolpath) return fail(err, outcome.errors);
   Toolpath& path = *outcome.toolpath;

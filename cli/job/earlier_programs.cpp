@@ -43,20 +43,21 @@ class ProgramReader {
                                       job_.options.tool_length_slack_mm, program.path, program.law))
         return fail(*error);
     }
-    return place(stated, program.path) && add_tools(stated, program);
+    return place(stated, program) && add_tools(stated, program);
   }
 
   /// Moves the program. A law of a machine depends on the place of the path on it, which is another one then.
-  bool place(const BeforeText& stated, Toolpath& path) {
+  bool place(const BeforeText& stated, EarlierProgram& program) {
+    Toolpath& path = program.path;
     if (stated.place.empty()) {
       if (job_.machine)
-        add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.options.tool_length_mm,
+        add_notes(choose_joints_of(*job_.machine, program.law, job_.options.tool_length_mm,
                                    needs_turn(job_.laws, false), path));
       return true;
     }
     const Result<RigidTransform> to_path = understand_place("--before", stated.place);
     if (!to_path) return fail(to_path.error());
-    const MotionLaw& law = job_.options.check.law;
+    const MotionLaw& law = program.law;
     if (!law.is_great_circle() || law.rapid() == RapidMode::dogleg)
       return fail(make_error("before-place",
                              "the motion between its positions depends on the place of the program on the machine, so "

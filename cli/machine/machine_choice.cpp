@@ -16,6 +16,7 @@
 #include "lib/machine/read_machine.h"
 #include "lib/machine/rotary_law.h"
 #include "lib/machine/tip_slack.h"
+#include "postproc/gcode/running/program_setup.h"
 
 namespace gouge {
 namespace {
@@ -282,8 +283,9 @@ bool needs_turn(const TurnLaws& laws, bool has_heads) {
 Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, const std::optional<double>& tool_length_mm,
                              bool is_turn_needed, Toolpath& path) {
   constexpr std::size_t kMaxNotes = 20;
+  const bool are_stated = path.joints != nullptr && path.dialect == kProgramDialect;
   JointChoice choice =
-      path.joints != nullptr ? check_joints(machine, path, *path.joints) : choose_joints(machine, path, is_turn_needed);
+      are_stated ? check_joints(machine, path, *path.joints) : choose_joints(machine, path, is_turn_needed);
   path.joints = std::make_shared<const JointPath>(std::move(choice.path));
   Diagnostics notes = add_linear_limits(machine, tool_length_mm, path, choice.problems);
   for (const JointProblem& problem : choice.problems) {

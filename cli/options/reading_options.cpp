@@ -143,7 +143,6 @@ Result<ReadOptions> understand(const ReadingArguments& arguments) {
     options.dialect = dialect_called(arguments.dialect);
     if (!options.dialect) return usage_error("--dialect", arguments.dialect, "one of " + dialect_names());
   }
-  if (!arguments.control.empty() && !options.dialect) options.dialect = gcode_dialect();
   options.unit = unit_called(arguments.units);
   options.is_cutcom_centre = arguments.cutcom == "centre";
   if (!arguments.retract_plane.empty()) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/machine/program_facts.h"
 #include "cli/options/option_table.h"
 #include "lib/base/files.h"
 #include "lib/base/result.h"
@@ -13,13 +14,10 @@
 namespace gouge {
 
 /// Options for reading a toolpath, as typed. Empty: as the file states.
-struct ReadingArguments {
+struct ReadingArguments : StatedProgram {
   std::string dialect, units, cutcom;
   std::vector<std::string> harmless_words;
   std::string retract_plane;
-  // These hold for programs of a machine's control.
-  std::string control, tool_lengths, block_delete, home, plain_numbers, rotary_turns, tip_frame;
-  std::vector<std::string> offsets, start, tip_control_ends;
 };
 
 [[nodiscard]] const OptionRows<ReadingArguments>& reading_options();

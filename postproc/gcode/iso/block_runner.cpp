@@ -151,6 +151,7 @@ void BlockRunner::take_code(const GcodeRow& row) {
 
 void BlockRunner::take_feed() {
   const double feed = number('F', 1);
+  if (words_.value('F') < 0) return lose_rest("the feed is below 0", line_);
   modes_.has_feed = !(words_.value('F') <= 0);
   const bool is_time = modes_.feed_unit == FeedUnit::not_understood;
   modes_.feed = is_known(feed) && feed > 0 ? std::optional(is_time ? feed : feed * mm_per_unit()) : std::nullopt;
@@ -370,7 +371,8 @@ void BlockRunner::move() {
   if (stated != nullptr) {
     const bool begins =
         stated->meaning == Meaning::cycle && (modes_.motion == nullptr || modes_.motion->meaning != Meaning::cycle);
-    if (begins) cycle_ = DrillState{{}, {}, {}, motion_.place().xyz.z()};
+    if (begins) cycle_.start_mm = motion_.place().xyz.z();
+    if (stated->meaning == Meaning::cycle && stated != modes_.motion) cycle_.r_mm = cycle_.z_mm = std::nullopt;
     modes_.motion = stated->meaning == Meaning::no_motion ? nullptr : stated;
   }
   const GcodeRow* const row = modes_.motion;

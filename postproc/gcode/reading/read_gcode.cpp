@@ -106,7 +106,7 @@ ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const Gco
   Toolpath path;
   path.file = file_name;
   path.source = std::move(bytes);
-  path.dialect = "gcode";
+  path.dialect = kProgramDialect;
   path.harmless_words = options.harmless_words;
   path.unit = options.unit.value_or(LengthUnit::mm);
   path.is_unit_stated = options.unit.has_value();

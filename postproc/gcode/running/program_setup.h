@@ -12,6 +12,9 @@
 
 namespace gouge {
 
+/// Value of Toolpath::dialect of every program. The joints of such a path are those that the program states.
+inline constexpr std::string_view kProgramDialect = "gcode";
+
 /// Zero of a work offset in machine coordinates, with all joints at 0: mm, and degrees of A, B and C.
 struct WorkOffset {
   Vec3 xyz_mm = Vec3::Zero(), abc_deg = Vec3::Zero();

@@ -59,7 +59,14 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
+  /// Runs a program; once more where it is refused, as the machine may have been too busy for the time limit.
   OracleRun run(const std::string& text) const {
+    OracleRun first = run_once(text);
+    return first.is_refused ? run_once(text) : first;
+  }
+
+ private:
+  OracleRun run_once(const std::string& text) const {
     const std::string in = (path_ / "p.ngc").string(), out = (path_ / "p.out").string();
     std::ofstream(in) << text;
     const std::string command =
@@ -91,7 +98,6 @@ class Folder {
     return run;
   }
 
- private:
   std::filesystem::path path_;
 };
 
@@ -124,7 +130,9 @@ std::vector<OracleMove> moves_of(const Toolpath& path) {
 /// Rapids before all coordinates are known are no moves here; the interpreter begins at 0.
 void drop_approach(const std::vector<OracleMove>& ours, std::vector<OracleMove>& theirs) {
   if (ours.empty()) return;
-  const auto same = [&](const OracleMove& move) { return (move.end - ours.front().end).norm() < kSame_mm; };
+  const auto same = [&](const OracleMove& move) {
+    return (move.end - ours.front().end).cwiseAbs().maxCoeff() < move.digit_mm;
+  };
   theirs.erase(theirs.begin(), std::ranges::find_if(theirs, same));
 }
 
