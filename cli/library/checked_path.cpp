@@ -136,7 +136,7 @@ void require_same_machine(const Path& path, const UnderstoodCheck& understood) {
   const gouge::Toolpath& program = path.content().path;
   if (program.joints == nullptr || program.dialect != gouge::kProgramDialect) return;
   const std::string of_check = understood.machine == nullptr ? "" : understood.machine->key;
-  if (of_check != path.content().machine)
+  if (of_check.empty() || of_check != path.content().machine)
     raise(gouge::make_error("gcode-machine",
                             "the program was read with another machine than that of the check; expected the same "
                             "machine, joints, zero and tool length in both",
@@ -208,7 +208,8 @@ Path with_every_tool_named(const Path& path) {
   for (gouge::Move& move : named.moves) {
     if (is_unnamed(move)) move.tool = tool;
   }
-  return PathAccess::from(std::move(named), path.content().is_from_memory);
+  return PathAccess::of_machine(PathAccess::from(std::move(named), path.content().is_from_memory),
+                                path.content().machine, path.content().joint_rapid_law);
 }
 
 gouge::Toolpath joints_added(gouge::Toolpath path, const PathMachine& machine) {
