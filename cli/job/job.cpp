@@ -101,9 +101,10 @@ class JobLoader {
     }
     if (!a.reading.tool_lengths.empty()) lengths_input_ = describe_input("tool-lengths", a.reading.tool_lengths, bytes);
     if (!chosen) {
-      if (a.tip_tolerance.empty() || !job_.options.reading.program) return true;
+      if (!job_.options.reading.program) return true;
       ProgramSetup setup = *job_.options.reading.program;
-      setup.tip_tolerance_mm = job_.options.check.tube.tip_mm;
+      if (!a.tip_tolerance.empty()) setup.tip_tolerance_mm = job_.options.check.tube.tip_mm;
+      setup.are_joint_rapids_straight = turn_law_called(a.joint_rapid_law) == TurnLaw::joint;
       job_.options.reading.program = std::make_shared<const ProgramSetup>(std::move(setup));
       return true;
     }

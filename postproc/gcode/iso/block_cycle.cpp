@@ -13,7 +13,8 @@ void BlockRunner::drill(const GcodeRow& row) {
   if (words_.has('R')) cycle_.r_mm = length('R');
   if (words_.is_axis('Z')) cycle_.z_mm = length('Z');
   if (!words_.has_axes() && !words_.has('R')) {
-    if (words_.row_of(ModalGroup::motion) != nullptr) lose_rest("a cycle begins without a position", line_);
+    const bool has_cycle_words = words_.row_of(ModalGroup::motion) != nullptr || words_.has_any("LPQK");
+    if (has_cycle_words) lose_rest("words of a cycle without a position", line_);
     return;
   }
   Target at = target();

@@ -62,6 +62,7 @@ ProgramFacts run_iso(const ControlTable& control, const ProgramInput& input) {
   const ProgramText text(input.path.source, input.path.statements);
   const CodeIndex index(control, input.options.harmless_words);
   BlockRunner runner(index, input);
+  if (control.has_straight_rapids) input.motion.run_rapids_together();
   if (!may_apply_lengths(input.path.source)) input.motion.omit_lengths();
   ProgramRun run(control, input.options.setup, text, runner, input.motion);
   run.run_start(control.start);

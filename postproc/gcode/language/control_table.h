@@ -130,7 +130,9 @@ struct ControlTable {
   bool winds_as_programmed =
       false;  ///< an absolute rotary word states the turn too; else a parameter may shorten the way
   bool has_tip_frame_of_table = false;  ///< tool centre point control follows the table; else a parameter states it
-  bool turns_along_arcs = false;        ///< rotary joints may turn along an arc, evenly with it
+  bool has_straight_rapids =
+      false;                      ///< G0 without tool centre point control is coordinated; else a parameter states it
+  bool turns_along_arcs = false;  ///< rotary joints may turn along an arc, evenly with it
   std::string_view source;
 };
 

@@ -110,6 +110,7 @@ const ControlTable& linuxcnc_table() {
       .has_default_length = true,
       .winds_as_programmed = true,
       .has_tip_frame_of_table = true,
+      .has_straight_rapids = true,
       .turns_along_arcs = true,
       .source = "LinuxCNC, G-Code Reference; src/emc/rs274ngc/interp_convert.cc: state after a reset",
   };

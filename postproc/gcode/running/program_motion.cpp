@@ -187,8 +187,11 @@ void ProgramMotion::settle_length() {
   const bool needs_length = setup_.machine != nullptr && has_rotary_head(*setup_.machine);
   if (needs_length && !true_length && state_.tip_control == TipControl::off)
     state_.open_length = "the length of " + name + " is not given; expected --tool-lengths or --tool-length";
-  const std::optional<int> applied = length_number_ ? length_number_ : tool;
-  if (applied == tool || !tool) return;
+  // A tool change does not apply the length of the new tool.
+  const std::optional<int> applied = length_number_;
+  if (!applied && length_tool_ != tool_)
+    state_.open_length = "the length that is applied is that of another tool; expected G43 after the tool change";
+  if (!applied || applied == tool || !tool) return;
   const auto other = setup_.lengths_mm.find(*applied), own = setup_.lengths_mm.find(*tool);
   if (other == setup_.lengths_mm.end() || own == setup_.lengths_mm.end())
     state_.open_length = "H" + std::to_string(*applied) + " is applied to " + name +
@@ -217,7 +220,8 @@ void ProgramMotion::apply_length(std::optional<int> h) {
   if (h && *h == 0) return cancel_length();
   change_state([&] {
     length_ = Length::applied;
-    length_number_ = h;
+    length_number_ = h ? h : tool_number();
+    length_tool_ = tool_;
     settle_length();
   });
 }
@@ -245,7 +249,14 @@ ProgramMotion::Reached ProgramMotion::reached(const AxisPlace& to) {
 
 // What is not known of the motion itself, where both ends are known.
 std::string ProgramMotion::why_not_motion(MoveKind kind, const AxisPlace& to, bool is_arc) const {
-  if (!mapper_.has_machine()) return {};
+  if (!mapper_.has_machine()) {
+    const Vec3 way = to.xyz - place_.xyz;
+    const auto axes = (way.array().abs() > Tolerance::kRounding_mm).count();
+    const bool is_open =
+        kind == MoveKind::rapid && axes > 1 && !are_rapids_together_ && !setup_.are_joint_rapids_straight;
+    return is_open ? "nothing states how several axes run in a rapid; expected --joint-rapid-law joint, or --machine"
+                   : "";
+  }
   const bool is_turning = turns(place_, to);
   if (is_turning && state_.tip_control == TipControl::turned_offset)
     return "rotary joints turn while the work offset follows them";
@@ -255,7 +266,7 @@ std::string ProgramMotion::why_not_motion(MoveKind kind, const AxisPlace& to, bo
   if (is_turning && is_arc && state_.tip_control != TipControl::on)
     return "rotary joints turn along an arc without tool centre point control";
   const bool has_no_angles = !is_known(to.angles[0]) || !is_known(to.angles[1]);
-  if (has_no_angles && kind == MoveKind::rapid && !setup_.are_joint_rapids_straight)
+  if (has_no_angles && kind == MoveKind::rapid && !setup_.are_joint_rapids_straight && !are_rapids_together_)
     return "the positions of the rotary joints are not known";
   return {};
 }
@@ -330,7 +341,12 @@ void ProgramMotion::go(MoveKind kind, const AxisPlace& to) {
   if (is_approach(kind, end)) return approach(to);
   Move move;
   move.kind = kind;
-  add(move, to, end, chain_.last_pose() ? why_not_motion(kind, to, false) : std::string());
+  const bool has_start = chain_.last_pose().has_value();
+  const bool is_feed_from_nowhere = !has_start && kind != MoveKind::rapid && end.open.empty();
+  add(move, to, end,
+      has_start              ? why_not_motion(kind, to, false)
+      : is_feed_from_nowhere ? "the place at which the feed begins is not known; expected a rapid with all coordinates"
+                             : std::string());
 }
 
 void ProgramMotion::go_round(const AxisPlace& to, const ProgramArc& arc) {

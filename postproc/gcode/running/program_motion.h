@@ -70,6 +70,8 @@ class ProgramMotion {
   /// Applies the length of H; none: that of the tool in the spindle.
   void apply_length(std::optional<int> h);
   void cancel_length();
+  /// Rapids without tool centre point control run straight on this control.
+  void run_rapids_together() { are_rapids_together_ = true; }
   /// The program never applies a length: the work offset includes that of the first tool.
   void omit_lengths() { has_lengths_ = false; }
   void set_feed(const Feed& feed) {
@@ -150,6 +152,8 @@ class ProgramMotion {
   enum class Length : std::uint8_t { none, applied } length_ = Length::none;
   std::optional<int> length_number_;  // of H; none: of the tool
   std::size_t tools_loaded_ = 0;
+  std::size_t length_tool_ = kNone;  // tool in the spindle when the length was applied
+  bool are_rapids_together_ = false;
   std::shared_ptr<JointPath> joints_;
   Tally approach_;
 };

@@ -210,6 +210,23 @@ TEST(GcodeTraps, T18_StateAtTheStart) {
   expect_open("G90 G21 G0 X0 Y0 Z0\nG1 X1 F9\n", "linuxcnc", "");
 }
 
+TEST(GcodeTraps, RapidsOfSeveralAxesNeedTheirLaw) {
+  expect_open(fanuc("G0 X5. Y5.\n"), "fanuc", "--joint-rapid-law");
+  expect_checked(fanuc("G0 X5.\nG0 Y5.\n"), "fanuc");
+  ProgramSetup setup;
+  setup.are_joint_rapids_straight = true;
+  expect_checked(fanuc("G0 X5. Y5.\n"), "fanuc", setup);
+}
+
+TEST(GcodeTraps, AToolChangeDoesNotApplyTheLengthOfTheNewTool) {
+  expect_open("G21 G90 G17\nT1 M6\nG43\nG0 X0 Y0 Z9\nT2 M6\nG0 X0 Y0 Z9\nG1 X1 F9\nM2\n", "linuxcnc", "H1 is applied");
+  expect_checked("G21 G90 G17\nT1 M6\nG43\nG0 X0 Y0 Z9\nT2 M6\nG43\nG0 X0 Y0 Z9\nG1 X1 F9\nM2\n", "linuxcnc");
+}
+
+TEST(GcodeTraps, AFeedNeedsItsStart) {
+  expect_open("G21 G90 G17\nT1 M6\nG43 H1\nG0 X0 Y0\nG1 Z1 F9\nM2\n", "linuxcnc", "begins");
+}
+
 TEST(GcodeTraps, AWordTwiceOrInTwoMeaningsIsNotRead) {
   for (const char* block : {"G1 X1. X2. F9.", "G0 G1 X1.", "G90 G91 X1.", "G1 X1. G1", "G1 X1. H5 F9.",
                             "G1 X1. R2. F9.", "G4 P1 Z5.", "G17 G18", "G1 X1. E5 F9.", "G1 X1. F9. I2."}) {
