@@ -49,6 +49,11 @@ ProgramText::ProgramText(std::string_view text, const SourceStatements& lines)
       break;
     }
   }
+  // One percent sign in the last line ends a program that begins without one.
+  if (percents == 1 && begin_ == lines.size()) {
+    begin_ = 0;
+    end_ = lines.size() - 1;
+  }
 }
 
 std::string_view ProgramText::line(std::size_t index) const {

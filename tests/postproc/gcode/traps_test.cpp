@@ -236,6 +236,7 @@ TEST(GcodeTraps, AWordTwiceOrInTwoMeaningsIsNotRead) {
 
 TEST(GcodeTraps, BlocksOutsideOfThePercentSigns) {
   expect_open("G0 X5 Y5 Z-50\n%\nG21 G90 G0 X0 Y0 Z0\nG1 X1 F9\n%\n", "linuxcnc", "percent");
+  expect_checked("G21 G90 G0 X0 Y0 Z0\nG1 X1 F9\n%\n", "linuxcnc");
   expect_checked("a list of my programs\n%\nG21 G90 G0 X0 Y0 Z0\nG1 X1 F9\n%\n", "linuxcnc");
 }
 
