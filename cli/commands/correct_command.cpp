@@ -213,6 +213,14 @@ int run_correct(const CorrectArguments& arguments, const JobContext& context) {
   options->reading.keeps_origins = true;
   JobPipeline run(arguments.job, *options, arguments.output, context);
   if (const auto status = run.load()) return *status;
+  if (run.job().toolpath.dialect == gcode_dialect().id)
+    return run.fail_with(
+        make_error(
+            "write-gcode",
+            "a program of a machine's control is not corrected; correct the CL data it was made from, and run the "
+            "post-processor again",
+            run.job().toolpath.file),
+        kExitInput);
   if (!arguments.job.stock.empty()) {
     if (const auto status = run.load_stock(correct->rapid_clearance_mm)) return *status;
   }

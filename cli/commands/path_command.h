@@ -17,6 +17,7 @@ struct PathArguments {
   std::string path;
   ReadingArguments reading;
   InputLimit input;
+  StatedMachine stated;  ///< machine of a program
   std::string json_file;
   std::string output, to;          ///< for convert and plot
   std::vector<std::string> parts;  ///< for plot

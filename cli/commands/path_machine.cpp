@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "cli/commands/machine_words.h"
+#include "cli/machine/program_files.h"
+#include "cli/machine/program_machine.h"
 #include "cli/machine/rate_notes.h"
 #include "cli/options/joint_options.h"
 #include "cli/output/output_file.h"
@@ -109,7 +111,9 @@ void add_common(CLI::App& command, PathMachineArguments& arguments) {
   command.add_option("--machine", arguments.stated.machine, kMachineHelp)->type_name("FILE")->required();
   add_joint_options(command, arguments.stated.joints);
   command.add_option("--zero", arguments.stated.zero, kZeroHelp)->type_name("X,Y,Z")->group(kMachineGroup);
+  const std::string usual_group = command.option_defaults()->get_group();
   add_options(command, arguments.reading, reading_options());
+  command.option_defaults()->group(usual_group);
   add_input_limit(command, arguments.input);
 }
 
@@ -165,7 +169,13 @@ int run_path_machine(const PathMachineArguments& arguments, std::ostream& out, s
     return *status;
   Result<std::string> text = read_file(arguments.path, arguments.input.max_bytes);
   if (!text) return fail(err, {text.error()});
-  ReadOutcome outcome = read_toolpath(arguments.path, std::move(*text), *options);
+  ReadOptions reading = *options;
+  std::string lengths;
+  if (auto error = read_tool_lengths(arguments.reading, arguments.input.max_bytes, reading, lengths))
+    return fail(err, {*error});
+  reading.program = with_machine(reading.program, *machine, arguments.stated, std::nullopt, std::nullopt);
+  reading.program = with_files_beside(reading.program, arguments.path, arguments.input.max_bytes, {});
+  ReadOutcome outcome = read_toolpath(arguments.path, std::move(*text), reading);
   if (!outcome.toolpath) return fail(err, outcome.errors);
   Toolpath& path = *outcome.toolpath;
   print(err, path.notes);

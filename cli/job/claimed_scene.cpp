@@ -52,6 +52,7 @@ ClaimedJoints claimed_joints(const Machine& machine, const Job& job) {
   joints.tool_length_mm = job.options.tool_length_mm.value_or(0);
   joints.feeds = claimed_run(job.laws.feeds);
   joints.rapids = claimed_run(job.laws.rapids);
+  if (job.laws.joint_rapids) joints.joint_rapids = claimed_run(*job.laws.joint_rapids);
   return joints;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "cli/machine/joint_laws.h"
 #include "cli/machine/machine_choice.h"
 #include "lib/certify/check.h"
 
@@ -35,9 +36,9 @@ std::vector<LawRecord> compare_laws(const Job& job, const PreparedScene& scene, 
   std::vector<LawRecord> feeds, rapids;
   for (const TurnLaw law : kCompared) {
     const bool is_for_feeds = law != TurnLaw::independent;
-    const TurnLaws laws{is_for_feeds ? law : job.laws.feeds, law};
-    const Result<MotionLaw> motion = make_motion_law(*job.machine, laws, job.options.check.law.rapid(),
-                                                     job.options.tool_length_mm, !job.heads().empty());
+    const TurnLaws laws{is_for_feeds ? law : job.laws.feeds, law, job.laws.joint_rapids};
+    Result<MotionLaw> motion = make_motion_law(*job.machine, laws, job.options.check.law.rapid(),
+                                               job.options.tool_length_mm, !job.heads().empty());
     if (!motion) {
       const std::string& missing = motion.error().message;
       if (is_for_feeds) feeds.push_back({.law = turn_law_name(law), .missing = missing});
@@ -45,6 +46,8 @@ std::vector<LawRecord> compare_laws(const Job& job, const PreparedScene& scene, 
       continue;
     }
     Toolpath path = job.toolpath;
+    // Moves without tool centre point control keep their laws. Intervals were refused when the job was loaded.
+    static_cast<void>(add_joint_laws(*job.machine, laws, job.options.tool_length_mm, 0, path, *motion));
     static_cast<void>(choose_joints_of(*job.machine, *motion, job.options.tool_length_mm,
                                        needs_turn(laws, !job.heads().empty()), path));
     CheckOptions options = job.options.check;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/job/read_inputs.h"
+#include "cli/machine/joint_laws.h"
 #include "cli/machine/machine_choice.h"
 #include "cli/terminal/length_text.h"
 #include "cli/tools/resolve_tools.h"
@@ -37,20 +38,26 @@ class ProgramReader {
     EarlierProgram& program = read_.programs.emplace_back();
     program.path = std::move(*path);
     program.law = job_.options.check.law;
-    return place(stated, program.path) && add_tools(stated, program);
+    if (job_.machine) {
+      if (auto error = add_joint_laws(*job_.machine, job_.laws, job_.options.tool_length_mm,
+                                      job_.options.tool_length_slack_mm, program.path, program.law))
+        return fail(*error);
+    }
+    return place(stated, program) && add_tools(stated, program);
   }
 
   /// Moves the program. A law of a machine depends on the place of the path on it, which is another one then.
-  bool place(const BeforeText& stated, Toolpath& path) {
+  bool place(const BeforeText& stated, EarlierProgram& program) {
+    Toolpath& path = program.path;
     if (stated.place.empty()) {
       if (job_.machine)
-        add_notes(choose_joints_of(*job_.machine, job_.options.check.law, job_.options.tool_length_mm,
+        add_notes(choose_joints_of(*job_.machine, program.law, job_.options.tool_length_mm,
                                    needs_turn(job_.laws, false), path));
       return true;
     }
     const Result<RigidTransform> to_path = understand_place("--before", stated.place);
     if (!to_path) return fail(to_path.error());
-    const MotionLaw& law = job_.options.check.law;
+    const MotionLaw& law = program.law;
     if (!law.is_great_circle() || law.rapid() == RapidMode::dogleg)
       return fail(make_error("before-place",
                              "the motion between its positions depends on the place of the program on the machine, so "

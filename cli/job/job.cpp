@@ -6,8 +6,10 @@
 #include <string>
 
 #include "cli/job/read_inputs.h"
+#include "cli/machine/joint_laws.h"
 #include "cli/machine/machine_choice.h"
 #include "cli/machine/machine_facts.h"
+#include "cli/machine/program_machine.h"
 #include "cli/machine/rate_notes.h"
 #include "cli/options/joint_options.h"
 #include "cli/options/length_rule.h"
@@ -79,10 +81,51 @@ class JobLoader {
   }
 
  private:
+  /// Chooses the machine, which a program of a control needs to be read.
+  [[nodiscard]] StatedMachine stated_machine() const {
+    const JobArguments& a = arguments_;
+    StatedMachine stated = {
+        a.machine, a.feed_law, a.rapid_law,     job_.options.tool_length_mm, job_.options.tool_length_slack_mm,
+        a.joints,  a.zero,     !a.heads.empty()};
+    stated.joint_rapid_law = a.joint_rapid_law;
+    return stated;
+  }
+
+  /// Adds the machine and the lengths of tools to the set-up of a program.
+  bool complete_program(const std::optional<ChosenMachine>& chosen) {
+    const JobArguments& a = arguments_;
+    std::string bytes;
+    if (auto error = read_tool_lengths(a.reading, a.input.max_bytes, job_.options.reading, bytes)) {
+      errors_.push_back(std::move(*error));
+      return false;
+    }
+    if (!a.reading.tool_lengths.empty()) lengths_input_ = describe_input("tool-lengths", a.reading.tool_lengths, bytes);
+    if (!chosen) {
+      if (!job_.options.reading.program) return true;
+      ProgramSetup setup = *job_.options.reading.program;
+      if (!a.tip_tolerance.empty()) setup.tip_tolerance_mm = job_.options.check.tube.tip_mm;
+      setup.are_joint_rapids_straight = turn_law_called(a.joint_rapid_law) == TurnLaw::joint;
+      job_.options.reading.program = std::make_shared<const ProgramSetup>(std::move(setup));
+      return true;
+    }
+    const double tip_mm =
+        a.tip_tolerance.empty() ? chosen->machine.control.tip_tolerance_mm : job_.options.check.tube.tip_mm;
+    job_.options.reading.program = with_machine(job_.options.reading.program, chosen->machine, stated_machine(),
+                                                chosen->laws, tip_mm > 0 ? std::optional(tip_mm) : std::nullopt);
+    return true;
+  }
+
   bool read_path() {
+    chosen_ = choose_machine(stated_machine(), job_.options.check.law.rapid(), arguments_.input.max_bytes);
+    if (*chosen_ && !complete_program(**chosen_)) return false;
     std::optional<Toolpath> path = read_path_file(arguments_.path, "toolpath", arguments_.input.max_bytes,
                                                   job_.options.reading, progress_, job_.inputs, errors_);
-    if (!path) return false;
+    if (lengths_input_) job_.inputs.push_back(*lengths_input_);
+    if (!path) {
+      const bool is_for_machine = !errors_.empty() && errors_.back().code.starts_with("gcode-");
+      if (!*chosen_ && is_for_machine) errors_ = {chosen_->error()};
+      return false;
+    }
     job_.toolpath = std::move(*path);
     add_notes(job_.toolpath.notes);
     if (job_.toolpath.unit == LengthUnit::inch && !arguments_.lengths_in_mm.empty())
@@ -92,10 +135,7 @@ class JobLoader {
 
   bool read_machine() {
     const JobArguments& a = arguments_;
-    Result<std::optional<ChosenMachine>> chosen =
-        choose_machine({a.machine, a.feed_law, a.rapid_law, job_.options.tool_length_mm,
-                        job_.options.tool_length_slack_mm, a.joints, a.zero, !a.heads.empty()},
-                       job_.options.check.law.rapid(), a.input.max_bytes);
+    Result<std::optional<ChosenMachine>>& chosen = *chosen_;
     if (!chosen) {
       errors_.push_back(chosen.error());
       return false;
@@ -104,6 +144,11 @@ class JobLoader {
     ChosenMachine& machine = **chosen;
     if (!a.machine.starts_with(kMachinePreset))
       job_.inputs.push_back(describe_input("machine", a.machine, machine.bytes));
+    if (auto error = add_joint_laws(machine.machine, machine.laws, job_.options.tool_length_mm,
+                                    job_.options.tool_length_slack_mm, job_.toolpath, machine.law)) {
+      errors_.push_back(std::move(*error));
+      return false;
+    }
     job_.options.check.law = std::move(machine.law);
     job_.basis.law_evidence = std::move(machine.law_evidence);
     job_.machine = std::move(machine.machine);
@@ -225,6 +270,8 @@ class JobLoader {
   Progress& progress_;
   Job job_;
   Diagnostics errors_;
+  std::optional<Result<std::optional<ChosenMachine>>> chosen_;
+  std::optional<InputFile> lengths_input_;
 };
 
 }  // namespace

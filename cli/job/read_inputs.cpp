@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "cli/machine/program_files.h"
 #include "lib/base/files.h"
 #include "lib/check/reach.h"
 #include "toolmodels/import/read_any_tools.h"
@@ -19,7 +20,12 @@ std::optional<Toolpath> read_path_file(const std::string& file, const char* role
   }
   SourceText text(std::move(*bytes));
   inputs.push_back(describe_input(role, file, text));
-  ReadOutcome outcome = read_toolpath(file, std::move(text), reading, progress.call());
+  ReadOptions with_programs = reading;
+  with_programs.program = with_files_beside(reading.program, file, max_bytes,
+                                            [&inputs](const std::string& beside, const std::string& read) {
+                                              inputs.push_back(describe_input("program-beside", beside, read));
+                                            });
+  ReadOutcome outcome = read_toolpath(file, std::move(text), with_programs, progress.call());
   errors.insert(errors.end(), outcome.errors.begin(), outcome.errors.end());
   if (!outcome.toolpath) return std::nullopt;
   for (const Move& move : outcome.toolpath->moves) {

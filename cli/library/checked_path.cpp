@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "cli/library/path_stock.h"
+#include "cli/library/program_machine_key.h"
+#include "cli/machine/joint_laws.h"
 #include "cli/machine/machine_facts.h"
 #include "cli/machine/rate_notes.h"
 #include "cli/tools/resolve_tools.h"
@@ -14,6 +16,7 @@
 #include "lib/check/check_options.h"
 #include "lib/check/reach.h"
 #include "lib/machine/linuxcnc_ini.h"
+#include "postproc/gcode/running/program_setup.h"
 #include "toolmodels/compile_tool.h"
 
 namespace gougecheck {
@@ -105,6 +108,7 @@ std::shared_ptr<const PathMachine> machine_of(const CheckOptions& options) {
                                             "zero"}));
   if (!chosen) return nullptr;
   PathMachine made{std::move(*chosen), {{"machine", stated.machine}}};
+  made.key = machine_key(stated);
   if (!stated.feed_law.empty()) made.options.push_back({"feed-law", stated.feed_law});
   if (!stated.rapid_law.empty()) made.options.push_back({"rapid-law", stated.rapid_law});
   if (stated.tool_length_mm) {
@@ -127,6 +131,18 @@ struct UnderstoodCheck {
   std::shared_ptr<const PathMachine> machine;  // null: none
 };
 
+/// Throws if a program was read with another machine than that of its check: its joints would be those of the other.
+void require_same_machine(const Path& path, const UnderstoodCheck& understood) {
+  const gouge::Toolpath& program = path.content().path;
+  if (program.joints == nullptr || program.dialect != gouge::kProgramDialect) return;
+  const std::string of_check = understood.machine == nullptr ? "" : understood.machine->key;
+  if (of_check.empty() || of_check != path.content().machine)
+    raise(gouge::make_error("gcode-machine",
+                            "the program was read with another machine than that of the check; expected the same "
+                            "machine, joints, zero and tool length in both",
+                            path.name()));
+}
+
 UnderstoodCheck understand(const CheckOptions& options) {
   UnderstoodCheck understood{to_check_options(options), {}, machine_of(options)};
   gouge::MotionTube& tube = understood.options.tube;
@@ -143,15 +159,23 @@ UnderstoodCheck understand(const CheckOptions& options) {
 
 /// Returns the path with the joints of a machine.
 Path with_joints(const Path& path, const PathMachine& machine) {
-  return PathAccess::from(joints_added(path.content().path, machine), path.content().is_from_memory);
+  const Path::Content& content = path.content();
+  return PathAccess::of_machine(PathAccess::from(joints_added(content.path, machine), content.is_from_memory),
+                                content.machine, content.joint_rapid_law);
 }
 
 CheckedPath completed(Path path, const Scene& scene, std::shared_ptr<const PathTools> tools,
                       const CheckOptions& options, UnderstoodCheck understood) {
   gouge::SetupBasis basis = basis_of(scene, *tools, options);
   Scene taken = scene_in(scene, path.content().path.unit);
+  require_same_machine(path, understood);
   if (understood.machine != nullptr) {
     const gouge::ChosenMachine& chosen = understood.machine->chosen;
+    gouge::TurnLaws laws = chosen.laws;
+    if (const auto law = gouge::turn_law_called(path.content().joint_rapid_law)) laws.joint_rapids = law;
+    if (auto error = gouge::add_joint_laws(chosen.machine, laws, chosen.tool_length_mm, options.tool_length_slack,
+                                           path.content().path, understood.options.law))
+      raise(*error);
     basis.law_evidence = chosen.law_evidence;
     const bool has_tolerances = options.tip_tolerance > 0 || options.axis_tolerance > 0;
     std::ranges::move(gouge::machine_facts(chosen.machine, options.machine, understood.options.tube, has_tolerances),
@@ -184,7 +208,8 @@ Path with_every_tool_named(const Path& path) {
   for (gouge::Move& move : named.moves) {
     if (is_unnamed(move)) move.tool = tool;
   }
-  return PathAccess::from(std::move(named), path.content().is_from_memory);
+  return PathAccess::of_machine(PathAccess::from(std::move(named), path.content().is_from_memory),
+                                path.content().machine, path.content().joint_rapid_law);
 }
 
 gouge::Toolpath joints_added(gouge::Toolpath path, const PathMachine& machine) {

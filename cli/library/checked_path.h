@@ -29,6 +29,7 @@ struct PathMachine {
   gouge::ChosenMachine chosen;
   std::vector<gouge::OptionText> options;     // the options as the program records them
   std::optional<gouge::InputFile> file = {};  // none: the machine is a preset
+  std::string key = {};                       // machine_key
 };
 
 /// All inputs of the check of a path, shared by the reports on it. Immutable.

@@ -106,6 +106,8 @@ struct ToolLibrary::Content {
 struct Path::Content {
   gouge::Toolpath path;
   bool is_from_memory = false;
+  std::string machine;          // of a program: the machine with which it was read, with its facts; empty: none
+  std::string joint_rapid_law;  // of a program
   std::vector<Vec3> tips, axes;
   std::vector<MoveKind> kinds;
   std::vector<std::uint32_t> lines;
@@ -114,6 +116,8 @@ struct Path::Content {
 /// Access for code that makes paths from other paths.
 struct PathAccess {
   [[nodiscard]] static Path from(gouge::Toolpath path, bool is_from_memory);
+  /// Returns the path with the machine with which it was read.
+  [[nodiscard]] static Path of_machine(const Path& path, std::string machine, std::string joint_rapid_law);
   /// Reads the bytes of a file with the name `name` by the `options`.
   [[nodiscard]] static Path from_bytes(const std::string& name, std::string bytes,
                                        const gouge::ReadOptions& options = {});

@@ -106,6 +106,13 @@ Path PathAccess::from_bytes(const std::string& name, std::string bytes, const go
   return from(std::move(*outcome.toolpath), false);
 }
 
+Path PathAccess::of_machine(const Path& path, std::string machine, std::string joint_rapid_law) {
+  auto content = std::make_shared<Path::Content>(path.content());
+  content->machine = std::move(machine);
+  content->joint_rapid_law = std::move(joint_rapid_law);
+  return Path(std::move(content));
+}
+
 Path PathAccess::from(gouge::Toolpath path, bool is_from_memory) {
   auto content = std::make_shared<Path::Content>();
   content->path = std::move(path);

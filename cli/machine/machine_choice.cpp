@@ -16,6 +16,7 @@
 #include "lib/machine/read_machine.h"
 #include "lib/machine/rotary_law.h"
 #include "lib/machine/tip_slack.h"
+#include "postproc/gcode/running/program_setup.h"
 
 namespace gouge {
 namespace {
@@ -91,7 +92,9 @@ Result<TurnLaws> laws_of(const Machine& machine, const StatedMachine& stated, Ra
   if (runs_joints(*rapids) && rapid == RapidMode::dogleg)
     return make_error("usage", names.rapid + " 'dogleg': expected straight or skip, as law " + turn_law_name(*rapids) +
                                    " states how rapids run");
-  return TurnLaws{feeds, *rapids};
+  std::optional<TurnLaw> joint_rapids = turn_law_called(stated.joint_rapid_law);
+  if (!joint_rapids && runs_joints(*rapids)) joint_rapids = *rapids;
+  return TurnLaws{feeds, *rapids, joint_rapids ? joint_rapids : machine.control.joint_rapid_law};
 }
 
 /// Empty: nothing states the law of feeds.
@@ -213,6 +216,10 @@ Result<std::optional<ChosenMachine>> choose_machine(const StatedMachine& stated,
   const std::string needed = stated.machine.empty() ? names.machine : "";
   if (const auto wrong = find_wrong_law(stated.feed_law, names.feed_law, true, needed)) return *wrong;
   if (const auto wrong = find_wrong_law(stated.rapid_law, names.rapid_law, false, needed)) return *wrong;
+  if (const std::optional<TurnLaw> joints = turn_law_called(stated.joint_rapid_law);
+      !stated.joint_rapid_law.empty() && (!joints || !runs_joints(*joints)))
+    return make_error("usage",
+                      names.joint_rapid_law + " '" + stated.joint_rapid_law + "': expected joint or independent");
   if (stated.machine.empty()) {
     std::vector<std::string> facts = stated_texts(stated.joints, names.joints);
     if (!stated.zero.empty()) facts.push_back(names.zero + " " + stated.zero);
@@ -276,7 +283,9 @@ bool needs_turn(const TurnLaws& laws, bool has_heads) {
 Diagnostics choose_joints_of(const Machine& machine, const MotionLaw& law, const std::optional<double>& tool_length_mm,
                              bool is_turn_needed, Toolpath& path) {
   constexpr std::size_t kMaxNotes = 20;
-  JointChoice choice = choose_joints(machine, path, is_turn_needed);
+  const bool are_stated = path.joints != nullptr && path.dialect == kProgramDialect;
+  JointChoice choice =
+      are_stated ? check_joints(machine, path, *path.joints) : choose_joints(machine, path, is_turn_needed);
   path.joints = std::make_shared<const JointPath>(std::move(choice.path));
   Diagnostics notes = add_linear_limits(machine, tool_length_mm, path, choice.problems);
   for (const JointProblem& problem : choice.problems) {

@@ -32,6 +32,7 @@ struct MachineOptionNames {
               tool_length = "--tool-length";
   JointOptionNames joints = {};
   std::string zero = "--zero";
+  std::string joint_rapid_law = "--joint-rapid-law";
 };
 
 /// A machine and its laws as the user states them; laws: kTurnLawNames, or empty.
@@ -41,7 +42,8 @@ struct StatedMachine {
   double tool_length_slack_mm = 0;            ///< the true length is at most so much longer or shorter
   StatedJoints joints = {};
   std::string zero = {};  ///< part zero in machine coordinates, as typed: "x,y,z" or "x,y,z,rx,ry,rz"; empty: not known
-  bool has_heads = false;  ///< bodies that are no solids of revolution move with the tool
+  bool has_heads = false;            ///< bodies that are no solids of revolution move with the tool
+  std::string joint_rapid_law = {};  ///< of rapids without tool centre point control: joint, independent, or empty
 };
 
 /// The machine of a job and the law of motion on it.
@@ -77,7 +79,7 @@ struct ChosenMachine {
                                                 const std::optional<double>& tool_length_mm, bool has_heads,
                                                 const MachineOptionNames& names = {});
 
-/// Chooses the joints of a path and stores them with it. Moves that the machine cannot run, and those whose motion `law`
+/// Chooses the joints of a path and stores them with it. Angles that the program states (Toolpath::joints) stay. Moves that the machine cannot run, and those whose motion `law`
 /// leaves open, are not checked, with their reason. With a part zero, that includes limits of linear joints. Returns a
 /// warning for each problem of the joints, at most twenty, and a warning if limits of linear joints cannot be compared.
 /// `is_turn_needed`: that of choose_joints.

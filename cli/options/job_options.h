@@ -53,7 +53,7 @@ struct JobArguments : Verbosity, StockArguments {
   /// foreign files in the report's folder; of `correct` also a path that does not fit the part
   bool is_forced = false;
   bool is_extended_up = false;
-  std::string machine, feed_law, rapid_law, tool_length;
+  std::string machine, feed_law, rapid_law, joint_rapid_law, tool_length;
   StatedJoints joints;
   std::string zero;                           ///< part zero in machine coordinates
   std::string tip_tolerance, axis_tolerance;  ///< empty: 0

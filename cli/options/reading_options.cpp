@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
+#include "cli/options/program_options.h"
 #include "cli/terminal/length_text.h"
 #include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
@@ -63,12 +64,81 @@ const OptionRows<ReadingArguments>& reading_options() {
        .help = "Your own word that causes no motion and no change: statements that begin with it are ignored "
                "(repeatable)",
        .scope = Scope::project,
-       .recorded = Recorded::repeated}};
+       .recorded = Recorded::repeated},
+      {.name = "--control",
+       .field = &A::control,
+       .group = kProgramGroup,
+       .help = "Control that runs the program (G-code); default: that of --machine",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .choices = control_ids()},
+      {.name = "--offset",
+       .field = &A::offsets,
+       .type = "NAME=X,Y,Z",
+       .help =
+           "Zero of a work offset in machine coordinates, G54=x,y,z[,a,b,c]: lengths in mm or with a unit, then degrees "
+           "(repeatable)",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated},
+      {.name = "--tool-lengths",
+       .field = &A::tool_lengths,
+       .type = "FILE",
+       .help = "Lengths of tools: CSV with the columns tool and length (mm), or a tool table of LinuxCNC (.tbl, mm)",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated},
+      {.name = "--start",
+       .field = &A::start,
+       .type = "BLOCK",
+       .help = "Block in force at the start of the program, such as \"G17 G21 G90\" (repeatable)",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated},
+      {.name = "--tip-control-end",
+       .field = &A::tip_control_ends,
+       .type = "CODE",
+       .help = "Code that ends tool centre point control where no manual states it, such as G255 (repeatable)",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated},
+      {.name = "--block-delete",
+       .field = &A::block_delete,
+       .help = "Position of the switch for block delete. on: blocks with a slash are left out",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .choices = {"on", "off"}},
+      {.name = "--home",
+       .field = &A::home,
+       .type = "X,Y,Z",
+       .help = "Home position of the linear joints in machine coordinates (G28)",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated},
+      {.name = "--plain-numbers",
+       .field = &A::plain_numbers,
+       .help = "Meaning of numbers without a decimal point. units: X100 is 100 mm or inches. increments: X100 is 100 "
+               "times 0.001 mm, 0.0001 inches or 0.001 degrees",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .choices = {"units", "increments"}},
+      {.name = "--tip-frame",
+       .field = &A::tip_frame,
+       .help =
+           "Coordinates under tool centre point control on a machine whose table turns, where a parameter states it "
+           "(Fanuc G43.4). table: they turn with the table",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .choices = {"table", "workpiece"}},
+      {.name = "--rotary-turns",
+       .field = &A::rotary_turns,
+       .help = "Way of a rotary joint to an absolute position. as-programmed: it turns by the difference",
+       .scope = Scope::project,
+       .recorded = Recorded::repeated,
+       .choices = {"as-programmed"}}};
   return rows;
 }
 
 Result<ReadOptions> understand(const ReadingArguments& arguments) {
   ReadOptions options;
+  Result<ProgramSetup> program = understand_program(arguments);
+  if (!program) return program.error();
+  options.program = std::make_shared<const ProgramSetup>(std::move(*program));
   if (!arguments.dialect.empty()) {
     options.dialect = dialect_called(arguments.dialect);
     if (!options.dialect) return usage_error("--dialect", arguments.dialect, "one of " + dialect_names());

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/machine/program_facts.h"
 #include "cli/options/option_table.h"
 #include "lib/base/files.h"
 #include "lib/base/result.h"
@@ -12,7 +14,7 @@
 namespace gouge {
 
 /// Options for reading a toolpath, as typed. Empty: as the file states.
-struct ReadingArguments {
+struct ReadingArguments : StatedProgram {
   std::string dialect, units, cutcom;
   std::vector<std::string> harmless_words;
   std::string retract_plane;
@@ -23,6 +25,11 @@ struct ReadingArguments {
 /// Errors (code usage): a retract plane that is not a length, or an unknown dialect. Also a harmless word that is not a
 /// word, or that is read.
 [[nodiscard]] Result<ReadOptions> understand(const ReadingArguments& arguments);
+
+/// Reads the file of --tool-lengths into the set-up of the program. Nothing is read if none is given.
+/// Returns the first error. `bytes`: takes the text that was read.
+[[nodiscard]] std::optional<Diagnostic> read_tool_lengths(const ReadingArguments& arguments, std::uint64_t max_bytes,
+                                                          ReadOptions& options, std::string& bytes);
 
 /// --max-input of a command, in bytes: no file it reads may have more.
 struct InputLimit {

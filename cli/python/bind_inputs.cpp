@@ -56,6 +56,32 @@ std::string tool_name(const py::object& name) {
   return is_number ? std::string(py::str(name)) : text_of(name, "name");
 }
 
+ProgramOptions program_options(const py::kwargs& given) {
+  Keywords keywords("read_program", given);
+  ProgramOptions options;
+  options.control = keywords.text("control", "");
+  options.machine = keywords.text("machine", "");
+  options.joint_limits = keywords.texts("joint_limits");
+  options.joint_points = keywords.texts("joint_points");
+  options.joint_rates = keywords.texts("joint_rates");
+  options.zero = keywords.text("zero", "");
+  options.tool_length = keywords.number_or_none("tool_length");
+  options.offsets = keywords.texts("offsets");
+  options.tool_lengths = keywords.text("tool_lengths", "");
+  options.start = keywords.texts("start");
+  options.tip_control_ends = keywords.texts("tip_control_ends");
+  options.harmless_words = keywords.texts("harmless_words");
+  options.block_delete = keywords.text("block_delete", "");
+  options.home = keywords.text("home", "");
+  options.plain_numbers = keywords.text("plain_numbers", "");
+  options.rotary_turns = keywords.text("rotary_turns", "");
+  options.tip_frame = keywords.text("tip_frame", "");
+  options.joint_rapid_law = keywords.text("joint_rapid_law", "");
+  options.unit = keywords.text("unit", "");
+  keywords.finish();
+  return options;
+}
+
 }  // namespace
 
 void bind_meshes(py::module_& module) {
@@ -197,6 +223,19 @@ void bind_paths(py::module_& module) {
       py::arg("file"), py::arg("unit") = "",
       "A Path from CL data: APT, NX CLSF, CATIA, Creo, NCCS, Mastercam NCI and more, recognised by its content. unit: mm "
       "or inch, of a file that states none.");
+  module.def(
+      "read_program",
+      [](const py::object& file, const py::kwargs& keywords) {
+        const std::string name = file_of(file);
+        const ProgramOptions options = program_options(keywords);
+        const py::gil_scoped_release release;
+        return Path::read_program(name, options);
+      },
+      py::arg("file"),
+      "A Path from a program of a machine's control (G-code), as the control runs it. Keywords: control, machine, "
+      "joint_limits, joint_points, joint_rates, zero, tool_length, offsets, tool_lengths, start, tip_control_ends, "
+      "harmless_words, block_delete, home, plain_numbers, rotary_turns, tip_frame, joint_rapid_law, unit; each is the "
+      "text or the list of texts of the option of 'gougecheck check'. A check needs the machine that is given here.");
 }
 
 }  // namespace gougecheck::python

@@ -60,7 +60,7 @@ class AnyTurnCounter {
     const MoveState state = result_.verdicts[i].state;
     const Move& move = path_.moves[i];
     const bool is_clean = state == MoveState::clean || state == MoveState::near_miss;
-    return is_clean && move.has_start && !move.is_covered() && law_.is_by_axes(move.kind);
+    return is_clean && move.has_start && !move.is_covered() && law_.is_by_axes(move);
   }
 
   static bool turns(const Motion& motion) {

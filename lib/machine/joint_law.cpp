@@ -52,6 +52,12 @@ const Joint* arrive_independently(const Machine& machine, JointRuns& runs) {
   return nullptr;
 }
 
+bool several_move(const Machine& machine, const JointRuns& runs) {
+  std::size_t moving = 0;
+  for (std::size_t k = 0; k < runs.size(); ++k) moving += moves(machine.joints[k], runs[k]) ? 1U : 0U;
+  return moving > 1;
+}
+
 JointRuns runs_between(const Machine& machine, const Vec3& from, const Vec3& to, const AngleRange& angles,
                        double tool_length_mm) {
   const JointValues start = inverse(machine, from, angles.from, tool_length_mm),
@@ -144,7 +150,8 @@ class ChainRun : public AxisPath, public TipPath {
 }  // namespace
 
 std::string JointLaw::name() const {
-  return (timing_ == JointTiming::together ? "joint of " : "independent of ") + machine_->name;
+  constexpr std::array<const char*, 3> kWords = {"joint of ", "independent of ", "not stated of "};
+  return kWords[static_cast<std::size_t>(timing_)] + machine_->name;
 }
 
 std::shared_ptr<const AxisPath> JointLaw::between(const Pose& from, const Pose& to) const {
@@ -161,6 +168,7 @@ std::shared_ptr<const AxisPath> JointLaw::of_move(const JointPath* joints, std::
   }
   JointRuns runs = runs_between(*machine_, from.tip, to.tip, *angles, tool_length_mm_);
   if (timing_ == JointTiming::independent && arrive_independently(*machine_, runs) != nullptr) return nullptr;
+  if (timing_ == JointTiming::unknown && several_move(*machine_, runs)) return nullptr;
   return std::make_shared<ChainRun>(machine_, std::move(runs), tool_length_mm_);
 }
 
@@ -173,12 +181,17 @@ std::string JointLaw::why_open(const Toolpath& path, std::size_t index) const {
     return "the length of one tool is stated, and the path has " + std::to_string(path.tools.size());
   JointRuns runs = runs_between(*machine_, from.tip, move.end.tip, *angles, tool_length_mm_);
   if (move.curve_kind != CurveKind::none) {
-    if (timing_ == JointTiming::independent) return "no manual states how joints run along a curve at their own rates";
+    if (timing_ != JointTiming::together) return "no manual states how joints run along a curve at their own rates";
     const bool turns =
         std::ranges::any_of(machine_->rotary, [&](std::size_t k) { return moves(machine_->joints[k], runs[k]); });
     return turns ? "no manual states how joints run along a curve while rotary joints turn" : std::string();
   }
   if (timing_ == JointTiming::together) return {};
+  if (timing_ == JointTiming::unknown)
+    return several_move(*machine_, runs)
+               ? "nothing states how joints run in a rapid without tool centre point control; expected "
+                 "--joint-rapid-law joint or independent"
+               : std::string();
   const Joint* const unknown = arrive_independently(*machine_, runs);
   return unknown == nullptr ? std::string() : "the rate of joint " + unknown->name + " is not in the machine file";
 }

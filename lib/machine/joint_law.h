@@ -11,8 +11,9 @@ namespace gouge {
 
 /// When the joints of a machine run without tool centre point control.
 enum class JointTiming {
-  together,    ///< all start and arrive together, each linearly in one parameter
-  independent  ///< all start together, each at its own rate until it arrives
+  together,     ///< all start and arrive together, each linearly in one parameter
+  independent,  ///< all start together, each at its own rate until it arrives
+  unknown       ///< nothing states it: motions of several joints are open
 };
 
 /// The laws "joint" and "independent": the joints run, and tip and axis follow the forward kinematics. Proofs and sources:
@@ -33,7 +34,7 @@ class JointLaw : public AxisLaw {
   [[nodiscard]] std::shared_ptr<const AxisPath> of_move(const JointPath* joints, std::size_t move, const Pose& from,
                                                         const Pose& to) const override;
   [[nodiscard]] std::string why_open(const Toolpath& path, std::size_t move) const override;
-  [[nodiscard]] bool bends_without_turning() const override { return timing_ == JointTiming::independent; }
+  [[nodiscard]] bool bends_without_turning() const override { return timing_ != JointTiming::together; }
   [[nodiscard]] std::string name() const override;
 
  private:

@@ -224,4 +224,21 @@ JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath, bool
   return planned.breaks < nearest.breaks ? planned : nearest;
 }
 
+JointChoice check_joints(const Machine& machine, const Toolpath& toolpath, const JointPath& stated) {
+  JointChoice choice{stated, {}, 0};
+  for (std::size_t i = 0; i < toolpath.moves.size(); ++i) {
+    if (!stated.end[i]) continue;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Joint& joint = machine.joints[machine.rotary[k]];
+      const double angle = (*stated.end[i])[k];
+      if (joint.is_continuous) continue;
+      const double low = joint.min.value_or(angle), high = joint.max.value_or(angle);
+      if (angle >= low - Tolerance::kSameDirection && angle <= high + Tolerance::kSameDirection) continue;
+      choice.problems.push_back({Kind::limit, i, machine.rotary[k], angle, angle < low ? low : high});
+      break;
+    }
+  }
+  return choice;
+}
+
 }  // namespace gouge

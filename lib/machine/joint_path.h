@@ -44,4 +44,7 @@ struct JointChoice {
 /// matters.
 [[nodiscard]] JointChoice choose_joints(const Machine& machine, const Toolpath& toolpath, bool is_turn_needed = false);
 
+/// Returns the stated angles of a path, with a problem for each position beyond a limit. Cost O(moves).
+[[nodiscard]] JointChoice check_joints(const Machine& machine, const Toolpath& toolpath, const JointPath& stated);
+
 }  // namespace gouge

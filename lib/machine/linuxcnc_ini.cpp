@@ -81,6 +81,8 @@ class IniReader {
                       linear('X', Vec3::UnitX()), linear('Y', Vec3::UnitY()), linear('Z', Vec3::UnitZ())};
     machine.control = {"LinuxCNC", TurnLaw::axis, TurnLaw::axis,
                        "LinuxCNC src/emc/tp/tc.c TC_LINEAR, with the kinematics switched on"};
+    machine.control.program = "linuxcnc";
+    machine.control.joint_rapid_law = TurnLaw::joint;
     if (error_) return *error_;
     find_missing_axes(machine);
     Result<Machine> made = make_machine(std::move(machine));

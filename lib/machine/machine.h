@@ -49,6 +49,9 @@ inline constexpr std::array<const char*, 6> kTurnLawNames = {"vector", "axis",  
 inline constexpr std::size_t kFeedLaws = 5;
 struct TurnLaws {
   TurnLaw feeds = TurnLaw::vector, rapids = TurnLaw::vector;
+  /// Law of rapids without tool centre point control (Move::runs_joints): joint or independent; none: not known. Such feeds
+  /// run by the law joint.
+  std::optional<TurnLaw> joint_rapids = {};
 };
 [[nodiscard]] const char* turn_law_name(TurnLaw law);
 /// Returns the law of that name; none where there is no such law.
@@ -60,6 +63,9 @@ struct Control {
   std::string source;                          ///< manual and page
   /// Tolerances of the smoothing, mm and rad: maximum departure of tip and tool axis from the law; 0: none is stated.
   double tip_tolerance_mm = 0, axis_tolerance_rad = 0;
+  std::optional<TurnLaw> joint_rapid_law = {};  ///< of rapids without tool centre point control: joint or independent
+  std::string program = {};                     ///< language of its programs: "linuxcnc", "haas"; empty: not stated
+  std::string start = {};                       ///< blocks in force at the start of a program: "G17 G21 G90"
 };
 
 struct Machine {

@@ -15,7 +15,7 @@ const std::vector<MachinePreset>& machine_presets() {
     {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0], "min": -100, "max": 100, "rate": 1200},
     {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1], "min": -120, "max": 120, "rate": 1200}
   ],
-  "control": {"name": "LinuxCNC", "feed_law": "axis", "rapid_law": "axis",
+  "control": {"name": "LinuxCNC", "program": "linuxcnc", "feed_law": "axis", "rapid_law": "axis", "joint_rapid_law": "joint",
     "source": "LinuxCNC src/emc/tp/tc.c TC_LINEAR: xyz, abc and uvw each linear in one progress; G0 is coordinated (kinematics switched on)"}
 })json"},
       {"linuxcnc-xyzbc-trt", "LinuxCNC, B trunnion with a C table", R"json({
@@ -28,7 +28,7 @@ const std::vector<MachinePreset>& machine_presets() {
     {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0], "min": -100, "max": 100, "rate": 1200},
     {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1], "min": -120, "max": 120, "rate": 1200}
   ],
-  "control": {"name": "LinuxCNC", "feed_law": "axis", "rapid_law": "axis",
+  "control": {"name": "LinuxCNC", "program": "linuxcnc", "feed_law": "axis", "rapid_law": "axis", "joint_rapid_law": "joint",
     "source": "LinuxCNC src/emc/tp/tc.c TC_LINEAR: xyz, abc and uvw each linear in one progress; G0 is coordinated (kinematics switched on)"}
 })json"},
       {"haas-umc750", "Haas UMC-750, B trunnion with a C table", R"json({
@@ -41,7 +41,7 @@ const std::vector<MachinePreset>& machine_presets() {
     {"name": "Y", "type": "linear", "side": "head", "direction": [0, 1, 0]},
     {"name": "Z", "type": "linear", "side": "head", "direction": [0, 0, 1]}
   ],
-  "control": {"name": "Haas NGC", "feed_law": null, "rapid_law": null, "source": "the Haas manual promises no motion of the rotary axes under G234: give --feed-law and --rapid-law"}
+  "control": {"name": "Haas NGC", "program": "haas", "feed_law": null, "rapid_law": null, "source": "the Haas manual promises no motion of the rotary axes under G234: give --feed-law and --rapid-law"}
 })json"},
       {"table-b-head", "C table and B head, square", R"json({
   "name": "table-b-head",

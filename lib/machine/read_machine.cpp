@@ -28,6 +28,9 @@ bool is_joint_name(const std::string& name) {
 const std::vector<std::string> kRapidLaws(kTurnLawNames.begin(), kTurnLawNames.end()),
     kFeedLawWords(kTurnLawNames.begin(), kTurnLawNames.begin() + kFeedLaws);
 
+// Laws of rapids without tool centre point control.
+const std::vector<std::string> kJointLaws = {"joint", "independent"};
+
 struct Interval {
   double middle = 0, half = 0;
 };
@@ -164,11 +167,17 @@ class MachineReader {
 
   [[nodiscard]] Control control(const JsonField& field, const nlohmann::json& value) const {
     constexpr double kMaxTip = 100, kMaxAxis_deg = 10;
-    allow(value, field, {"name", "feed_law", "rapid_law", "source", "tip_tolerance", "axis_tolerance"});
+    allow(value, field,
+          {"name", "feed_law", "rapid_law", "joint_rapid_law", "program", "start", "source", "tip_tolerance",
+           "axis_tolerance"});
     Control control;
     control.name = field.at("name").text();
     control.feed_law = law(field, "feed_law", kFeedLawWords);
     control.rapid_law = law(field, "rapid_law", kRapidLaws);
+    if (const auto joints = field.find("joint_rapid_law"); joints && !joints->is_null())
+      control.joint_rapid_law = joints->word(kJointLaws) == 0 ? TurnLaw::joint : TurnLaw::independent;
+    if (const auto program = field.find("program")) control.program = program->text();
+    if (const auto start = field.find("start")) control.start = start->text();
     if (const auto source = field.find("source")) control.source = source->text();
     control.tip_tolerance_mm = tolerance(field, "tip_tolerance", mm_per_unit_, kMaxTip);
     control.axis_tolerance_rad = tolerance(field, "axis_tolerance", kDegree_rad, kMaxAxis_deg);

@@ -5,22 +5,28 @@ namespace gouge {
 std::string MotionLaw::name() const {
   const std::string feed = feed_axes_ ? feed_axes_->name() : "great-circle";
   const std::string rapid = rapid_axes_ ? rapid_axes_->name() : "great-circle";
-  return feed == rapid ? feed : feed + ", rapids " + rapid;
+  std::string text = feed == rapid ? feed : feed + ", rapids " + rapid;
+  if (joint_feed_axes_ == nullptr) return text;
+  text += ", without tool centre point control " + joint_feed_axes_->name();
+  return joint_rapid_axes_->name() == joint_feed_axes_->name() ? text : text + ", rapids " + joint_rapid_axes_->name();
 }
 
 std::optional<MotionLaw> MotionLaw::widest() const {
   if (!widest_feed_axes_ && !widest_rapid_axes_) return std::nullopt;
-  return MotionLaw(rapid_, widest_feed_axes_ ? widest_feed_axes_ : feed_axes_,
-                   widest_rapid_axes_ ? widest_rapid_axes_ : rapid_axes_);
+  MotionLaw law(rapid_, widest_feed_axes_ ? widest_feed_axes_ : feed_axes_,
+                widest_rapid_axes_ ? widest_rapid_axes_ : rapid_axes_);
+  law.set_joint_axes(joint_feed_axes_, joint_rapid_axes_);
+  return law;
 }
 
 std::string MotionLaw::why_open(const Toolpath& toolpath, std::size_t move) const {
-  const AxisLaw* const axes = axes_of(toolpath.moves[move].kind);
+  const AxisLaw* const axes = axes_of(toolpath.moves[move]);
   return axes == nullptr ? std::string() : axes->why_open(toolpath, move);
 }
 
 bool MotionLaw::bends_without_turning() const {
-  return (feed_axes_ && feed_axes_->bends_without_turning()) || (rapid_axes_ && rapid_axes_->bends_without_turning());
+  const auto bends = [](const std::shared_ptr<const AxisLaw>& axes) { return axes && axes->bends_without_turning(); };
+  return bends(feed_axes_) || bends(rapid_axes_) || bends(joint_feed_axes_) || bends(joint_rapid_axes_);
 }
 
 Motion MotionLaw::of(const Toolpath& toolpath, std::size_t index) const {
@@ -30,7 +36,11 @@ Motion MotionLaw::of(const Toolpath& toolpath, std::size_t index) const {
     alone.is_alone_ = true;
     return alone;
   }
-  Motion motion(toolpath.start_of(index), move.end, axes_of(move.kind), toolpath.joints.get(), index);
+  Motion motion(toolpath.start_of(index), move.end, axes_of(move), toolpath.joints.get(), index);
+  // No law of the tip covers the joints of a move without tool centre point control.
+  const bool is_open =
+      move.runs_joints && joint_feed_axes_ == nullptr && toolpath.start_of(index).axis != move.end.axis;
+  motion.is_defined_ = motion.is_defined_ && !is_open;
   if (move.curve_kind == CurveKind::arc) {
     motion.run_along(toolpath.arcs[move.curve]);
   } else if (move.curve_kind == CurveKind::spline) {

@@ -45,6 +45,12 @@ class MotionLaw {
     widest_feed_axes_ = std::move(feed_axes);
     widest_rapid_axes_ = std::move(rapid_axes);
   }
+  /// Adds the laws of moves without tool centre point control (Move::runs_joints), for feeds and for rapids; not null.
+  /// Without this the tip of such a move runs straight.
+  void set_joint_axes(std::shared_ptr<const AxisLaw> feed_axes, std::shared_ptr<const AxisLaw> rapid_axes) {
+    joint_feed_axes_ = std::move(feed_axes);
+    joint_rapid_axes_ = std::move(rapid_axes);
+  }
   /// Returns the law of set_widest for both kinds of moves. None: there is none for either kind. A kind without
   /// one keeps its law.
   [[nodiscard]] std::optional<MotionLaw> widest() const;
@@ -55,15 +61,15 @@ class MotionLaw {
   [[nodiscard]] RapidMode rapid() const { return rapid_; }
   /// Returns true where the motion between the poses at two instants of a motion without a curve is surely a part of
   /// it.
-  [[nodiscard]] bool is_divisible(MoveKind kind) const {
-    return axes_of(kind) == nullptr && (kind != MoveKind::rapid || rapid_ != RapidMode::dogleg);
-  }
+  [[nodiscard]] bool is_divisible(MoveKind kind) const { return is_divisible(axes_of(kind), kind); }
+  /// Returns the same for the motion of a move.
+  [[nodiscard]] bool is_divisible(const Move& move) const { return is_divisible(axes_of(move), move.kind); }
   /// Returns true where the axis turns on the great circle in all motions.
   [[nodiscard]] bool is_great_circle() const {
-    return is_on_circle(feed_axes_.get()) && is_on_circle(rapid_axes_.get());
+    return is_on_circle(feed_axes_.get()) && is_on_circle(rapid_axes_.get()) && joint_feed_axes_ == nullptr;
   }
-  /// Returns true where the axis of such a motion runs by an AxisLaw.
-  [[nodiscard]] bool is_by_axes(MoveKind kind) const { return axes_of(kind) != nullptr; }
+  /// Returns true where the axis of a move runs by an AxisLaw.
+  [[nodiscard]] bool is_by_axes(const Move& move) const { return axes_of(move) != nullptr; }
   /// Names the reason for which the law leaves the motion of a move with a start open; empty: it does not, or opposite axes are the reason.
   [[nodiscard]] std::string why_open(const Toolpath& toolpath, std::size_t move) const;
   /// True where the tip may leave its line while the axis stands.
@@ -89,12 +95,21 @@ class MotionLaw {
 
  private:
   static bool is_on_circle(const AxisLaw* axes) { return axes == nullptr || axes->scope() == LawScope::circle; }
+  [[nodiscard]] bool is_divisible(const AxisLaw* axes, MoveKind kind) const {
+    return axes == nullptr && (kind != MoveKind::rapid || rapid_ != RapidMode::dogleg);
+  }
+  /// Returns the law of a move. No other function decides it.
+  [[nodiscard]] const AxisLaw* axes_of(const Move& move) const {
+    if (!move.runs_joints || joint_feed_axes_ == nullptr) return axes_of(move.kind);
+    return move.kind == MoveKind::rapid ? joint_rapid_axes_.get() : joint_feed_axes_.get();
+  }
   [[nodiscard]] const AxisLaw* axes_of(MoveKind kind) const {
     return kind == MoveKind::rapid ? rapid_axes_.get() : feed_axes_.get();
   }
 
   RapidMode rapid_;
-  std::shared_ptr<const AxisLaw> feed_axes_, rapid_axes_, widest_feed_axes_, widest_rapid_axes_;
+  std::shared_ptr<const AxisLaw> feed_axes_, rapid_axes_, widest_feed_axes_, widest_rapid_axes_, joint_feed_axes_,
+      joint_rapid_axes_;
 };
 
 }  // namespace gouge

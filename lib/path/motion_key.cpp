@@ -42,6 +42,7 @@ std::string motion_key(const Toolpath& path, std::size_t index) {
   text.add(std::string_view(kind_name(move.kind)));
   text.add(move.has_start);
   text.add(move.is_linked);
+  if (move.runs_joints) text.add(std::string_view("joints"));
   text.add(move.not_checked_reason);
   if (move.is_covered()) text.add(static_cast<double>(move.cover));
   if (index > 0 && (move.has_start || move.is_linked)) text.add(path.start_of(index));

@@ -99,6 +99,9 @@ struct Move {
   /// True for a single position that follows the end of the move before it, while the file changes neither tool nor
   /// frame. The file does not state the motion to it.
   bool is_linked = false;
+  /// True for a motion without tool centre point control, which programs of a machine can state: all joints run, and tip
+  /// and axis follow them. False: the tip runs as the path states.
+  bool runs_joints = false;
   Cover cover = Cover::none;  ///< for a motion with a not_checked_reason
 
   [[nodiscard]] bool is_covered() const { return cover != Cover::none && !not_checked_reason.empty(); }

@@ -165,7 +165,7 @@ bool CutHistory::is_cutting(std::size_t move) const {
 
 bool CutHistory::is_straight_with_fixed_axis(std::size_t move) const {
   const Move& of = path_.moves[move];
-  return of.has_start && law_.is_divisible(of.kind) && of.curve_kind == CurveKind::none &&
+  return of.has_start && law_.is_divisible(of) && of.curve_kind == CurveKind::none &&
          (path_.start_of(move).axis - of.end.axis).squaredNorm() <
              Tolerance::kExactDirection * Tolerance::kExactDirection;
 }

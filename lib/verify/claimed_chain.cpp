@@ -81,6 +81,12 @@ std::vector<double> shares_at(const ClaimedJoints& joints, ClaimedRun run, const
 
 }  // namespace
 
+ClaimedRun run_of(const ClaimedJoints& joints, const Move& move) {
+  const bool is_rapid = move.kind == MoveKind::rapid;
+  if (move.runs_joints) return is_rapid ? joints.joint_rapids : joints.joint_feeds;
+  return is_rapid ? joints.rapids : joints.feeds;
+}
+
 RigidTransform chain_frame(const ClaimedJoints& joints, ClaimedRun run, const ChainEnds& ends, double t) {
   const std::vector<double> from = values_for(joints, ends.angles0, ends.tip0),
                             to = values_for(joints, ends.angles1, ends.tip1);

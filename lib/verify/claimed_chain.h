@@ -7,6 +7,7 @@
 
 #include "lib/geom/pose.h"
 #include "lib/path/joint_angles.h"
+#include "lib/path/toolpath.h"
 
 // The joints of a machine as a claim names them, by formulas of this module's own: 4x4 matrices.
 
@@ -39,7 +40,12 @@ struct ClaimedJoints {
   double tool_length_mm = 0;
   RigidTransform rest;  ///< frame of the tool with all joints at 0: gauge point, and the tool axis as z
   ClaimedRun feeds = ClaimedRun::on_circle, rapids = ClaimedRun::on_circle;
+  /// Runs of moves without tool centre point control (Move::runs_joints).
+  ClaimedRun joint_feeds = ClaimedRun::together, joint_rapids = ClaimedRun::together;
 };
+
+/// Returns the run of a move with a start.
+[[nodiscard]] ClaimedRun run_of(const ClaimedJoints& joints, const Move& move);
 
 /// Both ends of a motion: tips and rotary angles.
 struct ChainEnds {

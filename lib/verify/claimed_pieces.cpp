@@ -7,7 +7,7 @@ std::optional<std::vector<MotionPiece>> claimed_pieces(const ClaimedScene& scene
   if (!scene.joints && scene.axis_law != kGreatCircle) return std::nullopt;
   ClaimedRun run = ClaimedRun::on_circle;
   if (scene.joints && (move.has_start || move.is_linked))
-    run = move.has_start && move.kind == MoveKind::rapid ? scene.joints->rapids : scene.joints->feeds;
+    run = move.has_start ? run_of(*scene.joints, move) : scene.joints->feeds;
   if (run == ClaimedRun::on_circle) return motion_pieces(scene.path, index, scene.is_dogleg);
   const JointPath* const angles = scene.path.joints.get();
   if (!move.has_start || scene.is_dogleg || run == ClaimedRun::any || angles == nullptr ||

@@ -28,7 +28,7 @@ ClaimedRun claimed_run_of(const ClaimedScene& scene, std::size_t index) {
   if (!has_angles(scene, index)) return ClaimedRun::on_circle;
   const Move& move = scene.path.moves[index];
   if (!move.has_start) return scene.joints->feeds;  // a position alone stands at its joints
-  return move.kind == MoveKind::rapid ? scene.joints->rapids : scene.joints->feeds;
+  return run_of(*scene.joints, move);
 }
 
 namespace {

@@ -3,12 +3,16 @@
 #include <utility>
 
 #include "postproc/formats/toolpath_format.h"
+#include "postproc/gcode/running/program_setup.h"
 
 namespace gouge {
 
 ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const ReadOptions& options,
                           const ProgressCall& progress) {
-  const Dialect dialect = options.dialect ? *options.dialect : recognise_dialect(bytes);
+  Dialect dialect = options.dialect ? *options.dialect : recognise_dialect(bytes);
+  // A program of a few blocks has no marks; the user who states its control has one.
+  const bool has_control = options.program && options.program->is_control_stated;
+  if (!options.dialect && dialect.is_fallback && has_control) dialect = gcode_dialect();
   return format_called(dialect.format).read(file_name, std::move(bytes), dialect, options, progress);
 }
 

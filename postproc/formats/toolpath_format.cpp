@@ -17,6 +17,7 @@
 #include "postproc/cldata/rewriting/goto_text.h"
 #include "postproc/cldata/rewriting/rewriters.h"
 #include "postproc/cldata/writing/text_sink.h"
+#include "postproc/gcode/reading/read_gcode.h"
 
 namespace gouge {
 namespace {
@@ -53,8 +54,28 @@ Decimals decimals_by(const Toolpath& path, const MotionRecords& records) {
 // Returns the decimals for numbers without decimals: the resolution of a double at the size of a part.
 Decimals decimals_of_records(const Toolpath&, const MotionRecords&) { return {7, 9}; }
 
+ReadOutcome read_program(const std::string& file_name, SourceText bytes, const Dialect& /*dialect*/,
+                         const ReadOptions& options, const ProgressCall& progress) {
+  const GcodeOptions program{options.program ? *options.program : ProgramSetup{}, options.unit, options.harmless_words,
+                             options.unnamed_tool};
+  return read_gcode(file_name, std::move(bytes), program, progress);
+}
+
+// A program has no records of CL data: nothing of its moves is compensated or curved beyond what the path states.
+std::shared_ptr<const MotionRecords> records_of_program(const Toolpath& path) {
+  auto records = std::make_shared<MotionRecords>();
+  records->of_move.resize(path.moves.size());
+  return records;
+}
+
+Result<Edits> refuse_rewriting(const Toolpath& path, const std::vector<PathChange>& /*changes*/) {
+  return make_error("write-gcode", "a program of a machine's control is not corrected; correct its CL data", path.file);
+}
+
+Decimals decimals_of_program(const Toolpath&, const MotionRecords&) { return {6, 9}; }
+
 // In order of reliability. The text format accepts every file.
-constexpr std::array<ToolpathFormat, 3> kFormats = {{
+constexpr std::array<ToolpathFormat, 4> kFormats = {{
     {.id = "nccs-records",
      .recognise = recognise_by<is_nccs_binary, DialectKind::nccs_binary>,
      .read = read_by<open_nccs>,
@@ -68,6 +89,14 @@ constexpr std::array<ToolpathFormat, 3> kFormats = {{
      .records = records_by<open_nci>,
      .rewrite = rewrite_by<open_nci, edits_of_nci>,
      .decimals = decimals_by<open_nci>,
+     .make_sink = nullptr},
+    {.id = "gcode",
+     .recognise =
+         [](std::string_view bytes) { return is_gcode(bytes) ? std::optional(gcode_dialect()) : std::nullopt; },
+     .read = read_program,
+     .records = records_of_program,
+     .rewrite = refuse_rewriting,
+     .decimals = decimals_of_program,
      .make_sink = nullptr},
     {.id = "text",
      .recognise = [](std::string_view bytes) { return std::optional(recognise_text(bytes)); },

@@ -54,6 +54,29 @@ bool loses_shape(CutterForm form, const PathTool& tool) {
   return true;
 }
 
+// Returns the first motion of a program that positions and axes do not state: more than half a turn of a rotary joint, or
+// a turn without tool centre point control.
+std::optional<Diagnostic> find_lost_joints(const Toolpath& path) {
+  constexpr double kHalfTurn_rad = std::numbers::pi - 1e-6;
+  if (path.joints == nullptr || path.dialect != gcode_dialect().id) return std::nullopt;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const auto &from = path.joints->start[i], &to = path.joints->end[i];
+    if (!from || !to) continue;
+    const double turn = std::max(std::abs((*to)[0] - (*from)[0]), std::abs((*to)[1] - (*from)[1]));
+    const Move& move = path.moves[i];
+    if (turn > kHalfTurn_rad)
+      return make_error("convert-joints",
+                        "a rotary joint turns by " + display_text(turn * 180 / std::numbers::pi, 3) +
+                            " degrees, and CL data do not state its way; expected at most half a turn in a move",
+                        path.file, move.line);
+    if (move.runs_joints && turn > Tolerance::kSameDirection)
+      return make_error("convert-joints",
+                        "rotary joints turn without tool centre point control, and CL data do not state such a motion",
+                        path.file, move.line);
+  }
+  return std::nullopt;
+}
+
 class PathWriter {
  public:
   PathWriter(const Toolpath& path, const Dialect& target)
@@ -339,6 +362,7 @@ Result<WrittenToolpath> PathWriter::run() {
 }  // namespace
 
 Result<WrittenToolpath> write_toolpath(const Toolpath& path, const Dialect& target) {
+  if (auto error = find_lost_joints(path)) return std::move(*error);
   return PathWriter(path, target).run();
 }
 

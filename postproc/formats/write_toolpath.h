@@ -24,7 +24,8 @@ struct WrittenToolpath {
 /// Ensures  The bytes, read again, give the same motions to the last written digit. A note states each exception.
 /// Errors   (1) convert-not-understood: the path has motions that are not understood, so no dialect can express them.
 ///          (2) convert-dialect: `target` is read only (Mastercam NCI), or has no tool axis (CLT) and the path needs
-///          one.
+///          one. (3) convert-joints: a rotary joint of a program turns by more than half a turn in a move, or without tool
+///          centre point control.
 /// Cost     One pass to write and one to read.
 [[nodiscard]] Result<WrittenToolpath> write_toolpath(const Toolpath& path, const Dialect& target);
 

@@ -68,8 +68,9 @@ const Words& verdict_words() {
   return words;
 }
 const Words& role_words() {
-  static const Words words = {"toolpath",       "machine", "part",   "fixture",      "head",     "tools",
-                              "named-by-tools", "stock",   "before", "before-tools", "baseline", "project"};
+  static const Words words = {"toolpath", "machine",        "part",         "fixture",       "head",
+                              "tools",    "named-by-tools", "stock",        "before",        "before-tools",
+                              "baseline", "project",        "tool-lengths", "program-beside"};
   return words;
 }
 const Words& use_words() {

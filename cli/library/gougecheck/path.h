@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,23 @@
 namespace gougecheck {
 
 enum class MoveKind : std::uint8_t { feed, rapid, arc, cycle };
+
+/// Facts about a program of a machine's control (G-code), as texts of the options of `gougecheck check` with these names.
+/// What is empty is not stated.
+struct GOUGECHECK_EXPORT ProgramOptions {
+  std::string control;  ///< "linuxcnc", "haas", ...; empty: that of the machine
+  std::string machine;  ///< machine file or preset; empty: a program without rotary words
+  std::vector<std::string> joint_limits, joint_points, joint_rates;
+  std::string zero;                   ///< part zero in machine coordinates
+  std::optional<double> tool_length;  ///< mm, from the gauge point to the tip
+  std::vector<std::string> offsets;   ///< "G54=x,y,z"
+  std::string tool_lengths;           ///< file
+  std::vector<std::string> start;     ///< blocks in force at the start
+  std::vector<std::string> tip_control_ends, harmless_words;
+  std::string block_delete, home, plain_numbers, rotary_turns, tip_frame;
+  std::string joint_rapid_law;  ///< "joint" or "independent"
+  std::string unit;             ///< mm or inch, for a program that states none
+};
 
 /// A toolpath. Move 0 is the first position alone. Each other move is the motion from the previous position. The tip
 /// runs on the straight line, or on the arc in its file, and the axis on the great circle. Immutable.
@@ -28,6 +46,11 @@ class GOUGECHECK_EXPORT Path {
   /// Throws   Error: the first error of the file (docs/formats/apt_cl.md), or a unit that differs from that of the
   ///          file.
   [[nodiscard]] static Path read(const std::string& file, const std::string& unit = "");
+
+  /// Reads a program of a machine's control as the control runs it. A check of a program that turns rotary joints needs
+  /// the machine with which it was read, with the same joints, zero and tool length.
+  /// Throws   Error: the first error of the options or of the program (docs/formats/gcode.md).
+  [[nodiscard]] static Path read_program(const std::string& file, const ProgramOptions& options);
 
   [[nodiscard]] std::size_t size() const;  ///< number of moves
   [[nodiscard]] const std::string& name() const;

@@ -13,7 +13,7 @@ import enum
 
 from gougecheck._core import (
     Assumption, Change, Correction, Depths, Error, Mesh, Note, Path, Penetration, Report, Scene, Tool, ToolLibrary,
-    Uncorrected, __version__, check, correct, depth, penetration, read_toolpath, state_name)
+    Uncorrected, __version__, check, correct, depth, penetration, read_program, read_toolpath, state_name)
 
 
 class State(enum.IntEnum):
@@ -39,4 +39,4 @@ class Body(enum.IntEnum):
 __all__ = [
     "Assumption", "Body", "Change", "Correction", "Depths", "Error", "Mesh", "Note", "Path", "Penetration", "Report", "Scene",
     "State", "Tool", "ToolLibrary", "Uncorrected", "__version__", "check", "correct", "depth", "penetration",
-    "read_toolpath", "state_name"]
+    "read_program", "read_toolpath", "state_name"]

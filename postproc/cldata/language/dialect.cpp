@@ -147,11 +147,21 @@ constexpr std::array<Dialect, 13> kDialects = {{
     {.kind = DialectKind::apt, .id = "apt", .title = "APT CL data", .has_end_word = false, .is_fallback = true},
 }};
 
+constexpr Dialect kGcode = {.kind = DialectKind::gcode,
+                            .id = "gcode",
+                            .title = "G-code",
+                            .format = "gcode",
+                            .has_apt_words = false,
+                            .is_written = false};
+
 }  // namespace
+
+const Dialect& gcode_dialect() { return kGcode; }
 
 std::span<const Dialect> all_dialects() { return kDialects; }
 
 const Dialect& dialect_of(DialectKind kind) {
+  if (kind == DialectKind::gcode) return kGcode;
   const auto* const it = std::ranges::find_if(kDialects, [&](const Dialect& d) { return d.kind == kind; });
   return it == kDialects.end() ? kDialects.back() : *it;
 }
@@ -162,6 +172,7 @@ std::optional<Dialect> dialect_called(std::string_view id) {
     const bool is_short = dialect.id.starts_with(kApt) && equals_ignoring_case(id, dialect.id.substr(kApt.size()));
     if (is_short || equals_ignoring_case(id, dialect.id)) return dialect;
   }
+  if (equals_ignoring_case(id, kGcode.id)) return kGcode;
   return std::nullopt;
 }
 
@@ -174,7 +185,7 @@ std::string names_of(bool is_written_only) {
   for (const Dialect& dialect : kDialects) {
     if (dialect.is_written || !is_written_only) names += (names.empty() ? "" : ", ") + std::string(dialect.id);
   }
-  return names;
+  return is_written_only ? names : names + ", " + std::string(kGcode.id);
 }
 
 }  // namespace

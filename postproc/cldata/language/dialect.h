@@ -25,7 +25,8 @@ enum class DialectKind : std::uint8_t {
   mori,
   goto_list,
   nccs_binary,
-  nci
+  nci,
+  gcode
 };
 
 /// Kinds of comments that are statements.
@@ -118,10 +119,13 @@ struct Dialect {
   CutterForm cutter_form = CutterForm::whole;
 };
 
-/// Returns all dialects, in the order for the user.
+/// Returns all dialects of CL data, in the order for the user.
 [[nodiscard]] std::span<const Dialect> all_dialects();
 
 [[nodiscard]] const Dialect& dialect_of(DialectKind kind);
+
+/// Returns the row of programs of a machine's control, which are no CL data; ProgramSetup states the control.
+[[nodiscard]] const Dialect& gcode_dialect();
 
 /// Returns the dialect with the name `id`, in upper or lower case, also without a leading "apt-". Returns nothing for
 /// other names.

@@ -165,6 +165,30 @@ TEST(LibraryCheck, FollowsTheMachineAndItsLaws) {
   EXPECT_TRUE(check(path, scene.post, ball(), options).is_clean());
 }
 
+TEST(LibraryCheck, ReadsAProgramAsItsMachineRunsIt) {
+  const std::string file = testing::TempDir() + "turn.ngc";
+  // Around the corner of the block without tool centre point control, and straight through it with.
+  std::ofstream(file) << "G21 G90 G17 G94\n#<way>=1\nG0 X60 Y0 Z-8 A0 C0\nG1 C90 F500\nM2\n";
+  ProgramOptions options;
+  options.machine = "preset:linuxcnc-xyzac-trt";
+  options.joint_points = {"A=0,0,-50", "C=0,0,0"};
+  const Path path = Path::read_program(file, options);
+  ASSERT_EQ(path.size(), 2u);
+  EXPECT_NEAR(std::abs(path.tips()[1][1]), 60, 1e-9);
+  CheckOptions check_options;
+  EXPECT_THROW((void)check(path, block(), ball(), check_options), Error) << "read with a machine, checked without";
+  check_options.machine = options.machine;
+  EXPECT_THROW((void)check(path, block(), ball(), check_options), Error) << "other points";
+  check_options.joint_points = options.joint_points;
+  const Report free = check(path, block(), ball(), check_options);
+  EXPECT_EQ(free.state()[1], State::clean) << free.text();
+  std::ofstream(file) << "G21 G90 G17 G94\nM428\nG0 X60 Y0 Z-8 A0 C0\nG1 X0 Y60 F500\nM2\n";
+  const Report straight = check(Path::read_program(file, options), block(), ball(), check_options);
+  EXPECT_EQ(straight.state()[1], State::gouge) << straight.text();
+  options.control = "none";
+  EXPECT_THROW((void)Path::read_program(file, options), Error);
+}
+
 TEST(LibraryCheck, LeavesPositionsBeyondJointLimitsUnchecked) {
   // The A joint of this machine ends at -100 and 50 degrees.
   const std::vector<Vec3> tips = {{0, 0, 200}, {0, 0, 200}};

@@ -190,3 +190,14 @@ def test_everything_has_a_docstring():
         if name != "__version__":
             assert getattr(gougecheck, name).__doc__, name
     assert sys.modules["gougecheck"].__doc__
+
+
+def test_a_program_is_read_as_its_control_runs_it(tmp_path):
+    file = tmp_path / "p.ngc"
+    file.write_text("G21 G90 G17 G94\nG0 X0 Y0 Z5\nG1 Z1 F100\nM2\n")
+    path = gougecheck.read_program(file, control="linuxcnc")
+    assert np.allclose(path.tips, [[0, 0, 5], [0, 0, 1]])
+    with pytest.raises(TypeError, match="read_program"):
+        gougecheck.read_program(file, kontrol="linuxcnc")
+    with pytest.raises(gougecheck.Error, match="--control|gcode-control"):
+        gougecheck.read_program(file)

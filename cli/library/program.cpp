@@ -1,0 +1,63 @@
+#include <gougecheck/path.h>
+
+#include "cli/library/content.h"
+#include "cli/library/program_machine_key.h"
+#include "cli/machine/program_facts.h"
+#include "cli/machine/program_files.h"
+#include "cli/machine/program_machine.h"
+#include "lib/base/files.h"
+
+namespace gougecheck {
+namespace {
+
+gouge::StatedMachine stated_machine(const ProgramOptions& options) {
+  gouge::StatedMachine stated;
+  stated.machine = options.machine;
+  stated.tool_length_mm = options.tool_length;
+  stated.joints = {options.joint_limits, options.joint_points, options.joint_rates};
+  stated.zero = options.zero;
+  stated.joint_rapid_law = options.joint_rapid_law;
+  return stated;
+}
+
+gouge::ProgramSetup understood(const ProgramOptions& options) {
+  gouge::StatedProgram stated;
+  stated.control = options.control;
+  stated.offsets = options.offsets;
+  stated.start = options.start;
+  stated.tip_control_ends = options.tip_control_ends;
+  stated.block_delete = options.block_delete;
+  stated.home = options.home;
+  stated.plain_numbers = options.plain_numbers;
+  stated.rotary_turns = options.rotary_turns;
+  stated.tip_frame = options.tip_frame;
+  gouge::ProgramSetup setup = value_or_raise(gouge::understand_program(
+      stated, {"offsets", "home", "block_delete", "plain_numbers", "rotary_turns", "tip_frame"}));
+  if (options.tool_lengths.empty()) return setup;
+  const std::string bytes = value_or_raise(gouge::read_file(options.tool_lengths));
+  setup.lengths_mm = value_or_raise(gouge::parse_tool_lengths(options.tool_lengths, bytes));
+  return setup;
+}
+
+}  // namespace
+
+Path Path::read_program(const std::string& file, const ProgramOptions& options) {
+  gouge::ReadOptions reading;
+  reading.dialect = gouge::gcode_dialect();
+  reading.harmless_words = options.harmless_words;
+  reading.unit = gouge::unit_called(options.unit);
+  if (!options.unit.empty() && !reading.unit)
+    raise(gouge::make_error("usage", "unit '" + options.unit + "': expected mm or inch", file));
+  auto setup = std::make_shared<const gouge::ProgramSetup>(understood(options));
+  const gouge::StatedMachine stated = stated_machine(options);
+  if (!stated.machine.empty()) {
+    std::string bytes;
+    const gouge::Machine machine = value_or_raise(gouge::load_machine(stated, gouge::kMaxInputBytes, bytes));
+    setup = gouge::with_machine(setup, machine, stated, std::nullopt, std::nullopt);
+  }
+  reading.program = gouge::with_files_beside(setup, file, gouge::kMaxInputBytes, {});
+  const Path path = PathAccess::from_bytes(file, value_or_raise(gouge::read_file(file)), reading);
+  return PathAccess::of_machine(path, machine_key(stated), options.joint_rapid_law);
+}
+
+}  // namespace gougecheck

@@ -1,0 +1,155 @@
+#include "cli/machine/program_facts.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "cli/values/parse_lengths.h"
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+std::string in_capitals(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return text;
+}
+
+std::optional<Vec3> parse_point(const std::vector<std::string>& parts, std::size_t first) {
+  Vec3 point;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto length = parse_length_mm(parts[first + i]);
+    if (!length) return std::nullopt;
+    point[static_cast<int>(i)] = *length;
+  }
+  return point;
+}
+
+std::optional<std::pair<std::string, WorkOffset>> parse_offset(const std::string& text) {
+  const std::size_t equal = text.find('=');
+  if (equal == std::string::npos || equal == 0) return std::nullopt;
+  const std::string name = in_capitals(text.substr(0, equal));
+  if (name[0] != 'G') return std::nullopt;
+  const std::vector<std::string> parts = split_text(text.substr(equal + 1), ',');
+  if (parts.size() != 3 && parts.size() != 6) return std::nullopt;
+  WorkOffset offset;
+  const auto point = parse_point(parts, 0);
+  if (!point) return std::nullopt;
+  offset.xyz_mm = *point;
+  for (std::size_t i = 3; i < parts.size(); ++i) {
+    const auto angle = parse_number(parts[i]);
+    if (!angle) return std::nullopt;
+    offset.abc_deg[static_cast<int>(i) - 3] = *angle;
+  }
+  return std::pair{name, offset};
+}
+
+/// The tool and the length of a row; none: it is of another form.
+std::optional<std::pair<int, double>> parse_csv_row(std::string_view line) {
+  const std::vector<std::string> parts = split_text(std::string(line), ',');
+  if (parts.size() != 2) return std::nullopt;
+  const auto tool = parse_integer(trim_blanks(parts[0]));
+  const auto length = parse_number(trim_blanks(parts[1]));
+  if (!tool || *tool < 0 || *tool > 1'000'000 || !length) return std::nullopt;
+  return std::pair{static_cast<int>(*tool), *length};
+}
+
+std::optional<std::pair<int, double>> parse_table_row(std::string_view line) {
+  std::optional<long long> tool;
+  double length = 0;
+  for (const std::string& word : split_text(std::string(line), ' ')) {
+    if (word.empty()) continue;
+    const char letter = static_cast<char>(word[0] & ~0x20);
+    const std::string_view value = std::string_view(word).substr(1);
+    if (letter == 'T') tool = parse_integer(value);
+    if (letter != 'Z') continue;
+    const auto number = parse_number(value);
+    if (!number) return std::nullopt;
+    length = *number;
+  }
+  if (!tool || *tool < 0 || *tool > 1'000'000) return std::nullopt;
+  return std::pair{static_cast<int>(*tool), length};
+}
+
+Diagnostic wrong_value(const std::string& option, const std::string& typed, const std::string& expected) {
+  return make_error("usage", option + " '" + typed + "': expected " + expected);
+}
+
+/// A word of an option, and its values.
+struct WordOption {
+  const std::string &option, &typed;
+  std::vector<std::string> values;
+};
+
+/// Returns the error of a word that is none of the values; an empty one is not stated.
+std::optional<Diagnostic> find_wrong_word(const WordOption& word) {
+  if (word.typed.empty() || std::ranges::find(word.values, word.typed) != word.values.end()) return std::nullopt;
+  return wrong_value(word.option, word.typed, listed(word.values, " or "));
+}
+
+}  // namespace
+
+Result<ProgramSetup> understand_program(const StatedProgram& stated, const ProgramOptionNames& names) {
+  for (const WordOption& word : {WordOption{names.block_delete, stated.block_delete, {"on", "off"}},
+                                 {names.plain_numbers, stated.plain_numbers, {"units", "increments"}},
+                                 {names.rotary_turns, stated.rotary_turns, {"as-programmed"}},
+                                 {names.tip_frame, stated.tip_frame, {"table", "workpiece"}}}) {
+    if (auto wrong = find_wrong_word(word)) return std::move(*wrong);
+  }
+  ProgramSetup setup;
+  setup.control = stated.control;
+  setup.is_control_stated = !stated.control.empty();
+  for (const std::string& text : stated.offsets) {
+    const auto offset = parse_offset(text);
+    if (!offset) return wrong_value(names.offset, text, "a work offset such as G54=x,y,z or G54=x,y,z,a,b,c");
+    if (!setup.offsets.insert(*offset).second) return wrong_value(names.offset, text, "each work offset once");
+  }
+  for (const std::string& block : stated.start) setup.start += block + "\n";
+  for (const std::string& code : stated.tip_control_ends) setup.tip_control_ends.push_back(in_capitals(code));
+  if (!stated.block_delete.empty()) setup.is_block_delete_on = stated.block_delete == "on";
+  if (!stated.home.empty()) {
+    const std::vector<std::string> parts = split_text(stated.home, ',');
+    if (parts.size() == 3) setup.home_mm = parse_point(parts, 0);
+    if (!setup.home_mm) return wrong_value(names.home, stated.home, "three lengths x,y,z");
+  }
+  if (stated.plain_numbers == "units") setup.plain_numbers = PlainNumbers::units;
+  if (stated.plain_numbers == "increments") setup.plain_numbers = PlainNumbers::increments;
+  if (!stated.rotary_turns.empty()) setup.winds_as_programmed = true;
+  if (!stated.tip_frame.empty()) setup.tip_frame = stated.tip_frame == "table" ? TipFrame::table : TipFrame::workpiece;
+  return setup;
+}
+
+Result<std::map<int, double>> parse_tool_lengths(const std::string& file, std::string_view text) {
+  std::map<int, double> lengths;
+  std::optional<bool> is_csv;
+  std::size_t number = 0;
+  while (!text.empty()) {
+    ++number;
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    line = trim_blanks(line.substr(0, line.find(';')));
+    if (line.empty()) continue;
+    if (!is_csv) {
+      std::string heading(line);
+      std::erase(heading, ' ');
+      is_csv = in_capitals(heading) == "TOOL,LENGTH";
+      if (*is_csv) continue;
+    }
+    const auto row = *is_csv ? parse_csv_row(line) : parse_table_row(line);
+    if (!row)
+      return make_error(
+          "tool-lengths",
+          "'" + std::string(line.substr(0, 40)) +
+              "' is no row of lengths; expected CSV with the heading tool,length, or rows such as T1 Z120",
+          file, number);
+    if (!lengths.insert(*row).second)
+      return make_error("tool-lengths", "tool " + std::to_string(row->first) + " occurs twice; expected each tool once",
+                        file, number);
+  }
+  if (lengths.empty()) return make_error("tool-lengths", "holds no length of a tool", file);
+  return lengths;
+}
+
+}  // namespace gouge

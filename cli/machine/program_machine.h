@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "cli/machine/machine_choice.h"
+#include "postproc/gcode/running/program_setup.h"
+
+namespace gouge {
+
+/// Returns the set-up of a program with the facts of a machine: its joints, its control and the blocks in force at the
+/// start. `laws`: of the check; none: those of the control. What the set-up states already stays. `stated` and `bytes`: as of load_machine.
+[[nodiscard]] std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const ProgramSetup>& setup,
+                                                               const Machine& machine, const StatedMachine& stated,
+                                                               const std::optional<TurnLaws>& laws,
+                                                               const std::optional<double>& tip_tolerance_mm);
+
+}  // namespace gouge

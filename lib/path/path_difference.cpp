@@ -1,0 +1,129 @@
+#include "lib/path/path_difference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "lib/path/chords.h"
+#include "lib/path/path_info.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kChord_mm = 1e-4;   // of arcs and splines
+constexpr double kAlike_mm = 1e-3;   // a motion this near ends the search
+constexpr std::size_t kAhead = 200;  // motions after the last one in which the next is looked for first
+
+/// A straight feed, or a chord of one.
+struct FeedChord {
+  Pose from, to;
+  std::size_t move = 0;
+};
+
+bool is_compared(const Move& move) { return move.kind != MoveKind::rapid && move.not_checked_reason.empty(); }
+
+std::vector<FeedChord> feeds_of(const Toolpath& path) {
+  std::vector<FeedChord> feeds;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
+    if (!is_compared(move)) continue;
+    Pose from = move.has_start ? path.start_of(i) : move.end;
+    if (move.has_start && move.curve_kind != CurveKind::none) {
+      for (const Pose& to : chords_of(path, i, kChord_mm)) {
+        feeds.push_back({from, to, i});
+        from = to;
+      }
+    } else {
+      feeds.push_back({from, move.end, i});
+    }
+  }
+  return feeds;
+}
+
+/// Distances of a pose from the nearest point of a feed.
+struct Distance {
+  double tip_mm = std::numeric_limits<double>::infinity(), axis_rad = 0;
+  [[nodiscard]] double sum(double height_mm) const { return tip_mm + height_mm * axis_rad; }
+};
+
+// The axis is that of the great circle at the nearest tip; where the tip rests, that which is nearer of both ends.
+Distance distance_from(const Pose& pose, const FeedChord& feed) {
+  const Vec3 way = feed.to.tip - feed.from.tip;
+  const double squared = way.squaredNorm();
+  const auto at = [&](double t) {
+    return Distance{(feed.from.tip + t * way - pose.tip).norm(),
+                    angle_between_rad(axis_between(feed.from.axis, feed.to.axis, t), pose.axis)};
+  };
+  if (squared > 0) return at(std::clamp((pose.tip - feed.from.tip).dot(way) / squared, 0.0, 1.0));
+  const Distance first = at(0), last = at(1);
+  return first.axis_rad < last.axis_rad ? first : last;
+}
+
+/// Lower bound of the distance without an angle.
+double tip_bound_mm(const Pose& pose, const FeedChord& feed) {
+  return (pose.tip - feed.to.tip).norm() - (feed.to.tip - feed.from.tip).norm();
+}
+
+class Nearest {
+ public:
+  Nearest(const std::vector<FeedChord>& feeds, double height_mm) : feeds_(feeds), height_mm_(height_mm) {}
+
+  /// Returns the distance from the nearest feed, which `last` becomes.
+  Distance find(const Pose& pose) {
+    best_ = {};
+    const std::size_t ahead = std::min(feeds_.size(), last_ + kAhead);
+    const std::size_t begin = last_;
+    if (look_at(pose, begin, ahead)) return best_;
+    if (look_at(pose, ahead, feeds_.size())) return best_;
+    look_at(pose, 0, begin);
+    return best_;
+  }
+  [[nodiscard]] std::size_t move() const { return feeds_[last_].move; }
+
+ private:
+  /// Returns whether a feed is alike.
+  bool look_at(const Pose& pose, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (tip_bound_mm(pose, feeds_[i]) >= best_.sum(height_mm_)) continue;
+      const Distance found = distance_from(pose, feeds_[i]);
+      if (!(found.sum(height_mm_) < best_.sum(height_mm_))) continue;
+      best_ = found;
+      last_ = i;
+      if (best_.sum(height_mm_) < kAlike_mm) return true;
+    }
+    return false;
+  }
+
+  const std::vector<FeedChord>& feeds_;
+  double height_mm_;
+  Distance best_;
+  std::size_t last_ = 0;
+};
+
+}  // namespace
+
+std::optional<PathDifference> measure_difference(const Toolpath& path, const Toolpath& other, double height_mm) {
+  const std::vector<FeedChord> feeds = feeds_of(other);
+  if (feeds.empty()) return std::nullopt;
+  Nearest nearest(feeds, height_mm);
+  PathDifference difference;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if (!is_compared(path.moves[i])) continue;
+    const Distance found = nearest.find(path.moves[i].end);
+    ++difference.positions;
+    if (difference.tip_move == kNone || found.tip_mm > difference.tip_mm) {
+      difference.tip_mm = found.tip_mm;
+      difference.tip_move = i;
+      difference.tip_other = nearest.move();
+    }
+    if (difference.axis_move == kNone || found.axis_rad > difference.axis_rad) {
+      difference.axis_rad = found.axis_rad;
+      difference.axis_move = i;
+      difference.axis_other = nearest.move();
+    }
+  }
+  return difference.positions > 0 ? std::optional(difference) : std::nullopt;
+}
+
+}  // namespace gouge

@@ -1,0 +1,347 @@
+#include "postproc/gcode/iso/block_runner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+using Meaning = GcodeMeaning;
+
+ProgramDoubt doubt_of(ModalGroup group) {
+  switch (group) {
+    case ModalGroup::compensation:
+      return ProgramDoubt::compensation;
+    case ModalGroup::frame:
+      return ProgramDoubt::frame;
+    case ModalGroup::length:
+      return ProgramDoubt::length;
+    case ModalGroup::path_control:
+      return ProgramDoubt::path_control;
+    default:
+      return ProgramDoubt::rest;
+  }
+}
+
+bool moves_axes_itself(const GcodeRow& row) {
+  return row.meaning == Meaning::home || row.meaning == Meaning::tilted_plane;
+}
+
+}  // namespace
+
+BlockRunner::BlockRunner(const CodeIndex& index, const ProgramInput& input)
+    : index_(index), input_(input), setup_(input.options.setup), motion_(input.motion), path_(input.path) {
+  modes_.unit = input.options.unit;
+}
+
+void BlockRunner::lose_rest(const std::string& reason, std::size_t line) {
+  if (motion_.is_rest_unknown()) return;
+  lost_line_ = line;
+  lose_program(reason, line, input_);
+}
+
+NextBlock BlockRunner::run(const GcodeBlock& block, std::size_t line) {
+  line_ = line;
+  lost_.clear();
+  if (!block.error.empty()) {
+    lose_rest(block.error, line);
+  } else if (!motion_.is_rest_unknown()) {
+    const std::string wrong = words_.take(block, index_, modes_.motion);
+    if (!wrong.empty()) lose_rest(wrong, line);
+  }
+  if (motion_.is_rest_unknown()) {
+    if (lost_line_ == line) return {};
+    const bool may_move = std::ranges::any_of(block.words, [](const GcodeWord& word) { return word.letter != 'M'; });
+    if (may_move || !block.error.empty()) motion_.go_unchecked(MoveKind::feed, AxisPlace{}, {});
+    return {};
+  }
+  if (block.words.empty()) {
+    if (!block.comment.empty()) motion_.name_operation(std::string(trim_blanks(block.comment)));
+    return {};
+  }
+  take_modes();
+  if (motion_.is_rest_unknown()) return {};
+  move();
+  if (modes_.feed_unit == FeedUnit::not_understood) {  // F holds for its block
+    motion_.set_inverse_time(std::nullopt);
+    modes_.has_feed = false;
+  }
+  return take_flow();
+}
+
+void BlockRunner::take_modes() {
+  for (const GcodeRow* row : words_.rows()) take_code(*row);
+  if (words_.has('F')) take_feed();
+  if (words_.has('S') && !(words_.value('S') >= 0)) return lose_rest("the speed of the spindle is not known", line_);
+  if (words_.has('T')) {
+    modes_.next_tool = words_.integer('T');
+    if (!modes_.next_tool || *modes_.next_tool < 0) return lose_rest("the number of the tool is not known", line_);
+  }
+  if (words_.row_of(Meaning::tool_change) != nullptr) change_tool();
+  for (const GcodeRow* row : words_.rows()) take_path_control(*row);
+  for (const GcodeRow* row : words_.rows()) take_length(*row);
+  for (const GcodeRow* row : words_.rows()) {
+    if (row->meaning == Meaning::work_offset) take_offset(*row);
+    if (row->meaning == Meaning::tilted_plane) take_tilted_plane();
+    if (row->meaning == Meaning::align_to_plane) motion_.align_to_plane();
+    if (row->meaning == Meaning::tilted_plane_off) {
+      motion_.set_plane(std::nullopt);
+      motion_.end_doubt(ProgramDoubt::frame);
+    }
+  }
+}
+
+// The modes that only give words a meaning.
+void BlockRunner::take_code(const GcodeRow& row) {
+  switch (row.meaning) {
+    case Meaning::plane_xy:
+      modes_.plane = PlaneAxes{0, 1, 2};
+      break;
+    case Meaning::plane_zx:
+      modes_.plane = PlaneAxes{2, 0, 1};
+      break;
+    case Meaning::plane_yz:
+      modes_.plane = PlaneAxes{1, 2, 0};
+      break;
+    case Meaning::inch:
+    case Meaning::mm:
+      modes_.unit = row.meaning == Meaning::inch ? LengthUnit::inch : LengthUnit::mm;
+      if (unit_line_ == 0) {
+        unit_line_ = line_;
+        path_.unit = *modes_.unit;
+      }
+      path_.is_unit_stated = true;
+      break;
+    case Meaning::absolute:
+    case Meaning::incremental:
+      modes_.is_absolute = row.meaning == Meaning::absolute;
+      break;
+    case Meaning::centre_absolute:
+    case Meaning::centre_incremental:
+      modes_.is_centre_absolute = row.meaning == Meaning::centre_absolute;
+      break;
+    case Meaning::feed_inverse:
+    case Meaning::feed_per_minute:
+    case Meaning::feed_per_revolution:
+      modes_.feed_unit = row.meaning == Meaning::feed_per_minute       ? FeedUnit::per_minute
+                         : row.meaning == Meaning::feed_per_revolution ? FeedUnit::per_revolution
+                                                                       : FeedUnit::not_understood;
+      modes_.feed.reset();
+      modes_.has_feed = false;
+      set_feed();
+      break;
+    case Meaning::cycle_to_start:
+    case Meaning::cycle_to_plane:
+      modes_.retracts_to_start = row.meaning == Meaning::cycle_to_start;
+      break;
+    default:
+      break;
+  }
+}
+
+void BlockRunner::take_feed() {
+  const double feed = number('F', 1);
+  if (words_.value('F') < 0) return lose_rest("the feed is below 0", line_);
+  modes_.has_feed = !(words_.value('F') <= 0);
+  const bool is_time = modes_.feed_unit == FeedUnit::not_understood;
+  modes_.feed = is_known(feed) && feed > 0 ? std::optional(is_time ? feed : feed * mm_per_unit()) : std::nullopt;
+  lost_.clear();  // only the time of the motion depends on it
+  set_feed();
+}
+
+void BlockRunner::set_feed() {
+  if (modes_.feed_unit == FeedUnit::not_understood) return motion_.set_inverse_time(modes_.feed);
+  motion_.set_feed(modes_.feed ? Feed{*modes_.feed, modes_.feed_unit} : Feed{});
+}
+
+// Codes that make later motions leave the programmed path, and those that end it.
+void BlockRunner::take_path_control(const GcodeRow& row) {
+  const ProgramDoubt kind = doubt_of(row.group);
+  if (row.meaning == Meaning::not_checked) {
+    motion_.doubt(kind, std::string(row.note) + ", by " + code_text(row.letter, row.number) + " in line " +
+                            std::to_string(line_));
+    return;
+  }
+  if (row.meaning == Meaning::harmless && kind != ProgramDoubt::rest) motion_.end_doubt(kind);
+  if (row.meaning != Meaning::blending) return;
+  const double stated = words_.has('P') ? length('P') : kUnknownValue;
+  if (setup_.tip_tolerance_mm && !(stated > *setup_.tip_tolerance_mm)) return motion_.end_doubt(kind);
+  if (std::abs(stated) <= 0) return motion_.end_doubt(kind);
+  const std::string by = is_known(stated) ? display_text(stated, 4) + " mm" : "an unknown distance";
+  motion_.doubt(kind, code_text(row.letter, row.number) + " in line " + std::to_string(line_) +
+                          " lets the tool leave its path by " + by + "; expected --tip-tolerance");
+}
+
+void BlockRunner::change_tool() {
+  PathTool tool;
+  tool.number = modes_.next_tool;
+  tool.line = line_;
+  motion_.change_tool(tool);
+}
+
+NextBlock BlockRunner::take_flow() {
+  const auto p = words_.integer('P'), times = words_.integer('L');
+  for (const GcodeRow* row : words_.rows()) {
+    switch (row->meaning) {
+      case Meaning::program_end:
+        has_ended_ = true;
+        return {NextBlock::Kind::end};
+      case Meaning::return_from_call:
+        return {NextBlock::Kind::back};
+      case Meaning::call_program:
+      case Meaning::call_block: {
+        const bool is_wrong = !p || (words_.has('L') && (!times || *times < 1));
+        if (is_wrong) {
+          lose_rest("the program that is called is not known", line_);
+          return {};
+        }
+        const auto kind =
+            row->meaning == Meaning::call_block ? NextBlock::Kind::call_block : NextBlock::Kind::call_program;
+        return {kind, *p, times.value_or(1)};
+      }
+      default:
+        break;
+    }
+  }
+  return {};
+}
+
+double BlockRunner::number(char letter, double plain_increment) {
+  const GcodeWord& word = words_.word(letter);
+  if (!is_known(word.value)) lost_ = std::string("the value of ") + letter + " is not known";
+  const bool is_plain = !word.has_point && std::abs(word.value) > 0;
+  if (!is_plain || index_.control().syntax.numbers == NumberRule::plain) return word.value;
+  switch (setup_.plain_numbers) {
+    case PlainNumbers::units:
+      return word.value;
+    case PlainNumbers::increments:
+      return word.value * plain_increment;
+    case PlainNumbers::not_stated:
+      break;
+  }
+  lost_ = std::string(1, letter) + exact_text(word.value) +
+          " has no decimal point, and a parameter of the control states its unit; expected --plain-numbers units or "
+          "increments";
+  return kUnknownValue;
+}
+
+double BlockRunner::length(char letter) {
+  if (!modes_.unit && std::abs(words_.value(letter)) > 0) has_assumed_unit_ = true;
+  constexpr double kIncrement_mm = 0.001, kIncrement_inch = 0.0001;
+  return number(letter, modes_.unit == LengthUnit::inch ? kIncrement_inch : kIncrement_mm) * mm_per_unit();
+}
+
+void BlockRunner::move() {
+  for (const GcodeRow* row : words_.rows()) {
+    if (row->meaning == Meaning::home) return go_home(*row);
+    if (moves_axes_itself(*row)) return;
+  }
+  const GcodeRow* const stated = words_.row_of(ModalGroup::motion);
+  if (words_.row_of(Meaning::machine_place) != nullptr) {
+    if (stated != nullptr) modes_.motion = stated;
+    return words_.has_axes() ? move_to_machine_place() : void();
+  }
+  const bool needs_feed =
+      stated != nullptr && stated->meaning != Meaning::rapid && stated->meaning != Meaning::no_motion;
+  if (needs_feed && !modes_.has_feed)
+    return lose_rest(code_text(stated->letter, stated->number) + " has no feed, so the control refuses it; expected F",
+                     line_);
+  if (stated != nullptr) {
+    const bool begins =
+        stated->meaning == Meaning::cycle && (modes_.motion == nullptr || modes_.motion->meaning != Meaning::cycle);
+    if (begins) cycle_.start_mm = motion_.place().xyz.z();
+    if (stated->meaning == Meaning::cycle && stated != modes_.motion) cycle_.r_mm = cycle_.z_mm = std::nullopt;
+    modes_.motion = stated->meaning == Meaning::no_motion ? nullptr : stated;
+  }
+  const GcodeRow* const row = modes_.motion;
+  const bool has_arc_words = row != nullptr && words_.has_any("IJKR") &&
+                             (row->meaning == Meaning::arc_clockwise || row->meaning == Meaning::arc_counterclockwise);
+  if (row != nullptr && row->meaning == Meaning::cycle) return drill(*row);
+  if (!words_.has_axes() && !has_arc_words) return;
+  if (row == nullptr) return lose_rest("axis words without a motion code before them", line_);
+  go_by(*row);
+}
+
+void BlockRunner::go_by(const GcodeRow& row) {
+  Target to = target();
+  if (error_) return;
+  if (row.meaning != Meaning::rapid && !modes_.has_feed)
+    to.open = "no feed is stated, so the control refuses the motion; expected F";
+  const bool is_arc = row.meaning == Meaning::arc_clockwise || row.meaning == Meaning::arc_counterclockwise;
+  if (is_arc) return go_round(row, to);
+  const MoveKind kind = row.meaning == Meaning::rapid ? MoveKind::rapid : MoveKind::feed;
+  if (to.open.empty())
+    motion_.go(kind, to.place);
+  else
+    motion_.go_unchecked(kind, to.place, to.open);
+}
+
+void BlockRunner::go_round(const GcodeRow& row, const Target& to) {
+  ArcWords arc;
+  std::string open = to.open;
+  if (modes_.plane)
+    arc.plane = *modes_.plane;
+  else
+    open = "nothing states the plane of the arc before it; expected --start G17";
+  arc.is_clockwise = row.meaning == Meaning::arc_clockwise;
+  arc.is_centre_absolute = modes_.is_centre_absolute;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const char letter = "IJK"[i];
+    if (words_.has(letter)) arc.centre_mm.at(i) = length(letter);
+  }
+  if (words_.has('R')) arc.radius_mm = length('R');
+  const bool has_turns = words_.has('P');
+  if (has_turns) arc.turns = words_.integer('P').value_or(0);
+  if (open.empty()) open = lost_;
+  const bool is_turning = to.place.angles != motion_.place().angles;
+  if (is_turning && !index_.control().turns_along_arcs) open = "no manual states how rotary joints turn along an arc";
+  if (open.empty() && motion_.place().xyz.hasNaN()) open = "the place at which the arc begins is not known";
+  if (!open.empty()) return motion_.go_unchecked(MoveKind::arc, to.place, open);
+  const ArcReading read = read_program_arc(arc, motion_.place().xyz, to.place.xyz);
+  if (!read.open.empty()) return motion_.go_unchecked(MoveKind::arc, to.place, read.open);
+  motion_.go_round(to.place, read.arc);
+}
+
+BlockRunner::Target BlockRunner::target() {
+  Target to{motion_.place(), {}};
+  const bool is_absolute = modes_.is_absolute.value_or(true);
+  for (int i = 0; i < 3; ++i) {
+    const char letter = "XYZ"[i];
+    if (!words_.is_axis(letter)) continue;
+    const double value = length(letter);
+    to.place.xyz[i] = is_absolute ? value : to.place.xyz[i] + value;
+    if (!modes_.is_absolute) to.place.xyz[i] = kUnknownValue;
+  }
+  for (const char letter : {'A', 'B', 'C'}) {
+    if (!words_.is_axis(letter)) continue;
+    const auto rotary = motion_.mapper().rotary_of(letter);
+    if (!rotary) {
+      const bool has_machine = motion_.mapper().has_machine();
+      error_ = make_error("gcode-machine",
+                          "the program turns axis " + std::string(1, letter) +
+                              (has_machine ? ", which machine " + setup_.machine->name +
+                                                 " does not have; expected the machine of this program"
+                                           : "; expected --machine, which states where this axis is"),
+                          path_.file, line_);
+      return to;
+    }
+    double& angle = to.place.angles.at(*rotary);
+    const double degrees = number(letter, 0.001);
+    const double before = angle;
+    angle = is_absolute ? motion_.angle_from_program(*rotary, degrees) : angle + degrees * kDegree_rad;
+    if (!modes_.is_absolute) angle = kUnknownValue;
+    const bool may_be_shorter =
+        modes_.is_absolute == true && !setup_.winds_as_programmed.value_or(index_.control().winds_as_programmed);
+    constexpr double kHalfTurn_deg = 180, kRounding_deg = 1e-6;
+    if (may_be_shorter && std::abs(angle - before) >= (kHalfTurn_deg - kRounding_deg) * kDegree_rad)
+      to.open = std::string("a parameter of the control may shorten the turn of ") + letter +
+                "; expected --rotary-turns as-programmed";
+  }
+  if (!modes_.is_absolute) to.open = "nothing states G90 or G91 before this block; expected --start G90";
+  if (to.open.empty()) to.open = lost_;
+  return to;
+}
+
+}  // namespace gouge

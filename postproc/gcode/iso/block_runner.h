@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lib/base/units.h"
+#include "postproc/gcode/iso/block_words.h"
+#include "postproc/gcode/running/arc_words.h"
+#include "postproc/gcode/running/program_language.h"
+
+namespace gouge {
+
+/// The block that follows another one.
+struct NextBlock {
+  enum class Kind : std::uint8_t { following, end, call_program, call_block, back };
+  Kind kind = Kind::following;
+  int target = 0;  ///< number of the program, or of the block
+  int times = 1;
+};
+
+/// Modal values of a program that are not those of ProgramMotion. Empty: nothing states them.
+struct GcodeModes {
+  const GcodeRow* motion = nullptr;  ///< null: axis words need a code
+  std::optional<PlaneAxes> plane;
+  std::optional<bool> is_absolute;
+  bool is_centre_absolute = false;
+  std::optional<LengthUnit> unit;
+  FeedUnit feed_unit = FeedUnit::per_minute;
+  std::optional<double> feed;
+  bool has_feed = false;  ///< F is stated and not 0, though it may not be known
+  std::optional<bool> retracts_to_start;
+  std::optional<int> next_tool;
+};
+
+/// A drilling cycle in force; coordinates of the program, mm.
+struct DrillState {
+  std::optional<double> r_mm, z_mm, feed;
+  double start_mm = 0;  ///< level at which the cycle began
+};
+
+/// Carries out the blocks of a program of a control, one after another.
+class BlockRunner {
+ public:
+  /// Both must outlive the object.
+  BlockRunner(const CodeIndex& index, const ProgramInput& input);
+
+  /// Carries out a block. A word that is not understood ends the knowledge of all that follows, with its line.
+  NextBlock run(const GcodeBlock& block, std::size_t line);
+  /// Ends the knowledge of all that follows, because of a word or statement in a line.
+  void lose_rest(const std::string& reason, std::size_t line);
+
+  [[nodiscard]] const GcodeModes& modes() const { return modes_; }
+  [[nodiscard]] std::size_t unit_line() const { return unit_line_; }
+  /// Returns whether a length stands before the unit.
+  [[nodiscard]] bool has_assumed_unit() const { return has_assumed_unit_; }
+  [[nodiscard]] std::size_t offset_line() const { return offset_line_; }
+  /// Returns an error that no later block can cure: a rotary word without a machine.
+  [[nodiscard]] const std::optional<Diagnostic>& error() const { return error_; }
+  /// Returns why nothing may follow a block unseen: the step limit and such are the caller's.
+  [[nodiscard]] bool has_ended() const { return has_ended_; }
+
+ private:
+  struct Target {
+    AxisPlace place;
+    std::string open;  ///< why a coordinate is not known
+  };
+
+  void take_modes();
+  void take_code(const GcodeRow& row);
+  void take_path_control(const GcodeRow& row);
+  void take_length(const GcodeRow& row);
+  void begin_tip_control(const GcodeRow& row);
+  void end_tip_control(const GcodeRow& row);
+  void take_offset(const GcodeRow& row);
+  void take_tilted_plane();
+  void change_tool();
+  void take_feed();
+  [[nodiscard]] NextBlock take_flow();
+
+  void move();
+  void move_to_machine_place();
+  void go_home(const GcodeRow& row);
+  void go_by(const GcodeRow& row);
+  void go_round(const GcodeRow& row, const Target& to);
+  void drill(const GcodeRow& row);
+  void drill_at(const GcodeCycle& cycle, const Target& at);
+
+  [[nodiscard]] Target target();
+  [[nodiscard]] double number(char letter, double plain_increment_mm);
+  [[nodiscard]] double length(char letter);
+  [[nodiscard]] double mm_per_unit() const { return mm_per(modes_.unit.value_or(LengthUnit::mm)); }
+  [[nodiscard]] std::string why_angle_open(std::size_t rotary, double angle_rad) const;
+  void set_feed();
+
+  const CodeIndex& index_;
+  const ProgramInput& input_;
+  const ProgramSetup& setup_;
+  ProgramMotion& motion_;
+  Toolpath& path_;
+  BlockWords words_;
+  GcodeModes modes_;
+  DrillState cycle_;
+  std::optional<Diagnostic> error_;
+  std::string lost_;  // why a number of the block is not known
+  std::size_t line_ = 0, unit_line_ = 0, offset_line_ = 0, lost_line_ = kNone;
+  bool has_ended_ = false, has_assumed_unit_ = false;
+};
+
+}  // namespace gouge

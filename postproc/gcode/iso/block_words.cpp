@@ -1,0 +1,146 @@
+#include "postproc/gcode/iso/block_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kSameCode = 1e-6;  // of a number times ten
+
+std::optional<CodeNumber> code_number(double value) {
+  const double tenfold = value * 10;
+  if (!(tenfold >= 0) || tenfold > 1e6 || std::abs(tenfold - std::round(tenfold)) > kSameCode) return std::nullopt;
+  return static_cast<CodeNumber>(std::lround(tenfold));
+}
+
+constexpr GcodeRow kHarmlessRow = {'M', 0, GcodeMeaning::harmless};
+
+constexpr bool is_axis_letter(char letter) {
+  return (letter >= 'X' && letter <= 'Z') || (letter >= 'A' && letter <= 'C');
+}
+
+std::string word_text(const GcodeWord& word) {
+  return std::string(1, word.letter) + (is_known(word.value) ? exact_text(word.value) : "");
+}
+
+std::uint32_t bits_of(std::string_view letters) {
+  std::uint32_t bits = 0;
+  for (const char letter : letters)
+    if (letter >= 'A' && letter <= 'Z') bits |= 1U << static_cast<unsigned>(letter - 'A');
+  return bits;
+}
+
+std::string_view words_of(const ControlTable& control, const GcodeRow& row) {
+  if (row.meaning != GcodeMeaning::cycle) return row.words;
+  const GcodeCycle* const cycle = find_cycle(control, row.number);
+  return cycle == nullptr ? row.words : cycle->words;
+}
+
+}  // namespace
+
+std::string code_text(char letter, CodeNumber number) { return letter + exact_text(number / 10.0); }
+
+CodeIndex::CodeIndex(const ControlTable& control, const std::vector<std::string>& harmless_words)
+    : control_(control), g_(kG, nullptr), m_(kM, nullptr) {
+  for (const GcodeRow& row : control.rows) {
+    if (row.meaning == GcodeMeaning::tip_control_on) tip_control_group_ = row.group;
+    (row.letter == 'G' ? g_ : m_).at(static_cast<std::size_t>(row.number)) = &row;
+  }
+  for (const std::string& word : harmless_words) {
+    const char letter = word.empty() ? '\0' : static_cast<char>(word[0] & ~0x20);
+    if (letter != 'G' && letter != 'M') continue;
+    const auto value = parse_number(std::string_view(word).substr(1));
+    const auto number = value ? code_number(*value) : std::nullopt;
+    if (number) (letter == 'G' ? harmless_g_ : harmless_m_).push_back(*number);
+  }
+}
+
+bool CodeIndex::is_harmless(char letter, CodeNumber number) const {
+  const std::vector<CodeNumber>& all = letter == 'G' ? harmless_g_ : harmless_m_;
+  return std::ranges::find(all, number) != all.end();
+}
+
+const GcodeRow* CodeIndex::row(const GcodeWord& word) const {
+  const auto number = code_number(word.value);
+  if (!number) return nullptr;
+  const std::vector<const GcodeRow*>& rows = word.letter == 'G' ? g_ : m_;
+  const auto at = static_cast<std::size_t>(*number);
+  if (at < rows.size() && rows[at] != nullptr) return rows[at];
+  return is_harmless(word.letter, *number) ? &kHarmlessRow : nullptr;
+}
+
+std::string BlockWords::take_codes(const GcodeBlock& block, const CodeIndex& index) {
+  for (const GcodeWord& word : block.words) {
+    if (word.letter != 'G' && word.letter != 'M') {
+      if (has(word.letter)) return "the word " + std::string(1, word.letter) + " occurs twice in the block";
+      words_[bit(word.letter)] = &word;
+      present_ |= 1U << bit(word.letter);
+      continue;
+    }
+    const GcodeRow* const row = index.row(word);
+    if (row == nullptr)
+      return word_text(word) + " is not in the table of control " + std::string(index.control().title);
+    if (std::ranges::find(rows_, row) != rows_.end()) return word_text(word) + " occurs twice in the block";
+    rows_.push_back(row);
+    if (row->group == ModalGroup::none) continue;
+    const GcodeRow*& of_group = groups_[static_cast<std::size_t>(row->group)];
+    if (of_group != nullptr)
+      return code_text(of_group->letter, of_group->number) + " and " + word_text(word) +
+             " exclude each other in a block";
+    of_group = row;
+  }
+  return {};
+}
+
+std::string BlockWords::take(const GcodeBlock& block, const CodeIndex& index, const GcodeRow* modal) {
+  words_ = {};
+  groups_ = {};
+  present_ = axes_ = 0;
+  rows_.clear();
+  std::string wrong = take_codes(block, index);
+  if (!wrong.empty()) return wrong;
+  std::uint32_t taken = bits_of(index.control().always);
+  std::uint32_t of_codes = 0;
+  bool may_have_axes = true;
+  for (const GcodeRow* row : rows_) {
+    of_codes |= bits_of(words_of(index.control(), *row));
+    may_have_axes = may_have_axes && row->takes_axes;
+    if (row->meaning == GcodeMeaning::cycle) of_codes |= bits_of("R");
+    const bool needs_word = row->meaning == GcodeMeaning::harmless && !row->takes_axes && !row->words.empty();
+    if (needs_word && !has_any(row->words)) return code_text(row->letter, row->number) + " lacks its word";
+  }
+  const bool is_modal_cycle = modal != nullptr && modal->meaning == GcodeMeaning::cycle;
+  if (modal != nullptr && row_of(ModalGroup::motion) == nullptr)
+    taken |= bits_of(words_of(index.control(), *modal)) | (is_modal_cycle ? bits_of("R") : 0U);
+  constexpr std::string_view kAxes = "XYZABC";
+  axes_ = present_ & bits_of(kAxes) & ~of_codes;
+  taken |= of_codes | (may_have_axes ? bits_of(kAxes) : 0U);
+  if ((present_ & ~taken) == 0) return {};
+  for (const GcodeWord& word : block.words) {
+    if (word.letter == 'G' || word.letter == 'M' || (taken >> bit(word.letter) & 1U) != 0) continue;
+    return word_text(word) +
+           (is_axis_letter(word.letter) ? " has no meaning in this block" : " belongs to no code of the block");
+  }
+  return {};
+}
+
+std::optional<int> BlockWords::integer(char letter) const {
+  if (!has(letter)) return std::nullopt;
+  const double number = value(letter);
+  constexpr double kLargest = 1e9;
+  if (!(std::abs(number) <= kLargest) || std::abs(number - std::round(number)) > 0) return std::nullopt;
+  return static_cast<int>(std::lround(number));
+}
+
+bool BlockWords::has_any(std::string_view letters) const { return (present_ & bits_of(letters)) != 0; }
+
+const GcodeRow* BlockWords::row_of(GcodeMeaning meaning) const {
+  for (const GcodeRow* row : rows_)
+    if (row->meaning == meaning) return row;
+  return nullptr;
+}
+
+}  // namespace gouge

@@ -1,0 +1,178 @@
+#include "postproc/gcode/iso/program_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/base/number_text.h"
+#include "lib/base/stage.h"
+#include "postproc/gcode/lexing/expression.h"
+
+namespace gouge {
+namespace {
+
+/// Blocks that may run beyond those of the file: loops that do not end are ended here.
+constexpr std::size_t kMaxRepeatedBlocks = 2'000'000;
+constexpr std::size_t kMaxCalls = 64;
+
+char first_letter(std::string_view line) {
+  const std::string_view text = trim_blanks(line);
+  return text.empty() ? '\0' : text[0] >= 'a' && text[0] <= 'z' ? static_cast<char>(text[0] - 'a' + 'A') : text[0];
+}
+
+}  // namespace
+
+ProgramRun::ProgramRun(const ControlTable& control, const ProgramSetup& setup, const ProgramText& text,
+                       BlockRunner& runner, ProgramMotion& motion)
+    : control_(control), setup_(setup), runner_(runner), motion_(motion), main_(&text), text_(&text) {}
+
+void ProgramRun::lose(const std::string& reason) { runner_.lose_rest(reason, main_->number(main_at_)); }
+
+void ProgramRun::run_start(std::string_view blocks) {
+  while (!blocks.empty()) {
+    const std::size_t end = std::min(blocks.find('\n'), blocks.size());
+    read_gcode_block(blocks.substr(0, end), control_.syntax, variables_, block_);
+    motion_.begin_block(0, 0);
+    if (!block_.flow.empty()) block_.error = "the blocks at the start change the order of blocks";
+    static_cast<void>(runner_.run(block_, 0));
+    blocks.remove_prefix(std::min(end + 1, blocks.size()));
+  }
+}
+
+void ProgramRun::run(const ProgressCall& progress, const std::string& file) {
+  Stage stage(progress, "reading " + file, main_->size());
+  const std::size_t most = main_->size() + kMaxRepeatedBlocks;
+  next_ = main_->begin();
+  for (std::size_t steps = 0; !has_ended_ && !runner_.error(); ++steps) {
+    if (next_ >= text_->end()) {
+      if (calls_.empty()) break;
+      end_call();  // a program beside the file may end without a word
+      continue;
+    }
+    stage.pass(steps);
+    at_ = next_++;
+    if (text_ == main_) main_at_ = at_;
+    if (steps > most) {
+      lose("the program runs more than " + std::to_string(kMaxRepeatedBlocks) +
+           " blocks again: a loop may have no end");
+      break;
+    }
+    run_block();
+  }
+}
+
+void ProgramRun::run_block() {
+  const std::string_view line = text_->line(at_);
+  motion_.begin_block(main_at_, main_->number(main_at_));
+  if (names_program(line)) return;
+  read_gcode_block(line, control_.syntax, variables_, block_);
+  if (is_left_out()) return;
+  if (block_.error.empty() && !block_.flow.empty() && !motion_.is_rest_unknown()) {
+    if (!block_.words.empty() || !block_.assignments.empty()) return lose("words before a statement of program flow");
+    return control_.syntax.has_o_words ? run_o_word(block_.flow) : run_macro(block_.flow);
+  }
+  const NextBlock next = runner_.run(block_, main_->number(main_at_));
+  for (const GcodeAssignment& one : block_.assignments) variables_.set(one.variable, one.value);
+  follow(next);
+}
+
+// On controls whose programs have numbers, O with the number begins a program.
+bool ProgramRun::names_program(std::string_view line) {
+  if (control_.syntax.has_o_words) return false;
+  const char first = first_letter(line);
+  if (first != 'O' && first != '<' && first != ':') return false;
+  const bool is_beginning = at_ == text_->begin() || (!calls_.empty() && at_ == calls_.back().begin);
+  if (!is_beginning) lose("the program runs into the next one, which begins here; expected M30 or M99 before it");
+  return true;
+}
+
+bool ProgramRun::is_left_out() {
+  const bool is_empty = block_.words.empty() && block_.assignments.empty() && block_.flow.empty();
+  if (!block_.is_skippable || (is_empty && block_.error.empty())) return false;
+  if (setup_.is_block_delete_on) return *setup_.is_block_delete_on;
+  lose("a block that a switch of the control leaves out; expected --block-delete on or off");
+  return true;
+}
+
+void ProgramRun::follow(const NextBlock& next) {
+  switch (next.kind) {
+    case NextBlock::Kind::following:
+      return;
+    case NextBlock::Kind::end:
+      has_ended_ = true;
+      end_line_ = main_->number(main_at_);
+      return;
+    case NextBlock::Kind::call_program:
+    case NextBlock::Kind::call_block:
+      return call(next);
+    case NextBlock::Kind::back:
+      if (!calls_.empty()) return end_call();
+      has_ended_ = true;  // the program would begin again
+      end_line_ = main_->number(main_at_);
+      return;
+  }
+}
+
+void ProgramRun::call(const NextBlock& next) {
+  if (next.kind == NextBlock::Kind::call_block) {
+    const auto block = text_->find_label('N', next.target, text_->begin(), text_->end(), true);
+    if (!block) return lose("no block, or more than one, has the number N" + std::to_string(next.target));
+    return begin_call(*text_, *block, next.times, false);
+  }
+  const auto inside = main_->find_label('O', next.target, main_->begin(), main_->end(), true);
+  if (inside) return begin_call(*main_, *inside, next.times, false);
+  const ProgramText* const other = beside("O" + std::to_string(next.target));
+  if (other == nullptr)
+    return lose("program O" + std::to_string(next.target) + " is neither in the file nor beside it");
+  begin_call(*other, other->begin(), next.times, false);
+}
+
+void ProgramRun::begin_call(const ProgramText& text, std::size_t begin, int times, bool has_locals) {
+  if (calls_.size() >= kMaxCalls) return lose("programs call each other without an end");
+  calls_.push_back({text_, next_, begin, times, has_locals});
+  // A call returns to the file it came from, at the block after it.
+  text_ = &text;
+  next_ = begin;
+}
+
+void ProgramRun::end_call() {
+  Call& call = calls_.back();
+  if (--call.times > 0) {
+    next_ = call.begin;
+    return;
+  }
+  if (call.has_locals) variables_.end_call();
+  text_ = call.text;
+  next_ = call.back;
+  calls_.pop_back();
+  std::erase_if(loops_, [&](const Loop& loop) { return loop.depth > calls_.size(); });
+}
+
+const ProgramText* ProgramRun::beside(const std::string& name) {
+  if (const auto known = besides_.find(name); known != besides_.end()) return known->second.program.get();
+  if (!setup_.read_beside) return nullptr;
+  std::optional<std::string> text = setup_.read_beside(name);
+  if (!text) return nullptr;
+  BesideText& made = besides_[name];
+  made.text = std::move(*text);
+  add_lines(made.text, made.lines);
+  made.program = std::make_unique<ProgramText>(made.text, made.lines);
+  return made.program.get();
+}
+
+double ProgramRun::value_of(std::string_view& text) {
+  GcodeCursor cursor{text};
+  bool has_point = false;
+  const double value = read_value(cursor, control_.syntax, variables_, has_point);
+  if (!cursor.error.empty()) lose(cursor.error);
+  text = text.substr(std::min(cursor.at, text.size()));
+  return cursor.error.empty() ? value : kUnknownValue;
+}
+
+std::optional<bool> ProgramRun::condition(std::string_view& text) {
+  const double value = value_of(text);
+  if (is_known(value)) return std::abs(value) > 0;
+  lose("a condition whose value is not known");
+  return std::nullopt;
+}
+
+}  // namespace gouge

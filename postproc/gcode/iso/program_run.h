@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/base/parallel.h"
+#include "postproc/gcode/iso/block_runner.h"
+#include "postproc/gcode/lexing/block_lexer.h"
+#include "postproc/gcode/lexing/variables.h"
+#include "postproc/gcode/running/program_text.h"
+
+namespace gouge {
+
+/// The order in which the blocks of a program run: calls, jumps, loops and conditions.
+class ProgramRun {
+ public:
+  /// All must outlive the object. `text`: of the program that is called first.
+  ProgramRun(const ControlTable& control, const ProgramSetup& setup, const ProgramText& text, BlockRunner& runner,
+             ProgramMotion& motion);
+
+  /// Runs blocks in force at the start; one a line.
+  void run_start(std::string_view blocks);
+  /// Runs the program to its end, or until nothing after it is known.
+  void run(const ProgressCall& progress, const std::string& file);
+
+  /// Returns the line of the block that ends the program; 0: it has none.
+  [[nodiscard]] std::size_t end_line() const { return end_line_; }
+
+ private:
+  /// Program beside the file, as read.
+  struct BesideText {
+    std::string text;
+    SourceStatements lines;
+    std::unique_ptr<ProgramText> program;
+  };
+  /// Place to which a call returns, and how often it runs again.
+  struct Call {
+    const ProgramText* text = nullptr;
+    std::size_t back = 0, begin = 0;
+    int times = 1;
+    bool has_locals = false;
+  };
+  struct Loop {
+    std::string label;
+    std::size_t depth = 0;
+    long long left = 0;
+  };
+
+  void run_block();
+  [[nodiscard]] bool is_left_out();
+  [[nodiscard]] bool names_program(std::string_view line);
+  void follow(const NextBlock& next);
+  void call(const NextBlock& next);
+  void begin_call(const ProgramText& text, std::size_t begin, int times, bool has_locals);
+  void end_call();
+  const ProgramText* beside(const std::string& name);
+  void lose(const std::string& reason);
+
+  // Fanuc's custom macros.
+  void run_macro(std::string_view flow);
+  void go_to(int number);
+  void end_loop(int number);
+  // LinuxCNC's O-words.
+  void run_o_word(std::string_view flow);
+  void call_o_word(const std::string& label, std::string_view arguments);
+  void run_o_loop(const std::string& label, const std::string& word, std::string_view rest);
+  void run_o_condition(const std::string& label, const std::string& word, std::string_view rest);
+  [[nodiscard]] std::optional<std::size_t> find_o_word(const std::string& label, std::string_view words,
+                                                       bool is_forward) const;
+  [[nodiscard]] std::string o_word_at(std::size_t index, const std::string& label) const;
+
+  [[nodiscard]] double value_of(std::string_view& text);
+  [[nodiscard]] std::optional<bool> condition(std::string_view& text);
+
+  const ControlTable& control_;
+  const ProgramSetup& setup_;
+  BlockRunner& runner_;
+  ProgramMotion& motion_;
+  GcodeVariables variables_;
+  GcodeBlock block_;
+  const ProgramText* main_;
+  const ProgramText* text_;
+  std::size_t at_ = 0, next_ = 0;  // the block that runs, and the next one
+  std::size_t main_at_ = 0;        // the block of the file that runs, or calls
+  std::vector<Call> calls_;
+  std::vector<Loop> loops_;
+  std::map<std::string, BesideText> besides_;
+  std::size_t end_line_ = 0;
+  bool has_ended_ = false;
+};
+
+}  // namespace gouge

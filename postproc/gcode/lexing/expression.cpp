@@ -1,0 +1,355 @@
+#include "postproc/gcode/lexing/expression.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr int kDeepest = 50;  // brackets in each other
+
+bool is_a_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+bool is_a_digit(char c) { return c >= '0' && c <= '9'; }
+char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+double truth(bool value) { return value ? 1 : 0; }
+
+// Controls compare for equality exactly or within a tolerance. Within it the answer is not known.
+double equality(double a, double b, bool wanted) {
+  constexpr double kWidestTolerance = 1e-3;
+  const double apart = std::abs(a - b);
+  if (!is_known(apart) || (apart > 0 && apart < kWidestTolerance)) return kUnknownValue;
+  return truth((apart <= 0) == wanted);
+}
+
+double comparison(double a, double b, bool holds) { return is_known(a) && is_known(b) ? truth(holds) : kUnknownValue; }
+
+// Controls differ in the sign of a remainder of negative numbers.
+double remainder_of(double a, double b) { return a >= 0 && b > 0 ? std::fmod(a, b) : kUnknownValue; }
+
+class Evaluator {
+ public:
+  Evaluator(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables)
+      : c_(cursor), syntax_(syntax), variables_(variables) {}
+
+  double value() {
+    c_.skip_blanks();
+    const char c = c_.peek();
+    if (c == '-' || c == '+') {
+      ++c_.at;
+      const double rest = value();
+      return c == '-' ? -rest : rest;
+    }
+    if (c == '[') return brackets();
+    if (c == '#') return variable();
+    if (is_a_letter(c)) return function();
+    return number();
+  }
+
+  double whole() { return operation(Rank::comparison); }
+
+ private:
+  enum class Rank { comparison, logic, sum, product, power, none };
+  enum class Operator {
+    plus,
+    minus,
+    times,
+    divide,
+    mod,
+    power,
+    eq,
+    ne,
+    gt,
+    ge,
+    lt,
+    le,
+    conjunction,
+    either,
+    exclusive,
+    none
+  };
+
+  struct Spelling {
+    std::string_view text;
+    Operator meaning;
+  };
+
+  [[nodiscard]] Rank rank_of(Operator one) const {
+    using enum Operator;
+    switch (one) {
+      case power:
+        return Rank::power;
+      case times:
+      case divide:
+      case mod:
+        return Rank::product;
+      case plus:
+      case minus:
+        return Rank::sum;
+      case conjunction:
+        return syntax_.binds_and_as_times ? Rank::product : Rank::logic;
+      case either:
+      case exclusive:
+        return syntax_.binds_and_as_times ? Rank::sum : Rank::logic;
+      case none:
+        return Rank::none;
+      default:
+        return Rank::comparison;
+    }
+  }
+  [[nodiscard]] Operator operator_at(std::size_t& length) {
+    using enum Operator;
+    static constexpr std::array<Spelling, 15> kOperators = {{{"**", power},
+                                                             {"MOD", mod},
+                                                             {"AND", conjunction},
+                                                             {"XOR", exclusive},
+                                                             {"OR", either},
+                                                             {"EQ", eq},
+                                                             {"NE", ne},
+                                                             {"GT", gt},
+                                                             {"GE", ge},
+                                                             {"LT", lt},
+                                                             {"LE", le},
+                                                             {"+", plus},
+                                                             {"-", minus},
+                                                             {"*", times},
+                                                             {"/", divide}}};
+    c_.skip_blanks();
+    const std::string_view rest = c_.text.substr(std::min(c_.at, c_.text.size()));
+    for (const Spelling& one : kOperators) {
+      const bool is_here = rest.size() >= one.text.size() && std::equal(one.text.begin(), one.text.end(), rest.begin(),
+                                                                        [](char a, char b) { return a == capital(b); });
+      if (!is_here) continue;
+      length = one.text.size();
+      return one.meaning;
+    }
+    return none;
+  }
+
+  static double applied(Operator one, double a, double b) {
+    using enum Operator;
+    switch (one) {
+      case plus:
+        return a + b;
+      case minus:
+        return a - b;
+      case times:
+        return a * b;
+      case divide:
+        return std::abs(b) > 0 ? a / b : kUnknownValue;
+      case mod:
+        return remainder_of(a, b);
+      case power:
+        return std::pow(a, b);
+      case eq:
+        return equality(a, b, true);
+      case ne:
+        return equality(a, b, false);
+      case gt:
+        return comparison(a, b, a > b);
+      case ge:
+        return comparison(a, b, a >= b);
+      case lt:
+        return comparison(a, b, a < b);
+      case le:
+        return comparison(a, b, a <= b);
+      // Controls take these of truth values or of bits; both agree for 0 and 1.
+      case conjunction:
+        return is_truth(a) && is_truth(b) ? truth(a > 0 && b > 0) : kUnknownValue;
+      case either:
+        return is_truth(a) && is_truth(b) ? truth(a > 0 || b > 0) : kUnknownValue;
+      case exclusive:
+        return is_truth(a) && is_truth(b) ? truth((a > 0) != (b > 0)) : kUnknownValue;
+      case none:
+        break;
+    }
+    return kUnknownValue;
+  }
+  static bool is_truth(double a) { return equality(a, 0, true) > 0 || equality(a, 1, true) > 0; }
+
+  // Operators of at least this rank; equal ranks from left to right.
+  double operation(Rank least) {
+    double left = value();
+    while (c_.error.empty()) {
+      std::size_t length = 0;
+      const Operator one = operator_at(length);
+      const Rank rank = rank_of(one);
+      if (rank == Rank::none || rank < least) break;
+      c_.at += length;
+      const double right = operation(static_cast<Rank>(static_cast<int>(rank) + 1));
+      left = applied(one, left, right);
+      if (std::isinf(left)) left = kUnknownValue;
+    }
+    return left;
+  }
+
+  double brackets() {
+    if (++depth_ > kDeepest) {
+      c_.fail("an expression has too many brackets in each other");
+      return kUnknownValue;
+    }
+    ++c_.at;
+    const double inner = operation(Rank::comparison);
+    c_.skip_blanks();
+    if (c_.peek() != ']') c_.fail("an expression without its closing bracket");
+    ++c_.at;
+    --depth_;
+    return inner;
+  }
+
+  double variable() {
+    ++c_.at;
+    const std::string name = read_variable_name(c_, syntax_, variables_);
+    return name.empty() ? kUnknownValue : variables_.value(name);
+  }
+
+  double function() {
+    std::string name;
+    while (is_a_letter(c_.peek())) name += capital(c_.text[c_.at++]);
+    c_.skip_blanks();
+    if (c_.peek() != '[') {
+      c_.fail("'" + name + "' is no number");
+      return kUnknownValue;
+    }
+    const double x = brackets();
+    if (name == "ATAN") return arc_tangent(x);
+    if (name == "SIN") return std::sin(x / kDegrees);
+    if (name == "COS") return std::cos(x / kDegrees);
+    if (name == "TAN") return std::tan(x / kDegrees);
+    if (name == "ASIN") return std::asin(x) * kDegrees;
+    if (name == "ACOS") return std::acos(x) * kDegrees;
+    if (name == "SQRT") return std::sqrt(x);
+    if (name == "ABS") return std::abs(x);
+    if (name == "EXP") return std::exp(x);
+    if (name == "LN") return x > 0 ? std::log(x) : kUnknownValue;
+    if (name == "ROUND") return x >= 0 ? std::round(x) : kUnknownValue;  // halves below 0 differ
+    // LinuxCNC takes the next whole number below or above, Fanuc that nearer to or farther from 0.
+    if (name == "FIX") return x >= 0 ? std::floor(x) : kUnknownValue;
+    if (name == "FUP") return x >= 0 ? std::ceil(x) : kUnknownValue;
+    c_.fail("the function " + name + " is not known");
+    return kUnknownValue;
+  }
+
+  // Of Fanuc a parameter chooses the range of the angle.
+  double arc_tangent(double y) {
+    c_.skip_blanks();
+    if (c_.peek() != '/') return std::atan(y) * kDegrees;
+    ++c_.at;
+    c_.skip_blanks();
+    if (c_.peek() != '[') {
+      c_.fail("ATAN needs its second value in brackets");
+      return kUnknownValue;
+    }
+    const double angle = std::atan2(y, brackets()) * kDegrees;
+    return syntax_.has_macros && angle < 0 ? kUnknownValue : angle;
+  }
+
+  double number() {
+    const std::size_t begin = c_.at;
+    while (is_a_digit(c_.peek()) || c_.peek() == '.') ++c_.at;
+    const auto parsed = parse_number(c_.text.substr(begin, c_.at - begin));
+    if (!parsed) c_.fail("a word without its number");
+    return parsed.value_or(kUnknownValue);
+  }
+
+  GcodeCursor& c_;
+  const GcodeSyntax& syntax_;
+  const GcodeVariables& variables_;
+  int depth_ = 0;
+};
+
+// Powers of ten that are exact doubles.
+constexpr std::array<double, 16> kPowers = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                            1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+
+// Reads a number without sign that a double holds exactly but for one division, which rounds once. None: another text.
+std::optional<double> plain_number(GcodeCursor& c, bool& has_point) {
+  constexpr std::size_t kMaxDigits = 15;
+  std::size_t at = c.at, digits = 0, decimals = 0;
+  long long value = 0;
+  bool is_behind = false;
+  for (; at < c.text.size(); ++at) {
+    const char one = c.text[at];
+    if (is_a_digit(one)) {
+      value = value * 10 + (one - '0');
+      ++digits;
+      decimals += is_behind ? 1U : 0U;
+      if (digits > kMaxDigits) return std::nullopt;
+    } else if (one == '.' && !is_behind) {
+      is_behind = true;
+    } else {
+      break;
+    }
+  }
+  if (digits == 0 || (at < c.text.size() && c.text[at] == '.')) return std::nullopt;
+  c.at = at;
+  has_point = is_behind;
+  return static_cast<double>(value) / kPowers[decimals];
+}
+
+}  // namespace
+
+void GcodeCursor::skip_blanks() {
+  while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '\r')) ++at;
+}
+
+void GcodeCursor::fail(std::string reason) {
+  if (error.empty()) error = std::move(reason);
+  at = text.size();
+}
+
+double read_value(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables, bool& has_point) {
+  cursor.skip_blanks();
+  const std::size_t begin = cursor.at;
+  const char sign = cursor.peek();
+  if (sign == '-' || sign == '+') {
+    ++cursor.at;
+    cursor.skip_blanks();
+  }
+  if (const auto plain = plain_number(cursor, has_point)) return sign == '-' ? -*plain : *plain;
+  cursor.at = begin;
+  const bool is_expression = cursor.text.substr(begin).find_first_of("#[") != std::string_view::npos;
+  const double value = Evaluator(cursor, syntax, variables).value();
+  const std::string_view read = cursor.text.substr(begin, cursor.at - std::min(begin, cursor.at));
+  has_point =
+      (is_expression && read.find_first_of("#[") != std::string_view::npos) || read.find('.') != std::string_view::npos;
+  return value;
+}
+
+double read_expression(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables) {
+  return Evaluator(cursor, syntax, variables).whole();
+}
+
+std::string read_variable_name(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables) {
+  cursor.skip_blanks();
+  if (cursor.peek() == '<' && syntax.has_named_variables) {
+    const std::size_t close = cursor.text.find('>', cursor.at);
+    if (close == std::string_view::npos) {
+      cursor.fail("the name of a variable without its end");
+      return {};
+    }
+    std::string name;
+    for (const char c : cursor.text.substr(cursor.at, close + 1 - cursor.at)) {
+      if (c != ' ' && c != '\t') name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    cursor.at = close + 1;
+    return name;
+  }
+  bool has_point = false;
+  const double number = read_value(cursor, syntax, variables, has_point);
+  constexpr double kMaxVariables = 1e6;
+  if (!is_known(number) || number < 0 || number > kMaxVariables || std::floor(number) < number) {
+    cursor.fail("it is not known which variable is meant");
+    return {};
+  }
+  return std::to_string(static_cast<long long>(number));
+}
+
+}  // namespace gouge

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "postproc/gcode/language/control_table.h"
+#include "postproc/gcode/lexing/variables.h"
+
+// Values of words: numbers, variables, functions, and arithmetic in square brackets. Angles are in degrees.
+
+namespace gouge {
+
+/// A place in a text, and why its text is not understood.
+struct GcodeCursor {
+  std::string_view text;
+  std::size_t at = 0;
+  std::string error = {};  ///< empty: understood so far
+
+  [[nodiscard]] bool is_end() const { return at >= text.size(); }
+  [[nodiscard]] char peek() const { return is_end() ? '\0' : text[at]; }
+  void skip_blanks();
+  void fail(std::string reason);
+};
+
+/// Reads a value at the cursor and moves the cursor behind it. Returns kUnknownValue for a value that depends on a
+/// variable that is not known, or on a rule on which controls differ. On text that is no value, the cursor has an error.
+/// `has_point`: the value is an expression, or a number with a decimal point.
+/// Source   LinuxCNC, G-Code Overview, Expressions; Fanuc B-64484EN, Custom macro.
+[[nodiscard]] double read_value(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables,
+                                bool& has_point);
+
+/// Reads an expression without brackets around it, which custom macros have on the right of an assignment.
+[[nodiscard]] double read_expression(GcodeCursor& cursor, const GcodeSyntax& syntax, const GcodeVariables& variables);
+
+/// Reads the name of a variable behind its #: "101" or "<name>"; empty, with an error at the cursor: it is not known which
+/// variable is meant.
+[[nodiscard]] std::string read_variable_name(GcodeCursor& cursor, const GcodeSyntax& syntax,
+                                             const GcodeVariables& variables);
+
+}  // namespace gouge

@@ -1,0 +1,93 @@
+#include "postproc/gcode/reading/assume_program.h"
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+Assumption unit_of_program(const Toolpath& path, const GcodeOptions& options, const ProgramFacts& facts) {
+  Assumption fact{.subject = Subject::path_unit, .value = unit_name(path.unit), .code = "path-unit"};
+  fact.remedy = "give --path-units mm or --path-units inch";
+  if (facts.has_assumed_unit) {
+    fact.basis = Basis::unknown;
+    fact.evidence = "lengths stand before the block that states their unit; mm was taken";
+  } else if (facts.unit_line > 0) {
+    fact.basis = Basis::stated;
+    fact.evidence = facts.unit_word;
+    fact.line = facts.unit_line;
+  } else if (path.is_unit_stated) {
+    fact.basis = Basis::stated;
+    fact.evidence = options.unit ? "--path-units" : "the blocks in force at the start";
+  } else {
+    fact.basis = Basis::unknown;
+    fact.evidence = "the program states no unit; mm was taken";
+  }
+  return fact;
+}
+
+Assumption control_of_program(std::string_view control, const ProgramSetup& setup) {
+  Assumption fact{.subject = Subject::dialect, .value = "program of " + std::string(control), .code = "gcode-control"};
+  fact.basis = Basis::stated;
+  fact.evidence = setup.is_control_stated ? "--control" : "the control of the machine";
+  fact.remedy = "give --control";
+  return fact;
+}
+
+Assumption end_of_program(const ProgramFacts& facts) {
+  Assumption fact{.subject = Subject::completeness, .value = "whole program", .code = "path-cut-short"};
+  fact.remedy = "save it again, or state that it is whole with --assume complete";
+  if (facts.end_line > 0) {
+    fact.basis = Basis::derived;
+    fact.evidence = "the program has its end";
+    fact.line = facts.end_line;
+  } else {
+    fact.basis = Basis::unknown;
+    fact.evidence = "the program does not have its end, such as M30";
+  }
+  return fact;
+}
+
+Assumption words_of_program(const Toolpath& path) {
+  Assumption fact{.subject = Subject::statements, .value = "all understood", .code = "path-words"};
+  fact.basis = Basis::derived;
+  fact.evidence = count_text(path.statements.size(), "block") + " understood";
+  if (path.words_not_understood.empty()) return fact;
+  std::vector<std::string> words;
+  for (const auto& [word, times] : path.words_not_understood) words.push_back(word);
+  fact.basis = Basis::unknown;
+  fact.value = "not understood to its end";
+  fact.evidence = "a word that is not understood: " + listed(words);
+  fact.remedy = "correct the program, or state words of your shop with --harmless-word";
+  return fact;
+}
+
+Assumption frame_of_program(const ProgramSetup& setup, const ProgramMotion& motion, const ProgramFacts& facts) {
+  Assumption fact{.subject = Subject::frame, .value = "part coordinates", .code = "path-frame"};
+  fact.remedy = "state that positions are in part coordinates with --assume frame";
+  fact.line = facts.offset_line;
+  const std::string& offset = motion.part_offset();
+  if (setup.zero) {
+    fact.basis = Basis::stated;
+    fact.evidence = "the part zero of the machine is stated";
+  } else {
+    fact.basis = Basis::by_default;
+    fact.value = "coordinates of work offset " + offset;
+    fact.evidence = "positions are taken as those of the tip in work offset " + offset +
+                    (setup.machine ? ", with the rotary joints at 0" : "");
+  }
+  if (!motion.has_lengths())
+    fact.evidence += "; the program applies no tool length, so the work offset includes that of its tool";
+  return fact;
+}
+
+}  // namespace
+
+Assumptions assume_program(const Toolpath& path, std::string_view control, const GcodeOptions& options,
+                           const ProgramMotion& motion, const ProgramFacts& facts) {
+  Assumptions all = {unit_of_program(path, options, facts), control_of_program(control, options.setup),
+                     end_of_program(facts), words_of_program(path), frame_of_program(options.setup, motion, facts)};
+  for (Assumption& fact : all) fact.file = path.file;
+  return all;
+}
+
+}  // namespace gouge

@@ -1,0 +1,132 @@
+#include "postproc/gcode/reading/read_gcode.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "lib/base/number_text.h"
+#include "postproc/gcode/iso/read_iso.h"
+#include "postproc/gcode/language/control_tables.h"
+#include "postproc/gcode/reading/assume_program.h"
+#include "postproc/gcode/running/program_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kLongestProgram = (std::size_t{1} << 32U) - 2;  // a SmallIndex can count its bytes
+
+bool is_forbidden(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte < 0x20 && c != '\n' && c != '\t' && c != '\r') || byte == 0x7f;
+}
+
+/// Returns why the bytes are no text of blocks: a control character, or a carriage return within a line.
+std::optional<Diagnostic> find_wrong_byte(const std::string& file, std::string_view bytes) {
+  std::size_t line = 1;
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    const char c = bytes[at];
+    if (c == '\n') ++line;
+    const bool is_alone = c == '\r' && at + 1 < bytes.size() && bytes[at + 1] != '\n' && bytes[at + 1] != '\r';
+    if (!is_forbidden(c) && !is_alone) continue;
+    return make_error("path-binary",
+                      "byte " + std::to_string(static_cast<unsigned char>(c)) +
+                          " is no text of a program; expected lines that end with LF or CR LF",
+                      file, line);
+  }
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> find_unreadable_program(const std::string& file, std::string_view bytes) {
+  if (bytes.empty()) return make_error("path-empty", "the file is empty; expected a program", file);
+  if (bytes.size() > kLongestProgram)
+    return make_error("path-too-long",
+                      "the file has " + std::to_string(bytes.size()) + " bytes; expected fewer than 4 GiB", file);
+  return find_wrong_byte(file, bytes);
+}
+
+Result<const ProgramLanguage*> language_of(const GcodeOptions& options, const std::string& file) {
+  const std::string& id = options.setup.control;
+  if (id.empty())
+    return make_error("gcode-control",
+                      "the file is a program of a machine's control, and nothing states which; expected --control " +
+                          language_names() + ", or \"program\" in the control of the machine file",
+                      file);
+  for (const ProgramLanguage& language : all_languages())
+    if (language.id == id) return &language;
+  return make_error("gcode-control", "the control is '" + id + "'; expected " + language_names(), file);
+}
+
+void name_first_tool(const std::string& name, Toolpath& path) {
+  if (name.empty()) return;
+  const auto is_unnamed = [](const Move& move) { return move.tool == kNone; };
+  const auto first = std::ranges::find_if(path.moves, is_unnamed);
+  if (first == path.moves.end()) return;
+  PathTool tool;
+  tool.name = name;
+  tool.line = first->line;
+  for (Move& move : path.moves)
+    if (is_unnamed(move)) move.tool = path.tools.size();
+  path.tools.push_back(std::move(tool));
+}
+
+bool has_checked_move(const Toolpath& path) {
+  return std::ranges::any_of(path.moves, [](const Move& move) { return move.not_checked_reason.empty(); });
+}
+
+}  // namespace
+
+std::span<const ProgramLanguage> all_languages() {
+  static const std::array<ProgramLanguage, 3> languages = {{
+      {linuxcnc_table().id, linuxcnc_table().title,
+       [](const ProgramInput& input) { return run_iso(linuxcnc_table(), input); }},
+      {haas_table().id, haas_table().title, [](const ProgramInput& input) { return run_iso(haas_table(), input); }},
+      {fanuc_table().id, fanuc_table().title, [](const ProgramInput& input) { return run_iso(fanuc_table(), input); }},
+  }};
+  return languages;
+}
+
+std::string language_names() {
+  std::vector<std::string> names;
+  for (const ProgramLanguage& language : all_languages()) names.emplace_back(language.id);
+  return listed(names, " or ");
+}
+
+bool is_gcode(std::string_view bytes) { return is_iso_program(bytes); }
+
+ReadOutcome read_gcode(const std::string& file_name, SourceText bytes, const GcodeOptions& options,
+                       const ProgressCall& progress) {
+  ReadOutcome outcome;
+  if (auto error = find_unreadable_program(file_name, bytes)) return {std::nullopt, {std::move(*error)}};
+  const Result<const ProgramLanguage*> language = language_of(options, file_name);
+  if (!language) return {std::nullopt, {language.error()}};
+  if (options.setup.machine) {
+    if (const std::string unfit = describe_unfit(*options.setup.machine); !unfit.empty())
+      return {std::nullopt, {make_error("gcode-machine", unfit, file_name)}};
+  }
+  Toolpath path;
+  path.file = file_name;
+  path.source = std::move(bytes);
+  path.dialect = kProgramDialect;
+  path.harmless_words = options.harmless_words;
+  path.unit = options.unit.value_or(LengthUnit::mm);
+  path.is_unit_stated = options.unit.has_value();
+  add_lines(path.source, path.statements);
+  if (path.statements.empty()) return {std::nullopt, {make_error("path-no-motion", "holds no block", file_name)}};
+  PathBuilder builder(path);
+  ProgramMotion motion(builder, options.setup);
+  const ProgramFacts facts = (*language)->run({options, path, motion, progress});
+  motion.finish();
+  if (facts.error) return {std::nullopt, {*facts.error}};
+  if (!has_checked_move(path)) {
+    const std::string reason = path.moves.empty() ? "" : ": " + std::string(path.moves.front().not_checked_reason);
+    return {std::nullopt,
+            {make_error("path-no-motion", "holds no motion whose place is known" + reason, file_name,
+                        path.moves.empty() ? std::size_t{0} : std::size_t{path.moves.front().line})}};
+  }
+  name_first_tool(options.unnamed_tool, path);
+  path.assumptions = assume_program(path, (*language)->title, options, motion, facts);
+  outcome.toolpath = std::move(path);
+  return outcome;
+}
+
+}  // namespace gouge

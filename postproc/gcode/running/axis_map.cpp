@@ -1,0 +1,116 @@
+#include "postproc/gcode/running/axis_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/base/tolerance.h"
+#include "postproc/gcode/language/gcode_block.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::array<char, 3> kLinearNames = {'X', 'Y', 'Z'};
+
+std::optional<std::size_t> joint_called(const Machine& machine, char letter) {
+  for (std::size_t k = 0; k < machine.joints.size(); ++k)
+    if (machine.joints[k].name.size() == 1 && machine.joints[k].name[0] == letter) return k;
+  return std::nullopt;
+}
+
+bool stands_at_zero(double angle) { return std::abs(angle) <= Tolerance::kExactDirection; }
+
+}  // namespace
+
+std::string describe_unfit(const Machine& machine) {
+  for (const char letter : kLinearNames) {
+    const auto joint = joint_called(machine, letter);
+    if (!joint || is_rotary(machine.joints[*joint]))
+      return "machine " + machine.name + " has no linear joint " + std::string(1, letter);
+  }
+  for (const std::size_t k : machine.rotary) {
+    const std::string& name = machine.joints[k].name;
+    if (name != "A" && name != "B" && name != "C")
+      return "machine " + machine.name + " has the rotary joint " + name + "; programs name A, B and C";
+  }
+  return {};
+}
+
+AxisMapper::AxisMapper(const Machine* machine) : machine_(machine) {
+  if (machine == nullptr) return;
+  for (std::size_t i = 0; i < 3; ++i) linear_.at(i) = joint_called(*machine, kLinearNames.at(i)).value_or(0);
+  at_zero_ = at_joints(Vec3::Zero(), {0, 0}, 0);
+}
+
+std::optional<std::size_t> AxisMapper::rotary_of(char letter) const {
+  if (machine_ == nullptr) return std::nullopt;
+  for (std::size_t k = 0; k < 2; ++k)
+    if (machine_->joints[machine_->rotary.at(k)].name == std::string(1, letter)) return k;
+  return std::nullopt;
+}
+
+AxisMap AxisMapper::at_joints(const Vec3& shift_mm, const RotaryAngles& angles, double length_mm) const {
+  JointValues joints(machine_->joints.size(), 0.0);
+  for (std::size_t k = 0; k < 2; ++k) joints[machine_->rotary.at(k)] = angles.at(k);
+  for (int i = 0; i < 3; ++i) joints[linear_.at(static_cast<std::size_t>(i))] = shift_mm[i];
+  const Pose zero = forward(*machine_, joints, length_mm);
+  AxisMap map;
+  map.axis = zero.axis.normalized();
+  map.origin = zero.tip;
+  for (int i = 0; i < 3; ++i) {
+    double& value = joints[linear_.at(static_cast<std::size_t>(i))];
+    value += 1;
+    map.linear.col(i) = forward(*machine_, joints, length_mm).tip - zero.tip;
+    value -= 1;
+  }
+  return map;
+}
+
+std::string AxisMapper::missing_point(const RotaryAngles& angles) const {
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Joint& joint = machine_->joints[machine_->rotary.at(k)];
+    if (joint.has_point || stands_at_zero(angles.at(k))) continue;
+    return "without tool centre point control the place of the tip needs a point on the axis of joint " + joint.name +
+           "; expected --joint-point " + joint.name + "=X,Y,Z";
+  }
+  return {};
+}
+
+AxisMap AxisMapper::map(const AxisFrame& state, const RotaryAngles& angles) const {
+  AxisMap map;
+  if (machine_ == nullptr) {
+    map.origin = state.shift_mm + Vec3(0, 0, state.excess_length_mm);
+  } else {
+    AxisMap at_zero = at_zero_;
+    at_zero.origin += at_zero.linear * state.shift_mm;
+    const bool is_turned = !stands_at_zero(angles[0]) || !stands_at_zero(angles[1]);
+    map = at_zero;
+    if (!is_known(angles[0]) || !is_known(angles[1])) {
+      if (!state.is_aligned) map.open = "the positions of the rotary joints are not known";
+    } else if (is_turned && !state.is_aligned) {
+      const Eigen::Matrix3d turn = tool_axes(*machine_, angles) * machine_->rest.rotation.transpose();
+      map.axis = turn * at_zero.axis;
+      if (state.tip_control == TipControl::unknown) map.open = "nothing states whether tool centre point control is on";
+      if (state.tip_control == TipControl::turned_offset) map.linear = turn * at_zero.linear;
+      if (state.tip_control == TipControl::off) {
+        // The length that the control applies runs along Z, and the tool along its axis.
+        map = at_joints(state.shift_mm + Vec3(0, 0, state.tool_length_mm), angles, state.tool_length_mm);
+        map.open = missing_point(angles);
+      }
+    }
+    const Vec3 along = state.tip_control == TipControl::on ? map.axis : Vec3(map.linear.col(2));
+    map.origin += state.excess_length_mm * along;
+  }
+  if (!state.open_length.empty()) map.open = state.open_length;
+  if (!state.plane) return map;
+  const Eigen::Matrix3d work = map.linear;
+  if (!state.is_aligned) {
+    map.open = "a tilted frame is in force, and the tool is not aligned with it";
+    return map;
+  }
+  map.origin = work * state.plane->shift + map.origin;
+  map.linear = work * state.plane->rotation;
+  map.axis = map.linear.col(2).normalized();
+  return map;
+}
+
+}  // namespace gouge

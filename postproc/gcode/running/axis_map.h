@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "lib/machine/kinematics.h"
+#include "postproc/gcode/running/program_setup.h"
+
+namespace gouge {
+
+/// Way in which the coordinates of a program become those of the tip.
+enum class TipControl : std::uint8_t {
+  off,            ///< the coordinates are those of the joints
+  on,             ///< the coordinates are those of the tip on the part
+  turned_offset,  ///< directions of the joints, from the work zero that the table has turned
+  unknown         ///< nothing states which
+};
+
+/// Frame and length that are in force for positions.
+struct AxisFrame {
+  TipControl tip_control = TipControl::off;
+  Vec3 shift_mm = Vec3::Zero();         ///< work zero from machine zero of the joint values
+  std::optional<RigidTransform> plane;  ///< tilted frame, in the coordinates of the work offset
+  bool is_aligned = false;              ///< the tool axis is that of the tilted frame
+  double tool_length_mm = 0;            ///< from the gauge point to the tip
+  double excess_length_mm = 0;          ///< length that the control applies, beyond the true one
+  std::string open_length;              ///< why these lengths are not known; empty: they are
+};
+
+/// Tip in part coordinates from coordinates of the program: tip = linear * xyz + origin.
+struct AxisMap {
+  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
+  Vec3 origin = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();  ///< tool axis
+  std::string open;           ///< why the map is not known; empty: it is
+
+  [[nodiscard]] Vec3 tip(const Vec3& xyz) const { return linear * xyz + origin; }
+  [[nodiscard]] Vec3 coordinates(const Vec3& tip_mm) const {
+    return linear.partialPivLu().solve(Vec3(tip_mm - origin));
+  }
+};
+
+/// Makes the maps of a machine; without a machine the coordinates are those of the part, and the tool axis is z.
+class AxisMapper {
+ public:
+  explicit AxisMapper(const Machine* machine);
+
+  /// Returns the map with these rotary angles (rad, unknown where they are not numbers).
+  [[nodiscard]] AxisMap map(const AxisFrame& state, const RotaryAngles& angles) const;
+  [[nodiscard]] bool has_machine() const { return machine_ != nullptr; }
+  /// Returns the place of a rotary joint by its letter in RotaryAngles; none: the machine has none of this name.
+  [[nodiscard]] std::optional<std::size_t> rotary_of(char letter) const;
+
+ private:
+  [[nodiscard]] AxisMap at_joints(const Vec3& shift_mm, const RotaryAngles& angles, double length_mm) const;
+  [[nodiscard]] std::string missing_point(const RotaryAngles& angles) const;
+
+  const Machine* machine_;
+  std::array<std::size_t, 3> linear_{};  // joints of X, Y and Z
+  AxisMap at_zero_;                      // with all joints at 0
+};
+
+/// Returns why a machine cannot run programs: a linear joint that is not X, Y or Z. Empty: it can.
+[[nodiscard]] std::string describe_unfit(const Machine& machine);
+
+}  // namespace gouge

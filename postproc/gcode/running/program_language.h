@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/base/parallel.h"
+#include "lib/base/units.h"
+#include "lib/path/toolpath.h"
+#include "postproc/gcode/running/program_motion.h"
+#include "postproc/gcode/running/program_setup.h"
+
+namespace gouge {
+
+/// Options of the user for a program.
+struct GcodeOptions {
+  ProgramSetup setup;
+  std::optional<LengthUnit> unit;           ///< for a program that states none
+  std::vector<std::string> harmless_words;  ///< codes that neither move nor change anything: "M200"
+  std::string unnamed_tool;                 ///< name of the tool of moves before a tool change; empty: they have none
+};
+
+/// Data on which the reader of a language works. Toolpath::source and ::statements (its lines that are not blank) are there.
+struct ProgramInput {
+  const GcodeOptions& options;
+  Toolpath& path;
+  ProgramMotion& motion;
+  const ProgressCall& progress;
+};
+
+/// Facts that the reader of a language finds, besides the moves.
+struct ProgramFacts {
+  std::size_t unit_line = 0;        ///< block that states the unit; 0: none
+  bool has_assumed_unit = false;    ///< a length stands before the block that states the unit
+  std::string unit_word;            ///< "G20"; Toolpath::unit has the unit
+  std::size_t offset_line = 0;      ///< block that chooses the work offset; 0: none
+  std::size_t end_line = 0;         ///< block that ends the program; 0: none
+  std::optional<Diagnostic> error;  ///< the program cannot be read at all: a rotary word without its machine
+};
+
+/// A control and the reader of its programs. One row a control; no code depends on the row.
+struct ProgramLanguage {
+  std::string_view id;     ///< value of --control
+  std::string_view title;  ///< name in messages
+  /// Runs a program to its end, or until nothing after it is known (ProgramDoubt::rest).
+  ProgramFacts (*run)(const ProgramInput& input);
+};
+
+/// Adds a warning (gcode-word) and a move that is not checked, and ends the knowledge of all that follows.
+void lose_program(const std::string& reason, std::size_t line, const ProgramInput& input);
+
+}  // namespace gouge

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lib/path/joint_angles.h"
+#include "postproc/gcode/running/axis_map.h"
+#include "postproc/gcode/running/program_setup.h"
+#include "postproc/program/motion_chain.h"
+#include "postproc/program/path_builder.h"
+
+// The motion of a program, independent of its language: the readers of all controls state frames, lengths and targets here,
+// and this makes the moves of the path.
+
+namespace gouge {
+
+/// Coordinates of a program at one position: mm, and rad of the rotary joints of the machine, that nearer to the part
+/// first. Unknown where they are not numbers.
+struct AxisPlace {
+  Vec3 xyz = Vec3::Constant(kUnknownCoordinate);
+  RotaryAngles angles{kUnknownCoordinate, kUnknownCoordinate};
+
+  static constexpr double kUnknownCoordinate = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// A circle or helix in coordinates of the program.
+struct ProgramArc {
+  Vec3 centre = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();  ///< unit
+  double sweep_rad = 0;       ///< right-handed about `axis`, above 0
+};
+
+/// Reasons for which later motions cannot be checked. Each kind ends apart.
+enum class ProgramDoubt : std::uint8_t {
+  rest,          ///< a word that is not understood: nothing after it is known
+  compensation,  ///< radius compensation
+  frame,         ///< a frame of the program whose place is not known
+  offset,        ///< a work offset whose value is not given
+  length,        ///< a tool length whose value is not given
+  tip_control,   ///< tool centre point control by a rule that is not known, or not that of the check
+  path_control   ///< the control may leave the path by an unknown distance
+};
+inline constexpr std::size_t kProgramDoubts = 7;
+
+class ProgramMotion {
+ public:
+  /// All must outlive the object.
+  ProgramMotion(PathBuilder& builder, const ProgramSetup& setup);
+
+  /// Begins a block: its statement and line are those of later moves.
+  void begin_block(std::size_t statement, std::size_t line) {
+    statement_ = statement;
+    line_ = line;
+  }
+
+  // Facts that hold from here on.
+
+  /// Chooses the work offset by its name. Two offsets need both values.
+  void choose_offset(const std::string& name);
+  void set_tip_control(TipControl control);
+  /// Sets the tilted frame, in the coordinates of the work offset; none: ends it.
+  void set_plane(const std::optional<RigidTransform>& plane);
+  /// Aligns the tool axis with the tilted frame. The motion to it is not checked. Later angles are not known.
+  void align_to_plane();
+  /// Loads a tool. Where the machine is afterwards is not known.
+  void change_tool(const PathTool& tool);
+  /// Applies the length of H; none: that of the tool in the spindle.
+  void apply_length(std::optional<int> h);
+  void cancel_length();
+  /// Rapids without tool centre point control run straight on this control.
+  void run_rapids_together() { are_rapids_together_ = true; }
+  /// The program never applies a length: the work offset includes that of the first tool.
+  void omit_lengths() { has_lengths_ = false; }
+  void set_feed(const Feed& feed) {
+    feed_ = feed;
+    moves_per_minute_.reset();
+  }
+  /// Sets the feed by the number of such motions in a minute (G93). Each move takes its length in that time.
+  void set_inverse_time(std::optional<double> moves_per_minute) {
+    feed_ = {};
+    moves_per_minute_ = moves_per_minute;
+  }
+  void name_operation(std::string name) { operation_.name(std::move(name), line_); }
+  /// Begins a doubt, with a reason for the user; a rest of the program that is not known keeps its first reason.
+  void doubt(ProgramDoubt kind, std::string reason);
+  void end_doubt(ProgramDoubt kind);
+  [[nodiscard]] bool is_rest_unknown() const { return !doubts_[0].empty(); }
+
+  // Motions.
+
+  /// Returns the last coordinates, in the frame that is in force.
+  [[nodiscard]] const AxisPlace& place() const { return place_; }
+  /// Returns the coordinates of the program at a place of the machine; unknown: the work offset is not given.
+  [[nodiscard]] Vec3 from_machine(const Vec3& machine_mm) const;
+  [[nodiscard]] double angle_from_program(std::size_t rotary, double degrees) const;
+  [[nodiscard]] TipControl tip_control() const { return state_.tip_control; }
+  [[nodiscard]] const AxisMapper& mapper() const { return mapper_; }
+
+  void go(MoveKind kind, const AxisPlace& to);
+  void go_round(const AxisPlace& to, const ProgramArc& arc);
+  /// Moves to a place of which only some coordinates are known, with the reason. The move is not checked.
+  void go_unchecked(MoveKind kind, const AxisPlace& to, const std::string& reason);
+
+  /// Stores the angles with the path, and notes. Must be called once, at the end.
+  void finish();
+  /// Work offset of the part: the first that the program chooses.
+  [[nodiscard]] const std::string& part_offset() const { return part_offset_; }
+  [[nodiscard]] bool has_lengths() const { return has_lengths_; }
+  [[nodiscard]] std::size_t tools_loaded() const { return tools_loaded_; }
+
+ private:
+  /// Where a motion ends, or why that is not known.
+  struct Reached {
+    Pose pose;
+    std::string open;
+  };
+
+  [[nodiscard]] const AxisMap& map_at(const RotaryAngles& angles);
+  [[nodiscard]] Reached reached(const AxisPlace& to);
+  [[nodiscard]] const std::string* first_doubt() const;
+  [[nodiscard]] std::string why_not_motion(MoveKind kind, const AxisPlace& to, bool is_arc) const;
+  template <typename Change>
+  void change_state(const Change& change);
+  void settle_length();
+  void add(Move& move, const AxisPlace& to, const Reached& reached, std::string reason);
+  [[nodiscard]] bool is_approach(MoveKind kind, const Reached& end) const;
+  void approach(const AxisPlace& to);
+  [[nodiscard]] std::optional<int> tool_number() const;
+  [[nodiscard]] std::optional<double> length_of(std::optional<int> number) const;
+  void store_angles(const Move& move, const AxisPlace& to);
+
+  PathBuilder& builder_;
+  const ProgramSetup& setup_;
+  AxisMapper mapper_;
+  MotionChain chain_;
+  OperationState operation_;
+  AxisFrame state_;
+  AxisPlace place_;
+  AxisMap map_;  // of the state, with map_angles_
+  RotaryAngles map_angles_{};
+  bool is_map_current_ = false;
+  std::array<std::string, kProgramDoubts> doubts_;
+  Feed feed_;
+  std::optional<double> moves_per_minute_;
+  std::size_t statement_ = 0, line_ = 0, tool_ = kNone;
+  std::string part_offset_, offset_name_;
+  RotaryAngles angle_shift_{};  // of the work offset, rad
+  bool has_lengths_ = true;
+  enum class Length : std::uint8_t { none, applied } length_ = Length::none;
+  std::optional<int> length_number_;  // of H; none: of the tool
+  std::size_t tools_loaded_ = 0;
+  std::size_t length_tool_ = kNone;  // tool in the spindle when the length was applied
+  bool are_rapids_together_ = false;
+  std::shared_ptr<JointPath> joints_;
+  Tally approach_;
+};
+
+}  // namespace gouge

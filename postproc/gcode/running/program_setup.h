@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/geom/pose.h"
+#include "lib/machine/machine.h"
+
+namespace gouge {
+
+/// Value of Toolpath::dialect of every program. The joints of such a path are those that the program states.
+inline constexpr std::string_view kProgramDialect = "gcode";
+
+/// Zero of a work offset in machine coordinates, with all joints at 0: mm, and degrees of A, B and C.
+struct WorkOffset {
+  Vec3 xyz_mm = Vec3::Zero(), abc_deg = Vec3::Zero();
+};
+
+/// Value of a number without a decimal point on controls where a parameter states it.
+enum class PlainNumbers : std::uint8_t {
+  not_stated,
+  units,      ///< X100 is 100 mm, inches or degrees
+  increments  ///< X100 is 100 increments of 0.001 mm, 0.0001 inches or 0.001 degrees
+};
+
+/// Coordinates that tool centre point control follows on machines whose table turns, where a parameter states it.
+enum class TipFrame : std::uint8_t {
+  not_stated,
+  table,     ///< they turn with the table
+  workpiece  ///< they stand while the table turns
+};
+
+/// Facts about a program that are not in its file. What is absent is not known, and never zero.
+struct ProgramSetup {
+  std::string control;                        ///< id of a ControlTable; empty: that of the machine's control
+  bool is_control_stated = false;             ///< an option states `control`
+  std::shared_ptr<const Machine> machine;     ///< null: a program without rotary words
+  std::optional<RigidTransform> zero;         ///< maps part coordinates to machine coordinates
+  std::map<std::string, WorkOffset> offsets;  ///< by name: "G54", "G54.1P3"
+  std::map<int, double> lengths_mm;           ///< length of each tool by its number, and of H
+  std::optional<double> tool_length_mm;       ///< of every tool
+  std::string start;                          ///< blocks in force at the start, in the language of the control
+  std::vector<std::string> tip_control_ends;  ///< codes that end tool centre point control: "G255"
+  std::optional<bool> is_block_delete_on;     ///< blocks with a slash are left out
+  std::optional<double> tip_tolerance_mm;     ///< the check covers this distance of the tip from its path
+  bool are_joint_rapids_straight = false;     ///< rapids without tool centre point control run evenly
+  std::optional<bool> winds_as_programmed;    ///< an absolute rotary word states the turn; none: as the control does
+  TipFrame tip_frame = TipFrame::not_stated;
+  std::optional<TurnLaw> feed_law;  ///< by which the check moves feeds with tool centre point control
+  PlainNumbers plain_numbers = PlainNumbers::not_stated;
+  std::optional<Vec3> home_mm;  ///< of X, Y and Z, in machine coordinates
+  /// Returns the text of a program beside the file by its name; nothing: there is none. Empty: none is looked for.
+  std::function<std::optional<std::string>(const std::string& name)> read_beside = {};
+};
+
+}  // namespace gouge
