@@ -220,8 +220,8 @@ std::optional<Diagnostic> complete_program(const PathArguments& arguments, ReadO
   if (arguments.stated.machine.empty()) return std::nullopt;
   const Result<Machine> machine = load_machine(arguments.stated, arguments.input.max_bytes, bytes);
   if (!machine) return machine.error();
-  options.program =
-      with_machine(options.program, *machine, arguments.stated, machine->control.joint_rapid_law, std::nullopt);
+  options.program = with_machine(options.program, *machine, arguments.stated, machine->control.joint_rapid_law,
+                                 std::nullopt, std::nullopt);
   return std::nullopt;
 }
 

@@ -111,7 +111,7 @@ class JobLoader {
         a.tip_tolerance.empty() ? chosen->machine.control.tip_tolerance_mm : job_.options.check.tube.tip_mm;
     job_.options.reading.program =
         with_machine(job_.options.reading.program, chosen->machine, stated_machine(), chosen->laws.joint_rapids,
-                     tip_mm > 0 ? std::optional(tip_mm) : std::nullopt);
+                     tip_mm > 0 ? std::optional(tip_mm) : std::nullopt, chosen->laws);
     return true;
   }
 

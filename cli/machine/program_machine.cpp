@@ -7,7 +7,8 @@ namespace gouge {
 std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const ProgramSetup>& setup,
                                                  const Machine& machine, const StatedMachine& stated,
                                                  const std::optional<TurnLaw>& joint_rapids,
-                                                 const std::optional<double>& tip_tolerance_mm) {
+                                                 const std::optional<double>& tip_tolerance_mm,
+                                                 const std::optional<TurnLaws>& laws) {
   ProgramSetup full = setup ? *setup : ProgramSetup{};
   full.machine = std::make_shared<const Machine>(machine);
   if (full.control.empty()) full.control = machine.control.program;
@@ -15,6 +16,7 @@ std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const Pro
   if (!stated.zero.empty()) full.zero = parse_place(stated.zero);
   full.tool_length_mm = stated.tool_length_mm;
   full.tip_tolerance_mm = tip_tolerance_mm;
+  full.laws = laws;
   full.are_joint_rapids_straight = joint_rapids == TurnLaw::joint;
   return std::make_shared<const ProgramSetup>(std::move(full));
 }

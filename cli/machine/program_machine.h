@@ -13,6 +13,7 @@ namespace gouge {
 [[nodiscard]] std::shared_ptr<const ProgramSetup> with_machine(const std::shared_ptr<const ProgramSetup>& setup,
                                                                const Machine& machine, const StatedMachine& stated,
                                                                const std::optional<TurnLaw>& joint_rapids,
-                                                               const std::optional<double>& tip_tolerance_mm);
+                                                               const std::optional<double>& tip_tolerance_mm,
+                                                               const std::optional<TurnLaws>& laws);
 
 }  // namespace gouge

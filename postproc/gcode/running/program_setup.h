@@ -38,6 +38,7 @@ struct ProgramSetup {
   std::optional<bool> is_block_delete_on;     ///< blocks with a slash are left out
   std::optional<double> tip_tolerance_mm;     ///< the check covers this distance of the tip from its path
   bool are_joint_rapids_straight = false;     ///< rapids without tool centre point control run evenly
+  std::optional<TurnLaws> laws;               ///< by which the tool turns in the check; none: vector
   std::optional<bool> winds_as_programmed;    ///< an absolute rotary word states the turn; none: as the control does
   PlainNumbers plain_numbers = PlainNumbers::not_stated;
   std::optional<Vec3> home_mm;  ///< of X, Y and Z, in machine coordinates
